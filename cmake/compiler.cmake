@@ -1,0 +1,15 @@
+# Language level, warnings and output folders, the same for every target of ours.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+option(MENGER_WERROR "Treat warnings as errors" OFF)
+
+add_library(menger_warnings INTERFACE)
+target_compile_options(menger_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+                                                 $<$<BOOL:${MENGER_WERROR}>:-Werror>)
+
+# Results must not depend on how a compiler fuses multiplications and additions.
+add_compile_options(-ffp-contract=off)

@@ -1,0 +1,101 @@
+// `menger evolve study.toml` runs menger-evolve, so that no program loads the libraries of another.
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "io/exit_code.h"
+#include "io/input_error.h"
+#include "io/program.h"
+#include "io/version.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace io = menger::io;
+
+struct Command {
+  std::string_view name;
+  std::string_view purpose;
+  std::string_view example;
+};
+
+constexpr std::array commands{
+    Command{"fit", "fit a hyperelastic law to tensile tests", "menger fit tensile.csv"},
+    Command{"mesh", "mesh a design as a hollow silicone body", "menger mesh mesh.toml"},
+    Command{"inflate", "inflate the chambers of a finite-element body", "menger inflate inflate.toml"},
+    Command{"calibrate", "calibrate voxel parameters to finite-element response curves", "menger calibrate curves.toml"},
+    Command{"validate", "compare voxel and finite-element responses", "menger validate validate.toml"},
+    Command{"tradeoff", "one design at all fidelities: error against cost", "menger tradeoff tradeoff.toml"},
+    Command{"simulate", "simulate one design and write its trajectory", "menger simulate scene.toml"},
+    Command{"evolve", "evolve fractal robots; resumes where its archive stops", "menger evolve study.toml"},
+    Command{"export", "write designs and tables from the archive of a run", "menger export run.sqlite"},
+    Command{"reevaluate", "judge the winners of a run again with finite elements", "menger reevaluate study.toml"},
+};
+
+fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+
+bool is_program(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0;
+}
+
+fs::path program_of(std::string_view command) { return program_folder() / ("menger-" + std::string(command)); }
+
+/// The commands whose programs lie beside this one.
+std::vector<Command> present_commands() {
+  std::vector<Command> present;
+  std::copy_if(commands.begin(), commands.end(), std::back_inserter(present),
+               [](const Command& command) { return is_program(program_of(command.name)); });
+  return present;
+}
+
+void print_help(std::ostream& out) {
+  out << "menger " << io::version() << ": evolve, simulate and judge pneumatic soft robots\n\n"
+      << "usage: menger <command> [arguments]   (menger <command> --help explains a command)\n\ncommands:\n";
+  const std::vector<Command> present = present_commands();
+  if (present.empty()) out << "  none found in " << program_folder().string() << '\n';
+  for (const Command& command : present) {
+    out << "  " << std::left << std::setw(12) << command.name << command.purpose << '\n'
+        << "  " << std::setw(12) << ""
+        << "e.g. " << command.example << '\n';
+  }
+}
+
+int dispatch(int argc, char** argv) {
+  if (argc < 2) {
+    print_help(std::cerr);
+    return io::exit_code::bad_input;
+  }
+  const std::string command = argv[1];
+  if (command == "--help" || command == "-h" || command == "help") {
+    print_help(std::cout);
+    return io::exit_code::done;
+  }
+  if (command == "--version") {
+    std::cout << io::version() << '\n';
+    return io::exit_code::done;
+  }
+  const fs::path program = program_of(command);
+  if (command.find('/') != std::string::npos || !is_program(program)) {
+    std::cerr << "menger: error: unknown command " << command << "\n\n";
+    print_help(std::cerr);
+    return io::exit_code::bad_input;
+  }
+  ::execv(program.c_str(), argv + 1);
+  throw io::InputError(program.string() + ": cannot be run: " + std::generic_category().message(errno));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return io::run_program("menger", [&] { return dispatch(argc, argv); });
+}

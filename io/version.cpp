@@ -1,0 +1,7 @@
+#include "io/version.h"
+
+namespace menger::io {
+
+std::string_view version() { return MENGER_VERSION; }
+
+}  // namespace menger::io

@@ -1,0 +1,19 @@
+#include "io/run_status.h"
+
+#include <gtest/gtest.h>
+
+namespace menger::io {
+namespace {
+
+TEST(RunStatus, HasOneWordForEachOutcome) {
+  EXPECT_EQ(to_string(RunStatus::completed), "completed");
+  EXPECT_EQ(to_string(RunStatus::diverged), "diverged");
+  EXPECT_EQ(to_string(RunStatus::not_converged), "not_converged");
+  EXPECT_EQ(to_string(RunStatus::limit_point), "limit_point");
+  EXPECT_EQ(to_string(RunStatus::inverted_element), "inverted_element");
+  EXPECT_EQ(to_string(RunStatus::wall_contact), "wall_contact");
+  EXPECT_EQ(to_string(RunStatus::stopped), "stopped");
+}
+
+}  // namespace
+}  // namespace menger::io
