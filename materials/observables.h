@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace menger::materials {
+
+/// Weighted mean of positions, sum(w_i x_i) / sum(w_i), in the unit of the positions; weights (masses) > 0, as many as positions.
+inline std::array<double, 3> centre_of_mass(std::span<const std::array<double, 3>> positions, std::span<const double> weights) {
+  std::array<double, 3> sum{0.0, 0.0, 0.0};
+  double total = 0.0;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weights[i] * positions[i][axis];
+    total += weights[i];
+  }
+  return {sum[0] / total, sum[1] / total, sum[2] / total};
+}
+
+/// Horizontal net displacement sqrt(dx^2 + dy^2) of a displacement (x, y, z up), in its unit.
+inline double horizontal_displacement(const std::array<double, 3>& displacement) { return std::hypot(displacement[0], displacement[1]); }
+
+/// Length of a body of level 1, 2, 3 (3, 9, 27 cells per side) in metres: 3^level times the cell edge; the edge of its workspace, not the extent of
+/// the body in it.
+inline double body_length_m(int level, double cell_edge_m) {
+  double cells = 1.0;
+  for (int i = 0; i < level; ++i) cells *= 3.0;
+  return cells * cell_edge_m;
+}
+
+}  // namespace menger::materials
