@@ -1,0 +1,22 @@
+#include <gtest/gtest.h>
+
+#include "tests/verification/voxel_trajectories.h"
+
+namespace menger::voxel {
+namespace {
+
+TEST(VoxelTrajectories, ShortCasesMatchThePublicEngine) { expect_within_tolerance(DampingMode::increments, is_short); }
+
+TEST(VoxelTrajectories, DampingFromVelocitiesMatchesShortCasesAtSmallSteps) {
+  expect_within_tolerance(DampingMode::velocity, [](const TrajectoryCase& c) { return c.fraction < 0.1 && is_short(c); });
+}
+
+TEST(VoxelTrajectories, ExactRestLengthsMissOneSlipOfThePublicEngine) {
+  for (const TrajectoryCase& c : cases()) {
+    if (!slips_by_rounding(c)) continue;
+    EXPECT_NEAR(distance(displacement_m(c, reference_physics(c, DampingMode::increments)), c.displacement_m), 5.9e-5, 5e-6);
+  }
+}
+
+}  // namespace
+}  // namespace menger::voxel

@@ -1,0 +1,214 @@
+#include "voxel/collisions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace menger::voxel {
+
+CollisionRule::CollisionRule(const Lattice& lattice, int exclusion_depth)
+    : neighbours_(&lattice.neighbours), exclusion_depth_(exclusion_depth), surface_(lattice.surface()), mark_(lattice.voxel_count(), 0) {
+  // Nearly always the first voxel already has a partner beyond the depth, so that this loop ends at once.
+  excludes_every_pair_ = std::all_of(surface_.begin(), surface_.end(), [this](std::int32_t voxel) {
+    mark_within_depth(voxel);
+    return std::all_of(surface_.begin(), surface_.end(),
+                       [this](std::int32_t other) { return mark_[static_cast<std::size_t>(other)] == search_; });
+  });
+}
+
+void CollisionRule::mark_within_depth(std::int32_t voxel) {
+  ++search_;
+  queue_.assign(1, voxel);
+  mark_[static_cast<std::size_t>(voxel)] = search_;
+  std::size_t level_begin = 0;
+  for (int depth = 0; depth < exclusion_depth_ && level_begin < queue_.size(); ++depth) {
+    const std::size_t level_end = queue_.size();
+    for (; level_begin < level_end; ++level_begin) {
+      for (const std::int32_t next : (*neighbours_)[static_cast<std::size_t>(queue_[level_begin])]) {
+        if (next < 0 || mark_[static_cast<std::size_t>(next)] == search_) continue;
+        mark_[static_cast<std::size_t>(next)] = search_;
+        queue_.push_back(next);
+      }
+    }
+  }
+}
+
+void CollisionRule::keep_allowed(std::int32_t voxel, std::vector<std::int32_t>& candidates) {
+  if (candidates.empty()) return;
+  mark_within_depth(voxel);
+  std::erase_if(candidates, [this](std::int32_t other) { return mark_[static_cast<std::size_t>(other)] == search_; });
+}
+
+VerletList::VerletList(CollisionRule rule, double reach_m, double skin_m) : rule_(std::move(rule)), reach_m_(reach_m), skin_m_(skin_m) {}
+
+template <class Real>
+void VerletList::build(const Real* positions, std::size_t stride) {
+  built_at_.resize(3 * rule_.surface().size());
+  for (std::size_t i = 0; i < rule_.surface().size(); ++i) {
+    const Real* from = positions + stride * static_cast<std::size_t>(rule_.surface()[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) built_at_[3 * i + axis] = static_cast<double>(from[axis]);
+  }
+  find_pairs();
+  bound_m_ = 0.0;
+  built_ = true;
+}
+
+template <class Real>
+bool VerletList::refresh(const Real* positions, std::size_t stride) {
+  if (built_ && bound_m_ <= 0.5 * skin_m_) return false;
+  if (built_) {
+    double largest2 = 0.0;
+    for (std::size_t i = 0; i < rule_.surface().size(); ++i) {
+      const Real* now = positions + stride * static_cast<std::size_t>(rule_.surface()[i]);
+      double distance2 = 0.0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double moved = static_cast<double>(now[axis]) - built_at_[3 * i + axis];
+        distance2 += moved * moved;
+      }
+      largest2 = std::max(largest2, distance2);
+    }
+    const double largest = std::sqrt(largest2);
+    // Below half of the bound the list is good for many steps more; above it a new one is as cheap as looking again soon.
+    if (largest <= 0.25 * skin_m_) {
+      bound_m_ = largest;
+      return false;
+    }
+  }
+  build(positions, stride);
+  return true;
+}
+
+void VerletList::find_pairs() {
+  pairs_.clear();
+  smallest_gap_m_ = skin_m_;
+  const std::vector<std::int32_t>& surface = rule_.surface();
+  const std::size_t count = surface.size();
+  if (count < 2) return;
+
+  std::array<double, 3> low{built_at_[0], built_at_[1], built_at_[2]};
+  std::array<double, 3> high = low;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], built_at_[3 * i + axis]);
+      high[axis] = std::max(high[axis], built_at_[3 * i + axis]);
+    }
+  }
+  // Cells at least as wide as the cutoff; wider ones where fragments have flown far apart, so that the grid stays small.
+  const double cutoff = reach_m_ + skin_m_;
+  double width = cutoff;
+  std::array<std::size_t, 3> size{};
+  for (;; width *= 2.0) {
+    double total = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double cells = std::floor((high[axis] - low[axis]) / width) + 1.0;
+      total *= cells;
+      size[axis] = total < 1e9 ? static_cast<std::size_t>(cells) : 0;
+    }
+    if (total <= 4.0 * static_cast<double>(count) + 4096.0) break;
+  }
+  const auto coordinate = [&](std::size_t i, std::size_t axis) {
+    return std::min(static_cast<std::size_t>((built_at_[3 * i + axis] - low[axis]) / width), size[axis] - 1);
+  };
+  const auto cell = [&](std::size_t x, std::size_t y, std::size_t z) { return x + size[0] * (y + size[1] * z); };
+
+  // Counting sort of the surface voxels into cells; within a cell they stay in ascending order.
+  std::vector<std::size_t> start(size[0] * size[1] * size[2] + 1, 0);
+  std::vector<std::size_t> cell_of(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    cell_of[i] = cell(coordinate(i, 0), coordinate(i, 1), coordinate(i, 2));
+    ++start[cell_of[i] + 1];
+  }
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::size_t> members(count);
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  for (std::size_t i = 0; i < count; ++i) members[next[cell_of[i]]++] = i;
+
+  std::vector<std::int32_t> candidates;
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < count; ++i) {
+    near.clear();
+    const std::array<std::size_t, 3> at{coordinate(i, 0), coordinate(i, 1), coordinate(i, 2)};
+    for (std::size_t z = at[2] - (at[2] > 0); z <= std::min(at[2] + 1, size[2] - 1); ++z) {
+      for (std::size_t y = at[1] - (at[1] > 0); y <= std::min(at[1] + 1, size[1] - 1); ++y) {
+        const std::size_t first = cell(at[0] - (at[0] > 0), y, z);
+        const std::size_t last = cell(std::min(at[0] + 1, size[0] - 1), y, z);
+        for (std::size_t k = start[first]; k < start[last + 1]; ++k) {
+          const std::size_t j = members[k];
+          if (j <= i) continue;
+          double distance2 = 0.0;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double apart = built_at_[3 * i + axis] - built_at_[3 * j + axis];
+            distance2 += apart * apart;
+          }
+          if (distance2 < cutoff * cutoff) near.push_back(j);
+        }
+      }
+    }
+    std::sort(near.begin(), near.end());
+    candidates.clear();
+    for (const std::size_t j : near) candidates.push_back(surface[j]);
+    rule_.keep_allowed(surface[i], candidates);
+    for (const std::int32_t other : candidates) pairs_.emplace_back(surface[i], other);
+    for (const std::size_t j : near) {
+      if (!std::binary_search(candidates.begin(), candidates.end(), surface[j])) continue;
+      const double distance = std::hypot(built_at_[3 * i] - built_at_[3 * j], built_at_[3 * i + 1] - built_at_[3 * j + 1],
+                                         built_at_[3 * i + 2] - built_at_[3 * j + 2]);
+      smallest_gap_m_ = std::min(smallest_gap_m_, distance - reach_m_);
+    }
+  }
+}
+
+template <class Real>
+std::size_t add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d) {
+  std::size_t touching = 0;
+  for (const auto& [first, second] : pairs) {
+    const Real* pose1 = d.pose + static_cast<std::ptrdiff_t>(first) * line_length;
+    const Real* pose2 = d.pose + static_cast<std::ptrdiff_t>(second) * line_length;
+    const Vector3<double> apart = {static_cast<double>(pose2[slot::x]) - static_cast<double>(pose1[slot::x]),
+                                   static_cast<double>(pose2[slot::y]) - static_cast<double>(pose1[slot::y]),
+                                   static_cast<double>(pose2[slot::z]) - static_cast<double>(pose1[slot::z])};
+    const double reach = collision_radius_fraction * (static_cast<double>(pose1[slot::size]) + static_cast<double>(pose2[slot::size]));
+    const double distance2 = dot(apart, apart);
+    if (!(distance2 < reach * reach) || distance2 == 0.0) continue;
+    const double distance = std::sqrt(distance2);
+    const double overlap = reach - distance;
+    if (!(overlap > 0.0)) continue;
+    ++touching;
+
+    const Real* class1 = d.voxel_table + static_cast<std::ptrdiff_t>(d.voxel_class[first]) * line_length;
+    const Real* class2 = d.voxel_table + static_cast<std::ptrdiff_t>(d.voxel_class[second]) * line_length;
+    const double stiffness1 = static_cast<double>(class1[5]);
+    const double stiffness2 = static_cast<double>(class2[5]);
+    const double stiffness = 2.0 * stiffness1 * stiffness2 / (stiffness1 + stiffness2);
+    const double damping = 0.5 * (static_cast<double>(class1[6]) + static_cast<double>(class2[6]));
+    const Real* motion1 = d.motion + static_cast<std::ptrdiff_t>(first) * line_length;
+    const Real* motion2 = d.motion + static_cast<std::ptrdiff_t>(second) * line_length;
+    const Vector3<double> normal = (1.0 / distance) * apart;
+    const auto velocity = [](const Real* motion, const Real* voxel_class) {
+      const auto inverse_mass = static_cast<double>(voxel_class[0]);
+      return Vector3<double>{inverse_mass * static_cast<double>(motion[slot::px]), inverse_mass * static_cast<double>(motion[slot::py]),
+                             inverse_mass * static_cast<double>(motion[slot::pz])};
+    };
+    const double closing = dot(velocity(motion1, class1) - velocity(motion2, class2), normal);
+    const Vector3<double> force = (stiffness * overlap + damping * closing) * normal;
+    Real* load1 = d.load + static_cast<std::ptrdiff_t>(first) * line_length;
+    Real* load2 = d.load + static_cast<std::ptrdiff_t>(second) * line_length;
+    load1[slot::fx] -= static_cast<Real>(force.x);
+    load1[slot::fy] -= static_cast<Real>(force.y);
+    load1[slot::fz] -= static_cast<Real>(force.z);
+    load2[slot::fx] += static_cast<Real>(force.x);
+    load2[slot::fy] += static_cast<Real>(force.y);
+    load2[slot::fz] += static_cast<Real>(force.z);
+  }
+  return touching;
+}
+
+template void VerletList::build<double>(const double*, std::size_t);
+template void VerletList::build<float>(const float*, std::size_t);
+template bool VerletList::refresh<double>(const double*, std::size_t);
+template bool VerletList::refresh<float>(const float*, std::size_t);
+template std::size_t add_collision_loads<double>(const std::vector<std::pair<std::int32_t, std::int32_t>>&, const StepData<double>&);
+template std::size_t add_collision_loads<float>(const std::vector<std::pair<std::int32_t, std::int32_t>>&, const StepData<float>&);
+
+}  // namespace menger::voxel

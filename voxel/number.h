@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cmath>
+
+#include <xsimd/xsimd.hpp>
+
+namespace menger::voxel {
+
+/// The number types that the laws of this folder are written for: double, float and SIMD packs of them (one lane per beam or voxel).
+///
+/// A law that is a template over T uses +, -, *, /, comparisons, sqrt, abs and the functions below, and nothing else, so that one source serves all.
+/// None of them fuses a multiplication with an addition: a lane of a pack and a scalar give the same bytes.
+template <class T>
+struct NumberTraits {
+  using Real = T;
+  using Mask = bool;
+  static constexpr int width = 1;
+};
+
+template <class R, class Arch>
+struct NumberTraits<xsimd::batch<R, Arch>> {
+  using Real = R;
+  using Mask = xsimd::batch_bool<R, Arch>;
+  static constexpr int width = static_cast<int>(xsimd::batch<R, Arch>::size);
+};
+
+template <class T>
+using RealOf = typename NumberTraits<T>::Real;
+template <class T>
+using MaskOf = typename NumberTraits<T>::Mask;
+
+/// a where the mask holds, b elsewhere; never by multiplication, so that a NaN in the lane not chosen stays out. Always inlined: a copy compiled for one
+/// instruction set must not be linked into code for another.
+[[gnu::always_inline]] inline double select(bool mask, double a, double b) { return mask ? a : b; }
+[[gnu::always_inline]] inline float select(bool mask, float a, float b) { return mask ? a : b; }
+
+[[gnu::always_inline]] inline bool any(bool mask) { return mask; }
+
+/// A constant as T.
+template <class T>
+inline T constant(double value) {
+  return T(static_cast<RealOf<T>>(value));
+}
+
+/// x rounded to 24 bits, the precision of a float; a double stays a double. A float is returned as it is.
+///
+/// Dekker's splitting: subtracting the large multiple and adding it back drops the lower 29 bits.
+template <class T>
+inline T rounded_to_single(const T& x) {
+  if constexpr (sizeof(RealOf<T>) == sizeof(float)) {
+    return x;
+  } else {
+    const T large = constant<T>(536870913.0) * x;  // 2^29 + 1
+    return large - (large - x);
+  }
+}
+
+/// A function of one double applied to every lane, for rare cases that have no pack version.
+template <class T>
+inline T apply_to_lanes(const T& x, double (*function)(double)) {
+  using Real = RealOf<T>;
+  if constexpr (NumberTraits<T>::width == 1) {
+    return static_cast<Real>(function(static_cast<double>(x)));
+  } else {
+    alignas(64) Real lanes[NumberTraits<T>::width];
+    x.store_aligned(lanes);
+    for (Real& lane : lanes) lane = static_cast<Real>(function(static_cast<double>(lane)));
+    return T::load_aligned(lanes);
+  }
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,118 @@
+#include "voxel/simulation.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "materials/observables.h"
+#include "voxel/engine.h"
+#include "voxel/time_step.h"
+
+namespace menger::voxel {
+
+namespace {
+
+void require(bool condition, const char* what) {
+  if (!condition) throw std::invalid_argument(what);
+}
+
+bool positive(double value) { return std::isfinite(value) && value > 0.0; }
+bool not_negative(double value) { return std::isfinite(value) && value >= 0.0; }
+
+void check(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads) {
+  require(body.count() > 0, "the body has no voxels");
+  require(positive(cell_edge_m), "cell_edge_m must be > 0");
+  for (const VoxelMaterial& material : physics.materials) {
+    require(positive(material.youngs_modulus_Pa), "youngs_modulus_Pa must be > 0");
+    require(positive(material.density_kg_m3), "density_kg_m3 must be > 0");
+    require(not_negative(material.static_friction) && not_negative(material.kinetic_friction), "friction coefficients must be >= 0");
+  }
+  require(not_negative(physics.damping_ratios.bond) && not_negative(physics.damping_ratios.collision) && not_negative(physics.damping_ratios.global),
+          "damping ratios must be >= 0");
+  require(not_negative(physics.gravity_m_s2), "gravity_m_s2 must be >= 0");
+  require(not_negative(physics.actuation.amplitude) && physics.actuation.amplitude < 1.0, "the actuation amplitude must be in [0, 1)");
+  require(positive(physics.actuation.period_s), "period_s must be > 0");
+  require(physics.actuation.wave_axis >= 0 && physics.actuation.wave_axis <= 2, "wave_axis must be 0, 1 or 2");
+  require(positive(physics.integration.time_step_fraction), "time_step_fraction must be > 0");
+  require(!physics.collisions.exclusion_depth || *physics.collisions.exclusion_depth >= 1, "exclusion_depth must be >= 1");
+  require(positive(physics.limits.speed_fraction) && positive(physics.limits.strain), "divergence limits must be > 0");
+  const auto fits = [&](std::size_t size) { return size == 0 || size == body.count(); };
+  require(fits(loads.force_N.size()) && fits(loads.moment_N_m.size()) && fits(loads.initial_displacement_m.size()) && fits(loads.initial_velocity_m_s.size()) &&
+              fits(loads.initial_angular_velocity_rad_s.size()) && fits(loads.size_factor.size()) && fits(loads.fixed.size()),
+          "loads need one entry per voxel");
+}
+
+}  // namespace
+
+Simulation::Simulation(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
+                       const KernelOptions& options) {
+  check(body, cell_edge_m, physics, loads);
+  if (physics.integration.number == NumberType::float64) {
+    engine_ = std::make_unique<EngineOf<double>>(body, cell_edge_m, physics, loads, options);
+  } else {
+    engine_ = std::make_unique<EngineOf<float>>(body, cell_edge_m, physics, loads, options);
+  }
+}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+io::RunStatus Simulation::advance(std::uint64_t steps, const std::atomic<bool>* stop) { return engine_->advance(steps, stop); }
+
+io::RunStatus Simulation::advance_to(double time, const std::atomic<bool>* stop) {
+  const double needed = std::ceil(time / engine_->time_step_s);
+  if (!(needed > static_cast<double>(engine_->steps))) return engine_->advance(0, stop);
+  return engine_->advance(static_cast<std::uint64_t>(needed) - engine_->steps, stop);
+}
+
+double Simulation::time_s() const { return static_cast<double>(engine_->steps) * engine_->time_step_s; }
+std::uint64_t Simulation::steps() const { return engine_->steps; }
+double Simulation::time_step_s() const { return engine_->time_step_s; }
+std::size_t Simulation::voxel_count() const { return engine_->lattice->voxel_count(); }
+std::size_t Simulation::beam_count() const { return engine_->lattice->beam_count(); }
+const std::optional<Divergence>& Simulation::divergence() const { return engine_->divergence; }
+
+std::array<double, 3> Simulation::centre_of_mass_m() const {
+  std::vector<std::array<double, 3>> positions;
+  positions.reserve(voxel_count());
+  for (std::size_t i = 0; i < voxel_count(); ++i) positions.push_back(engine_->view(i).position_m);
+  return materials::centre_of_mass(positions, engine_->mass_kg);
+}
+
+Frame Simulation::frame() const {
+  Frame frame;
+  frame.time_s = time_s();
+  frame.cell_edge_m = engine_->cell_edge_m;
+  frame.material.assign(engine_->lattice->material.begin(), engine_->lattice->material.end());
+  frame.phase = engine_->phases;
+  frame.strain = engine_->strains();
+  const std::vector<bool> touching = engine_->in_contact_with_others();
+  for (std::size_t i = 0; i < voxel_count(); ++i) {
+    const Engine::VoxelView voxel = engine_->view(i);
+    frame.position_m.push_back(voxel.position_m);
+    frame.orientation.push_back(voxel.orientation);
+    frame.size_m.push_back(voxel.size_m);
+    frame.speed_m_s.push_back(std::hypot(voxel.velocity_m_s[0], voxel.velocity_m_s[1], voxel.velocity_m_s[2]));
+    std::uint8_t bits = touching[i] ? contact::other_voxel : contact::none;
+    const bool on_floor = engine_->physics.floor && 0.5 * voxel.size_m - 0.5 * engine_->cell_edge_m - voxel.position_m[2] >= 0.0;
+    if (on_floor) bits = static_cast<std::uint8_t>(bits | (voxel.is_static ? contact::floor_static : contact::floor_sliding));
+    frame.contact.push_back(bits);
+  }
+  return frame;
+}
+
+std::array<double, 3> Simulation::position_m(std::size_t voxel) const { return engine_->view(voxel).position_m; }
+std::array<double, 4> Simulation::orientation(std::size_t voxel) const { return engine_->view(voxel).orientation; }
+std::array<double, 3> Simulation::velocity_m_s(std::size_t voxel) const { return engine_->view(voxel).velocity_m_s; }
+std::array<double, 3> Simulation::angular_velocity_rad_s(std::size_t voxel) const { return engine_->view(voxel).angular_velocity_rad_s; }
+bool Simulation::is_in_static_friction(std::size_t voxel) const { return engine_->view(voxel).is_static; }
+std::size_t Simulation::large_angle_beams() const { return engine_->large_angle_beams(); }
+std::vector<std::string> Simulation::kernel_report() const { return engine_->kernel_report(); }
+CollisionCounts Simulation::collision_counts() const { return engine_->collision_counts; }
+const std::optional<EnergyLedger>& Simulation::energy() const { return engine_->energy; }
+
+double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics) {
+  return recommended_time_step_s(Lattice(body), cell_edge_m, physics);
+}
+
+}  // namespace menger::voxel

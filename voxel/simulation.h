@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/run_status.h"
+#include "meshes/polycube.h"
+#include "voxel/energy_ledger.h"
+#include "voxel/frame.h"
+#include "voxel/kernel_choice.h"
+#include "voxel/parameters.h"
+
+namespace menger::voxel {
+
+/// Loads and constraints on single voxels, for verification and for scenes beyond a free robot. Empty arrays: none; otherwise one entry per voxel.
+struct VoxelLoads {
+  std::vector<std::array<double, 3>> force_N;             ///< constant, world axes
+  std::vector<std::array<double, 3>> moment_N_m;          ///< constant, world axes
+  std::vector<std::array<double, 3>> initial_displacement_m;  ///< from the grid
+  std::vector<std::array<double, 3>> initial_velocity_m_s;    ///< a voxel that starts with a horizontal one starts in kinetic friction
+  std::vector<std::array<double, 3>> initial_angular_velocity_rad_s;
+  std::vector<double> size_factor;  ///< constant factor on the driven size (a voxel warmer or colder than the others)
+  std::vector<bool> fixed;          ///< held in all six degrees of freedom
+};
+
+/// Where and how a run left the range of the model.
+struct Divergence {
+  std::size_t voxel = 0;       ///< index in grid order
+  meshes::CellIndex cell;      ///< its cell
+  std::string quantity;        ///< "speed", "strain" or "not finite"
+  double value = 0.0;          ///< of that quantity; the limit where it was not finite
+  double limit = 0.0;
+  double time_s = 0.0;
+};
+
+/// A body of voxels in motion: point masses joined by Euler-Bernoulli beams with driven rest lengths (Voxelyze's model at Poisson's ratio 0).
+///
+/// Deterministic: the same body, physics and instruction-set-independent options give the same bytes on every run and in every thread.
+/// @cite hiller2014dynamic
+class Simulation {
+ public:
+  /// @param body whole aggregate, at least one voxel; @param cell_edge_m L > 0
+  /// @throws std::invalid_argument if a parameter is out of the range that its declaration states
+  Simulation(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads = {},
+             const KernelOptions& options = {});
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Steps until time_s() >= time_s, the run diverges or `stop` becomes true. Returns completed, diverged or stopped.
+  [[nodiscard]] io::RunStatus advance_to(double time_s, const std::atomic<bool>* stop = nullptr);
+
+  /// Takes `steps` steps unless the run diverges or `stop` becomes true.
+  [[nodiscard]] io::RunStatus advance(std::uint64_t steps, const std::atomic<bool>* stop = nullptr);
+
+  [[nodiscard]] double time_s() const;  ///< steps() * time_step_s()
+  [[nodiscard]] std::uint64_t steps() const;
+  [[nodiscard]] double time_step_s() const;
+  [[nodiscard]] std::size_t voxel_count() const;
+  [[nodiscard]] std::size_t beam_count() const;
+
+  /// What happened if a status was `diverged`.
+  [[nodiscard]] const std::optional<Divergence>& divergence() const;
+
+  /// Mass-weighted mean position, metres.
+  [[nodiscard]] std::array<double, 3> centre_of_mass_m() const;
+
+  /// State of all voxels now.
+  [[nodiscard]] Frame frame() const;
+
+  /// Position (m), orientation (w, x, y, z), velocity (m/s) and angular velocity (rad/s) of one voxel.
+  [[nodiscard]] std::array<double, 3> position_m(std::size_t voxel) const;
+  [[nodiscard]] std::array<double, 4> orientation(std::size_t voxel) const;
+  [[nodiscard]] std::array<double, 3> velocity_m_s(std::size_t voxel) const;
+  [[nodiscard]] std::array<double, 3> angular_velocity_rad_s(std::size_t voxel) const;
+  [[nodiscard]] bool is_in_static_friction(std::size_t voxel) const;
+
+  /// Beams that are in the large-angle state now.
+  [[nodiscard]] std::size_t large_angle_beams() const;
+
+  /// Which terms the step leaves out and why, and the instruction set in use: a line each, for the log.
+  [[nodiscard]] std::vector<std::string> kernel_report() const;
+
+  /// How often collision work was done, skipped and the list of close pairs rebuilt.
+  [[nodiscard]] CollisionCounts collision_counts() const;
+
+  /// The energy balance since the start; only with KernelOptions::energy_ledger.
+  [[nodiscard]] const std::optional<EnergyLedger>& energy() const;
+
+  class Engine;  ///< the implementation for one number type
+
+ private:
+  std::unique_ptr<Engine> engine_;
+};
+
+/// Recommended time step (s) of a body: 1 / (2 pi sqrt(k/m)) with k/m the largest of k = E L over the lighter end, over all beams (its own E L / m
+/// for a voxel without beams). @cite hiller2014dynamic
+double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics);
+
+}  // namespace menger::voxel

@@ -1,0 +1,7 @@
+#include "voxel/step_kernels.h"
+
+namespace menger::voxel {
+
+const StepKernels<double>& avx512_kernels_double() { return kernels_of<xsimd::batch<double, xsimd::avx512f>>(); }
+
+}  // namespace menger::voxel

@@ -1,0 +1,63 @@
+#include "voxel/voxel_classes.h"
+
+#include <cmath>
+
+#include "voxel/time_step.h"
+
+namespace menger::voxel {
+
+namespace {
+
+BeamCoefficients<double> beam_between(const Physics& physics, std::size_t lower, std::size_t upper, double edge) {
+  const double modulus = beam_modulus_Pa(physics.materials[lower], physics.materials[upper]);
+  const double edge2 = edge * edge;
+  BeamCoefficients<double> c{};
+  c.axial = modulus * edge2;
+  c.twist = modulus * edge2 * edge / 12.0;
+  c.shear = modulus * edge;
+  c.bend = modulus * edge2 / 2.0;
+  c.turn = modulus * edge2 * edge / 6.0;
+  c.axial_root = std::sqrt(modulus * edge);
+  c.shear_root = std::sqrt(c.shear);
+  c.bend_root = std::sqrt(c.bend * edge / 2.0);
+  c.turn_root = std::sqrt(c.turn * edge2 / 6.0);
+  c.twist_root = std::sqrt(c.twist * edge2 / 6.0);
+  c.damping_lower = physics.damping_ratios.bond * std::sqrt(voxel_mass_kg(physics.materials[lower], edge));
+  c.damping_upper = physics.damping_ratios.bond * std::sqrt(voxel_mass_kg(physics.materials[upper], edge));
+  if (physics.integration.damping == DampingMode::velocity) c.damping_lower = c.damping_upper = 0.5 * (c.damping_lower + c.damping_upper);
+  return c;
+}
+
+}  // namespace
+
+ClassTables class_tables(const Physics& physics, double edge) {
+  ClassTables tables;
+  for (const VoxelMaterial& material : physics.materials) {
+    const double mass = voxel_mass_kg(material, edge);
+    tables.mass_kg.push_back(mass);
+    tables.inertia_kg_m2.push_back(mass * edge * edge / 6.0);
+  }
+  for (const bool fixed : {false, true}) {
+    for (std::size_t m = 0; m < 2; ++m) {
+      const VoxelMaterial& material = physics.materials[m];
+      const double mass = tables.mass_kg[m];
+      const double inertia = tables.inertia_kg_m2[m];
+      const double spring = material.youngs_modulus_Pa * edge;
+      VoxelCoefficients<double> c{};
+      c.inverse_mass = fixed ? 0.0 : 1.0 / mass;
+      c.inverse_inertia = fixed ? 0.0 : 1.0 / inertia;
+      c.weight = mass * physics.gravity_m_s2;
+      c.global_damping = 2.0 * physics.damping_ratios.global * std::sqrt(mass * spring);
+      c.global_rotation_damping = 2.0 * physics.damping_ratios.global * std::sqrt(inertia * spring * edge * edge);
+      c.floor = {2.0 * spring, 2.0 * physics.damping_ratios.collision * std::sqrt(mass * spring), material.static_friction,
+                 material.kinetic_friction};
+      tables.voxel.push_back(c);
+    }
+  }
+  for (std::size_t upper = 0; upper < 2; ++upper) {
+    for (std::size_t lower = 0; lower < 2; ++lower) tables.beam.push_back(beam_between(physics, lower, upper, edge));
+  }
+  return tables;
+}
+
+}  // namespace menger::voxel
