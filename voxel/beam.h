@@ -9,8 +9,8 @@ namespace menger::voxel {
 
 /// Stiffness and damping of a beam between two voxels, in SI units.
 ///
-/// With E the harmonic mean of the two moduli and L the voxel edge: axial = E L^2, twist = E L^3 / (12 (1 + nu)) at nu = 0, shear = E L,
-/// bend = E L^2 / 2, turn = E L^3 / 6. The roots belong to the damping, see beam_damping. @cite hiller2014dynamic
+/// With E the harmonic mean of the two moduli and L the voxel edge: axial = E L^2, twist = E L^3 / (12 (1 + nu)) at nu = 0, shear
+/// = E L, bend = E L^2 / 2, turn = E L^3 / 6. The roots belong to the damping, see beam_damping. @cite hiller2014dynamic
 template <class T>
 struct BeamCoefficients {
   T axial;          ///< N, force per axial strain
@@ -30,10 +30,10 @@ struct BeamCoefficients {
 /// The two ends of a beam, in axes permuted so that the undeformed beam points along +x from its lower to its upper end.
 template <class T>
 struct BeamEnds {
-  Vector3<T> separation;   ///< upper minus lower position, m, world
-  Quaternion<T> lower;     ///< orientations, body to world
+  Vector3<T> separation;  ///< upper minus lower position, m, world
+  Quaternion<T> lower;    ///< orientations, body to world
   Quaternion<T> upper;
-  T rest_length;           ///< m
+  T rest_length;  ///< m
 };
 
 /// Rates of the ends, world; only for damping from velocities.
@@ -46,14 +46,14 @@ struct BeamEndRates {
 
 /// Deformation of a beam in its own frame.
 ///
-/// Small-angle state: the frame is that of the lower end, lower_angle is zero. Large-angle state: the frame's x axis joins the ends, displacement has
-/// no transverse part. lower_angle.x is zero in both.
+/// Small-angle state: the frame is that of the lower end, lower_angle is zero. Large-angle state: the frame's x axis joins the
+/// ends, displacement has no transverse part. lower_angle.x is zero in both.
 template <class T>
 struct BeamDeformation {
   Vector3<T> displacement;  ///< m: extension, transverse displacement of the upper end
   T lower_angle_y;          ///< rad
   T lower_angle_z;
-  Vector3<T> upper_angle;   ///< rad
+  Vector3<T> upper_angle;  ///< rad
 };
 
 /// What a beam remembers from step to step.
@@ -80,13 +80,14 @@ struct BeamLoads {
 
 template <class T>
 inline BeamLoads<T> operator+(const BeamLoads<T>& a, const BeamLoads<T>& b) {
-  return {a.lower_force + b.lower_force, a.lower_moment + b.lower_moment, a.upper_force + b.upper_force, a.upper_moment + b.upper_moment};
+  return {a.lower_force + b.lower_force, a.lower_moment + b.lower_moment, a.upper_force + b.upper_force,
+          a.upper_moment + b.upper_moment};
 }
 
 /// Deformation of a beam, with the switch between the small- and the large-angle state.
 ///
-/// A beam enters the small-angle state when (|d_y| + |d_z|) / d_x < 0.05 and |1 - d_x / rest length| < 0.5, and leaves it beyond 0.06 or 0.6, with d
-/// the separation seen from the lower end. @cite hiller2014dynamic
+/// A beam enters the small-angle state when (|d_y| + |d_z|) / d_x < 0.05 and |1 - d_x / rest length| < 0.5, and leaves it beyond
+/// 0.06 or 0.6, with d the separation seen from the lower end. @cite hiller2014dynamic
 template <class T>
 inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
   using std::abs;
@@ -153,12 +154,13 @@ inline T beam_energy(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, 
   const T stretch = half * c.axial * (u.x * u.x / rest_length);
   const T shear = half * c.shear * (u.y * u.y + u.z * u.z);
   const T coupling = c.bend * (u.z * (e.lower_angle_y + a.y) - u.y * (e.lower_angle_z + a.z));
-  const T bending = c.turn * (e.lower_angle_y * e.lower_angle_y + e.lower_angle_y * a.y + a.y * a.y + e.lower_angle_z * e.lower_angle_z +
-                              e.lower_angle_z * a.z + a.z * a.z);
+  const T bending = c.turn * (e.lower_angle_y * e.lower_angle_y + e.lower_angle_y * a.y + a.y * a.y +
+                              e.lower_angle_z * e.lower_angle_z + e.lower_angle_z * a.z + a.z * a.z);
   return stretch + shear + coupling + bending + half * c.twist * a.x * a.x;
 }
 
-/// Damping loads from the rates of the deformation, in the beam's frame. `rate.displacement.x` contains the rate of the rest length.
+/// Damping loads from the rates of the deformation, in the beam's frame. `rate.displacement.x` contains the rate of the rest
+/// length.
 ///
 /// The coefficients of the two ends differ with their masses; equal coefficients give equal and opposite forces.
 template <class T>
@@ -174,8 +176,10 @@ inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeforma
   const T twist = c.twist_root * rate.upper_angle.x;
   const T bend_y = c.bend_root * rate.displacement.y;
   const T bend_z = c.bend_root * rate.displacement.z;
-  const Vector3<T> lower = {-twist, bend_z + c.turn_root * (rate.lower_angle_y + sum_y), c.turn_root * (rate.lower_angle_z + sum_z) - bend_y};
-  const Vector3<T> upper = {twist, bend_z + c.turn_root * (rate.upper_angle.y + sum_y), c.turn_root * (rate.upper_angle.z + sum_z) - bend_y};
+  const Vector3<T> lower = {-twist, bend_z + c.turn_root * (rate.lower_angle_y + sum_y),
+                            c.turn_root * (rate.lower_angle_z + sum_z) - bend_y};
+  const Vector3<T> upper = {twist, bend_z + c.turn_root * (rate.upper_angle.y + sum_y),
+                            c.turn_root * (rate.upper_angle.z + sum_z) - bend_y};
   loads.lower_moment = -((half * c.damping_lower) * lower);
   loads.upper_moment = -((half * c.damping_upper) * upper);
   return loads;
@@ -183,18 +187,19 @@ inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeforma
 
 /// Rate of a deformation from its change since the last step; zero where the state changed or there is no last step.
 template <class T>
-inline BeamDeformation<T> rate_from_increments(const BeamState<T>& state, const BeamDeformation<T>& last, const T& steps_per_second) {
+inline BeamDeformation<T> rate_from_increments(const BeamState<T>& state, const BeamDeformation<T>& last,
+                                               const T& steps_per_second) {
   const T zero = constant<T>(0.0);
   const BeamDeformation<T>& e = state.deformation;
   const T scale = select(state.state_changed, zero, steps_per_second);
-  return {scale * (e.displacement - last.displacement), scale * (e.lower_angle_y - last.lower_angle_y), scale * (e.lower_angle_z - last.lower_angle_z),
-          scale * (e.upper_angle - last.upper_angle)};
+  return {scale * (e.displacement - last.displacement), scale * (e.lower_angle_y - last.lower_angle_y),
+          scale * (e.lower_angle_z - last.lower_angle_z), scale * (e.upper_angle - last.upper_angle)};
 }
 
 /// Rate of a deformation from the velocities of the ends.
 ///
-/// Small-angle state: the frame turns with the lower end. Large-angle state: its x axis turns with the line between the ends, and about that line so
-/// that the angle at the lower end keeps no twist.
+/// Small-angle state: the frame turns with the lower end. Large-angle state: its x axis turns with the line between the ends, and
+/// about that line so that the angle at the lower end keeps no twist.
 template <class T>
 inline BeamDeformation<T> rate_from_velocities(const BeamState<T>& state, const BeamEnds<T>& ends, const BeamEndRates<T>& rates) {
   const T zero = constant<T>(0.0);
@@ -211,7 +216,8 @@ inline BeamDeformation<T> rate_from_velocities(const BeamState<T>& state, const 
     const T per_length = constant<T>(1.0) / select(large, separation.x, constant<T>(1.0));
     Vector3<T> spin = {zero, lower_spin.y + velocity.z * per_length, lower_spin.z - velocity.y * per_length};
     const Vector3<T> angle = {zero, e.lower_angle_y, e.lower_angle_z};
-    spin.x = constant<T>(0.5) * (angle.y * spin.z - angle.z * spin.y) / (constant<T>(1.0) - constant<T>(1.0 / 12.0) * dot(angle, angle));
+    spin.x = constant<T>(0.5) * (angle.y * spin.z - angle.z * spin.y) /
+             (constant<T>(1.0) - constant<T>(1.0 / 12.0) * dot(angle, angle));
     const Vector3<T> angle_rate = rotation_vector_rate(angle, spin);
     rate.displacement = select<T>(large, Vector3<T>{velocity.x - rates.rest_length_rate, zero, zero}, rate.displacement);
     rate.lower_angle_y = select(large, angle_rate.y, zero);
@@ -225,7 +231,8 @@ inline BeamDeformation<T> rate_from_velocities(const BeamState<T>& state, const 
 /// Loads in the beam's frame turned to the world (permuted axes).
 template <class T>
 inline BeamLoads<T> to_world(const Rotation<T>& frame, const BeamLoads<T>& loads) {
-  return {rotate(frame, loads.lower_force), rotate(frame, loads.lower_moment), rotate(frame, loads.upper_force), rotate(frame, loads.upper_moment)};
+  return {rotate(frame, loads.lower_force), rotate(frame, loads.lower_moment), rotate(frame, loads.upper_force),
+          rotate(frame, loads.upper_moment)};
 }
 
 }  // namespace menger::voxel

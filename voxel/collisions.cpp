@@ -8,7 +8,10 @@
 namespace menger::voxel {
 
 CollisionRule::CollisionRule(const Lattice& lattice, int exclusion_depth)
-    : neighbours_(&lattice.neighbours), exclusion_depth_(exclusion_depth), surface_(lattice.surface()), mark_(lattice.voxel_count(), 0) {
+    : neighbours_(&lattice.neighbours),
+      exclusion_depth_(exclusion_depth),
+      surface_(lattice.surface()),
+      mark_(lattice.voxel_count(), 0) {
   // Nearly always the first voxel already has a partner beyond the depth, so that this loop ends at once.
   excludes_every_pair_ = std::all_of(surface_.begin(), surface_.end(), [this](std::int32_t voxel) {
     mark_within_depth(voxel);
@@ -40,7 +43,8 @@ void CollisionRule::keep_allowed(std::int32_t voxel, std::vector<std::int32_t>& 
   std::erase_if(candidates, [this](std::int32_t other) { return mark_[static_cast<std::size_t>(other)] == search_; });
 }
 
-VerletList::VerletList(CollisionRule rule, double reach_m, double skin_m) : rule_(std::move(rule)), reach_m_(reach_m), skin_m_(skin_m) {}
+VerletList::VerletList(CollisionRule rule, double reach_m, double skin_m)
+    : rule_(std::move(rule)), reach_m_(reach_m), skin_m_(skin_m) {}
 
 template <class Real>
 void VerletList::build(const Real* positions, std::size_t stride) {
@@ -168,7 +172,8 @@ std::size_t add_collision_loads(const std::vector<std::pair<std::int32_t, std::i
     const Vector3<double> apart = {static_cast<double>(pose2[slot::x]) - static_cast<double>(pose1[slot::x]),
                                    static_cast<double>(pose2[slot::y]) - static_cast<double>(pose1[slot::y]),
                                    static_cast<double>(pose2[slot::z]) - static_cast<double>(pose1[slot::z])};
-    const double reach = collision_radius_fraction * (static_cast<double>(pose1[slot::size]) + static_cast<double>(pose2[slot::size]));
+    const double reach =
+        collision_radius_fraction * (static_cast<double>(pose1[slot::size]) + static_cast<double>(pose2[slot::size]));
     const double distance2 = dot(apart, apart);
     if (!(distance2 < reach * reach) || distance2 == 0.0) continue;
     const double distance = std::sqrt(distance2);
@@ -187,7 +192,8 @@ std::size_t add_collision_loads(const std::vector<std::pair<std::int32_t, std::i
     const Vector3<double> normal = (1.0 / distance) * apart;
     const auto velocity = [](const Real* motion, const Real* voxel_class) {
       const auto inverse_mass = static_cast<double>(voxel_class[0]);
-      return Vector3<double>{inverse_mass * static_cast<double>(motion[slot::px]), inverse_mass * static_cast<double>(motion[slot::py]),
+      return Vector3<double>{inverse_mass * static_cast<double>(motion[slot::px]),
+                             inverse_mass * static_cast<double>(motion[slot::py]),
                              inverse_mass * static_cast<double>(motion[slot::pz])};
     };
     const double closing = dot(velocity(motion1, class1) - velocity(motion2, class2), normal);
@@ -208,7 +214,9 @@ template void VerletList::build<double>(const double*, std::size_t);
 template void VerletList::build<float>(const float*, std::size_t);
 template bool VerletList::refresh<double>(const double*, std::size_t);
 template bool VerletList::refresh<float>(const float*, std::size_t);
-template std::size_t add_collision_loads<double>(const std::vector<std::pair<std::int32_t, std::int32_t>>&, const StepData<double>&);
-template std::size_t add_collision_loads<float>(const std::vector<std::pair<std::int32_t, std::int32_t>>&, const StepData<float>&);
+template std::size_t add_collision_loads<double>(const std::vector<std::pair<std::int32_t, std::int32_t>>&,
+                                                 const StepData<double>&);
+template std::size_t add_collision_loads<float>(const std::vector<std::pair<std::int32_t, std::int32_t>>&,
+                                                const StepData<float>&);
 
 }  // namespace menger::voxel

@@ -14,7 +14,8 @@ namespace menger::voxel {
 /// Radius of a voxel's collision sphere as a fraction of its driven size. @cite hiller2014dynamic
 inline constexpr double collision_radius_fraction = 0.625;
 
-/// Which pairs of voxels of a lattice may collide: surface voxels farther apart than `exclusion_depth` beams (or not joined at all).
+/// Which pairs of voxels of a lattice may collide: surface voxels farther apart than `exclusion_depth` beams (or not joined at
+/// all).
 class CollisionRule {
  public:
   /// @param exclusion_depth >= 1
@@ -40,8 +41,8 @@ class CollisionRule {
   std::vector<std::int32_t> queue_;
 };
 
-/// Verlet list: all pairs that may collide and are closer than reach + skin, found on a uniform grid and kept until the displacements since then
-/// could have brought another pair into reach.
+/// Verlet list: all pairs that may collide and are closer than reach + skin, found on a uniform grid and kept until the
+/// displacements since then could have brought another pair into reach.
 class VerletList {
  public:
   /// @param reach_m largest distance of the centres at which two voxels can overlap; @param skin_m > 0
@@ -54,16 +55,17 @@ class VerletList {
   /// Notes that no voxel moved farther than `displacement_m` in a step.
   void moved(double displacement_m) { bound_m_ += displacement_m; }
 
-  /// Makes the list valid for these positions. The sum of the largest displacements of each step is a cheap bound; when it is used up, the true
-  /// displacements since the list was made replace it, and only if those are used up too is the list made anew. Returns whether it was.
+  /// Makes the list valid for these positions. The sum of the largest displacements of each step is a cheap bound; when it is
+  /// used up, the true displacements since the list was made replace it, and only if those are used up too is the list made anew.
+  /// Returns whether it was.
   template <class Real>
   bool refresh(const Real* positions, std::size_t stride);
 
   /// Close pairs, ordered by first, then second voxel, first < second.
   [[nodiscard]] const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs() const { return pairs_; }
 
-  /// Whether no allowed pair can touch now: the nearest one was farther apart than two voxels can have moved since the list was made. Valid after
-  /// refresh.
+  /// Whether no allowed pair can touch now: the nearest one was farther apart than two voxels can have moved since the list was
+  /// made. Valid after refresh.
   [[nodiscard]] bool contact_ruled_out() const { return smallest_gap_m_ > 2.0 * bound_m_; }
 
   [[nodiscard]] const CollisionRule& rule() const { return rule_; }
@@ -74,8 +76,9 @@ class VerletList {
   CollisionRule rule_;
   double reach_m_;
   double skin_m_;
-  double bound_m_ = 0.0;         ///< no voxel is farther than this from where it was when the list was made
-  double smallest_gap_m_ = 0.0;  ///< smallest distance minus reach of an allowed pair when the list was made; the skin where that is larger
+  double bound_m_ = 0.0;  ///< no voxel is farther than this from where it was when the list was made
+  double smallest_gap_m_ =
+      0.0;  ///< smallest distance minus reach of an allowed pair when the list was made; the skin where that is larger
   bool built_ = false;
   std::vector<double> built_at_;  ///< positions of the surface voxels then
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;
@@ -83,8 +86,9 @@ class VerletList {
 
 /// Adds the contact forces of all pairs whose spheres overlap to the load lines and returns how many do.
 ///
-/// With n from the first to the second voxel and the overlap d = 0.625 (s1 + s2) - |r2 - r1| > 0: f = k d + c (v1 - v2) · n, -f n on the first, +f n on
-/// the second voxel; k is the harmonic mean of 2 E L, c the mean of 2 zeta_c sqrt(m E L). @cite hiller2014dynamic
+/// With n from the first to the second voxel and the overlap d = 0.625 (s1 + s2) - |r2 - r1| > 0: f = k d + c (v1 - v2) · n, -f n
+/// on the first, +f n on the second voxel; k is the harmonic mean of 2 E L, c the mean of 2 zeta_c sqrt(m E L). @cite
+/// hiller2014dynamic
 template <class Real>
 std::size_t add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d);
 

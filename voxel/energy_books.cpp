@@ -7,7 +7,13 @@
 namespace menger::voxel {
 
 EnergyBooks::EnergyBooks(const StepData<double>& data, bool uniform, bool velocity, bool floor, bool gravity, bool actuated)
-    : data_(&data), uniform_(uniform), velocity_(velocity), floor_(floor), gravity_(gravity), actuated_(actuated), books_(data.padded_voxels + 4) {
+    : data_(&data),
+      uniform_(uniform),
+      velocity_(velocity),
+      floor_(floor),
+      gravity_(gravity),
+      actuated_(actuated),
+      books_(data.padded_voxels + 4) {
   std::size_t beams = 0;
   for (const BeamAxisData<double>& axis : data.axis) beams += axis.count;
   rest_length_.assign(beams, 0.0);
@@ -33,7 +39,8 @@ bool EnergyBooks::add_axis() {
     // U depends on the rest length through the extension and through the stiffness axial / rest length.
     const double strain = e.displacement.x / ends.rest_length;
     const double force = c.axial * (strain + 0.5 * strain * strain);
-    if (!first_) ledger_.actuation_work_J -= 0.5 * (force + rest_length_force_[offset + i]) * (ends.rest_length - rest_length_[offset + i]);
+    if (!first_)
+      ledger_.actuation_work_J -= 0.5 * (force + rest_length_force_[offset + i]) * (ends.rest_length - rest_length_[offset + i]);
     rest_length_[offset + i] = ends.rest_length;
     rest_length_force_[offset + i] = force;
 
@@ -107,10 +114,12 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
 
     const Vector3<double> momentum = {motion.value[slot::px], motion.value[slot::py], motion.value[slot::pz]};
     const Vector3<double> spin_momentum = {motion.value[slot::hx], motion.value[slot::hy], motion.value[slot::hz]};
-    kinetic += 0.5 * c.inverse_mass * dot(momentum, step.momentum) + 0.5 * c.inverse_inertia * dot(spin_momentum, step.spin_momentum);
+    kinetic +=
+        0.5 * c.inverse_mass * dot(momentum, step.momentum) + 0.5 * c.inverse_inertia * dot(spin_momentum, step.spin_momentum);
     height_weight += c.weight * pose.value[slot::z];
 
-    book.load[collision].force = book.load[collision].force + Vector3<double>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz]};
+    book.load[collision].force =
+        book.load[collision].force + Vector3<double>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz]};
     if (d.external_load != nullptr) {
       const Lines<double> external_line = load_lines<double>(d.external_load + at);
       book.load[external] = {{external_line.value[slot::fx], external_line.value[slot::fy], external_line.value[slot::fz]},
@@ -120,12 +129,14 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
     book.load[floor_normal].force = {0.0, 0.0, step.floor.normal_force};
     // Static friction is what the momentum lost beyond all other forces: the stop included.
     const double weight = Gravity ? c.weight : 0.0;
-    const Vector3<double> others = Vector3<double>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz] - weight + step.floor.normal_force} -
-                                   c.global_damping * step.velocity;
+    const Vector3<double> others =
+        Vector3<double>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz] - weight + step.floor.normal_force} -
+        c.global_damping * step.velocity;
     const Vector3<double> other_moments =
         Vector3<double>{load.value[slot::mx], load.value[slot::my], load.value[slot::mz]} - c.global_rotation_damping * step.spin;
     const double per_step = 1.0 / d.time_step;
-    book.load[friction] = {per_step * (step.momentum - momentum) - others, per_step * (step.spin_momentum - spin_momentum) - other_moments};
+    book.load[friction] = {per_step * (step.momentum - momentum) - others,
+                           per_step * (step.spin_momentum - spin_momentum) - other_moments};
     book_work(book);
     book.last_displacement = step.displacement;
     book.last_turn = step.turn;

@@ -15,7 +15,8 @@ namespace menger::voxel {
 /// A step is split as a kernel's: `add_beam_loads`, then contacts between voxels from outside, then `move_voxels`.
 class EnergyBooks {
  public:
-  /// @param uniform, velocity, floor, gravity, actuated: the terms of the step, as for the kernels; @param gravity_m_s2 for the potential energy
+  /// @param uniform, velocity, floor, gravity, actuated: the terms of the step, as for the kernels; @param gravity_m_s2 for the
+  /// potential energy
   EnergyBooks(const StepData<double>& data, bool uniform, bool velocity, bool floor, bool gravity, bool actuated);
 
   /// Adds the loads of all beams; true if a strain is out of range or not finite.
@@ -27,7 +28,8 @@ class EnergyBooks {
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
 
  private:
-  /// Force and moment of every kind on a voxel; the work of a kind over a step is the mean of its loads at both ends times the displacement.
+  /// Force and moment of every kind on a voxel; the work of a kind over a step is the mean of its loads at both ends times the
+  /// displacement.
   enum Kind { elastic, bond_damping, global_damping, floor_normal, friction, collision, external, kinds };
   struct Load {
     Vector3<double> force{0, 0, 0};

@@ -4,8 +4,8 @@ namespace menger::voxel {
 
 /// Energy of a body and the work done on it since the start, all in joules.
 ///
-/// Kinetic energy is that of the half steps, 1/2 p(-)·p(+) / m and 1/2 h(-)·h(+) / I, so that its change over a step is exactly the trapezoidal
-/// work of all forces. Work is positive when it adds energy to the body.
+/// Kinetic energy is that of the half steps, 1/2 p(-)·p(+) / m and 1/2 h(-)·h(+) / I, so that its change over a step is exactly
+/// the trapezoidal work of all forces. Work is positive when it adds energy to the body.
 struct EnergyLedger {
   double kinetic_J = 0.0;        ///< translation and rotation, at the last full step
   double elastic_J = 0.0;        ///< stored in the beams
@@ -16,17 +16,18 @@ struct EnergyLedger {
 
   double bond_damping_work_J = 0.0;
   double global_damping_work_J = 0.0;
-  double actuation_work_J = 0.0;       ///< done by the change of the rest lengths
-  double floor_normal_work_J = 0.0;    ///< elastic and damping part of the floor's normal force
-  double friction_work_J = 0.0;        ///< kinetic friction and the stops by static friction
-  double collision_work_J = 0.0;       ///< between voxels
-  double load_work_J = 0.0;            ///< of constant external loads
-  double largest_energy_J = 0.0;       ///< largest of kinetic + elastic so far, the scale of the residual
+  double actuation_work_J = 0.0;     ///< done by the change of the rest lengths
+  double floor_normal_work_J = 0.0;  ///< elastic and damping part of the floor's normal force
+  double friction_work_J = 0.0;      ///< kinetic friction and the stops by static friction
+  double collision_work_J = 0.0;     ///< between voxels
+  double load_work_J = 0.0;          ///< of constant external loads
+  double largest_energy_J = 0.0;     ///< largest of kinetic + elastic so far, the scale of the residual
 
   /// Energy that the books do not explain, J: end - start - work.
   [[nodiscard]] double residual_J() const {
     return (kinetic_J + elastic_J + gravitational_J) - (kinetic_start_J + elastic_start_J) -
-           (bond_damping_work_J + global_damping_work_J + actuation_work_J + floor_normal_work_J + friction_work_J + collision_work_J + load_work_J);
+           (bond_damping_work_J + global_damping_work_J + actuation_work_J + floor_normal_work_J + friction_work_J +
+            collision_work_J + load_work_J);
   }
 };
 

@@ -15,21 +15,24 @@ namespace menger::voxel {
 
 namespace {
 
-constexpr double list_skin_edges = 0.4;  ///< of the Verlet list, in voxel edges: the flat optimum between long lists and frequent rebuilds
+constexpr double list_skin_edges =
+    0.4;  ///< of the Verlet list, in voxel edges: the flat optimum between long lists and frequent rebuilds
 
 constexpr auto line_size = static_cast<std::size_t>(line_length);
 
 }  // namespace
 
 template <class Real>
-EngineOf<Real>::EngineOf(const meshes::Polycube& body, double edge_m, const Physics& given, const VoxelLoads& loads, const KernelOptions& options) {
+EngineOf<Real>::EngineOf(const meshes::Polycube& body, double edge_m, const Physics& given, const VoxelLoads& loads,
+                         const KernelOptions& options) {
   lattice = std::make_unique<Lattice>(body);
   physics = given;
   cell_edge_m = edge_m;
   tables_ = class_tables(physics, edge_m);
   state_ = std::make_unique<VoxelState<Real>>(*lattice, edge_m, physics, loads, tables_);
   phases = state_->phases();
-  for (const meshes::Material material : lattice->material) mass_kg.push_back(tables_.mass_kg[static_cast<std::size_t>(material - 1)]);
+  for (const meshes::Material material : lattice->material)
+    mass_kg.push_back(tables_.mass_kg[static_cast<std::size_t>(material - 1)]);
   time_step_s = physics.integration.time_step_fraction * recommended_time_step_s(*lattice, edge_m, physics);
 
   double wave_speed = 0.0;
@@ -54,7 +57,8 @@ EngineOf<Real>::EngineOf(const meshes::Polycube& body, double edge_m, const Phys
   state_->set_sizes(start.sine, start.cosine);
   if constexpr (std::is_same_v<Real, double>) {
     if (options.energy_ledger) {
-      books_ = std::make_unique<EnergyBooks>(d, state_->uniform(), physics.integration.damping == DampingMode::velocity, floor_, gravity_, actuated_);
+      books_ = std::make_unique<EnergyBooks>(d, state_->uniform(), physics.integration.damping == DampingMode::velocity, floor_,
+                                             gravity_, actuated_);
       energy.emplace();
     }
   } else if (options.energy_ledger) {
@@ -77,8 +81,8 @@ void EngineOf<Real>::choose_kernels(const KernelOptions& options) {
   beams_ = kernels.beams[physics.integration.damping == DampingMode::velocity][uniform];
   voxels_ = kernels.voxels[uniform][floor_][gravity_][actuated_];
 
-  report_.push_back("kernels: " + std::string(to_string(set)) + ", " + std::string(to_string(physics.integration.number)) + ", damping from " +
-                    std::string(to_string(physics.integration.damping)));
+  report_.push_back("kernels: " + std::string(to_string(set)) + ", " + std::string(to_string(physics.integration.number)) +
+                    ", damping from " + std::string(to_string(physics.integration.damping)));
   if (uniform) report_.push_back("coefficients per voxel and beam left out: all voxels are of one material and free");
   if (!floor_) report_.push_back("floor left out: the scene has none");
   if (!gravity_) report_.push_back("gravity left out: it is zero");
@@ -94,15 +98,16 @@ void EngineOf<Real>::prepare_collisions(const VoxelLoads& loads) {
   }
   CollisionRule rule(*lattice, *physics.collisions.exclusion_depth);
   if (rule.excludes_every_pair() && !every_term_) {
-    report_.push_back("collisions left out: every pair of surface voxels is within " + std::to_string(*physics.collisions.exclusion_depth) +
-                      " beams of each other");
+    report_.push_back("collisions left out: every pair of surface voxels is within " +
+                      std::to_string(*physics.collisions.exclusion_depth) + " beams of each other");
     return;
   }
   double largest_factor = 1.0;
   for (const double factor : loads.size_factor) largest_factor = std::max(largest_factor, factor);
   const double amplitude = is_driven(physics.actuation) ? physics.actuation.amplitude : 0.0;
   const double largest_size = cell_edge_m * (largest_factor + amplitude);
-  close_pairs_ = std::make_unique<VerletList>(std::move(rule), 2.0 * collision_radius_fraction * largest_size, list_skin_edges * cell_edge_m);
+  close_pairs_ = std::make_unique<VerletList>(std::move(rule), 2.0 * collision_radius_fraction * largest_size,
+                                              list_skin_edges * cell_edge_m);
   report_.push_back("collisions: work is skipped while a bound on the displacements rules contact out");
 }
 
@@ -173,8 +178,8 @@ void EngineOf<Real>::find_divergence() {
   for (std::size_t i = 0; i < lattice->voxel_count() && !certain; ++i) {
     const VoxelView voxel = view(i);
     const double speed = std::hypot(voxel.velocity_m_s[0], voxel.velocity_m_s[1], voxel.velocity_m_s[2]);
-    const bool finite = std::isfinite(speed + voxel.position_m[0] + voxel.position_m[1] + voxel.position_m[2] + voxel.orientation[0] +
-                                      voxel.orientation[1] + voxel.orientation[2] + voxel.orientation[3]);
+    const bool finite = std::isfinite(speed + voxel.position_m[0] + voxel.position_m[1] + voxel.position_m[2] +
+                                      voxel.orientation[0] + voxel.orientation[1] + voxel.orientation[2] + voxel.orientation[3]);
     if (finite && speed <= speed_limit_m_s_) continue;
     certain = true;
     found.voxel = i;
@@ -183,7 +188,8 @@ void EngineOf<Real>::find_divergence() {
   }
   if (!certain) {
     const std::vector<double> strain = strains();
-    const auto largest = std::max_element(strain.begin(), strain.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const auto largest =
+        std::max_element(strain.begin(), strain.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     found.voxel = static_cast<std::size_t>(largest - strain.begin());
     found.quantity = "strain";
     found.value = *largest;
@@ -203,7 +209,8 @@ Simulation::Engine::VoxelView EngineOf<Real>::view(std::size_t voxel) const {
   const auto number = [](Real value) { return static_cast<double>(value); };
   VoxelView v{};
   v.position_m = {number(pose[slot::x]), number(pose[slot::y]), number(pose[slot::z])};
-  v.velocity_m_s = {inverse_mass * number(motion[slot::px]), inverse_mass * number(motion[slot::py]), inverse_mass * number(motion[slot::pz])};
+  v.velocity_m_s = {inverse_mass * number(motion[slot::px]), inverse_mass * number(motion[slot::py]),
+                    inverse_mass * number(motion[slot::pz])};
   v.angular_velocity_rad_s = {inverse_inertia * number(motion[slot::hx]), inverse_inertia * number(motion[slot::hy]),
                               inverse_inertia * number(motion[slot::hz])};
   v.orientation = {number(pose[slot::qw]), number(pose[slot::qx]), number(pose[slot::qy]), number(pose[slot::qz])};
@@ -220,7 +227,8 @@ std::vector<double> EngineOf<Real>::strains() const {
     for (std::size_t i = 0; i < beams.lower.size(); ++i) {
       const auto lower = static_cast<std::size_t>(beams.lower[i]);
       const auto upper = static_cast<std::size_t>(beams.upper[i]);
-      const double rest = 0.5 * static_cast<double>(state_->data.pose[line_size * lower + slot::size] + state_->data.pose[line_size * upper + slot::size]);
+      const double rest = 0.5 * static_cast<double>(state_->data.pose[line_size * lower + slot::size] +
+                                                    state_->data.pose[line_size * upper + slot::size]);
       const double strain = static_cast<double>(state_->data.axis[axis].history[i]) / rest;
       for (const std::size_t end : {lower, upper}) {
         if (std::abs(strain) > std::abs(largest[end])) largest[end] = strain;
@@ -248,7 +256,8 @@ std::vector<bool> EngineOf<Real>::in_contact_with_others() const {
   for (const auto& [first, second] : close_pairs_->pairs()) {
     const VoxelView a = view(static_cast<std::size_t>(first));
     const VoxelView b = view(static_cast<std::size_t>(second));
-    const double distance = std::hypot(a.position_m[0] - b.position_m[0], a.position_m[1] - b.position_m[1], a.position_m[2] - b.position_m[2]);
+    const double distance =
+        std::hypot(a.position_m[0] - b.position_m[0], a.position_m[1] - b.position_m[1], a.position_m[2] - b.position_m[2]);
     if (distance >= collision_radius_fraction * (a.size_m + b.size_m)) continue;
     touching[static_cast<std::size_t>(first)] = true;
     touching[static_cast<std::size_t>(second)] = true;

@@ -49,7 +49,8 @@ class Simulation::Engine {
 template <class Real>
 class EngineOf final : public Simulation::Engine {
  public:
-  EngineOf(const meshes::Polycube& body, double edge_m, const Physics& given, const VoxelLoads& loads, const KernelOptions& options);
+  EngineOf(const meshes::Polycube& body, double edge_m, const Physics& given, const VoxelLoads& loads,
+           const KernelOptions& options);
 
   io::RunStatus advance(std::uint64_t steps, const std::atomic<bool>* stop) override;
   VoxelView view(std::size_t voxel) const override;

@@ -9,22 +9,23 @@ namespace menger::voxel {
 /// Contact of a voxel, bits that add up.
 namespace contact {
 inline constexpr std::uint8_t none = 0;
-inline constexpr std::uint8_t floor_sliding = 1;   ///< touches the floor, kinetic friction
-inline constexpr std::uint8_t floor_static = 2;    ///< touches the floor, static friction
-inline constexpr std::uint8_t other_voxel = 4;     ///< overlaps another voxel's collision sphere
+inline constexpr std::uint8_t floor_sliding = 1;  ///< touches the floor, kinetic friction
+inline constexpr std::uint8_t floor_static = 2;   ///< touches the floor, static friction
+inline constexpr std::uint8_t other_voxel = 4;    ///< overlaps another voxel's collision sphere
 }  // namespace contact
 
-/// The state of all voxels at one time, for output. All arrays have one entry per voxel, in grid order of the body (x fastest, then y, then z).
+/// The state of all voxels at one time, for output. All arrays have one entry per voxel, in grid order of the body (x fastest,
+/// then y, then z).
 struct Frame {
   double time_s = 0.0;
-  std::vector<std::array<double, 3>> position_m;      ///< centres; z = 0 is the centre of the lowest layer at rest
-  std::vector<std::array<double, 4>> orientation;     ///< unit quaternions (w, x, y, z), body to world
-  std::vector<double> size_m;                         ///< driven edge length s
-  std::vector<double> speed_m_s;                      ///< magnitude of the velocity
-  std::vector<double> strain;                         ///< axial strain of largest magnitude among the voxel's beams, with its sign
-  std::vector<std::uint8_t> material;                 ///< 1 or 2
-  std::vector<double> phase;                          ///< of the drive, in periods
-  std::vector<std::uint8_t> contact;                  ///< bits of namespace contact
+  std::vector<std::array<double, 3>> position_m;   ///< centres; z = 0 is the centre of the lowest layer at rest
+  std::vector<std::array<double, 4>> orientation;  ///< unit quaternions (w, x, y, z), body to world
+  std::vector<double> size_m;                      ///< driven edge length s
+  std::vector<double> speed_m_s;                   ///< magnitude of the velocity
+  std::vector<double> strain;                      ///< axial strain of largest magnitude among the voxel's beams, with its sign
+  std::vector<std::uint8_t> material;              ///< 1 or 2
+  std::vector<double> phase;                       ///< of the drive, in periods
+  std::vector<std::uint8_t> contact;               ///< bits of namespace contact
   double cell_edge_m = 0.0;
 };
 

@@ -18,20 +18,20 @@ struct FloorCoefficients {
 /// What the floor does to a voxel in one step.
 template <class T>
 struct FloorContact {
-  MaskOf<T> touches;        ///< penetration >= 0
-  MaskOf<T> is_static;      ///< in static friction
-  T normal_force;           ///< N, elastic and damping part, upwards
+  MaskOf<T> touches;         ///< penetration >= 0
+  MaskOf<T> is_static;       ///< in static friction
+  T normal_force;            ///< N, elastic and damping part, upwards
   T friction_x, friction_y;  ///< N, kinetic friction
 };
 
 /// Contact of a voxel with the floor at z = -edge/2, before the momentum is updated.
 ///
-/// With p = s/2 - L/2 - z the normal force is 2 E L p - 2 zeta_c sqrt(m E L) v_z for p >= 0. A voxel in static friction leaves it without a force in
-/// this step when the horizontal force exceeds mu_s 2 E L p; a sliding one is slowed by mu_k 2 E L p against its velocity; a voxel that does not
-/// touch is not in static friction. @cite hiller2014dynamic
+/// With p = s/2 - L/2 - z the normal force is 2 E L p - 2 zeta_c sqrt(m E L) v_z for p >= 0. A voxel in static friction leaves it
+/// without a force in this step when the horizontal force exceeds mu_s 2 E L p; a sliding one is slowed by mu_k 2 E L p against
+/// its velocity; a voxel that does not touch is not in static friction. @cite hiller2014dynamic
 template <class T>
-inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& half_edge, const T& size, const T& z, const Vector3<T>& velocity,
-                                     const Vector3<T>& force, const MaskOf<T>& was_static) {
+inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& half_edge, const T& size, const T& z,
+                                     const Vector3<T>& velocity, const Vector3<T>& force, const MaskOf<T>& was_static) {
   using std::sqrt;
   const T zero = constant<T>(0.0);
   const T penetration = constant<T>(0.5) * size - half_edge - z;
@@ -40,8 +40,9 @@ inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& hal
   const T pressing = c.stiffness * penetration;
   contact.normal_force = select(contact.touches, pressing - c.damping * velocity.z, zero);
   const T hold = c.static_friction * pressing;
-  const MaskOf<T> breaks = force.x * force.x + force.y * force.y > hold * hold;
-  contact.is_static = contact.touches && was_static && !breaks;
+  // Written so that a force that is not finite breaks the hold instead of vanishing in it.
+  const MaskOf<T> holds = force.x * force.x + force.y * force.y <= hold * hold;
+  contact.is_static = contact.touches && was_static && holds;
   const T speed2 = velocity.x * velocity.x + velocity.y * velocity.y;
   const MaskOf<T> slides = contact.touches && !was_static && (speed2 > zero);
   const T slowing = select(slides, c.kinetic_friction * pressing / sqrt(select(slides, speed2, constant<T>(1.0))), zero);
@@ -50,10 +51,11 @@ inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& hal
   return contact;
 }
 
-/// Whether a voxel that touches the floor comes to static friction in this step: its horizontal kinetic energy would be used up by the work of the
-/// friction, 1/2 |P_xy|^2 / m + f · displacement <= 0, P and displacement after the update.
+/// Whether a voxel that touches the floor comes to static friction in this step: its horizontal kinetic energy would be used up
+/// by the work of the friction, 1/2 |P_xy|^2 / m + f · displacement <= 0, P and displacement after the update.
 template <class T>
-inline MaskOf<T> floor_stops(const FloorContact<T>& contact, const Vector3<T>& momentum, const Vector3<T>& displacement, const T& inverse_mass) {
+inline MaskOf<T> floor_stops(const FloorContact<T>& contact, const Vector3<T>& momentum, const Vector3<T>& displacement,
+                             const T& inverse_mass) {
   const T zero = constant<T>(0.0);
   const T kinetic = constant<T>(0.5) * inverse_mass * (momentum.x * momentum.x + momentum.y * momentum.y);
   const T work = contact.friction_x * displacement.x + contact.friction_y * displacement.y;

@@ -3,7 +3,6 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-
 #include <xsimd/xsimd.hpp>
 
 namespace menger::voxel {
@@ -14,11 +13,16 @@ bool machine_has(InstructionSet set) {
 #ifdef MENGER_X86_KERNELS
   const auto available = xsimd::available_architectures();
   switch (set) {
-    case InstructionSet::scalar: return true;
-    case InstructionSet::sse2: return available.sse2 != 0;
-    case InstructionSet::avx2: return available.avx2 != 0;
-    case InstructionSet::avx512: return available.avx512f != 0 && available.avx512dq != 0;
-    case InstructionSet::best: break;
+    case InstructionSet::scalar:
+      return true;
+    case InstructionSet::sse2:
+      return available.sse2 != 0;
+    case InstructionSet::avx2:
+      return available.avx2 != 0;
+    case InstructionSet::avx512:
+      return available.avx512f != 0 && available.avx512dq != 0;
+    case InstructionSet::best:
+      break;
   }
   return false;
 #else
@@ -38,7 +42,8 @@ InstructionSet resolve(InstructionSet requested) {
     return machine_has(InstructionSet::sse2) ? InstructionSet::sse2 : InstructionSet::scalar;
   }
   if (requested == InstructionSet::avx512 && !has_avx512) throw std::invalid_argument("there are no avx512 kernels for float32");
-  if (!machine_has(requested)) throw std::invalid_argument("this machine has no " + std::string(to_string(requested)) + " kernels");
+  if (!machine_has(requested))
+    throw std::invalid_argument("this machine has no " + std::string(to_string(requested)) + " kernels");
   return requested;
 }
 
@@ -65,11 +70,16 @@ const StepKernels<float>& kernels_for<float>(InstructionSet set) {
 
 std::string_view to_string(InstructionSet set) {
   switch (set) {
-    case InstructionSet::best: return "best";
-    case InstructionSet::scalar: return "scalar";
-    case InstructionSet::sse2: return "sse2";
-    case InstructionSet::avx2: return "avx2";
-    case InstructionSet::avx512: return "avx512";
+    case InstructionSet::best:
+      return "best";
+    case InstructionSet::scalar:
+      return "scalar";
+    case InstructionSet::sse2:
+      return "sse2";
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::avx512:
+      return "avx512";
   }
   return "best";
 }

@@ -7,7 +7,8 @@
 
 namespace menger::voxel {
 
-/// The instruction set that a request resolves to on this machine for this number type: the best one there is, or the requested one.
+/// The instruction set that a request resolves to on this machine for this number type: the best one there is, or the requested
+/// one.
 /// @throws std::invalid_argument if this machine does not have the one requested
 template <class Real>
 InstructionSet resolve(InstructionSet requested);

@@ -8,7 +8,8 @@
 
 namespace menger::voxel {
 
-/// Instruction set of the step's kernels. The results of all of them are the same bytes: no kernel fuses a multiplication with an addition.
+/// Instruction set of the step's kernels. The results of all of them are the same bytes: no kernel fuses a multiplication with an
+/// addition.
 enum class InstructionSet { best, scalar, sse2, avx2, avx512 };
 
 /// How a simulation runs, never what it computes.

@@ -7,10 +7,12 @@ namespace menger::voxel {
 Lattice::Lattice(const meshes::Polycube& body) : grid{body.nx(), body.ny(), body.nz()} {
   cells = body.occupied();
   material.reserve(cells.size());
-  std::vector<std::int32_t> index(static_cast<std::size_t>(body.nx()) * static_cast<std::size_t>(body.ny()) * static_cast<std::size_t>(body.nz()), -1);
+  std::vector<std::int32_t> index(
+      static_cast<std::size_t>(body.nx()) * static_cast<std::size_t>(body.ny()) * static_cast<std::size_t>(body.nz()), -1);
   const auto offset = [&](const meshes::CellIndex& cell) {
     return static_cast<std::size_t>(cell.x) +
-           static_cast<std::size_t>(body.nx()) * (static_cast<std::size_t>(cell.y) + static_cast<std::size_t>(body.ny()) * static_cast<std::size_t>(cell.z));
+           static_cast<std::size_t>(body.nx()) *
+               (static_cast<std::size_t>(cell.y) + static_cast<std::size_t>(body.ny()) * static_cast<std::size_t>(cell.z));
   };
   for (std::size_t i = 0; i < cells.size(); ++i) {
     index[offset(cells[i])] = static_cast<std::int32_t>(i);

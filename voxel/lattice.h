@@ -21,11 +21,11 @@ struct AxisBeams {
 struct Lattice {
   explicit Lattice(const meshes::Polycube& body);
 
-  std::vector<meshes::CellIndex> cells;                    ///< per voxel
-  std::vector<meshes::Material> material;                  ///< per voxel, 1 or 2
-  std::array<AxisBeams, 3> beams;                          ///< along x, y, z
-  std::vector<std::array<std::int32_t, 6>> neighbours;     ///< per voxel: -x, +x, -y, +y, -z, +z; -1 where there is none
-  std::array<int, 3> grid{0, 0, 0};                        ///< size of the body's grid
+  std::vector<meshes::CellIndex> cells;                 ///< per voxel
+  std::vector<meshes::Material> material;               ///< per voxel, 1 or 2
+  std::array<AxisBeams, 3> beams;                       ///< along x, y, z
+  std::vector<std::array<std::int32_t, 6>> neighbours;  ///< per voxel: -x, +x, -y, +y, -z, +z; -1 where there is none
+  std::array<int, 3> grid{0, 0, 0};                     ///< size of the body's grid
 
   [[nodiscard]] std::size_t voxel_count() const { return cells.size(); }
   [[nodiscard]] std::size_t beam_count() const { return beams[0].lower.size() + beams[1].lower.size() + beams[2].lower.size(); }

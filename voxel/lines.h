@@ -26,8 +26,9 @@ inline Register zip_high(Register a, Register b, std::index_sequence<I...>) {
   return __builtin_shufflevector(a, b, (I % 2 == 0 ? (sizeof...(I) + I) / 2 : sizeof...(I) + (sizeof...(I) + I) / 2)...);
 }
 
-/// One stage of the perfect shuffle of eight registers of W numbers. With the address of a number written as (register, lane) in bits, a stage turns
-/// the address left by one bit; log2(W) stages turn W lines of eight numbers into eight packs, three more turn them back.
+/// One stage of the perfect shuffle of eight registers of W numbers. With the address of a number written as (register, lane) in
+/// bits, a stage turns the address left by one bit; log2(W) stages turn W lines of eight numbers into eight packs, three more
+/// turn them back.
 template <int W, class Register>
 inline void shuffle_stage(Register (&r)[line_length]) {
   constexpr auto lanes = std::make_index_sequence<static_cast<std::size_t>(W)>{};
@@ -102,7 +103,8 @@ inline void store_lines(RealOf<T>* first, const Lines<T>& lines) {
   }
 }
 
-/// Adds lane after lane the line of `lower` to base[lower_index[lane]] and that of `upper` to base[upper_index[lane]]; an index may occur more than once.
+/// Adds lane after lane the line of `lower` to base[lower_index[lane]] and that of `upper` to base[upper_index[lane]]; an index
+/// may occur more than once.
 template <class T>
 inline void add_lines(RealOf<T>* base, const std::int32_t* lower_index, const Lines<T>& lower, const std::int32_t* upper_index,
                       const Lines<T>& upper) {

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <cmath>
-
 #include <xsimd/xsimd.hpp>
 
 namespace menger::voxel {
 
-/// The number types that the laws of this folder are written for: double, float and SIMD packs of them (one lane per beam or voxel).
+/// The number types that the laws of this folder are written for: double, float and SIMD packs of them (one lane per beam or
+/// voxel).
 ///
-/// A law that is a template over T uses +, -, *, /, comparisons, sqrt, abs and the functions below, and nothing else, so that one source serves all.
-/// None of them fuses a multiplication with an addition: a lane of a pack and a scalar give the same bytes.
+/// A law that is a template over T uses +, -, *, /, comparisons, sqrt, abs and the functions below, and nothing else, so that one
+/// source serves all. None of them fuses a multiplication with an addition: a lane of a pack and a scalar give the same bytes.
 template <class T>
 struct NumberTraits {
   using Real = T;
@@ -29,8 +29,8 @@ using RealOf = typename NumberTraits<T>::Real;
 template <class T>
 using MaskOf = typename NumberTraits<T>::Mask;
 
-/// a where the mask holds, b elsewhere; never by multiplication, so that a NaN in the lane not chosen stays out. Always inlined: a copy compiled for one
-/// instruction set must not be linked into code for another.
+/// a where the mask holds, b elsewhere; never by multiplication, so that a NaN in the lane not chosen stays out. Always inlined:
+/// a copy compiled for one instruction set must not be linked into code for another.
 [[gnu::always_inline]] inline double select(bool mask, double a, double b) { return mask ? a : b; }
 [[gnu::always_inline]] inline float select(bool mask, float a, float b) { return mask ? a : b; }
 

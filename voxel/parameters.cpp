@@ -4,10 +4,14 @@ namespace menger::voxel {
 
 std::string_view to_string(ActuationMode mode) {
   switch (mode) {
-    case ActuationMode::none: return "none";
-    case ActuationMode::in_phase: return "in_phase";
-    case ActuationMode::antiphase: return "antiphase";
-    case ActuationMode::wave: return "wave";
+    case ActuationMode::none:
+      return "none";
+    case ActuationMode::in_phase:
+      return "in_phase";
+    case ActuationMode::antiphase:
+      return "antiphase";
+    case ActuationMode::wave:
+      return "wave";
   }
   return "none";
 }

@@ -38,13 +38,13 @@ enum class ActuationMode {
 /// Drive of the voxel sizes: s = L (1 + amplitude sin(2 pi (t / period + phase))).
 struct Actuation {
   ActuationMode mode = ActuationMode::antiphase;
-  double amplitude = 0.144714;                    ///< a, fraction of the edge, 0 <= a < 1
-  double period_s = 0.2;                          ///< T > 0
+  double amplitude = 0.144714;                     ///< a, fraction of the edge, 0 <= a < 1
+  double period_s = 0.2;                           ///< T > 0
   std::array<double, 2> material_phase{0.0, 0.5};  ///< phases of materials 1 and 2, in periods (antiphase only)
-  int wave_axis = 1;                              ///< 0, 1, 2 for x, y, z (wave only)
+  int wave_axis = 1;                               ///< 0, 1, 2 for x, y, z (wave only)
 
-  /// Wave only: phase = periods_per_body * i / W, with i the cell index along the axis and W the cells per side of the level (3^level). Negative:
-  /// the wave travels towards growing index.
+  /// Wave only: phase = periods_per_body * i / W, with i the cell index along the axis and W the cells per side of the level
+  /// (3^level). Negative: the wave travels towards growing index.
   double wave_periods_per_body = -1.0;
   bool wave_over_gaps = false;  ///< wave only: divide by W - 1 instead of W (the last layer then gets the full phase)
 
@@ -65,8 +65,9 @@ struct Integration {
   DampingMode damping = DampingMode::increments;
   NumberType number = NumberType::float64;
 
-  /// Round rest lengths to 24 bits, as the public engine keeps them. Damping from increments divides that rounding by the step: at a tenth of the
-  /// paper's step it is a force noise of about a percent of a light robot's friction, enough to start a slip early. For comparisons only.
+  /// Round rest lengths to 24 bits, as the public engine keeps them. Damping from increments divides that rounding by the step:
+  /// at a tenth of the paper's step it is a force noise of about a percent of a light robot's friction, enough to start a slip
+  /// early. For comparisons only.
   bool single_precision_rest_lengths = false;
 
   bool operator==(const Integration&) const = default;
@@ -74,7 +75,8 @@ struct Integration {
 
 /// Contact between surface voxels as spheres of 0.625 of their size.
 struct Collisions {
-  /// Voxels that are this many beams apart or fewer never collide: 1 excludes direct neighbours (voxcraft-sim), 5 is Voxelyze's rule; none: off.
+  /// Voxels that are this many beams apart or fewer never collide: 1 excludes direct neighbours (voxcraft-sim), 5 is Voxelyze's
+  /// rule; none: off.
   std::optional<int> exclusion_depth = 1;
 
   bool operator==(const Collisions&) const = default;
@@ -82,8 +84,9 @@ struct Collisions {
 
 /// Beyond these a run is called diverged. Tested over all voxels and beams at every step.
 struct DivergenceLimits {
-  double speed_fraction = 0.2;  ///< largest speed as a fraction of the wave speed sqrt(E / rho) of the stiffest and lightest material
-  double strain = 1.0;          ///< largest magnitude of a beam's axial strain
+  double speed_fraction =
+      0.2;              ///< largest speed as a fraction of the wave speed sqrt(E / rho) of the stiffest and lightest material
+  double strain = 1.0;  ///< largest magnitude of a beam's axial strain
 
   bool operator==(const DivergenceLimits&) const = default;
 };

@@ -97,17 +97,20 @@ inline Vector3<T> rotate_back(const Rotation<T>& r, const Vector3<T>& v) {
           r.row_x.z * v.x + r.row_y.z * v.y + r.row_z.z * v.z};
 }
 
-/// 2 acos(w) / sqrt(1 - w^2) by the C library, 0 for |w| >= 1; for the rare lanes that the polynomial of rotation_vector does not reach.
+/// 2 acos(w) / sqrt(1 - w^2) by the C library, 0 for |w| >= 1; for the rare lanes that the polynomial of rotation_vector does not
+/// reach.
 double exact_rotation_vector_factor(double w);
 
-/// cos(sqrt(x)) and sin(sqrt(x)) / sqrt(x) by the C library, x >= 0; for the rare lanes that the polynomials of quaternion_of do not reach.
+/// cos(sqrt(x)) and sin(sqrt(x)) / sqrt(x) by the C library, x >= 0; for the rare lanes that the polynomials of quaternion_of do
+/// not reach.
 double exact_cosine_of_root(double x);
 double exact_sinc_of_root(double x);
 
-/// Rotation vector (axis times angle in radians) of a unit quaternion, 2 acos(w) / sqrt(1 - w^2) (x, y, z); angles beyond pi stay as they are.
+/// Rotation vector (axis times angle in radians) of a unit quaternion, 2 acos(w) / sqrt(1 - w^2) (x, y, z); angles beyond pi stay
+/// as they are.
 ///
-/// With k = (1 - w)/2 = sin^2(angle/4) the factor is 2 sum_n k^n prod_{j<=n} 2j/(2j+1); eight terms leave a relative error below 1e-16 for
-/// k <= 0.01 (angles to 23 degrees), beyond which the C library takes over.
+/// With k = (1 - w)/2 = sin^2(angle/4) the factor is 2 sum_n k^n prod_{j<=n} 2j/(2j+1); eight terms leave a relative error below
+/// 1e-16 for k <= 0.01 (angles to 23 degrees), beyond which the C library takes over.
 template <class T>
 inline Vector3<T> rotation_vector(const Quaternion<T>& q) {
   const T k = constant<T>(0.5) * (constant<T>(1.0) - q.w);
@@ -123,8 +126,8 @@ inline Vector3<T> rotation_vector(const Quaternion<T>& q) {
   return {factor * q.x, factor * q.y, factor * q.z};
 }
 
-/// Rate of the rotation vector v of a rotation that turns with angular velocity w (both in the frame it turns into), w - v x w / 2 + v x (v x w) / 12;
-/// the next term is of relative size |v|^4 / 720.
+/// Rate of the rotation vector v of a rotation that turns with angular velocity w (both in the frame it turns into), w - v x w /
+/// 2 + v x (v x w) / 12; the next term is of relative size |v|^4 / 720.
 template <class T>
 inline Vector3<T> rotation_vector_rate(const Vector3<T>& v, const Vector3<T>& w) {
   const Vector3<T> across = cross(v, w);
@@ -133,15 +136,16 @@ inline Vector3<T> rotation_vector_rate(const Vector3<T>& v, const Vector3<T>& w)
 
 /// Unit quaternion of a rotation vector (axis times angle in radians).
 ///
-/// With k = (angle/2)^2: w = cos(sqrt k), xyz = sin(sqrt k)/sqrt(k) v/2. Taylor sums to k^4 leave a relative error below 3e-17 for k <= 0.01 (0.2 rad
-/// in one step), beyond which the C library takes over.
+/// With k = (angle/2)^2: w = cos(sqrt k), xyz = sin(sqrt k)/sqrt(k) v/2. Taylor sums to k^4 leave a relative error below 3e-17
+/// for k <= 0.01 (0.2 rad in one step), beyond which the C library takes over.
 template <class T>
 inline Quaternion<T> quaternion_of(const Vector3<T>& v) {
   const T half = constant<T>(0.5);
   const Vector3<T> u = half * v;
   const T k = dot(u, u);
   const T k2 = k * k;
-  T cosine = (constant<T>(1.0) - half * k) + k2 * ((constant<T>(1.0 / 24.0) - constant<T>(1.0 / 720.0) * k) + constant<T>(1.0 / 40320.0) * k2);
+  T cosine = (constant<T>(1.0) - half * k) +
+             k2 * ((constant<T>(1.0 / 24.0) - constant<T>(1.0 / 720.0) * k) + constant<T>(1.0 / 40320.0) * k2);
   T sinc = (constant<T>(1.0) - constant<T>(1.0 / 6.0) * k) +
            k2 * ((constant<T>(1.0 / 120.0) - constant<T>(1.0 / 5040.0) * k) + constant<T>(1.0 / 362880.0) * k2);
   const MaskOf<T> far = k > constant<T>(0.01);
@@ -164,7 +168,8 @@ inline Quaternion<T> rotation_onto_x(const Vector3<T>& d) {
   const T norm2 = w * w + across2;
   const MaskOf<T> opposite = norm2 <= zero;
   const T scale = constant<T>(1.0) / sqrt(select(opposite, constant<T>(1.0), norm2));
-  return {select(opposite, zero, w * scale), zero, select(opposite, constant<T>(1.0), d.z * scale), select(opposite, zero, -(d.y * scale))};
+  return {select(opposite, zero, w * scale), zero, select(opposite, constant<T>(1.0), d.z * scale),
+          select(opposite, zero, -(d.y * scale))};
 }
 
 }  // namespace menger::voxel

@@ -24,20 +24,24 @@ void check(const meshes::Polycube& body, double cell_edge_m, const Physics& phys
   for (const VoxelMaterial& material : physics.materials) {
     require(positive(material.youngs_modulus_Pa), "youngs_modulus_Pa must be > 0");
     require(positive(material.density_kg_m3), "density_kg_m3 must be > 0");
-    require(not_negative(material.static_friction) && not_negative(material.kinetic_friction), "friction coefficients must be >= 0");
+    require(not_negative(material.static_friction) && not_negative(material.kinetic_friction),
+            "friction coefficients must be >= 0");
   }
-  require(not_negative(physics.damping_ratios.bond) && not_negative(physics.damping_ratios.collision) && not_negative(physics.damping_ratios.global),
+  require(not_negative(physics.damping_ratios.bond) && not_negative(physics.damping_ratios.collision) &&
+              not_negative(physics.damping_ratios.global),
           "damping ratios must be >= 0");
   require(not_negative(physics.gravity_m_s2), "gravity_m_s2 must be >= 0");
-  require(not_negative(physics.actuation.amplitude) && physics.actuation.amplitude < 1.0, "the actuation amplitude must be in [0, 1)");
+  require(not_negative(physics.actuation.amplitude) && physics.actuation.amplitude < 1.0,
+          "the actuation amplitude must be in [0, 1)");
   require(positive(physics.actuation.period_s), "period_s must be > 0");
   require(physics.actuation.wave_axis >= 0 && physics.actuation.wave_axis <= 2, "wave_axis must be 0, 1 or 2");
   require(positive(physics.integration.time_step_fraction), "time_step_fraction must be > 0");
   require(!physics.collisions.exclusion_depth || *physics.collisions.exclusion_depth >= 1, "exclusion_depth must be >= 1");
   require(positive(physics.limits.speed_fraction) && positive(physics.limits.strain), "divergence limits must be > 0");
   const auto fits = [&](std::size_t size) { return size == 0 || size == body.count(); };
-  require(fits(loads.force_N.size()) && fits(loads.moment_N_m.size()) && fits(loads.initial_displacement_m.size()) && fits(loads.initial_velocity_m_s.size()) &&
-              fits(loads.initial_angular_velocity_rad_s.size()) && fits(loads.size_factor.size()) && fits(loads.fixed.size()),
+  require(fits(loads.force_N.size()) && fits(loads.moment_N_m.size()) && fits(loads.initial_displacement_m.size()) &&
+              fits(loads.initial_velocity_m_s.size()) && fits(loads.initial_angular_velocity_rad_s.size()) &&
+              fits(loads.size_factor.size()) && fits(loads.fixed.size()),
           "loads need one entry per voxel");
 }
 
@@ -104,7 +108,9 @@ Frame Simulation::frame() const {
 std::array<double, 3> Simulation::position_m(std::size_t voxel) const { return engine_->view(voxel).position_m; }
 std::array<double, 4> Simulation::orientation(std::size_t voxel) const { return engine_->view(voxel).orientation; }
 std::array<double, 3> Simulation::velocity_m_s(std::size_t voxel) const { return engine_->view(voxel).velocity_m_s; }
-std::array<double, 3> Simulation::angular_velocity_rad_s(std::size_t voxel) const { return engine_->view(voxel).angular_velocity_rad_s; }
+std::array<double, 3> Simulation::angular_velocity_rad_s(std::size_t voxel) const {
+  return engine_->view(voxel).angular_velocity_rad_s;
+}
 bool Simulation::is_in_static_friction(std::size_t voxel) const { return engine_->view(voxel).is_static; }
 std::size_t Simulation::large_angle_beams() const { return engine_->large_angle_beams(); }
 std::vector<std::string> Simulation::kernel_report() const { return engine_->kernel_report(); }

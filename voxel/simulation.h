@@ -18,12 +18,14 @@
 
 namespace menger::voxel {
 
-/// Loads and constraints on single voxels, for verification and for scenes beyond a free robot. Empty arrays: none; otherwise one entry per voxel.
+/// Loads and constraints on single voxels, for verification and for scenes beyond a free robot. Empty arrays: none; otherwise one
+/// entry per voxel.
 struct VoxelLoads {
-  std::vector<std::array<double, 3>> force_N;             ///< constant, world axes
-  std::vector<std::array<double, 3>> moment_N_m;          ///< constant, world axes
+  std::vector<std::array<double, 3>> force_N;                 ///< constant, world axes
+  std::vector<std::array<double, 3>> moment_N_m;              ///< constant, world axes
   std::vector<std::array<double, 3>> initial_displacement_m;  ///< from the grid
-  std::vector<std::array<double, 3>> initial_velocity_m_s;    ///< a voxel that starts with a horizontal one starts in kinetic friction
+  std::vector<std::array<double, 3>>
+      initial_velocity_m_s;  ///< a voxel that starts with a horizontal one starts in kinetic friction
   std::vector<std::array<double, 3>> initial_angular_velocity_rad_s;
   std::vector<double> size_factor;  ///< constant factor on the driven size (a voxel warmer or colder than the others)
   std::vector<bool> fixed;          ///< held in all six degrees of freedom
@@ -31,17 +33,19 @@ struct VoxelLoads {
 
 /// Where and how a run left the range of the model.
 struct Divergence {
-  std::size_t voxel = 0;       ///< index in grid order
-  meshes::CellIndex cell;      ///< its cell
-  std::string quantity;        ///< "speed", "strain" or "not finite"
-  double value = 0.0;          ///< of that quantity; the limit where it was not finite
+  std::size_t voxel = 0;   ///< index in grid order
+  meshes::CellIndex cell;  ///< its cell
+  std::string quantity;    ///< "speed", "strain" or "not finite"
+  double value = 0.0;      ///< of that quantity; the limit where it was not finite
   double limit = 0.0;
   double time_s = 0.0;
 };
 
-/// A body of voxels in motion: point masses joined by Euler-Bernoulli beams with driven rest lengths (Voxelyze's model at Poisson's ratio 0).
+/// A body of voxels in motion: point masses joined by Euler-Bernoulli beams with driven rest lengths (Voxelyze's model at
+/// Poisson's ratio 0).
 ///
-/// Deterministic: the same body, physics and instruction-set-independent options give the same bytes on every run and in every thread.
+/// Deterministic: the same body, physics and instruction-set-independent options give the same bytes on every run and in every
+/// thread.
 /// @cite hiller2014dynamic
 class Simulation {
  public:
@@ -99,8 +103,8 @@ class Simulation {
   std::unique_ptr<Engine> engine_;
 };
 
-/// Recommended time step (s) of a body: 1 / (2 pi sqrt(k/m)) with k/m the largest of k = E L over the lighter end, over all beams (its own E L / m
-/// for a voxel without beams). @cite hiller2014dynamic
+/// Recommended time step (s) of a body: 1 / (2 pi sqrt(k/m)) with k/m the largest of k = E L over the lighter end, over all beams
+/// (its own E L / m for a voxel without beams). @cite hiller2014dynamic
 double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics);
 
 }  // namespace menger::voxel

@@ -8,15 +8,17 @@
 
 namespace menger::voxel {
 
-/// Values in a line. All that a beam wants to know of a voxel's pose, its motion, or adds to its load, is one line of eight numbers: for double one
-/// cache line. A pack kernel reads a line per lane and turns them into eight packs in registers, which is faster than gathering component by component.
+/// Values in a line. All that a beam wants to know of a voxel's pose, its motion, or adds to its load, is one line of eight
+/// numbers: for double one cache line. A pack kernel reads a line per lane and turns them into eight packs in registers, which is
+/// faster than gathering component by component.
 inline constexpr int line_length = 8;
 
 /// Positions of values in the lines of a voxel.
 namespace slot {
-inline constexpr int x = 0, y = 1, z = 2, size = 3, qw = 4, qx = 5, qy = 6, qz = 7;                   ///< pose: m, quaternion
-inline constexpr int px = 0, py = 1, pz = 2, size_rate = 3, hx = 4, hy = 5, hz = 6, is_static = 7;    ///< motion: momenta, m/s, 0 or 1
-inline constexpr int fx = 0, fy = 1, fz = 2, mx = 4, my = 5, mz = 6;                                  ///< load: N, N m; the others stay 0
+inline constexpr int x = 0, y = 1, z = 2, size = 3, qw = 4, qx = 5, qy = 6, qz = 7;  ///< pose: m, quaternion
+inline constexpr int px = 0, py = 1, pz = 2, size_rate = 3, hx = 4, hy = 5, hz = 6,
+                     is_static = 7;                                   ///< motion: momenta, m/s, 0 or 1
+inline constexpr int fx = 0, fy = 1, fz = 2, mx = 4, my = 5, mz = 6;  ///< load: N, N m; the others stay 0
 }  // namespace slot
 
 /// What a voxel is: the same for all voxels of a class (material, fixed or free).
@@ -30,18 +32,18 @@ struct VoxelCoefficients {
   FloorCoefficients<T> floor;
 };
 
-inline constexpr int history_values = 9;   ///< numbers that a beam remembers
-inline constexpr int class_values = 16;    ///< numbers of a voxel or beam class in the tables, two lines
-inline constexpr int widest_pack = 16;     ///< beams and voxels are padded to a multiple of this
+inline constexpr int history_values = 9;  ///< numbers that a beam remembers
+inline constexpr int class_values = 16;   ///< numbers of a voxel or beam class in the tables, two lines
+inline constexpr int widest_pack = 16;    ///< beams and voxels are padded to a multiple of this
 
 /// Beams along one axis, in the order of their lower voxel, padded with beams between two voxels that nobody sees.
 template <class Real>
 struct BeamAxisData {
-  std::size_t count = 0;                 ///< with padding
-  const std::int32_t* lower = nullptr;   ///< voxel at the lower end
+  std::size_t count = 0;                ///< with padding
+  const std::int32_t* lower = nullptr;  ///< voxel at the lower end
   const std::int32_t* upper = nullptr;
   const std::int32_t* beam_class = nullptr;  ///< row pair in the beam table
-  Real* history = nullptr;               ///< history_values arrays of `count`
+  Real* history = nullptr;                   ///< history_values arrays of `count`
 };
 
 /// All that one step reads and writes: plain arrays and constants, the same for every instruction set.
@@ -52,25 +54,25 @@ struct StepData {
   Real* pose = nullptr;           ///< lines, see namespace slot
   Real* motion = nullptr;
   Real* load = nullptr;
-  Real* position_residual = nullptr;       ///< lines x, y, z: what rounding left out of the positions; float only
-  const Real* external_load = nullptr;     ///< lines, or null
-  const Real* size_base = nullptr;         ///< size = base + sine part * sin(2 pi t/T) + cosine part * cos(2 pi t/T), m
+  Real* position_residual = nullptr;    ///< lines x, y, z: what rounding left out of the positions; float only
+  const Real* external_load = nullptr;  ///< lines, or null
+  const Real* size_base = nullptr;      ///< size = base + sine part * sin(2 pi t/T) + cosine part * cos(2 pi t/T), m
   const Real* size_sine_part = nullptr;
   const Real* size_cosine_part = nullptr;
   const std::int32_t* voxel_class = nullptr;  ///< row pair in the voxel table
   const Real* voxel_table = nullptr;          ///< class_values numbers per class
   const Real* beam_table = nullptr;
-  VoxelCoefficients<Real> voxel;      ///< of all voxels, for uniform bodies
-  BeamCoefficients<Real> beam;        ///< of all beams, for uniform bodies
+  VoxelCoefficients<Real> voxel;  ///< of all voxels, for uniform bodies
+  BeamCoefficients<Real> beam;    ///< of all beams, for uniform bodies
   BeamAxisData<Real> axis[3];
-  Real half_edge = 0;                 ///< L/2, m
-  Real time_step = 0;                 ///< h, s
-  Real rate_scale = 0;                ///< 1/h for damping from increments, 0 in the first step
-  Real next_sine = 0;                 ///< sin(2 pi t/T) at the end of the step
+  Real half_edge = 0;   ///< L/2, m
+  Real time_step = 0;   ///< h, s
+  Real rate_scale = 0;  ///< 1/h for damping from increments, 0 in the first step
+  Real next_sine = 0;   ///< sin(2 pi t/T) at the end of the step
   Real next_cosine = 0;
-  Real angular_frequency = 0;         ///< 2 pi / T, rad/s
+  Real angular_frequency = 0;  ///< 2 pi / T, rad/s
   Real strain_limit = 0;
-  Real displacement_limit2 = 0;       ///< (speed limit * h)^2, m^2
+  Real displacement_limit2 = 0;  ///< (speed limit * h)^2, m^2
   bool stop_rotation_in_static_friction = false;
   bool single_precision_rest_lengths = false;
 };
@@ -84,10 +86,11 @@ struct VoxelSweep {
 /// The sweeps of one instruction set and number type, by the terms that they contain.
 template <class Real>
 struct StepKernels {
-  using BeamSweep = bool (*)(const StepData<Real>&);        ///< adds the loads of all beams; true if a strain is out of range or not finite
+  using BeamSweep =
+      bool (*)(const StepData<Real>&);  ///< adds the loads of all beams; true if a strain is out of range or not finite
   using VoxelSweepFunction = VoxelSweep (*)(const StepData<Real>&);  ///< moves all voxels and clears their loads
-  BeamSweep beams[2][2];                     ///< [damping from velocities][uniform]
-  VoxelSweepFunction voxels[2][2][2][2];     ///< [uniform][floor][gravity][actuated]
+  BeamSweep beams[2][2];                                             ///< [damping from velocities][uniform]
+  VoxelSweepFunction voxels[2][2][2][2];                             ///< [uniform][floor][gravity][actuated]
 };
 
 /// The sweeps of one instruction set; the pack ones exist only where the compiler can make them (x86-64).

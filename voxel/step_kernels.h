@@ -1,7 +1,7 @@
 #pragma once
 
-// The sweeps of a step as templates over the number type. Included only by the files step_kernels_<instruction set>.cpp, each compiled for its own
-// instruction set: everything here is a template over the pack type, so that no code is shared between them.
+// The sweeps of a step as templates over the number type. Included only by the files step_kernels_<instruction set>.cpp, each
+// compiled for its own instruction set: everything here is a template over the pack type, so that no code is shared between them.
 
 #include <type_traits>
 
@@ -44,7 +44,11 @@ inline void store_values(RealOf<T>* to, const T& value) {
 
 template <class T>
 inline VoxelCoefficients<T> broadcast(const VoxelCoefficients<RealOf<T>>& c) {
-  return {T(c.inverse_mass), T(c.inverse_inertia), T(c.weight), T(c.global_damping), T(c.global_rotation_damping),
+  return {T(c.inverse_mass),
+          T(c.inverse_inertia),
+          T(c.weight),
+          T(c.global_damping),
+          T(c.global_rotation_damping),
           {T(c.floor.stiffness), T(c.floor.damping), T(c.floor.static_friction), T(c.floor.kinetic_friction)}};
 }
 
@@ -76,7 +80,8 @@ inline BeamHistory<T> load_history(const RealOf<T>* history, std::size_t stride)
   h.deformation.displacement = {load_values<T>(history), load_values<T>(history + stride), load_values<T>(history + 2 * stride)};
   h.deformation.lower_angle_y = load_values<T>(history + 3 * stride);
   h.deformation.lower_angle_z = load_values<T>(history + 4 * stride);
-  h.deformation.upper_angle = {load_values<T>(history + 5 * stride), load_values<T>(history + 6 * stride), load_values<T>(history + 7 * stride)};
+  h.deformation.upper_angle = {load_values<T>(history + 5 * stride), load_values<T>(history + 6 * stride),
+                               load_values<T>(history + 7 * stride)};
   h.small = load_values<T>(history + 8 * stride);
   return h;
 }
@@ -104,8 +109,8 @@ struct BeamStep {
 };
 
 template <int Axis, bool Velocity, bool Uniform, class T>
-inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<RealOf<T>>& beams, std::size_t i, const BeamCoefficients<T>& c,
-                             BeamEnds<T>& ends, BeamHistory<T>& history) {
+inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<RealOf<T>>& beams, std::size_t i,
+                             const BeamCoefficients<T>& c, BeamEnds<T>& ends, BeamHistory<T>& history) {
   const T half = constant<T>(0.5);
   const Lines<T> lower = load_lines<T>(d.pose, beams.lower + i);
   const Lines<T> upper = load_lines<T>(d.pose, beams.upper + i);
@@ -199,19 +204,20 @@ bool sweep_beams(const StepData<RealOf<T>>& d) {
 template <class T>
 struct VoxelStep {
   FloorContact<T> floor;
-  Vector3<T> velocity;      ///< before the step
-  Vector3<T> spin;          ///< before the step
-  Vector3<T> momentum;      ///< after it
+  Vector3<T> velocity;  ///< before the step
+  Vector3<T> spin;      ///< before the step
+  Vector3<T> momentum;  ///< after it
   Vector3<T> spin_momentum;
   Vector3<T> displacement;
-  Vector3<T> turn;          ///< rotation vector of the step
+  Vector3<T> turn;  ///< rotation vector of the step
   MaskOf<T> is_static;
 };
 
-/// Moves one voxel per lane: momentum, then position; moment of momentum, then orientation (semi-implicit Euler). @cite hiller2014dynamic
+/// Moves one voxel per lane: momentum, then position; moment of momentum, then orientation (semi-implicit Euler). @cite
+/// hiller2014dynamic
 template <bool Floor, bool Gravity, class T>
-inline VoxelStep<T> voxel_step(const StepData<RealOf<T>>& d, const VoxelCoefficients<T>& c, const Lines<T>& pose, const Lines<T>& motion,
-                               const Lines<T>& load) {
+inline VoxelStep<T> voxel_step(const StepData<RealOf<T>>& d, const VoxelCoefficients<T>& c, const Lines<T>& pose,
+                               const Lines<T>& motion, const Lines<T>& load) {
   const T zero = constant<T>(0.0);
   const T time_step = T(d.time_step);
   VoxelStep<T> step;
@@ -219,13 +225,15 @@ inline VoxelStep<T> voxel_step(const StepData<RealOf<T>>& d, const VoxelCoeffici
   const Vector3<T> spin_momentum = {motion.value[slot::hx], motion.value[slot::hy], motion.value[slot::hz]};
   step.velocity = c.inverse_mass * momentum;
   step.spin = c.inverse_inertia * spin_momentum;
-  Vector3<T> force = Vector3<T>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz]} - c.global_damping * step.velocity;
+  Vector3<T> force =
+      Vector3<T>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz]} - c.global_damping * step.velocity;
   if constexpr (Gravity) force.z = force.z - c.weight;
   step.is_static = MaskOf<T>(false);
   step.floor = {MaskOf<T>(false), MaskOf<T>(false), zero, zero, zero};
   if constexpr (Floor) {
     const MaskOf<T> was_static = motion.value[slot::is_static] > constant<T>(0.5);
-    step.floor = floor_contact(c.floor, T(d.half_edge), pose.value[slot::size], pose.value[slot::z], step.velocity, force, was_static);
+    step.floor =
+        floor_contact(c.floor, T(d.half_edge), pose.value[slot::size], pose.value[slot::z], step.velocity, force, was_static);
     force = {force.x + step.floor.friction_x, force.y + step.floor.friction_y, force.z + step.floor.normal_force};
   }
   step.momentum = momentum + time_step * force;
@@ -267,7 +275,8 @@ VoxelSweep sweep_voxels(const StepData<RealOf<T>>& d) {
     if constexpr (!Uniform) c = voxel_coefficients<T>(d.voxel_table, d.voxel_class + i);
     const VoxelStep<T> step = voxel_step<Floor, Gravity, T>(d, c, pose, motion, load_lines<T>(d.load + at));
 
-    const Quaternion<T> turned = quaternion_of(step.turn) * Quaternion<T>{pose.value[slot::qw], pose.value[slot::qx], pose.value[slot::qy], pose.value[slot::qz]};
+    const Quaternion<T> turned = quaternion_of(step.turn) * Quaternion<T>{pose.value[slot::qw], pose.value[slot::qx],
+                                                                          pose.value[slot::qy], pose.value[slot::qz]};
     if constexpr (std::is_same_v<Real, float>) {
       // Kahan's sum: at small steps a displacement is below the last digit of a float position.
       Lines<T> residual = load_lines<T>(d.position_residual + at);

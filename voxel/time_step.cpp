@@ -29,7 +29,8 @@ double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const
     }
   }
   for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
-    const bool alone = std::all_of(lattice.neighbours[i].begin(), lattice.neighbours[i].end(), [](std::int32_t other) { return other < 0; });
+    const bool alone =
+        std::all_of(lattice.neighbours[i].begin(), lattice.neighbours[i].end(), [](std::int32_t other) { return other < 0; });
     if (!alone) continue;
     const VoxelMaterial& material = material_of(static_cast<std::int32_t>(i));
     largest = std::max(largest, material.youngs_modulus_Pa * cell_edge_m / voxel_mass_kg(material, cell_edge_m));

@@ -24,7 +24,8 @@ BeamCoefficients<double> beam_between(const Physics& physics, std::size_t lower,
   c.twist_root = std::sqrt(c.twist * edge2 / 6.0);
   c.damping_lower = physics.damping_ratios.bond * std::sqrt(voxel_mass_kg(physics.materials[lower], edge));
   c.damping_upper = physics.damping_ratios.bond * std::sqrt(voxel_mass_kg(physics.materials[upper], edge));
-  if (physics.integration.damping == DampingMode::velocity) c.damping_lower = c.damping_upper = 0.5 * (c.damping_lower + c.damping_upper);
+  if (physics.integration.damping == DampingMode::velocity)
+    c.damping_lower = c.damping_upper = 0.5 * (c.damping_lower + c.damping_upper);
   return c;
 }
 

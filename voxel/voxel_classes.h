@@ -16,7 +16,8 @@ struct ClassTables {
   std::vector<double> inertia_kg_m2;             ///< per material, m L^2 / 6
 };
 
-/// Tables of a physics and an edge (m). Damping from velocities gets the mean of its two ends' coefficients at both, which conserves momentum.
+/// Tables of a physics and an edge (m). Damping from velocities gets the mean of its two ends' coefficients at both, which
+/// conserves momentum.
 ClassTables class_tables(const Physics& physics, double cell_edge_m);
 
 }  // namespace menger::voxel

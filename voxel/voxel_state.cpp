@@ -20,8 +20,9 @@ std::size_t padded(std::size_t count) {
 /// The coefficients of a class as the numbers of its table row.
 template <class Real>
 void put_row(Real* row, const VoxelCoefficients<double>& c) {
-  const double values[] = {c.inverse_mass, c.inverse_inertia, c.weight, c.global_damping, c.global_rotation_damping, c.floor.stiffness,
-                           c.floor.damping, c.floor.static_friction, c.floor.kinetic_friction};
+  const double values[] = {c.inverse_mass,   c.inverse_inertia,         c.weight,
+                           c.global_damping, c.global_rotation_damping, c.floor.stiffness,
+                           c.floor.damping,  c.floor.static_friction,   c.floor.kinetic_friction};
   for (const double value : values) *row++ = static_cast<Real>(value);
 }
 
@@ -35,7 +36,11 @@ void put_row(Real* row, const BeamCoefficients<double>& c) {
 template <class Real>
 VoxelCoefficients<Real> rounded(const VoxelCoefficients<double>& c) {
   const auto r = [](double value) { return static_cast<Real>(value); };
-  return {r(c.inverse_mass), r(c.inverse_inertia), r(c.weight), r(c.global_damping), r(c.global_rotation_damping),
+  return {r(c.inverse_mass),
+          r(c.inverse_inertia),
+          r(c.weight),
+          r(c.global_damping),
+          r(c.global_rotation_damping),
           {r(c.floor.stiffness), r(c.floor.damping), r(c.floor.static_friction), r(c.floor.kinetic_friction)}};
 }
 
@@ -49,7 +54,8 @@ BeamCoefficients<Real> rounded(const BeamCoefficients<double>& c) {
 }  // namespace
 
 template <class Real>
-VoxelState<Real>::VoxelState(const Lattice& lattice, double cell_edge_m, const Physics& physics, const VoxelLoads& loads, const ClassTables& tables)
+VoxelState<Real>::VoxelState(const Lattice& lattice, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
+                             const ClassTables& tables)
     : edge_(cell_edge_m), phases_(actuation_phases(lattice, physics.actuation)) {
   bool first_used = false;
   bool second_used = false;
@@ -101,7 +107,8 @@ void VoxelState<Real>::fill_tables(const ClassTables& tables) {
 }
 
 template <class Real>
-void VoxelState<Real>::place_voxels(const Lattice& lattice, const Physics& physics, const VoxelLoads& loads, const ClassTables& tables) {
+void VoxelState<Real>::place_voxels(const Lattice& lattice, const Physics& physics, const VoxelLoads& loads,
+                                    const ClassTables& tables) {
   const auto put3 = [](Real* to, const std::array<double, 3>& v, double factor) {
     for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = static_cast<Real>(factor * v[axis]);
   };
@@ -118,8 +125,10 @@ void VoxelState<Real>::place_voxels(const Lattice& lattice, const Physics& physi
       continue;
     }
     const meshes::CellIndex& cell = lattice.cells[i];
-    std::array<double, 3> position = {edge_ * static_cast<double>(cell.x), edge_ * static_cast<double>(cell.y), edge_ * static_cast<double>(cell.z)};
-    for (std::size_t axis = 0; axis < 3 && !loads.initial_displacement_m.empty(); ++axis) position[axis] += loads.initial_displacement_m[i][axis];
+    std::array<double, 3> position = {edge_ * static_cast<double>(cell.x), edge_ * static_cast<double>(cell.y),
+                                      edge_ * static_cast<double>(cell.z)};
+    for (std::size_t axis = 0; axis < 3 && !loads.initial_displacement_m.empty(); ++axis)
+      position[axis] += loads.initial_displacement_m[i][axis];
     put3(pose, position, 1.0);
     const auto material = static_cast<std::size_t>(lattice.material[i] - 1);
     const bool fixed = !loads.fixed.empty() && loads.fixed[i];
@@ -138,7 +147,8 @@ void VoxelState<Real>::place_voxels(const Lattice& lattice, const Physics& physi
       put3(motion + slot::px, velocity, tables.mass_kg[material]);
       if (velocity[0] != 0.0 || velocity[1] != 0.0) motion[slot::is_static] = Real(0);
     }
-    if (!loads.initial_angular_velocity_rad_s.empty()) put3(motion + slot::hx, loads.initial_angular_velocity_rad_s[i], tables.inertia_kg_m2[material]);
+    if (!loads.initial_angular_velocity_rad_s.empty())
+      put3(motion + slot::hx, loads.initial_angular_velocity_rad_s[i], tables.inertia_kg_m2[material]);
     if (loaded) {
       Real* external = external_.data() + line_size * i;
       if (!loads.force_N.empty()) put3(external + slot::fx, loads.force_N[i], 1.0);

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
 #include <xsimd/xsimd.hpp>
 
 #include "voxel/lattice.h"
@@ -21,7 +20,8 @@ using AlignedArray = std::vector<Real, xsimd::aligned_allocator<Real, 64>>;
 template <class Real>
 class VoxelState {
  public:
-  VoxelState(const Lattice& lattice, double cell_edge_m, const Physics& physics, const VoxelLoads& loads, const ClassTables& tables);
+  VoxelState(const Lattice& lattice, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
+             const ClassTables& tables);
   VoxelState(const VoxelState&) = delete;
   VoxelState& operator=(const VoxelState&) = delete;
 

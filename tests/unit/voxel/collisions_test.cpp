@@ -1,0 +1,151 @@
+#include "voxel/collisions.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "meshes/fractal.h"
+#include "meshes/reference_shapes.h"
+#include "voxel/simulation.h"
+
+namespace menger::voxel {
+namespace {
+
+using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+/// Beams between two voxels on the shortest way, by breadth-first search; -1 if there is no way.
+int beams_between(const Lattice& lattice, std::int32_t from, std::int32_t to) {
+  std::vector<int> distance(lattice.voxel_count(), -1);
+  std::vector<std::int32_t> queue{from};
+  distance[static_cast<std::size_t>(from)] = 0;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    for (const std::int32_t next : lattice.neighbours[static_cast<std::size_t>(queue[i])]) {
+      if (next < 0 || distance[static_cast<std::size_t>(next)] >= 0) continue;
+      distance[static_cast<std::size_t>(next)] = distance[static_cast<std::size_t>(queue[i])] + 1;
+      queue.push_back(next);
+    }
+  }
+  return distance[static_cast<std::size_t>(to)];
+}
+
+Pairs all_close_pairs(const Lattice& lattice, const std::vector<double>& positions, double cutoff, int depth) {
+  Pairs pairs;
+  const std::vector<std::int32_t> surface = lattice.surface();
+  for (const std::int32_t i : surface) {
+    for (const std::int32_t j : surface) {
+      if (j <= i) continue;
+      double distance2 = 0.0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double apart =
+            positions[3 * static_cast<std::size_t>(i) + axis] - positions[3 * static_cast<std::size_t>(j) + axis];
+        distance2 += apart * apart;
+      }
+      const int between = beams_between(lattice, i, j);
+      if (distance2 < cutoff * cutoff && (between < 0 || between > depth)) pairs.emplace_back(i, j);
+    }
+  }
+  return pairs;
+}
+
+std::vector<double> shaken_positions(const Lattice& lattice, double amplitude) {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> shake(-amplitude, amplitude);
+  std::vector<double> positions;
+  for (const meshes::CellIndex& cell : lattice.cells) {
+    for (const int index : {cell.x, cell.y, cell.z}) positions.push_back(0.01 * index + shake(generator));
+  }
+  return positions;
+}
+
+TEST(VerletList, HoldsEveryClosePairThatMayCollide) {
+  const Lattice lattice(meshes::fractal(meshes::menger_sponge(), 2));
+  const std::vector<double> positions = shaken_positions(lattice, 0.006);
+  for (const int depth : {1, 2, 5}) {
+    VerletList list(CollisionRule(lattice, depth), 0.0143, 0.004);
+    list.build(positions.data(), 3);
+    EXPECT_EQ(list.pairs(), all_close_pairs(lattice, positions, 0.0183, depth)) << depth;
+    EXPECT_FALSE(list.pairs().empty());
+  }
+}
+
+TEST(VerletList, FindsPairsWhenAFragmentHasFlownFarAway) {
+  meshes::Polycube body(6, 1, 1);
+  for (const int x : {0, 2, 4, 5}) body.set({x, 0, 0}, 1);
+  const Lattice lattice(body);
+  const std::vector<double> positions{0.0, 0.0, 0.0, 0.012, 0.0, 0.0, 1e6, 0.0, -1e6, 1e6 + 0.01, 0.0, -1e6};
+  VerletList list(CollisionRule(lattice, 1), 0.0143, 0.004);
+  list.build(positions.data(), 3);
+  EXPECT_EQ(list.pairs(), (Pairs{{0, 1}}));
+}
+
+TEST(VerletList, IsMadeAnewOnlyWhenDisplacementsCouldMatter) {
+  const Lattice lattice(meshes::menger_sponge());
+  std::vector<double> positions = shaken_positions(lattice, 0.0);
+  VerletList list(CollisionRule(lattice, 1), 0.0143, 0.004);
+  EXPECT_TRUE(list.refresh(positions.data(), 3));
+  for (int i = 0; i < 100; ++i) {
+    // Shakes back and forth: the sum of steps grows, the displacement does not.
+    positions[0] += i % 2 == 0 ? 0.0005 : -0.0005;
+    list.moved(0.0005);
+    EXPECT_FALSE(list.refresh(positions.data(), 3)) << i;
+  }
+  positions[0] += 0.0021;
+  list.moved(0.0021);
+  EXPECT_TRUE(list.refresh(positions.data(), 3));
+}
+
+TEST(CollisionRule, KnowsWhenNoPairIsLeft) {
+  EXPECT_TRUE(CollisionRule(Lattice(meshes::bar(3)), 2).excludes_every_pair());
+  EXPECT_FALSE(CollisionRule(Lattice(meshes::bar(4)), 2).excludes_every_pair());
+  meshes::Polycube apart(3, 1, 1);
+  apart.set({0, 0, 0}, 1);
+  apart.set({2, 0, 0}, 1);
+  EXPECT_FALSE(CollisionRule(Lattice(apart), 1000).excludes_every_pair()) << "voxels that no beam joins may always collide";
+}
+
+TEST(Collisions, KeepAFoldedBodyApart) {
+  // Two bars pressed against each other: without collisions they pass through, with them they stay apart.
+  meshes::Polycube body(3, 3, 1);
+  for (int x = 0; x < 3; ++x) {
+    body.set({x, 0, 0}, 1);
+    body.set({x, 2, 0}, 1);
+  }
+  Physics physics;
+  physics.floor = false;
+  physics.gravity_m_s2 = 0.0;
+  physics.actuation.mode = ActuationMode::none;
+  VoxelLoads loads;
+  for (int i = 0; i < 6; ++i) loads.force_N.push_back({0.0, i < 3 ? 0.002 : -0.002, 0.0});
+  const auto gap = [&] {
+    Simulation simulation(body, 0.01, physics, loads);
+    EXPECT_EQ(simulation.advance_to(0.5), io::RunStatus::completed);
+    return simulation.position_m(3)[1] - simulation.position_m(0)[1];
+  };
+  // At rest the force is carried by the overlap with the opposite voxel and its two neighbours; the gap is close to the diameter
+  // of a sphere.
+  EXPECT_NEAR(gap(), 0.0125, 5e-5);
+  physics.collisions.exclusion_depth.reset();
+  EXPECT_LT(gap(), 0.0);
+}
+
+TEST(Collisions, ShowInTheFrame) {
+  meshes::Polycube body(2, 1, 2);
+  body.set({0, 0, 0}, 1);
+  body.set({0, 0, 1}, 1);
+  body.set({1, 0, 0}, 1);
+  Physics physics;
+  physics.actuation.mode = ActuationMode::none;
+  Simulation simulation(body, 0.01, physics);
+  VoxelLoads loads;
+  ASSERT_EQ(simulation.advance(10), io::RunStatus::completed);
+  const Frame frame = simulation.frame();
+  // The two ends of the corner are 1.41 edges apart, spheres reach 1.25 edges: no contact at rest, but the floor carries two
+  // voxels.
+  EXPECT_EQ(frame.contact[0] & contact::other_voxel, 0);
+  EXPECT_NE(frame.contact[0] & contact::floor_static, 0);
+  EXPECT_EQ(frame.contact[2], contact::none);
+}
+
+}  // namespace
+}  // namespace menger::voxel

@@ -1,0 +1,168 @@
+// The same bytes from every instruction set, with every term kept in the loop, and from every thread.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "meshes/fractal.h"
+#include "meshes/reference_shapes.h"
+#include "voxel/simulation.h"
+
+namespace menger::voxel {
+namespace {
+
+meshes::Polycube walker() { return meshes::fractal(meshes::Polycube::from_digits(3, 3, 3, "211201211201000201211201211"), 2); }
+
+/// Positions and orientations of all voxels after `steps` steps.
+std::vector<double> state_after(const meshes::Polycube& body, const Physics& physics, const KernelOptions& options,
+                                std::uint64_t steps = 2000, const VoxelLoads& loads = {}) {
+  Simulation simulation(body, 0.01, physics, loads, options);
+  EXPECT_EQ(simulation.advance(steps), io::RunStatus::completed);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < simulation.voxel_count(); ++i) {
+    for (const double value : simulation.position_m(i)) numbers.push_back(value);
+    for (const double value : simulation.orientation(i)) numbers.push_back(value);
+    for (const double value : simulation.velocity_m_s(i)) numbers.push_back(value);
+  }
+  return numbers;
+}
+
+bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+std::optional<std::vector<double>> state_if_available(const meshes::Polycube& body, const Physics& physics, InstructionSet set) {
+  try {
+    return state_after(body, physics, {.instruction_set = set});
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+void expect_same_bytes_from_all_instruction_sets(const meshes::Polycube& body, const Physics& physics) {
+  const std::vector<double> scalar = state_after(body, physics, {.instruction_set = InstructionSet::scalar});
+  for (const InstructionSet set : {InstructionSet::best, InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
+    const auto packed = state_if_available(body, physics, set);
+    if (packed) {
+      EXPECT_TRUE(same_bytes(scalar, *packed)) << static_cast<int>(set);
+    }
+  }
+}
+
+TEST(Kernels, OfAllInstructionSetsGiveTheSameBytes) {
+  Physics physics;
+  expect_same_bytes_from_all_instruction_sets(walker(), physics);
+  physics.integration.damping = DampingMode::velocity;
+  expect_same_bytes_from_all_instruction_sets(walker(), physics);
+  physics.integration.number = NumberType::float32;
+  expect_same_bytes_from_all_instruction_sets(walker(), physics);
+}
+
+TEST(Kernels, OfAllInstructionSetsGiveTheSameBytesForTwoMaterials) {
+  Physics physics;
+  physics.materials[1].youngs_modulus_Pa = 2e4;
+  physics.materials[1].density_kg_m3 = 15.0;
+  physics.materials[1].kinetic_friction = 0.3;
+  expect_same_bytes_from_all_instruction_sets(walker(), physics);
+  physics.integration.damping = DampingMode::velocity;
+  expect_same_bytes_from_all_instruction_sets(walker(), physics);
+}
+
+TEST(Kernels, GiveTheSameBytesWithEveryTermKeptInTheLoop) {
+  std::vector<Physics> scenes(5);
+  scenes[1].floor = false;
+  scenes[2].gravity_m_s2 = 0.0;
+  scenes[3].actuation.mode = ActuationMode::none;
+  scenes[4].collisions.exclusion_depth = 100;  // every pair is within it
+  for (Physics& physics : scenes) {
+    for (const DampingMode mode : {DampingMode::increments, DampingMode::velocity}) {
+      physics.integration.damping = mode;
+      const std::vector<double> lean = state_after(walker(), physics, {}, 500);
+      const std::vector<double> full = state_after(walker(), physics, {.every_term = true}, 500);
+      EXPECT_TRUE(same_bytes(lean, full)) << &physics - scenes.data();
+    }
+  }
+}
+
+TEST(Kernels, SayWhatTheyLeaveOut) {
+  Physics physics;
+  physics.floor = false;
+  physics.gravity_m_s2 = 0.0;
+  physics.actuation.mode = ActuationMode::none;
+  physics.collisions.exclusion_depth = 2;
+  std::string report;
+  for (const std::string& line : Simulation(meshes::bar(3), 0.01, physics).kernel_report()) report += line + "\n";
+  for (const char* term : {"floor left out", "gravity left out", "actuation left out", "collisions left out: every pair"}) {
+    EXPECT_NE(report.find(term), std::string::npos) << report;
+  }
+}
+
+TEST(Kernels, SkipCollisionWorkWhileContactIsRuledOut) {
+  // Two bars 5 edges apart that hardly move: nothing to do, and the bytes are those of a run that looks at every pair in every
+  // step.
+  meshes::Polycube body(3, 6, 1);
+  for (int x = 0; x < 3; ++x) {
+    body.set({x, 0, 0}, 1);
+    body.set({x, 5, 0}, 2);
+  }
+  Physics physics;
+  physics.collisions.exclusion_depth = 2;  // leaves out the ends of a bar, which come near each other
+  Simulation simulation(body, 0.01, physics);
+  ASSERT_EQ(simulation.advance(3000), io::RunStatus::completed);
+  EXPECT_EQ(simulation.collision_counts().steps_with_pairs, 0U);
+  EXPECT_EQ(simulation.collision_counts().steps_skipped, 3000U);
+  EXPECT_LT(simulation.collision_counts().list_rebuilds, 20U);
+  EXPECT_TRUE(same_bytes(state_after(body, physics, {}, 3000), state_after(body, physics, {.every_term = true}, 3000)));
+}
+
+TEST(Kernels, GiveTheSameBytesInEveryThread) {
+  const Physics physics;
+  const std::vector<double> here = state_after(walker(), physics, {}, 500);
+  std::vector<std::vector<double>> there(3);
+  std::vector<std::thread> threads;
+  for (std::vector<double>& result : there) {
+    threads.emplace_back([&result, &physics] { result = state_after(walker(), physics, {}, 500); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::vector<double>& result : there) EXPECT_TRUE(same_bytes(here, result));
+}
+
+TEST(Float, FollowsDoubleThroughAGait) {
+  // Damping from velocities at a tenth of the paper's step, one period; the gait is not chaotic, see the reference cases.
+  Physics physics;
+  physics.integration.damping = DampingMode::velocity;
+  physics.integration.time_step_fraction = 0.09;
+  physics.collisions.exclusion_depth.reset();
+  const meshes::Polycube body = meshes::fractal(meshes::Polycube::from_digits(3, 3, 3, "112122112000000000000000000"), 2);
+  const auto displacement = [&](NumberType number) {
+    physics.integration.number = number;
+    Simulation simulation(body, 0.01, physics);
+    EXPECT_EQ(simulation.advance_to(0.2), io::RunStatus::completed);
+    return simulation.centre_of_mass_m();
+  };
+  const auto exact = displacement(NumberType::float64);
+  const auto rounded = displacement(NumberType::float32);
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(rounded[axis], exact[axis], 2e-5);
+}
+
+TEST(Simulation, RefusesParametersOutOfRange) {
+  const auto refuses = [](auto change) {
+    Physics physics;
+    change(physics);
+    EXPECT_THROW(Simulation(meshes::bar(2), 0.01, physics), std::invalid_argument);
+  };
+  refuses([](Physics& p) { p.materials[0].youngs_modulus_Pa = -1.0; });
+  refuses([](Physics& p) { p.materials[1].density_kg_m3 = 0.0; });
+  refuses([](Physics& p) { p.actuation.amplitude = 1.0; });
+  refuses([](Physics& p) { p.integration.time_step_fraction = 0.0; });
+  refuses([](Physics& p) { p.collisions.exclusion_depth = 0; });
+  EXPECT_THROW(Simulation(meshes::Polycube(2, 2, 2), 0.01, Physics{}), std::invalid_argument);
+  EXPECT_THROW(Simulation(meshes::bar(2), 0.0, Physics{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace menger::voxel
