@@ -3,139 +3,19 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <set>
 #include <sstream>
 #include <utility>
 
+#include "io/toml_node.h"
 #include "io/whole_file.h"
 
 namespace menger::io {
-
-namespace {
-
-struct Source {
-  std::filesystem::path file;
-  toml::table top;
-};
-
-std::string value_text(const toml::node& node) {
-  if (node.is_table()) return "{...}";
-  if (node.is_array()) return "[...]";
-  if (const auto* string = node.as_string()) return toml_quoted(string->get());
-  std::ostringstream text;
-  text << toml::node_view<const toml::node>(node);
-  return text.str();
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// The node as a value, array or table of the given type; throws fault("must be ...") otherwise.
-template <class Type, class Fault>
-const auto& expect(const toml::node& node, std::string_view wanted, const Fault& fault) {
-  if (const auto* value = node.as<Type>()) return *value;
-  throw fault("must be " + std::string(wanted));
-}
-
-}  // namespace
-
-/// A table in its document and what has been asked of it so far.
-struct TomlTable::Node {
-  std::shared_ptr<const Source> source;
-  const toml::table* table = nullptr;
-  std::string prefix;                                                  // path of the table with a dot at the end
-  std::set<std::string, std::less<>> asked;                            // keys, present or not
-  std::map<std::string, std::vector<std::shared_ptr<Node>>> children;  // tables taken from it
-
-  const toml::node* find(std::string_view key) {
-    asked.emplace(key);
-    return table->get(key);
-  }
-
-  const toml::node& require(std::string_view key, std::string_view wanted) {
-    if (const toml::node* node = find(key)) return *node;
-    throw InputError(where(*table) + prefix + std::string(key) + " is missing: " + std::string(wanted) + " is needed");
-  }
-
-  [[nodiscard]] std::string where(const toml::node& node) const {
-    const auto line = node.source().begin.line;
-    std::string place = source->file.string();
-    if (line > 0) place.append(":").append(std::to_string(line));
-    return place + ": ";
-  }
-
-  [[nodiscard]] InputError fault(std::string_view name, const toml::node& node, std::string_view reason) const {
-    return InputError{where(node) + prefix + std::string(name) + " = " + value_text(node) + ": " + std::string(reason)};
-  }
-
-  [[nodiscard]] double number(const std::string& name, const toml::node& node, const Range& range) const {
-    if (!node.is_number()) throw fault(name, node, "must be a number");
-    const double value = node.value<double>().value_or(static_cast<double>(node.value_or(std::int64_t{0})));
-    if (!std::isfinite(value)) throw fault(name, node, "must be a finite number");
-    if (!range.contains(value)) throw fault(name, node, range.demand());
-    return value;
-  }
-
-  [[nodiscard]] std::string text(const std::string& name, const toml::node& node) const {
-    return expect<std::string>(node, "a string", [&](const std::string& reason) { return fault(name, node, reason); }).get();
-  }
-
-  /// Calls `read(name, element)` for each element of an array.
-  template <class Read>
-  void each(const std::string& name, const toml::node& node, std::string_view wanted, const Read& read) const {
-    const toml::array& array =
-        expect<toml::array>(node, wanted, [&](const std::string& reason) { return fault(name, node, reason); });
-    for (std::size_t i = 0; i < array.size(); ++i) read(name + "[" + std::to_string(i + 1) + "]", array[i]);
-  }
-
-  /// The node of a table found in this one; the same one each time, so that what was asked of it adds up.
-  std::shared_ptr<Node> child(std::string_view key, const std::string& name, const toml::node& node) {
-    const toml::table& found =
-        expect<toml::table>(node, "a table", [&](const std::string& reason) { return fault(name, node, reason); });
-    auto& known = children[std::string(key)];
-    const auto same = std::find_if(known.begin(), known.end(), [&](const auto& candidate) { return candidate->table == &found; });
-    if (same != known.end()) return *same;
-    Node made{.source = source, .table = &found, .prefix = prefix + name + ".", .asked = {}, .children = {}};
-    return known.emplace_back(std::make_shared<Node>(std::move(made)));
-  }
-
-  void collect_unasked(std::vector<std::string>& faults) const {
-    for (const auto& [unasked, node] : *table) {
-      const std::string_view key = unasked.str();
-      if (asked.contains(key)) continue;
-      std::string fault = where(node) + prefix + std::string(key) + ": unknown key";
-      const auto nearest = std::min_element(asked.begin(), asked.end(), [&](const std::string& a, const std::string& b) {
-        return edit_distance(a, key) < edit_distance(b, key);
-      });
-      const std::size_t near_miss = std::min<std::size_t>(3, 1 + key.size() / 5);
-      if (nearest != asked.end() && edit_distance(*nearest, key) <= near_miss) fault += ", did you mean " + *nearest + "?";
-      faults.push_back(std::move(fault));
-    }
-    for (const auto& [key, nodes] : children) {
-      for (const auto& node : nodes) node->collect_unasked(faults);
-    }
-  }
-};
 
 TomlTable read_toml(const std::filesystem::path& file) { return parse_toml(read_whole(file), file); }
 
 TomlTable parse_toml(std::string_view text, const std::filesystem::path& file) {
   try {
-    auto source = std::make_shared<Source>(Source{file, toml::parse(text, file.string())});
+    auto source = std::make_shared<TomlTable::Source>(TomlTable::Source{file, toml::parse(text, file.string())});
     TomlTable::Node node{.source = source, .table = &source->top, .prefix = {}, .asked = {}, .children = {}};
     return TomlTable(std::make_shared<TomlTable::Node>(std::move(node)));
   } catch (const toml::parse_error& error) {
@@ -159,7 +39,7 @@ double TomlTable::number_or(std::string_view key, double fallback, const Range& 
 }
 
 std::optional<double> TomlTable::optional_number(std::string_view key, const Range& range) const {
-  if (node_->find(key) == nullptr) return std::nullopt;
+  if (!ask(key)) return std::nullopt;
   return number(key, range);
 }
 
@@ -167,7 +47,7 @@ std::int64_t TomlTable::checked_integer(std::string_view key, const Range& range
                                         std::int64_t highest) const {
   const toml::node& node = node_->require(key, "an integer");
   const auto fault = [&](const std::string& reason) { return node_->fault(key, node, reason); };
-  const std::int64_t value = expect<std::int64_t>(node, "an integer", fault).get();
+  const std::int64_t value = toml_value<std::int64_t>(node, "an integer", fault).get();
   if (!range.contains(static_cast<double>(value))) throw fault(range.demand());
   if (value < lowest) throw fault("must be at least " + std::to_string(lowest));
   if (value > highest) throw fault("must be at most " + std::to_string(highest));
@@ -176,17 +56,16 @@ std::int64_t TomlTable::checked_integer(std::string_view key, const Range& range
 
 bool TomlTable::boolean(std::string_view key) const {
   const toml::node& node = node_->require(key, "true or false");
-  return expect<bool>(node, "true or false", [&](const std::string& reason) { return node_->fault(key, node, reason); }).get();
+  return toml_value<bool>(node, "true or false", [&](const std::string& reason) { return node_->fault(key, node, reason); })
+      .get();
 }
 
-bool TomlTable::boolean_or(std::string_view key, bool fallback) const {
-  return node_->find(key) == nullptr ? fallback : boolean(key);
-}
+bool TomlTable::boolean_or(std::string_view key, bool fallback) const { return ask(key) ? boolean(key) : fallback; }
 
 std::string TomlTable::text(std::string_view key) const { return node_->text(std::string(key), node_->require(key, "a string")); }
 
 std::string TomlTable::text_or(std::string_view key, std::string_view fallback) const {
-  return node_->find(key) == nullptr ? std::string(fallback) : text(key);
+  return ask(key) ? text(key) : std::string(fallback);
 }
 
 std::filesystem::path TomlTable::path(std::string_view key) const {
@@ -196,7 +75,7 @@ std::filesystem::path TomlTable::path(std::string_view key) const {
 }
 
 std::optional<std::filesystem::path> TomlTable::optional_path(std::string_view key) const {
-  if (node_->find(key) == nullptr) return std::nullopt;
+  if (!ask(key)) return std::nullopt;
   return path(key);
 }
 
@@ -242,7 +121,7 @@ TomlTable TomlTable::table(std::string_view key) const {
 }
 
 std::optional<TomlTable> TomlTable::optional_table(std::string_view key) const {
-  if (node_->find(key) == nullptr) return std::nullopt;
+  if (!ask(key)) return std::nullopt;
   return table(key);
 }
 
@@ -261,6 +140,8 @@ std::vector<TomlTable> TomlTable::optional_tables(std::string_view key) const {
   if (node == nullptr || (node->is_array() && node->as_array()->empty())) return {};
   return tables(key);
 }
+
+bool TomlTable::ask(std::string_view key) const { return node_->find(key) != nullptr; }
 
 bool TomlTable::has(std::string_view key) const { return node_->table->contains(key); }
 

@@ -75,9 +75,11 @@ class TomlTable {
 
  private:
   friend TomlTable parse_toml(std::string_view text, const std::filesystem::path& file);
+  struct Source;
   struct Node;
   explicit TomlTable(std::shared_ptr<Node> node) : node_(std::move(node)) {}
 
+  bool ask(std::string_view key) const;  ///< whether the key exists; counts as asking for it
   std::int64_t checked_integer(std::string_view key, const Range& range, std::int64_t lowest, std::int64_t highest) const;
   std::size_t checked_word(std::string_view key, std::span<const std::string_view> words) const;
 
@@ -106,7 +108,7 @@ Integer TomlTable::integer(std::string_view key, const Range& range) const {
 
 template <std::integral Integer>
 Integer TomlTable::integer_or(std::string_view key, Integer fallback, const Range& range) const {
-  if (!has(key)) return fallback;
+  if (!ask(key)) return fallback;
   return integer<Integer>(key, range);
 }
 
@@ -119,7 +121,7 @@ Value TomlTable::word(std::string_view key, const Words<Value>& words) const {
 
 template <class Value>
 Value TomlTable::word_or(std::string_view key, Value fallback, const Words<Value>& words) const {
-  if (!has(key)) return fallback;
+  if (!ask(key)) return fallback;
   return word(key, words);
 }
 

@@ -12,8 +12,8 @@ std::size_t count_components(const Polycube& body);
 /// Whether the body is not empty and face-connected.
 bool is_connected(const Polycube& body);
 
-/// The body with only its largest face-connected component kept (materials unchanged); on a tie the component whose first cell in grid order
-/// (x fastest, then y, then z) comes first. An empty body stays empty.
+/// The body with only its largest face-connected component kept (materials unchanged); on a tie the component whose first cell in
+/// grid order (x fastest, then y, then z) comes first. An empty body stays empty.
 Polycube largest_component(const Polycube& body);
 
 }  // namespace menger::meshes

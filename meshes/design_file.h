@@ -16,8 +16,8 @@ struct Design {
   bool operator==(const Design&) const = default;
 };
 
-/// Reads a design from TOML: name, cell_edge_m and layers (from the ground up), each layer an array of strings of digits, one string per row of
-/// constant y with y growing downwards in the file, x growing along the row.
+/// Reads a design from TOML: name, cell_edge_m and layers (from the ground up), each layer an array of strings of digits, one
+/// string per row of constant y with y growing downwards in the file, x growing along the row.
 /// @throws io::InputError with file, key and value for anything that is not such a design, an empty body included
 Design read_design(const std::filesystem::path& file);
 

@@ -52,7 +52,7 @@ class EngineOf final : public Simulation::Engine {
   EngineOf(const meshes::Polycube& body, double edge_m, const Physics& given, const VoxelLoads& loads,
            const KernelOptions& options);
 
-  io::RunStatus advance(std::uint64_t steps, const std::atomic<bool>* stop) override;
+  io::RunStatus advance(std::uint64_t count, const std::atomic<bool>* stop) override;
   VoxelView view(std::size_t voxel) const override;
   std::vector<double> strains() const override;
   std::size_t large_angle_beams() const override;

@@ -31,7 +31,8 @@ BeamCoefficients<double> beam_between(const Physics& physics, std::size_t lower,
 
 }  // namespace
 
-ClassTables class_tables(const Physics& physics, double edge) {
+ClassTables class_tables(const Physics& physics, double cell_edge_m) {
+  const double edge = cell_edge_m;
   ClassTables tables;
   for (const VoxelMaterial& material : physics.materials) {
     const double mass = voxel_mass_kg(material, edge);

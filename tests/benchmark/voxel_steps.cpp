@@ -45,22 +45,25 @@ void voxel_steps(benchmark::State& state, const Case& c) {
 }
 
 void register_case(const std::string& name, const Case& c) {
-  benchmark::RegisterBenchmark(name.c_str(), [c](benchmark::State& state) { voxel_steps(state, c); })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark(name.c_str(), [c](benchmark::State& state) {
+    voxel_steps(state, c);
+  })->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using menger::voxel::NumberType;
-  const int voxels[] = {20, 400, 8000};
+  const std::string sizes[] = {"Menger/N=20/", "Menger/N=400/", "Menger/N=8000/"};
   for (const InstructionSet set : {InstructionSet::best, InstructionSet::scalar}) {
     const std::string suffix = set == InstructionSet::scalar ? "/scalar" : "";
     for (const NumberType number : {NumberType::float64, NumberType::float32}) {
       const std::string type = number == NumberType::float64 ? "double" : "float";
       for (int level = 1; level <= 3; ++level) {
-        const std::string name = "Menger/N=" + std::to_string(voxels[level - 1]) + "/" + type;
+        std::string name = sizes[level - 1];
+        name.append(type);
         register_case(name + suffix, {level, number, false, set});
-        register_case(name + "/collisions" + suffix, {level, number, true, set});
+        register_case(name.append("/collisions").append(suffix), {level, number, true, set});
       }
     }
   }

@@ -1,4 +1,5 @@
-// Simple scenes of the voxel engine against closed forms. Tolerances: rounding and the O(h) or O(h^2) error of the scheme, stated where they apply.
+// Simple scenes of the voxel engine against closed forms. Tolerances: rounding and the O(h) or O(h^2) error of the scheme, stated
+// where they apply.
 
 #include <gtest/gtest.h>
 
@@ -14,11 +15,11 @@
 namespace menger::voxel {
 namespace {
 
-constexpr double edge = 0.01;                          // m
-constexpr double modulus = 1e4;                        // Pa
-constexpr double mass = 10.0 * edge * edge * edge;     // kg
-constexpr double inertia = mass * edge * edge / 6.0;   // kg m^2
-constexpr double gravity = 9.80665;                    // m/s^2
+constexpr double edge = 0.01;                         // m
+constexpr double modulus = 1e4;                       // Pa
+constexpr double mass = 10.0 * edge * edge * edge;    // kg
+constexpr double inertia = mass * edge * edge / 6.0;  // kg m^2
+constexpr double gravity = 9.80665;                   // m/s^2
 
 Physics still_physics() {
   Physics physics;
@@ -94,7 +95,8 @@ TEST(RestOnTheFloor, AColumnIsShortenedByTheWeightAboveEachBeam) {
   ASSERT_EQ(simulation.advance_to(5.0), io::RunStatus::completed);
   const double unit = mass * gravity / (modulus * edge);
   EXPECT_NEAR(simulation.position_m(0)[2] / (-10.0 * unit / 2.0), 1.0, 1e-5);
-  // Top against bottom: the beam above voxel k carries 9 - k voxels, 45 in all; the strain is small enough for E L^2 u / l0 to be linear.
+  // Top against bottom: the beam above voxel k carries 9 - k voxels, 45 in all; the strain is small enough for E L^2 u / l0 to be
+  // linear.
   EXPECT_NEAR((simulation.position_m(9)[2] - 0.09) / (-10.0 * unit / 2.0 - 45.0 * unit), 1.0, 1e-5);
 }
 
@@ -224,18 +226,18 @@ TEST(RingDown, AxialDampingRatioIsZetaOverRootTwo) {
 }
 
 /// Ring-down of two voxels that turn against each other about `axis`, as a frequency in Hz.
-double rotation_frequency(int axis) {
+double rotation_frequency(std::size_t axis) {
   Physics physics = floating_physics();
   physics.damping_ratios.bond = 0.0;
   physics.integration.time_step_fraction = 0.09;
   VoxelLoads loads;
   loads.initial_angular_velocity_rad_s.assign(2, {0.0, 0.0, 0.0});
-  loads.initial_angular_velocity_rad_s[0][static_cast<std::size_t>(axis)] = -1.0;
-  loads.initial_angular_velocity_rad_s[1][static_cast<std::size_t>(axis)] = 1.0;
+  loads.initial_angular_velocity_rad_s[0][axis] = -1.0;
+  loads.initial_angular_velocity_rad_s[1][axis] = 1.0;
   Simulation simulation(meshes::bar(2), edge, physics, loads);
   std::vector<double> angle;
   for (int i = 0; i < 60000; ++i) {
-    angle.push_back(2.0 * simulation.orientation(1)[static_cast<std::size_t>(axis + 1)]);
+    angle.push_back(2.0 * simulation.orientation(1)[axis + 1]);
     EXPECT_EQ(simulation.advance(1), io::RunStatus::completed);
   }
   return 1.0 / mean_period(angle, simulation.time_step_s());
@@ -251,7 +253,8 @@ TEST(RingDown, AntisymmetricBendingAndTorsionHaveTheirFrequency) {
   EXPECT_NEAR(rotation_frequency(0) / 503.296384, 1.0, 1e-5);
 }
 
-/// A voxel at rest on the floor (sunk in by its weight after 1 s would take long: it starts at z = 0 like the reference) that slides.
+/// A voxel at rest on the floor (sunk in by its weight after 1 s would take long: it starts at z = 0 like the reference) that
+/// slides.
 struct Slide {
   double stop_time_s = 0.0;
   std::array<double, 3> stop_m{};
@@ -346,8 +349,8 @@ TEST(Collision, HeadOnPairReboundsLikeThePublicEngine) {
   EXPECT_NEAR(nearest / 0.0124905437, 1.0, 1e-4);
   EXPECT_NEAR(simulation.position_m(0)[0] / 0.00869451735, 1.0, 1e-4);
   EXPECT_NEAR(simulation.position_m(1)[0] / 0.0213054826, 1.0, 1e-4);
-  // What is left of 0.1 m/s after a nearly critical rebound; the public engine's overlaps carry single-precision rounding of 5e-10 m, times the
-  // stiffness and the time in contact 1e-6 m/s.
+  // What is left of 0.1 m/s after a nearly critical rebound; the public engine's overlaps carry single-precision rounding of
+  // 5e-10 m, times the stiffness and the time in contact 1e-6 m/s.
   EXPECT_NEAR(simulation.velocity_m_s(1)[0], 6.78826636e-05, 5e-7);
   EXPECT_NEAR(simulation.velocity_m_s(0)[0] + simulation.velocity_m_s(1)[0], 0.0, 1e-15);
 }
@@ -365,7 +368,8 @@ TEST(Momentum, DampingFromVelocitiesConservesItBetweenUnequalMasses) {
   const auto momentum = [&] {
     const auto a = simulation.velocity_m_s(0);
     const auto b = simulation.velocity_m_s(1);
-    return std::array<double, 3>{mass * a[0] + 4.0 * mass * b[0], mass * a[1] + 4.0 * mass * b[1], mass * a[2] + 4.0 * mass * b[2]};
+    return std::array<double, 3>{mass * a[0] + 4.0 * mass * b[0], mass * a[1] + 4.0 * mass * b[1],
+                                 mass * a[2] + 4.0 * mass * b[2]};
   };
   const auto before = momentum();
   ASSERT_EQ(simulation.advance(5000), io::RunStatus::completed);

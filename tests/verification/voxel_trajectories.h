@@ -38,16 +38,17 @@ inline std::vector<TrajectoryCase> cases() {
     }
     std::istringstream row(line);
     TrajectoryCase c;
-    row >> c.id >> c.digits >> c.level >> c.fraction >> c.time_s >> c.exclusion_depth >> c.displacement_m[0] >> c.displacement_m[1] >>
-        c.displacement_m[2] >> c.tolerance_m;
+    row >> c.id >> c.digits >> c.level >> c.fraction >> c.time_s >> c.exclusion_depth >> c.displacement_m[0] >>
+        c.displacement_m[1] >> c.displacement_m[2] >> c.tolerance_m;
     all.push_back(c);
   }
   return all;
 }
 
-/// At t = 0.0525 s of this case a voxel in static friction carries 0.1 % less than what breaks it. The public engine keeps rest lengths in single
-/// precision, damping from increments turns that into force noise of 1 %, and the voxel slips; with exact rest lengths it holds for 8 ms longer and the
-/// robot is 5.9e-5 m elsewhere ever after. It is the only case that exact arithmetic does not reproduce.
+/// At t = 0.0525 s of this case a voxel in static friction carries 0.1 % less than what breaks it. The public engine keeps rest
+/// lengths in single precision, damping from increments turns that into force noise of 1 %, and the voxel slips; with exact rest
+/// lengths it holds for 8 ms longer and the robot is 5.9e-5 m elsewhere ever after. It is the only case that exact arithmetic
+/// does not reproduce.
 inline bool slips_by_rounding(const TrajectoryCase& c) { return c.id == "rand12_s1_f0.09_t0.2"; }
 
 inline Physics reference_physics(const TrajectoryCase& c, DampingMode damping) {
@@ -68,7 +69,9 @@ inline std::array<double, 3> displacement_m(const TrajectoryCase& c, const Physi
   return {end[0] - start[0], end[1] - start[1], end[2] - start[2]};
 }
 
-inline double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+inline double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 /// Runs all cases that `wanted` picks and prints their deviations (m) from the reference.
 template <class Wanted>

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "tests/verification/voxel_trajectories.h"
+
+#include <gtest/gtest.h>
 
 namespace menger::voxel {
 namespace {

@@ -173,6 +173,15 @@ TEST(TomlTable, ReportsEveryKeyNeverAskedFor) {
             "folder/study.toml:7: item[1].odd: unknown key");
 }
 
+TEST(TomlTable, SuggestsOptionalKeysToo) {
+  const TomlTable table = parsed("levl = 1\ncolor = \"red\"\n");
+  (void)table.integer_or("level", 1);
+  (void)table.word_or("colour", Colour::red, colours);
+  EXPECT_EQ(message([&] { table.finish(); }),
+            "folder/study.toml:2: color: unknown key, did you mean colour?\n"
+            "folder/study.toml:1: levl: unknown key, did you mean level?");
+}
+
 TEST(TomlTable, AddsUpWhatTwoHandlesOfOneTableAsked) {
   const TomlTable table = parsed("[inner]\na = 1\nb = 2\n");
   (void)table.table("inner").integer("a");

@@ -124,6 +124,7 @@ TEST(Kernels, GiveTheSameBytesInEveryThread) {
   const std::vector<double> here = state_after(walker(), physics, {}, 500);
   std::vector<std::vector<double>> there(3);
   std::vector<std::thread> threads;
+  threads.reserve(there.size());
   for (std::vector<double>& result : there) {
     threads.emplace_back([&result, &physics] { result = state_after(walker(), physics, {}, 500); });
   }
