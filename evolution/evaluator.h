@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "io/run_status.h"
+#include "meshes/polycube.h"
+
+namespace menger::evolution {
+
+/// What judging one body at one level gave.
+struct Evaluation {
+  io::RunStatus status = io::RunStatus::stopped;
+
+  /// Net displacement of the centre of mass (x, y, z) in metres over the evaluation; exists exactly when status is `completed`.
+  std::optional<std::array<double, 3>> displacement_m;
+
+  std::string reason;       ///< empty when completed, otherwise what went wrong, where and when
+  std::uint64_t steps = 0;  ///< time steps done
+  double seconds = 0.0;     ///< wall time; never compared
+};
+
+/// Judges bodies. The search knows nothing else of the physics behind it.
+///
+/// Implementations must be pure: the same body and level give the same result apart from `seconds`, from any thread, any number
+/// of times.
+class DesignEvaluator {
+ public:
+  virtual ~DesignEvaluator() = default;
+
+  /// Judges a body of level `level` (3^level cells per side; `body` is the whole aggregate, its cells are voxels of equal size).
+  /// Thread-safe. @param stop when set, the evaluation returns soon with status `stopped`
+  [[nodiscard]] virtual Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const = 0;
+
+  /// All that decides a result beside the body and the level, as canonical text: equal text means equal results.
+  [[nodiscard]] virtual std::string physics() const = 0;
+
+  /// Expected cost of one evaluation in arbitrary but consistent units, for scheduling only.
+  [[nodiscard]] virtual double cost(const meshes::Polycube& body, int level) const = 0;
+};
+
+}  // namespace menger::evolution
