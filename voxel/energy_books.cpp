@@ -127,16 +127,18 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
     }
     book.load[global_damping] = {-(c.global_damping * step.velocity), -(c.global_rotation_damping * step.spin)};
     book.load[floor_normal].force = {0.0, 0.0, step.floor.normal_force};
-    // Static friction is what the momentum lost beyond all other forces: the stop included.
-    const double weight = Gravity ? c.weight : 0.0;
-    const Vector3<double> others =
-        Vector3<double>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz] - weight + step.floor.normal_force} -
-        c.global_damping * step.velocity;
-    const Vector3<double> other_moments =
-        Vector3<double>{load.value[slot::mx], load.value[slot::my], load.value[slot::mz]} - c.global_rotation_damping * step.spin;
-    const double per_step = 1.0 / d.time_step;
-    book.load[friction] = {per_step * (step.momentum - momentum) - others,
-                           per_step * (step.spin_momentum - spin_momentum) - other_moments};
+    if constexpr (Floor) {
+      // Friction is what the momentum lost beyond all other forces: stops by static friction included.
+      const double weight = Gravity ? c.weight : 0.0;
+      const Vector3<double> others =
+          Vector3<double>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz] - weight + step.floor.normal_force} -
+          c.global_damping * step.velocity;
+      const Vector3<double> other_moments = Vector3<double>{load.value[slot::mx], load.value[slot::my], load.value[slot::mz]} -
+                                            c.global_rotation_damping * step.spin;
+      const double per_step = 1.0 / d.time_step;
+      book.load[friction] = {per_step * (step.momentum - momentum) - others,
+                             per_step * (step.spin_momentum - spin_momentum) - other_moments};
+    }
     book_work(book);
     book.last_displacement = step.displacement;
     book.last_turn = step.turn;

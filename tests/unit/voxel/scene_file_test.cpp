@@ -1,0 +1,152 @@
+#include "voxel/scene_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "io/input_error.h"
+#include "io/whole_file.h"
+#include "meshes/reference_shapes.h"
+
+namespace menger::voxel {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* bar = "[design]\ncell_edge_m = 0.02\ncells = [3, 1, 1]\ndigits = \"121\"\n";
+
+/// A folder for the scene of one test.
+class SceneFile : public testing::Test {
+ protected:
+  SceneFile() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  [[nodiscard]] Scene read(const std::string& text) const {
+    io::write_whole(folder_ / "scene.toml", text);
+    return read_scene(folder_ / "scene.toml");
+  }
+
+  void expect_refused(const std::string& text, const std::string& key, const std::string& value) const {
+    try {
+      static_cast<void>(read(text));
+      ADD_FAILURE() << "accepted: " << text;
+    } catch (const io::InputError& error) {
+      const std::string message = error.what();
+      for (const std::string& part : {std::string("scene.toml"), key, value}) {
+        EXPECT_NE(message.find(part), std::string::npos) << "no " << part << " in: " << message;
+      }
+    }
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / "scene_file" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(SceneFile, OnlyTheDesignMustBeGiven) {
+  const Scene scene = read(bar);
+  EXPECT_EQ(scene.design.body, meshes::Polycube::from_digits(3, 1, 1, "121"));
+  EXPECT_EQ(scene.design.cell_edge_m, 0.02);
+  Scene expected;
+  expected.design = scene.design;
+  EXPECT_EQ(scene, expected);
+}
+
+TEST_F(SceneFile, ReadsADesignFileRelativeToTheScene) {
+  fs::create_directories(folder_ / "designs");
+  const meshes::Design design{.name = "sponge", .body = meshes::menger_sponge(), .cell_edge_m = 0.01};
+  meshes::write_design(folder_ / "designs/sponge.toml", design);
+  EXPECT_EQ(read("design = \"designs/sponge.toml\"").design, design);
+}
+
+TEST_F(SceneFile, TextReadsBackAsTheSameScene) {
+  Scene scene = read(bar);
+  scene.level = 2;
+  scene.duration_s = 1.0 / 3.0;
+  scene.record_interval_s = 0.1 / 3.0;
+  scene.energy_ledger = true;
+  scene.output = {.frames = false, .pictures = false, .records_per_frame = 7};
+  scene.physics.actuation.mode = ActuationMode::wave;
+  EXPECT_EQ(read(scene_text(scene)), scene);
+}
+
+TEST_F(SceneFile, ALevelFromOutsideTakesThePlaceOfTheFiles) {
+  io::write_whole(folder_ / "scene.toml", std::string("level = 3\n").append(bar));
+  EXPECT_EQ(read_scene(folder_ / "scene.toml").level, 3);
+  EXPECT_EQ(read_scene(folder_ / "scene.toml", 1).level, 1);
+  EXPECT_THROW(static_cast<void>(read_scene(folder_ / "scene.toml", 0)), io::InputError);
+}
+
+TEST_F(SceneFile, AShortRunIsRecordedAtItsEnd) {
+  EXPECT_EQ(read(std::string("duration_s = 0.001\n").append(bar)).record_interval_s, 0.001);
+}
+
+TEST_F(SceneFile, RefusesBadValuesNamingFileKeyAndValue) {
+  const auto with = [](const std::string& line) { return line + "\n" + bar; };
+  expect_refused(with("level = 0"), "level", "0");
+  expect_refused(with("level = 1.5"), "level", "1.5");
+  expect_refused(with("duration_s = -2"), "duration_s", "-2");
+  expect_refused(with("duration_s = \"long\""), "duration_s", "long");
+  expect_refused(with("record_interval_s = 3.0"), "record_interval_s", "3");
+  expect_refused(with("record_interval_s = 1e-9"), "record_interval_s", "million");
+  expect_refused(with("output.records_per_frame = 0"), "output.records_per_frame", "0");
+  expect_refused(with("durations = 2"), "durations", "unknown");
+  expect_refused(with("output.movie = true"), "output.movie", "unknown");
+  expect_refused(with("materials.youngs_modulus_Pa = -1"), "materials.youngs_modulus_Pa", "-1");
+  expect_refused(with("energy_ledger = true\nintegration = {number = \"float32\", damping = \"velocity\"}"), "energy_ledger",
+                 "float64");
+}
+
+TEST_F(SceneFile, RefusesBadDesignsNamingFileKeyAndValue) {
+  expect_refused("level = 1", "design", "");
+  expect_refused("design = 5", "design", "5");
+  const auto design = [](const std::string& lines) { return "[design]\ncell_edge_m = 0.01\n" + lines; };
+  expect_refused(design("cells = [3, 1, 1]\ndigits = \"000\""), "design.digits", "empty");
+  expect_refused(design("cells = [3, 1, 1]\ndigits = \"13\""), "design.digits", "13");
+  expect_refused(design("cells = [3, 1, 1]\ndigits = \"131\""), "design.digits", "131");
+  expect_refused(design("cells = [3, 1]\ndigits = \"111\""), "design.cells", "not 2");
+  expect_refused(design("cells = [3, 1.5, 1]\ndigits = \"111\""), "design.cells", "1.5");
+  expect_refused(design("cells = [1000000, 1000000, 1000000]\ndigits = \"1\""), "design.cells", "1000000");
+  expect_refused("[design]\ncell_edge_m = -0.01\ncells = [1, 1, 1]\ndigits = \"1\"", "design.cell_edge_m", "-0.01");
+}
+
+TEST_F(SceneFile, NamesAMissingDesignFile) {
+  try {
+    static_cast<void>(read("design = \"nowhere.toml\""));
+    ADD_FAILURE();
+  } catch (const io::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find((folder_ / "nowhere.toml").string()), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(static_cast<void>(read_scene(folder_ / "no_scene.toml")), io::InputError);
+}
+
+TEST_F(SceneFile, RefusesALevelThatDoesNotFitMemoryBeforeBuildingIt) {
+  // At level 30 neither the grid nor its size in bytes can be represented.
+  expect_refused(std::string("level = 30\n").append(bar), "level", "30");
+  io::write_whole(folder_ / "scene.toml", std::string("level = 2\n").append(bar));
+  const std::size_t needed = estimated_memory_bytes(meshes::Polycube::from_digits(3, 1, 1, "121"), 2);
+  EXPECT_NO_THROW(static_cast<void>(read_scene(folder_ / "scene.toml", {}, needed)));
+  EXPECT_THROW(static_cast<void>(read_scene(folder_ / "scene.toml", {}, needed - 1)), io::InputError);
+}
+
+TEST(Scene, MemoryEstimateGrowsWithTheFractalAndSaturates) {
+  const meshes::Polycube sponge = meshes::menger_sponge();
+  const std::size_t level_2 = estimated_memory_bytes(sponge, 2);
+  const std::size_t level_3 = estimated_memory_bytes(sponge, 3);
+  EXPECT_GT(level_3, 19 * level_2);
+  EXPECT_LT(level_3, 28 * level_2);
+  EXPECT_EQ(estimated_memory_bytes(sponge, 1000), std::numeric_limits<std::size_t>::max());
+}
+
+TEST(Scene, BodyLengthIsTheLongestSideOfTheAggregate) {
+  const meshes::Design sponge{.name = "", .body = meshes::menger_sponge(), .cell_edge_m = 0.01};
+  EXPECT_DOUBLE_EQ(body_length_m(sponge, 3), 0.27);
+  const meshes::Design bar_of_five{.name = "", .body = meshes::Polycube::from_digits(1, 5, 1, "11111"), .cell_edge_m = 0.01};
+  EXPECT_DOUBLE_EQ(body_length_m(bar_of_five, 1), 0.05);
+}
+
+}  // namespace
+}  // namespace menger::voxel

@@ -1,0 +1,3 @@
+menger_test(unit_voxel_scene SOURCES physics_file_test.cpp scene_file_test.cpp LINK menger::voxel_scene)
+menger_test(unit_voxel_output SOURCES preview_test.cpp vtk_output_test.cpp LINK menger::voxel_vtk VTK::IOXML VTK::IOImage)
+menger_test(unit_voxel_run SOURCES simulation_run_test.cpp LINK menger::voxel_run)

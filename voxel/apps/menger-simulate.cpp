@@ -1,0 +1,125 @@
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/exit_code.h"
+#include "io/interrupt.h"
+#include "io/manifest.h"
+#include "io/program.h"
+#include "io/progress.h"
+#include "materials/observables.h"
+#include "voxel/kernel_choice.h"
+#include "voxel/scene_file.h"
+#include "voxel/simulation_run.h"
+
+namespace {
+
+using namespace menger;
+
+struct Arguments {
+  std::filesystem::path scene;
+  std::filesystem::path folder;
+  std::optional<int> level;
+  bool no_pictures = false;
+  bool energy = false;
+  voxel::KernelOptions kernel;
+};
+
+std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
+  using voxel::InstructionSet;
+  const std::map<std::string, InstructionSet> instruction_sets{{"best", InstructionSet::best},
+                                                               {"scalar", InstructionSet::scalar},
+                                                               {"sse2", InstructionSet::sse2},
+                                                               {"avx2", InstructionSet::avx2},
+                                                               {"avx512", InstructionSet::avx512}};
+  CLI::App app("Simulates a voxel robot in a scene and writes its trajectory, its frames for ParaView and pictures.",
+               "menger-simulate");
+  app.footer(
+      "Example:\n  menger simulate voxel/scenes/menger.toml -o walk\n"
+      "writes walk/result.toml, trajectory.csv, frames.pvd (open it in ParaView), robot.png, trajectory.png and "
+      "manifest.json.\n"
+      "Exit codes: 0 completed, 2 wrong input, 3 diverged, 130 interrupted.");
+  app.add_option("scene", arguments.scene, "scene file (TOML)")->required();
+  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the scene file)");
+  app.add_option("--level", arguments.level, "level of the fractal, instead of the scene's");
+  app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
+  app.add_flag("--energy", arguments.energy, "keep the energy balance (slow)");
+  app.add_flag("--every-term", arguments.kernel.every_term, "leave no term out of the step; gives the same bytes, slower");
+  app.add_option("--instruction-set", arguments.kernel.instruction_set, "kernels to use; all give the same bytes")
+      ->transform(CLI::CheckedTransformer(instruction_sets, CLI::ignore_case));
+  return io::parse_arguments(app, argc, argv);
+}
+
+void print_kernel_report(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::cout << "  " << line << '\n';
+  std::cout << std::flush;
+}
+
+std::string shown(double value, const char* format = "%.4g") {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+void print_outcome(const voxel::SceneResult& result, const std::filesystem::path& folder) {
+  for (const std::string& note : result.notes) std::cout << note << '\n';
+  std::cout << io::to_string(result.status) << ": " << shown(result.time_s) << " s in " << result.steps << " steps of "
+            << shown(result.time_step_s) << " s, " << result.voxels << " voxels, " << io::duration_text(result.seconds);
+  if (result.displacement_m) {
+    const double distance_m = materials::horizontal_displacement(*result.displacement_m);
+    std::cout << "; moved " << shown(distance_m) << " m = " << shown(distance_m / result.body_length_m) << " body lengths";
+  } else {
+    std::cout << "; " << result.reason;
+  }
+  std::cout << "\nresults in " << folder.string() << '\n';
+}
+
+int exit_code_of(io::RunStatus status) {
+  if (status == io::RunStatus::completed) return io::exit_code::done;
+  return status == io::RunStatus::stopped ? io::exit_code::interrupted : io::exit_code::numerical;
+}
+
+void write_manifest(const Arguments& arguments, const voxel::Scene& scene, const voxel::SceneResult& result) {
+  io::Manifest manifest;
+  manifest.program = "menger-simulate";
+  manifest.parameters = voxel::scene_text(scene);
+  manifest.seconds = result.seconds;
+  io::add_input(manifest, arguments.scene);
+  io::write_manifest(arguments.folder, manifest);
+}
+
+int run(int argc, const char* const* argv) {
+  Arguments arguments;
+  if (const auto code = parse(argc, argv, arguments)) return *code;
+  voxel::Scene scene = voxel::read_scene(arguments.scene, arguments.level);
+  if (arguments.no_pictures) scene.output.pictures = false;
+  if (arguments.energy) scene.energy_ledger = true;
+  if (arguments.folder.empty()) arguments.folder = arguments.scene.stem();
+
+  io::catch_interrupts();
+  io::Progress progress(scene.design.name, scene.duration_s);
+  voxel::RunOptions options;
+  options.kernel = arguments.kernel;
+  options.stop = &io::interrupted();
+  options.started = print_kernel_report;
+  options.progress = [&](const voxel::RunProgress& now) {
+    progress.update(now.time_s, shown(now.simulated_s_per_second, "%.3g") + " simulated s/s");
+  };
+  const voxel::SceneResult result = voxel::run_scene(scene, arguments.folder, options);
+  write_manifest(arguments, scene, result);
+  progress.clear();
+  print_outcome(result, arguments.folder);
+  return exit_code_of(result.status);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return menger::io::run_program("menger-simulate", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,24 @@
+#include "voxel/cube.h"
+
+namespace menger::voxel {
+
+std::array<std::array<double, 3>, cube_corner_count> cube_corners_m(const Frame& frame, std::size_t voxel) {
+  constexpr std::array<std::array<double, 3>, cube_corner_count> signs{
+      {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+  const auto [w, x, y, z] = frame.orientation[voxel];
+  const std::array<std::array<double, 3>, 3> rotation{{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                                                       {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+                                                       {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
+  const double half = 0.5 * frame.size_m[voxel];
+  std::array<std::array<double, 3>, cube_corner_count> corners{};
+  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto& row = rotation[axis];
+      const auto& sign = signs[corner];
+      corners[corner][axis] = frame.position_m[voxel][axis] + half * (row[0] * sign[0] + row[1] * sign[1] + row[2] * sign[2]);
+    }
+  }
+  return corners;
+}
+
+}  // namespace menger::voxel

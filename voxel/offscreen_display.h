@@ -1,0 +1,42 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace menger::voxel {
+
+/// A connection to an X display for rendering off-screen: the display of the environment variable DISPLAY if it answers,
+/// otherwise a virtual one (Xvfb) that is started here and ended with this object. VTK aborts the program where there is neither,
+/// so it is asked for first.
+class OffscreenDisplay {
+ public:
+  OffscreenDisplay();
+  ~OffscreenDisplay();
+  OffscreenDisplay(const OffscreenDisplay&) = delete;
+  OffscreenDisplay& operator=(const OffscreenDisplay&) = delete;
+
+  [[nodiscard]] bool available() const { return connection_ != nullptr; }
+
+  /// What is missing, and how to get it; empty if a display is available.
+  [[nodiscard]] const std::string& missing() const { return missing_; }
+
+  /// The connection as the `Display*` of Xlib; owned by this object.
+  [[nodiscard]] void* connection() const { return connection_; }
+
+ private:
+  bool connect(const std::string& display);
+  void start_server();
+  void end_server();
+
+  /// Exit status of the server if it ends in time.
+  std::optional<int> wait_for_end(std::chrono::milliseconds patience);
+
+  void* connection_ = nullptr;
+  pid_t server_ = -1;
+  std::string missing_;
+};
+
+}  // namespace menger::voxel

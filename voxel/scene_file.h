@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+
+#include "voxel/scene.h"
+
+namespace menger::voxel {
+
+/// Reads a scene from TOML.
+///
+/// `design = "file"` (relative to the scene file) or a table `[design]` with name, cell_edge_m, cells (three integers) and digits
+/// (0, 1, 2 of all cells, x fastest, then y, then z); level, duration_s, record_interval_s, energy_ledger; `[output]` frames,
+/// pictures, records_per_frame; and the tables of read_physics. Only the design must be given.
+///
+/// @param level takes the place of the file's level, as if it stood there
+/// @param memory_bytes a scene that would need more is refused, before anything is built
+/// @throws io::InputError with file, key and value
+Scene read_scene(const std::filesystem::path& file, std::optional<int> level = {},
+                 std::size_t memory_bytes = machine_memory_bytes());
+
+}  // namespace menger::voxel

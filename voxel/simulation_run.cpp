@@ -1,0 +1,153 @@
+#include "voxel/simulation_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "io/input_error.h"
+#include "io/number_text.h"
+#include "io/whole_file.h"
+#include "meshes/connectivity.h"
+#include "meshes/fractal.h"
+#include "voxel/preview.h"
+#include "voxel/vtk_output.h"
+
+namespace menger::voxel {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// One scene on its way through its records.
+class SceneRun {
+ public:
+  SceneRun(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options)
+      : scene_(scene),
+        folder_(folder),
+        options_(options),
+        body_(meshes::fractal(scene.design.body, scene.level, machine_memory_bytes())),
+        simulation_(body_, scene.design.cell_edge_m, scene.physics, {}, kernel_options(scene, options)),
+        frames_(folder) {
+    result_.body_length_m = body_length_m(scene.design, scene.level);
+    result_.time_step_s = simulation_.time_step_s();
+    result_.voxels = simulation_.voxel_count();
+    result_.beams = simulation_.beam_count();
+    result_.kernel_report = simulation_.kernel_report();
+    result_.parts = meshes::count_components(body_);
+    if (result_.parts > 1)
+      result_.notes.push_back("the body is in " + std::to_string(result_.parts) + " pieces that no beam joins");
+  }
+
+  SceneResult run() {
+    if (options_.started) options_.started(result_.kernel_report);
+    record();
+    // The last record lies at the duration itself, which need not be a multiple of the interval.
+    const auto intervals = static_cast<std::uint64_t>(std::ceil(scene_.duration_s / scene_.record_interval_s * (1.0 - 1e-12)));
+    result_.status = io::RunStatus::completed;
+    for (std::uint64_t i = 1; i <= intervals && result_.status == io::RunStatus::completed; ++i) {
+      const double until_s = i == intervals ? scene_.duration_s : static_cast<double>(i) * scene_.record_interval_s;
+      result_.status = simulation_.advance_to(until_s, options_.stop);
+      if (result_.status == io::RunStatus::completed) record();
+      report_progress();
+    }
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  static KernelOptions kernel_options(const Scene& scene, const RunOptions& options) {
+    KernelOptions kernel = options.kernel;
+    kernel.energy_ledger = scene.energy_ledger;
+    return kernel;
+  }
+
+  void record() {
+    const double time_s = simulation_.time_s();
+    // An interval shorter than a time step asks for the same state again.
+    if (!result_.trajectory.empty() && result_.trajectory.back().time_s == time_s) return;
+    const auto records_per_frame = static_cast<std::size_t>(scene_.output.records_per_frame);
+    const bool is_frame = result_.trajectory.size() % records_per_frame == 0;
+    result_.trajectory.push_back({time_s, simulation_.centre_of_mass_m(), simulation_.energy()});
+    last_frame_ = simulation_.frame();
+    if (is_frame && scene_.output.frames) frames_.add(last_frame_);
+    if (result_.trajectory.size() == 1) result_.recorded_frames.push_back(last_frame_);
+  }
+
+  void report_progress() {
+    if (!options_.progress) return;
+    const double elapsed_s = seconds_since(start_);
+    const double rate = elapsed_s > 0.0 ? simulation_.time_s() / elapsed_s : 0.0;
+    const double remaining_s = rate > 0.0 ? std::max(0.0, scene_.duration_s - simulation_.time_s()) / rate : 0.0;
+    options_.progress({simulation_.time_s(), scene_.duration_s, rate, remaining_s});
+  }
+
+  void explain_status() {
+    result_.divergence = simulation_.divergence();
+    if (result_.status == io::RunStatus::stopped) result_.reason = "stopped at " + io::number_text(simulation_.time_s()) + " s";
+    if (result_.status == io::RunStatus::diverged && result_.divergence) result_.reason = divergence_text(*result_.divergence);
+  }
+
+  void finish() {
+    explain_status();
+    result_.time_s = simulation_.time_s();
+    result_.steps = simulation_.steps();
+    result_.collisions = simulation_.collision_counts();
+    if (result_.status == io::RunStatus::completed) {
+      result_.displacement_m = voxel::displacement_m(result_.trajectory, result_.trajectory.back());
+    }
+    result_.recorded_frames.push_back(last_frame_);
+    trajectory_table(result_.trajectory, result_.body_length_m).write(folder_ / "trajectory.csv");
+    if (scene_.output.frames) frames_.finish();
+    if (scene_.output.pictures) draw();
+    result_.seconds = seconds_since(start_);
+    io::write_whole(folder_ / "result.toml", result_text(result_));
+  }
+
+  void draw() {
+    std::vector<std::array<double, 3>> trail;
+    for (const TrajectoryPoint& point : result_.trajectory) trail.push_back(point.centre_of_mass_m);
+    const PictureOutcome robot = render_robot(folder_ / "robot.png", last_frame_, trail, {.floor = scene_.physics.floor});
+    if (!robot.written) {
+      result_.notes.push_back("no pictures: " + robot.missing);
+      return;
+    }
+    if (const auto plot = plot_trajectory(folder_ / "trajectory.png", result_.trajectory, result_.body_length_m); !plot.written) {
+      result_.notes.push_back("no plot of the trajectory: " + plot.missing);
+    }
+  }
+
+  const Scene& scene_;
+  const std::filesystem::path& folder_;
+  const RunOptions& options_;
+  Clock::time_point start_ = Clock::now();
+  meshes::Polycube body_;
+  Simulation simulation_;
+  FrameSeries frames_;
+  Frame last_frame_;
+  SceneResult result_;
+};
+
+}  // namespace
+
+SceneResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options) {
+  io::require_writable_folder(folder);
+  std::optional<SceneRun> run;
+  try {
+    run.emplace(scene, folder, options);
+  } catch (const std::invalid_argument& fault) {
+    // What only the engine knows, such as kernels that this machine cannot run.
+    throw io::InputError("the scene cannot be simulated: " + std::string(fault.what()));
+  }
+  // While the files of an earlier run are being replaced none of them may pass for the result of this one.
+  for (const char* name : {"result.toml", "manifest.json", "frames.pvd", "robot.png", "trajectory.png"}) {
+    std::error_code ignored;
+    std::filesystem::remove(folder / name, ignored);
+  }
+  return run->run();
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/run_status.h"
+#include "voxel/energy_ledger.h"
+#include "voxel/frame.h"
+#include "voxel/kernel_choice.h"
+#include "voxel/scene.h"
+#include "voxel/simulation.h"
+#include "voxel/trajectory.h"
+
+namespace menger::voxel {
+
+/// How far a run is.
+struct RunProgress {
+  double time_s = 0.0;                  ///< simulated so far
+  double duration_s = 0.0;              ///< to be simulated
+  double simulated_s_per_second = 0.0;  ///< simulated time per wall time
+  double remaining_s = 0.0;             ///< expected wall time to the end
+};
+
+/// How a scene is run, never what comes out of it.
+struct RunOptions {
+  KernelOptions kernel;                                                        ///< its energy_ledger is overruled by the scene's
+  std::function<void(const std::vector<std::string>& kernel_report)> started;  ///< called before the first step
+  std::function<void(const RunProgress&)> progress;                            ///< called after every record
+  const std::atomic<bool>* stop = nullptr;                                     ///< ends the run with status `stopped`
+};
+
+/// What a run gave.
+struct SceneResult {
+  io::RunStatus status = io::RunStatus::stopped;
+  std::string reason;                                   ///< empty when completed; otherwise what, where and when
+  std::optional<std::array<double, 3>> displacement_m;  ///< of the centre of mass; exists exactly when completed
+  double body_length_m = 0.0;
+  double time_s = 0.0;  ///< reached
+  double time_step_s = 0.0;
+  std::uint64_t steps = 0;
+  std::size_t voxels = 0;
+  std::size_t beams = 0;
+  std::size_t parts = 0;  ///< pieces of the body that no beam joins; more than one is worth a note
+  std::optional<Divergence> divergence;
+  CollisionCounts collisions;
+  std::vector<std::string> kernel_report;
+  Trajectory trajectory;
+  std::vector<Frame> recorded_frames;  ///< the first and the last that were recorded
+  std::vector<std::string> notes;      ///< what the user should know: a body in pieces, pictures that could not be made
+  double seconds = 0.0;                ///< wall time
+};
+
+/// Runs a scene and writes into `folder`: trajectory.csv, frames.pvd with frames/frame_0000.vtu ..., robot.png and
+/// trajectory.png, and as the last of them result.toml (status, reason, displacement, steps, kernels). Each file is written whole
+/// or not at all. A diverged or stopped run leaves what it did, and its status says so; a picture that cannot be made is a note.
+/// @throws io::InputError if the folder cannot be written, before anything is computed
+SceneResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options = {});
+
+/// Where and how a run diverged, in a line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in m/s.
+std::string divergence_text(const Divergence& divergence);
+
+/// The text of result.toml. Wall times are left out of it.
+std::string result_text(const SceneResult& result);
+
+}  // namespace menger::voxel

@@ -1,0 +1,108 @@
+#include "voxel/vtk_output.h"
+
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <system_error>
+
+#include "io/input_error.h"
+#include "io/whole_file.h"
+#include "voxel/cube.h"
+
+namespace menger::voxel {
+namespace {
+
+void add_real_array(vtkUnstructuredGrid& grid, const char* name, const std::vector<double>& values) {
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::transform(values.begin(), values.end(), array->GetPointer(0), [](double value) { return static_cast<float>(value); });
+  grid.GetCellData()->AddArray(array);
+}
+
+void add_byte_array(vtkUnstructuredGrid& grid, const char* name, const std::vector<std::uint8_t>& values) {
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  grid.GetCellData()->AddArray(array);
+}
+
+void add_cubes(vtkUnstructuredGrid& grid, const Frame& frame) {
+  const auto voxels = static_cast<vtkIdType>(frame.position_m.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  points->SetNumberOfPoints(cube_corner_count * voxels);
+  grid.AllocateExact(voxels, cube_corner_count * voxels);
+  vtkIdType point = 0;
+  for (std::size_t voxel = 0; voxel < frame.position_m.size(); ++voxel) {
+    std::array<vtkIdType, cube_corner_count> corners{};
+    for (std::size_t corner = 0; const auto& position : cube_corners_m(frame, voxel)) {
+      points->SetPoint(point, position.data());
+      corners[corner++] = point++;
+    }
+    grid.InsertNextCell(VTK_HEXAHEDRON, cube_corner_count, corners.data());
+  }
+  grid.SetPoints(points);
+}
+
+}  // namespace
+
+void write_frame(const std::filesystem::path& file, const Frame& frame) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  add_cubes(*grid, frame);
+  add_byte_array(*grid, "material", frame.material);
+  add_real_array(*grid, "phase", frame.phase);
+  add_real_array(*grid, "size_m", frame.size_m);
+  add_real_array(*grid, "strain", frame.strain);
+  add_real_array(*grid, "speed_m_s", frame.speed_m_s);
+  add_byte_array(*grid, "contact", frame.contact);
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("TimeValue");
+  time->InsertNextValue(frame.time_s);
+  grid->GetFieldData()->AddArray(time);
+
+  io::PendingFile pending(file);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(grid);
+  writer->SetFileName(pending.temporary().c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);
+  writer->SetIdTypeToInt32();
+  if (writer->Write() == 0) throw io::InputError(file.string() + ": cannot be written");
+  pending.commit();
+}
+
+FrameSeries::FrameSeries(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
+
+void FrameSeries::add(const Frame& frame) {
+  entries_.push_back({frame.time_s, frame_file(entries_.size())});
+  write_frame(folder_ / entries_.back().file, frame);
+}
+
+void FrameSeries::finish() {
+  write_collection(folder_ / (name_ + ".pvd"), entries_);
+  std::error_code ignored;
+  for (std::size_t index = entries_.size(); std::filesystem::remove(folder_ / frame_file(index), ignored); ++index) {
+  }
+}
+
+std::filesystem::path FrameSeries::frame_file(std::size_t index) const {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "frame_%04zu.vtu", index);
+  return std::filesystem::path(name_) / name.data();
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "voxel/frame.h"
+
+namespace menger::voxel {
+
+/// Writes a frame for ParaView (.vtu, compressed): every voxel is a hexahedron with eight points of its own, the cube of its
+/// driven size around its centre, turned by its orientation. Cell data: material, phase, size_m, strain, speed_m_s, contact (bits
+/// of namespace contact); field data: TimeValue. Points and real cell data are float32. Whole or not at all.
+/// @throws io::InputError if the place cannot be written
+void write_frame(const std::filesystem::path& file, const Frame& frame);
+
+/// A file of a collection and the time it stands for.
+struct CollectionEntry {
+  double time_s = 0.0;
+  std::filesystem::path file;  ///< relative to the collection
+
+  bool operator==(const CollectionEntry&) const = default;
+};
+
+/// Writes a ParaView collection (.pvd), whole or not at all. @throws io::InputError if the place cannot be written
+void write_collection(const std::filesystem::path& file, const std::vector<CollectionEntry>& entries);
+
+/// The entries of a collection. @throws io::InputError if it is missing or no collection
+std::vector<CollectionEntry> read_collection(const std::filesystem::path& file);
+
+/// Frames of one run: `<name>/frame_0000.vtu`, ... and `<name>.pvd` in a folder.
+class FrameSeries {
+ public:
+  explicit FrameSeries(std::filesystem::path folder, std::string name = "frames");
+
+  /// Writes the next frame.
+  void add(const Frame& frame);
+
+  /// Writes the collection and removes the frames that an earlier, longer run left under the same names.
+  void finish();
+
+  [[nodiscard]] const std::vector<CollectionEntry>& entries() const { return entries_; }
+
+ private:
+  [[nodiscard]] std::filesystem::path frame_file(std::size_t index) const;  ///< relative to the folder
+
+  std::filesystem::path folder_;
+  std::string name_;
+  std::vector<CollectionEntry> entries_;
+};
+
+}  // namespace menger::voxel
