@@ -5,15 +5,18 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "io/exit_code.h"
+#include "io/input_error.h"
 #include "io/interrupt.h"
 #include "io/manifest.h"
 #include "io/program.h"
 #include "io/progress.h"
 #include "materials/observables.h"
+#include "voxel/instruction_sets.h"
 #include "voxel/kernel_choice.h"
 #include "voxel/scene_file.h"
 #include "voxel/simulation_run.h"
@@ -28,16 +31,21 @@ struct Arguments {
   std::optional<int> level;
   bool no_pictures = false;
   bool energy = false;
+  std::string instruction_set = "best";
   voxel::KernelOptions kernel;
 };
 
-std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
+const std::map<std::string, voxel::InstructionSet>& instruction_sets() {
   using voxel::InstructionSet;
-  const std::map<std::string, InstructionSet> instruction_sets{{"best", InstructionSet::best},
-                                                               {"scalar", InstructionSet::scalar},
-                                                               {"sse2", InstructionSet::sse2},
-                                                               {"avx2", InstructionSet::avx2},
-                                                               {"avx512", InstructionSet::avx512}};
+  static const std::map<std::string, InstructionSet> sets{{"best", InstructionSet::best},
+                                                          {"scalar", InstructionSet::scalar},
+                                                          {"sse2", InstructionSet::sse2},
+                                                          {"avx2", InstructionSet::avx2},
+                                                          {"avx512", InstructionSet::avx512}};
+  return sets;
+}
+
+std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
   CLI::App app("Simulates a voxel robot in a scene and writes its trajectory, its frames for ParaView and pictures.",
                "menger-simulate");
   app.footer(
@@ -51,8 +59,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
   app.add_flag("--energy", arguments.energy, "keep the energy balance (slow)");
   app.add_flag("--every-term", arguments.kernel.every_term, "leave no term out of the step; gives the same bytes, slower");
-  app.add_option("--instruction-set", arguments.kernel.instruction_set, "kernels to use; all give the same bytes")
-      ->transform(CLI::CheckedTransformer(instruction_sets, CLI::ignore_case));
+  app.add_option("--instruction-set", arguments.instruction_set, "kernels to use; all give the same bytes")
+      ->check(CLI::IsMember(instruction_sets()));
   return io::parse_arguments(app, argc, argv);
 }
 
@@ -94,12 +102,26 @@ void write_manifest(const Arguments& arguments, const voxel::Scene& scene, const
   io::write_manifest(arguments.folder, manifest);
 }
 
+void choose_kernels(Arguments& arguments, const voxel::Scene& scene) {
+  const voxel::InstructionSet requested = instruction_sets().at(arguments.instruction_set);
+  try {
+    const bool is_double = scene.physics.integration.number == voxel::NumberType::float64;
+    arguments.kernel.instruction_set = is_double ? voxel::resolve<double>(requested) : voxel::resolve<float>(requested);
+  } catch (const std::invalid_argument& error) {
+    throw io::InputError("--instruction-set " + arguments.instruction_set + ": " + error.what());
+  }
+}
+
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
   voxel::Scene scene = voxel::read_scene(arguments.scene, arguments.level);
   if (arguments.no_pictures) scene.output.pictures = false;
   if (arguments.energy) scene.energy_ledger = true;
+  if (scene.energy_ledger && scene.physics.integration.number != voxel::NumberType::float64) {
+    throw io::InputError(arguments.scene.string() + ": the energy balance needs integration.number = \"float64\"");
+  }
+  choose_kernels(arguments, scene);
   if (arguments.folder.empty()) arguments.folder = arguments.scene.stem();
 
   io::catch_interrupts();
