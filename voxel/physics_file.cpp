@@ -86,7 +86,8 @@ void read_integration(const io::TomlTable& table, Integration& integration) {
   integration.time_step_fraction = table.number_or("time_step_fraction", integration.time_step_fraction, io::positive());
   integration.damping = table.word_or("damping", integration.damping, words_of(damping_modes));
   integration.number = table.word_or("number", integration.number, words_of(number_types));
-  integration.single_precision_rest_lengths = table.boolean_or("single_precision_rest_lengths", integration.single_precision_rest_lengths);
+  integration.single_precision_rest_lengths =
+      table.boolean_or("single_precision_rest_lengths", integration.single_precision_rest_lengths);
   if (integration.number == NumberType::float32 && integration.damping == DampingMode::increments) {
     throw table.error(table.has("number") ? "number" : "damping",
                       "float32 cannot carry damping from increments: use damping = \"velocity\" or number = \"float64\"");

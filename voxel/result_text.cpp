@@ -33,13 +33,6 @@ void add_divergence(std::string& text, const Divergence& divergence) {
 
 }  // namespace
 
-std::string divergence_text(const Divergence& divergence) {
-  const auto& cell = divergence.cell;
-  return "voxel " + std::to_string(divergence.voxel) + " (cell " + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " +
-         std::to_string(cell.z) + "): " + divergence.quantity + " " + io::number_text(divergence.value) + ", limit " +
-         io::number_text(divergence.limit) + ", at " + io::number_text(divergence.time_s) + " s";
-}
-
 std::string result_text(const SceneResult& result) {
   std::string text;
   add_line(text, "status", io::toml_quoted(io::to_string(result.status)));

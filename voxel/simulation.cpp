@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "io/number_text.h"
 #include "materials/observables.h"
 #include "voxel/engine.h"
 #include "voxel/time_step.h"
@@ -46,6 +47,13 @@ void check(const meshes::Polycube& body, double cell_edge_m, const Physics& phys
 }
 
 }  // namespace
+
+std::string divergence_text(const Divergence& divergence) {
+  const meshes::CellIndex& cell = divergence.cell;
+  return "voxel " + std::to_string(divergence.voxel) + " (cell " + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " +
+         std::to_string(cell.z) + "): " + divergence.quantity + " " + io::number_text(divergence.value) + ", limit " +
+         io::number_text(divergence.limit) + ", at " + io::number_text(divergence.time_s) + " s";
+}
 
 Simulation::Simulation(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
                        const KernelOptions& options) {

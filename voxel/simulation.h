@@ -41,6 +41,9 @@ struct Divergence {
   double time_s = 0.0;
 };
 
+/// Where and how a run diverged, in a line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in m/s.
+std::string divergence_text(const Divergence& divergence);
+
 /// A body of voxels in motion: point masses joined by Euler-Bernoulli beams with driven rest lengths (Voxelyze's model at
 /// Poisson's ratio 0).
 ///

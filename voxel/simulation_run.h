@@ -62,9 +62,6 @@ struct SceneResult {
 /// @throws io::InputError if the folder cannot be written, before anything is computed
 SceneResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options = {});
 
-/// Where and how a run diverged, in a line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in m/s.
-std::string divergence_text(const Divergence& divergence);
-
 /// The text of result.toml. Wall times are left out of it.
 std::string result_text(const SceneResult& result);
 

@@ -34,7 +34,7 @@ struct VoxelCoefficients {
 
 inline constexpr int history_values = 9;  ///< numbers that a beam remembers
 inline constexpr int class_values = 16;   ///< numbers of a voxel or beam class in the tables, two lines
-inline constexpr int widest_pack = 8;    ///< beams and voxels are padded to a multiple of this
+inline constexpr int widest_pack = 8;     ///< beams and voxels are padded to a multiple of this
 
 /// Beams along one axis, in the order of their lower voxel, padded with beams between two voxels that nobody sees.
 template <class Real>

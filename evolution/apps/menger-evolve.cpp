@@ -1,0 +1,179 @@
+// menger evolve study.toml: searches, or goes on searching, and tells generation by generation what it found.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "evolution/generation_summary.h"
+#include "evolution/run_archive.h"
+#include "evolution/search.h"
+#include "evolution/study_file.h"
+#include "evolution/voxel_evaluator.h"
+#include "io/exit_code.h"
+#include "io/input_error.h"
+#include "io/interrupt.h"
+#include "io/manifest.h"
+#include "io/program.h"
+#include "io/progress.h"
+#include "voxel/scene.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace io = menger::io;
+using namespace menger::evolution;
+using Clock = std::chrono::steady_clock;
+
+struct Arguments {
+  fs::path study;
+  fs::path archive = "run.sqlite";
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  StudyOverrides overrides;
+};
+
+constexpr const char* description =
+    "Evolves fractal robots. The archive keeps everything: call the same command again and it goes on where it stopped,\n"
+    "or shows the result if it is done.\n\n"
+    "Example:\n"
+    "  menger evolve paper/demo/study.toml -o demo/run.sqlite --threads 4\n"
+    "  menger export demo/run.sqlite -o demo/champion";
+
+std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
+  CLI::App app(description, "menger evolve");
+  app.add_option("study", arguments.study, "Study file")->required();
+  app.add_option("-o,--output", arguments.archive, "Archive of the run, made if there is none")->capture_default_str();
+  app.add_option("-t,--threads", arguments.threads, "Threads; the result does not depend on them")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("-g,--generations", arguments.overrides.generations, "In place of the study's number of generations");
+  app.add_option("--levels", arguments.overrides.levels, "In place of the study's levels, e.g. --levels 1 2");
+  app.add_option("--duration", arguments.overrides.duration_s, "In place of the study's seconds per evaluation");
+  app.add_option("--seed", arguments.overrides.seed, "In place of the study's seed");
+  return io::parse_arguments(app, argc, argv);
+}
+
+/// What is printed while the search runs.
+class Log {
+ public:
+  Log(RunView run, int goal) : run_(std::move(run)), goal_(goal) {}
+
+  void generation_done(const GenerationRecord& record) {
+    bar_.reset();
+    const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double remaining_s = elapsed_s / ++done_ * (goal_ - record.number);
+    std::string time = io::duration_text(record.seconds);
+    if (record.number < goal_) time += ", " + io::duration_text(remaining_s) + " to go";
+    std::cout << summary_line(run_, summarise_generation(run_, record.number), time) << std::endl;
+  }
+
+  void progress(const SearchProgress& progress) {
+    if (progress.requested == 0) return;
+    // More evaluations may be asked for, so a new bar is needed whenever the total has changed.
+    if (!bar_ || total_ != progress.requested) {
+      total_ = progress.requested;
+      bar_ = std::make_unique<io::Progress>("generation " + std::to_string(progress.generation), static_cast<double>(total_));
+    }
+    bar_->update(static_cast<double>(progress.finished),
+                 std::to_string(progress.finished) + "/" + std::to_string(total_) + " evaluations");
+  }
+
+  void close() { bar_.reset(); }
+
+ private:
+  RunView run_;
+  int goal_;
+  int done_ = 0;
+  std::size_t total_ = 0;
+  std::unique_ptr<io::Progress> bar_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The generations that are there already; of long runs the last ones.
+void print_history(const RunView& run, int last) {
+  constexpr int largest_count = 20;
+  const int first = std::max(0, last + 1 - largest_count);
+  if (first > 0) std::cout << " ...\n";
+  for (int generation = first; generation <= last; ++generation) {
+    const GenerationSummary summary = summarise_generation(run, generation);
+    std::cout << summary_line(run, summary, io::duration_text(summary.record.seconds)) << "\n";
+  }
+}
+
+void print_champion(const RunView& run, int last) {
+  const GenerationSummary summary = summarise_generation(run, last);
+  if (!summary.champion) {
+    std::cout << "No design has a fitness.\n";
+    return;
+  }
+  std::cout << "Champion: individual " << summary.champion->individual.id << ", " << summary.champion->cells << " cells, "
+            << phenotype_key(summary.champion->individual.phenotype) << "\n";
+}
+
+void require_memory(const Study& study, int threads) {
+  if (estimated_memory_bytes(study, threads) <= menger::voxel::machine_memory_bytes()) return;
+  throw io::InputError("--threads " + std::to_string(threads) + ": so many evaluations at level " +
+                       std::to_string(study.search.levels().back()) + " may need more memory than this machine has");
+}
+
+int evolve(const Arguments& arguments) {
+  const Study study = read_study(arguments.study, arguments.overrides);
+  require_memory(study, arguments.threads);
+  const VoxelEvaluator evaluator(study.physics, study.search.cell_edge_m, study.duration_s);
+  io::Manifest manifest{
+      .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
+  io::add_input(manifest, arguments.study);
+  RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
+  const RunView run{&archive, study.search, evaluator.physics()};
+
+  for (const std::string& note : study_notes(study)) std::cout << "note: " << note << "\n";
+  const auto last = archive.last_generation();
+  const bool finished = last && *last >= study.search.generations;
+  if (finished) {
+    std::cout << arguments.archive.string() << " already holds generations 0 to " << *last << ": nothing to do\n";
+  } else {
+    std::cout << (last ? "going on with " : "writing ") << arguments.archive.string() << ": generations up to "
+              << study.search.generations << " on " << arguments.threads << (arguments.threads == 1 ? " thread\n" : " threads\n");
+  }
+  std::cout << summary_header(run) << std::endl;
+  if (last) print_history(run, *last);
+
+  io::RunStatus status = io::RunStatus::completed;
+  if (!finished) {
+    io::catch_interrupts();
+    Log log(run, study.search.generations);
+    SearchOptions options;
+    options.threads = arguments.threads;
+    options.stop = &io::interrupted();
+    options.generation_done = [&](const GenerationRecord& record) { log.generation_done(record); };
+    options.progress = [&](const SearchProgress& progress) { log.progress(progress); };
+    const auto start = Clock::now();
+    status = run_search(study.search, evaluator, archive, options);
+    log.close();
+    manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const fs::path folder = arguments.archive.parent_path();
+    io::write_manifest(folder.empty() ? fs::path(".") : folder, manifest);
+  }
+  if (status == io::RunStatus::stopped) {
+    std::cout << "Stopped; what is finished is kept. The same command goes on from there." << std::endl;
+    return io::exit_code::interrupted;
+  }
+  print_champion(run, *archive.last_generation());
+  std::cout << "Next: menger export " << arguments.archive.string() << "\n";
+  return io::exit_code::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return io::run_program("menger-evolve", [&]() -> int {
+    Arguments arguments;
+    if (const auto code = parse(arguments, argc, argv)) return *code;
+    return evolve(arguments);
+  });
+}

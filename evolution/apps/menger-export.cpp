@@ -1,0 +1,96 @@
+// menger export run.sqlite: writes the tables of a run and simulates its champion for ParaView.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "evolution/export.h"
+#include "evolution/run_archive.h"
+#include "io/exit_code.h"
+#include "io/interrupt.h"
+#include "io/manifest.h"
+#include "io/program.h"
+#include "io/progress.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace io = menger::io;
+using namespace menger::evolution;
+
+struct Arguments {
+  fs::path archive;
+  fs::path folder = "export";
+  ExportOptions options;
+};
+
+constexpr const char* description =
+    "Writes the generations, the champion's lineage, its design file and its simulations at all scales (VTK, PNG) from the "
+    "archive of a "
+    "run, also while the run goes on.\n\nExample:\n  menger export demo/run.sqlite -o demo/champion";
+
+std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
+  bool no_frames = false;
+  bool no_pictures = false;
+  CLI::App app(description, "menger export");
+  app.add_option("archive", arguments.archive, "Archive of a run")->required();
+  app.add_option("-o,--output", arguments.folder, "Folder to write to")->capture_default_str();
+  app.add_option("--levels", arguments.options.levels, "Levels at which the champion is simulated")
+      ->check(CLI::Range(1, 5))
+      ->capture_default_str();
+  app.add_option("--record-interval", arguments.options.record_interval_s, "Simulated seconds between two frames")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("--no-frames", no_frames, "No VTK files");
+  app.add_flag("--no-pictures", no_pictures, "No PNG files");
+  const auto code = io::parse_arguments(app, argc, argv);
+  arguments.options.frames = !no_frames;
+  arguments.options.pictures = !no_pictures;
+  return code;
+}
+
+int export_archive(Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const RunArchive archive = RunArchive::open_to_read(arguments.archive);
+  const Study study = archived_study(archive);
+  io::catch_interrupts();
+  std::unique_ptr<io::Progress> bar;
+  int level_shown = 0;
+  arguments.options.stop = &io::interrupted();
+  arguments.options.progress = [&](int level, const menger::voxel::RunProgress& progress) {
+    if (level != level_shown) bar = std::make_unique<io::Progress>("level " + std::to_string(level), progress.duration_s);
+    level_shown = level;
+    bar->update(progress.time_s);
+  };
+  const ExportResult result = export_run(archive, arguments.folder, arguments.options);
+  bar.reset();
+
+  io::Manifest manifest{
+      .program = "menger-export", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
+  manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  io::write_manifest(arguments.folder, manifest);
+  for (const std::string& note : result.notes) std::cout << "note: " << note << "\n";
+  if (!result.champion) {
+    std::cout << "No design has a fitness: " << (arguments.folder / "generations.csv").string() << " is all there is.\n";
+    return io::exit_code::numerical;
+  }
+  std::cout << "Champion: individual " << result.champion->individual.id << ", " << result.champion->cells << " cells, "
+            << phenotype_key(result.champion->individual.phenotype) << "\n"
+            << export_text(study, result) << "Written to " << arguments.folder.string() << "\n";
+  if (result.status == io::RunStatus::stopped) return io::exit_code::interrupted;
+  return result.status == io::RunStatus::completed ? io::exit_code::done : io::exit_code::numerical;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return io::run_program("menger-export", [&]() -> int {
+    Arguments arguments;
+    if (const auto code = parse(arguments, argc, argv)) return *code;
+    return export_archive(arguments);
+  });
+}

@@ -1,0 +1,171 @@
+#include "evolution/export.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "evolution/study_file.h"
+#include "evolution/voxel_evaluator.h"
+#include "io/content_hash.h"
+#include "io/input_error.h"
+#include "io/whole_file.h"
+#include "materials/observables.h"
+#include "meshes/design_file.h"
+#include "voxel/preview.h"
+#include "voxel/scene.h"
+
+namespace menger::evolution {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Exporter {
+ public:
+  Exporter(const RunArchive& archive, const fs::path& folder, const ExportOptions& options)
+      : archive_(archive), folder_(folder), options_(options), study_(archived_study(archive)) {
+    run_ = {&archive, study_.search, VoxelEvaluator(study_.physics, study_.search.cell_edge_m, study_.duration_s).physics()};
+  }
+
+  ExportResult write() {
+    const auto last = archive_.last_generation();
+    if (!last) throw io::InputError(archive_.file().string() + ": holds no finished generation");
+    result_.champion = summarise_generation(run_, *last).champion;
+    if (result_.champion) require_levels();
+    io::require_writable_folder(folder_);
+    generations_table(run_).write(folder_ / "generations.csv");
+    if (result_.champion) write_champion();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const Individual& champion() const { return result_.champion->individual; }
+  [[nodiscard]] bool arranged() const { return champion().phenotype.has_arrangements(); }
+
+  void require_levels() const {
+    for (const int level : options_.levels) {
+      const std::string name = "level " + std::to_string(level);
+      if (arranged() && level > largest_arranged_level) {
+        throw io::InputError(name + ": a nonfractal body has at most " + std::to_string(largest_arranged_level));
+      }
+      // Arrangements end at a level that fits any machine.
+      if (!arranged() && voxel::estimated_memory_bytes(champion().phenotype.body, level) > voxel::machine_memory_bytes()) {
+        throw io::InputError(name + ": the simulation would need more memory than this machine has");
+      }
+    }
+  }
+
+  void write_champion() {
+    lineage_table(run_, champion().id).write(folder_ / "lineage.csv");
+    write_design(folder_ / "champion.toml", design(1));
+    for (const int level : options_.levels) {
+      if (arranged()) write_design(folder_ / ("champion_level_" + std::to_string(level) + ".toml"), design(level));
+      simulate(level);
+      if (result_.status == io::RunStatus::stopped) return;
+    }
+    if (options_.pictures) draw();
+  }
+
+  /// A fractal is given by its basal body at every level, any other body by all its cells.
+  [[nodiscard]] meshes::Design design(int level) const {
+    return {"champion " + std::to_string(champion().id),
+            arranged() ? aggregate(champion().phenotype, level) : champion().phenotype.body, study_.search.cell_edge_m};
+  }
+
+  [[nodiscard]] voxel::Scene scene(int level) const {
+    voxel::Scene scene;
+    scene.design = design(level);
+    scene.level = arranged() ? 1 : level;
+    scene.physics = study_.physics;
+    scene.duration_s = study_.duration_s;
+    scene.record_interval_s = std::min(options_.record_interval_s, study_.duration_s);
+    scene.output.frames = options_.frames;
+    scene.output.pictures = options_.pictures;
+    return scene;
+  }
+
+  void simulate(int level) {
+    const voxel::Scene scene = this->scene(level);
+    const fs::path place = folder_ / ("level_" + std::to_string(level));
+    io::write_whole(place / "scene.toml", scene_text(scene));
+    voxel::RunOptions run;
+    run.stop = options_.stop;
+    if (options_.progress)
+      run.progress = [this, level](const voxel::RunProgress& progress) { options_.progress(level, progress); };
+    LevelResult done{level, aggregate_cell_count(champion().phenotype, level), voxel::run_scene(scene, place, run)};
+    if (done.scene.status != io::RunStatus::completed && result_.status == io::RunStatus::completed)
+      result_.status = done.scene.status;
+    for (const std::string& note : done.scene.notes) add_note(note);
+    compare_with_archive(done);
+    result_.levels.push_back(std::move(done));
+  }
+
+  void compare_with_archive(const LevelResult& done) {
+    const auto archived =
+        archive_.evaluation({design_hash(champion().phenotype, done.level), done.level, io::content_hash(run_.physics)});
+    if (!archived || done.scene.status == io::RunStatus::stopped) return;
+    if (archived->result.displacement_m == done.scene.displacement_m) return;
+    add_note("level " + std::to_string(done.level) +
+             ": the simulation differs from the one in the archive, which another version of menger made");
+  }
+
+  void draw() {
+    std::vector<voxel::Frame> frames;
+    std::vector<std::string> captions;
+    for (const LevelResult& level : result_.levels) {
+      if (level.scene.recorded_frames.empty()) continue;
+      frames.push_back(level.scene.recorded_frames.back());
+      captions.push_back("level " + std::to_string(level.level) + ": " + std::to_string(level.cells) + " voxels");
+    }
+    const voxel::PictureOutcome picture = voxel::render_row(folder_ / "champion.png", frames, captions);
+    if (!picture.written) add_note("no pictures: " + picture.missing);
+  }
+
+  /// Once each: what is missing for one picture is missing for all.
+  void add_note(const std::string& note) {
+    if (std::ranges::find(result_.notes, note) == result_.notes.end()) result_.notes.push_back(note);
+  }
+
+  const RunArchive& archive_;
+  const fs::path& folder_;
+  const ExportOptions& options_;
+  Study study_;
+  RunView run_;
+  ExportResult result_;
+};
+
+}  // namespace
+
+Study archived_study(const RunArchive& archive) {
+  Study study = study_from_text(archive.study(), archive.file());
+  study.search.generations = archive.generation_goal();
+  return study;
+}
+
+ExportResult export_run(const RunArchive& archive, const fs::path& folder, const ExportOptions& options) {
+  return Exporter(archive, folder, options).write();
+}
+
+std::string export_text(const Study& study, const ExportResult& result) {
+  std::string text;
+  std::array<char, 160> line{};
+  const auto add = [&](int length) { text.append(line.data(), static_cast<std::size_t>(length)); };
+  add(std::snprintf(line.data(), line.size(), "%5s %8s %16s %14s %12s  %s\n", "level", "voxels", "displacement/m", "body lengths",
+                    "per minute", "status"));
+  for (const LevelResult& level : result.levels) {
+    const std::string status(io::to_string(level.scene.status));
+    if (!level.scene.displacement_m) {
+      add(std::snprintf(line.data(), line.size(), "%5d %8zu %16s %14s %12s  %s\n", level.level, level.cells, "-", "-", "-",
+                        status.c_str()));
+      continue;
+    }
+    const double lengths = body_lengths(*level.scene.displacement_m, level.level, study.search.cell_edge_m);
+    const double distance_m = materials::horizontal_displacement(*level.scene.displacement_m);
+    add(std::snprintf(line.data(), line.size(), "%5d %8zu %16.6f %14.4f %12.2f  %s\n", level.level, level.cells, distance_m,
+                      lengths, lengths * 60.0 / study.duration_s, status.c_str()));
+  }
+  return text;
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,163 @@
+#include "evolution/generation_summary.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iomanip>
+#include <sstream>
+
+#include "io/content_hash.h"
+#include "meshes/fractal.h"
+
+namespace menger::evolution {
+
+namespace {
+
+/// Whether a is the better champion.
+bool is_better(const Contender& a, const Contender& b) {
+  if (a.fitness != b.fitness) return a.fitness > b.fitness;
+  return a.age != b.age ? a.age < b.age : a.id > b.id;
+}
+
+std::string level_column(int level) { return "level_" + std::to_string(level) + "_displacement_body_lengths"; }
+
+std::string number_or_dash(const std::optional<double>& value, const char* format) {
+  if (!value) return "-";
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), format, *value);
+  return text.data();
+}
+
+std::optional<double> displacement(const DesignSummary& design, int level) {
+  const auto found = design.body_lengths.find(level);
+  return found == design.body_lengths.end() ? std::nullopt : std::optional(found->second);
+}
+
+void add_displacements(std::vector<io::CsvCell>& row, const RunView& run, const DesignSummary& design) {
+  for (const int level : run.plan.levels()) row.push_back(io::cell(displacement(design, level)));
+}
+
+io::CsvCell count_cell(std::uint64_t count) { return io::cell(count); }
+
+}  // namespace
+
+DesignSummary summarise_design(const RunView& run, const Individual& individual, const Contender& contender) {
+  DesignSummary summary{.individual = individual,
+                        .age = contender.age,
+                        .fitness = contender.fitness,
+                        .body_lengths = {},
+                        .cells = individual.phenotype.body.count(),
+                        .hausdorff_dimension = {}};
+  const std::string physics_hash = io::content_hash(run.physics);
+  for (const int level : run.plan.levels()) {
+    const auto found = run.archive->evaluation({design_hash(individual.phenotype, level), level, physics_hash});
+    if (!found || !found->result.displacement_m) continue;
+    summary.body_lengths[level] = body_lengths(*found->result.displacement_m, level, run.plan.cell_edge_m);
+  }
+  if (!individual.phenotype.has_arrangements())
+    summary.hausdorff_dimension = meshes::hausdorff_dimension(individual.phenotype.body);
+  return summary;
+}
+
+GenerationSummary summarise_generation(const RunView& run, int generation) {
+  GenerationSummary summary{.record = run.archive->generation(generation), .champion = {}, .mean_fitness = {}};
+  std::optional<Contender> best;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const Contender& contender : run.archive->contenders(generation)) {
+    if (!contender.survivor_rank || !contender.fitness) continue;
+    sum += *contender.fitness;
+    ++count;
+    if (!best || is_better(contender, *best)) best = contender;
+  }
+  if (!best) return summary;
+  summary.champion = summarise_design(run, run.archive->individual(best->id), *best);
+  summary.mean_fitness = sum / static_cast<double>(count);
+  return summary;
+}
+
+std::vector<Individual> lineage(const RunArchive& archive, std::uint64_t id) {
+  std::vector<Individual> ancestors{archive.individual(id)};
+  while (ancestors.back().parent) ancestors.push_back(archive.individual(*ancestors.back().parent));
+  std::ranges::reverse(ancestors);
+  return ancestors;
+}
+
+io::CsvTable generations_table(const RunView& run) {
+  const std::string unit(fitness_unit(run.plan.objective));
+  std::vector<std::string> columns{"generation",   "best_fitness_" + unit, "champion",
+                                   "champion_age", "champion_cells",       "hausdorff_dimension"};
+  for (const int level : run.plan.levels()) columns.push_back(level_column(level));
+  for (const std::string& column :
+       {"mean_fitness_" + unit, std::string("evaluations"), std::string("cached"), std::string("pruned")}) {
+    columns.push_back(column);
+  }
+  io::CsvTable table(columns);
+  const int last = run.archive->last_generation().value_or(-1);
+  for (int generation = 0; generation <= last; ++generation) {
+    const GenerationSummary summary = summarise_generation(run, generation);
+    std::vector<io::CsvCell> row{io::cell(generation)};
+    if (const auto& champion = summary.champion) {
+      row.insert(row.end(), {io::cell(champion->fitness), count_cell(champion->individual.id), io::cell(champion->age),
+                             count_cell(champion->cells), io::cell(champion->hausdorff_dimension)});
+      add_displacements(row, run, *champion);
+    } else {
+      row.resize(row.size() + 5 + run.plan.levels().size());
+    }
+    const GenerationRecord& record = summary.record;
+    row.insert(row.end(), {io::cell(summary.mean_fitness), count_cell(record.evaluations), count_cell(record.cached),
+                           count_cell(record.pruned)});
+    table.add_cells(row);
+  }
+  return table;
+}
+
+io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
+  std::vector<std::string> columns{
+      "generation", "individual",         "parent", "age_at_birth", "fitness_" + std::string(fitness_unit(run.plan.objective)),
+      "cells",      "hausdorff_dimension"};
+  for (const int level : run.plan.levels()) columns.push_back(level_column(level));
+  columns.emplace_back("phenotype");
+  io::CsvTable table(columns);
+  for (const Individual& individual : lineage(*run.archive, id)) {
+    const std::vector<Contender> contenders = run.archive->contenders(individual.generation);
+    const auto contender = std::ranges::find(contenders, individual.id, &Contender::id);
+    const DesignSummary design = summarise_design(run, individual, *contender);
+    std::vector<io::CsvCell> row{io::cell(individual.generation), count_cell(individual.id)};
+    row.push_back(individual.parent ? count_cell(*individual.parent) : io::CsvCell{});
+    row.insert(row.end(), {io::cell(individual.age), io::cell(design.fitness), count_cell(design.cells),
+                           io::cell(design.hausdorff_dimension)});
+    add_displacements(row, run, design);
+    row.push_back(io::cell(phenotype_key(individual.phenotype)));
+    table.add_cells(row);
+  }
+  return table;
+}
+
+std::string summary_header(const RunView& run) {
+  std::ostringstream line;
+  line << std::setw(4) << "gen" << std::setw(12) << (run.plan.objective == Objective::body_lengths ? "F [BL]" : "F [m2]");
+  for (const int level : run.plan.levels()) line << std::setw(6) << 'd' << level << " [BL]";
+  line << std::setw(7) << "H" << std::setw(5) << "age" << std::setw(11) << "mean F";
+  for (const char* count : {"evals", "cached", "pruned"}) line << std::setw(7) << count;
+  line << "  time";
+  return line.str();
+}
+
+std::string summary_line(const RunView& run, const GenerationSummary& summary, std::string_view time) {
+  const GenerationRecord& record = summary.record;
+  const auto& champion = summary.champion;
+  std::ostringstream line;
+  line << std::setw(4) << record.number << std::setw(12) << number_or_dash(champion ? champion->fitness : std::nullopt, "%.5g");
+  for (const int level : run.plan.levels()) {
+    line << std::setw(12) << number_or_dash(champion ? displacement(*champion, level) : std::nullopt, "%.4f");
+  }
+  line << std::setw(7) << number_or_dash(champion ? champion->hausdorff_dimension : std::nullopt, "%.3f");
+  line << std::setw(5) << (champion ? std::to_string(champion->age) : "-");
+  line << std::setw(11) << number_or_dash(summary.mean_fitness, "%.4g");
+  for (const std::uint64_t count : {record.evaluations, record.cached, record.pruned}) line << std::setw(7) << count;
+  line << "  " << time;
+  return line.str();
+}
+
+}  // namespace menger::evolution

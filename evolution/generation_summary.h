@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evolution/run_archive.h"
+#include "evolution/search_plan.h"
+#include "io/csv_table.h"
+
+namespace menger::evolution {
+
+/// A design of an archive with what is known of it.
+struct DesignSummary {
+  Individual individual;
+  int age = 0;                                ///< in the generation that the summary is of
+  std::optional<double> fitness;              ///< in the unit of the objective
+  std::map<int, double> body_lengths;         ///< displacement by level, of the evaluations that completed
+  std::size_t cells = 0;                      ///< of the basal body
+  std::optional<double> hausdorff_dimension;  ///< of fractals
+};
+
+/// A finished generation at a glance.
+struct GenerationSummary {
+  GenerationRecord record;
+  std::optional<DesignSummary>
+      champion;  ///< the survivor of largest fitness (of equals the youngest, then the newest), if any has one
+  std::optional<double> mean_fitness;  ///< of the survivors that have one
+};
+
+/// An archive, the plan of its search and the physics of its evaluations: what tables are made of.
+struct RunView {
+  const RunArchive* archive = nullptr;
+  SearchPlan plan;
+  std::string physics;  ///< DesignEvaluator::physics()
+};
+
+DesignSummary summarise_design(const RunView& run, const Individual& individual, const Contender& contender);
+GenerationSummary summarise_generation(const RunView& run, int generation);
+
+/// The individuals from a random one to this one, each the parent of the next.
+std::vector<Individual> lineage(const RunArchive& archive, std::uint64_t id);
+
+/// A row per finished generation: its champion, the mean fitness, and what evaluating cost and saved.
+io::CsvTable generations_table(const RunView& run);
+
+/// A row per ancestor of an individual, the eldest first, the individual itself last.
+io::CsvTable lineage_table(const RunView& run, std::uint64_t id);
+
+/// A line for people: generation, fitness, displacements, dimension, costs. @param time e.g. what remains; may be empty
+std::string summary_line(const RunView& run, const GenerationSummary& summary, std::string_view time);
+
+/// The line above such lines.
+std::string summary_header(const RunView& run);
+
+}  // namespace menger::evolution

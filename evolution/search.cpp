@@ -1,0 +1,164 @@
+#include "evolution/search.h"
+
+#include <algorithm>
+#include <chrono>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "evolution/pool_judge.h"
+#include "evolution/random_stream.h"
+
+namespace menger::evolution {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A survivor: how it was born, and how it stands now.
+struct Survivor {
+  Individual individual;
+  Contender contender;
+};
+
+class Search {
+ public:
+  Search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options)
+      : plan_(plan),
+        evaluator_(evaluator),
+        archive_(archive),
+        options_(options),
+        variation_(plan.seed, "variation"),
+        selection_(plan.seed, "selection") {}
+
+  io::RunStatus run() {
+    restore();
+    for (; next_generation_ <= plan_.generations; ++next_generation_) {
+      const io::RunStatus status = do_generation();
+      if (status != io::RunStatus::completed) return status;
+    }
+    return io::RunStatus::completed;
+  }
+
+ private:
+  void restore() {
+    const auto last = archive_.last_generation();
+    if (!last) return;
+    next_generation_ = *last + 1;
+    next_id_ = archive_.next_id();
+    const GenerationRecord record = archive_.generation(*last);
+    variation_ = RandomStream::from_text(record.variation_generator);
+    selection_ = RandomStream::from_text(record.selection_generator);
+    for (const Contender& contender : archive_.contenders(*last)) {
+      if (contender.survivor_rank) survivors_.push_back({archive_.individual(contender.id), contender});
+    }
+    std::ranges::sort(survivors_, {}, [](const Survivor& survivor) { return *survivor.contender.survivor_rank; });
+    for (std::string& key : archive_.phenotype_keys()) phenotypes_.insert(std::move(key));
+  }
+
+  io::RunStatus do_generation() {
+    const auto start = Clock::now();
+    const std::vector<Individual> born = next_generation_ == 0 ? first_generation() : children_and_newcomers();
+    PoolJudge judge(plan_, evaluator_, archive_, options_, next_generation_, &commits_);
+    for (const Survivor& survivor : survivors_) judge.add_survivor(survivor.contender);
+    for (const Individual& individual : born) {
+      const bool is_new = phenotypes_.insert(phenotype_key(individual.phenotype)).second;
+      judge.add_newcomer(individual, !is_new);
+    }
+    const bool lazily = plan_.pruning && next_generation_ > 0;
+    const io::RunStatus status = lazily ? judge.judge_lazily() : judge.judge_in_full();
+    if (status != io::RunStatus::completed) return status;
+    commit(judge, born, std::chrono::duration<double>(Clock::now() - start).count());
+    return status;
+  }
+
+  std::vector<Individual> first_generation() {
+    std::vector<Individual> born;
+    born.reserve(static_cast<std::size_t>(plan_.survivors));
+    for (int i = 0; i < plan_.survivors; ++i) born.push_back(random_individual());
+    return born;
+  }
+
+  std::vector<Individual> children_and_newcomers() {
+    for (Survivor& survivor : survivors_) ++survivor.contender.age;
+    std::vector<const Survivor*> parents;
+    parents.reserve(survivors_.size());
+    for (const Survivor& survivor : survivors_) parents.push_back(&survivor);
+    variation_.shuffle(parents);
+    std::vector<Individual> born;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.mutants); ++i) born.push_back(child(*parents[i % parents.size()]));
+    for (int i = 0; i < plan_.newcomers; ++i) born.push_back(random_individual());
+    return born;
+  }
+
+  Individual child(const Survivor& parent) {
+    Offspring offspring = child_of(parent.individual.genome, parent.individual.phenotype, plan_.offspring, variation_);
+    return {next_id_++,
+            next_generation_,
+            parent.contender.id,
+            parent.contender.age,
+            std::move(offspring.genome),
+            std::move(offspring.phenotype)};
+  }
+
+  Individual random_individual() {
+    Offspring offspring = random_offspring(plan_.offspring, variation_);
+    return {next_id_++, next_generation_, std::nullopt, 0, std::move(offspring.genome), std::move(offspring.phenotype)};
+  }
+
+  /// Who survives, in order: everybody at first.
+  std::vector<std::uint64_t> select(const PoolJudge& judge) {
+    const std::vector<Contestant> pool = judge.contestants();
+    if (next_generation_ > 0) return select_survivors(pool, static_cast<std::size_t>(plan_.survivors), selection_);
+    std::vector<std::uint64_t> all;
+    all.reserve(pool.size());
+    for (const Contestant& contestant : pool) all.push_back(contestant.id);
+    return all;
+  }
+
+  void commit(const PoolJudge& judge, const std::vector<Individual>& born, double seconds) {
+    const std::vector<std::uint64_t> selected = select(judge);
+    std::vector<Contender> contenders = judge.contenders();
+    std::vector<Survivor> survivors;
+    for (std::size_t rank = 0; rank < selected.size(); ++rank) {
+      const auto found = std::ranges::find(contenders, selected[rank], &Contender::id);
+      found->survivor_rank = rank;
+      survivors.push_back({individual_of(selected[rank], born), *found});
+    }
+    const JudgeCounts counts = judge.counts();
+    const GenerationRecord record{next_generation_, counts.evaluations,   counts.cached,       counts.pruned,
+                                  seconds,          variation_.to_text(), selection_.to_text()};
+    archive_.add_generation(record, born, contenders);
+    survivors_ = std::move(survivors);
+    ++commits_;
+    if (options_.generation_done) options_.generation_done(record);
+    if (options_.after_commit) options_.after_commit(commits_);
+  }
+
+  [[nodiscard]] const Individual& individual_of(std::uint64_t id, const std::vector<Individual>& born) const {
+    const auto found = std::ranges::find(born, id, &Individual::id);
+    if (found != born.end()) return *found;
+    return std::ranges::find(survivors_, id, [](const Survivor& survivor) { return survivor.individual.id; })->individual;
+  }
+
+  const SearchPlan& plan_;
+  const DesignEvaluator& evaluator_;
+  RunArchive& archive_;
+  const SearchOptions& options_;
+  RandomStream variation_;
+  RandomStream selection_;
+  std::vector<Survivor> survivors_;  ///< by rank
+  std::unordered_set<std::string> phenotypes_;
+  int next_generation_ = 0;
+  std::uint64_t next_id_ = 0;
+  std::size_t commits_ = 0;
+};
+
+}  // namespace
+
+io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
+                         const SearchOptions& options) {
+  return Search(plan, evaluator, archive, options).run();
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "evolution/search_plan.h"
+#include "voxel/parameters.h"
+
+namespace menger::evolution {
+
+/// A search on the voxel engine: everything that decides its result.
+struct Study {
+  SearchPlan search;
+  double duration_s = 5.0;  ///< simulated per evaluation, > 0
+  voxel::Physics physics;
+
+  bool operator==(const Study&) const = default;
+};
+
+/// The study as TOML with every value spelled out, always in the same order and exact: equal text means equal studies, and
+/// reading it gives the study back.
+std::string resolved_text(const Study& study);
+
+/// The same without the number of generations: what two runs must share so that one can continue the other.
+std::string identity_text(const Study& study);
+
+/// What a reader of the results should know about the values of the study, a sentence each.
+std::vector<std::string> study_notes(const Study& study);
+
+/// Memory in bytes that evaluations in this many threads may take, when every body is full; saturates at SIZE_MAX.
+std::size_t estimated_memory_bytes(const Study& study, int threads);
+
+}  // namespace menger::evolution

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "evolution/study.h"
+
+namespace menger::evolution {
+
+/// Values that take the place of a study file's, as if they stood there: to run a study at another size.
+struct StudyOverrides {
+  std::optional<int> generations;
+  std::optional<std::vector<int>> levels;
+  std::optional<double> duration_s;
+  std::optional<std::uint64_t> seed;
+};
+
+/// Reads a study from TOML. `preset = "paper"` or `"released-code"` must be given; every other key is one option, whose value is
+/// the preset's unless the study gives its own:
+///
+/// - generations, seed
+/// - `[population]` survivors, mutants, newcomers
+/// - `[genome]` encoding ("fractal", "nonfractal", "single-actuator"), activations ("paper", "released-code"), output_function
+///   ("kept", "mutable"), expression ("every-consumer", "first-consumer"), axes ("xyz", "zyx"), largest_tries
+/// - `[body]` cell_edge_m, levels, smallest_body_cells, smallest_arranged_body_cells, disconnected ("reject", "penalise",
+/// "allow")
+/// - `[evaluation]` duration_s, objective ("body-lengths", "squared-metres-per-scale"), duplicates ("archived-result", "culled"),
+///   pruning
+/// - `[materials]` poissons_ratio (0, the only one that the engine has) and the tables of voxel::read_physics
+///
+/// @param memory_bytes a study with one evaluation that may need more is refused
+/// @throws io::InputError with file, key and value
+Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides = {});
+Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides, std::size_t memory_bytes);
+
+/// The study that resolved_text wrote, or a preset. @param file for messages only @throws io::InputError as read_study does
+Study study_from_text(std::string_view text, const std::filesystem::path& file);
+
+/// The text of a preset's file, "paper" or "released-code".
+std::string_view preset_text(std::string_view name);
+
+}  // namespace menger::evolution

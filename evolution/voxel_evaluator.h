@@ -1,0 +1,26 @@
+#pragma once
+
+#include "evolution/evaluator.h"
+#include "voxel/parameters.h"
+
+namespace menger::evolution {
+
+/// Judges bodies by how far they move on the voxel engine.
+class VoxelEvaluator final : public DesignEvaluator {
+ public:
+  /// @param cell_edge_m L > 0 @param duration_s simulated time of an evaluation, > 0
+  VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s);
+
+  [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
+  [[nodiscard]] std::string physics() const override;
+
+  /// Voxels of the body: every body takes the same time steps.
+  [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
+
+ private:
+  voxel::Physics physics_;
+  double cell_edge_m_;
+  double duration_s_;
+};
+
+}  // namespace menger::evolution

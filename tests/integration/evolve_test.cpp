@@ -1,0 +1,206 @@
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "evolution/run_archive.h"
+#include "io/whole_file.h"
+#include "tests/support/archive_content.h"
+#include "tests/support/program_run.h"
+
+namespace menger {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::archive_content;
+using test_support::Outcome;
+using test_support::ProgramRun;
+
+constexpr const char* small_study = R"(preset = "paper"
+generations = 2
+[population]
+survivors = 3
+mutants = 3
+[body]
+levels = [1, 2]
+[evaluation]
+duration_s = 0.05
+)";
+
+/// The program in a folder of its own, with a small study in it.
+class Evolve : public testing::Test {
+ protected:
+  Evolve() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    io::write_whole(study_, small_study);
+  }
+
+  [[nodiscard]] ProgramRun start(std::vector<std::string> arguments) const {
+    return {folder_, fs::path(MENGER_PROGRAM_DIR) / "menger-evolve", std::move(arguments)};
+  }
+  [[nodiscard]] Outcome run(std::vector<std::string> arguments) const { return start(std::move(arguments)).wait(); }
+
+  /// The program refuses with these words and leaves the archive as it was.
+  void expect_refused(const std::vector<std::string>& arguments, const std::vector<std::string>& words) const {
+    const bool there = fs::exists(archive_);
+    const std::string before = there ? io::read_whole(archive_) : "";
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("menger-evolve: error: ", 0), 0U) << outcome.err;
+    for (const std::string& word : words) {
+      EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err << "\ndoes not say: " << word;
+    }
+    ASSERT_EQ(fs::exists(archive_), there);
+    if (there) {
+      EXPECT_EQ(io::read_whole(archive_), before);
+    }
+    EXPECT_EQ(fs::exists(folder_ / "manifest.json"), there);
+  }
+
+  void change_study(const std::string& from, const std::string& to) const {
+    std::string text = small_study;
+    text.replace(text.find(from), from.size(), to);
+    io::write_whole(study_, text);
+  }
+
+  fs::path folder_ =
+      fs::path(testing::TempDir()) / "menger_evolve" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  fs::path study_ = folder_ / "study.toml";
+  fs::path archive_ = folder_ / "run.sqlite";
+};
+
+TEST_F(Evolve, WritesAnArchiveAndAManifestAndALinePerGeneration) {
+  const Outcome outcome = run({"study.toml"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(evolution::RunArchive::open_to_read(archive_).last_generation(), 2);
+  for (const std::string word :
+       {"Poisson", "F [BL]", "d1 [BL]", "d2 [BL]", "\n   0 ", "\n   1 ", "\n   2 ", "Champion: individual "}) {
+    EXPECT_NE(outcome.out.find(word), std::string::npos) << outcome.out << "\ndoes not say: " << word;
+  }
+  EXPECT_EQ(outcome.out.find('\r'), std::string::npos) << "a bar in a file";
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(io::read_whole(folder_ / "manifest.json").find("duration_s = 0.05"), std::string::npos);
+}
+
+TEST_F(Evolve, ASecondCallShowsInsteadOfRedoing) {
+  ASSERT_EQ(run({"study.toml"}).code, 0);
+  const std::string content = archive_content(archive_);
+  const auto manifest_time = fs::last_write_time(folder_ / "manifest.json");
+  const Outcome outcome = run({"study.toml"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.out.find("nothing to do"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n   2 "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Champion: individual "), std::string::npos);
+  EXPECT_EQ(archive_content(archive_), content);
+  EXPECT_EQ(fs::last_write_time(folder_ / "manifest.json"), manifest_time);
+}
+
+TEST_F(Evolve, MoreGenerationsContinueTheRun) {
+  ASSERT_EQ(run({"study.toml"}).code, 0);
+  const Outcome outcome = run({"study.toml", "--generations", "3", "--threads", "1"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("going on with"), std::string::npos) << outcome.out;
+  ASSERT_EQ(run({"study.toml", "-g", "3", "-o", "straight.sqlite"}).code, 0);
+  EXPECT_EQ(archive_content(archive_), archive_content(folder_ / "straight.sqlite"));
+}
+
+TEST_F(Evolve, InterruptedItEndsCleanlyAndGoesOnLater) {
+  const ProgramRun running = start({"study.toml", "--generations", "100000", "--threads", "2"});
+  while (running.printed().find("\n   1 ") == std::string::npos) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  running.send(SIGINT);
+  const Outcome stopped = running.wait();
+  EXPECT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_NE(stopped.out.find("The same command goes on from there"), std::string::npos) << stopped.out;
+  EXPECT_TRUE(fs::exists(folder_ / "manifest.json"));
+
+  const int last = evolution::RunArchive::open_to_read(archive_).last_generation().value();
+  ASSERT_LT(last, 100000);
+  const std::string goal = std::to_string(last + 2);
+  ASSERT_EQ(run({"study.toml", "--generations", goal}).code, 0);
+  ASSERT_EQ(run({"study.toml", "--generations", goal, "-o", "whole.sqlite"}).code, 0);
+  EXPECT_EQ(archive_content(archive_), archive_content(folder_ / "whole.sqlite"));
+}
+
+TEST_F(Evolve, RefusesBadStudies) {
+  change_study("generations", "generation");
+  expect_refused({"study.toml"}, {"study.toml:2: ", "generation: unknown key", "generations"});
+  change_study("generations = 2", "generations = \"two\"");
+  expect_refused({"study.toml"}, {"study.toml:2: ", "generations = ", "two", "integer"});
+  change_study("[body]", "[materials]\nyoungs_modulus_Pa = -1\n[body]");
+  expect_refused({"study.toml"}, {"study.toml:7: ", "materials.youngs_modulus_Pa = -1", "> 0"});
+  change_study("[1, 2]", "[1, 9]");
+  expect_refused({"study.toml"}, {"study.toml:7: ", "body.levels", "9", "memory"});
+  change_study("[body]", "[body");
+  expect_refused({"study.toml"}, {"study.toml:6", "TOML"});
+  expect_refused({"missing.toml"}, {"missing.toml"});
+}
+
+TEST_F(Evolve, RefusesBadArguments) {
+  expect_refused({}, {"study"});
+  expect_refused({"study.toml", "--thread", "2"}, {"--thread"});
+  expect_refused({"study.toml", "--threads", "0"}, {"--threads", "0"});
+  expect_refused({"study.toml", "--generations", "-1"}, {"generations = -1"});
+}
+
+TEST_F(Evolve, RefusesPlacesWhereNothingCanBeWritten) {
+  expect_refused({"study.toml", "-o", "study.toml/run.sqlite"}, {"study.toml"});
+  expect_refused({"study.toml", "-o", "."}, {"folder"});
+  EXPECT_EQ(io::read_whole(study_), small_study);
+}
+
+TEST_F(Evolve, RefusesAnArchiveOfAnotherStudy) {
+  ASSERT_EQ(run({"study.toml"}).code, 0);
+  change_study("duration_s = 0.05", "duration_s = 0.06");
+  expect_refused({"study.toml"}, {"run.sqlite", "another study", "duration_s = 0.05", "duration_s = 0.06"});
+}
+
+TEST_F(Evolve, RefusesAnArchiveOfAnotherSchemaVersion) {
+  ASSERT_EQ(run({"study.toml"}).code, 0);
+  SQLite::Database(archive_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
+  expect_refused({"study.toml"}, {"run.sqlite", "schema version 7"});
+}
+
+TEST_F(Evolve, RefusesADamagedArchive) {
+  ASSERT_EQ(run({"study.toml"}).code, 0);
+  fs::resize_file(archive_, fs::file_size(archive_) / 3);
+  expect_refused({"study.toml"}, {"run.sqlite"});
+  io::write_whole(archive_, "once upon a time");
+  expect_refused({"study.toml"}, {"run.sqlite", "not an archive"});
+}
+
+TEST_F(Evolve, RefusesAnArchiveThatAnotherProcessWritesTo) {
+  const ProgramRun running = start({"study.toml", "--generations", "100000"});
+  while (running.printed().find("\n   0 ") == std::string::npos) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const fs::path other = folder_ / "other";
+  fs::create_directories(other);
+  const Outcome second =
+      ProgramRun(other, fs::path(MENGER_PROGRAM_DIR) / "menger-evolve", {study_.string(), "-o", archive_.string()}).wait();
+  EXPECT_EQ(second.code, 2) << second.out;
+  EXPECT_NE(second.err.find("another process"), std::string::npos) << second.err;
+  running.send(SIGTERM);
+  EXPECT_EQ(running.wait().code, 130);
+}
+
+TEST_F(Evolve, HelpHasAnExample) {
+  const Outcome outcome = run({"--help"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.out.find("menger evolve paper/demo/study.toml"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Evolve, AllStudiesOfThePaperRunAtReducedSize) {
+  for (const std::string name : {"fractal", "non_fractal", "phase_wave", "single_actuator"}) {
+    const fs::path study = fs::path(MENGER_SOURCE_DIR) / "paper" / name / "small.toml";
+    const Outcome outcome = run({study.string(), "-g", "1", "--levels", "1", "--duration", "0.02", "-o", name + ".sqlite"});
+    EXPECT_EQ(outcome.code, 0) << name << ": " << outcome.err;
+    EXPECT_NE(outcome.out.find("Champion"), std::string::npos) << outcome.out;
+  }
+}
+
+}  // namespace
+}  // namespace menger

@@ -1,0 +1,180 @@
+#include "evolution/export.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "evolution/run_archive.h"
+#include "io/csv_table.h"
+#include "io/whole_file.h"
+#include "meshes/design_file.h"
+#include "tests/support/program_run.h"
+
+namespace menger {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::Outcome;
+using test_support::ProgramRun;
+
+/// Programs in a folder of their own, with a small study in it.
+class Export : public testing::Test {
+ protected:
+  Export() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  [[nodiscard]] Outcome run(const std::string& program, std::vector<std::string> arguments) const {
+    return ProgramRun(folder_, fs::path(MENGER_PROGRAM_DIR) / program, std::move(arguments)).wait();
+  }
+
+  void evolve(const std::string& archive, const std::string& threads = "2", const std::string& encoding = "fractal",
+              const std::string& preset = "paper") const {
+    io::write_whole(folder_ / "study.toml",
+                    "preset = \"" + preset + "\"\ngenerations = 3\n[population]\nsurvivors = 4\nmutants = 4\n" +
+                        "[genome]\nencoding = \"" + encoding + "\"\n[body]\nlevels = [1, 2]\n[evaluation]\nduration_s = 0.05\n");
+    const Outcome outcome = run("menger-evolve", {"study.toml", "-o", archive, "--threads", threads});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+
+  [[nodiscard]] Outcome export_run(const std::string& archive, const std::string& folder,
+                                   const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{archive, "-o", folder, "--no-pictures", "--record-interval", "0.025"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run("menger-export", arguments);
+  }
+
+  /// Every file under a folder but the manifest, which holds times.
+  [[nodiscard]] std::map<std::string, std::string> contents(const std::string& folder) const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / folder)) {
+      if (!entry.is_regular_file() || entry.path().filename() == "manifest.json") continue;
+      files[fs::relative(entry.path(), folder_ / folder).string()] = io::read_whole(entry.path());
+    }
+    return files;
+  }
+
+  fs::path folder_ =
+      fs::path(testing::TempDir()) / "menger_export" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(Export, WritesTablesDesignAndSimulationsOfTheChampion) {
+  evolve("run.sqlite");
+  const Outcome outcome = export_run("run.sqlite", "out", {"--levels", "1", "2"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("differs"), std::string::npos) << outcome.out;
+  for (const char* name :
+       {"generations.csv", "lineage.csv", "champion.toml", "manifest.json", "level_1/trajectory.csv", "level_1/frames.pvd",
+        "level_1/frames/frame_0002.vtu", "level_2/frames.pvd", "level_2/result.toml", "level_2/scene.toml"}) {
+    EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
+  }
+  EXPECT_TRUE(fs::exists(folder_ / "run.sqlite"));
+
+  const auto archive = evolution::RunArchive::open_to_read(folder_ / "run.sqlite");
+  const io::CsvContents generations = io::read_csv(folder_ / "out/generations.csv");
+  ASSERT_EQ(generations.row_count(), 4U);
+  const auto id = static_cast<std::uint64_t>(generations.number(3, "champion"));
+  const evolution::Individual champion = archive.individual(id);
+  EXPECT_EQ(meshes::read_design(folder_ / "out/champion.toml").body, champion.phenotype.body);
+  // The fitness is the least displacement, and the simulation reproduces the one that the search made.
+  const double first = generations.number(3, "level_1_displacement_body_lengths");
+  const double second = generations.number(3, "level_2_displacement_body_lengths");
+  EXPECT_EQ(generations.number(3, "best_fitness_body_lengths"), std::min(first, second));
+  const io::CsvContents trajectory = io::read_csv(folder_ / "out/level_2/trajectory.csv");
+  EXPECT_NEAR(trajectory.number(trajectory.row_count() - 1, "horizontal_displacement_body_lengths"), second, 1e-12);
+
+  const io::CsvContents lineage = io::read_csv(folder_ / "out/lineage.csv");
+  EXPECT_FALSE(lineage.optional_number(0, "parent")) << "the eldest has no parent";
+  for (std::size_t row = 1; row < lineage.row_count(); ++row) {
+    EXPECT_EQ(lineage.number(row, "parent"), lineage.number(row - 1, "individual"));
+  }
+  EXPECT_EQ(lineage.number(lineage.row_count() - 1, "individual"), static_cast<double>(id));
+  EXPECT_EQ(lineage.text(lineage.row_count() - 1, "phenotype"), phenotype_key(champion.phenotype));
+}
+
+TEST_F(Export, BestFitnessNeverFalls) {
+  evolve("run.sqlite");
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
+  const std::vector<double> best = io::read_csv(folder_ / "out/generations.csv").numbers("best_fitness_body_lengths");
+  EXPECT_TRUE(std::ranges::is_sorted(best));
+}
+
+TEST_F(Export, BytesDoNotDependOnTheThreadsOfTheSearch) {
+  for (const std::string threads : {"1", "2", "8"}) {
+    evolve("run_" + threads + ".sqlite", threads);
+    ASSERT_EQ(export_run("run_" + threads + ".sqlite", "out_" + threads, {"--levels", "1", "2"}).code, 0);
+  }
+  const auto expected = contents("out_1");
+  EXPECT_GT(expected.size(), 10U);
+  EXPECT_EQ(contents("out_2"), expected);
+  EXPECT_EQ(contents("out_8"), expected);
+}
+
+TEST_F(Export, WholeBodiesOfArrangementsAreDesigns) {
+  evolve("run.sqlite", "2", "nonfractal");
+  const Outcome outcome = export_run("run.sqlite", "out", {"--levels", "1", "2"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("differs"), std::string::npos) << outcome.out;
+  EXPECT_EQ(meshes::read_design(folder_ / "out/champion_level_2.toml").body.nx(), 9);
+}
+
+TEST_F(Export, ReleasedCodeHasItsOwnUnit) {
+  evolve("run.sqlite", "2", "fractal", "released-code");
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
+  EXPECT_TRUE(io::read_csv(folder_ / "out/generations.csv").has("best_fitness_m2"));
+}
+
+TEST_F(Export, MakesPicturesOrSaysWhatIsMissing) {
+  evolve("run.sqlite");
+  const Outcome outcome = run("menger-export", {"run.sqlite", "-o", "out", "--levels", "1", "--no-frames"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out/level_1/frames.pvd"));
+  const bool said = outcome.out.find("no pictures") != std::string::npos;
+  for (const char* name : {"champion.png", "level_1/robot.png"})
+    EXPECT_NE(fs::exists(folder_ / "out" / name), said) << outcome.out;
+}
+
+TEST_F(Export, RefusesWhatIsNoArchive) {
+  EXPECT_EQ(export_run("missing.sqlite", "out").code, 2);
+  io::write_whole(folder_ / "text.sqlite", "once upon a time");
+  const Outcome text = export_run("text.sqlite", "out");
+  EXPECT_EQ(text.code, 2);
+  EXPECT_NE(text.err.find("text.sqlite"), std::string::npos) << text.err;
+  evolve("cut.sqlite");
+  fs::resize_file(folder_ / "cut.sqlite", fs::file_size(folder_ / "cut.sqlite") / 3);
+  EXPECT_EQ(export_run("cut.sqlite", "out").code, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Export, RefusesAFolderThatCannotBeWritten) {
+  evolve("run.sqlite");
+  io::write_whole(folder_ / "file", "x");
+  const Outcome outcome = export_run("run.sqlite", "file/out");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("file"), std::string::npos) << outcome.err;
+  EXPECT_EQ(io::read_whole(folder_ / "file"), "x");
+}
+
+TEST_F(Export, RefusesAnArchiveWithoutGenerations) {
+  evolve("run.sqlite");
+  const auto archive = evolution::RunArchive::open_to_read(folder_ / "run.sqlite");
+  { (void)evolution::RunArchive::open(folder_ / "empty.sqlite", archive.study(), 3); }
+  const Outcome outcome = export_run("empty.sqlite", "out");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("no finished generation"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Export, RefusesLevelsThatTheBodyDoesNotHave) {
+  evolve("run.sqlite", "2", "nonfractal");
+  const Outcome outcome = export_run("run.sqlite", "out", {"--levels", "4"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("level 4"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace menger

@@ -1,0 +1,269 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vtkNew.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "io/csv_table.h"
+#include "io/toml_document.h"
+#include "io/whole_file.h"
+#include "voxel/vtk_output.h"
+
+namespace menger {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// Two cells of opposite phase on the ground for three records.
+constexpr const char* small_scene = R"(
+duration_s = 0.03
+record_interval_s = 0.01
+[design]
+name = "pair"
+cell_edge_m = 0.01
+cells = [2, 1, 1]
+digits = "12"
+)";
+
+/// The program in a folder of its own.
+class Simulate : public testing::Test {
+ protected:
+  Simulate() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  void write_scene(const std::string& text) const { io::write_whole(folder_ / "scene.toml", text); }
+
+  /// Starts the program in the folder; its output goes to the files out and err there.
+  [[nodiscard]] pid_t start(std::vector<std::string> arguments,
+                            const std::vector<std::pair<std::string, std::string>>& environment = {}) const {
+    arguments.insert(arguments.begin(), std::string(MENGER_PROGRAM_DIR).append("/menger-simulate"));
+    std::vector<char*> words;
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+      if (chdir(folder_.c_str()) != 0) _exit(126);
+      for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+      dup2(open("out", O_CREAT | O_TRUNC | O_WRONLY, 0644), STDOUT_FILENO);
+      dup2(open("err", O_CREAT | O_TRUNC | O_WRONLY, 0644), STDERR_FILENO);
+      execv(words[0], words.data());
+      _exit(126);
+    }
+    return child;
+  }
+
+  [[nodiscard]] Outcome end_of(pid_t child) const {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+            .out = io::read_whole(folder_ / "out"),
+            .err = io::read_whole(folder_ / "err")};
+  }
+
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments,
+                            const std::vector<std::pair<std::string, std::string>>& environment = {}) const {
+    return end_of(start(arguments, environment));
+  }
+
+  [[nodiscard]] vtkIdType voxels_in(const fs::path& file) const {
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    return reader->GetOutput()->GetNumberOfCells();
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / "simulate" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(Simulate, FilesAgreeWithOneAnother) {
+  write_scene(std::string("level = 2\n").append(small_scene));
+  const Outcome outcome = run({"scene.toml", "-o", "result", "--no-pictures"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("completed"), std::string::npos) << outcome.out;
+
+  const io::CsvContents trajectory = io::read_csv(folder_ / "result/trajectory.csv");
+  ASSERT_EQ(trajectory.row_count(), 4U);
+  const auto frames = voxel::read_collection(folder_ / "result/frames.pvd");
+  ASSERT_EQ(frames.size(), 4U);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].time_s, trajectory.number(i, "time_s"));
+    EXPECT_NEAR(frames[i].time_s, 0.01 * static_cast<double>(i), 1e-4);
+    EXPECT_EQ(voxels_in(folder_ / "result" / frames[i].file), 4);
+  }
+
+  const io::TomlTable result = io::read_toml(folder_ / "result/result.toml");
+  EXPECT_EQ(result.text("status"), "completed");
+  EXPECT_EQ(result.integer("voxels"), 4);
+  EXPECT_EQ(result.integer("records"), 4);
+  EXPECT_DOUBLE_EQ(result.number("body_length_m"), 0.04);
+  EXPECT_EQ(result.number("time_s"), trajectory.number(3, "time_s"));
+  EXPECT_EQ(result.number("horizontal_displacement_m"), trajectory.number(3, "horizontal_displacement_m"));
+  EXPECT_DOUBLE_EQ(trajectory.number(3, "horizontal_displacement_body_lengths"),
+                   trajectory.number(3, "horizontal_displacement_m") / 0.04);
+  EXPECT_TRUE(fs::exists(folder_ / "result/manifest.json"));
+}
+
+TEST_F(Simulate, EveryTermAndEveryInstructionSetGiveTheSameBytes) {
+  write_scene(std::string("level = 2\n").append(small_scene));
+  ASSERT_EQ(run({"scene.toml", "-o", "best", "--no-pictures"}).code, 0);
+  ASSERT_EQ(run({"scene.toml", "-o", "scalar", "--no-pictures", "--instruction-set", "scalar"}).code, 0);
+  ASSERT_EQ(run({"scene.toml", "-o", "every", "--no-pictures", "--every-term"}).code, 0);
+  for (const char* file : {"trajectory.csv", "frames/frame_0003.vtu"}) {
+    EXPECT_EQ(io::read_whole(folder_ / "best" / file), io::read_whole(folder_ / "scalar" / file)) << file;
+    EXPECT_EQ(io::read_whole(folder_ / "best" / file), io::read_whole(folder_ / "every" / file)) << file;
+  }
+}
+
+TEST_F(Simulate, LevelAndEnergyComeFromTheCommandLine) {
+  write_scene(small_scene);
+  ASSERT_EQ(run({"scene.toml", "-o", "result", "--no-pictures", "--level", "2", "--energy"}).code, 0);
+  EXPECT_EQ(io::read_toml(folder_ / "result/result.toml").integer("voxels"), 4);
+  EXPECT_TRUE(io::read_csv(folder_ / "result/trajectory.csv").has("energy_residual_J"));
+}
+
+TEST_F(Simulate, DrawsPicturesOrSaysWhatIsMissing) {
+  write_scene(small_scene);
+  const Outcome outcome = run({"scene.toml", "-o", "result"}, {{"DISPLAY", ":987"}});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const bool drawn = fs::exists(folder_ / "result/robot.png");
+  EXPECT_EQ(drawn, fs::exists(folder_ / "result/trajectory.png"));
+  EXPECT_EQ(drawn, outcome.out.find("no pictures") == std::string::npos) << outcome.out;
+}
+
+TEST_F(Simulate, GoesOnWithoutDisplayAndXvfb) {
+  write_scene(small_scene);
+  const Outcome outcome = run({"scene.toml", "-o", "result"}, {{"DISPLAY", ""}, {"PATH", "/nowhere"}});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("no pictures"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("xvfb"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(fs::exists(folder_ / "result/robot.png"));
+  EXPECT_EQ(io::read_toml(folder_ / "result/result.toml").text("status"), "completed");
+}
+
+TEST_F(Simulate, HelpShowsAnExample) {
+  const Outcome outcome = run({"--help"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.out.find("menger simulate voxel/scenes/"), std::string::npos) << outcome.out;
+}
+
+struct BadInput {
+  std::string scene;
+  std::vector<std::string> arguments;
+  std::vector<std::string> named;  ///< what the message must name
+};
+
+TEST_F(Simulate, BadInputIsNamedAndOverwritesNothing) {
+  const std::string design = "[design]\ncell_edge_m = 0.01\ncells = [1, 1, 1]\ndigits = \"1\"\n";
+  const std::vector<BadInput> cases{
+      {"steps = 4\n" + design, {}, {"scene.toml", "steps"}},
+      {"duration_s = \"long\"\n" + design, {}, {"scene.toml", "duration_s", "long"}},
+      {design + "[materials]\nyoungs_modulus_Pa = -1e4\n", {}, {"scene.toml", "materials.youngs_modulus_Pa", "-10000"}},
+      {"[design]\ncell_edge_m = 0.01\ncells = [1, 1, 1]\ndigits = \"0\"\n", {}, {"scene.toml", "design.digits", "empty"}},
+      {"design = \"nowhere.toml\"\n", {}, {"nowhere.toml"}},
+      {"level = 40\n[design]\ncell_edge_m = 0.01\ncells = [3, 1, 1]\ndigits = \"111\"\n",
+       {},
+       {"scene.toml", "level", "40", "GiB"}},
+      {design, {"--level", "0"}, {"level", "0"}},
+      {design, {"--instruction-set", "mmx"}, {"instruction-set", "mmx"}},
+      {design, {"--no-such-option"}, {"no-such-option"}},
+  };
+  fs::create_directories(folder_ / "result");
+  io::write_whole(folder_ / "result/result.toml", "earlier");
+  for (const BadInput& bad : cases) {
+    write_scene(bad.scene);
+    std::vector<std::string> arguments{"scene.toml", "-o", "result"};
+    arguments.insert(arguments.end(), bad.arguments.begin(), bad.arguments.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << bad.scene;
+    for (const std::string& part : bad.named)
+      EXPECT_NE(outcome.err.find(part), std::string::npos) << "no " << part << " in: " << outcome.err;
+    EXPECT_EQ(io::read_whole(folder_ / "result/result.toml"), "earlier");
+    EXPECT_FALSE(fs::exists(folder_ / "result/trajectory.csv"));
+  }
+}
+
+TEST_F(Simulate, AMissingSceneIsNamed) {
+  const Outcome outcome = run({"nowhere.toml"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("nowhere.toml"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Simulate, AnUnwritableFolderIsNamedBeforeAnythingIsComputed) {
+  write_scene(std::string("level = 2\n").append(small_scene));
+  io::write_whole(folder_ / "file", "text");
+  const Outcome outcome = run({"scene.toml", "-o", "file/result"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("file/result"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(io::read_whole(folder_ / "file"), "text");
+}
+
+TEST_F(Simulate, ADivergedRunSaysWhichVoxelAndKeepsItsFrames) {
+  // In free fall the pair passes 0.2 m/s, which is this fraction of sqrt(E / rho), after 0.0204 s: between the third and the
+  // fourth record.
+  const std::string free_fall = "[environment]\nfloor = false\n[actuation]\nmode = \"none\"\n[damping]\nglobal = 0\n";
+  write_scene(small_scene + free_fall + "[limits]\nspeed_fraction = 0.0063245553\n");
+  const Outcome outcome = run({"scene.toml", "-o", "result", "--no-pictures"});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  EXPECT_NE(outcome.out.find("diverged"), std::string::npos) << outcome.out;
+
+  const io::TomlTable result = io::read_toml(folder_ / "result/result.toml");
+  EXPECT_EQ(result.text("status"), "diverged");
+  EXPECT_NE(result.text("reason").find("voxel"), std::string::npos);
+  EXPECT_FALSE(result.has("displacement_m"));
+  const io::TomlTable divergence = result.table("divergence");
+  EXPECT_EQ(divergence.integer("voxel"), 0);
+  EXPECT_EQ(divergence.text("quantity"), "speed");
+  EXPECT_NEAR(divergence.number("limit"), 0.2, 1e-6);
+  EXPECT_NEAR(divergence.number("value"), 0.2, 1e-3);
+  EXPECT_NEAR(divergence.number("time_s"), 0.2 / 9.81, 1e-4);
+
+  const auto frames = voxel::read_collection(folder_ / "result/frames.pvd");
+  ASSERT_EQ(frames.size(), 3U);
+  EXPECT_EQ(io::read_csv(folder_ / "result/trajectory.csv").row_count(), frames.size());
+  for (const auto& frame : frames) EXPECT_EQ(voxels_in(folder_ / "result" / frame.file), 2);
+}
+
+TEST_F(Simulate, CtrlCKeepsTheFramesDone) {
+  write_scene(
+      "duration_s = 1000.0\nrecord_interval_s = 0.01\n[design]\ncell_edge_m = 0.01\ncells = [2, 1, 1]\ndigits = \"12\"\n");
+  const pid_t child = start({"scene.toml", "-o", "result", "--no-pictures"});
+  for (int i = 0; i < 6000 && !fs::exists(folder_ / "result/frames/frame_0002.vtu"); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  kill(child, SIGINT);
+  const Outcome outcome = end_of(child);
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_NE(outcome.out.find("stopped"), std::string::npos) << outcome.out;
+
+  const io::TomlTable result = io::read_toml(folder_ / "result/result.toml");
+  EXPECT_EQ(result.text("status"), "stopped");
+  EXPECT_FALSE(result.has("displacement_m"));
+  const auto frames = voxel::read_collection(folder_ / "result/frames.pvd");
+  ASSERT_GE(frames.size(), 3U);
+  EXPECT_EQ(voxels_in(folder_ / "result" / frames.back().file), 2);
+  EXPECT_TRUE(fs::exists(folder_ / "result/manifest.json"));
+}
+
+}  // namespace
+}  // namespace menger

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/whole_file.h"
+
+namespace menger::test_support {
+
+/// How a program ended and what it said.
+struct Outcome {
+  int code = -1;   ///< exit code; -1 if a signal ended it
+  int signal = 0;  ///< that signal
+  std::string out;
+  std::string err;
+};
+
+/// A program that runs in a folder, where its output goes to the files stdout.txt and stderr.txt.
+class ProgramRun {
+ public:
+  ProgramRun(std::filesystem::path folder, const std::filesystem::path& program, std::vector<std::string> arguments)
+      : folder_(std::move(folder)) {
+    arguments.insert(arguments.begin(), program.string());
+    std::vector<char*> words;
+    words.reserve(arguments.size() + 1);
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    constexpr int flags = O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC;
+    const int out = open((folder_ / "stdout.txt").c_str(), flags, 0644);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+    const int err = open((folder_ / "stderr.txt").c_str(), flags, 0644);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+    child_ = fork();
+    if (child_ != 0) {
+      close(out);
+      close(err);
+      return;
+    }
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // NOLINT(cppcoreguidelines-pro-type-vararg): not to outlive a test that is killed
+    if (chdir(folder_.c_str()) != 0) _exit(126);
+    dup2(out, STDOUT_FILENO);
+    dup2(err, STDERR_FILENO);
+    execv(words[0], words.data());
+    _exit(126);
+  }
+
+  /// What it has printed so far.
+  [[nodiscard]] std::string printed() const { return io::read_whole(folder_ / "stdout.txt"); }
+
+  void send(int signal) const { kill(child_, signal); }
+
+  /// Waits for its end.
+  [[nodiscard]] Outcome wait() const {
+    int status = 0;
+    waitpid(child_, &status, 0);
+    Outcome outcome;
+    if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
+    if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
+    outcome.out = printed();
+    outcome.err = io::read_whole(folder_ / "stderr.txt");
+    return outcome;
+  }
+
+ private:
+  std::filesystem::path folder_;
+  pid_t child_ = -1;
+};
+
+}  // namespace menger::test_support
