@@ -8,6 +8,7 @@
 #include "io/number_text.h"
 #include "io/toml_document.h"
 #include "voxel/physics_file.h"
+#include "voxel/scale_check.h"
 #include "voxel/scene.h"
 
 namespace menger::evolution {
@@ -160,6 +161,9 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   table.finish();
   apply(overrides, study);
   check_whole(table, study, memory_bytes);
+  if (const std::string problem = voxel::unusable_scales(study.physics, study.search.cell_edge_m, study.duration_s); !problem.empty()) {
+    throw io::InputError(file.string() + ": " + problem);
+  }
   return study;
 }
 

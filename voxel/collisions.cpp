@@ -1,6 +1,7 @@
 #include "voxel/collisions.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -105,6 +106,7 @@ void VerletList::find_pairs() {
   for (;; width *= 2.0) {
     double total = 1.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      assert(std::isfinite(high[axis] - low[axis]));  // a run whose positions are not finite has diverged
       const double cells = std::floor((high[axis] - low[axis]) / width) + 1.0;
       total *= cells;
       size[axis] = total < 1e9 ? static_cast<std::size_t>(cells) : 0;
@@ -164,8 +166,7 @@ void VerletList::find_pairs() {
 }
 
 template <class Real>
-std::size_t add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d) {
-  std::size_t touching = 0;
+void add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d) {
   for (const auto& [first, second] : pairs) {
     const Real* pose1 = d.pose + static_cast<std::ptrdiff_t>(first) * line_length;
     const Real* pose2 = d.pose + static_cast<std::ptrdiff_t>(second) * line_length;
@@ -179,19 +180,19 @@ std::size_t add_collision_loads(const std::vector<std::pair<std::int32_t, std::i
     const double distance = std::sqrt(distance2);
     const double overlap = reach - distance;
     if (!(overlap > 0.0)) continue;
-    ++touching;
 
     const Real* class1 = d.voxel_table + static_cast<std::ptrdiff_t>(d.voxel_class[first]) * line_length;
     const Real* class2 = d.voxel_table + static_cast<std::ptrdiff_t>(d.voxel_class[second]) * line_length;
-    const double stiffness1 = static_cast<double>(class1[5]);
-    const double stiffness2 = static_cast<double>(class2[5]);
+    const double stiffness1 = static_cast<double>(class1[class_slot::contact_stiffness]);
+    const double stiffness2 = static_cast<double>(class2[class_slot::contact_stiffness]);
     const double stiffness = 2.0 * stiffness1 * stiffness2 / (stiffness1 + stiffness2);
-    const double damping = 0.5 * (static_cast<double>(class1[6]) + static_cast<double>(class2[6]));
+    const double damping = 0.5 * (static_cast<double>(class1[class_slot::contact_damping]) +
+                                  static_cast<double>(class2[class_slot::contact_damping]));
     const Real* motion1 = d.motion + static_cast<std::ptrdiff_t>(first) * line_length;
     const Real* motion2 = d.motion + static_cast<std::ptrdiff_t>(second) * line_length;
     const Vector3<double> normal = (1.0 / distance) * apart;
     const auto velocity = [](const Real* motion, const Real* voxel_class) {
-      const auto inverse_mass = static_cast<double>(voxel_class[0]);
+      const auto inverse_mass = static_cast<double>(voxel_class[class_slot::inverse_mass]);
       return Vector3<double>{inverse_mass * static_cast<double>(motion[slot::px]),
                              inverse_mass * static_cast<double>(motion[slot::py]),
                              inverse_mass * static_cast<double>(motion[slot::pz])};
@@ -207,16 +208,13 @@ std::size_t add_collision_loads(const std::vector<std::pair<std::int32_t, std::i
     load2[slot::fy] += static_cast<Real>(force.y);
     load2[slot::fz] += static_cast<Real>(force.z);
   }
-  return touching;
 }
 
 template void VerletList::build<double>(const double*, std::size_t);
 template void VerletList::build<float>(const float*, std::size_t);
 template bool VerletList::refresh<double>(const double*, std::size_t);
 template bool VerletList::refresh<float>(const float*, std::size_t);
-template std::size_t add_collision_loads<double>(const std::vector<std::pair<std::int32_t, std::int32_t>>&,
-                                                 const StepData<double>&);
-template std::size_t add_collision_loads<float>(const std::vector<std::pair<std::int32_t, std::int32_t>>&,
-                                                const StepData<float>&);
+template void add_collision_loads<double>(const std::vector<std::pair<std::int32_t, std::int32_t>>&, const StepData<double>&);
+template void add_collision_loads<float>(const std::vector<std::pair<std::int32_t, std::int32_t>>&, const StepData<float>&);
 
 }  // namespace menger::voxel

@@ -66,9 +66,7 @@ class VerletList {
 
   /// Whether no allowed pair can touch now: the nearest one was farther apart than two voxels can have moved since the list was
   /// made. Valid after refresh.
-  [[nodiscard]] bool contact_ruled_out() const { return smallest_gap_m_ > 2.0 * bound_m_; }
-
-  [[nodiscard]] const CollisionRule& rule() const { return rule_; }
+  [[nodiscard]] bool contact_ruled_out() const { return smallest_gap_m_ > 2.0 * bound_m_ + 1e-6 * reach_m_; }  // margin: rounding
 
  private:
   void find_pairs();
@@ -84,12 +82,12 @@ class VerletList {
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;
 };
 
-/// Adds the contact forces of all pairs whose spheres overlap to the load lines and returns how many do.
+/// Adds the contact forces of all pairs whose spheres overlap to the load lines.
 ///
 /// With n from the first to the second voxel and the overlap d = 0.625 (s1 + s2) - |r2 - r1| > 0: f = k d + c (v1 - v2) · n, -f n
 /// on the first, +f n on the second voxel; k is the harmonic mean of 2 E L, c the mean of 2 zeta_c sqrt(m E L). @cite
 /// hiller2014dynamic
 template <class Real>
-std::size_t add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d);
+void add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d);
 
 }  // namespace menger::voxel

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "voxel/step_kernels.h"
+#include "voxel/beam_sweep.h"
+#include "voxel/voxel_sweep.h"
 
 namespace menger::voxel {
 

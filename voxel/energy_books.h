@@ -15,8 +15,7 @@ namespace menger::voxel {
 /// A step is split as a kernel's: `add_beam_loads`, then contacts between voxels from outside, then `move_voxels`.
 class EnergyBooks {
  public:
-  /// @param uniform, velocity, floor, gravity, actuated: the terms of the step, as for the kernels; @param gravity_m_s2 for the
-  /// potential energy
+  /// @param uniform, velocity, floor, gravity, actuated: the terms of the step, as for the kernels
   EnergyBooks(const StepData<double>& data, bool uniform, bool velocity, bool floor, bool gravity, bool actuated);
 
   /// Adds the loads of all beams; true if a strain is out of range or not finite.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
 #include "voxel/actuation.h"
@@ -105,7 +104,7 @@ void EngineOf<Real>::prepare_collisions(const VoxelLoads& loads) {
   double largest_factor = 1.0;
   for (const double factor : loads.size_factor) largest_factor = std::max(largest_factor, factor);
   const double amplitude = is_driven(physics.actuation) ? physics.actuation.amplitude : 0.0;
-  const double largest_size = cell_edge_m * (largest_factor + amplitude);
+  const double largest_size = cell_edge_m * largest_factor * (1.0 + amplitude);
   close_pairs_ = std::make_unique<VerletList>(std::move(rule), 2.0 * collision_radius_fraction * largest_size,
                                               list_skin_edges * cell_edge_m);
   report_.push_back("collisions: work is skipped while a bound on the displacements rules contact out");
@@ -138,22 +137,17 @@ bool EngineOf<Real>::step() {
     d.next_sine = static_cast<Real>(next.sine);
     d.next_cosine = static_cast<Real>(next.cosine);
   }
-  bool out_of_range = false;
-  VoxelSweep seen;
-  if (books_) {
-    out_of_range = books_->add_beam_loads();
-    add_collisions();
-    seen = books_->move_voxels();
-    energy = books_->ledger();
-  } else {
-    out_of_range = beams_(d);
-    add_collisions();
-    seen = voxels_(d);
-  }
+  const bool strained = books_ ? books_->add_beam_loads() : beams_(d);
+  if (strained) note_strain();
+  add_collisions();
+  const VoxelSweep seen = books_ ? books_->move_voxels() : voxels_(d);
+  if (books_) energy = books_->ledger();
   if (close_pairs_) close_pairs_->moved(std::sqrt(seen.largest_displacement2));
   d.rate_scale = static_cast<Real>(1.0 / time_step_s);
   ++steps;
-  return !(out_of_range || seen.out_of_range);
+  if (seen.out_of_range) note_speed();
+  if (divergence) divergence->time_s = static_cast<double>(steps) * time_step_s;
+  return !divergence;
 }
 
 template <class Real>
@@ -161,42 +155,59 @@ io::RunStatus EngineOf<Real>::advance(std::uint64_t count, const std::atomic<boo
   if (divergence) return io::RunStatus::diverged;
   for (std::uint64_t i = 0; i < count; ++i) {
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) return io::RunStatus::stopped;
-    if (!step()) {
-      find_divergence();
-      return io::RunStatus::diverged;
-    }
+    if (!step()) return io::RunStatus::diverged;
   }
   return io::RunStatus::completed;
 }
 
+/// Of the beams as they are in this step, before sizes and positions move on.
 template <class Real>
-void EngineOf<Real>::find_divergence() {
-  Divergence found;
-  found.limit = speed_limit_m_s_;
-  found.time_s = static_cast<double>(steps) * time_step_s;
-  bool certain = false;
-  for (std::size_t i = 0; i < lattice->voxel_count() && !certain; ++i) {
-    const VoxelView voxel = view(i);
-    const double speed = std::hypot(voxel.velocity_m_s[0], voxel.velocity_m_s[1], voxel.velocity_m_s[2]);
-    const bool finite = std::isfinite(speed + voxel.position_m[0] + voxel.position_m[1] + voxel.position_m[2] +
-                                      voxel.orientation[0] + voxel.orientation[1] + voxel.orientation[2] + voxel.orientation[3]);
-    if (finite && speed <= speed_limit_m_s_) continue;
-    certain = true;
-    found.voxel = i;
-    found.quantity = finite ? "speed" : "not finite";
-    found.value = finite ? speed : speed_limit_m_s_;
-  }
-  if (!certain) {
-    const std::vector<double> strain = strains();
-    const auto largest =
-        std::max_element(strain.begin(), strain.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    found.voxel = static_cast<std::size_t>(largest - strain.begin());
-    found.quantity = "strain";
-    found.value = *largest;
-    found.limit = physics.limits.strain;
+void EngineOf<Real>::note_strain() {
+  Divergence found{.voxel = 0, .cell = {}, .quantity = "strain", .value = 0.0, .limit = physics.limits.strain, .time_s = 0.0};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const AxisBeams& beams = lattice->beams[axis];
+    for (std::size_t i = 0; i < beams.lower.size(); ++i) {
+      const double strain = static_cast<double>(state_->data.axis[axis].history[i]) / rest_length(axis, i);
+      if (std::abs(strain) <= std::abs(*found.value)) continue;
+      found.voxel = static_cast<std::size_t>(beams.lower[i]);
+      if (!std::isfinite(strain)) {
+        found.quantity = "not finite";
+        found.value.reset();
+        found.cell = lattice->cells[found.voxel];
+        divergence = found;
+        return;
+      }
+      found.value = strain;
+    }
   }
   found.cell = lattice->cells[found.voxel];
   divergence = found;
+}
+
+template <class Real>
+void EngineOf<Real>::note_speed() {
+  Divergence found{.voxel = 0, .cell = {}, .quantity = "speed", .value = 0.0, .limit = speed_limit_m_s_, .time_s = 0.0};
+  for (std::size_t i = 0; i < lattice->voxel_count(); ++i) {
+    const VoxelView voxel = view(i);
+    const double speed = std::hypot(voxel.velocity_m_s[0], voxel.velocity_m_s[1], voxel.velocity_m_s[2]);
+    if (speed <= *found.value) continue;
+    found.voxel = i;
+    found.value = speed;
+    if (std::isfinite(speed)) continue;
+    found.quantity = "not finite";
+    found.value.reset();
+    break;
+  }
+  found.cell = lattice->cells[found.voxel];
+  divergence = found;
+}
+
+template <class Real>
+double EngineOf<Real>::rest_length(std::size_t axis, std::size_t beam) const {
+  const auto size = [&](std::int32_t voxel) {
+    return static_cast<double>(state_->data.pose[line_size * static_cast<std::size_t>(voxel) + slot::size]);
+  };
+  return 0.5 * (size(lattice->beams[axis].lower[beam]) + size(lattice->beams[axis].upper[beam]));
 }
 
 template <class Real>
@@ -204,8 +215,8 @@ Simulation::Engine::VoxelView EngineOf<Real>::view(std::size_t voxel) const {
   const Real* pose = state_->data.pose + line_size * voxel;
   const Real* motion = state_->data.motion + line_size * voxel;
   const Real* coefficients = state_->data.voxel_table + line_size * static_cast<std::size_t>(state_->data.voxel_class[voxel]);
-  const auto inverse_mass = static_cast<double>(coefficients[0]);
-  const auto inverse_inertia = static_cast<double>(coefficients[1]);
+  const auto inverse_mass = static_cast<double>(coefficients[class_slot::inverse_mass]);
+  const auto inverse_inertia = static_cast<double>(coefficients[class_slot::inverse_inertia]);
   const auto number = [](Real value) { return static_cast<double>(value); };
   VoxelView v{};
   v.position_m = {number(pose[slot::x]), number(pose[slot::y]), number(pose[slot::z])};
@@ -227,9 +238,9 @@ std::vector<double> EngineOf<Real>::strains() const {
     for (std::size_t i = 0; i < beams.lower.size(); ++i) {
       const auto lower = static_cast<std::size_t>(beams.lower[i]);
       const auto upper = static_cast<std::size_t>(beams.upper[i]);
-      const double rest = 0.5 * static_cast<double>(state_->data.pose[line_size * lower + slot::size] +
-                                                    state_->data.pose[line_size * upper + slot::size]);
-      const double strain = static_cast<double>(state_->data.axis[axis].history[i]) / rest;
+      const std::array<double, 3> from = view(lower).position_m;
+      const std::array<double, 3> to = view(upper).position_m;
+      const double strain = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]) / rest_length(axis, i) - 1.0;
       for (const std::size_t end : {lower, upper}) {
         if (std::abs(strain) > std::abs(largest[end])) largest[end] = strain;
       }

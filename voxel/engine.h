@@ -20,7 +20,7 @@ class Simulation::Engine {
 
   [[nodiscard]] virtual io::RunStatus advance(std::uint64_t steps, const std::atomic<bool>* stop) = 0;
 
-  /// Momentum-free view of a voxel, converted to double.
+  /// A voxel in SI units and double.
   struct VoxelView {
     std::array<double, 3> position_m, velocity_m_s, angular_velocity_rad_s;
     std::array<double, 4> orientation;
@@ -64,7 +64,9 @@ class EngineOf final : public Simulation::Engine {
   void prepare_collisions(const VoxelLoads& loads);
   void add_collisions();
   bool step();
-  void find_divergence();
+  void note_strain();
+  void note_speed();
+  [[nodiscard]] double rest_length(std::size_t axis, std::size_t beam) const;
 
   ClassTables tables_;
   std::unique_ptr<VoxelState<Real>> state_;

@@ -22,10 +22,11 @@ struct Frame {
   std::vector<std::array<double, 4>> orientation;  ///< unit quaternions (w, x, y, z), body to world
   std::vector<double> size_m;                      ///< driven edge length s
   std::vector<double> speed_m_s;                   ///< magnitude of the velocity
-  std::vector<double> strain;                      ///< axial strain of largest magnitude among the voxel's beams, with its sign
-  std::vector<std::uint8_t> material;              ///< 1 or 2
-  std::vector<double> phase;                       ///< of the drive, in periods
-  std::vector<std::uint8_t> contact;               ///< bits of namespace contact
+  std::vector<double>
+      strain;  ///< of largest magnitude among the voxel's beams, with its sign: distance of the ends over rest length, minus 1
+  std::vector<std::uint8_t> material;  ///< 1 or 2
+  std::vector<double> phase;           ///< of the drive, in periods
+  std::vector<std::uint8_t> contact;   ///< bits of namespace contact
   double cell_edge_m = 0.0;
 };
 

@@ -3,7 +3,6 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <xsimd/xsimd.hpp>
 
 namespace menger::voxel {
 
@@ -11,16 +10,16 @@ namespace {
 
 bool machine_has(InstructionSet set) {
 #ifdef MENGER_X86_KERNELS
-  const auto available = xsimd::available_architectures();
+  // The compiler's test and not xsimd's, which does not ask whether the operating system saves the wide registers.
   switch (set) {
     case InstructionSet::scalar:
       return true;
     case InstructionSet::sse2:
-      return available.sse2 != 0;
+      return __builtin_cpu_supports("sse2") != 0;
     case InstructionSet::avx2:
-      return available.avx2 != 0;
+      return __builtin_cpu_supports("avx2") != 0;
     case InstructionSet::avx512:
-      return available.avx512f != 0 && available.avx512dq != 0;
+      return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
     case InstructionSet::best:
       break;
   }

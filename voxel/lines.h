@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "voxel/number.h"
+#include "voxel/rotation.h"
 #include "voxel/step_data.h"
 
 namespace menger::voxel {
@@ -136,6 +137,38 @@ inline void add_lines(RealOf<T>* base, const std::int32_t* lower_index, const Li
         sum.store_aligned(to_upper + part * width);
       }
     }
+  }
+}
+
+/// Three values of a line in axes permuted so that `Axis` comes first.
+template <int Axis, class T>
+inline Vector3<T> permuted(const Lines<T>& line, int first) {
+  return {line.value[first + Axis], line.value[first + (Axis + 1) % 3], line.value[first + (Axis + 2) % 3]};
+}
+
+/// Puts a permuted vector into a line.
+template <int Axis, class T>
+inline void unpermute(const Vector3<T>& v, Lines<T>& line, int first) {
+  line.value[first + Axis] = v.x;
+  line.value[first + (Axis + 1) % 3] = v.y;
+  line.value[first + (Axis + 2) % 3] = v.z;
+}
+
+template <class T>
+inline T load_values(const RealOf<T>* from) {
+  if constexpr (NumberTraits<T>::width == 1) {
+    return *from;
+  } else {
+    return T::load_aligned(from);
+  }
+}
+
+template <class T>
+inline void store_values(RealOf<T>* to, const T& value) {
+  if constexpr (NumberTraits<T>::width == 1) {
+    *to = value;
+  } else {
+    value.store_aligned(to);
   }
 }
 

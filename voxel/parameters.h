@@ -43,8 +43,8 @@ struct Actuation {
   std::array<double, 2> material_phase{0.0, 0.5};  ///< phases of materials 1 and 2, in periods (antiphase only)
   int wave_axis = 1;                               ///< 0, 1, 2 for x, y, z (wave only)
 
-  /// Wave only: phase = periods_per_body * i / W, with i the cell index along the axis and W the cells per side of the level
-  /// (3^level). Negative: the wave travels towards growing index.
+  /// Wave only: phase = periods_per_body * i / W, with i the cell index along the axis and W the cells of the grid along it
+  /// (3^level for a fractal). Negative: the wave travels towards growing index.
   double wave_periods_per_body = -1.0;
   bool wave_over_gaps = false;  ///< wave only: divide by W - 1 instead of W (the last layer then gets the full phase)
 

@@ -6,6 +6,7 @@
 #include "io/number_text.h"
 #include "materials/observables.h"
 #include "voxel/engine.h"
+#include "voxel/scale_check.h"
 #include "voxel/time_step.h"
 
 namespace menger::voxel {
@@ -38,21 +39,32 @@ void check(const meshes::Polycube& body, double cell_edge_m, const Physics& phys
   require(physics.actuation.wave_axis >= 0 && physics.actuation.wave_axis <= 2, "wave_axis must be 0, 1 or 2");
   require(positive(physics.integration.time_step_fraction), "time_step_fraction must be > 0");
   require(!physics.collisions.exclusion_depth || *physics.collisions.exclusion_depth >= 1, "exclusion_depth must be >= 1");
+  for (const double phase : physics.actuation.material_phase) require(std::isfinite(phase), "phases must be finite");
+  require(std::isfinite(physics.actuation.wave_periods_per_body), "wave_periods_per_body must be finite");
+  require(physics.integration.number == NumberType::float64 || physics.integration.damping == DampingMode::velocity,
+          "float32 cannot carry damping from increments");
   require(positive(physics.limits.speed_fraction) && positive(physics.limits.strain), "divergence limits must be > 0");
   const auto fits = [&](std::size_t size) { return size == 0 || size == body.count(); };
   require(fits(loads.force_N.size()) && fits(loads.moment_N_m.size()) && fits(loads.initial_displacement_m.size()) &&
               fits(loads.initial_velocity_m_s.size()) && fits(loads.initial_angular_velocity_rad_s.size()) &&
               fits(loads.size_factor.size()) && fits(loads.fixed.size()),
           "loads need one entry per voxel");
+  for (const auto& displacement : loads.initial_displacement_m) {
+    for (const double value : displacement) require(std::isfinite(value), "initial displacements must be finite");
+  }
+  for (const double factor : loads.size_factor) require(positive(factor), "size factors must be > 0");
+  const std::string problem = unusable_scales(physics, cell_edge_m, 0.0);
+  require(problem.empty(), problem.c_str());
 }
 
 }  // namespace
 
 std::string divergence_text(const Divergence& divergence) {
   const meshes::CellIndex& cell = divergence.cell;
-  return "voxel " + std::to_string(divergence.voxel) + " (cell " + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " +
-         std::to_string(cell.z) + "): " + divergence.quantity + " " + io::number_text(divergence.value) + ", limit " +
-         io::number_text(divergence.limit) + ", at " + io::number_text(divergence.time_s) + " s";
+  std::string text = "voxel " + std::to_string(divergence.voxel) + " (cell " + std::to_string(cell.x) + ", " +
+                     std::to_string(cell.y) + ", " + std::to_string(cell.z) + "): " + divergence.quantity;
+  if (divergence.value) text += " " + io::number_text(*divergence.value) + ", limit " + io::number_text(divergence.limit);
+  return text + ", at " + io::number_text(divergence.time_s) + " s";
 }
 
 Simulation::Simulation(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
@@ -72,9 +84,14 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 io::RunStatus Simulation::advance(std::uint64_t steps, const std::atomic<bool>* stop) { return engine_->advance(steps, stop); }
 
 io::RunStatus Simulation::advance_to(double time, const std::atomic<bool>* stop) {
-  const double needed = std::ceil(time / engine_->time_step_s);
-  if (!(needed > static_cast<double>(engine_->steps))) return engine_->advance(0, stop);
-  return engine_->advance(static_cast<std::uint64_t>(needed) - engine_->steps, stop);
+  // The first step at or after the time: rounding of the quotient may be one off either way.
+  const double h = engine_->time_step_s;
+  const double quotient = time / h;
+  if (!(quotient < 1e18)) throw std::invalid_argument("more steps than can be counted");
+  auto needed = quotient > 0.0 ? static_cast<std::uint64_t>(quotient) : 0;
+  while (needed > 0 && static_cast<double>(needed - 1) * h >= time) --needed;
+  while (static_cast<double>(needed) * h < time) ++needed;
+  return engine_->advance(needed > engine_->steps ? needed - engine_->steps : 0, stop);
 }
 
 double Simulation::time_s() const { return static_cast<double>(engine_->steps) * engine_->time_step_s; }

@@ -27,18 +27,18 @@ struct VoxelLoads {
   std::vector<std::array<double, 3>>
       initial_velocity_m_s;  ///< a voxel that starts with a horizontal one starts in kinetic friction
   std::vector<std::array<double, 3>> initial_angular_velocity_rad_s;
-  std::vector<double> size_factor;  ///< constant factor on the driven size (a voxel warmer or colder than the others)
+  std::vector<double> size_factor;  ///< constant factor > 0 on the driven size (a voxel warmer or colder than the others)
   std::vector<bool> fixed;          ///< held in all six degrees of freedom
 };
 
 /// Where and how a run left the range of the model.
 struct Divergence {
-  std::size_t voxel = 0;   ///< index in grid order
-  meshes::CellIndex cell;  ///< its cell
-  std::string quantity;    ///< "speed", "strain" or "not finite"
-  double value = 0.0;      ///< of that quantity; the limit where it was not finite
-  double limit = 0.0;
-  double time_s = 0.0;
+  std::size_t voxel = 0;        ///< index in grid order
+  meshes::CellIndex cell;       ///< its cell
+  std::string quantity;         ///< "speed" (m/s), "strain" (1) or "not finite"
+  std::optional<double> value;  ///< the largest of all voxels; none where it was not finite
+  double limit = 0.0;           ///< that the value passed
+  double time_s = 0.0;          ///< at the end of the step
 };
 
 /// Where and how a run diverged, in a line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in m/s.
@@ -61,6 +61,7 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
 
   /// Steps until time_s() >= time_s, the run diverges or `stop` becomes true. Returns completed, diverged or stopped.
+  /// @throws std::invalid_argument for more than 1e18 steps
   [[nodiscard]] io::RunStatus advance_to(double time_s, const std::atomic<bool>* stop = nullptr);
 
   /// Takes `steps` steps unless the run diverges or `stop` becomes true.
@@ -88,7 +89,7 @@ class Simulation {
   [[nodiscard]] std::array<double, 3> angular_velocity_rad_s(std::size_t voxel) const;
   [[nodiscard]] bool is_in_static_friction(std::size_t voxel) const;
 
-  /// Beams that are in the large-angle state now.
+  /// Beams that were in the large-angle state in the last step.
   [[nodiscard]] std::size_t large_angle_beams() const;
 
   /// Which terms the step leaves out and why, and the instruction set in use: a line each, for the log.
@@ -97,7 +98,7 @@ class Simulation {
   /// How often collision work was done, skipped and the list of close pairs rebuilt.
   [[nodiscard]] CollisionCounts collision_counts() const;
 
-  /// The energy balance since the start; only with KernelOptions::energy_ledger.
+  /// The energy balance from the start to the beginning of the last step; only with KernelOptions::energy_ledger.
   [[nodiscard]] const std::optional<EnergyLedger>& energy() const;
 
   class Engine;  ///< the implementation for one number type

@@ -17,9 +17,14 @@ inline constexpr int line_length = 8;
 namespace slot {
 inline constexpr int x = 0, y = 1, z = 2, size = 3, qw = 4, qx = 5, qy = 6, qz = 7;  ///< pose: m, quaternion
 inline constexpr int px = 0, py = 1, pz = 2, size_rate = 3, hx = 4, hy = 5, hz = 6,
-                     is_static = 7;                                   ///< motion: momenta, m/s, 0 or 1
+                     is_static = 7;                                   ///< motion: kg m/s, m/s, kg m^2/s, 0 or 1
 inline constexpr int fx = 0, fy = 1, fz = 2, mx = 4, my = 5, mz = 6;  ///< load: N, N m; the others stay 0
 }  // namespace slot
+
+/// Positions of the values in a row of the voxel table that are read one by one; the order is that of VoxelCoefficients.
+namespace class_slot {
+inline constexpr int inverse_mass = 0, inverse_inertia = 1, contact_stiffness = 5, contact_damping = 6;
+}  // namespace class_slot
 
 /// What a voxel is: the same for all voxels of a class (material, fixed or free).
 template <class T>

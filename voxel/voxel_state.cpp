@@ -135,8 +135,9 @@ void VoxelState<Real>::place_voxels(const Lattice& lattice, const Physics& physi
     voxel_class_[i] = static_cast<std::int32_t>(2 * (material + (fixed ? 2 : 0)));
 
     const double angle = 2.0 * std::numbers::pi * phases_[i];
-    const double amplitude = driven ? physics.actuation.amplitude * edge_ : 0.0;
-    size_base_[i] = static_cast<Real>(edge_ * (loads.size_factor.empty() ? 1.0 : loads.size_factor[i]));
+    const double size = edge_ * (loads.size_factor.empty() ? 1.0 : loads.size_factor[i]);
+    const double amplitude = driven ? physics.actuation.amplitude * size : 0.0;
+    size_base_[i] = static_cast<Real>(size);
     size_sine_[i] = static_cast<Real>(amplitude * std::cos(angle));
     size_cosine_[i] = static_cast<Real>(amplitude * std::sin(angle));
 

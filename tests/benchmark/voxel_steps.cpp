@@ -32,12 +32,18 @@ void voxel_steps(benchmark::State& state, const Case& c) {
   if (!c.collisions) physics.collisions.exclusion_depth.reset();
   menger::voxel::Simulation simulation(body, 0.01, physics, {}, {.instruction_set = c.instruction_set});
   // The gait's own motion from the second quarter of its first cycle on: beams bend, feet slide, neighbours touch.
-  if (simulation.advance_to(0.05) != menger::io::RunStatus::completed) state.SkipWithError("diverged");
+  if (simulation.advance_to(0.05) != menger::io::RunStatus::completed) {
+    state.SkipWithError("diverged");
+    return;
+  }
   const std::uint64_t batch = 400000 / simulation.voxel_count() + 1;
   std::uint64_t steps = 0;
   for (auto unused : state) {
     (void)unused;
-    if (simulation.advance(batch) != menger::io::RunStatus::completed) state.SkipWithError("diverged");
+    if (simulation.advance(batch) != menger::io::RunStatus::completed) {
+      state.SkipWithError("diverged");
+      break;
+    }
     steps += batch;
   }
   state.counters["voxel_steps"] =

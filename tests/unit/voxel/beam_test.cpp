@@ -15,7 +15,7 @@ constexpr double edge = 0.01;
 
 BeamCoefficients<double> coefficients() { return class_tables(Physics{}, edge).beam[0]; }
 
-/// The nine numbers of a deformation, in an order of our own.
+/// The eight numbers of a deformation, in an order of our own.
 using Numbers = std::array<double, 8>;
 
 BeamDeformation<double> deformation(const Numbers& n) { return {{n[0], n[1], n[2]}, n[3], n[4], {n[5], n[6], n[7]}}; }

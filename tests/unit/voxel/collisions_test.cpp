@@ -137,7 +137,6 @@ TEST(Collisions, ShowInTheFrame) {
   Physics physics;
   physics.actuation.mode = ActuationMode::none;
   Simulation simulation(body, 0.01, physics);
-  VoxelLoads loads;
   ASSERT_EQ(simulation.advance(10), io::RunStatus::completed);
   const Frame frame = simulation.frame();
   // The two ends of the corner are 1.41 edges apart, spheres reach 1.25 edges: no contact at rest, but the floor carries two
@@ -145,6 +144,15 @@ TEST(Collisions, ShowInTheFrame) {
   EXPECT_EQ(frame.contact[0] & contact::other_voxel, 0);
   EXPECT_NE(frame.contact[0] & contact::floor_static, 0);
   EXPECT_EQ(frame.contact[2], contact::none);
+
+  // Moved 2 mm towards each other the ends overlap.
+  VoxelLoads loads;
+  loads.initial_displacement_m = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.002, 0.0, -0.002}};
+  Simulation bent(body, 0.01, physics, loads);
+  ASSERT_EQ(bent.advance(1), io::RunStatus::completed);
+  EXPECT_NE(bent.frame().contact[1] & contact::other_voxel, 0);
+  EXPECT_NE(bent.frame().contact[2] & contact::other_voxel, 0);
+  EXPECT_EQ(bent.frame().contact[0] & contact::other_voxel, 0);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "meshes/fractal.h"
@@ -18,7 +19,8 @@ TEST(Divergence, OfTooLargeAStepNamesVoxelQuantityAndTime) {
   ASSERT_TRUE(simulation.divergence().has_value());
   const Divergence& divergence = *simulation.divergence();
   EXPECT_TRUE(divergence.quantity == "speed" || divergence.quantity == "strain") << divergence.quantity;
-  EXPECT_GT(std::abs(divergence.value), divergence.limit);
+  ASSERT_TRUE(divergence.value.has_value());
+  EXPECT_GT(std::abs(*divergence.value), divergence.limit);
   EXPECT_EQ(divergence.time_s, simulation.time_s());
   EXPECT_LT(divergence.voxel, simulation.voxel_count());
   EXPECT_LT(simulation.time_s(), 1.0);
@@ -48,7 +50,27 @@ TEST(Divergence, NamesWhatIsNotFinite) {
   Simulation simulation(meshes::bar(3), 0.01, Physics{}, loads);
   ASSERT_EQ(simulation.advance(100), io::RunStatus::diverged);
   EXPECT_EQ(simulation.divergence()->quantity, "not finite");
+  EXPECT_FALSE(simulation.divergence()->value.has_value());
   EXPECT_EQ(simulation.divergence()->voxel, 2U);
+}
+
+TEST(Divergence, ReportsAValueBeyondItsLimitAtEveryLimit) {
+  const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, "211201211201000201211201211");
+  for (int i = 1; i <= 40; ++i) {
+    Physics physics;
+    physics.limits.strain = 2e-4 * i;
+    Simulation strained(body, 0.01, physics);
+    if (strained.advance_to(0.05) == io::RunStatus::diverged) {
+      EXPECT_EQ(strained.divergence()->quantity, "strain");
+      EXPECT_GT(std::abs(*strained.divergence()->value), physics.limits.strain);
+    }
+    physics.limits.strain = 1.0;
+    physics.limits.speed_fraction = 1e-4 * i;
+    Simulation fast(body, 0.01, physics);
+    if (fast.advance_to(0.05) == io::RunStatus::diverged) {
+      EXPECT_EQ(fast.divergence()->quantity, "speed");
+    }
+  }
 }
 
 TEST(Divergence, LimitsAreOptions) {

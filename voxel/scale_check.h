@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "voxel/parameters.h"
+
+namespace menger::voxel {
+
+/// Why the scales of a physics cannot be computed with, or an empty text: a mass, stiffness or time step that leaves the range of
+/// the number type, or more steps than can be counted. Every value may be within its own range and yet meet another badly (E =
+/// 1e200 Pa squared overflows).
+/// @param cell_edge_m > 0 @param duration_s simulated time that is wanted, >= 0
+std::string unusable_scales(const Physics& physics, double cell_edge_m, double duration_s);
+
+}  // namespace menger::voxel
