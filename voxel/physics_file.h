@@ -19,7 +19,8 @@ namespace menger::voxel {
 /// ("x", "y", "z"),
 ///   wave_periods_per_body, wave_over_gaps
 /// - `[collisions]` exclusion_depth (an integer >= 1 or "off")
-/// - `[integration]` time_step_fraction, damping ("increments", "velocity"), number ("float64", "float32")
+/// - `[integration]` time_step_fraction, damping ("increments", "velocity"), number ("float64", "float32"),
+/// single_precision_rest_lengths
 /// - `[limits]` speed_fraction, strain
 ///
 /// Other keys of `table` are left to the caller, who ends with table.finish().

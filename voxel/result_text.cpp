@@ -26,8 +26,11 @@ void add_divergence(std::string& text, const Divergence& divergence) {
   const auto& cell = divergence.cell;
   add_line(text, "cell", list_text({std::to_string(cell.x), std::to_string(cell.y), std::to_string(cell.z)}));
   add_line(text, "quantity", io::toml_quoted(divergence.quantity));
-  add_line(text, "value", io::number_text(divergence.value));
-  add_line(text, "limit", io::number_text(divergence.limit));
+  // What is not finite has no value that a file could hold, and no limit to pass.
+  if (divergence.value) {
+    add_line(text, "value", io::number_text(*divergence.value));
+    add_line(text, "limit", io::number_text(divergence.limit));
+  }
   add_line(text, "time_s", io::number_text(divergence.time_s));
 }
 

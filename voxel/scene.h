@@ -35,6 +35,9 @@ struct Scene {
 /// More records than this are refused.
 inline constexpr double largest_record_count = 1e6;
 
+/// Higher levels are refused. A body two cells long is a million cells long there, and one of a single cell never grows.
+inline constexpr int largest_level = 20;
+
 /// Length of a body in metres: cells per side of the aggregate (m^level for a design of m cells along its longest side) times the
 /// cell edge.
 double body_length_m(const meshes::Design& design, int level);

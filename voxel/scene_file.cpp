@@ -11,6 +11,7 @@
 #include "io/range.h"
 #include "io/toml_document.h"
 #include "voxel/physics_file.h"
+#include "voxel/scale_check.h"
 
 namespace menger::voxel {
 namespace {
@@ -38,15 +39,45 @@ meshes::Design read_inline_design(const io::TomlTable& table) {
   return design;
 }
 
-meshes::Design read_scene_design(const io::TomlTable& table) {
-  // A text names a file; anything else must be the table itself.
-  std::optional<std::filesystem::path> file;
+/// The table of an inline design; none if the key holds a text, which names a file.
+std::optional<io::TomlTable> inline_design(const io::TomlTable& table) {
   try {
-    file = table.path("design");
+    return table.optional_table("design");
   } catch (const io::InputError&) {
-    return read_inline_design(table.table("design"));
+    return std::nullopt;
   }
-  return meshes::read_design(*file);
+}
+
+std::filesystem::path design_file(const io::TomlTable& table) {
+  try {
+    return table.path("design");
+  } catch (const io::InputError&) {
+    throw table.error("design", "must be the name of a design file or a table [design]");
+  }
+}
+
+void read_scene_design(const io::TomlTable& table, LoadedScene& loaded) {
+  if (const auto design = inline_design(table)) {
+    loaded.scene.design = read_inline_design(*design);
+    return;
+  }
+  loaded.files.push_back(design_file(table));
+  loaded.scene.design = meshes::read_design(loaded.files.back());
+}
+
+/// The level and what messages call it.
+struct GivenLevel {
+  int level = 1;
+  std::string name;
+};
+
+GivenLevel read_level(const io::TomlTable& table, int fallback, std::optional<int> option) {
+  const io::Range range = io::within(1, largest_level);
+  const int in_file = table.integer_or("level", fallback, range);
+  if (!option) return {in_file, "level = " + std::to_string(in_file)};
+  const std::string name = "--level " + std::to_string(*option);
+  if (!range.contains(*option)) throw io::InputError(name + ": " + range.demand());
+  return {*option, name};
 }
 
 std::string gibibytes(std::size_t bytes) {
@@ -64,15 +95,13 @@ SceneOutput read_output(const io::TomlTable& table) {
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& file, std::optional<int> level, std::size_t memory_bytes) {
+LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> level, std::size_t memory_bytes) {
   const io::TomlTable table = io::read_toml(file);
-  Scene scene;
-  scene.design = read_scene_design(table);
-  scene.level = table.integer_or("level", scene.level, io::at_least(1));
-  if (level) {
-    if (*level < 1) throw io::InputError("level = " + std::to_string(*level) + ": must be >= 1");
-    scene.level = *level;
-  }
+  LoadedScene loaded{.scene = {}, .files = {file}};
+  Scene& scene = loaded.scene;
+  read_scene_design(table, loaded);
+  const GivenLevel given = read_level(table, scene.level, level);
+  scene.level = given.level;
   scene.physics = read_physics(table);
   scene.duration_s = table.number_or("duration_s", scene.duration_s, io::positive());
   scene.record_interval_s = table.number_or("record_interval_s", std::min(scene.record_interval_s, scene.duration_s),
@@ -87,11 +116,14 @@ Scene read_scene(const std::filesystem::path& file, std::optional<int> level, st
   if (const auto output = table.optional_table("output")) scene.output = read_output(*output);
   table.finish();
 
-  if (const std::size_t needed = estimated_memory_bytes(scene.design.body, scene.level); needed > memory_bytes) {
-    throw io::InputError(file.string() + ": level = " + std::to_string(scene.level) + ": the simulation would need about " +
-                         gibibytes(needed) + " of memory, this machine has " + gibibytes(memory_bytes));
+  if (const std::string problem = unusable_scales(scene.physics, scene.design.cell_edge_m, scene.duration_s); !problem.empty()) {
+    throw io::InputError(file.string() + ": " + problem);
   }
-  return scene;
+  if (const std::size_t needed = estimated_memory_bytes(scene.design.body, scene.level); needed > memory_bytes) {
+    throw io::InputError(file.string() + ": " + given.name + ": the simulation would need about " + gibibytes(needed) +
+                         " of memory, this machine has " + gibibytes(memory_bytes));
+  }
+  return loaded;
 }
 
 }  // namespace menger::voxel

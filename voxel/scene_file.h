@@ -3,10 +3,17 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "voxel/scene.h"
 
 namespace menger::voxel {
+
+/// A scene and where it came from.
+struct LoadedScene {
+  Scene scene;
+  std::vector<std::filesystem::path> files;  ///< that were read: the scene's, then the design's if that is one of its own
+};
 
 /// Reads a scene from TOML.
 ///
@@ -14,10 +21,10 @@ namespace menger::voxel {
 /// (0, 1, 2 of all cells, x fastest, then y, then z); level, duration_s, record_interval_s, energy_ledger; `[output]` frames,
 /// pictures, records_per_frame; and the tables of read_physics. Only the design must be given.
 ///
-/// @param level takes the place of the file's level, as if it stood there
+/// @param level of the option --level, by which messages call it; takes the place of the file's, which must be right all the same
 /// @param memory_bytes a scene that would need more is refused, before anything is built
-/// @throws io::InputError with file, key and value
-Scene read_scene(const std::filesystem::path& file, std::optional<int> level = {},
-                 std::size_t memory_bytes = machine_memory_bytes());
+/// @throws io::InputError with file, key and value; also for scales that cannot be computed with (unusable_scales)
+LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> level = {},
+                       std::size_t memory_bytes = machine_memory_bytes());
 
 }  // namespace menger::voxel

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include "io/input_error.h"
@@ -19,6 +18,9 @@ namespace menger::voxel {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double slice_seconds = 0.1;         ///< wall time between two reports of progress
+constexpr double largest_slice_growth = 8.0;  ///< so that one clock reading near zero does not make the next slice endless
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -44,14 +46,14 @@ class SceneRun {
 
   SceneResult run() {
     if (options_.started) options_.started(result_.kernel_report);
-    record();
+    record(false);
     // The last record lies at the duration itself, which need not be a multiple of the interval.
     const auto intervals = static_cast<std::uint64_t>(std::ceil(scene_.duration_s / scene_.record_interval_s * (1.0 - 1e-12)));
     result_.status = io::RunStatus::completed;
     for (std::uint64_t i = 1; i <= intervals && result_.status == io::RunStatus::completed; ++i) {
       const double until_s = i == intervals ? scene_.duration_s : static_cast<double>(i) * scene_.record_interval_s;
-      result_.status = simulation_.advance_to(until_s, options_.stop);
-      if (result_.status == io::RunStatus::completed) record();
+      result_.status = advance_to(until_s);
+      if (result_.status == io::RunStatus::completed) record(i == intervals);
       report_progress();
     }
     finish();
@@ -65,16 +67,36 @@ class SceneRun {
     return kernel;
   }
 
-  void record() {
+  /// Simulation::advance_to in slices, between which progress is reported. The steps are the same.
+  io::RunStatus advance_to(double until_s) {
+    io::RunStatus status = io::RunStatus::completed;
+    while (status == io::RunStatus::completed && simulation_.time_s() < until_s) {
+      const Clock::time_point start = Clock::now();
+      const std::uint64_t steps_before = simulation_.steps();
+      // The quotient may be off by a rounding: only advance_to knows the last step.
+      const double steps_left = (until_s - simulation_.time_s()) / simulation_.time_step_s();
+      status = steps_left > slice_steps_ + 1.0 ? simulation_.advance(static_cast<std::uint64_t>(slice_steps_), options_.stop)
+                                               : simulation_.advance_to(until_s, options_.stop);
+      const double steps_per_second = static_cast<double>(simulation_.steps() - steps_before) / seconds_since(start);
+      slice_steps_ = std::max(1.0, std::min(largest_slice_growth * slice_steps_, slice_seconds * steps_per_second));
+      if (status == io::RunStatus::completed && simulation_.time_s() < until_s) report_progress();
+    }
+    return status;
+  }
+
+  void record(bool is_last) {
     const double time_s = simulation_.time_s();
+    const std::size_t index = result_.trajectory.size();
     // An interval shorter than a time step asks for the same state again.
-    if (!result_.trajectory.empty() && result_.trajectory.back().time_s == time_s) return;
-    const auto records_per_frame = static_cast<std::size_t>(scene_.output.records_per_frame);
-    const bool is_frame = result_.trajectory.size() % records_per_frame == 0;
-    result_.trajectory.push_back({time_s, simulation_.centre_of_mass_m(), simulation_.energy()});
-    last_frame_ = simulation_.frame();
-    if (is_frame && scene_.output.frames) frames_.add(last_frame_);
-    if (result_.trajectory.size() == 1) result_.recorded_frames.push_back(last_frame_);
+    const bool is_new = index == 0 || result_.trajectory.back().time_s != time_s;
+    if (is_new) result_.trajectory.push_back({time_s, simulation_.centre_of_mass_m(), simulation_.energy()});
+    const SceneOutput& output = scene_.output;
+    const bool is_due = is_new && index % static_cast<std::size_t>(output.records_per_frame) == 0;
+    // Pictures of a run that is cut short show the last frame.
+    const bool is_shown = is_due && (output.frames || output.pictures);
+    if (index == 0 || is_shown || (is_last && last_frame_.time_s != time_s)) last_frame_ = simulation_.frame();
+    if (is_due && output.frames) frames_.add(last_frame_);
+    if (index == 0) result_.recorded_frames.push_back(last_frame_);
   }
 
   void report_progress() {
@@ -128,6 +150,7 @@ class SceneRun {
   Simulation simulation_;
   FrameSeries frames_;
   Frame last_frame_;
+  double slice_steps_ = 1.0;
   SceneResult result_;
 };
 
@@ -140,13 +163,14 @@ SceneResult run_scene(const Scene& scene, const std::filesystem::path& folder, c
     run.emplace(scene, folder, options);
   } catch (const std::invalid_argument& fault) {
     // What only the engine knows, such as kernels that this machine cannot run.
-    throw io::InputError("the scene cannot be simulated: " + std::string(fault.what()));
+    const std::string scene_name = options.scene_file.empty() ? "the scene" : options.scene_file.string();
+    throw io::InputError(scene_name + ": cannot be simulated: " + fault.what());
   }
-  // While the files of an earlier run are being replaced none of them may pass for the result of this one.
-  for (const char* name : {"result.toml", "manifest.json", "frames.pvd", "robot.png", "trajectory.png"}) {
-    std::error_code ignored;
-    std::filesystem::remove(folder / name, ignored);
+  // From here on no file of an earlier run may pass for one of this run, also if this one is killed.
+  for (const char* name : {"result.toml", "manifest.json", "trajectory.csv", "robot.png", "trajectory.png"}) {
+    remove_if_there(folder / name);
   }
+  FrameSeries(folder).remove_earlier();
   return run->run();
 }
 

@@ -31,8 +31,9 @@ struct RunProgress {
 struct RunOptions {
   KernelOptions kernel;                                                        ///< its energy_ledger is overruled by the scene's
   std::function<void(const std::vector<std::string>& kernel_report)> started;  ///< called before the first step
-  std::function<void(const RunProgress&)> progress;                            ///< called after every record
-  const std::atomic<bool>* stop = nullptr;                                     ///< ends the run with status `stopped`
+  std::function<void(const RunProgress&)> progress;  ///< called after every record and about ten times a second in between
+  const std::atomic<bool>* stop = nullptr;           ///< ends the run with status `stopped`
+  std::filesystem::path scene_file;                  ///< that the scene came from, for messages; may be empty
 };
 
 /// What a run gave.
@@ -51,15 +52,17 @@ struct SceneResult {
   CollisionCounts collisions;
   std::vector<std::string> kernel_report;
   Trajectory trajectory;
-  std::vector<Frame> recorded_frames;  ///< the first and the last that were recorded
-  std::vector<std::string> notes;      ///< what the user should know: a body in pieces, pictures that could not be made
-  double seconds = 0.0;                ///< wall time
+  std::vector<Frame>
+      recorded_frames;             ///< at the start, and at the end or, of a run cut short, the last that was built for output
+  std::vector<std::string> notes;  ///< what the user should know: a body in pieces, pictures that could not be made
+  double seconds = 0.0;            ///< wall time
 };
 
 /// Runs a scene and writes into `folder`: trajectory.csv, frames.pvd with frames/frame_0000.vtu ..., robot.png and
 /// trajectory.png, and as the last of them result.toml (status, reason, displacement, steps, kernels). Each file is written whole
-/// or not at all. A diverged or stopped run leaves what it did, and its status says so; a picture that cannot be made is a note.
-/// @throws io::InputError if the folder cannot be written, before anything is computed
+/// or not at all, and before the first step those of an earlier run are removed. A diverged or stopped run leaves what it did,
+/// and its status says so; a picture that cannot be made is a note.
+/// @throws io::InputError if the folder cannot be written or the engine refuses the scene, before anything is computed
 SceneResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options = {});
 
 /// The text of result.toml. Wall times are left out of it.

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 #include <system_error>
 
 #include "io/input_error.h"
@@ -56,7 +57,21 @@ void add_cubes(vtkUnstructuredGrid& grid, const Frame& frame) {
   grid.SetPoints(points);
 }
 
+/// frame_0000.vtu and its like, of any number of digits.
+bool is_frame_name(std::string_view name) {
+  constexpr std::string_view before = "frame_", after = ".vtu";
+  if (name.size() <= before.size() + after.size() || !name.starts_with(before) || !name.ends_with(after)) return false;
+  const std::string_view digits = name.substr(before.size(), name.size() - before.size() - after.size());
+  return digits.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 }  // namespace
+
+void remove_if_there(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::remove(file, error);
+  if (error) throw io::InputError(file.string() + ": cannot be replaced: " + error.message());
+}
 
 void write_frame(const std::filesystem::path& file, const Frame& frame) {
   vtkNew<vtkUnstructuredGrid> grid;
@@ -87,17 +102,25 @@ void write_frame(const std::filesystem::path& file, const Frame& frame) {
 
 FrameSeries::FrameSeries(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
 
+void FrameSeries::remove_earlier() const {
+  remove_if_there(collection_file());
+  // Collected first: whether a listing goes on over files that vanish is not defined.
+  std::vector<std::filesystem::path> frames;
+  std::error_code no_such_folder;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / name_, no_such_folder)) {
+    if (is_frame_name(entry.path().filename().string())) frames.push_back(entry.path());
+  }
+  for (const auto& frame : frames) remove_if_there(frame);
+}
+
 void FrameSeries::add(const Frame& frame) {
   entries_.push_back({frame.time_s, frame_file(entries_.size())});
   write_frame(folder_ / entries_.back().file, frame);
 }
 
-void FrameSeries::finish() {
-  write_collection(folder_ / (name_ + ".pvd"), entries_);
-  std::error_code ignored;
-  for (std::size_t index = entries_.size(); std::filesystem::remove(folder_ / frame_file(index), ignored); ++index) {
-  }
-}
+void FrameSeries::finish() const { write_collection(collection_file(), entries_); }
+
+std::filesystem::path FrameSeries::collection_file() const { return folder_ / (name_ + ".pvd"); }
 
 std::filesystem::path FrameSeries::frame_file(std::size_t index) const {
   std::array<char, 32> name{};

@@ -15,6 +15,9 @@ namespace menger::voxel {
 /// @throws io::InputError if the place cannot be written
 void write_frame(const std::filesystem::path& file, const Frame& frame);
 
+/// Removes a file of an earlier run; nothing happens if there is none. @throws io::InputError if it stays
+void remove_if_there(const std::filesystem::path& file);
+
 /// A file of a collection and the time it stands for.
 struct CollectionEntry {
   double time_s = 0.0;
@@ -34,15 +37,18 @@ class FrameSeries {
  public:
   explicit FrameSeries(std::filesystem::path folder, std::string name = "frames");
 
+  /// Removes the frames and the collection that an earlier run left under the same names, and no other file.
+  /// @throws io::InputError if one cannot be removed
+  void remove_earlier() const;
+
   /// Writes the next frame.
   void add(const Frame& frame);
 
-  /// Writes the collection and removes the frames that an earlier, longer run left under the same names.
-  void finish();
-
-  [[nodiscard]] const std::vector<CollectionEntry>& entries() const { return entries_; }
+  /// Writes the collection.
+  void finish() const;
 
  private:
+  [[nodiscard]] std::filesystem::path collection_file() const;
   [[nodiscard]] std::filesystem::path frame_file(std::size_t index) const;  ///< relative to the folder
 
   std::filesystem::path folder_;

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/content_hash.h"
 #include "io/csv_table.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
@@ -174,16 +175,22 @@ struct BadInput {
 
 TEST_F(Simulate, BadInputIsNamedAndOverwritesNothing) {
   const std::string design = "[design]\ncell_edge_m = 0.01\ncells = [1, 1, 1]\ndigits = \"1\"\n";
+  const std::string cube = "[design]\ncell_edge_m = 0.01\ncells = [3, 3, 3]\ndigits = \"" + std::string(27, '1') + "\"\n";
   const std::vector<BadInput> cases{
       {"steps = 4\n" + design, {}, {"scene.toml", "steps"}},
       {"duration_s = \"long\"\n" + design, {}, {"scene.toml", "duration_s", "long"}},
       {design + "[materials]\nyoungs_modulus_Pa = -1e4\n", {}, {"scene.toml", "materials.youngs_modulus_Pa", "-10000"}},
       {"[design]\ncell_edge_m = 0.01\ncells = [1, 1, 1]\ndigits = \"0\"\n", {}, {"scene.toml", "design.digits", "empty"}},
       {"design = \"nowhere.toml\"\n", {}, {"nowhere.toml"}},
-      {"level = 40\n[design]\ncell_edge_m = 0.01\ncells = [3, 1, 1]\ndigits = \"111\"\n",
-       {},
-       {"scene.toml", "level", "40", "GiB"}},
-      {design, {"--level", "0"}, {"level", "0"}},
+      {"design = 5\n", {}, {"scene.toml", "design = 5", "file", "table"}},
+      {"level = 2147483647\n" + design, {}, {"scene.toml", "level = 2147483647", "[1, 20]"}},
+      {"level = 20\n" + cube, {}, {"scene.toml", "level = 20", "GiB"}},
+      {cube, {"--level", "20"}, {"scene.toml", "--level 20", "GiB"}},
+      {design, {"--level", "0"}, {"--level 0", "[1, 20]"}},
+      {design, {"--level", "2147483647"}, {"--level 2147483647", "[1, 20]"}},
+      {"materials.youngs_modulus_Pa = 1e200\n" + design, {}, {"scene.toml", "youngs_modulus_Pa = 1e+200"}},
+      {"integration.time_step_fraction = 1e-320\n" + design, {}, {"scene.toml", "time_step_fraction = 1e-320"}},
+      {"duration_s = 1e300\nrecord_interval_s = 1e300\n" + design, {}, {"scene.toml", "duration_s = 1e+300"}},
       {design, {"--instruction-set", "mmx"}, {"instruction-set", "mmx"}},
       {design, {"--no-such-option"}, {"no-such-option"}},
   };
@@ -242,6 +249,24 @@ TEST_F(Simulate, ADivergedRunSaysWhichVoxelAndKeepsItsFrames) {
   ASSERT_EQ(frames.size(), 3U);
   EXPECT_EQ(io::read_csv(folder_ / "result/trajectory.csv").row_count(), frames.size());
   for (const auto& frame : frames) EXPECT_EQ(voxels_in(folder_ / "result" / frame.file), 2);
+}
+
+TEST_F(Simulate, ManifestHoldsTheInputsAsTheyWereRead) {
+  const std::string scene = "design = \"pair.toml\"\nduration_s = 1000.0\nrecord_interval_s = 0.01\n";
+  const std::string design = "name = \"pair\"\ncell_edge_m = 0.01\nlayers = [[\"12\"]]\n";
+  write_scene(scene);
+  io::write_whole(folder_ / "pair.toml", design);
+  const pid_t child = start({"scene.toml", "-o", "result", "--no-pictures"});
+  for (int i = 0; i < 6000 && !fs::exists(folder_ / "result/frames/frame_0000.vtu"); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  write_scene("edited while it runs");
+  fs::remove(folder_ / "pair.toml");
+  kill(child, SIGINT);
+  ASSERT_EQ(end_of(child).code, 130);
+  const std::string manifest = io::read_whole(folder_ / "result/manifest.json");
+  EXPECT_NE(manifest.find("\"scene.toml\": \"" + io::content_hash(scene) + "\""), std::string::npos) << manifest;
+  EXPECT_NE(manifest.find("\"pair.toml\": \"" + io::content_hash(design) + "\""), std::string::npos) << manifest;
 }
 
 TEST_F(Simulate, CtrlCKeepsTheFramesDone) {

@@ -93,13 +93,12 @@ int exit_code_of(io::RunStatus status) {
   return status == io::RunStatus::stopped ? io::exit_code::interrupted : io::exit_code::numerical;
 }
 
-void write_manifest(const Arguments& arguments, const voxel::Scene& scene, const voxel::SceneResult& result) {
+/// The inputs are hashed here, right after they were read: they may be edited while the simulation runs.
+io::Manifest manifest_of(const std::vector<std::filesystem::path>& inputs) {
   io::Manifest manifest;
   manifest.program = "menger-simulate";
-  manifest.parameters = voxel::scene_text(scene);
-  manifest.seconds = result.seconds;
-  io::add_input(manifest, arguments.scene);
-  io::write_manifest(arguments.folder, manifest);
+  for (const auto& file : inputs) io::add_input(manifest, file);
+  return manifest;
 }
 
 void choose_kernels(Arguments& arguments, const voxel::Scene& scene) {
@@ -115,13 +114,15 @@ void choose_kernels(Arguments& arguments, const voxel::Scene& scene) {
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
-  voxel::Scene scene = voxel::read_scene(arguments.scene, arguments.level);
+  auto [scene, files] = voxel::read_scene(arguments.scene, arguments.level);
+  io::Manifest manifest = manifest_of(files);
   if (arguments.no_pictures) scene.output.pictures = false;
   if (arguments.energy) scene.energy_ledger = true;
   if (scene.energy_ledger && scene.physics.integration.number != voxel::NumberType::float64) {
     throw io::InputError(arguments.scene.string() + ": the energy balance needs integration.number = \"float64\"");
   }
   choose_kernels(arguments, scene);
+  manifest.parameters = voxel::scene_text(scene);
   if (arguments.folder.empty()) arguments.folder = arguments.scene.stem();
 
   io::catch_interrupts();
@@ -129,12 +130,14 @@ int run(int argc, const char* const* argv) {
   voxel::RunOptions options;
   options.kernel = arguments.kernel;
   options.stop = &io::interrupted();
+  options.scene_file = arguments.scene;
   options.started = print_kernel_report;
   options.progress = [&](const voxel::RunProgress& now) {
     progress.update(now.time_s, shown(now.simulated_s_per_second, "%.3g") + " simulated s/s");
   };
   const voxel::SceneResult result = voxel::run_scene(scene, arguments.folder, options);
-  write_manifest(arguments, scene, result);
+  manifest.seconds = result.seconds;
+  io::write_manifest(arguments.folder, manifest);
   progress.clear();
   print_outcome(result, arguments.folder);
   return exit_code_of(result.status);

@@ -47,7 +47,10 @@ Physics unlike_the_defaults() {
                        .wave_periods_per_body = 0.5,
                        .wave_over_gaps = true};
   physics.collisions.exclusion_depth = std::nullopt;
-  physics.integration = {.time_step_fraction = 0.09, .damping = DampingMode::velocity, .number = NumberType::float32, .single_precision_rest_lengths = true};
+  physics.integration = {.time_step_fraction = 0.09,
+                         .damping = DampingMode::velocity,
+                         .number = NumberType::float32,
+                         .single_precision_rest_lengths = true};
   physics.limits = {.speed_fraction = 0.3, .strain = 2.0};
   return physics;
 }
@@ -87,7 +90,8 @@ TEST(PhysicsFile, ExclusionDepthIsAnIntegerOrOff) {
 }
 
 struct BadPhysics {
-  std::string text, key, value;
+  std::string text;
+  std::string fault;  ///< that the message must name
 };
 
 class PhysicsFileRefuses : public testing::TestWithParam<BadPhysics> {};
@@ -95,32 +99,34 @@ class PhysicsFileRefuses : public testing::TestWithParam<BadPhysics> {};
 TEST_P(PhysicsFileRefuses, NamingFileKeyAndValue) {
   const std::string message = refusal(GetParam().text);
   EXPECT_NE(message.find("physics.toml"), std::string::npos) << message;
-  EXPECT_NE(message.find(GetParam().key), std::string::npos) << message;
-  EXPECT_NE(message.find(GetParam().value), std::string::npos) << message;
+  EXPECT_NE(message.find(GetParam().fault), std::string::npos) << "no " << GetParam().fault << " in: " << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(
     BadValues, PhysicsFileRefuses,
-    testing::Values(BadPhysics{"[materials]\nyoungs_modulus_Pa = -1e4", "materials.youngs_modulus_Pa", "-10000"},
-                    BadPhysics{"[materials]\nyoungs_modulus_Pa = 0", "materials.youngs_modulus_Pa", "0"},
-                    BadPhysics{"[materials.material_2]\ndensity_kg_m3 = -3", "materials.material_2.density_kg_m3", "-3"},
-                    BadPhysics{"[materials]\nkinetic_friction = \"high\"", "materials.kinetic_friction", "high"},
-                    BadPhysics{"[materials]\nyoung = 4", "materials.young", ""},
-                    BadPhysics{"[damping]\nbond = -0.5", "damping.bond", "-0.5"},
-                    BadPhysics{"[environment]\ngravity_m_s2 = -9.81", "environment.gravity_m_s2", "-9.81"},
-                    BadPhysics{"[environment]\nfloor = 1", "environment.floor", "1"},
-                    BadPhysics{"[actuation]\namplitude = 1.0", "actuation.amplitude", "1"},
-                    BadPhysics{"[actuation]\nperiod_s = 0", "actuation.period_s", "0"},
-                    BadPhysics{"[actuation]\nmode = \"waves\"", "actuation.mode", "waves"},
-                    BadPhysics{"[actuation]\nwave_axis = \"w\"", "actuation.wave_axis", "w"},
-                    BadPhysics{"[actuation]\nmaterial_phase = [0.5]", "actuation.material_phase", "not 1"},
-                    BadPhysics{"[collisions]\nexclusion_depth = 0", "collisions.exclusion_depth", "0"},
-                    BadPhysics{"[collisions]\nexclusion_depth = 1.5", "collisions.exclusion_depth", "1.5"},
-                    BadPhysics{"[collisions]\nexclusion_depth = \"none\"", "collisions.exclusion_depth", "none"},
-                    BadPhysics{"[integration]\ntime_step_fraction = nan", "integration.time_step_fraction", "nan"},
-                    BadPhysics{"[integration]\nnumber = \"float16\"", "integration.number", "float16"},
-                    BadPhysics{"[integration]\nnumber = \"float32\"", "integration.number", "float32"},
-                    BadPhysics{"[limits]\nstrain = 0", "limits.strain", "0"}, BadPhysics{"limits = 3", "limits", "3"}));
+    testing::Values(BadPhysics{"[materials]\nyoungs_modulus_Pa = -1e4", ": materials.youngs_modulus_Pa = -10000.0: must be > 0"},
+                    BadPhysics{"[materials]\nyoungs_modulus_Pa = 0", ": materials.youngs_modulus_Pa = 0: must be > 0"},
+                    BadPhysics{"[materials.material_2]\ndensity_kg_m3 = -3",
+                               ": materials.material_2.density_kg_m3 = -3: must be > 0"},
+                    BadPhysics{"[materials]\nkinetic_friction = \"high\"", ": materials.kinetic_friction = \"high\": "},
+                    BadPhysics{"[materials]\nyoung = 4", ": materials.young: unknown key"},
+                    BadPhysics{"[damping]\nbond = -0.5", ": damping.bond = -0.5: must be >= 0"},
+                    BadPhysics{"[environment]\ngravity_m_s2 = -9.75", ": environment.gravity_m_s2 = -9.75: must be >= 0"},
+                    BadPhysics{"[environment]\nfloor = 1", ": environment.floor = 1: must be true or false"},
+                    BadPhysics{"[actuation]\namplitude = 1.0", ": actuation.amplitude = 1"},
+                    BadPhysics{"[actuation]\nperiod_s = 0", ": actuation.period_s = 0: must be > 0"},
+                    BadPhysics{"[actuation]\nmode = \"waves\"", ": actuation.mode = \"waves\": "},
+                    BadPhysics{"[actuation]\nwave_axis = \"w\"", ": actuation.wave_axis = \"w\": "},
+                    BadPhysics{"[actuation]\nmaterial_phase = [0.5]", "must be two numbers, not 1"},
+                    BadPhysics{"[collisions]\nexclusion_depth = 0", ": collisions.exclusion_depth = 0: must be >= 1"},
+                    BadPhysics{"[collisions]\nexclusion_depth = 1.5", ": collisions.exclusion_depth = 1.5: "},
+                    BadPhysics{"[collisions]\nexclusion_depth = \"none\"", ": collisions.exclusion_depth = \"none\": "},
+                    BadPhysics{"[integration]\ntime_step_fraction = nan", ": integration.time_step_fraction = nan: "},
+                    BadPhysics{"[integration]\nnumber = \"float16\"", ": integration.number = \"float16\": "},
+                    BadPhysics{"[integration]\nnumber = \"float32\"",
+                               ": integration.number = \"float32\": float32 cannot carry damping from increments"},
+                    BadPhysics{"[limits]\nstrain = 0", ": limits.strain = 0: must be > 0"},
+                    BadPhysics{"limits = 3", ": limits = 3: must be a table"}));
 
 }  // namespace
 }  // namespace menger::voxel

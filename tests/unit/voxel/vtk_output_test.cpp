@@ -156,14 +156,22 @@ TEST_F(VtkOutput, AFileThatIsNoCollectionIsRefused) {
   EXPECT_THROW(static_cast<void>(read_collection(folder_ / "frames.pvd")), io::InputError);
 }
 
-TEST_F(VtkOutput, ASeriesListsItsFramesAndLeavesNoneOfALongerOne) {
+TEST_F(VtkOutput, ASeriesListsItsFramesAndCanRemoveThoseOfAnEarlierOne) {
   const auto write_series = [&](int count) {
     FrameSeries series(folder_);
+    series.remove_earlier();
+    EXPECT_FALSE(fs::exists(folder_ / "frames.pvd"));
+    EXPECT_FALSE(fs::exists(folder_ / "frames/frame_0000.vtu"));
     for (int i = 0; i < count; ++i) series.add(two_voxels(0.5 * i));
     series.finish();
   };
   write_series(4);
+  // A gap, as a frame removed by hand leaves it, must not hide what follows; other files are not the series' own.
+  fs::remove(folder_ / "frames/frame_0001.vtu");
+  for (const char* name : {"frame_mine.vtu", "frame_.vtu", "frame_0000.vtu.bak"}) io::write_whole(folder_ / "frames" / name, "");
   write_series(2);
+  for (const char* name : {"frame_mine.vtu", "frame_.vtu", "frame_0000.vtu.bak"})
+    EXPECT_TRUE(fs::exists(folder_ / "frames" / name));
   const auto entries = read_collection(folder_ / "frames.pvd");
   EXPECT_EQ(entries, (std::vector<CollectionEntry>{{0.0, "frames/frame_0000.vtu"}, {0.5, "frames/frame_0001.vtu"}}));
   EXPECT_TRUE(fs::exists(folder_ / "frames/frame_0001.vtu"));
