@@ -9,9 +9,11 @@
 #include "evolution/voxel_evaluator.h"
 #include "io/content_hash.h"
 #include "io/input_error.h"
+#include "io/number_text.h"
 #include "io/whole_file.h"
 #include "materials/observables.h"
 #include "meshes/design_file.h"
+#include "meshes/reference_shapes.h"
 #include "voxel/preview.h"
 #include "voxel/scene.h"
 
@@ -143,7 +145,27 @@ Study archived_study(const RunArchive& archive) {
   return study;
 }
 
+namespace {
+
+/// Refuses what could not be exported before anything is written.
+void check_options(const Study& study, const ExportOptions& options) {
+  const double interval_s = options.record_interval_s;
+  if (!(interval_s > 0.0 && study.duration_s / interval_s <= voxel::largest_record_count)) {
+    throw io::InputError("--record-interval " + io::number_text(interval_s) +
+                         ": must be > 0 and make at most a million records of " + io::number_text(study.duration_s) + " s");
+  }
+  for (const int level : options.levels) {
+    const meshes::Polycube full = meshes::full_cube(3);
+    if (voxel::estimated_memory_bytes(full, level) <= voxel::machine_memory_bytes()) continue;
+    throw io::InputError("--levels " + std::to_string(level) +
+                         ": a simulation at this level may need more memory than this machine has");
+  }
+}
+
+}  // namespace
+
 ExportResult export_run(const RunArchive& archive, const fs::path& folder, const ExportOptions& options) {
+  check_options(archived_study(archive), options);
   return Exporter(archive, folder, options).write();
 }
 

@@ -161,7 +161,8 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   table.finish();
   apply(overrides, study);
   check_whole(table, study, memory_bytes);
-  if (const std::string problem = voxel::unusable_scales(study.physics, study.search.cell_edge_m, study.duration_s); !problem.empty()) {
+  if (const std::string problem = voxel::unusable_scales(study.physics, study.search.cell_edge_m, study.duration_s);
+      !problem.empty()) {
     throw io::InputError(file.string() + ": " + problem);
   }
   return study;

@@ -18,10 +18,12 @@ inline std::array<double, 3> centre_of_mass(std::span<const std::array<double, 3
 }
 
 /// Horizontal net displacement sqrt(dx^2 + dy^2) of a displacement (x, y, z up), in its unit.
-inline double horizontal_displacement(const std::array<double, 3>& displacement) { return std::hypot(displacement[0], displacement[1]); }
+inline double horizontal_displacement(const std::array<double, 3>& displacement) {
+  return std::hypot(displacement[0], displacement[1]);
+}
 
-/// Length of a body of level 1, 2, 3 (3, 9, 27 cells per side) in metres: 3^level times the cell edge; the edge of its workspace, not the extent of
-/// the body in it.
+/// Length of a body of level 1, 2, 3 (3, 9, 27 cells per side) in metres: 3^level times the cell edge; the edge of its workspace,
+/// not the extent of the body in it.
 inline double body_length_m(int level, double cell_edge_m) {
   double cells = 1.0;
   for (int i = 0; i < level; ++i) cells *= 3.0;

@@ -29,9 +29,10 @@ struct Arguments {
 };
 
 constexpr const char* description =
-    "Writes the generations, the champion's lineage, its design file and its simulations at all scales (VTK, PNG) from the "
-    "archive of a "
-    "run, also while the run goes on.\n\nExample:\n  menger export demo/run.sqlite -o demo/champion";
+    "Writes the generations, the champion's lineage, its design file and its simulations at all scales (VTK, PNG)\n"
+    "from the archive of a run, also while the run goes on.\n\n"
+    "Example:\n"
+    "  menger export demo/run.sqlite -o demo/champion";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   bool no_frames = false;
@@ -43,7 +44,6 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
       ->check(CLI::Range(1, 5))
       ->capture_default_str();
   app.add_option("--record-interval", arguments.options.record_interval_s, "Simulated seconds between two frames")
-      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("--no-frames", no_frames, "No VTK files");
   app.add_flag("--no-pictures", no_pictures, "No PNG files");

@@ -169,6 +169,16 @@ TEST_F(Export, RefusesAnArchiveWithoutGenerations) {
   EXPECT_NE(outcome.err.find("no finished generation"), std::string::npos) << outcome.err;
 }
 
+TEST_F(Export, RefusesRecordIntervalsThatMakeNoRecords) {
+  evolve("run.sqlite");
+  for (const char* interval : {"0", "-1", "nan", "1e-12"}) {
+    const Outcome outcome = export_run("run.sqlite", "out", {"--record-interval", interval});
+    EXPECT_EQ(outcome.code, 2) << interval;
+    EXPECT_NE(outcome.err.find("--record-interval"), std::string::npos) << outcome.err;
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(Export, RefusesLevelsThatTheBodyDoesNotHave) {
   evolve("run.sqlite", "2", "nonfractal");
   const Outcome outcome = export_run("run.sqlite", "out", {"--levels", "4"});

@@ -174,7 +174,8 @@ TEST_F(StudyFile, RefusesWhatDoesNotFitWithPlaceKeyAndValue) {
   expect_refused(head + "[body]\ncell_edge_m = 0\n", {place + "3", "cell_edge_m = 0"});
   expect_refused(head + "[evaluation]\nduration_s = -2\n", {place + "3", "duration_s = -2"});
   expect_refused(head + "[materials]\nyoungs_modulus_Pa = -1e4\n", {place + "3", "youngs_modulus_Pa = -10000"});
-  expect_refused(head + "[materials]\nyoungs_modulus_Pa = 1e200\n", {"study.toml", "youngs_modulus_Pa = 1e+200", "beyond the range"});
+  expect_refused(head + "[materials]\nyoungs_modulus_Pa = 1e200\n",
+                 {"study.toml", "youngs_modulus_Pa = 1e+200", "beyond the range"});
   expect_refused(head + "[evaluation]\nduration_s = 1e300\n", {"study.toml", "duration_s = 1e+300", "steps"});
   expect_refused(head + "[materials]\npoissons_ratio = 0.5\n", {place + "3", "poissons_ratio = 0.5", "must be 0"});
   expect_refused(head + "[genome]\nencoding = \"nonfractal\"\n[body]\nlevels = [4]\n", {place + "5", "nonfractal", "at most 3"});
