@@ -10,10 +10,10 @@
 #include "io/content_hash.h"
 #include "io/input_error.h"
 #include "io/number_text.h"
+#include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "materials/observables.h"
 #include "meshes/design_file.h"
-#include "meshes/reference_shapes.h"
 #include "voxel/preview.h"
 #include "voxel/scene.h"
 
@@ -61,6 +61,11 @@ class Exporter {
   void write_champion() {
     lineage_table(run_, champion().id).write(folder_ / "lineage.csv");
     write_design(folder_ / "champion.toml", design(1));
+    if (std::vector<LevelResult> there = finished_levels(); there.size() == options_.levels.size()) {
+      result_.levels = std::move(there);
+      add_note("the simulations in " + folder_.string() + " are those of this champion already");
+      return;
+    }
     for (const int level : options_.levels) {
       if (arranged()) write_design(folder_ / ("champion_level_" + std::to_string(level) + ".toml"), design(level));
       simulate(level);
@@ -87,9 +92,34 @@ class Exporter {
     return scene;
   }
 
+  [[nodiscard]] fs::path place_of(int level) const { return folder_ / ("level_" + std::to_string(level)); }
+
+  /// Levels whose folder holds the completed run of the very scene that would be run, with everything asked for.
+  [[nodiscard]] std::vector<LevelResult> finished_levels() const {
+    std::vector<LevelResult> there;
+    if (options_.pictures && !fs::exists(folder_ / "champion.png")) return there;
+    for (const int level : options_.levels) {
+      const fs::path place = place_of(level);
+      const bool files_are_there =
+          fs::exists(place / "scene.toml") && fs::exists(place / "result.toml") && fs::exists(place / "trajectory.csv") &&
+          (!options_.frames || fs::exists(place / "frames.pvd")) && (!options_.pictures || fs::exists(place / "robot.png"));
+      if (!files_are_there || io::read_whole(place / "scene.toml") != scene_text(scene(level))) return there;
+      const io::TomlTable table = io::read_toml(place / "result.toml");
+      if (table.text("status") != io::to_string(io::RunStatus::completed)) return there;
+      const std::vector<double> moved_m = table.numbers("displacement_m");
+      if (moved_m.size() != 3) return there;
+      LevelResult level_result{level, aggregate_cell_count(champion().phenotype, level), {}};
+      level_result.scene.status = io::RunStatus::completed;
+      level_result.scene.displacement_m = {moved_m[0], moved_m[1], moved_m[2]};
+      if (differs_from_archive(level_result)) return there;
+      there.push_back(std::move(level_result));
+    }
+    return there;
+  }
+
   void simulate(int level) {
     const voxel::Scene scene = this->scene(level);
-    const fs::path place = folder_ / ("level_" + std::to_string(level));
+    const fs::path place = place_of(level);
     io::write_whole(place / "scene.toml", scene_text(scene));
     voxel::RunOptions run;
     run.stop = options_.stop;
@@ -103,11 +133,14 @@ class Exporter {
     result_.levels.push_back(std::move(done));
   }
 
-  void compare_with_archive(const LevelResult& done) {
+  [[nodiscard]] bool differs_from_archive(const LevelResult& done) const {
     const auto archived =
         archive_.evaluation({design_hash(champion().phenotype, done.level), done.level, io::content_hash(run_.physics)});
-    if (!archived || done.scene.status == io::RunStatus::stopped) return;
-    if (archived->result.displacement_m == done.scene.displacement_m) return;
+    return archived && archived->result.displacement_m != done.scene.displacement_m;
+  }
+
+  void compare_with_archive(const LevelResult& done) {
+    if (done.scene.status == io::RunStatus::stopped || !differs_from_archive(done)) return;
     add_note("level " + std::to_string(done.level) +
              ": the simulation differs from the one in the archive, which another version of menger made");
   }
@@ -153,12 +186,6 @@ void check_options(const Study& study, const ExportOptions& options) {
   if (!(interval_s > 0.0 && study.duration_s / interval_s <= voxel::largest_record_count)) {
     throw io::InputError("--record-interval " + io::number_text(interval_s) +
                          ": must be > 0 and make at most a million records of " + io::number_text(study.duration_s) + " s");
-  }
-  for (const int level : options.levels) {
-    const meshes::Polycube full = meshes::full_cube(3);
-    if (voxel::estimated_memory_bytes(full, level) <= voxel::machine_memory_bytes()) continue;
-    throw io::InputError("--levels " + std::to_string(level) +
-                         ": a simulation at this level may need more memory than this machine has");
   }
 }
 

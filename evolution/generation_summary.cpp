@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "io/content_hash.h"
+#include "io/input_error.h"
 #include "meshes/fractal.h"
 
 namespace menger::evolution {
@@ -122,6 +123,10 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
   for (const Individual& individual : lineage(*run.archive, id)) {
     const std::vector<Contender> contenders = run.archive->contenders(individual.generation);
     const auto contender = std::ranges::find(contenders, individual.id, &Contender::id);
+    if (contender == contenders.end()) {
+      throw io::InputError(run.archive->file().string() + ": is damaged: individual " + std::to_string(individual.id) +
+                           " took no part in generation " + std::to_string(individual.generation));
+    }
     const DesignSummary design = summarise_design(run, individual, *contender);
     std::vector<io::CsvCell> row{io::cell(individual.generation), count_cell(individual.id)};
     row.push_back(individual.parent ? count_cell(*individual.parent) : io::CsvCell{});

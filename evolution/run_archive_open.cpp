@@ -95,6 +95,22 @@ void create_schema(SQLite::Database& connection, std::string_view study, int gen
   transaction.commit();
 }
 
+/// What the pages cannot show: rows that contradict each other.
+void require_consistent_rows(const fs::path& file, SQLite::Database& connection) {
+  const auto none = [&](const char* wrong_rows, const char* what) {
+    if (connection.execAndGet(std::string("SELECT COUNT(*) FROM ") + wrong_rows).getInt() > 0)
+      refuse(file, std::string("is damaged: ") + what);
+  };
+  none("evaluation WHERE (status = 'completed') != (dx_m IS NOT NULL AND dy_m IS NOT NULL AND dz_m IS NOT NULL)",
+       "an evaluation has a displacement without being completed, or none although it is");
+  none("individual WHERE parent >= id", "an individual is older than its parent");
+  none(
+      "(SELECT COUNT(survivor_rank) AS held, MAX(survivor_rank) + 1 AS ranks, COUNT(DISTINCT survivor_rank) AS different FROM "
+      "contender "
+      "GROUP BY generation) WHERE held != ranks OR held != different",
+      "the survivors of a generation have gaps");
+}
+
 void require_archive(const fs::path& file, SQLite::Database& connection) {
   if (connection.execAndGet("PRAGMA application_id").getInt() != application_id) {
     refuse(file, "is not an archive of menger: an SQLite database of something else");
@@ -107,6 +123,11 @@ void require_archive(const fs::path& file, SQLite::Database& connection) {
   const std::string check = connection.execAndGet("PRAGMA quick_check(1)").getString();
   if (check != "ok") refuse(file, "is damaged: " + check);
   if (connection.execAndGet("SELECT COUNT(*) FROM study").getInt() != 1) refuse(file, "is damaged: it names no study");
+  if (io::content_hash(connection.execAndGet("SELECT resolved FROM study").getString()) !=
+      connection.execAndGet("SELECT hash FROM study").getString()) {
+    refuse(file, "is damaged: its study is not the one it was made for");
+  }
+  require_consistent_rows(file, connection);
 }
 
 void require_same_study(const fs::path& file, std::string_view archived, std::string_view given) {
@@ -130,14 +151,17 @@ void require_same_study(const fs::path& file, std::string_view archived, std::st
 }  // namespace
 
 RunArchive RunArchive::open(const fs::path& file, std::string_view study, int generations) {
-  if (fs::is_directory(file)) refuse(file, "cannot be written: it is a folder");
+  // SQLite takes an empty name for a database of its own that vanishes.
+  if (file.empty()) throw io::InputError("the archive needs a file name");
+  std::error_code unknown;
+  if (fs::is_directory(file, unknown)) refuse(file, "cannot be written: it is a folder");
   io::require_writable_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
   ArchiveLock lock(file);
   // A process that died while it made the archive leaves nothing, an empty file or an empty database.
   std::error_code missing;
-  if (fs::exists(file) && fs::file_size(file, missing) > 0) require_database_header(file);
+  if (fs::exists(file, missing) && fs::file_size(file, missing) > 0) require_database_header(file);
   try {
-    SQLite::Database connection(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     if (!is_empty_database(connection)) {
       require_archive(file, connection);
       require_same_study(file, connection.execAndGet("SELECT resolved FROM study").getString(), study);
@@ -164,7 +188,7 @@ RunArchive RunArchive::open_to_read(const fs::path& file) {
   if (!fs::is_regular_file(file, missing)) refuse(file, "there is no such file");
   require_database_header(file);
   try {
-    SQLite::Database connection(file.string(), SQLite::OPEN_READONLY, 10000);
+    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READONLY, 10000);
     require_archive(file, connection);
     // One long read sees one state, whatever another process adds meanwhile.
     connection.exec("BEGIN");

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "evolution/pool_judge.h"
 #include "evolution/random_stream.h"
+#include "io/input_error.h"
 
 namespace menger::evolution {
 
@@ -51,6 +53,9 @@ class Search {
     selection_ = RandomStream::from_text(record.selection_generator);
     for (const Contender& contender : archive_.contenders(*last)) {
       if (contender.survivor_rank) survivors_.push_back({archive_.individual(contender.id), contender});
+    }
+    if (survivors_.empty()) {
+      throw io::InputError(archive_.file().string() + ": is damaged: generation " + std::to_string(*last) + " has no survivors");
     }
     std::ranges::sort(survivors_, {}, [](const Survivor& survivor) { return *survivor.contender.survivor_rank; });
     for (std::string& key : archive_.phenotype_keys()) phenotypes_.insert(std::move(key));

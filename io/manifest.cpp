@@ -21,8 +21,12 @@ std::string manifest_text(const Manifest& manifest) {
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+void write_manifest_file(const std::filesystem::path& file, const Manifest& manifest) {
+  write_whole(file, manifest_text(manifest));
+}
+
 void write_manifest(const std::filesystem::path& folder, const Manifest& manifest) {
-  write_whole(folder / "manifest.json", manifest_text(manifest));
+  write_manifest_file(folder / "manifest.json", manifest);
 }
 
 }  // namespace menger::io

@@ -23,6 +23,9 @@ void add_input(Manifest& manifest, const std::filesystem::path& file);
 /// The manifest as JSON with sorted keys, the version of menger included.
 std::string manifest_text(const Manifest& manifest);
 
+/// Writes a manifest to a file, whole or not at all. @throws InputError naming path and reason
+void write_manifest_file(const std::filesystem::path& file, const Manifest& manifest);
+
 /// Writes `manifest.json` into a folder, whole or not at all. @throws InputError naming path and reason
 void write_manifest(const std::filesystem::path& folder, const Manifest& manifest);
 

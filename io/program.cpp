@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
@@ -17,6 +18,10 @@ int run_program(std::string_view name, const std::function<int()>& body) {
   try {
     return body();
   } catch (const InputError& error) {
+    std::cerr << name << ": error: " << error.what() << '\n';
+    return exit_code::bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {
+    // A name too long, a folder that may not be entered: the error names the path.
     std::cerr << name << ": error: " << error.what() << '\n';
     return exit_code::bad_input;
   } catch (const std::bad_alloc&) {

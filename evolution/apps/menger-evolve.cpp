@@ -156,8 +156,8 @@ int evolve(const Arguments& arguments) {
     status = run_search(study.search, evaluator, archive, options);
     log.close();
     manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    const fs::path folder = arguments.archive.parent_path();
-    io::write_manifest(folder.empty() ? fs::path(".") : folder, manifest);
+    // Beside the archive and named after it: several trials may share a folder.
+    io::write_manifest_file(fs::path(arguments.archive).replace_extension(".manifest.json"), manifest);
   }
   if (status == io::RunStatus::stopped) {
     std::cout << "Stopped; what is finished is kept. The same command goes on from there." << std::endl;

@@ -10,6 +10,7 @@
 
 #include "evolution/export.h"
 #include "evolution/run_archive.h"
+#include "io/content_hash.h"
 #include "io/exit_code.h"
 #include "io/interrupt.h"
 #include "io/manifest.h"
@@ -71,6 +72,7 @@ int export_archive(Arguments& arguments) {
 
   io::Manifest manifest{
       .program = "menger-export", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
+  manifest.inputs[arguments.archive.string() + " (study)"] = io::content_hash(archive.study());
   manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   io::write_manifest(arguments.folder, manifest);
   for (const std::string& note : result.notes) std::cout << "note: " << note << "\n";

@@ -60,7 +60,7 @@ class Evolve : public testing::Test {
     if (there) {
       EXPECT_EQ(io::read_whole(archive_), before);
     }
-    EXPECT_EQ(fs::exists(folder_ / "manifest.json"), there);
+    EXPECT_EQ(fs::exists(folder_ / "run.manifest.json"), there);
   }
 
   void change_study(const std::string& from, const std::string& to) const {
@@ -85,20 +85,20 @@ TEST_F(Evolve, WritesAnArchiveAndAManifestAndALinePerGeneration) {
   }
   EXPECT_EQ(outcome.out.find('\r'), std::string::npos) << "a bar in a file";
   EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(io::read_whole(folder_ / "manifest.json").find("duration_s = 0.05"), std::string::npos);
+  EXPECT_NE(io::read_whole(folder_ / "run.manifest.json").find("duration_s = 0.05"), std::string::npos);
 }
 
 TEST_F(Evolve, ASecondCallShowsInsteadOfRedoing) {
   ASSERT_EQ(run({"study.toml"}).code, 0);
   const std::string content = archive_content(archive_);
-  const auto manifest_time = fs::last_write_time(folder_ / "manifest.json");
+  const auto manifest_time = fs::last_write_time(folder_ / "run.manifest.json");
   const Outcome outcome = run({"study.toml"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_NE(outcome.out.find("nothing to do"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("\n   2 "), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Champion: individual "), std::string::npos);
   EXPECT_EQ(archive_content(archive_), content);
-  EXPECT_EQ(fs::last_write_time(folder_ / "manifest.json"), manifest_time);
+  EXPECT_EQ(fs::last_write_time(folder_ / "run.manifest.json"), manifest_time);
 }
 
 TEST_F(Evolve, MoreGenerationsContinueTheRun) {
@@ -117,7 +117,7 @@ TEST_F(Evolve, InterruptedItEndsCleanlyAndGoesOnLater) {
   const Outcome stopped = running.wait();
   EXPECT_EQ(stopped.code, 130) << stopped.err;
   EXPECT_NE(stopped.out.find("The same command goes on from there"), std::string::npos) << stopped.out;
-  EXPECT_TRUE(fs::exists(folder_ / "manifest.json"));
+  EXPECT_TRUE(fs::exists(folder_ / "run.manifest.json"));
 
   const int last = evolution::RunArchive::open_to_read(archive_).last_generation().value();
   ASSERT_LT(last, 100000);

@@ -139,6 +139,24 @@ TEST_F(Export, MakesPicturesOrSaysWhatIsMissing) {
     EXPECT_NE(fs::exists(folder_ / "out" / name), said) << outcome.out;
 }
 
+TEST_F(Export, ASecondCallShowsInsteadOfRedoing) {
+  evolve("run.sqlite");
+  const Outcome first = export_run("run.sqlite", "out");
+  ASSERT_EQ(first.code, 0) << first.err;
+  const auto before = contents("out");
+  const auto written = fs::last_write_time(folder_ / "out/level_1/trajectory.csv");
+  const Outcome second = export_run("run.sqlite", "out");
+  ASSERT_EQ(second.code, 0) << second.err;
+  EXPECT_EQ(fs::last_write_time(folder_ / "out/level_1/trajectory.csv"), written);
+  EXPECT_EQ(contents("out"), before);
+  EXPECT_NE(second.out.find("already"), std::string::npos) << second.out;
+  // The same table, and what is missing is made again.
+  EXPECT_NE(second.out.find(first.out.substr(first.out.find("level "), 200)), std::string::npos) << second.out;
+  fs::remove(folder_ / "out/level_2/result.toml");
+  ASSERT_EQ(export_run("run.sqlite", "out").code, 0);
+  EXPECT_EQ(contents("out"), before);
+}
+
 TEST_F(Export, RefusesWhatIsNoArchive) {
   EXPECT_EQ(export_run("missing.sqlite", "out").code, 2);
   io::write_whole(folder_ / "text.sqlite", "once upon a time");

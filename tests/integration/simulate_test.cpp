@@ -59,6 +59,7 @@ class Simulate : public testing::Test {
                             const std::vector<std::pair<std::string, std::string>>& environment = {}) const {
     arguments.insert(arguments.begin(), std::string(MENGER_PROGRAM_DIR).append("/menger-simulate"));
     std::vector<char*> words;
+    words.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) words.push_back(argument.data());
     words.push_back(nullptr);
     const pid_t child = fork();

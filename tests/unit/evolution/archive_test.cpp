@@ -230,10 +230,24 @@ TEST_F(Archive, RefusesAFileWithDamagedPages) {
   EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError);
 }
 
+TEST_F(Archive, RefusesRowsThatContradictEachOther) {
+  // Pages of SQLite carry no checksums: such damage passes its own check.
+  for (const char* damage :
+       {"UPDATE study SET resolved = resolved || ' '", "UPDATE evaluation SET dy_m = NULL WHERE design_hash = 'design 7'",
+        "UPDATE evaluation SET status = 'diverged' WHERE design_hash = 'design 8'"}) {
+    fs::remove(file_);
+    fill();
+    SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec(damage);
+    expect_refused({"is damaged"});
+    EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError) << damage;
+  }
+}
+
 TEST_F(Archive, RefusesPlacesWhereNoFileCanBe) {
   io::write_whole(folder_ / "file", "x");
   EXPECT_THROW((void)RunArchive::open(folder_ / "file/run.sqlite", study, 1), io::InputError);
   EXPECT_THROW((void)RunArchive::open(folder_, study, 1), io::InputError);
+  EXPECT_THROW((void)RunArchive::open("", study, 1), io::InputError) << "SQLite would make a database that vanishes";
   EXPECT_THROW((void)RunArchive::open_to_read(folder_ / "missing.sqlite"), io::InputError);
   EXPECT_EQ(io::read_whole(folder_ / "file"), "x");
   EXPECT_FALSE(fs::exists(folder_ / "missing.sqlite")) << "reading must not make an archive";

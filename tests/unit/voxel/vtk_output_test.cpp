@@ -125,7 +125,9 @@ TEST_F(VtkOutput, ThousandsOfVoxelsStayCompact) {
   frame.cell_edge_m = 0.01;
   for (int i = 0; i < 8000; ++i) {
     const double jitter = 1e-4 * std::sin(12.9898 * i);  // as irregular as a moving body
-    frame.position_m.push_back({0.01 * (i % 20) + jitter, 0.01 * (i / 20 % 20) - jitter, 0.01 * (i / 400)});
+    const int row = i / 20;
+    const int layer = i / 400;
+    frame.position_m.push_back({0.01 * (i % 20) + jitter, 0.01 * (row % 20) - jitter, 0.01 * layer});
     frame.orientation.push_back({1.0, 0.0, 0.0, 0.0});
     frame.size_m.push_back(0.01 + jitter);
     frame.speed_m_s.push_back(jitter);
