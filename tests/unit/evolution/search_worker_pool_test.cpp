@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <barrier>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "evolution/worker_pool.h"
@@ -69,6 +71,8 @@ TEST(WorkerPool, PassesOnWhatAnEvaluationThrows) {
   FakeEvaluator::Options options;
   options.before_result = [](std::uint64_t call) {
     if (call == 3) throw std::runtime_error("out of chalk");
+    // Tasks as short as this fake's could all be done while the exception is on its way.
+    if (call > 3) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   };
   const FakeEvaluator evaluator(options);
   EXPECT_THROW((void)WorkerPool(evaluator, 2).run(bars(100), never, [](std::size_t, const Evaluation&) {}), std::runtime_error);
