@@ -26,11 +26,6 @@ Value from_word(const std::array<Value, count>& values, const std::string& word)
 constexpr std::array statuses{io::RunStatus::completed,   io::RunStatus::diverged,         io::RunStatus::not_converged,
                               io::RunStatus::limit_point, io::RunStatus::inverted_element, io::RunStatus::wall_contact};
 
-template <class Number>
-std::int64_t signed_number(Number number) {
-  return static_cast<std::int64_t>(number);
-}
-
 std::optional<double> optional_double(const SQLite::Column& column) {
   return column.isNull() ? std::nullopt : std::optional(column.getDouble());
 }

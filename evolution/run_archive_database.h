@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -32,5 +33,10 @@ class RunArchive::Database {
     }
   }
 };
+
+template <class Number>
+inline std::int64_t signed_number(Number number) {
+  return static_cast<std::int64_t>(number);
+}
 
 }  // namespace menger::evolution

@@ -7,11 +7,6 @@ namespace {
 
 constexpr std::string_view writing = "cannot be written";
 
-template <class Number>
-std::int64_t signed_number(Number number) {
-  return static_cast<std::int64_t>(number);
-}
-
 void bind_optional(SQLite::Statement& statement, int index, const std::optional<double>& value) {
   value ? statement.bind(index, *value) : statement.bind(index);
 }
