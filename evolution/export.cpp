@@ -153,7 +153,7 @@ class Exporter {
       frames.push_back(level.scene.recorded_frames.back());
       captions.push_back("level " + std::to_string(level.level) + ": " + std::to_string(level.cells) + " voxels");
     }
-    const voxel::PictureOutcome picture = voxel::render_row(folder_ / "champion.png", frames, captions);
+    const io::PictureOutcome picture = voxel::render_row(folder_ / "champion.png", frames, captions);
     if (!picture.written) add_note("no pictures: " + picture.missing);
   }
 

@@ -17,8 +17,8 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "io/picture.h"
 #include "voxel/cube.h"
-#include "voxel/picture.h"
 
 namespace menger::voxel {
 namespace {
@@ -120,7 +120,7 @@ void add_trail(vtkRenderer& renderer, std::span<const Vector> trail) {
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(0.2, 0.22, 0.28);
-  actor->GetProperty()->SetLineWidth(4.0F * supersampling);
+  actor->GetProperty()->SetLineWidth(4.0F * io::supersampling);
   actor->GetProperty()->LightingOff();
   renderer.AddActor(actor);
 }
@@ -138,7 +138,7 @@ void add_light(vtkRenderer& renderer) {
 void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size) {
   vtkNew<vtkTextActor> text;
   text->SetInput(caption.c_str());
-  text->GetTextProperty()->SetFontSize(supersampling * font_size);
+  text->GetTextProperty()->SetFontSize(io::supersampling * font_size);
   text->GetTextProperty()->SetColor(0.15, 0.17, 0.2);
   text->GetTextProperty()->SetJustificationToCentered();
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();

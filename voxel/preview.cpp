@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "voxel/picture.h"
 #include "voxel/picture_parts.h"
 #include "voxel/picture_view.h"
 
@@ -72,7 +71,7 @@ Extent view_of_tile(const Extent& tile, const View& view) {
 }
 
 void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std::span<const Vector> trail,
-                 std::span<const std::string> captions, const PictureStyle& style) {
+                 std::span<const std::string> captions, const RobotStyle& style) {
   const View view = isometric_view();
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1.0, 1.0, 1.0);
@@ -80,7 +79,7 @@ void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std
 
   double cells_across = 0.0;
   for (const Placed& robot : robots) cells_across += view_extent(*robot.frame, view).size(0) / robot.frame->cell_edge_m;
-  const double line_width = supersampling * std::clamp(30.0 / cells_across, 0.6, 2.0);
+  const double line_width = io::supersampling * std::clamp(30.0 / cells_across, 0.6, 2.0);
 
   Extent seen;
   std::vector<double> middles;
@@ -110,25 +109,27 @@ void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std
   }
 
   window.AddRenderer(renderer);
-  const double aspect = static_cast<double>(style.width_px) / style.height_px;
+  const double aspect = static_cast<double>(style.picture.width_px) / style.picture.height_px;
   aim(*renderer, view, seen, aspect, captions.empty() ? 0.04 : 0.08);
   const double picture_width = 2.0 * renderer->GetActiveCamera()->GetParallelScale() * aspect;
   for (std::size_t i = 0; i < captions.size(); ++i) {
-    add_caption(*renderer, captions[i], 0.5 + (middles[i] - seen.centre(0)) / picture_width, style.height_px / 36);
+    add_caption(*renderer, captions[i], 0.5 + (middles[i] - seen.centre(0)) / picture_width, style.picture.height_px / 36);
   }
 }
 
 }  // namespace
 
-PictureOutcome render_robot(const std::filesystem::path& file, const Frame& frame, std::span<const std::array<double, 3>> trail_m,
-                            const PictureStyle& style) {
-  return write_picture(file, style, [&](vtkRenderWindow& window) { fill_window(window, {{&frame, {}}}, trail_m, {}, style); });
+io::PictureOutcome render_robot(const std::filesystem::path& file, const Frame& frame,
+                                std::span<const std::array<double, 3>> trail_m, const RobotStyle& style) {
+  return io::write_picture(file, style.picture, [&](vtkRenderWindow& window) {
+    fill_window(window, {{&frame, {}}}, trail_m, {}, style);
+  });
 }
 
-PictureOutcome render_row(const std::filesystem::path& file, std::span<const Frame> frames, std::span<const std::string> captions,
-                          const PictureStyle& style) {
+io::PictureOutcome render_row(const std::filesystem::path& file, std::span<const Frame> frames,
+                              std::span<const std::string> captions, const RobotStyle& style) {
   assert(!frames.empty() && (captions.empty() || captions.size() == frames.size()));
-  return write_picture(file, style, [&](vtkRenderWindow& window) {
+  return io::write_picture(file, style.picture, [&](vtkRenderWindow& window) {
     fill_window(window, side_by_side(frames, isometric_view()), {}, captions, style);
   });
 }

@@ -4,24 +4,17 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <vector>
 
+#include "io/picture.h"
 #include "voxel/frame.h"
 #include "voxel/trajectory.h"
 
 namespace menger::voxel {
 
-/// Size and content of a picture.
-struct PictureStyle {
-  int width_px = 1600;
-  int height_px = 1000;
+/// Size and content of a picture of robots.
+struct RobotStyle {
+  io::PictureStyle picture{};
   bool floor = true;  ///< the ground the robots stand on
-};
-
-/// Whether a picture was made.
-struct PictureOutcome {
-  bool written = false;
-  std::string missing;  ///< what is missing where none was written, and how to get it
 };
 
 /// Draws a robot as a PNG picture, seen from above at an angle: lit cubes, material 1 in cyan, material 2 in red, on the ground.
@@ -31,16 +24,16 @@ struct PictureOutcome {
 /// library.
 /// @param trail_m path of the centre of mass, drawn on the ground where there is one @throws io::InputError if the place cannot
 /// be written
-PictureOutcome render_robot(const std::filesystem::path& file, const Frame& frame,
-                            std::span<const std::array<double, 3>> trail_m = {}, const PictureStyle& style = {});
+io::PictureOutcome render_robot(const std::filesystem::path& file, const Frame& frame,
+                                std::span<const std::array<double, 3>> trail_m = {}, const RobotStyle& style = {});
 
 /// Draws robots side by side from left to right, all to the same scale. @param captions one per robot, or none
-PictureOutcome render_row(const std::filesystem::path& file, std::span<const Frame> frames,
-                          std::span<const std::string> captions = {},
-                          const PictureStyle& style = {.width_px = 2400, .height_px = 1100});
+io::PictureOutcome render_row(const std::filesystem::path& file, std::span<const Frame> frames,
+                              std::span<const std::string> captions = {},
+                              const RobotStyle& style = {.picture = {.width_px = 2400, .height_px = 1100}});
 
 /// Draws a trajectory: horizontal displacement in body lengths over time, and the path seen from above.
-PictureOutcome plot_trajectory(const std::filesystem::path& file, const Trajectory& trajectory, double body_length_m,
-                               const PictureStyle& style = {.width_px = 1600, .height_px = 800});
+io::PictureOutcome plot_trajectory(const std::filesystem::path& file, const Trajectory& trajectory, double body_length_m,
+                                   const io::PictureStyle& style = {.width_px = 1600, .height_px = 800});
 
 }  // namespace menger::voxel

@@ -132,7 +132,7 @@ class SceneRun {
   void draw() {
     std::vector<std::array<double, 3>> trail;
     for (const TrajectoryPoint& point : result_.trajectory) trail.push_back(point.centre_of_mass_m);
-    const PictureOutcome robot = render_robot(folder_ / "robot.png", last_frame_, trail, {.floor = scene_.physics.floor});
+    const io::PictureOutcome robot = render_robot(folder_ / "robot.png", last_frame_, trail, {.floor = scene_.physics.floor});
     if (!robot.written) {
       result_.notes.push_back("no pictures: " + robot.missing);
       return;

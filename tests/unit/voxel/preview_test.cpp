@@ -1,20 +1,15 @@
 #include "voxel/preview.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
-#include <optional>
-#include <string>
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
-#include "voxel/offscreen_display.h"
 
 namespace menger::voxel {
 namespace {
@@ -33,36 +28,6 @@ Frame two_cubes() {
           .phase = {0.0, 0.0},
           .contact = {0, 0},
           .cell_edge_m = 0.01};
-}
-
-/// Sets an environment variable for the time of a test.
-class Environment {
- public:
-  Environment(const char* name, const char* value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    set(value);
-  }
-  ~Environment() { set(before_ ? before_->c_str() : nullptr); }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
- private:
-  void set(const char* value) const {
-    if (value == nullptr) {
-      unsetenv(name_);
-    } else {
-      setenv(name_, value, 1);
-    }
-  }
-
-  const char* name_;
-  std::optional<std::string> before_;
-};
-
-/// Whether this process has a child, ended ones that nobody waited for included.
-bool has_children() {
-  siginfo_t child{};
-  return waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0;
 }
 
 struct Pixels {
@@ -94,11 +59,11 @@ class Preview : public testing::Test {
   Preview() { fs::remove_all(folder_); }
 
   fs::path folder_ = fs::path(testing::TempDir()) / "preview" / testing::UnitTest::GetInstance()->current_test_info()->name();
-  PictureStyle small_{.width_px = 320, .height_px = 200};
+  io::PictureStyle small_{.width_px = 320, .height_px = 200};
 };
 
 TEST_F(Preview, DrawsBothMaterialsOnWhite) {
-  const PictureOutcome outcome = render_robot(folder_ / "robot.png", two_cubes(), {}, small_);
+  const io::PictureOutcome outcome = render_robot(folder_ / "robot.png", two_cubes(), {}, {small_});
   if (!outcome.written) GTEST_SKIP() << outcome.missing;
   const Pixels pixels = count_pixels(folder_ / "robot.png");
   EXPECT_EQ(pixels.width, 320);
@@ -117,7 +82,8 @@ TEST_F(Preview, ALargerRobotInARowIsDrawnLarger) {
   large.size_m = {0.02, 0.02};
   large.position_m = {{0.0, 0.0, 0.005}, {0.02, 0.0, 0.005}};
   const std::array frames{small, large};
-  const PictureOutcome outcome = render_row(folder_ / "row.png", frames, {}, {.width_px = 960, .height_px = 600});
+  const io::PictureOutcome outcome =
+      render_row(folder_ / "row.png", frames, {}, {.picture = {.width_px = 960, .height_px = 600}});
   if (!outcome.written) GTEST_SKIP() << outcome.missing;
   const Pixels pixels = count_pixels(folder_ / "row.png");
   ASSERT_GT(pixels.cyan, 0);
@@ -127,7 +93,7 @@ TEST_F(Preview, ALargerRobotInARowIsDrawnLarger) {
 
 TEST_F(Preview, PlotsATrajectory) {
   const Trajectory trajectory{{0.0, {0.0, 0.0, 0.0}, {}}, {1.0, {0.01, 0.0, 0.0}, {}}, {2.0, {0.02, 0.01, 0.0}, {}}};
-  const PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, small_);
+  const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, small_);
   if (!outcome.written) GTEST_SKIP() << outcome.missing;
   const Pixels pixels = count_pixels(folder_ / "plot.png");
   EXPECT_GT(pixels.cyan, 100);  // the lines
@@ -136,46 +102,20 @@ TEST_F(Preview, PlotsATrajectory) {
 
 TEST_F(Preview, PlotsABodyThatNeverMoved) {
   const Trajectory trajectory{{0.0, {0.0, 0.0, 0.0}, {}}, {1.0, {0.0, 0.0, 0.0}, {}}};
-  const PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, small_);
+  const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, small_);
   if (!outcome.written) GTEST_SKIP() << outcome.missing;
   EXPECT_GT(count_pixels(folder_ / "plot.png").cyan, 100);
 }
 
 TEST_F(Preview, PlotsNothingFromASingleRecord) {
-  const PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", {{0.0, {0.0, 0.0, 0.0}, {}}}, 0.03, small_);
+  const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", {{0.0, {0.0, 0.0, 0.0}, {}}}, 0.03, small_);
   EXPECT_FALSE(outcome.written);
   EXPECT_FALSE(outcome.missing.empty());
 }
 
-TEST_F(Preview, ADeadDisplayIsNoReasonToAbort) {
-  const Environment display("DISPLAY", ":987");
-  const PictureOutcome outcome = render_robot(folder_ / "robot.png", two_cubes(), {}, small_);
-  EXPECT_EQ(outcome.written, fs::exists(folder_ / "robot.png"));
-  EXPECT_NE(outcome.written, !outcome.missing.empty());
-}
-
-TEST_F(Preview, SaysWhatIsMissingWithoutDisplayAndXvfb) {
-  const Environment display("DISPLAY", nullptr);
-  const Environment path("PATH", "/nowhere");
-  const PictureOutcome outcome = render_robot(folder_ / "robot.png", two_cubes(), {}, small_);
-  EXPECT_FALSE(outcome.written);
-  EXPECT_NE(outcome.missing.find("xvfb"), std::string::npos) << outcome.missing;
-  EXPECT_TRUE(fs::is_empty(folder_));
-}
-
-TEST_F(Preview, LeavesNoServerBehind) {
-  const Environment display("DISPLAY", nullptr);
-  {
-    const OffscreenDisplay virtual_display;
-    if (!virtual_display.available()) GTEST_SKIP() << virtual_display.missing();
-    EXPECT_TRUE(has_children());
-  }
-  EXPECT_FALSE(has_children());
-}
-
 TEST_F(Preview, APlaceUnderAFileIsRefused) {
   io::write_whole(folder_ / "file", "text");
-  EXPECT_THROW(static_cast<void>(render_robot(folder_ / "file/robot.png", two_cubes(), {}, small_)), io::InputError);
+  EXPECT_THROW(static_cast<void>(render_robot(folder_ / "file/robot.png", two_cubes(), {}, {small_})), io::InputError);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace menger::voxel {
+namespace menger::io {
 
 /// A connection to an X display for rendering off-screen: the display of the environment variable DISPLAY if it answers,
 /// otherwise a virtual one (Xvfb) that is started here and ended with this object. VTK aborts the program where there is neither,
@@ -39,4 +39,4 @@ class OffscreenDisplay {
   std::string missing_;
 };
 
-}  // namespace menger::voxel
+}  // namespace menger::io

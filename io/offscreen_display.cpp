@@ -1,4 +1,4 @@
-#include "voxel/offscreen_display.h"
+#include "io/offscreen_display.h"
 
 #include <GL/glx.h>
 #include <X11/Xlib.h>
@@ -17,7 +17,7 @@
 #include <string>
 #include <thread>
 
-namespace menger::voxel {
+namespace menger::io {
 namespace {
 
 constexpr int exec_failed = 127;
@@ -126,4 +126,4 @@ void OffscreenDisplay::end_server() {
   server_ = -1;
 }
 
-}  // namespace menger::voxel
+}  // namespace menger::io

@@ -1,4 +1,4 @@
-#include "voxel/picture.h"
+#include "io/picture.h"
 
 #include <vtkImageShrink3D.h>
 #include <vtkNew.h>
@@ -7,18 +7,18 @@
 #include <vtkWindowToImageFilter.h>
 
 #include "io/input_error.h"
+#include "io/offscreen_display.h"
 #include "io/whole_file.h"
-#include "voxel/offscreen_display.h"
 
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
 #endif
 
-namespace menger::voxel {
+namespace menger::io {
 
 PictureOutcome write_picture(const std::filesystem::path& file, const PictureStyle& style,
                              const std::function<void(vtkRenderWindow&)>& fill) {
-  io::PendingFile pending(file);
+  PendingFile pending(file);
 #ifdef __SANITIZE_ADDRESS__
   // Graphics drivers keep memory for ever and are unloaded, so that it cannot be told whose it was.
   const __lsan::ScopedDisabler no_leak_check;
@@ -48,10 +48,10 @@ PictureOutcome write_picture(const std::filesystem::path& file, const PictureSty
   writer->SetInputConnection(smooth->GetOutputPort());
   writer->SetFileName(pending.temporary().c_str());
   writer->Write();
-  if (writer->GetErrorCode() != 0) throw io::InputError(file.string() + ": cannot be written");
+  if (writer->GetErrorCode() != 0) throw InputError(file.string() + ": cannot be written");
   pending.commit();
   window->Finalize();
   return {.written = true, .missing = {}};
 }
 
-}  // namespace menger::voxel
+}  // namespace menger::io

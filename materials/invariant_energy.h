@@ -1,0 +1,35 @@
+#pragma once
+
+#include <concepts>
+#include <limits>
+
+namespace menger::materials {
+
+/// An isochoric strain energy density W as function of the excesses x1 = I1 - 3 and x2 = I2 - 3 of the isochoric invariants,
+/// with its derivatives. A law without the second invariant leaves all that concern it at zero.
+template <class T>
+struct InvariantEnergy {
+  T energy;  ///< W, J/m^3
+  T d1;      ///< dW/dx1
+  T d2 = T(0.0);
+  T d11 = T(0.0);  ///< d2W/dx1^2
+  T d12 = T(0.0);
+  T d22 = T(0.0);
+};
+
+/// The limit of a law that has none: false only where x1 is not a number or has overflowed. Gives a mask for packs of numbers.
+template <class T>
+auto is_below_infinity(const T& x1) {
+  return x1 < T(std::numeric_limits<double>::infinity());
+}
+
+/// A law whose energy depends on the invariants only.
+template <class Law>
+concept InvariantLaw = requires(const Law& law, double x1, double x2) {
+  { law.energy(x1, x2) } -> std::same_as<InvariantEnergy<double>>;
+  { Law::uses_second_invariant } -> std::convertible_to<bool>;
+  { law.is_within_limit(x1) } -> std::convertible_to<bool>;
+  { law.shear_modulus_at_rest_Pa() } -> std::convertible_to<double>;
+};
+
+}  // namespace menger::materials

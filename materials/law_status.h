@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string_view>
+
+namespace menger::materials {
+
+/// Whether a law has an answer at a deformation.
+enum class LawStatus {
+  valid,
+  inverted,                  ///< the volume ratio is not positive
+  locking_stretch_exceeded,  ///< the chains of a law with limited extension would be longer than they are
+};
+
+/// The word for a status: "valid", "inverted", "locking_stretch_exceeded".
+constexpr std::string_view to_string(LawStatus status) {
+  switch (status) {
+    case LawStatus::valid:
+      return "valid";
+    case LawStatus::inverted:
+      return "inverted";
+    case LawStatus::locking_stretch_exceeded:
+      return "locking_stretch_exceeded";
+  }
+  return "unknown";
+}
+
+}  // namespace menger::materials

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "io/csv_table.h"
+#include "io/number_text.h"
+#include "io/toml_document.h"
+#include "io/whole_file.h"
+#include "materials/homogeneous_deformations.h"
+#include "materials/law_file.h"
+
+namespace menger {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The program in a folder of its own.
+class FitProgram : public testing::Test {
+ protected:
+  FitProgram() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  /// The exit code; what it printed goes to the files out and err.
+  [[nodiscard]] int run(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + folder_.string() + "' && '" MENGER_PROGRAM_DIR "/menger-fit' " + arguments + " >out 2>err";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  [[nodiscard]] std::string text(const char* name) const { return io::read_whole(folder_ / name); }
+
+  /// A test of an Ogden body with every tenth stress 100 Pa too high.
+  void write_test(double offset_Pa = 0.0) const {
+    const materials::Ogden<1> law{{materials::OgdenTerm{25e3, 3.25}}};
+    std::string csv = "strain,stress_kPa\n";
+    for (int i = 1; i <= 75; ++i) {
+      const double strain = 0.02 * i;
+      const double stress = materials::nominal_stress(law, materials::LoadingMode::uniaxial, 1.0 + strain).stress_Pa;
+      csv += io::number_text(strain) + "," + io::number_text(1e-3 * (stress + offset_Pa + (i % 10 == 0 ? 100.0 : 0.0))) + "\n";
+    }
+    io::write_whole(folder_ / "test.csv", csv);
+  }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / "menger_fit" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(FitProgram, WritesRankingCurvesAndManifest) {
+  write_test();
+  ASSERT_EQ(run("test.csv -o fits --raw"), 0) << text("err");
+  const io::TomlTable table = io::read_toml(folder_ / "fits/fits.toml");
+  EXPECT_EQ(table.text("recommended"), "ogden1");
+  const io::TomlTable best = table.tables("fits").front();
+  EXPECT_NEAR(materials::shear_modulus_at_rest_Pa(materials::read_law(best.table("law"))), 40625.0, 400.0);
+  const io::CsvContents curves = io::read_csv(folder_ / "fits/curves.csv");
+  EXPECT_EQ(curves.row_count(), 50U);
+  EXPECT_NEAR(curves.number(49, "ogden1_stress_Pa"), curves.number(49, "stress_Pa"), 200.0);
+  EXPECT_TRUE(fs::exists(folder_ / "fits/manifest.json"));
+  EXPECT_NE(fs::exists(folder_ / "fits/fits.png"), text("out").find("no picture: ") != std::string::npos) << text("out");
+  EXPECT_NE(text("out").find("recommended: ogden1"), std::string::npos) << text("out");
+}
+
+TEST_F(FitProgram, RepairsTheRecordUnlessToldNotTo) {
+  write_test(-3000.0);
+  ASSERT_EQ(run("test.csv -o repaired --no-pictures"), 0) << text("err");
+  EXPECT_NE(text("out").find("zero of the load: -"), std::string::npos) << text("out");
+  EXPECT_EQ(io::read_toml(folder_ / "repaired/fits.toml").texts("repairs").size(), 1U);
+  EXPECT_LE(run("test.csv -o raw --raw --no-pictures"), 3) << text("err");
+  EXPECT_EQ(text("out").find("zero of the load"), std::string::npos);
+  EXPECT_EQ(io::read_toml(folder_ / "raw/fits.toml").texts("repairs").size(), 0U);
+}
+
+TEST_F(FitProgram, CorrectsCrossheadStrainOnlyWhenAsked) {
+  write_test();
+  ASSERT_EQ(run("test.csv -o fits --crosshead-correction 1.5 --raw --no-pictures"), 0) << text("err");
+  const io::TomlTable table = io::read_toml(folder_ / "fits/fits.toml");
+  EXPECT_EQ(table.texts("repairs").size(), 1U);
+  EXPECT_NE(table.texts("repairs")[0].find("divided by 1.5"), std::string::npos);
+  EXPECT_NEAR(io::read_csv(folder_ / "fits/curves.csv").number(0, "strain"), 0.02 / 1.5, 1e-12);
+}
+
+TEST_F(FitProgram, MakesTheSameFilesEachTime) {
+  write_test();
+  ASSERT_EQ(run("test.csv -o a --no-pictures"), 0);
+  ASSERT_EQ(run("test.csv -o b --no-pictures"), 0);
+  for (const char* name : {"fits.toml", "curves.csv"})
+    EXPECT_EQ(io::read_whole(folder_ / "a" / name), io::read_whole(folder_ / "b" / name));
+}
+
+TEST_F(FitProgram, MakesNoPictureIfToldNotTo) {
+  write_test();
+  ASSERT_EQ(run("test.csv -o fits --no-pictures"), 0) << text("err");
+  EXPECT_FALSE(fs::exists(folder_ / "fits/fits.png"));
+  EXPECT_EQ(text("out").find("no picture"), std::string::npos) << text("out");
+}
+
+TEST_F(FitProgram, LeavesWithTwoAndAMessageOnBadInput) {
+  write_test();
+  io::write_whole(folder_ / "no_unit.csv", "strain,stress\n0.1,1\n0.2,2\n");
+  io::write_whole(folder_ / "no_number.csv", "strain,stress_Pa\n0.1,1\n0.2,much\n");
+  for (const auto& [arguments, message] : {std::pair{"absent.csv", "absent.csv"},
+                                           {"no_unit.csv", "no_unit.csv:1: header = \"strain,stress\""},
+                                           {"no_number.csv", "no_number.csv:3: stress_Pa"},
+                                           {"test.csv --range 1 0.5", "--range 1 0.5: the first strain must be smaller"},
+                                           {"test.csv --range 2 3", "test.csv: strain range 2 to 3: holds 0 rows"},
+                                           {"test.csv --crosshead-correction 0.5", "--crosshead-correction 0.5: must be in"},
+                                           {"test.csv --unknown", "--unknown"},
+                                           {"", "test"}}) {
+    EXPECT_EQ(run(std::string(arguments) + " -o fits"), 2) << arguments;
+    EXPECT_NE(text("err").find(message), std::string::npos) << text("err");
+    EXPECT_EQ(text("err").rfind("menger-fit: error: ", 0), 0U) << text("err");
+    EXPECT_FALSE(fs::exists(folder_ / "fits")) << arguments;
+  }
+  EXPECT_EQ(run("test.csv -o test.csv/below"), 2);
+}
+
+TEST_F(FitProgram, LeavesWithThreeIfNoLawIsToBeUsed) {
+  std::string csv = "strain,stress_kPa\n";
+  for (int i = 1; i <= 40; ++i) csv += io::number_text(0.02 * i) + "," + io::number_text(-10.0 * i) + "\n";
+  io::write_whole(folder_ / "test.csv", csv);
+  EXPECT_EQ(run("test.csv -o fits --raw --no-pictures"), 3) << text("err");
+  EXPECT_FALSE(io::read_toml(folder_ / "fits/fits.toml").has("recommended"));
+}
+
+}  // namespace
+}  // namespace menger
