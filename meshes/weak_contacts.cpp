@@ -1,0 +1,41 @@
+#include "meshes/weak_contacts.h"
+
+#include <array>
+
+namespace menger::meshes {
+namespace {
+
+/// Half of the diagonals of a block of cells: the others are these, seen from the other end.
+constexpr std::array<CellIndex, 10> diagonals{
+    {{1, 1, 0}, {-1, 1, 0}, {1, 0, 1}, {-1, 0, 1}, {0, 1, 1}, {0, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}}};
+
+/// Whether any cell of the block between two cells is occupied, the two left out.
+bool block_has_others(const Polycube& body, const CellIndex& cell, const CellIndex& diagonal) {
+  for (int corner = 1; corner < 7; ++corner) {
+    const CellIndex step{(corner & 1) != 0 ? diagonal.x : 0, (corner & 2) != 0 ? diagonal.y : 0,
+                         (corner & 4) != 0 ? diagonal.z : 0};
+    if (step == CellIndex{} || step == diagonal) continue;
+    if (body.at_or_empty({cell.x + step.x, cell.y + step.y, cell.z + step.z}) != empty) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+// For a corner it is enough that any of the six other cells is occupied: either it joins the two through faces, or it shares with
+// one of them an edge contact, which is found as such.
+std::optional<WeakContact> first_weak_contact(const Polycube& body) {
+  for (const CellIndex& cell : body.occupied()) {
+    for (const CellIndex& diagonal : diagonals) {
+      const CellIndex other{cell.x + diagonal.x, cell.y + diagonal.y, cell.z + diagonal.z};
+      if (body.at_or_empty(other) != empty && !block_has_others(body, cell, diagonal)) return WeakContact{cell, other};
+    }
+  }
+  return std::nullopt;
+}
+
+std::string cell_text(const CellIndex& cell) {
+  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " + std::to_string(cell.z) + ")";
+}
+
+}  // namespace menger::meshes

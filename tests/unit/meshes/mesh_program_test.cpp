@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "io/csv_table.h"
+#include "io/whole_file.h"
+#include "meshes/boundary_labels.h"
+#include "meshes/design_file.h"
+#include "meshes/reference_shapes.h"
+#include "meshes/vtu_mesh.h"
+
+namespace menger::meshes {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The program in a folder of its own, beside the design of a bar of two cells.
+class MeshProgram : public testing::Test {
+ protected:
+  MeshProgram() {
+    fs::remove_all(folder_);
+    write_design(folder_ / "bar.toml", {"bar", bar(2), 0.01});
+  }
+
+  /// The exit code; what it printed goes to the files out and err.
+  [[nodiscard]] int run(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + folder_.string() + "' && '" MENGER_PROGRAM_DIR "/menger-mesh' " + arguments + " >out 2>err";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  [[nodiscard]] std::string text(const char* name) const { return io::read_whole(folder_ / name); }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / "menger_mesh" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(MeshProgram, WritesMeshQualityAndManifest) {
+  ASSERT_EQ(run("bar.toml"), 0) << text("err");
+  EXPECT_EQ(read_vtu_mesh(folder_ / "bar.vtu").elements.size(), 10U * 5U * 5U - 8U * 3U * 3U);
+  const io::CsvContents quality = io::read_csv(folder_ / "bar_quality.csv");
+  EXPECT_EQ(quality.columns(), (std::vector<std::string>{"quantity", "value", "closed_form"}));
+  EXPECT_EQ(quality.text(1, "quantity"), "elements");
+  EXPECT_EQ(quality.number(1, "value"), 178.0);
+  EXPECT_NE(text("bar_manifest.json").find("elements_through_wall = 1"), std::string::npos);
+  EXPECT_NE(text("out").find("178 elements"), std::string::npos);
+}
+
+TEST_F(MeshProgram, FlagsReplaceTheKeysOfAStudy) {
+  io::write_whole(folder_ / "mesh.toml",
+                  "design = \"bar.toml\"\nlevel = 2\nelements_through_wall = 3\n"
+                  "[[tubes]]\ncell = [0, 0, 0]\nside = \"z max\"\nedge_m = 0.002\n");
+  ASSERT_EQ(run("mesh.toml --elements-through-wall 1 --hole-edge-m 0.002 -o out.vtu"), 0) << text("err");
+  const HexahedralMesh mesh = read_vtu_mesh(folder_ / "out.vtu");
+  // Two modules, less one hole through both walls of the joint and one tube hole, of an element in each wall.
+  EXPECT_EQ(mesh.elements.size(), 2U * 178U - 2U - 1U);
+  EXPECT_EQ(mesh.plenum_names.size(), 1U);
+  EXPECT_NO_THROW(static_cast<void>(label_index(mesh, "tube")));
+}
+
+TEST_F(MeshProgram, RefusesBadInputAndLeavesWhatIsThere) {
+  io::write_whole(folder_ / "bar.vtu", "earlier");
+  EXPECT_EQ(run("bar.toml --wall-thickness-m 0.005"), 2);
+  EXPECT_EQ(text("err"),
+            "menger-mesh: error: bar.toml: design bar: wall_thickness_m = 0.005: must be smaller than half a cell (0.005), or no "
+            "chamber is left\n");
+  EXPECT_EQ(run("none.toml"), 2);
+  EXPECT_EQ(run("bar.toml --chambers double"), 2);
+  EXPECT_EQ(run("bar.toml --level 2 --hole-edge-m 0.02"), 2);
+  EXPECT_EQ(run("bar.toml --length-unit-m 0.001"), 2);
+  EXPECT_EQ(run("bar.toml -o bar.stl"), 2);
+  io::write_whole(folder_ / "bar.msh", "no mesh");
+  EXPECT_EQ(run("bar.msh"), 2);
+  EXPECT_NE(text("err").find("bar.msh: is no mesh of Gmsh"), std::string::npos) << text("err");
+  EXPECT_EQ(run("bar.msh --level 2"), 2);
+  EXPECT_EQ(text("bar.vtu"), "earlier");
+}
+
+}  // namespace
+}  // namespace menger::meshes
