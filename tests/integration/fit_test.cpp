@@ -71,7 +71,7 @@ TEST_F(FitProgram, RepairsTheRecordUnlessToldNotTo) {
   ASSERT_EQ(run("test.csv -o repaired --no-pictures"), 0) << text("err");
   EXPECT_NE(text("out").find("zero of the load: -"), std::string::npos) << text("out");
   EXPECT_EQ(io::read_toml(folder_ / "repaired/fits.toml").texts("repairs").size(), 1U);
-  EXPECT_LE(run("test.csv -o raw --raw --no-pictures"), 3) << text("err");
+  EXPECT_EQ(run("test.csv -o raw --raw --no-pictures"), 0) << text("err");
   EXPECT_EQ(text("out").find("zero of the load"), std::string::npos);
   EXPECT_EQ(io::read_toml(folder_ / "raw/fits.toml").texts("repairs").size(), 0U);
 }
@@ -126,6 +126,26 @@ TEST_F(FitProgram, LeavesWithThreeIfNoLawIsToBeUsed) {
   io::write_whole(folder_ / "test.csv", csv);
   EXPECT_EQ(run("test.csv -o fits --raw --no-pictures"), 3) << text("err");
   EXPECT_FALSE(io::read_toml(folder_ / "fits/fits.toml").has("recommended"));
+}
+
+TEST_F(FitProgram, RecommendsNoLawThatMissesTheTest) {
+  const materials::Ogden<1> law{{materials::OgdenTerm{10e3, 8.0}}};
+  std::string csv = "stretch,stress_Pa\n";
+  for (int i = 1; i <= 60; ++i) {
+    const double stretch = 1.0 + 0.02 * i;
+    const materials::NominalStress stress = materials::nominal_stress(law, materials::LoadingMode::uniaxial, stretch);
+    csv += io::number_text(stretch) + "," + io::number_text(stress.stress_Pa) + "\n";
+  }
+  io::write_whole(folder_ / "test.csv", csv);
+  EXPECT_EQ(run("test.csv -o fits --no-pictures"), 3) << text("err");
+  EXPECT_NE(text("out").find("no law is recommended"), std::string::npos) << text("out");
+  EXPECT_EQ(text("err"), "") << "nothing of the solver's log";
+}
+
+TEST_F(FitProgram, TellsOfRepairsBeforeItRefusesARange) {
+  write_test(-3000.0);
+  EXPECT_EQ(run("test.csv -o fits --range 2 3"), 2);
+  EXPECT_NE(text("out").find("zero of the load: -"), std::string::npos) << text("out");
 }
 
 }  // namespace

@@ -1,0 +1,157 @@
+#include <mpi.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fem/inflation_convergence.h"
+#include "fem/inflation_study_file.h"
+#include "fem/parallel_session.h"
+#include "fem/rank_agreement.h"
+#include "io/exit_code.h"
+#include "io/interrupt.h"
+#include "io/program.h"
+#include "io/progress.h"
+
+namespace {
+
+using namespace menger;
+
+struct Arguments {
+  std::filesystem::path study;
+  std::filesystem::path folder;
+  int refinements = 0;
+  bool restart = false;
+  bool strict = false;
+  bool no_pictures = false;
+};
+
+std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
+  CLI::App app("Inflates the chambers of a silicone body: equilibrium states of finite elements along a path.", "menger-inflate");
+  app.footer(
+      "Example:\n  menger inflate fem/studies/cube.toml -o cube\n"
+      "writes cube/curves.csv, fields.pvd (open it in ParaView), chamber.png, pv_curve.png, result.toml and manifest.json.\n"
+      "Ctrl-C keeps the steps done, and the same command goes on from there. In parallel: mpirun -n 2 menger-inflate ...\n"
+      "Exit codes: 0 completed, 2 wrong input, 3 the path ended early (result.toml says why), 130 interrupted.");
+  app.add_option("study", arguments.study, "study file (TOML)")->required();
+  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
+  app.add_option("--refine", arguments.refinements,
+                 "also run on this many finer meshes, each element split into eight, and compare")
+      ->check(CLI::Range(0, 4));
+  app.add_flag("--restart", arguments.restart, "begin anew instead of going on where an earlier run was stopped");
+  app.add_flag("--strict", arguments.strict, "refuse to use a material outside the range of its law instead of warning");
+  app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
+  return io::parse_arguments(app, argc, argv);
+}
+
+std::string shown(double value, const char* format = "%.4g") {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+/// What is smaller than a nanometre is zero but for the tolerances of the solver.
+std::string millimetres(double length_m) {
+  constexpr double noise_m = 1e-9;
+  return shown(std::abs(length_m) < noise_m ? 0.0 : 1e3 * length_m);
+}
+
+void print(const fem::InflationResult& result, const std::filesystem::path& folder) {
+  for (const std::string& note : result.notes) std::cout << "  " << note << '\n';
+  std::cout << io::to_string(result.path.status) << ": " << result.path.points.size() << " states, " << result.elements
+            << " elements, " << result.unknowns << " unknowns, " << io::duration_text(result.seconds);
+  if (result.points_taken_up > 0) std::cout << " (" << result.points_taken_up << " states of an earlier run taken up)";
+  if (!result.path.reason.empty()) std::cout << "; " << result.path.reason;
+  std::cout << '\n';
+  for (const fem::LimitPoint& limit : result.path.limit_points) {
+    std::cout << "limit point of " << result.plenum_names[limit.plenum] << ": " << shown(1e-3 * limit.pressure_Pa) << " kPa at "
+              << shown(1e6 * limit.volume_m3) << " cm3" << (limit.passed ? "" : " (not passed)") << '\n';
+  }
+  if (!result.path.points.empty()) {
+    const fem::PathPoint& first = result.path.points.front();
+    const fem::PathPoint& last = result.path.points.back();
+    for (std::size_t p = 0; p < std::min<std::size_t>(result.plenum_names.size(), 4); ++p) {
+      std::cout << result.plenum_names[p] << ": " << shown(1e-3 * last.pressures_Pa[p]) << " kPa, volume "
+                << shown(100.0 * (last.plenum_volumes_m3[p] / first.plenum_volumes_m3[p] - 1.0), "%+.4g") << " %\n";
+    }
+    for (std::size_t p = 0; p < result.point_names.size(); ++p) {
+      const auto& [u, stretch] = result.observations.back()[p];
+      std::cout << result.point_names[p] << ": moved (" << millimetres(u[0]) << ", " << millimetres(u[1]) << ", "
+                << millimetres(u[2]) << ") mm, largest stretch " << shown(stretch) << '\n';
+    }
+  }
+  std::cout << "results in " << folder.string() << '\n' << std::flush;
+}
+
+int exit_code_of(io::RunStatus status) {
+  if (status == io::RunStatus::completed) return io::exit_code::done;
+  return status == io::RunStatus::stopped && io::interrupted() ? io::exit_code::interrupted : io::exit_code::numerical;
+}
+
+int run(int argc, const char* const* argv, bool speaks) {
+  Arguments arguments;
+  std::optional<int> code;
+  fem::on_every_rank(MPI_COMM_WORLD, [&] { code = parse(argc, argv, arguments); });
+  if (code) return *code;
+  fem::InflationStudy study;
+  fem::on_every_rank(MPI_COMM_WORLD, [&] { study = fem::read_inflation_study(arguments.study); });
+  if (arguments.no_pictures) study.output.pictures = false;
+  if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
+
+  io::catch_interrupts();
+  std::unique_ptr<io::Progress> progress;
+  fem::InflationOptions options{.restart = arguments.restart, .strict = arguments.strict, .stop = &io::interrupted()};
+  options.progress = [&](const fem::PathPoint& point, double start_s, double end_s) {
+    if (!progress) progress = std::make_unique<io::Progress>(arguments.study.stem().string(), end_s - start_s);
+    progress->update(point.s - start_s, shown(1e-3 * point.pressures_Pa.front(), "%.3g") + " kPa");
+  };
+  const auto begin = [&](int) { progress.reset(); };
+  const bool compares = arguments.refinements > 0;
+  const std::vector<fem::InflationResult> results =
+      compares ? fem::run_convergence(study, arguments.refinements, arguments.folder, options, begin)
+               : std::vector{fem::run_inflation(study, arguments.folder, options)};
+  progress.reset();
+  if (speaks) {
+    for (std::size_t n = 0; n < results.size(); ++n)
+      print(results[n], compares ? arguments.folder / ("refinement_" + std::to_string(n)) : arguments.folder);
+  }
+  return exit_code_of(results.back().path.status);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // before the arguments are read: those for MPI are taken out of them
+  const menger::fem::ParallelSession session(argc, argv);
+  int rank = 0;
+  int rank_count = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
+  if (rank > 0) {  // what the ranks have to say is the same
+    std::cout.setstate(std::ios::failbit);
+    std::cerr.setstate(std::ios::failbit);
+  }
+  bool is_agreed = true;
+  const int code = io::run_program("menger-inflate", [&] {
+    try {
+      return run(argc, argv, rank == 0);
+    } catch (const fem::Agreed&) {
+      throw;
+    } catch (...) {
+      is_agreed = false;
+      std::cerr.clear();  // the first rank may know nothing of it
+      throw;
+    }
+  });
+  // the other ranks would wait for this one
+  if (!is_agreed && rank_count > 1) MPI_Abort(MPI_COMM_WORLD, code);
+  return code;
+}

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "fem/inflation_study_file.h"
+#include "fem/inflation_study_words.h"
+#include "io/number_text.h"
+#include "materials/law_file.h"
+#include "materials/silicone_record.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Bulk modulus by shear modulus where none is given: Poisson's ratio 0.490, as far as the volume of a silicone chamber's wall
+/// needs.
+constexpr double default_bulk_factor = 50.0;
+
+constexpr std::string_view recommended = "recommended";
+
+/// Records lie beside the installed program, or in the source tree that it was built from.
+std::vector<fs::path> record_folders() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  return {program.parent_path().parent_path() / "share/menger/materials", fs::path(MENGER_MATERIAL_FOLDER)};
+}
+
+std::string known_records(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  std::string list;
+  for (const std::string& name : names) list.append(list.empty() ? "" : ", ").append(name);
+  return list;
+}
+
+fs::path record_file(const io::TomlTable& table) {
+  const std::string name = table.text("record");
+  if (name.find('/') != std::string::npos || fs::path(name).extension() == ".toml") return table.path("record");
+  for (const fs::path& folder : record_folders()) {
+    std::error_code ignored;
+    if (fs::path file = folder / (name + ".toml"); fs::is_regular_file(file, ignored)) return file;
+  }
+  throw table.error("record", "is neither a file (.toml) nor one of " + known_records(record_folders().back()));
+}
+
+/// The law that a table asks for among those of a record.
+const materials::SourcedLaw& choose_law(const io::TomlTable& table, const materials::SiliconeRecord& record,
+                                        std::vector<std::string>& notes) {
+  const std::string name = table.text_or("law", recommended);
+  const auto variant = table.integer_or<std::size_t>("law_variant", 1, io::at_least(1));
+  if (name == recommended) {
+    if (variant != 1) throw table.error("law_variant", "there is one recommended law");
+    return record.recommended;
+  }
+  std::vector<const materials::SourcedLaw*> matches;
+  std::string known(recommended);
+  for (const materials::SourcedLaw& law : record.others) {
+    if (materials::name_of(law.law) == name) matches.push_back(&law);
+    known.append(", ").append(materials::name_of(law.law));
+  }
+  if (matches.empty()) throw table.error("law", "the record has " + known);
+  if (variant > matches.size()) {
+    throw table.error("law_variant", "the record has " + std::to_string(matches.size()) + " of " + name);
+  }
+  notes.push_back("material: " + name + ", number " + std::to_string(variant) + " of " + std::to_string(matches.size()) +
+                  " in the record, up to a stretch of " + io::number_text(matches[variant - 1]->largest_stretch) + ": " +
+                  matches[variant - 1]->source);
+  return *matches[variant - 1];
+}
+
+/// Whether the key holds a table, as an inline law does, and not a name.
+bool is_inline_law(const io::TomlTable& table) {
+  if (!table.has("law")) return false;
+  try {
+    (void)table.table("law");
+    return true;
+  } catch (const io::InputError&) {
+    return false;
+  }
+}
+
+VolumetricLaw volumetric_law(std::size_t kind, double bulk_modulus_Pa) {
+  switch (kind) {
+    case 0:
+      return materials::QuadraticVolume{bulk_modulus_Pa};
+    case 1:
+      return materials::LogSquaredVolume{bulk_modulus_Pa};
+    default:
+      return materials::SimoTaylorVolume{bulk_modulus_Pa};
+  }
+}
+
+}  // namespace
+
+StudyMaterial read_study_material(const io::TomlTable& table, const std::function<void(const fs::path&)>& read_input,
+                                  std::vector<std::string>& notes) {
+  StudyMaterial material;
+  if (is_inline_law(table)) {
+    if (table.has("record")) throw table.error("record", "a table [law] beside it gives another material: keep one of them");
+    material.law = materials::read_law(table.table("law"));
+    material.name = "inline " + std::string(materials::name_of(material.law));
+  } else {
+    const fs::path file = record_file(table);
+    read_input(file);
+    const materials::SiliconeRecord record = materials::read_silicone(file);
+    const materials::SourcedLaw& law = choose_law(table, record, notes);
+    material.law = law.law;
+    material.density_kg_per_m3 = record.data_sheet.density_kg_per_m3;
+    material.smallest_stretch = law.smallest_stretch;
+    material.largest_stretch = law.largest_stretch;
+    material.name = record.name + ", " + std::string(materials::name_of(law.law));
+  }
+  const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law);
+  const std::size_t kind = table.word_or<std::size_t>("volumetric", 2, volumetric_words());
+  auto bulk_modulus_Pa = table.optional_number("bulk_modulus_Pa", io::positive());
+  if (!bulk_modulus_Pa) {
+    bulk_modulus_Pa = default_bulk_factor * shear_modulus_Pa;
+    notes.push_back("material: bulk_modulus_Pa = " + io::number_text(*bulk_modulus_Pa) + " is assumed, " +
+                    io::number_text(default_bulk_factor) + " shear moduli (" + material.name + ")");
+  }
+  material.volume = volumetric_law(kind, *bulk_modulus_Pa);
+  if (const auto density = table.optional_number("density_kg_per_m3", io::positive())) material.density_kg_per_m3 = density;
+  return material;
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <petscksp.h>
+#include <petscsnes.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace menger::fem {
+
+/// Turns an error code of PETSc into an exception: a fault of the program, not of its input.
+inline void petsc(PetscErrorCode code) {
+  if (code == 0) return;
+  const char* text = nullptr;
+  PetscErrorMessage(code, &text, nullptr);
+  throw std::runtime_error("PETSc: " + std::string(text != nullptr ? text : "error") + " (" + std::to_string(code) + ")");
+}
+
+/// Owner of an object of PETSc.
+template <class Object, PetscErrorCode (*destroy)(Object*)>
+class PetscHandle {
+ public:
+  PetscHandle() = default;
+  explicit PetscHandle(Object object) : object_(object) {}
+  ~PetscHandle() { reset(); }
+  PetscHandle(PetscHandle&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+  PetscHandle& operator=(PetscHandle&& other) noexcept {
+    std::swap(object_, other.object_);
+    return *this;
+  }
+  PetscHandle(const PetscHandle&) = delete;
+  PetscHandle& operator=(const PetscHandle&) = delete;
+
+  // NOLINTNEXTLINE(google-explicit-constructor): it stands for the object in calls
+  operator Object() const { return object_; }
+  /// Where a function of PETSc puts a new object.
+  Object* receive() {
+    reset();
+    return &object_;
+  }
+
+ private:
+  void reset() {
+    if (object_ != nullptr) destroy(&object_);
+    object_ = nullptr;
+  }
+  Object object_ = nullptr;
+};
+
+using VectorHandle = PetscHandle<Vec, VecDestroy>;
+using MatrixHandle = PetscHandle<Mat, MatDestroy>;
+using LinearSolverHandle = PetscHandle<KSP, KSPDestroy>;
+using NonlinearSolverHandle = PetscHandle<SNES, SNESDestroy>;
+using NullSpaceHandle = PetscHandle<MatNullSpace, MatNullSpaceDestroy>;
+
+}  // namespace menger::fem
