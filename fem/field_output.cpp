@@ -13,6 +13,7 @@
 #include "fem/rank_agreement.h"
 #include "io/input_error.h"
 #include "io/number_text.h"
+#include "io/vtk_file.h"
 #include "io/whole_file.h"
 
 namespace menger::fem {
@@ -34,8 +35,8 @@ void write_grid(const fs::path& file, vtkUnstructuredGrid& grid) {
   writer->SetCompressorTypeToZLib();
   writer->SetCompressionLevel(1);
   writer->SetIdTypeToInt32();
-  if (writer->Write() == 0 || writer->GetErrorCode() != 0) throw io::InputError(file.string() + ": cannot be written");
-  pending.commit();
+  const int written = writer->Write();
+  io::commit_vtk_file(pending, file, {written, writer->GetErrorCode()});
 }
 
 /// A step's file: step_0000.vtu, step_0000_1.vtu, step_0000.pvtu.

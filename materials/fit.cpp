@@ -1,7 +1,5 @@
 #include "materials/fit.h"
 
-#include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "io/input_error.h"
 #include "io/number_text.h"
+#include "materials/fit_confidence.h"
 #include "materials/law_family.h"
 #include "materials/law_parameters.h"
 #include "materials/separable_fit.h"
@@ -26,6 +25,9 @@ constexpr double strain_margin = 1.25;
 constexpr double ratio_stretch = 1.5;
 constexpr double lowest_ratio = 1.1;
 constexpr double highest_ratio = 1.7;
+constexpr double close_enough = 0.05;       // of the largest stress
+constexpr double as_close_as_best = 3.0;    // times the RMSE of the closest stable and plausible fit
+constexpr double closer_than_tests = 5e-3;  // of the largest stress: what no test resolves
 
 struct Rows {
   std::vector<double> stretch;
@@ -66,58 +68,12 @@ void judge_residuals(LawFit& fit, const Rows& rows) {
   // Residuals below rounding error, as of a curve made by a law, would let the logarithm run away.
   const double least_square = n * std::pow(1e-12 * std::sqrt(variation / n), 2) + std::numeric_limits<double>::min();
   fit.rmse_Pa = std::sqrt(square / n);
+  const double largest_Pa = std::abs(*std::max_element(rows.stress_Pa.begin(), rows.stress_Pa.end(),
+                                                       [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  fit.relative_rmse = fit.rmse_Pa / largest_Pa;
   fit.r_squared = variation > 0.0 ? 1.0 - square / variation : 0.0;
   const auto parameters = static_cast<double>(parameters_of(fit.law).size());
   fit.aic = n * std::log(std::max(square, least_square) / n * 1e-12) + 2.0 * parameters;
-}
-
-/// Quantile 0.975 of Student's t by its expansion about the normal one, to 0.1 % for five degrees of freedom and more; below that
-/// too small by up to one half.
-double student_quantile(double freedom) {
-  const double z = 1.959963984540054;
-  const double z3 = z * z * z;
-  const double z5 = z3 * z * z;
-  return z + (z3 + z) / (4.0 * freedom) + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * freedom * freedom);
-}
-
-void set_confidence(LawFit& fit, const Rows& rows) {
-  const auto parameters = parameters_of(fit.law);
-  const std::size_t k = parameters.size();
-  std::vector<double> values;
-  values.reserve(k);
-  for (const auto& [name, value] : parameters) values.push_back(value);
-  Eigen::MatrixXd jacobian(rows.stretch.size(), k);  // of stress by the logarithm of a parameter
-  for (std::size_t p = 0; p < k; ++p) {
-    if (values[p] == 0.0) return;  // held there by the bound
-    const double step = 1e-5;
-    std::vector<double> above = values;
-    std::vector<double> below = values;
-    above[p] *= 1.0 + step;
-    below[p] *= 1.0 - step;
-    const HyperelasticLaw upper = with_parameters(fit.law, above);
-    const HyperelasticLaw lower = with_parameters(fit.law, below);
-    for (std::size_t i = 0; i < rows.stretch.size(); ++i) {
-      jacobian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(p)) =
-          (uniaxial_Pa(upper, rows.stretch[i]) - uniaxial_Pa(lower, rows.stretch[i])) / (2.0 * step);
-    }
-  }
-  if (!jacobian.allFinite()) return;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian.rows(), jacobian.cols());
-  qr.setThreshold(1e-7);  // differences know the columns no better
-  qr.compute(jacobian);
-  const auto width = static_cast<Eigen::Index>(k);
-  if (qr.rank() < width) return;
-  const Eigen::MatrixXd inverse =
-      qr.matrixR().topLeftCorner(width, width).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(width, width));
-  const Eigen::VectorXd deviations = qr.colsPermutation() * inverse.rowwise().norm();
-  const auto n = static_cast<double>(rows.stretch.size());
-  const double freedom = n - static_cast<double>(k);
-  const double spread_Pa = fit.rmse_Pa * std::sqrt(n / freedom);
-  for (std::size_t p = 0; p < k; ++p) {
-    const double relative = student_quantile(freedom) * spread_Pa * deviations[static_cast<Eigen::Index>(p)];
-    const double half = std::abs(values[p]) * relative;
-    fit.confidence_95.emplace_back(values[p] - half, values[p] + half);
-  }
 }
 
 bool has_cancelling_terms(const HyperelasticLaw& law) {
@@ -161,12 +117,47 @@ void judge_law(LawFit& fit, double largest_stretch) {
   fit.plausible = fit.equibiaxial_ratio && *fit.equibiaxial_ratio >= lowest_ratio && *fit.equibiaxial_ratio <= highest_ratio;
 }
 
-bool is_usable(const LawFit& fit) { return fit.stable_with_margin && fit.plausible && !fit.cancelling; }
+/// Whether the test determines every parameter of the law: none ran into the bounds of its search (a modulus held at zero only
+/// makes the law a simpler one), and no interval is missing or holds 0.
+bool is_determined(const LawFit& fit) {
+  const auto parameters = parameters_of(fit.law);
+  if (fit.confidence_95.size() != parameters.size()) return false;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const auto& interval = fit.confidence_95[p];
+    if (!interval && parameters[p].second != 0.0) return false;
+    if (interval && interval->first <= 0.0 && interval->second >= 0.0) return false;
+  }
+  return true;
+}
+
+bool is_usable(const LawFit& fit) {
+  return fit.status == io::RunStatus::completed && fit.stable_with_margin && fit.plausible && !fit.cancelling &&
+         is_determined(fit) && fit.relative_rmse <= close_enough;
+}
 
 /// Smaller is better.
 std::array<double, 3> rank_of(const LawFit& fit) {
   const double group = !fit.stable ? 2.0 : is_usable(fit) ? 0.0 : 1.0;
   return {group, fit.status == io::RunStatus::completed ? 0.0 : 1.0, fit.aic};
+}
+
+/// The parameters at a bound: shape parameters as the solver left them, and moduli held at zero.
+std::vector<std::string> parameters_at_bound(const LawFamily& family, const SeparableFit& found) {
+  std::vector<std::string> names = found.shape_at_bound;
+  for (const auto& [name, value] : parameters_of(found.law)) {
+    if (family.non_negative && value == 0.0) names.push_back(name);
+  }
+  return names;
+}
+
+/// Whether an Ogden law of several terms has one without modulus: it is a law of fewer terms, which is fitted anyway.
+bool has_empty_term(const HyperelasticLaw& law) {
+  const auto empty_in = [](const auto& ogden) {
+    return std::any_of(ogden.terms.begin(), ogden.terms.end(), [](const OgdenTerm& term) { return term.modulus_Pa == 0.0; });
+  };
+  if (const auto* two = std::get_if<Ogden<2>>(&law)) return empty_in(*two);
+  if (const auto* three = std::get_if<Ogden<3>>(&law)) return empty_in(*three);
+  return false;
 }
 
 }  // namespace
@@ -178,13 +169,14 @@ std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range) 
   std::vector<LawFit> fits;
   for (const LawFamily& family : law_families(std::max(excess(*smallest), excess(*largest)))) {
     const std::optional<SeparableFit> found = fit_family(family, rows.stretch, rows.stress_Pa);
-    if (!found) continue;
+    if (!found || has_empty_term(found->law)) continue;
     LawFit fit;
     fit.name = family.name;
     fit.law = found->law;
     fit.status = found->status;
+    fit.at_bound = parameters_at_bound(family, *found);
     judge_residuals(fit, rows);
-    set_confidence(fit, rows);
+    set_confidence(fit, rows.stretch);
     judge_law(fit, *largest);
     fits.push_back(std::move(fit));
   }
@@ -193,7 +185,13 @@ std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range) 
 }
 
 const LawFit* recommended_fit(const std::vector<LawFit>& ranking) {
-  return !ranking.empty() && is_usable(ranking.front()) ? ranking.data() : nullptr;
+  if (ranking.empty() || !is_usable(ranking.front())) return nullptr;
+  double closest = ranking.front().relative_rmse;
+  for (const LawFit& fit : ranking) {
+    if (fit.stable && fit.plausible) closest = std::min(closest, fit.relative_rmse);
+  }
+  const double limit = std::max(closer_than_tests, as_close_as_best * closest);
+  return ranking.front().relative_rmse <= limit ? ranking.data() : nullptr;
 }
 
 }  // namespace menger::materials

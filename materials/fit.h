@@ -24,12 +24,17 @@ struct LawFit {
   io::RunStatus status = io::RunStatus::completed;  ///< completed or not_converged
 
   double rmse_Pa = 0.0;
-  double r_squared = 0.0;  ///< about the mean stress
-  double aic = 0.0;        ///< n ln(SSE/n) + 2 k with stresses in MPa and k parameters
+  double relative_rmse = 0.0;  ///< RMSE over the largest stress
+  double r_squared = 0.0;      ///< about the mean stress
+  double aic = 0.0;            ///< n ln(SSE/n) + 2 k with stresses in MPa and k parameters
 
-  /// Interval that holds a parameter with 95 % if the law is right and errors are independent, in the order of parameters_of.
-  /// Empty if the test cannot tell the parameters apart. Where the law is wrong in shape the intervals are too narrow.
-  std::vector<std::pair<double, double>> confidence_95;
+  /// Parameters that the fit left at a bound: shape parameters at the end of their search, moduli kept from being negative.
+  std::vector<std::string> at_bound;
+
+  /// Interval that holds a parameter with 95 % if the law is right and errors are independent, in the order of parameters_of;
+  /// nothing for parameters at a bound, which count as known. Empty if the test cannot tell the others apart. Where the law is
+  /// wrong in shape the intervals are too narrow.
+  std::vector<std::optional<std::pair<double, double>>> confidence_95;
 
   /// First stretch at which more strain takes less stress, by mode, looked for up to 10; nothing if there is none.
   std::optional<double> unstable_uniaxial;
@@ -50,13 +55,18 @@ struct LawFit {
   bool plausible = false;                   ///< that ratio is one of silicone, 1.1 to 1.7
 };
 
-/// Fits every law to a test by unweighted least squares of the nominal stress and ranks them: stable and plausible ones first,
-/// then stable ones, then the others, in each group by AIC. Fits whose solver gave up come last in their group.
+/// Fits every law to a test by unweighted least squares of the nominal stress and ranks them in three groups: those fit for use,
+/// then other stable ones, then the unstable. Within a group fits whose solver gave up come last; otherwise the smaller AIC comes
+/// first.
+///
+/// Fit for use is a fit that is completed, stable with a margin, plausible and without cancelling terms, whose RMSE is at most 5
+/// % of the largest stress, and whose parameters have intervals that do not hold 0 (a modulus kept from being negative may be 0).
+/// Ogden laws of several terms of which one vanished are left out.
 /// @throws io::InputError naming the range if it holds fewer than eight rows, or only rows without stress
 std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range);
 
-/// The first of the ranking if it is plausible, stable with a margin and without cancelling terms, otherwise nothing: then no law
-/// of the list is to be used unseen.
+/// The first of the ranking if it is fit for use and its RMSE is at most three times that of the closest stable and plausible
+/// fit, or 0.5 % of the largest stress; otherwise nothing: then no law of the list is to be used unseen.
 const LawFit* recommended_fit(const std::vector<LawFit>& ranking);
 
 }  // namespace menger::materials

@@ -29,10 +29,17 @@ std::string confidence_text(const LawFit& fit) {
   std::string text = "[fits.confidence_95]\n";
   const auto parameters = parameters_of(fit.law);
   for (std::size_t p = 0; p < parameters.size(); ++p) {
-    const auto& [low, high] = fit.confidence_95[p];
-    text += line(parameters[p].first, "[" + io::number_text(low) + ", " + io::number_text(high) + "]");
+    const auto& interval = fit.confidence_95[p];
+    if (!interval) continue;
+    text += line(parameters[p].first, "[" + io::number_text(interval->first) + ", " + io::number_text(interval->second) + "]");
   }
   return text;
+}
+
+/// A law without stiffness at rest is no law of a body, and read_law refuses it.
+std::string law_table(const LawFit& fit) {
+  const bool is_law = shear_modulus_at_rest_Pa(fit.law) > 0.0;
+  return is_law ? "[fits.law]\n" + law_text(fit.law) : "[fits.parameters_of_no_law]\n" + law_text(fit.law);
 }
 
 std::string table_of(const LawFit& fit) {
@@ -41,6 +48,7 @@ std::string table_of(const LawFit& fit) {
   text += line("status", io::toml_quoted(io::to_string(fit.status)));
   text += line("shear_modulus_at_rest_Pa", shear_modulus_at_rest_Pa(fit.law));
   text += line("rmse_Pa", fit.rmse_Pa);
+  text += line("relative_rmse", fit.relative_rmse);
   text += line("r_squared", fit.r_squared);
   text += line("aic", fit.aic);
   text += line("stable", fit.stable);
@@ -52,7 +60,8 @@ std::string table_of(const LawFit& fit) {
   text += line("cancelling", fit.cancelling);
   text += line("plausible", fit.plausible);
   text += optional_line("equibiaxial_ratio", fit.equibiaxial_ratio);
-  return text + "[fits.law]\n" + law_text(fit.law) + confidence_text(fit);
+  if (!fit.at_bound.empty()) text += line("at_bound", quoted_list(fit.at_bound));
+  return text + law_table(fit) + confidence_text(fit);
 }
 
 io::CsvTable curves_of(const FitReport& report, const TensileTest& test) {

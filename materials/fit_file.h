@@ -18,7 +18,8 @@ struct FitReport {
   std::vector<LawFit> ranking;
 };
 
-/// The ranking as TOML: one table `fits` per law, the best first, each with a table `law` that read_law reads.
+/// The ranking as TOML: one table `fits` per law, the best first, each with a table `law` that read_law reads. Where the shear
+/// modulus at rest is not positive the table is called `parameters_of_no_law`.
 std::string fit_text(const FitReport& report);
 
 /// Writes `fits.toml` and `curves.csv` (strain, measured stress and that of every law at the rows of the range) into a folder,

@@ -43,6 +43,7 @@ LawFamily gent_family(double largest_excess) {
   const auto locking_excess = [largest_excess](double shape) { return largest_excess * (1.0 + std::exp(shape)); };
   LawFamily family;
   family.name = "gent";
+  family.shape_names = {"locking_excess"};
   family.lowest_shape = {-9.0};
   family.highest_shape = {14.0};
   family.starts = {{-3.0}, {0.0}, {3.0}};
@@ -54,6 +55,7 @@ LawFamily gent_family(double largest_excess) {
 LawFamily arruda_boyce_family() {
   LawFamily family;
   family.name = "arruda_boyce";
+  family.shape_names = {"locking_stretch"};
   family.lowest_shape = {-3.0};
   family.highest_shape = {7.0};
   family.starts = {{0.0}, {0.7}, {1.5}};
@@ -82,6 +84,7 @@ template <std::size_t n>
 LawFamily ogden_family() {
   LawFamily family;
   family.name = "ogden" + std::to_string(n);
+  for (std::size_t p = 1; p <= n; ++p) family.shape_names.push_back("exponent_" + std::to_string(p));
   family.lowest_shape.assign(n, -largest_exponent);
   family.highest_shape.assign(n, largest_exponent);
   family.starts = choices(std::vector{-20.0, -8.0, -3.0, 0.9, 2.5, 5.0, 12.0}, n);

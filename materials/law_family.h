@@ -12,8 +12,9 @@ namespace menger::materials {
 /// A kind of law as a fit sees it: moduli in which the stress is linear, and shape parameters (exponents, locking) in which it is
 /// not.
 struct LawFamily {
-  std::string name;           ///< that of the law, with "_non_negative" if its moduli may not be negative
-  bool non_negative = false;  ///< for Ogden of the parts of the shear modulus, mu_p alpha_p / 2
+  std::string name;                      ///< that of the law, with "_non_negative" if its moduli may not be negative
+  bool non_negative = false;             ///< for Ogden of the parts of the shear modulus, mu_p alpha_p / 2
+  std::vector<std::string> shape_names;  ///< of the shape parameters, as parameters_of names them
   std::vector<double> lowest_shape;
   std::vector<double> highest_shape;
   std::vector<std::vector<double>> starts;  ///< shape parameters to start from; one empty list for a linear law

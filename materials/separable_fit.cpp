@@ -1,6 +1,7 @@
 #include "materials/separable_fit.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/QR>
 #include <cmath>
@@ -115,10 +116,23 @@ ceres::Solver::Summary improve(const LawFamily& family, const LinearPart& part, 
   return summary;
 }
 
+std::vector<std::string> names_at_bound(const LawFamily& family, const std::vector<double>& shape) {
+  constexpr double near = 1e-6;  // of the width of the search
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const double tolerance = near * (family.highest_shape[i] - family.lowest_shape[i]);
+    if (shape[i] <= family.lowest_shape[i] + tolerance || shape[i] >= family.highest_shape[i] - tolerance)
+      names.push_back(family.shape_names[i]);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::optional<SeparableFit> fit_family(const LawFamily& family, const std::vector<double>& stretch,
                                        const std::vector<double>& stress_Pa) {
+  // Ceres logs starts that lead nowhere, which is no news here.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   const LinearPart part(family, stretch, stress_Pa);
   std::optional<SeparableFit> best;
   double best_square = std::numeric_limits<double>::infinity();
@@ -134,7 +148,8 @@ std::optional<SeparableFit> fit_family(const LawFamily& family, const std::vecto
     if (!part.solve(shape, moduli, residual) || residual.squaredNorm() >= best_square) continue;
     best_square = residual.squaredNorm();
     moduli *= part.scale_Pa();
-    best = SeparableFit{family.compose(shape, {moduli.data(), static_cast<std::size_t>(moduli.size())}), status};
+    const HyperelasticLaw law = family.compose(shape, {moduli.data(), static_cast<std::size_t>(moduli.size())});
+    best = SeparableFit{law, status, names_at_bound(family, shape)};
   }
   return best;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "io/run_status.h"
@@ -13,6 +14,7 @@ namespace menger::materials {
 struct SeparableFit {
   HyperelasticLaw law;
   io::RunStatus status = io::RunStatus::completed;  ///< not_converged if the solver gave up on the best start
+  std::vector<std::string> shape_at_bound;          ///< names of the shape parameters that ended at a bound of their search
 };
 
 /// Fits a family to nominal stresses of uniaxial tension by unweighted least squares.

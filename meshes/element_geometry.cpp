@@ -27,6 +27,8 @@ double scaled_determinant(const std::array<Point, 3>& columns) {
 
 double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
+bool is_finite(const Point& place) { return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]); }
+
 std::string millimetre_text(const Point& place) {
   std::array<char, 80> text{};
   std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g) mm", 1e3 * place[0], 1e3 * place[1], 1e3 * place[2]);
@@ -62,8 +64,11 @@ double jacobian_determinant(const CornerPoints& corners, const Point& xi) { retu
 double smallest_determinant(const CornerPoints& corners) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t point = 0; point < 8; ++point) {
-    smallest = std::min(smallest, jacobian_determinant(corners, reference_corner(point)));
-    smallest = std::min(smallest, jacobian_determinant(corners, gauss_point(point)));
+    for (const Point& at : {reference_corner(point), gauss_point(point)}) {
+      const double here = jacobian_determinant(corners, at);
+      if (std::isnan(here)) return here;  // which no comparison would find again
+      smallest = std::min(smallest, here);
+    }
   }
   return smallest;
 }

@@ -28,6 +28,9 @@ inline Point cross(const Point& a, const Point& b) {
 }
 double length(const Point& a);
 
+/// Whether all coordinates are finite numbers.
+bool is_finite(const Point& place);
+
 /// A place as messages name it: "(1, 2.5, 0) mm".
 std::string millimetre_text(const Point& place);
 
@@ -40,7 +43,7 @@ std::array<Point, 3> jacobian(const CornerPoints& corners, const Point& xi);
 double jacobian_determinant(const CornerPoints& corners, const Point& xi);
 
 /// The smallest determinant at the eight corners and the eight Gauss points. A value <= 0 shows that the element is inverted; a
-/// positive one does not exclude a fold between these points, which needs corners that are nearly flat.
+/// positive one does not exclude a fold between these points, which needs corners that are nearly flat. NaN if any of them is.
 double smallest_determinant(const CornerPoints& corners);
 
 /// Volume of a trilinear element, exact: eight Gauss points integrate its determinant.

@@ -16,6 +16,7 @@
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "meshes/circular_corners.h"
+#include "meshes/element_geometry.h"
 #include "meshes/mesh_assembly.h"
 
 namespace menger::meshes {
@@ -87,6 +88,7 @@ class GmshMeshReader {
       point_of_tag_[tags[i]] = i;
       Point point{};
       for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = length_unit_m_ * coordinates[3 * i + axis];
+      if (!is_finite(point)) refuse("point " + std::to_string(tags[i]) + " has a coordinate that is no finite number");
       result_.points.push_back(point);
     }
   }

@@ -122,14 +122,23 @@ std::vector<double> graded_edges(double span, double first, double growth, doubl
     const double count = std::max(1.0, std::ceil(span / std::min(first, largest) - same));
     return std::vector<double>(static_cast<std::size_t>(count), span / count);
   }
-  for (std::size_t count = 1;; ++count) {
-    std::vector<double> edges(count, first);
-    for (std::size_t i = 1; 2 * i < count; ++i) edges[i] = edges[count - 1 - i] = std::min(edges[i - 1] * growth, largest);
-    const double sum = std::accumulate(edges.begin(), edges.end(), 0.0);
-    if (sum < span * (1.0 - same)) continue;
-    for (double& edge : edges) edge *= span / sum;
-    return edges;
+  // Edges come in pairs, one from each end, until the next pair or the last edge alone in the middle fills the span.
+  std::vector<double> half;
+  double edge = first;
+  double sum = 0.0;
+  const double enough = span * (1.0 - same);
+  while (sum + edge < enough) {
+    half.push_back(edge);
+    sum += 2.0 * edge;
+    if (sum >= enough) break;
+    edge = std::min(edge * growth, largest);
   }
+  std::vector<double> edges = half;
+  if (sum < enough) edges.push_back(edge);
+  edges.insert(edges.end(), half.rbegin(), half.rend());
+  const double total = std::accumulate(edges.begin(), edges.end(), 0.0);
+  for (double& each : edges) each *= span / total;
+  return edges;
 }
 
 std::array<GridLines, 3> grid_lines(const ModularBody& body, double cell_edge_m, const HollowBodyOptions& options,

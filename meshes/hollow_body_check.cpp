@@ -18,6 +18,15 @@ namespace {
 /// Far more than can be computed with; less would fill the memory with grid lines before their number can be judged.
 constexpr int most_elements_through_wall = 1000;
 
+/// Wall and chamber as parts of the cell edge: less is no casting, and elements that thin have no accurate volume.
+constexpr double smallest_part = 1e-4;
+
+/// The same for the edge of a hole.
+constexpr double smallest_hole_part = 1e-3;
+
+/// As most_elements_through_wall.
+constexpr double most_elements_along_cell = 20'000.0;
+
 [[noreturn]] void refuse(const Design& design, const std::string& reason) {
   throw io::InputError("design " + design.name + ": " + reason);
 }
@@ -43,6 +52,11 @@ void check_lengths(const Design& design, const HollowBodyOptions& options) {
     refuse(design, "wall_thickness_m", wall,
            "must be smaller than half a cell (" + limit_text(0.5 * design.cell_edge_m) + "), or no chamber is left");
   }
+  const double smallest = smallest_part * design.cell_edge_m;
+  if (wall < smallest || design.cell_edge_m - 2.0 * wall < smallest) {
+    refuse(design, "wall_thickness_m", wall,
+           "wall and chamber must each be at least " + limit_text(smallest) + " thick, 1/10000 of the cell edge");
+  }
   if (options.elements_through_wall < 1 || options.elements_through_wall > most_elements_through_wall) {
     refuse(design, "elements_through_wall", options.elements_through_wall,
            "must be in 1 .. " + std::to_string(most_elements_through_wall));
@@ -51,6 +65,13 @@ void check_lengths(const Design& design, const HollowBodyOptions& options) {
       !(is_length(*options.largest_element_m) && *options.largest_element_m * most_elements_through_wall >= wall)) {
     refuse(design, "largest_element_m", *options.largest_element_m,
            "must be > 0 and at least " + limit_text(wall / most_elements_through_wall));
+  }
+  const double wall_edge = wall / options.elements_through_wall;
+  if (const double edge = std::min(wall_edge, options.largest_element_m.value_or(wall_edge));
+      design.cell_edge_m > most_elements_along_cell * edge) {
+    refuse(design, "elements_through_wall = " + std::to_string(options.elements_through_wall) + ": elements of " +
+                       limit_text(edge) + " m are too small for cells of " + limit_text(design.cell_edge_m) + " m: at most " +
+                       limit_text(most_elements_along_cell) + " may lie along one");
   }
   if (!(std::isfinite(options.growth) && options.growth >= 1.0)) refuse(design, "growth", options.growth, "must be at least 1");
   if (options.level < 1) refuse(design, "level", options.level, "must be at least 1");
@@ -61,8 +82,11 @@ void check_lengths(const Design& design, const HollowBodyOptions& options) {
 void check_hole_edge(const Design& design, const HollowBodyOptions& options, const std::string& option, double edge) {
   const double span = design.cell_edge_m - 2.0 * options.wall_thickness_m;
   // Rounding of that difference must not refuse a hole as wide as the chamber.
-  if (is_length(edge) && edge <= span * (1.0 + 1e-9)) return;
-  refuse(design, option, edge, "must be > 0 and at most cell edge - 2 wall thicknesses = " + limit_text(span));
+  const double smallest = smallest_hole_part * design.cell_edge_m;
+  if (is_length(edge) && edge >= smallest && edge <= span * (1.0 + 1e-9)) return;
+  refuse(design, option, edge,
+         "must be at least 1/1000 of the cell edge = " + limit_text(smallest) +
+             " and at most cell edge - 2 wall thicknesses = " + limit_text(span));
 }
 
 }  // namespace

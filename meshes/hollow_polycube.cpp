@@ -12,8 +12,10 @@
 #include "meshes/hollow_body_check.h"
 #include "meshes/hollow_volumes.h"
 #include "meshes/joint_holes.h"
+#include "meshes/mesh_quality.h"
 #include "meshes/modular_body.h"
 #include "meshes/reference_shapes.h"
+#include "meshes/weak_contacts.h"
 
 namespace menger::meshes {
 namespace {
@@ -74,6 +76,7 @@ class HollowBodyMesher {
     const GridElements element_of_cell = fill_from_grid(mesh, grid_, ends);
     for (const Channel& channel : openings)
       mesh.chambers[channel.chamber].caps.push_back(cap_of(channel, mesh, grid_, element_of_cell));
+    require_no_inverted_elements(mesh, "design " + design_.name);
     add_volumes();
     return std::move(result_);
   }
@@ -173,6 +176,7 @@ class HollowBodyMesher {
     result_.wall_volume_m3 = volumes.wall_m3;
     result_.module_count = body_.modules().size();
     result_.hole_count = holes_.size();
+    result_.edge_contact_count = count_edge_contacts(body_.cells());  // the design itself has none
   }
 
   const Design& design_;

@@ -22,8 +22,9 @@ struct HollowBody {
   HexahedralMesh mesh;                  ///< labels "outer", "ground", "chamber 0", ..., "tube"; regions "wall", "lid", "joint"
   std::vector<ChamberOrigin> chambers;  ///< in the order of mesh.chambers
   std::size_t module_count = 1;
-  std::size_t hole_count = 0;   ///< holes in joints
-  double wall_volume_m3 = 0.0;  ///< of the silicone, in closed form
+  std::size_t hole_count = 0;          ///< holes in joints
+  std::size_t edge_contact_count = 0;  ///< places where modules touch only along an edge and are not bonded
+  double wall_volume_m3 = 0.0;         ///< of the silicone, in closed form
 };
 
 /// A design as a hollow body: its cells minus the chambers, in hexahedra that conform.
@@ -39,9 +40,10 @@ struct HollowBody {
 /// one plenum, and a cap divides their air in the plane of the joint.
 ///
 /// Modules that touch only along an edge or at a corner are not bonded there: their points coincide but are not shared.
-/// @throws io::InputError naming design and option if a wall is not thinner than half a cell, a hole is wider than the chamber
-/// behind it or does not lie on an outer side, the design or its fractal is not face-connected, cells of the design touch only
-/// along an edge or at a corner, or the grid would have more than largest_grid_cell_count cells
+/// @throws io::InputError naming design and option if a wall is not thinner than half a cell, wall or chamber are thinner than
+/// 1/10000 of a cell, elements are shorter than 1/20000 of a cell, a hole is narrower than 1/1000 of a cell or wider than the
+/// chamber behind it or does not lie on an outer side, the design or its fractal is not face-connected, cells of the design touch
+/// only along an edge or at a corner, or the grid would have more than largest_grid_cell_count cells
 HollowBody hollow_polycube(const Design& design, const HollowBodyOptions& options);
 
 /// Grid cells of the tensor product up to which a body is meshed.

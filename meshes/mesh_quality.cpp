@@ -78,6 +78,7 @@ MeshQuality mesh_quality(const HexahedralMesh& mesh) {
 
 MeshQuality mesh_quality(const HollowBody& body) {
   MeshQuality quality = mesh_quality(body.mesh);
+  quality.body = HollowBodyCounts{body.module_count, body.hole_count, body.edge_contact_count};
   quality.volumes.front().closed_form_m3 = body.wall_volume_m3;
   for (std::size_t chamber = 0; chamber < body.chambers.size(); ++chamber)
     quality.volumes[chamber + 1].closed_form_m3 = body.chambers[chamber].volume_m3;
@@ -94,6 +95,11 @@ io::CsvTable quality_table(const MeshQuality& quality) {
   count("boundary_faces", quality.boundary_faces);
   count("chambers", quality.chambers);
   count("plenums", quality.plenums);
+  if (quality.body) {
+    count("modules", quality.body->modules);
+    count("joint_holes", quality.body->holes);
+    count("edge_contacts", quality.body->edge_contacts);
+  }
   number("scaled_jacobian_min", quality.scaled_jacobian_min);
   number("scaled_jacobian_mean", quality.scaled_jacobian_mean);
   number("aspect_ratio_max", quality.aspect_ratio_max);
@@ -107,6 +113,9 @@ io::CsvTable quality_table(const MeshQuality& quality) {
 std::string quality_text(const MeshQuality& quality) {
   std::string text = line("%zu elements, %zu points, %zu boundary faces, %zu chambers in %zu plenums\n", quality.elements,
                           quality.points, quality.boundary_faces, quality.chambers, quality.plenums);
+  if (quality.body)
+    text += line("%zu modules, %zu holes in joints, %zu contacts of modules along an edge only, not bonded\n",
+                 quality.body->modules, quality.body->holes, quality.body->edge_contacts);
   text += line("edges %.4g to %.4g mm, aspect ratio up to %.4g, scaled Jacobian %.4g at least, %.4g on average\n",
                1e3 * quality.shortest_edge_m, 1e3 * quality.longest_edge_m, quality.aspect_ratio_max, quality.scaled_jacobian_min,
                quality.scaled_jacobian_mean);

@@ -18,6 +18,13 @@ struct MeasuredVolume {
   std::optional<double> closed_form_m3;
 };
 
+/// What a hollow body is made of.
+struct HollowBodyCounts {
+  std::size_t modules = 1;
+  std::size_t holes = 0;          ///< in joints
+  std::size_t edge_contacts = 0;  ///< places where modules touch only along an edge and are not bonded
+};
+
 /// Sizes and shapes of the elements of a mesh.
 struct MeshQuality {
   std::size_t points = 0;
@@ -25,7 +32,8 @@ struct MeshQuality {
   std::size_t boundary_faces = 0;
   std::size_t chambers = 0;
   std::size_t plenums = 0;
-  double scaled_jacobian_min = 0.0;  ///< see scaled_jacobian
+  std::optional<HollowBodyCounts> body;  ///< of a hollow body, nothing for other meshes
+  double scaled_jacobian_min = 0.0;      ///< see scaled_jacobian
   double scaled_jacobian_mean = 0.0;
   double aspect_ratio_max = 0.0;  ///< longest over shortest edge of an element
   double shortest_edge_m = 0.0;

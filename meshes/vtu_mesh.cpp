@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "io/input_error.h"
-#include "io/whole_file.h"
+#include "io/vtk_file.h"
 #include "meshes/circular_corners.h"
 
 namespace menger::meshes {
@@ -132,8 +131,8 @@ void write_vtu_mesh(const std::filesystem::path& file, const HexahedralMesh& mes
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
-  if (writer->Write() == 0) throw io::InputError(file.string() + ": cannot be written");
-  pending.commit();
+  const int written = writer->Write();
+  io::commit_vtk_file(pending, file, {written, writer->GetErrorCode()});
 }
 
 }  // namespace menger::meshes

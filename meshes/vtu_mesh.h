@@ -15,8 +15,8 @@ namespace menger::meshes {
 void write_vtu_mesh(const std::filesystem::path& file, const HexahedralMesh& mesh);
 
 /// The mesh of such a file, equal to the one written.
-/// @throws io::InputError naming the file if it is missing, cannot be read, is no mesh of this form, has inverted elements or an
-/// open chamber
+/// @throws io::InputError naming the file if it is missing, cannot be read, is no mesh of this form, has points that are no
+/// finite numbers, inverted elements, faces that are not its boundary or an open chamber
 HexahedralMesh read_vtu_mesh(const std::filesystem::path& file);
 
 }  // namespace menger::meshes

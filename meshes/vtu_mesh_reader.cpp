@@ -10,13 +10,17 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "io/input_error.h"
+#include "io/number_text.h"
 #include "io/whole_file.h"
+#include "meshes/boundary_check.h"
 #include "meshes/chamber_surface.h"
 #include "meshes/circular_corners.h"
+#include "meshes/element_geometry.h"
 #include "meshes/mesh_quality.h"
 #include "meshes/vtu_mesh.h"
 
@@ -53,8 +57,9 @@ class VtuMeshReader {
     read_points();
     read_cells();
     if (grid_->GetFieldData()->HasArray("chamber_names") != 0) read_chambers();
-    mesh_.geometry = static_cast<Geometry>(rows("geometry", 1, {3}).at(0));
+    read_geometry();
     require_no_inverted_elements(mesh_, file_.string());
+    require_whole_boundary(mesh_, file_.string());
     require_closed_chambers(mesh_, file_.string());
     return std::move(mesh_);
   }
@@ -72,8 +77,9 @@ class VtuMeshReader {
 
   /// A number of an array that must be a whole one below `limit`.
   [[nodiscard]] std::size_t index(const char* name, double value, std::size_t limit) const {
-    if (value >= 0.0 && value < static_cast<double>(limit)) return static_cast<std::size_t>(value);
-    refuse(std::string(name) + " holds " + std::to_string(value) + ", which must be in 0 .. " + std::to_string(limit) + " - 1");
+    if (value >= 0.0 && value < static_cast<double>(limit) && value == std::floor(value)) return static_cast<std::size_t>(value);
+    refuse(std::string(name) + " holds " + io::number_text(value) + ", which must be a whole number in 0 .. " +
+           std::to_string(limit) + " - 1");
   }
 
   /// All numbers of an array of field data, row by row, each below the limit of its column. A missing array has none.
@@ -99,6 +105,7 @@ class VtuMeshReader {
     for (vtkIdType i = 0; i < grid_->GetNumberOfPoints(); ++i) {
       Point point{};
       grid_->GetPoint(i, point.data());
+      if (!is_finite(point)) refuse("point " + std::to_string(i) + " has a coordinate that is no finite number");
       mesh_.points.push_back(point);
     }
   }
@@ -127,6 +134,12 @@ class VtuMeshReader {
       }
     }
     if (mesh_.elements.empty()) refuse("holds no hexahedra");
+  }
+
+  void read_geometry() {
+    const std::vector<std::size_t> geometry = rows("geometry", 1, {3});
+    if (geometry.size() != 1) refuse("must have field data geometry with one number, so it is no mesh that menger wrote");
+    mesh_.geometry = static_cast<Geometry>(geometry[0]);
   }
 
   void read_chambers() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,6 +16,9 @@ using WeakContact = std::pair<CellIndex, CellIndex>;
 /// joins them; nothing if there is none. A casting would hang on a line or a point there, whether or not the cells are joined
 /// elsewhere.
 std::optional<WeakContact> first_weak_contact(const Polycube& body);
+
+/// How often two occupied cells share an edge while no other cell at that edge joins them; contacts at a corner are not counted.
+std::size_t count_edge_contacts(const Polycube& body);
 
 /// A cell as messages name it: "(x, y, z)", counted from 0.
 std::string cell_text(const CellIndex& cell);

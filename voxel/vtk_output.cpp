@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "io/input_error.h"
+#include "io/vtk_file.h"
 #include "io/whole_file.h"
 #include "voxel/cube.h"
 
@@ -96,8 +97,8 @@ void write_frame(const std::filesystem::path& file, const Frame& frame) {
   writer->SetCompressorTypeToZLib();
   writer->SetCompressionLevel(1);
   writer->SetIdTypeToInt32();
-  if (writer->Write() == 0) throw io::InputError(file.string() + ": cannot be written");
-  pending.commit();
+  const int written = writer->Write();
+  io::commit_vtk_file(pending, file, {written, writer->GetErrorCode()});
 }
 
 FrameSeries::FrameSeries(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}

@@ -36,7 +36,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "writes fits/fits.toml, curves.csv, fits.png and manifest.json.\n"
       "The test is a file of the Soft Robotics Materials Database or has two columns with units in the header, such as\n"
       "strain,stress_kPa. Unless --raw is given, known faults of a record are repaired, and each repair is printed.\n"
-      "Exit codes: 0 done, 2 wrong input, 3 no law fits that is stable and plausible.");
+      "Exit codes: 0 done, 2 wrong input, 3 no law is at once stable, plausible, determined by the test and\n"
+      "close to it.");
   app.add_option("test", arguments.test, "tensile test (CSV)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the test)");
   app.add_option("--range", arguments.range, "strains between which to fit, as fractions (default: 0 1)");
@@ -61,16 +62,17 @@ void check(const Arguments& arguments) {
 }
 
 void print(const materials::FitReport& report) {
-  for (const std::string& repair : report.repairs) std::cout << "  " << repair << '\n';
   std::array<char, 160> row{};
   std::snprintf(row.data(), row.size(), "%-27s %10s %10s %9s %9s  %-8s %s", "law", "mu (kPa)", "rmse (kPa)", "R2", "AIC",
                 "stable", "biaxial/uniaxial");
   std::cout << row.data() << '\n';
   for (const materials::LawFit& fit : report.ranking) {
+    std::array<char, 16> ratio{"-"};
+    if (fit.equibiaxial_ratio) std::snprintf(ratio.data(), ratio.size(), "%.4g", *fit.equibiaxial_ratio);
     const char* stable = !fit.stable ? "no" : fit.stable_with_margin ? "yes" : "barely";
-    std::snprintf(row.data(), row.size(), "%-27s %10.4g %10.4g %9.6f %9.1f  %-8s %.4g%s", fit.name.c_str(),
+    std::snprintf(row.data(), row.size(), "%-27s %10.4g %10.4g %9.6f %9.1f  %-8s %s%s", fit.name.c_str(),
                   1e-3 * materials::shear_modulus_at_rest_Pa(fit.law), 1e-3 * fit.rmse_Pa, fit.r_squared, fit.aic, stable,
-                  fit.equibiaxial_ratio.value_or(0.0),
+                  ratio.data(),
                   !fit.plausible   ? " (not of silicone)"
                   : fit.cancelling ? " (terms cancel)"
                                    : "");
@@ -99,6 +101,7 @@ int run(int argc, const char* const* argv) {
   if (arguments.crosshead_correction) {
     report.repairs.push_back(materials::correct_crosshead_strain(test, *arguments.crosshead_correction));
   }
+  for (const std::string& repair : report.repairs) std::cout << "  " << repair << '\n';
   report.file = arguments.test;
   report.material = test.material;
   report.strain_source = test.strain_source;
@@ -123,7 +126,9 @@ int run(int argc, const char* const* argv) {
   print(report);
   if (!chart.written) std::cout << "no picture: " << chart.missing << '\n';
   const materials::LawFit* best = materials::recommended_fit(report.ranking);
-  std::cout << (best != nullptr ? "recommended: " + best->name : std::string("no law fits that is stable and plausible"));
+  std::cout << (best != nullptr
+                    ? "recommended: " + best->name
+                    : std::string("no law is recommended: none is at once stable, plausible, determined and close to the test"));
   std::cout << "; results in " << arguments.folder.string() << '\n';
   return best != nullptr ? io::exit_code::done : io::exit_code::numerical;
 }

@@ -84,12 +84,8 @@ void override_options(const Arguments& arguments, meshes::HollowBodyOptions& opt
 }
 
 bool has_design_options(const Arguments& arguments) {
-  meshes::HollowBodyOptions options;
-  // Values that no option has by default, so that any override shows.
-  options.wall_thickness_m = -1.0;
-  const meshes::HollowBodyOptions before = options;
-  override_options(arguments, options);
-  return options != before;
+  return arguments.wall_thickness_m || arguments.elements_through_wall || arguments.largest_element_m || arguments.growth ||
+         arguments.chambers || arguments.level || arguments.hole_edge_m || arguments.lid || arguments.joint_region;
 }
 
 struct MeshToWrite {
@@ -114,6 +110,8 @@ MeshToWrite mesh_design(const Arguments& arguments, io::Manifest& manifest) {
   try {
     meshes::HollowBody body = meshes::hollow_polycube(study.design, study.options);
     const meshes::MeshQuality quality = meshes::mesh_quality(body);
+    if (study.options.hole_edge_m && body.hole_count == 0)
+      std::cout << "note: hole_edge_m made no hole, because no chambers of modules side by side touch that may be joined\n";
     return {std::move(body.mesh), quality};
   } catch (const io::InputError& error) {
     throw io::InputError(arguments.input.string() + ": " + error.what());

@@ -125,7 +125,8 @@ TEST(SiliconeRecord, RefusesWrongValuesWithFileAndKey) {
   EXPECT_NE(unit.find("density_kg_per_m3 is missing"), std::string::npos) << unit;
   const std::string range = refusal("largest_stretch = 2", "largest_stretch = 1");
   EXPECT_NE(range.find("recommended.largest_stretch = 1: must be > 1"), std::string::npos) << range;
-  const std::string source = refusal("source = \"Smooth-On, technical bulletin of the Dragon Skin series\"", "source = \"\"");
+  const std::string source = refusal(
+      "source = \"Smooth-On, technical bulletin of the Dragon Skin series, as quoted in a public repository\"", "source = \"\"");
   EXPECT_NE(source.find("data_sheet.source = \"\": must not be empty"), std::string::npos) << source;
   EXPECT_NE(refusal("[data_sheet]\n", "[data_sheet]\ncolour = \"white\"\n").find("colour: unknown key"), std::string::npos);
 }

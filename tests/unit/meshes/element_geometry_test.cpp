@@ -36,6 +36,14 @@ TEST(ElementGeometry, ScaledJacobianOfAShearedElementIsTheSineOfItsAngle) {
   EXPECT_NEAR(element_volume(corners), 1.0, 1e-15);
 }
 
+TEST(ElementGeometry, APointThatIsNoNumberHasNoDeterminant) {
+  for (std::size_t c = 0; c < 8; ++c) {
+    CornerPoints corners = cuboid(1.0, 1.0, 1.0);
+    corners[c][1] = std::nan("");
+    EXPECT_TRUE(std::isnan(smallest_determinant(corners))) << c;
+  }
+}
+
 TEST(ElementGeometry, SeesInvertedElements) {
   CornerPoints mirrored = cuboid(1.0, 1.0, 1.0);
   for (Point& corner : mirrored) corner[0] = -corner[0];

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -197,6 +198,15 @@ TEST_F(GmshMesh, RefusesFilesThatAreNoMesh) {
   const std::string whole = msh_text(box({1.0, 1.0, 1.0}, {2, 2, 2}), 1.0);
   EXPECT_EQ(refusal(whole), "accepted");
   EXPECT_NE(refusal(whole.substr(0, whole.size() / 2)).find("a.msh: is cut off"), std::string::npos);
+}
+
+TEST_F(GmshMesh, RefusesPointsThatAreNoNumbers) {
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    HexahedralMesh mesh = box({1.0, 1.0, 1.0}, {1, 1, 1});
+    mesh.points[2][0] = bad;
+    const std::string message = refusal(msh_text(mesh, 1.0));
+    EXPECT_TRUE(message.starts_with((folder_ / "a.msh").string())) << message;
+  }
 }
 
 TEST_F(GmshMesh, RefusesOpenChambersAndInvertedElements) {

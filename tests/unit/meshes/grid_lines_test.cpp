@@ -40,6 +40,13 @@ TEST(GradedEdges, AreAsFewAsPossible) {
   EXPECT_EQ(graded_edges(6.0, 1.0, 2.0, 8.0), (std::vector<double>{1.0, 2.0, 2.0, 1.0}));
 }
 
+TEST(GradedEdges, ManyOfThemTakeOnePass) {
+  // A hundred thousand edges that hardly grow: rebuilding the list for each would take minutes.
+  const std::vector<double> edges = graded_edges(1.0, 1e-5, 1.0 + 1e-9, 2e-5);
+  EXPECT_NEAR(static_cast<double>(edges.size()), 1e5, 10.0);
+  EXPECT_NEAR(std::accumulate(edges.begin(), edges.end(), 0.0), 1.0, 1e-11);
+}
+
 TEST(GridLines, FollowTheWallsOnly) {
   HollowBodyOptions options;
   options.wall_thickness_m = 2.0;

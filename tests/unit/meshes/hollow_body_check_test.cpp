@@ -48,6 +48,14 @@ TEST(HollowBodyCheck, RefusesOptionsThatMakeNoSense) {
   EXPECT_TRUE(refused(with([](auto& o) { o.elements_through_wall = 0; }), "elements_through_wall = 0"));
   EXPECT_TRUE(refused(with([](auto& o) { o.elements_through_wall = 1001; }), "elements_through_wall = 1001"));
   EXPECT_TRUE(refused(with([](auto& o) { o.largest_element_m = 1e-9; }), "largest_element_m = 1e-09"));
+  EXPECT_TRUE(refused(with([](auto& o) { o.wall_thickness_m = 1e-6; }), "wall_thickness_m = 1e-06: wall and chamber"));
+  EXPECT_TRUE(refused(with([](auto& o) { o.wall_thickness_m = 0.01 - 1e-7; }), "wall_thickness_m = 0.0099999: wall and chamber"));
+  EXPECT_TRUE(refused(with([](auto& o) {
+                        o.wall_thickness_m = 2e-5;
+                        o.elements_through_wall = 1000;
+                      }),
+                      "elements_through_wall = 1000: elements of 2e-08 m are too small"));
+  EXPECT_TRUE(refused(with([](auto& o) { o.tubes = {{{0, 0, 0}, Side::x_min, 1e-15}}; }), "tubes.edge_m = 1e-15"));
   EXPECT_TRUE(refused(with([](auto& o) { o.elements_through_wall = 1000; }), "the grid of the mesh would have 1"));
   EXPECT_TRUE(refused(with([](auto& o) { o.largest_element_m = 0.0; }), "largest_element_m = 0"));
   EXPECT_TRUE(refused(with([](auto& o) { o.growth = 0.9; }), "growth = 0.9"));

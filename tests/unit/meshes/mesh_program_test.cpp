@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "io/csv_table.h"
@@ -62,6 +63,23 @@ TEST_F(MeshProgram, FlagsReplaceTheKeysOfAStudy) {
   EXPECT_NO_THROW(static_cast<void>(label_index(mesh, "tube")));
 }
 
+TEST_F(MeshProgram, CountsModulesHolesAndEdgeContacts) {
+  // An L of three cells: at level 2 its three modules meet in two joints. The two at its ends touch along an edge.
+  write_design(folder_ / "l.toml", {"l", Polycube::from_digits(2, 2, 1, "1110"), 0.01});
+  ASSERT_EQ(run("l.toml --level 2 --hole-edge-m 0.002"), 0) << text("err");
+  const io::CsvContents quality = io::read_csv(folder_ / "l_quality.csv");
+  std::map<std::string, double> value;
+  for (std::size_t row = 0; row < quality.row_count(); ++row) value[quality.text(row, "quantity")] = quality.number(row, "value");
+  EXPECT_EQ(value.at("modules"), 3.0);
+  EXPECT_EQ(value.at("joint_holes"), 2.0);
+  EXPECT_EQ(value.at("edge_contacts"), 1.0);
+  EXPECT_EQ(text("out").find("note:"), std::string::npos) << text("out");
+  // Modules on top of each other are never joined.
+  write_design(folder_ / "tower.toml", {"tower", Polycube::from_digits(1, 1, 2, "11"), 0.01});
+  ASSERT_EQ(run("tower.toml --level 2 --hole-edge-m 0.002"), 0) << text("err");
+  EXPECT_NE(text("out").find("note: hole_edge_m made no hole"), std::string::npos) << text("out");
+}
+
 TEST_F(MeshProgram, RefusesBadInputAndLeavesWhatIsThere) {
   io::write_whole(folder_ / "bar.vtu", "earlier");
   EXPECT_EQ(run("bar.toml --wall-thickness-m 0.005"), 2);
@@ -76,7 +94,12 @@ TEST_F(MeshProgram, RefusesBadInputAndLeavesWhatIsThere) {
   io::write_whole(folder_ / "bar.msh", "no mesh");
   EXPECT_EQ(run("bar.msh"), 2);
   EXPECT_NE(text("err").find("bar.msh: is no mesh of Gmsh"), std::string::npos) << text("err");
-  EXPECT_EQ(run("bar.msh --level 2"), 2);
+  for (const char* option :
+       {"--level 2", "--level 1", "--wall-thickness-m 0.002", "--elements-through-wall 1", "--largest-element-m 0.002",
+        "--growth 1.5", "--chambers single", "--hole-edge-m 0.002", "--lid none", "--joint-region"}) {
+    EXPECT_EQ(run(std::string("bar.msh ") + option), 2) << option;
+    EXPECT_NE(text("err").find("options of a design do not apply"), std::string::npos) << option << ": " << text("err");
+  }
   EXPECT_EQ(text("bar.vtu"), "earlier");
 }
 

@@ -4,6 +4,7 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkStringArray.h>
@@ -11,15 +12,19 @@
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <string>
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "meshes/boundary_labels.h"
+#include "meshes/element_geometry.h"
 #include "meshes/hollow_polycube.h"
 #include "meshes/reference_shapes.h"
 #include "meshes/verification_shapes.h"
+#include "tests/support/small_disk.h"
 
 namespace menger::meshes {
 namespace {
@@ -157,6 +162,85 @@ TEST_F(VtuMesh, RefusesInvertedElementsAndOpenChambers) {
   std::swap(inverted.elements[0][0], inverted.elements[0][1]);
   write_vtu_mesh(folder_ / "inverted.vtu", inverted);
   EXPECT_NE(refusal(folder_ / "inverted.vtu").find("1 of 1 elements are inverted"), std::string::npos);
+}
+
+TEST_F(VtuMesh, AFullDiskLeavesTheEarlierFile) {
+  const fs::path file = folder_ / "mesh.vtu";
+  write_vtu_mesh(file, body_with_everything().mesh);
+  const std::string whole = io::read_whole(file);
+  for (const std::size_t room : {std::size_t{0}, std::size_t{4096}, whole.size() / 2, whole.size() - 1}) {
+    std::string message;
+    {
+      const SmallDisk disk(room);
+      try {
+        write_vtu_mesh(file, body_with_everything().mesh);
+      } catch (const io::InputError& error) {
+        message = error.what();
+      }
+    }
+    EXPECT_TRUE(message.starts_with(file.string())) << room << ": " << message;
+    EXPECT_EQ(io::read_whole(file), whole) << room;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1) << "temporary files are left";
+}
+
+TEST_F(VtuMesh, RefusesPointsThatAreNoNumbers) {
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    HexahedralMesh mesh = box({1.0, 1.0, 1.0}, {1, 1, 1});
+    mesh.points[3][1] = bad;
+    write_vtu_mesh(folder_ / "mesh.vtu", mesh);
+    EXPECT_NE(refusal(folder_ / "mesh.vtu").find("point 3 has a coordinate that is no finite number"), std::string::npos)
+        << refusal(folder_ / "mesh.vtu");
+  }
+}
+
+TEST_F(VtuMesh, RefusesFacesThatAreNotTheBoundary) {
+  const fs::path file = folder_ / "mesh.vtu";
+  const auto refused = [&](const auto& change) {
+    HexahedralMesh mesh = box({1.0, 1.0, 2.0}, {1, 1, 2});
+    change(mesh);
+    write_vtu_mesh(file, mesh);
+    return refusal(file);
+  };
+  const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  EXPECT_EQ(refused([](HexahedralMesh&) {}), "accepted");
+  EXPECT_TRUE(has(refused([](HexahedralMesh& m) { m.faces.pop_back(); }), "1 sides of elements on the boundary have no face"));
+  EXPECT_TRUE(has(refused([](HexahedralMesh& m) { m.faces.push_back(m.faces[0]); }), "is there twice"));
+  EXPECT_TRUE(has(refused([](HexahedralMesh& m) { std::swap(m.faces[0].corners[0], m.faces[0].corners[2]); }), "the wrong way"));
+  EXPECT_TRUE(has(refused([](HexahedralMesh& m) {
+                    for (std::size_t i = 0; i < 4; ++i) m.faces[0].corners[i] = m.elements[0][face_corners[5][i]];
+                  }),
+                  "lies inside the solid"));
+  EXPECT_TRUE(has(refused([](HexahedralMesh& m) { m.faces[0].corners = {0, 1, 2, 11}; }), "is on no element"));
+}
+
+/// The file of a mesh after a change to what VTK reads from it.
+template <class Change>
+void rewrite(const fs::path& file, const Change& change) {
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  change(*reader->GetOutput());
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(reader->GetOutput());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+}
+
+TEST_F(VtuMesh, RefusesAMissingGeometryAndBrokenNumbers) {
+  const fs::path file = folder_ / "mesh.vtu";
+  write_vtu_mesh(file, box({1.0, 1.0, 1.0}, {1, 1, 1}));
+  rewrite(file, [](vtkUnstructuredGrid& grid) { grid.GetFieldData()->RemoveArray("geometry"); });
+  EXPECT_NE(refusal(file).find("must have field data geometry"), std::string::npos) << refusal(file);
+  write_vtu_mesh(file, box({1.0, 1.0, 1.0}, {1, 1, 1}));
+  rewrite(file, [](vtkUnstructuredGrid& grid) {
+    vtkNew<vtkDoubleArray> broken;
+    broken->SetName("geometry");
+    broken->InsertNextValue(0.5);
+    grid.GetFieldData()->RemoveArray("geometry");
+    grid.GetFieldData()->AddArray(broken);
+  });
+  EXPECT_NE(refusal(file).find("geometry holds 0.5, which must be a whole number"), std::string::npos) << refusal(file);
 }
 
 TEST_F(VtuMesh, APlaceUnderAFileIsRefused) {

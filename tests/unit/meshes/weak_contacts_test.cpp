@@ -35,5 +35,12 @@ TEST(WeakContacts, AcceptsWhatOtherCellsJoin) {
   EXPECT_FALSE(first_weak_contact(full_cube(3)));
 }
 
+TEST(WeakContacts, AreCountedAlongEdgesOnly) {
+  EXPECT_EQ(count_edge_contacts(Polycube::from_digits(2, 2, 2, "10010000")), 1U);
+  EXPECT_EQ(count_edge_contacts(Polycube::from_digits(2, 2, 2, "10000001")), 0U) << "a corner";
+  EXPECT_EQ(count_edge_contacts(Polycube::from_digits(2, 2, 2, "11010000")), 0U) << "a third cell joins them";
+  EXPECT_EQ(count_edge_contacts(Polycube::from_digits(2, 2, 2, "10010110")), 6U) << "each two of four cells";
+}
+
 }  // namespace
 }  // namespace menger::meshes

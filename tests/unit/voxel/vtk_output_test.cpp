@@ -18,6 +18,7 @@
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/small_disk.h"
 
 namespace menger::voxel {
 namespace {
@@ -185,6 +186,25 @@ TEST_F(VtkOutput, APlaceUnderAFileIsRefused) {
   io::write_whole(folder_ / "file", "text");
   EXPECT_THROW(write_frame(folder_ / "file/frame.vtu", two_voxels(0.0)), io::InputError);
   EXPECT_EQ(io::read_whole(folder_ / "file"), "text");
+}
+
+TEST_F(VtkOutput, AFullDiskLeavesTheEarlierFrame) {
+  const fs::path file = folder_ / "frame.vtu";
+  write_frame(file, two_voxels(1.0));
+  const std::string whole = io::read_whole(file);
+  for (const std::size_t room : {std::size_t{0}, whole.size() / 2, whole.size() - 1}) {
+    bool refused = false;
+    {
+      const SmallDisk disk(room);
+      try {
+        write_frame(file, two_voxels(1.0));
+      } catch (const io::InputError&) {
+        refused = true;
+      }
+    }
+    EXPECT_TRUE(refused) << room;
+    EXPECT_EQ(io::read_whole(file), whole) << room;
+  }
 }
 
 }  // namespace
