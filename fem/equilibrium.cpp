@@ -419,7 +419,7 @@ PetscErrorCode Equilibrium::Search::test_convergence(SNES, PetscInt, PetscReal, 
 }
 
 std::string Equilibrium::Search::failure_reason(int iterations) const {
-  if (!is_held_) return "the stiffness is singular: the supports leave the body a rigid motion";
+  if (!is_held_) return "the stiffness is singular: the body is not held against every rigid motion";
   if (singular_) return "the linear system has no solution: its factorisation or its iteration has failed";
   if (runs_away_) return "Newton's steps grow instead of shrinking (after " + std::to_string(iterations) + " iterations)";
   return "no equilibrium within " + std::to_string(iterations) + " iterations";

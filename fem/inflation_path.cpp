@@ -211,8 +211,9 @@ PathFollower::StepOutcome PathFollower::try_step(double s) {
       if (before) last_gap_m_ = before->gap_m;
     }
     gap = gaps_.smallest(state.displacements_m);
-    if (gap && (gap->is_crossing || moved_past_gap(state)))
-      return reject(io::RunStatus::wall_contact, "chamber walls would cross");
+    if (gap && gap->is_crossing) return reject(io::RunStatus::wall_contact, "chamber walls would cross");
+    if (gap && moved_past_gap(state))
+      return reject(io::RunStatus::not_converged, "chamber walls move too far to see whether they cross");
   }
   return accept(s, state, report, gap) ? StepOutcome::accepted : StepOutcome::ended;
 }
