@@ -145,7 +145,7 @@ EquilibriumReport PathFollower::solve_at(double s, BodyState& state, int order) 
   const std::vector<PlenumControl> controls = controls_at(s);
   // with nothing extrapolated the body still balances the old pressures
   const std::vector<double> old = history_.last().plenum_pressures_Pa;
-  const EquilibriumReport report = equilibrium_.solve(
+  EquilibriumReport report = equilibrium_.solve(
       state, controls, dead_load_factor_at(s), order == 0 ? std::span<const double>(old) : std::span<const double>(), stop_);
   report_.iterations += report.iterations;
   report_.factorisations += report.factorisations;
@@ -258,10 +258,11 @@ bool PathFollower::accept(double s, const BodyState& state, const EquilibriumRep
     const double factor = std::clamp(static_cast<double>(options_.desired_iterations) / std::max(point.iterations, 1), 0.5, 2.0);
     step_ = std::min(options_.largest_step, std::max(step_, length) * factor);
   }
-  if (observer_)
+  if (observer_) {
     observer_(point, state,
               {history_.path_parameters(), history_.states(), report_.points, report_.limit_points, step_, failed_s_,
                failed_status_, report_.rejected_steps});
+  }
   if (gap && gap->gap_m <= options_.touching_gap * gaps_.size_m()) {
     end(io::RunStatus::wall_contact, "two walls of a chamber touch");
     return false;
