@@ -145,8 +145,8 @@ EquilibriumReport PathFollower::solve_at(double s, BodyState& state, int order) 
   const std::vector<PlenumControl> controls = controls_at(s);
   // with nothing extrapolated the body still balances the old pressures
   const std::vector<double> old = history_.last().plenum_pressures_Pa;
-  EquilibriumReport report = equilibrium_.solve(
-      state, controls, dead_load_factor_at(s), order == 0 ? std::span<const double>(old) : std::span<const double>(), stop_);
+  EquilibriumReport report = equilibrium_.solve(state, controls, dead_load_factor_at(s),
+                                                order == 0 ? std::span<const double>(old) : std::span<const double>(), stop_);
   report_.iterations += report.iterations;
   report_.factorisations += report.factorisations;
   return report;
