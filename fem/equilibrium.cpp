@@ -316,7 +316,8 @@ void Equilibrium::Search::solve_linear(Vec right_hand_side, Vec solution) {
     for (Eigen::Index j = 0; j < count; ++j) schur(i, j) = times_gradient(p, influences_[free[static_cast<std::size_t>(j)]]);
     schur(i, i) += closures_[p].by_pressure;
   }
-  const Eigen::VectorXd changes = schur.fullPivLu().solve(right);
+  Eigen::VectorXd changes(count);
+  if (count > 0) changes = schur.fullPivLu().solve(right);
   for (Eigen::Index j = 0; j < count; ++j)
     petsc(VecAXPY(particular_, changes[j], influences_[free[static_cast<std::size_t>(j)]]));
 
