@@ -1,7 +1,5 @@
 #include "fem/field_output.h"
 
-#include <vtkXMLUnstructuredGridWriter.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -24,20 +22,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view folder_name = "fields";
 constexpr std::string_view collection_name = "fields.pvd";
 constexpr std::string_view file_start = "step_";
-
-void write_grid(const fs::path& file, vtkUnstructuredGrid& grid) {
-  io::PendingFile pending(file);
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(&grid);
-  writer->SetFileName(pending.temporary().c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  writer->SetCompressionLevel(1);
-  writer->SetIdTypeToInt32();
-  const int written = writer->Write();
-  io::commit_vtk_file(pending, file, {written, writer->GetErrorCode()});
-}
 
 /// A step's file: step_0000.vtu, step_0000_1.vtu, step_0000.pvtu.
 bool is_step_file(const std::string& name) {
@@ -107,7 +91,7 @@ void FieldSeries::keep_only(const std::vector<FieldStep>& steps) {
 void FieldSeries::add(const Space& space, std::span<const double> displacements, const NodalFields& fields,
                       const FieldStep& step) {
   const vtkSmartPointer<vtkUnstructuredGrid> grid = field_grid(space, displacements, fields, step);
-  on_every_rank(communicator_, [&] { write_grid(folder_ / piece_file(step.step, rank_), *grid); });
+  on_every_rank(communicator_, [&] { io::write_vtu(folder_ / piece_file(step.step, rank_), *grid); });
   const Entry entry{step.s, step_file(step.step)};
   std::erase_if(entries_, [&](const Entry& other) { return other.file == entry.file; });
   entries_.push_back(entry);

@@ -1,10 +1,14 @@
 #include "io/vtk_file.h"
 
+#include <vtkNew.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
 #include <fstream>
 #include <string>
 #include <string_view>
 
 #include "io/input_error.h"
+#include "io/whole_file.h"
 
 namespace menger::io {
 namespace {
@@ -23,8 +27,17 @@ bool is_ended(const std::filesystem::path& file) {
 
 }  // namespace
 
-void commit_vtk_file(PendingFile& pending, const std::filesystem::path& target, const VtkOutcome& outcome) {
-  if (outcome.written == 0 || outcome.error_code != 0 || !is_ended(pending.temporary()))
+void write_vtu(const std::filesystem::path& target, vtkUnstructuredGrid& grid, IndexWidth indices) {
+  PendingFile pending(target);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(&grid);
+  writer->SetFileName(pending.temporary().c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);
+  if (indices == IndexWidth::bits_32) writer->SetIdTypeToInt32();
+  if (writer->Write() == 0 || writer->GetErrorCode() != 0 || !is_ended(pending.temporary()))
     throw InputError(target.string() + ": cannot be written to its end; is the disk full?");
   pending.commit();
 }

@@ -1,21 +1,18 @@
 #pragma once
 
-#include <filesystem>
+#include <vtkUnstructuredGrid.h>
 
-#include "io/whole_file.h"
+#include <filesystem>
 
 namespace menger::io {
 
-/// What a writer of VTK said about the file that it wrote.
-struct VtkOutcome {
-  int written = 0;               ///< of Write(), not 0 if all went well
-  unsigned long error_code = 0;  ///< of GetErrorCode(), 0 if all went well
-};
+/// Width of the indices of a file.
+enum class IndexWidth { bits_32, bits_64 };
 
-/// Gives a file of VTK's XML formats its name if it is whole. On a full disk a writer may call its work done all the same, so
-/// that the end of the file is looked at, too.
-/// @param pending that the writer has written to, @param target the name that it will have, for the message
+/// Writes a grid as VTK's XML file (.vtu), binary and compressed, whole or not at all: on a full disk a writer of VTK may call
+/// its work done all the same, so that the end of the file is looked at, too.
+/// @param indices bits_32 for files of at most 2^31 - 1 points, half as large
 /// @throws InputError naming the target if the file was not written to its end
-void commit_vtk_file(PendingFile& pending, const std::filesystem::path& target, const VtkOutcome& outcome);
+void write_vtu(const std::filesystem::path& target, vtkUnstructuredGrid& grid, IndexWidth indices = IndexWidth::bits_32);
 
 }  // namespace menger::io

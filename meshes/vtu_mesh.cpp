@@ -9,7 +9,6 @@
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <array>
 #include <string>
@@ -124,15 +123,7 @@ void write_vtu_mesh(const std::filesystem::path& file, const HexahedralMesh& mes
   add_cells(*grid, mesh);
   add_cell_data(*grid, mesh);
   add_field_data(*grid, mesh);
-  io::PendingFile pending(file);
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  writer->SetFileName(pending.temporary().c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  const int written = writer->Write();
-  io::commit_vtk_file(pending, file, {written, writer->GetErrorCode()});
+  io::write_vtu(file, *grid, io::IndexWidth::bits_64);
 }
 
 }  // namespace menger::meshes

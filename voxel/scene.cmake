@@ -7,7 +7,7 @@ menger_layer(voxel_scene
 
 menger_layer(voxel_vtk
   SOURCES collection.cpp cube.cpp picture_parts.cpp picture_view.cpp preview.cpp trajectory_plot.cpp vtk_output.cpp
-  LINK menger::voxel_scene menger::picture
+  LINK menger::voxel_scene menger::picture menger::vtk_file
   PRIVATE_LINK ${VTK_LIBRARIES})
 
 menger_layer(voxel_run SOURCES result_text.cpp simulation_run.cpp LINK menger::voxel_scene menger::voxel_vtk)

@@ -9,7 +9,6 @@
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -18,7 +17,6 @@
 
 #include "io/input_error.h"
 #include "io/vtk_file.h"
-#include "io/whole_file.h"
 #include "voxel/cube.h"
 
 namespace menger::voxel {
@@ -88,17 +86,7 @@ void write_frame(const std::filesystem::path& file, const Frame& frame) {
   time->InsertNextValue(frame.time_s);
   grid->GetFieldData()->AddArray(time);
 
-  io::PendingFile pending(file);
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  writer->SetFileName(pending.temporary().c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  writer->SetCompressionLevel(1);
-  writer->SetIdTypeToInt32();
-  const int written = writer->Write();
-  io::commit_vtk_file(pending, file, {written, writer->GetErrorCode()});
+  io::write_vtu(file, *grid);
 }
 
 FrameSeries::FrameSeries(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
