@@ -16,3 +16,18 @@ add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 
 # Results must not depend on how a compiler fuses multiplications and additions.
 add_compile_options(-ffp-contract=off)
+
+# Eigen takes another allocator where a sanitizer is on, which must not meet the one inside of Debian's Ceres; glibc aligns for both.
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
+endif()
+
+# The default linker of Debian 12 takes 15 s for each program with deal.II, gold of the same package 1 s.
+include(CheckLinkerFlag)
+option(MENGER_GOLD "Link with gold where it is there" ON)
+if(MENGER_GOLD)
+  check_linker_flag(CXX -fuse-ld=gold MENGER_HAS_GOLD)
+  if(MENGER_HAS_GOLD)
+    add_link_options(-fuse-ld=gold)
+  endif()
+endif()

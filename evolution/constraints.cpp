@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "meshes/connectivity.h"
+#include "meshes/weak_contacts.h"
 
 namespace menger::evolution {
 
@@ -145,13 +146,29 @@ bool falls_apart(const Phenotype& phenotype, const ConstraintOptions& options) {
   return std::ranges::any_of(options.levels, [&](int level) { return !aggregate_is_connected(phenotype, level); });
 }
 
-bool is_valid(const Phenotype& phenotype, const ConstraintOptions& options) {
+std::string_view to_string(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::too_small:
+      return "too small";
+    case Refusal::falls_apart:
+      return "falls apart";
+    case Refusal::weak_contact:
+      return "weak contact";
+  }
+  return {};
+}
+
+std::optional<Refusal> refusal(const Phenotype& phenotype, const ConstraintOptions& options) {
   const bool arranged = phenotype.has_arrangements();
   const std::size_t cells = arranged ? aggregate_cell_count(phenotype, largest_arranged_level) : phenotype.body.count();
   const std::size_t smallest = arranged ? options.smallest_arranged_body : options.smallest_body;
-  if (cells == 0 || cells < smallest) return false;
-  if (arranged && !aggregate_is_connected(phenotype, largest_arranged_level)) return false;
-  return options.disconnected != DisconnectedPolicy::reject || !falls_apart(phenotype, options);
+  if (cells == 0 || cells < smallest) return Refusal::too_small;
+  if (arranged && !aggregate_is_connected(phenotype, largest_arranged_level)) return Refusal::falls_apart;
+  const bool must_hold = options.castable || options.disconnected == DisconnectedPolicy::reject;
+  if (must_hold && falls_apart(phenotype, options)) return Refusal::falls_apart;
+  if (options.castable && !meshes::is_connected(phenotype.body)) return Refusal::falls_apart;
+  if (options.castable && meshes::first_weak_contact(phenotype.body)) return Refusal::weak_contact;
+  return std::nullopt;
 }
 
 bool is_penalised(const Phenotype& phenotype, const ConstraintOptions& options) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -23,6 +24,8 @@ struct ConstraintOptions {
   std::size_t smallest_arranged_body = 27;  ///< non-fractal plan: cells of the level-3 body, at least
   DisconnectedPolicy disconnected = DisconnectedPolicy::reject;
   std::vector<int> levels{1, 2, 3};  ///< levels at which the study judges a body, each >= 1
+  bool castable = false;  ///< only bodies that can be cast: in one piece, without cells that touch only along an edge or at a
+                          ///< corner
 
   bool operator==(const ConstraintOptions&) const = default;
 };
@@ -44,10 +47,24 @@ bool aggregate_is_connected(const Phenotype& phenotype, int level);
 /// Whether an aggregate at one of the levels of the study falls apart.
 bool falls_apart(const Phenotype& phenotype, const ConstraintOptions& options);
 
-/// Whether a design may live. A fractal's basal body must not be smaller than the smallest one. With arrangements it is the
-/// level-3 body that must not be smaller than its smallest one and that must be connected, at whatever levels the study judges
-/// it. With DisconnectedPolicy::reject, moreover, no aggregate at a level of the study may fall apart.
-bool is_valid(const Phenotype& phenotype, const ConstraintOptions& options);
+/// Why a design may not live.
+enum class Refusal {
+  too_small,    ///< fewer cells than the smallest body
+  falls_apart,  ///< in pieces at a level where it must not be
+  weak_contact  ///< two cells of the basal body touch only along an edge or at a corner: no casting
+};
+inline constexpr std::array all_refusals{Refusal::too_small, Refusal::falls_apart, Refusal::weak_contact};
+std::string_view to_string(Refusal refusal);  ///< "too small", "falls apart" or "weak contact"
+
+/// The first reason against a design, or nothing if it may live. A fractal's basal body must not be smaller than the smallest
+/// one. With arrangements it is the level-3 body that must not be smaller than its smallest one and that must be connected, at
+/// whatever levels the study judges it. With DisconnectedPolicy::reject, moreover, no aggregate at a level of the study may fall
+/// apart. With `castable` the basal body must be what meshes::check_design casts, whatever the policy, and no aggregate may fall
+/// apart.
+std::optional<Refusal> refusal(const Phenotype& phenotype, const ConstraintOptions& options);
+
+/// Whether a design may live: there is no reason against it.
+inline bool is_valid(const Phenotype& phenotype, const ConstraintOptions& options) { return !refusal(phenotype, options); }
 
 /// Whether the design lives without a fitness and without simulation: DisconnectedPolicy::penalise and falls_apart.
 bool is_penalised(const Phenotype& phenotype, const ConstraintOptions& options);

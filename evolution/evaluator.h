@@ -18,6 +18,10 @@ struct Evaluation {
   /// Net displacement of the centre of mass (x, y, z) in metres over the evaluation; exists exactly when status is `completed`.
   std::optional<std::array<double, 3>> displacement_m;
 
+  /// Where the judge's model left the range that it is known to hold in, sentences joined by "; "; empty: nowhere. The result
+  /// stands, but it is an extrapolation.
+  std::string outside_validity;
+
   std::string reason;       ///< empty when completed, otherwise what went wrong, where and when
   std::uint64_t steps = 0;  ///< time steps done
   double seconds = 0.0;     ///< wall time; never compared

@@ -48,11 +48,17 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
                         .fitness = contender.fitness,
                         .body_lengths = {},
                         .cells = individual.phenotype.body.count(),
-                        .hausdorff_dimension = {}};
+                        .hausdorff_dimension = {},
+                        .outside_validity = {}};
   const std::string physics_hash = io::content_hash(run.physics);
   for (const int level : run.plan.levels()) {
     const auto found = run.archive->evaluation({design_hash(individual.phenotype, level), level, physics_hash});
-    if (!found || !found->result.displacement_m) continue;
+    if (!found) continue;
+    if (const std::string& outside = found->result.outside_validity; !outside.empty()) {
+      std::string& all = summary.outside_validity;
+      all.append(all.empty() ? "level " : "; level ").append(std::to_string(level)).append(": ").append(outside);
+    }
+    if (!found->result.displacement_m) continue;
     summary.body_lengths[level] = body_lengths(*found->result.displacement_m, level, run.plan.cell_edge_m);
   }
   if (!individual.phenotype.has_arrangements())
@@ -61,7 +67,10 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
 }
 
 GenerationSummary summarise_generation(const RunView& run, int generation) {
-  GenerationSummary summary{.record = run.archive->generation(generation), .champion = {}, .mean_fitness = {}};
+  GenerationSummary summary{.record = run.archive->generation(generation),
+                            .champion = {},
+                            .mean_fitness = {},
+                            .outside_validity = run.archive->evaluations_outside_validity(generation)};
   std::optional<Contender> best;
   double sum = 0.0;
   std::size_t count = 0;
@@ -90,7 +99,8 @@ io::CsvTable generations_table(const RunView& run) {
                                    "champion_age", "champion_cells",       "hausdorff_dimension"};
   for (const int level : run.plan.levels()) columns.push_back(level_column(level));
   for (const std::string& column :
-       {"mean_fitness_" + unit, std::string("evaluations"), std::string("cached"), std::string("pruned")}) {
+       {"mean_fitness_" + unit, std::string("evaluations"), std::string("cached"), std::string("pruned"),
+        std::string("outside_validity"), std::string("champion_outside_validity")}) {
     columns.push_back(column);
   }
   io::CsvTable table(columns);
@@ -107,7 +117,8 @@ io::CsvTable generations_table(const RunView& run) {
     }
     const GenerationRecord& record = summary.record;
     row.insert(row.end(), {io::cell(summary.mean_fitness), count_cell(record.evaluations), count_cell(record.cached),
-                           count_cell(record.pruned)});
+                           count_cell(record.pruned), count_cell(summary.outside_validity),
+                           summary.champion ? io::cell(summary.champion->outside_validity) : io::CsvCell{}});
     table.add_cells(row);
   }
   return table;
@@ -118,6 +129,7 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
       "generation", "individual",         "parent", "age_at_birth", "fitness_" + std::string(fitness_unit(run.plan.objective)),
       "cells",      "hausdorff_dimension"};
   for (const int level : run.plan.levels()) columns.push_back(level_column(level));
+  columns.emplace_back("outside_validity");
   columns.emplace_back("phenotype");
   io::CsvTable table(columns);
   for (const Individual& individual : lineage(*run.archive, id)) {
@@ -133,6 +145,7 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
     row.insert(row.end(), {io::cell(individual.age), io::cell(design.fitness), count_cell(design.cells),
                            io::cell(design.hausdorff_dimension)});
     add_displacements(row, run, design);
+    row.push_back(io::cell(design.outside_validity));
     row.push_back(io::cell(phenotype_key(individual.phenotype)));
     table.add_cells(row);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,6 +22,9 @@ struct DesignSummary {
   std::map<int, double> body_lengths;         ///< displacement by level, of the evaluations that completed
   std::size_t cells = 0;                      ///< of the basal body
   std::optional<double> hausdorff_dimension;  ///< of fractals
+
+  /// Where it left the range of validity of the model that judged it, "level 1: ..." joined by "; "; empty: nowhere.
+  std::string outside_validity;
 };
 
 /// A finished generation at a glance.
@@ -29,6 +33,7 @@ struct GenerationSummary {
   std::optional<DesignSummary>
       champion;  ///< the survivor of largest fitness (of equals the youngest, then the newest), if any has one
   std::optional<double> mean_fitness;  ///< of the survivors that have one
+  std::uint64_t outside_validity = 0;  ///< evaluations made for it that left the range of validity
 };
 
 /// An archive, the plan of its search and the physics of its evaluations: what tables are made of.
@@ -44,7 +49,9 @@ GenerationSummary summarise_generation(const RunView& run, int generation);
 /// The individuals from a random one to this one, each the parent of the next.
 std::vector<Individual> lineage(const RunArchive& archive, std::uint64_t id);
 
-/// A row per finished generation: its champion, the mean fitness, and what evaluating cost and saved.
+/// A row per finished generation: its champion, the mean fitness, what evaluating cost and saved, and
+/// where the champion (champion_outside_validity) and how many evaluations (outside_validity) left the range of validity of the
+/// model that judged them.
 io::CsvTable generations_table(const RunView& run);
 
 /// A row per ancestor of an individual, the eldest first, the individual itself last.

@@ -1,5 +1,7 @@
 #include "evolution/offspring.h"
 
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,17 +22,30 @@ std::vector<std::size_t> choose_networks(std::size_t count, RandomStream& random
   return chosen;
 }
 
+/// How many bodies were refused for each reason: "too small 12, weak contact 3".
+std::string refusals_text(const std::map<Refusal, std::size_t>& refusals) {
+  std::string text;
+  for (const auto& [reason, count] : refusals)
+    text.append(text.empty() ? "" : ", ").append(to_string(reason)).append(" ").append(std::to_string(count));
+  return text;
+}
+
 }  // namespace
 
 Offspring random_offspring(const OffspringOptions& options, RandomStream& random) {
+  std::map<Refusal, std::size_t> refusals;
   for (std::size_t draws = 1; draws <= options.largest_draws; ++draws) {
     Genome genome = random_genome(options.decoder.plan, options.variation, random);
     Phenotype phenotype = decode(genome, options.decoder);
-    if (is_valid(phenotype, options.constraints)) return {std::move(genome), std::move(phenotype), draws};
+    const std::optional<Refusal> reason = refusal(phenotype, options.constraints);
+    if (!reason) return {std::move(genome), std::move(phenotype), draws};
+    ++refusals[*reason];
   }
   throw io::InputError("the constraints of the study cannot be met: none of " + std::to_string(options.largest_draws) +
-                       " random bodies was valid (smallest_body = " + std::to_string(options.constraints.smallest_body) +
-                       ", disconnected = \"" + std::string(to_string(options.constraints.disconnected)) + "\")");
+                       " random bodies was valid (" + refusals_text(refusals) +
+                       "; smallest_body = " + std::to_string(options.constraints.smallest_body) + ", disconnected = \"" +
+                       std::string(to_string(options.constraints.disconnected)) +
+                       "\", castable = " + (options.constraints.castable ? "true" : "false") + ")");
 }
 
 Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options,

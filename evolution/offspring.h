@@ -28,7 +28,8 @@ struct Offspring {
 };
 
 /// A new-born individual: genomes are drawn until one is valid.
-/// @throws io::InputError if largest_draws genomes were drawn in vain: the constraints of the study cannot be met
+/// @throws io::InputError if largest_draws genomes were drawn in vain: the constraints of the study cannot be met; the message
+/// says how many were refused for which reason
 Offspring random_offspring(const OffspringOptions& options, RandomStream& random);
 
 /// A child. Each of the K networks is chosen with probability 1/K, one drawn uniformly if none was. Each chosen one is varied in

@@ -156,11 +156,22 @@ std::vector<std::string> RunArchive::phenotype_keys() const {
   });
 }
 
+std::uint64_t RunArchive::evaluations_outside_validity(int generation) const {
+  return database_->guarded(reading, [&] {
+    SQLite::Statement query(database_->connection,
+                            "SELECT COUNT(*) FROM evaluation WHERE generation = ? AND outside_validity != ''");
+    query.bind(1, generation);
+    query.executeStep();
+    return static_cast<std::uint64_t>(query.getColumn(0).getInt64());
+  });
+}
+
 std::optional<ArchivedEvaluation> RunArchive::evaluation(const EvaluationKey& key) const {
   return database_->guarded(reading, [&]() -> std::optional<ArchivedEvaluation> {
-    SQLite::Statement query(database_->connection,
-                            "SELECT generation, status, dx_m, dy_m, dz_m, reason, steps, seconds FROM evaluation "
-                            "WHERE design_hash = ? AND level = ? AND physics_hash = ?");
+    SQLite::Statement query(
+        database_->connection,
+        "SELECT generation, status, dx_m, dy_m, dz_m, reason, outside_validity, steps, seconds FROM evaluation "
+        "WHERE design_hash = ? AND level = ? AND physics_hash = ?");
     query.bind(1, key.design_hash);
     query.bind(2, key.level);
     query.bind(3, key.physics_hash);
@@ -173,8 +184,9 @@ std::optional<ArchivedEvaluation> RunArchive::evaluation(const EvaluationKey& ke
                                      query.getColumn(4).getDouble()};
     }
     found.result.reason = query.getColumn(5).getString();
-    found.result.steps = static_cast<std::uint64_t>(query.getColumn(6).getInt64());
-    found.result.seconds = query.getColumn(7).getDouble();
+    found.result.outside_validity = query.getColumn(6).getString();
+    found.result.steps = static_cast<std::uint64_t>(query.getColumn(7).getInt64());
+    found.result.seconds = query.getColumn(8).getDouble();
     return found;
   });
 }

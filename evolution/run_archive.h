@@ -88,7 +88,7 @@ struct GenerationRecord {
 /// number may read meanwhile. Calls from several threads must not overlap.
 class RunArchive {
  public:
-  static constexpr int schema_version = 1;
+  static constexpr int schema_version = 2;
 
   /// Opens the archive of a study for writing, and makes it if there is none.
   /// @param study identity_text of the study @param generations that the run is to reach; kept for readers
@@ -114,6 +114,9 @@ class RunArchive {
   [[nodiscard]] std::uint64_t next_id() const;                    ///< one more than the largest id, or 0
   [[nodiscard]] std::vector<std::string> phenotype_keys() const;  ///< of all individuals, each once
   [[nodiscard]] std::optional<ArchivedEvaluation> evaluation(const EvaluationKey& key) const;
+
+  /// Results of which some model left its range of validity, first asked for by a generation.
+  [[nodiscard]] std::uint64_t evaluations_outside_validity(int generation) const;
 
   /// Precondition: there is no result under this key, and its status is not `stopped`.
   void add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation);

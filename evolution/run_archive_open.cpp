@@ -34,6 +34,7 @@ CREATE TABLE evaluation (
   status TEXT NOT NULL,
   dx_m REAL, dy_m REAL, dz_m REAL,
   reason TEXT NOT NULL,
+  outside_validity TEXT NOT NULL,
   steps INTEGER NOT NULL,
   seconds REAL NOT NULL,
   PRIMARY KEY (design_hash, level, physics_hash)

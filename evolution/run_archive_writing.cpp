@@ -55,7 +55,7 @@ void insert_generation(SQLite::Statement insert, const GenerationRecord& record)
 void RunArchive::add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation) {
   database_->guarded(writing, [&] {
     const Evaluation& result = evaluation.result;
-    SQLite::Statement insert(database_->connection, "INSERT INTO evaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    SQLite::Statement insert(database_->connection, "INSERT INTO evaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, key.design_hash);
     insert.bind(2, key.level);
     insert.bind(3, key.physics_hash);
@@ -66,8 +66,9 @@ void RunArchive::add_evaluation(const EvaluationKey& key, const ArchivedEvaluati
       bind_optional(insert, 6 + static_cast<int>(axis), part);
     }
     insert.bind(9, result.reason);
-    insert.bind(10, signed_number(result.steps));
-    insert.bind(11, result.seconds);
+    insert.bind(10, result.outside_validity);
+    insert.bind(11, signed_number(result.steps));
+    insert.bind(12, result.seconds);
     insert.exec();
   });
 }

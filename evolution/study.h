@@ -28,6 +28,15 @@ std::string identity_text(const Study& study);
 /// What a reader of the results should know about the values of the study, a sentence each.
 std::vector<std::string> study_notes(const Study& study);
 
+/// What of a study with calibrated parameters lies outside their range of validity for every body that its search may make, a
+/// sentence each: a drive that no single wall was fitted at, nor joints where there are several modules; chambers; the shortest
+/// bodies that its cells fit in. Necessary for a body without a fault, not sufficient: which walls a body has is judged body by
+/// body (voxel::outside_validity).
+std::vector<std::string> outside_validity_of_all(const Study& study);
+
+/// The same for a body of the search that has every wall and is as long as it may be: what some bodies may meet, not all.
+std::vector<std::string> outside_validity_of_some(const Study& study);
+
 /// Memory in bytes that evaluations in this many threads may take, when every body is full; saturates at SIZE_MAX.
 std::size_t estimated_memory_bytes(const Study& study, int threads);
 

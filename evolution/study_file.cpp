@@ -7,6 +7,7 @@
 
 #include "io/number_text.h"
 #include "io/toml_document.h"
+#include "voxel/calibrated_body_file.h"
 #include "voxel/physics_file.h"
 #include "voxel/scale_check.h"
 #include "voxel/scene.h"
@@ -70,6 +71,7 @@ void read_body(const io::TomlTable& table, SearchPlan& plan) {
   constraints.disconnected =
       table.word_or("disconnected", constraints.disconnected,
                     words_of(DisconnectedPolicy::reject, DisconnectedPolicy::penalise, DisconnectedPolicy::allow));
+  constraints.castable = table.boolean_or("castable", constraints.castable);
 }
 
 void read_evaluation(const io::TomlTable& table, Study& study) {
@@ -85,7 +87,7 @@ void read_evaluation(const io::TomlTable& table, Study& study) {
 void read_poissons_ratio(const io::TomlTable& table) {
   if (table.number_or("poissons_ratio", 0.0) == 0.0) return;
   throw table.error("poissons_ratio",
-                    "must be 0: the voxel engine has no other (the paper states 0.5, its released files simulated 0)");
+                    "must be 0 (the paper states 0.5, its released files simulated 0); lateral_coupling makes bodies contract");
 }
 
 Study read_tables(const io::TomlTable& table, Study study) {
@@ -140,6 +142,28 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
   }
 }
 
+/// What keeps a study from using its calibrated parameters, or an empty text.
+std::string unusable_surrogate(const Study& study) {
+  const voxel::CalibratedBody& body = *study.physics.surrogate;
+  const SearchPlan& plan = study.search;
+  if (std::string problem = voxel::unusable_parameters(body, plan.cell_edge_m); !problem.empty()) return problem;
+  if (body.outside_range == voxel::OutsideRange::refuse) {
+    if (const std::vector<std::string> faults = outside_validity_of_all(study); !faults.empty()) return faults.front();
+  }
+  const voxel::ActuationMode mode = study.physics.actuation.mode;
+  const std::string given = "actuation.mode = \"" + std::string(to_string(mode)) + "\": ";
+  if (mode == voxel::ActuationMode::wave) return given + "the cells of a chamber would need different phases";
+  if (mode == voxel::ActuationMode::antiphase && body.chambers == meshes::ChamberLayout::single) {
+    return given +
+           "with chambers = \"single\" all voxels of a module share a phase; use \"in_phase\" or chambers = \"per-phase\"";
+  }
+  if (plan.offspring.constraints.disconnected == DisconnectedPolicy::allow)
+    return "body.disconnected = \"allow\": a body in pieces has no chambers that could be driven together";
+  if (plan.offspring.decoder.plan == BodyPlan::nonfractal && plan.levels().back() > 1)
+    return "genome.encoding = \"nonfractal\": only a fractal has modules that are hollow bodies of one kind";
+  return "";
+}
+
 }  // namespace
 
 Study study_from_text(std::string_view text, const std::filesystem::path& file) {
@@ -161,11 +185,21 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   table.finish();
   apply(overrides, study);
   check_whole(table, study, memory_bytes);
+  if (study.physics.surrogate) {
+    if (const std::string problem = unusable_surrogate(study); !problem.empty())
+      throw io::InputError(file.string() + ": surrogate: " + problem);
+  }
   if (const std::string problem = voxel::unusable_scales(study.physics, study.search.cell_edge_m, study.duration_s);
       !problem.empty()) {
     throw io::InputError(file.string() + ": " + problem);
   }
   return study;
+}
+
+std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> files{file};
+  if (const auto parameters = voxel::parameters_file(io::read_toml(file))) files.push_back(*parameters);
+  return files;
 }
 
 }  // namespace menger::evolution

@@ -27,15 +27,21 @@ struct StudyOverrides {
 /// - `[genome]` encoding ("fractal", "nonfractal", "single-actuator"), activations ("paper", "released-code"), output_function
 ///   ("kept", "mutable"), expression ("every-consumer", "first-consumer"), axes ("xyz", "zyx"), largest_tries
 /// - `[body]` cell_edge_m, levels, smallest_body_cells, smallest_arranged_body_cells, disconnected ("reject", "penalise",
-/// "allow")
+///   "allow"), castable
 /// - `[evaluation]` duration_s, objective ("body-lengths", "squared-metres-per-scale"), duplicates ("archived-result", "culled"),
 ///   pruning
-/// - `[materials]` poissons_ratio (0, the only one that the engine has) and the tables of voxel::read_physics
+/// - `[materials]` poissons_ratio (only 0) and the tables of voxel::read_physics; with `[surrogate]` bodies are hollow cells with
+///   calibrated parameters, whose chambers must be able to follow the drive; with outside_range = "refuse" only what no body of
+///   the search could be inside of is wrong input (outside_validity_of_all), bodies are judged one by one
 ///
 /// @param memory_bytes a study with one evaluation that may need more is refused
 /// @throws io::InputError with file, key and value
 Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides = {});
 Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides, std::size_t memory_bytes);
+
+/// The files that decide a study: its own, and the one that `[surrogate]` takes its parameters from, if it names one.
+/// @throws io::InputError if the study cannot be read
+std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& file);
 
 /// The study that resolved_text wrote, or a preset. @param file for messages only @throws io::InputError as read_study does
 Study study_from_text(std::string_view text, const std::filesystem::path& file);

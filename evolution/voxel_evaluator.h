@@ -6,6 +6,9 @@
 namespace menger::evolution {
 
 /// Judges bodies by how far they move on the voxel engine.
+///
+/// Of calibrated bodies it says where they left the range of validity. With OutsideRange::refuse a body that leaves it has
+/// diverged, before the first step if its walls and its drive are enough to know.
 class VoxelEvaluator final : public DesignEvaluator {
  public:
   /// @param cell_edge_m L > 0 @param duration_s simulated time of an evaluation, > 0

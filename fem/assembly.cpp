@@ -40,6 +40,7 @@ Assembly::Assembly(const Space& space, const Body& body)
     if (table.size() <= label) table.resize(label + 1);
     return table[label];
   };
+  for (const Plate& plate : body.plates) plate_nodes_.push_back(owned_nodes_of(plate.faces, space, exchange_));
   for (std::size_t c = 0; c < body.chambers.size(); ++c)
     for (const std::size_t label : body.chambers[c].labels) enter(chambers_of_label_, label).push_back(c);
   if (body.ground) {
@@ -84,8 +85,21 @@ MatrixHandle Assembly::make_matrix(bool symmetric_storage) const {
   return matrix;
 }
 
-void Assembly::add_to_matrix(Mat stiffness, std::span<const Index> nodes, std::span<double> block) const {
+/// The columns of a block that the matrix leaves out, times what they are multiplied with.
+void Assembly::add_held_change(std::span<const Index> nodes, std::span<const double> block, const HeldChange& held_change) const {
   const std::size_t columns = 3 * nodes.size();
+  for (std::size_t m = 0; m < columns; ++m) {
+    const double change_m = held_change.change_m[offset(nodes[m / 3]) + m % 3];
+    if (change_m == 0.0) continue;
+    for (std::size_t row = 0; row < columns; ++row)
+      held_change.force_N[offset(nodes[row / 3]) + row % 3] += change_m * block[row * columns + m];
+  }
+}
+
+void Assembly::add_to_matrix(Mat stiffness, std::span<const Index> nodes, std::span<double> block,
+                             const HeldChange* held_change) const {
+  const std::size_t columns = 3 * nodes.size();
+  if (held_change != nullptr) add_held_change(nodes, block, *held_change);
   std::vector<PetscInt> global(nodes.size());
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     global[a] = space_.global_node(nodes[a]);
@@ -114,7 +128,7 @@ void Assembly::hold_diagonal(Mat stiffness) const {
 }
 
 BodyTotals Assembly::assemble(std::span<const double> displacements, const Loads& loads, std::span<double> residual,
-                              std::span<std::vector<double>> volume_gradients, Mat stiffness) {
+                              std::span<std::vector<double>> volume_gradients, Mat stiffness, const HeldChange* held_change) {
   if (stiffness != nullptr) petsc(MatZeroEntries(stiffness));
   std::fill(residual.begin(), residual.end(), 0.0);
   for (auto& gradient : volume_gradients) gradient.assign(held_.size(), 0.0);
@@ -127,16 +141,16 @@ BodyTotals Assembly::assemble(std::span<const double> displacements, const Loads
                                                 if (!residual.empty()) add_nodal(residual, element.nodes, element.residual, 1.0);
                                                 if (stiffness == nullptr) return;
                                                 block.assign(element.stiffness.begin(), element.stiffness.end());
-                                                add_to_matrix(stiffness, element.nodes, block);
+                                                add_to_matrix(stiffness, element.nodes, block, held_change);
                                               });
   totals.strain_energy_J = sums.energy_J;
   totals.smallest_ratio = sums.smallest_ratio;
   if (space_.degree == 1) {
-    add_faces<4>(displacements, loads, residual, volume_gradients, stiffness, totals);
-    add_caps<2>(displacements, loads, residual, volume_gradients, stiffness, totals);
+    add_faces<4>(displacements, loads, residual, volume_gradients, stiffness, held_change, totals);
+    add_caps<2>(displacements, loads, residual, volume_gradients, stiffness, held_change, totals);
   } else {
-    add_faces<9>(displacements, loads, residual, volume_gradients, stiffness, totals);
-    add_caps<3>(displacements, loads, residual, volume_gradients, stiffness, totals);
+    add_faces<9>(displacements, loads, residual, volume_gradients, stiffness, held_change, totals);
+    add_caps<3>(displacements, loads, residual, volume_gradients, stiffness, held_change, totals);
   }
   add_dead_loads(displacements, loads.dead_load_factor, residual, totals);
 
@@ -145,20 +159,31 @@ BodyTotals Assembly::assemble(std::span<const double> displacements, const Loads
     petsc(MatAssemblyBegin(stiffness, MAT_FINAL_ASSEMBLY));
     petsc(MatAssemblyEnd(stiffness, MAT_FINAL_ASSEMBLY));
   }
-  const auto finish = [&](std::span<double> field) {
-    exchange_.add_from_ghosts(field);
+  const auto let_go = [&](std::span<double> field) {
     for (std::size_t n = 0; n < field.size(); ++n)
       if (held_[n] != 0) field[n] = 0.0;
   };
-  if (!residual.empty()) finish(residual);
-  for (auto& gradient : volume_gradients) finish(gradient);
+  if (!residual.empty()) {
+    exchange_.add_from_ghosts(residual);
+    add_plates(displacements, loads, residual, totals);
+    let_go(residual);
+  }
+  for (auto& gradient : volume_gradients) {
+    exchange_.add_from_ghosts(gradient);
+    let_go(gradient);
+  }
+  if (held_change != nullptr) {
+    exchange_.add_from_ghosts(held_change->force_N);
+    let_go(held_change->force_N);
+  }
   sum_over_ranks(totals);
   return totals;
 }
 
 template <std::size_t n>
 void Assembly::add_faces(std::span<const double> displacements, const Loads& loads, std::span<double> residual,
-                         std::span<std::vector<double>> volume_gradients, Mat stiffness, BodyTotals& totals) const {
+                         std::span<std::vector<double>> volume_gradients, Mat stiffness, const HeldChange* held_change,
+                         BodyTotals& totals) const {
   for (const SpaceFace& face : space_.faces) {
     const bool has_chambers = face.label < chambers_of_label_.size() && !chambers_of_label_[face.label].empty();
     const bool may_touch = face.label < is_ground_label_.size() && is_ground_label_[face.label];
@@ -178,7 +203,7 @@ void Assembly::add_faces(std::span<const double> displacements, const Loads& loa
         if (stiffness == nullptr || pressure_Pa == 0.0) continue;
         auto hessian = chamber_volume_hessian<n>(current);
         for (double& entry : hessian) entry *= -pressure_Pa;
-        add_to_matrix(stiffness, nodes, hessian);
+        add_to_matrix(stiffness, nodes, hessian, held_change);
       }
     }
     if (may_touch) {
@@ -197,7 +222,7 @@ void Assembly::add_faces(std::span<const double> displacements, const Loads& loa
         std::vector<double> block(9 * n * n, 0.0);
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t b = 0; b < n; ++b) block[(3 * a + 2) * 3 * n + 3 * b + 2] = hessian[a * n + b];
-        add_to_matrix(stiffness, nodes, block);
+        add_to_matrix(stiffness, nodes, block, held_change);
       }
     }
   }
@@ -222,7 +247,8 @@ std::array<bool, 3> Assembly::mirrored_directions(const SpaceCap& cap) const {
 
 template <std::size_t k>
 void Assembly::add_caps(std::span<const double> displacements, const Loads& loads, std::span<double> residual,
-                        std::span<std::vector<double>> volume_gradients, Mat stiffness, BodyTotals& totals) const {
+                        std::span<std::vector<double>> volume_gradients, Mat stiffness, const HeldChange* held_change,
+                        BodyTotals& totals) const {
   for (const SpaceCap& cap : space_.caps) {
     const std::vector<Index> nodes = rim_nodes(cap);
     const auto number = [&](Index node) {
@@ -249,7 +275,7 @@ void Assembly::add_caps(std::span<const double> displacements, const Loads& load
     if (stiffness == nullptr || pressure_Pa == 0.0) continue;
     std::vector<double> hessian = cap_volume_hessian<k>(rim, positions);
     for (double& entry : hessian) entry *= -pressure_Pa;
-    add_to_matrix(stiffness, nodes, hessian);
+    add_to_matrix(stiffness, nodes, hessian, held_change);
   }
 }
 
@@ -259,6 +285,38 @@ void Assembly::add_dead_loads(std::span<const double> displacements, double fact
     totals.dead_load_work_J += dead_load_[n] * displacements[n];
     if (!residual.empty()) residual[n] -= factor * dead_load_[n];
   }
+}
+
+/// What is left of the residual where a plate holds it is the plate's force on the body.
+void Assembly::add_plates(std::span<const double> displacements, const Loads& loads, std::span<const double> residual,
+                          BodyTotals& totals) const {
+  double square = 0.0;
+  std::vector<double> sums;
+  for (std::size_t p = 0; p < body_.plates.size(); ++p) {
+    const Plate& plate = body_.plates[p];
+    const Point shift = loads.plates.empty() ? Point{} : loads.plates[p].displacement_m;
+    const Point centre = sum(plate.centre, shift);
+    Point force{};
+    Point moment{};
+    for (const Index node : plate_nodes_[p]) {
+      Point nodal{};
+      for (std::size_t i = 0; i < 3; ++i)
+        if (plate.held[i]) nodal[i] = residual[offset(node) + i];
+      force = sum(force, nodal);
+      moment = sum(moment, cross(difference(current_position(space_, displacements, node), centre), nodal));
+      square += dot(nodal, nodal);
+    }
+    sums.insert(sums.end(), force.begin(), force.end());
+    sums.insert(sums.end(), moment.begin(), moment.end());
+  }
+  if (sums.empty()) return;
+  sums.push_back(square);
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, space_.communicator);
+  for (std::size_t p = 0; p < body_.plates.size(); ++p) {
+    const double* of_plate = &sums[6 * p];
+    totals.plates.push_back({{of_plate[0], of_plate[1], of_plate[2]}, {of_plate[3], of_plate[4], of_plate[5]}});
+  }
+  totals.plate_force_norm_N = std::sqrt(sums.back());
 }
 
 void Assembly::sum_over_ranks(BodyTotals& totals) const {

@@ -37,6 +37,27 @@ struct PointSupport {
   std::array<bool, 3> held;
 };
 
+/// A plane across an axis.
+struct AxisPlane {
+  std::size_t axis = 0;
+  double position_m = 0.0;
+};
+
+/// Boundary faces in the reference configuration: those with a label, those that lie in a plane, or, with both, those that do
+/// both.
+struct FaceSet {
+  std::optional<std::size_t> label{};
+  std::optional<AxisPlane> plane{};
+};
+
+/// A rigid plate on faces of a body. It moves as PlateMotion (see grips.h) says, and carries the components of their nodes that
+/// it holds exactly along.
+struct Plate {
+  FaceSet faces{};
+  Point centre{};                              ///< about which it turns, in the reference configuration
+  std::array<bool, 3> held{true, true, true};  ///< all three: bonded; one alone: the faces slide on it, and it must not turn
+};
+
 /// A pressure of fixed direction on the faces with a label: force per reference area, Pa.
 struct Traction {
   std::size_t label;
@@ -51,6 +72,7 @@ struct Body {
   std::size_t plenum_count = 0;
   std::vector<Support> supports;
   std::vector<PointSupport> point_supports;
+  std::vector<Plate> plates;  ///< no two on one node
   std::vector<Traction> tractions;
   Point gravity_m_per_s2{};
   std::optional<GroundPlane> ground;

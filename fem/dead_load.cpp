@@ -1,7 +1,7 @@
 #include "fem/dead_load.h"
 
 #include "fem/element_shape_tables.h"
-#include "fem/face.h"
+#include "fem/face_area.h"
 
 namespace menger::fem {
 
@@ -29,31 +29,6 @@ void add_gravity(const Space& space, const Body& body, std::vector<double>& load
   }
 }
 
-template <std::size_t degree>
-void add_traction(const Space& space, const SpaceFace& face, const Point& traction, std::vector<double>& load) {
-  constexpr auto rule = gauss_rule<degree + 1>();
-  for (const QuadraturePoint& v : rule) {
-    for (const QuadraturePoint& u : rule) {
-      const auto nu = shape_values<degree>(u.position);
-      const auto nv = shape_values<degree>(v.position);
-      const auto du = shape_derivatives<degree>(u.position);
-      const auto dv = shape_derivatives<degree>(v.position);
-      Point x_u{};
-      Point x_v{};
-      for (std::size_t j = 0; j <= degree; ++j) {
-        for (std::size_t i = 0; i <= degree; ++i) {
-          const Point& X = space.positions[static_cast<std::size_t>(face.nodes[i + (degree + 1) * j])];
-          x_u = sum(x_u, scaled(du[i] * nv[j], X));
-          x_v = sum(x_v, scaled(nu[i] * dv[j], X));
-        }
-      }
-      const double area = u.weight * v.weight * norm(cross(x_u, x_v));
-      for (std::size_t j = 0; j <= degree; ++j)
-        for (std::size_t i = 0; i <= degree; ++i) add(load, face.nodes[i + (degree + 1) * j], area * nu[i] * nv[j], traction);
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<double> dead_load_of(const Space& space, const Body& body) {
@@ -68,11 +43,8 @@ std::vector<double> dead_load_of(const Space& space, const Body& body) {
   for (const SpaceFace& face : space.faces) {
     for (const Traction& traction : body.tractions) {
       if (traction.label != face.label) continue;
-      if (space.degree == 1) {
-        add_traction<1>(space, face, traction.traction_Pa, load);
-      } else {
-        add_traction<2>(space, face, traction.traction_Pa, load);
-      }
+      const std::vector<double> areas_m2 = nodal_areas_m2(space, face);
+      for (std::size_t n = 0; n < areas_m2.size(); ++n) add(load, face.nodes[n], areas_m2[n], traction.traction_Pa);
     }
   }
   return load;

@@ -10,12 +10,7 @@ namespace menger::fem {
 namespace {
 
 using detail::KernelTable;
-using detail::LawReference;
-
-template <class Variant>
-LawReference reference_to(const Variant& law) {
-  return {law.index(), std::visit([](const auto& any) -> const void* { return &any; }, law)};
-}
+using detail::reference_to;
 
 /// All kernels this machine can run, the widest last.
 const std::vector<const KernelTable*>& available_tables() {

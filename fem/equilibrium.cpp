@@ -59,6 +59,7 @@ class Equilibrium::Search {
   void assemble_stiffness(std::span<const double> displacements, std::span<const double> pressures);
   [[nodiscard]] std::optional<int> count_negative_pivots(const BodyState& state);
   [[nodiscard]] std::vector<double> plenum_volumes(const BodyTotals& totals) const;
+  void move_plates(std::span<const PlateMotion> motions);
   double dead_load_factor = 1.0;
 
  private:
@@ -70,7 +71,15 @@ class Equilibrium::Search {
   static PetscErrorCode test_convergence(SNES snes, PetscInt iteration, PetscReal, PetscReal, PetscReal,
                                          SNESConvergedReason* reason, void* context);
 
+  /// A component that a plate holds: its place among the owned ones, and where it is to be.
+  struct PlateComponent {
+    std::size_t place;
+    double imposed_m;
+  };
+
   void create_solver();
+  [[nodiscard]] Loads loads(std::span<const double> pressures) const { return {pressures, dead_load_factor, motions_}; }
+  void carry_along(Vec trial, Vec from, double length) const;
   void unpack(Vec x, std::vector<double>& displacements, std::vector<double>& pressures) const;
   void pack(const BodyState& state, Vec x) const;
   void function(Vec x, Vec f);
@@ -93,6 +102,8 @@ class Equilibrium::Search {
   VectorHandle displacement_part_;
   VectorHandle particular_;
   std::vector<VectorHandle> influences_;  ///< K^-1 dV/du of each plenum that is free
+  std::vector<PlateMotion> motions_;
+  std::vector<PlateComponent> plate_components_;
   int rank_ = 0;
   bool is_held_;  ///< MUMPS does not notice a singular stiffness
   double diameter_m_ = 0.0;
@@ -109,6 +120,9 @@ class Equilibrium::Search {
   std::vector<std::vector<double>> volume_gradients_;
   std::vector<std::vector<double>> gradients_of_factor_;  ///< of the state whose stiffness is factorised
   std::vector<PlenumClosure> closures_;
+  double plate_distance_m_ = 0.0;           ///< largest distance of a held component from where its plate carries it
+  std::vector<double> plate_step_m_;        ///< per local component, minus what is left of the way
+  std::vector<double> plate_step_force_N_;  ///< K times it
   BodyTotals totals_;
   PetscInt iterations_ = 0;
   bool has_answer_ = false;
@@ -134,14 +148,30 @@ Equilibrium::Search::Search(const Space& the_space, const Body& the_body, const 
       is_held_(fem::is_held(the_space, the_body, assembly.held())),
       diameter_m_(diameter_of(the_space)) {
   MPI_Comm_rank(space.communicator, &rank_);
-  double modulus_Pa = 0.0;
+  // The softest region: a load that strains it must not pass for none beside a stiff one.
+  double modulus_Pa = std::numeric_limits<double>::infinity();
   for (const RegionMaterial& region : body.regions)
-    modulus_Pa = std::max(modulus_Pa, materials::shear_modulus_at_rest_Pa(region.law));
+    modulus_Pa = std::min(modulus_Pa, materials::shear_modulus_at_rest_Pa(region.law));
   floor_N_ = smallest_reference_load * modulus_Pa * diameter_m_ * diameter_m_;
   std::vector<double> dead_load = dead_load_of(space, body);
   assembly.exchange().add_from_ghosts(dead_load);
   dead_load_norm_N_ = norm_of_owned(dead_load);
+  move_plates(std::vector<PlateMotion>(body.plates.size()));
   create_solver();
+}
+
+void Equilibrium::Search::move_plates(std::span<const PlateMotion> motions) {
+  assert(motions.size() == body.plates.size());
+  motions_.assign(motions.begin(), motions.end());
+  plate_components_.clear();
+  for (std::size_t p = 0; p < body.plates.size(); ++p) {
+    for (const Index node : assembly.plate_nodes(p)) {
+      const auto local = static_cast<std::size_t>(node);
+      const Point displacement = plate_displacement(body.plates[p], motions_[p], space.positions[local]);
+      for (std::size_t i = 0; i < 3; ++i)
+        if (body.plates[p].held[i]) plate_components_.push_back({3 * local + i, displacement[i]});
+    }
+  }
 }
 
 void Equilibrium::Search::create_solver() {
@@ -206,16 +236,27 @@ void Equilibrium::Search::pack(const BodyState& state, Vec x) const {
   double* data = nullptr;
   petsc(VecGetArrayWrite(x, &data));
   for (std::size_t n = 0; n < owned_components(); ++n) data[n] = assembly.held()[n] != 0 ? 0.0 : state.displacements_m[n];
+  for (const PlateComponent& component : plate_components_) data[component.place] = state.displacements_m[component.place];
   if (rank_ == 0) std::copy(state.plenum_pressures_Pa.begin(), state.plenum_pressures_Pa.end(), data + owned_components());
   petsc(VecRestoreArrayWrite(x, &data));
 }
 
 void Equilibrium::Search::assemble_stiffness(std::span<const double> displacements, std::span<const double> pressures) {
-  assembly.assemble(displacements, {pressures, dead_load_factor}, {}, {}, linear_.matrix());
+  if (plate_distance_m_ == 0.0) {
+    assembly.assemble(displacements, loads(pressures), {}, {}, linear_.matrix());
+    return;
+  }
+  plate_step_m_.assign(displacements.size(), 0.0);
+  plate_step_force_N_.assign(displacements.size(), 0.0);
+  for (const auto& [place, imposed_m] : plate_components_) plate_step_m_[place] = displacements[place] - imposed_m;
+  assembly.exchange().update_ghosts(plate_step_m_);
+  const HeldChange step{plate_step_m_, plate_step_force_N_};
+  assembly.assemble(displacements, loads(pressures), {}, {}, linear_.matrix(), &step);
 }
 
 std::optional<int> Equilibrium::Search::count_negative_pivots(const BodyState& state) {
   assembly.elements().forget_prediction();
+  plate_distance_m_ = 0.0;
   assemble_stiffness(state.displacements_m, state.plenum_pressures_Pa);
   return linear_.prepare() ? linear_.negative_pivots() : std::nullopt;
 }
@@ -224,7 +265,7 @@ void Equilibrium::Search::function(Vec x, Vec f) {
   unpack(x, displacements_, pressures_);
   residual_.resize(displacements_.size());
   volume_gradients_.resize(body.plenum_count);
-  totals_ = assembly.assemble(displacements_, {pressures_, dead_load_factor}, residual_, volume_gradients_, nullptr);
+  totals_ = assembly.assemble(displacements_, loads(pressures_), residual_, volume_gradients_, nullptr);
   has_answer_ = totals_.smallest_ratio > 0.0 && std::isfinite(totals_.strain_energy_J);
 
   const std::vector<double> volumes = plenum_volumes(totals_);
@@ -241,13 +282,19 @@ void Equilibrium::Search::function(Vec x, Vec f) {
     }
   }
   residual_N_ = norm_of_owned(residual_);
-  reference_N_ = std::max(floor_N_, norm_of_owned(pressure_force) + dead_load_factor * dead_load_norm_N_);
+  reference_N_ =
+      std::max(floor_N_, norm_of_owned(pressure_force) + dead_load_factor * dead_load_norm_N_ + totals_.plate_force_norm_N);
+  plate_distance_m_ = 0.0;
+  for (const auto& [place, imposed_m] : plate_components_)
+    plate_distance_m_ = std::max(plate_distance_m_, std::abs(displacements_[place] - imposed_m));
+  MPI_Allreduce(MPI_IN_PLACE, &plate_distance_m_, 1, MPI_DOUBLE, MPI_MAX, space.communicator);
   if (!std::isfinite(residual_N_)) has_answer_ = false;
 
   double* data = nullptr;
   petsc(VecGetArrayWrite(f, &data));
   // PETSc gives up at the first number that is none; a state without an answer is dealt with in the line search
   for (std::size_t n = 0; n < owned_components(); ++n) data[n] = has_answer_ ? residual_[n] : 0.0;
+  for (const auto& [place, imposed_m] : plate_components_) data[place] = has_answer_ ? displacements_[place] - imposed_m : 0.0;
   if (rank_ == 0) {
     for (std::size_t p = 0; p < body.plenum_count; ++p) data[owned_components() + p] = closures_[p].residual;
   }
@@ -256,7 +303,7 @@ void Equilibrium::Search::function(Vec x, Vec f) {
 
 void Equilibrium::Search::jacobian(Vec x) {
   const double reduction = uses_factor_again_ ? lasting_reduction : fast_reduction;
-  uses_factor_again_ = !is_first_ && residual_N_ < reduction * previous_residual_N_;
+  uses_factor_again_ = !is_first_ && plate_distance_m_ == 0.0 && residual_N_ < reduction * previous_residual_N_;
   previous_residual_N_ = residual_N_;
   if (uses_factor_again_) return;
   unpack(x, displacements_, pressures_);
@@ -279,7 +326,19 @@ void Equilibrium::Search::jacobian(Vec x) {
   }
 }
 
-/// Solves K y - sum_p V_p y_p = r, V_p . y + c_p y_p = c for every free plenum p, V_p being dV_p/du.
+/// Puts the plates into a trial state exactly where a step of some length carries them: its arithmetic would leave rounding.
+void Equilibrium::Search::carry_along(Vec trial, Vec from, double length) const {
+  const double* before = nullptr;
+  double* data = nullptr;
+  petsc(VecGetArrayRead(from, &before));
+  petsc(VecGetArray(trial, &data));
+  for (const auto& [place, imposed_m] : plate_components_) data[place] = (1.0 - length) * before[place] + length * imposed_m;
+  petsc(VecRestoreArray(trial, &data));
+  petsc(VecRestoreArrayRead(from, &before));
+}
+
+/// Solves K y - sum_p V_p y_p = r, V_p . y + c_p y_p = c for every free plenum p, V_p being dV_p/du. On a plate y = r, and K y
+/// there goes to the right-hand side; V_p leaves it out, which only the first step of a plate notices.
 void Equilibrium::Search::solve_linear(Vec right_hand_side, Vec solution) {
   petsc(VecZeroEntries(solution));
   if (singular_) return;
@@ -288,6 +347,8 @@ void Equilibrium::Search::solve_linear(Vec right_hand_side, Vec solution) {
   petsc(VecGetArrayRead(right_hand_side, &r));
   petsc(VecGetArrayWrite(displacement_part_, &data));
   std::copy_n(r, owned_components(), data);
+  if (plate_distance_m_ > 0.0)
+    for (std::size_t n = 0; n < owned_components(); ++n) data[n] -= plate_step_force_N_[n];
   petsc(VecRestoreArrayWrite(displacement_part_, &data));
   petsc(VecRestoreArrayRead(right_hand_side, &r));
   if (!linear_.solve(displacement_part_, particular_)) {
@@ -347,6 +408,7 @@ void Equilibrium::Search::step(SNESLineSearch line_search) {
   double length = 1.0;
   for (; length >= options_.smallest_step_length; length *= 0.5) {
     petsc(VecWAXPY(trial, -length, y, x));
+    carry_along(trial, x, length);
     petsc(SNESComputeFunction(snes_, trial, trial_f));
     if (has_answer_) break;
   }
@@ -382,7 +444,7 @@ void Equilibrium::Search::step(SNESLineSearch line_search) {
 SNESConvergedReason Equilibrium::Search::convergence() const {
   if (stop_ != nullptr && stop_->load()) return SNES_DIVERGED_FUNCTION_COUNT;
   const std::vector<double> volumes = plenum_volumes(totals_);
-  bool is_found = residual_N_ <= options_.relative_force_tolerance * reference_N_;
+  bool is_found = plate_distance_m_ == 0.0 && residual_N_ <= options_.relative_force_tolerance * reference_N_;
   for (std::size_t p = 0; p < body.plenum_count; ++p) {
     if (is_free(p) && std::abs(closures_[p].residual) > options_.relative_volume_tolerance * std::abs(volumes[p]))
       is_found = false;
@@ -518,6 +580,8 @@ BodyTotals Equilibrium::totals(const BodyState& state, double dead_load_factor) 
   search_->assembly.elements().forget_prediction();
   return search_->assembly.assemble(state.displacements_m, {state.plenum_pressures_Pa, dead_load_factor}, {}, {}, nullptr);
 }
+
+void Equilibrium::move_plates(std::span<const PlateMotion> motions) { search_->move_plates(motions); }
 
 std::optional<int> Equilibrium::count_negative_pivots(const BodyState& state, double dead_load_factor) {
   search_->dead_load_factor = dead_load_factor;

@@ -17,8 +17,8 @@ namespace menger::fem {
 /// Limits of one search for an equilibrium.
 struct EquilibriumOptions {
   int largest_iteration_count = 25;
-  /// The residual's norm may be this part of the loads': that of the pressure forces on components that are not held plus that of
-  /// the dead loads, and at least a ten-thousandth of shear modulus x length^2.
+  /// The residual's norm may be this part of the loads': that of the pressure forces on components that are not held plus those
+  /// of the dead loads and of the plates, and at least a ten-thousandth of shear modulus x length^2.
   double relative_force_tolerance = 1e-7;
   double relative_volume_tolerance = 1e-9;  ///< of a plenum under control by volume or gas
   double smallest_step_length = 1.0 / 64;   ///< part of a Newton step to which it is cut back to keep volume ratios positive
@@ -53,6 +53,10 @@ struct EquilibriumReport {
 /// system, eliminated with the factorisation of the stiffness). Full steps, cut back only where volume ratios would not stay
 /// positive: the residual's norm may grow by orders of magnitude on the way to a bent wall, so it does not steer the steps. A
 /// factorisation is used again as long as the residual falls fast with it.
+///
+/// Plates: that a held component is where its plate carries it is one more equation, linear, so that the first full step fulfils
+/// it exactly, and the nodes within follow by the stiffness at the start of the step. A step that is cut back carries the plate
+/// part of the way, and the next ones the rest.
 class Equilibrium {
  public:
   Equilibrium(const Space& space, const Body& body, const EquilibriumOptions& options);
@@ -69,6 +73,9 @@ class Equilibrium {
   /// equilibrium, if the state is that one still); empty: those of the state
   EquilibriumReport solve(BodyState& state, std::span<const PlenumControl> controls, double dead_load_factor,
                           std::span<const double> pressures_of_first_stiffness = {}, const std::atomic<bool>* stop = nullptr);
+
+  /// Where the plates are to be in the next searches, one motion per plate (asserts); at rest before the first call.
+  void move_plates(std::span<const PlateMotion> motions);
 
   /// Number of negative eigenvalues of the stiffness at a state and its pressures: 0 where it is stable under them. Costs a
   /// factorisation; nothing with the iterative method.

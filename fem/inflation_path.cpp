@@ -42,8 +42,8 @@ bool is_knot(double s) { return std::abs(s - std::round(s)) < 1e-12; }
 
 class PathFollower {
  public:
-  PathFollower(Equilibrium& equilibrium, const std::vector<PlenumDrive>& drives, const PathOptions& options,
-               const PathObserver& observer, const std::atomic<bool>* stop);
+  PathFollower(Equilibrium& equilibrium, const PathDrives& drives, const PathOptions& options, const PathObserver& observer,
+               const std::atomic<bool>* stop);
 
   PathReport follow(const PathRestart* restart);
 
@@ -51,7 +51,9 @@ class PathFollower {
   enum class StepOutcome { accepted, rejected, ended };
 
   [[nodiscard]] std::vector<PlenumControl> controls_at(double s) const;
-  [[nodiscard]] static double dead_load_factor_at(double s) { return s < 0.0 ? 1.0 + s : 1.0; }
+  [[nodiscard]] double dead_load_factor_at(double s) const;
+  void move_plates(double s);
+  [[nodiscard]] bool is_driven(std::size_t plenum, double s) const;
   [[nodiscard]] bool all_given_pressures() const;
   [[nodiscard]] double next_station(double s) const;
   void begin();
@@ -74,6 +76,8 @@ class PathFollower {
 
   Equilibrium& equilibrium_;
   const std::vector<PlenumDrive>& drives_;
+  const std::vector<PlateDrive>& plate_drives_;
+  const std::vector<double>& dead_load_factors_;
   const PathOptions& options_;
   const PathObserver& observer_;
   const std::atomic<bool>* stop_;
@@ -91,18 +95,24 @@ class PathFollower {
   Clock::time_point step_started_ = Clock::now();
 };
 
-PathFollower::PathFollower(Equilibrium& equilibrium, const std::vector<PlenumDrive>& drives, const PathOptions& options,
+PathFollower::PathFollower(Equilibrium& equilibrium, const PathDrives& drives, const PathOptions& options,
                            const PathObserver& observer, const std::atomic<bool>* stop)
     : equilibrium_(equilibrium),
-      drives_(drives),
+      drives_(drives.plena),
+      plate_drives_(drives.plates),
+      dead_load_factors_(drives.dead_load_factors),
       options_(options),
       observer_(observer),
       stop_(stop),
       gaps_(equilibrium.space(), equilibrium.body()),
       history_(options.predictor_order),
       step_(options.first_step) {
-  assert(drives.size() == equilibrium.body().plenum_count);
-  for (const PlenumDrive& drive : drives) end_s_ = std::max(end_s_, static_cast<double>(drive.values.size()) - 1.0);
+  assert(drives_.size() == equilibrium.body().plenum_count);
+  assert(plate_drives_.empty() || plate_drives_.size() == equilibrium.body().plates.size());
+  const auto reach = [&](std::size_t knots) { end_s_ = std::max(end_s_, static_cast<double>(knots) - 1.0); };
+  for (const PlenumDrive& drive : drives_) reach(drive.values.size());
+  for (const PlateDrive& drive : plate_drives_) reach(drive.values.size());
+  reach(dead_load_factors_.size());
   const BodyTotals at_rest = equilibrium.totals(equilibrium.rest(), 0.0);
   rest_volumes_m3_ = equilibrium.plenum_volumes(at_rest);
   rest_chamber_volumes_m3_ = at_rest.chamber_volumes_m3;
@@ -128,6 +138,27 @@ std::vector<PlenumControl> PathFollower::controls_at(double s) const {
   return controls;
 }
 
+double PathFollower::dead_load_factor_at(double s) const {
+  if (!dead_load_factors_.empty()) return value_at(dead_load_factors_, s);
+  return s < 0.0 ? 1.0 + s : 1.0;
+}
+
+void PathFollower::move_plates(double s) {
+  std::vector<PlateMotion> motions(equilibrium_.body().plates.size());
+  for (std::size_t p = 0; p < plate_drives_.size(); ++p) motions[p] = motion_at(plate_drives_[p], s);
+  equilibrium_.move_plates(motions);
+}
+
+/// Whether the drive of a plenum changes on the leg that leads on from s: at a knot the one that begins there.
+bool PathFollower::is_driven(std::size_t plenum, double s) const {
+  const std::vector<double>& values = drives_[plenum].values;
+  for (std::size_t leg = 0; leg + 1 < values.size(); ++leg) {
+    const auto start = static_cast<double>(leg);
+    if (start <= s && s < start + 1.0 && values[leg] != values[leg + 1]) return true;
+  }
+  return false;
+}
+
 bool PathFollower::all_given_pressures() const {
   return std::all_of(drives_.begin(), drives_.end(), [](const PlenumDrive& drive) { return drive.kind == DriveKind::pressure; });
 }
@@ -143,6 +174,7 @@ double PathFollower::next_station(double s) const {
 EquilibriumReport PathFollower::solve_at(double s, BodyState& state, int order) {
   state = history_.at(s, order);
   const std::vector<PlenumControl> controls = controls_at(s);
+  move_plates(s);
   // with nothing extrapolated the body still balances the old pressures
   const std::vector<double> old = history_.last().plenum_pressures_Pa;
   EquilibriumReport report = equilibrium_.solve(state, controls, dead_load_factor_at(s),
@@ -229,6 +261,7 @@ bool PathFollower::accept(double s, const BodyState& state, const EquilibriumRep
   point.strain_energy_J = report.totals.strain_energy_J;
   point.dead_load_work_J = report.totals.dead_load_work_J;
   point.ground_force_N = report.totals.ground_force_N;
+  point.plates = report.totals.plates;
   point.smallest_ratio = report.totals.smallest_ratio;
   point.negative_pivots = report.negative_pivots;
   point.iterations = report.iterations;
@@ -276,7 +309,7 @@ void PathFollower::note_limit_points() {
   // at a knot and under growing dead loads pressures turn for reasons of their own
   if (count < 3 || report_.points[count - 3].s < 0.0 || is_knot(report_.points[count - 2].s)) return;
   for (std::size_t p = 0; p < drives_.size(); ++p) {
-    if (drives_[p].kind == DriveKind::pressure) continue;
+    if (drives_[p].kind == DriveKind::pressure || !is_driven(p, report_.points[count - 2].s)) continue;
     const std::array<PathPoint, 3> around{report_.points[count - 3], report_.points[count - 2], report_.points[count - 1]};
     const auto extremum = pressure_extremum(around[0], around[1], around[2], p);
     if (extremum) report_.limit_points.push_back(refined(*extremum, around));
@@ -329,6 +362,8 @@ std::optional<LimitPoint> PathFollower::nearest_limit() const {
   std::optional<LimitPoint> nearest;
   double least = 0.0;
   for (std::size_t p = 0; p < drives_.size(); ++p) {
+    // what the states of a leg on which its pressure rested tell is not of this curve
+    if (!is_driven(p, report_.points[count - 3].s) || !is_driven(p, report_.points.back().s)) continue;
     const auto limit = extrapolated_limit(report_.points[count - 3], report_.points[count - 2], report_.points[count - 1], p);
     if (!limit) continue;
     const double ahead = std::abs(limit->pressure_Pa / report_.points.back().pressures_Pa[p] - 1.0);
@@ -386,6 +421,15 @@ void PathFollower::end_at_smallest_step() {
                                               : ""));
     return;
   }
+  const bool any_driven = [&] {
+    for (std::size_t p = 0; p < drives_.size(); ++p)
+      if (is_driven(p, last.s)) return true;
+    return false;
+  }();
+  if (!any_driven) {
+    end(io::RunStatus::limit_point, "no stable equilibrium beyond this state of plates and dead loads (" + failure_ + ")");
+    return;
+  }
   if (!limit) {
     const std::size_t plenum = fastest_plenum(last.s);
     limit = LimitPoint{plenum, last.pressures_Pa[plenum], last.plenum_volumes_m3[plenum], false};
@@ -415,7 +459,7 @@ void PathFollower::begin() {
   bool has_dead_loads = !body.tractions.empty();
   for (const double component : body.gravity_m_per_s2) has_dead_loads = has_dead_loads || component != 0.0;
   // on the ground the whole weight at once: without it nothing holds the body down
-  const double start = has_dead_loads && !body.ground ? -1.0 : 0.0;
+  const double start = has_dead_loads && !body.ground && dead_load_factors_.empty() ? -1.0 : 0.0;
   BodyState state = equilibrium_.rest();
   history_.add(start, state);
   const EquilibriumReport report = solve_at(start, state, 0);
@@ -483,9 +527,14 @@ PathReport PathFollower::follow(const PathRestart* restart) {
 
 }  // namespace
 
-PathReport follow_path(Equilibrium& equilibrium, const std::vector<PlenumDrive>& drives, const PathOptions& options,
+PathReport follow_path(Equilibrium& equilibrium, const PathDrives& drives, const PathOptions& options,
                        const PathObserver& observer, const std::atomic<bool>* stop, const PathRestart* restart) {
   return PathFollower(equilibrium, drives, options, observer, stop).follow(restart);
+}
+
+PathReport follow_path(Equilibrium& equilibrium, const std::vector<PlenumDrive>& plena, const PathOptions& options,
+                       const PathObserver& observer, const std::atomic<bool>* stop, const PathRestart* restart) {
+  return follow_path(equilibrium, PathDrives{.plena = plena}, options, observer, stop, restart);
 }
 
 }  // namespace menger::fem

@@ -26,6 +26,13 @@ struct PlenumDrive {
   double ambient_pressure_Pa = standard_atmosphere_Pa;
 };
 
+/// All that is prescribed along a path.
+struct PathDrives {
+  std::vector<PlenumDrive> plena{};         ///< one per plenum
+  std::vector<PlateDrive> plates{};         ///< one per plate of the body, or none: they stay where they are
+  std::vector<double> dead_load_factors{};  ///< on gravity and tractions at the knots; none: 1, and they grow before the path
+};
+
 /// Steps along a path whose parameter s runs from 0 to the number of its legs, one leg between two knots.
 struct PathOptions {
   double first_step = 0.25;      ///< of a leg
@@ -48,6 +55,7 @@ struct PathPoint {
   double work_J = 0.0;  ///< of the pressures since the start, sum of integral p dV (trapezoids)
   double dead_load_work_J = 0.0;
   double ground_force_N = 0.0;
+  std::vector<PlateReaction> plates;  ///< on the body
   double smallest_ratio = 1.0;
   std::optional<int> negative_pivots;
   std::optional<double> smallest_gap_m;  ///< between facing chamber walls
@@ -85,9 +93,11 @@ struct PathRestart {
   int rejected_steps = 0;
 };
 
-/// Follows equilibria along the drives of the plena, with adaptive steps. Called with every new point and its state.
+/// Called with every new point and its state.
 using PathObserver = std::function<void(const PathPoint& point, const BodyState& state, const PathRestart& restart)>;
 
+/// Follows equilibria along the drives of plena and plates, with adaptive steps.
+///
 /// The path starts at rest, at the values of s = 0 (0 for pressures, 1 for ratios). Dead loads grow before that, from s = -1 to
 /// 0; if there is a ground, they act in full from the start.
 ///
@@ -95,7 +105,12 @@ using PathObserver = std::function<void(const PathPoint& point, const BodyState&
 /// direct; with mixed drives a path that meets such a point ends `not_converged`.
 /// @param stop set on one rank only or on all at once; looked at between steps and iterations
 /// @param restart of an earlier, interrupted run with the same body and drives
-PathReport follow_path(Equilibrium& equilibrium, const std::vector<PlenumDrive>& drives, const PathOptions& options,
+PathReport follow_path(Equilibrium& equilibrium, const PathDrives& drives, const PathOptions& options,
+                       const PathObserver& observer, const std::atomic<bool>* stop = nullptr,
+                       const PathRestart* restart = nullptr);
+
+/// The same with plates, if there are any, at rest.
+PathReport follow_path(Equilibrium& equilibrium, const std::vector<PlenumDrive>& plena, const PathOptions& options,
                        const PathObserver& observer, const std::atomic<bool>* stop = nullptr,
                        const PathRestart* restart = nullptr);
 

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 
+#include "fem/free_supports.h"
 #include "io/input_error.h"
 #include "io/number_text.h"
 #include "meshes/boundary_labels.h"
@@ -61,6 +63,8 @@ class ProblemBuilder {
   explicit ProblemBuilder(const InflationStudy& study) : study_(study), file_(study.file.string()) {
     problem_.mesh = make_mesh(study);
     box_ = bounding_box(problem_.mesh);
+    problem_.low = box_.low;
+    problem_.high = box_.high;
     length_ = norm(difference(box_.high, box_.low));
     problem_.solid_volume_m3 = meshes::mesh_quality(problem_.mesh).volumes.front().mesh_m3;
   }
@@ -74,6 +78,7 @@ class ProblemBuilder {
     add_supports();
     problem_.body.gravity_m_per_s2 = {0.0, 0.0, -study_.gravity_m_per_s2};
     add_drives();
+    add_plates();
     add_points();
     return std::move(problem_);
   }
@@ -109,7 +114,9 @@ class ProblemBuilder {
     switch (study_.supports.kind) {
       case SupportKind::ground_guided:
         body.supports.push_back({label("ground"), {false, false, true}});
-        hold_horizontal_motion();
+        // A bonded plate holds the body; what two points beside it carried would be missing from its forces.
+        if (std::all_of(study_.plates.begin(), study_.plates.end(), [](const StudyPlate& plate) { return plate.slides; }))
+          hold_horizontal_motion();
         break;
       case SupportKind::ground_held:
         body.supports.push_back({label("ground"), {true, true, true}});
@@ -117,6 +124,12 @@ class ProblemBuilder {
       case SupportKind::resting:
         rest_on_ground();
         hold_horizontal_motion();
+        break;
+      case SupportKind::free:
+        if (symmetric_ != std::array<bool, 3>{})
+          throw io::InputError(file_ +
+                               ": supports.kind \"free\": planes of symmetry hold the body, too; \"labels\" leaves it to them");
+        body.point_supports = free_supports(problem_.mesh.points);
         break;
       case SupportKind::labels:
         break;
@@ -245,6 +258,55 @@ class ProblemBuilder {
         throw io::InputError(file_ + ": no [[path.plenum]] drives \"" + name + "\"; the body has " + quoted(names));
       problem_.drives.push_back(own != study_.drives.end() ? own->second : all->second);
     }
+  }
+
+  void add_plates() {
+    std::set<std::size_t> gripped;  // corners
+    for (const StudyPlate& study_plate : study_.plates) {
+      Plate plate;
+      std::size_t axis = 0;
+      if (study_plate.side) {
+        axis = meshes::axis_of(*study_plate.side);
+        plate.faces.plane = AxisPlane{axis, (meshes::is_max(*study_plate.side) ? box_.high : box_.low)[axis]};
+      } else {
+        plate.faces.label = label(study_plate.label);
+      }
+      if (study_plate.slides) plate.held = {axis == 0, axis == 1, axis == 2};
+      const std::set<std::size_t> corners = corners_of(plate.faces);
+      if (corners.empty()) throw io::InputError(file_ + ": plate \"" + study_plate.name + "\": the body has no face there");
+      plate.centre = middle_of(corners);
+      for (const std::size_t corner : corners) {
+        if (!gripped.insert(corner).second)
+          throw io::InputError(file_ + ": plate \"" + study_plate.name + "\" meets another plate: one of them must go");
+      }
+      problem_.body.plates.push_back(plate);
+      problem_.plate_drives.push_back(study_plate.drive);
+    }
+  }
+
+  [[nodiscard]] std::set<std::size_t> corners_of(const FaceSet& set) const {
+    std::set<std::size_t> corners;
+    for (const meshes::BoundaryFace& face : problem_.mesh.faces) {
+      const auto lies_in = [&](std::size_t corner) {
+        return std::abs(problem_.mesh.points[corner][set.plane->axis] - set.plane->position_m) <= 1e-9 * length_;
+      };
+      const bool has_label = !set.label || *set.label == face.label;
+      if (has_label && (!set.plane || std::all_of(face.corners.begin(), face.corners.end(), lies_in)))
+        corners.insert(face.corners.begin(), face.corners.end());
+    }
+    return corners;
+  }
+
+  /// Of the box around some corners.
+  [[nodiscard]] Point middle_of(const std::set<std::size_t>& corners) const {
+    Box box{problem_.mesh.points[*corners.begin()], problem_.mesh.points[*corners.begin()]};
+    for (const std::size_t corner : corners) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.low[axis] = std::min(box.low[axis], problem_.mesh.points[corner][axis]);
+        box.high[axis] = std::max(box.high[axis], problem_.mesh.points[corner][axis]);
+      }
+    }
+    return box.centre();
   }
 
   static std::string quoted(const std::vector<std::string>& names) {

@@ -14,7 +14,10 @@ struct InflationProblem {
   meshes::HexahedralMesh mesh;
   Body body;
   std::vector<PlenumDrive> drives;  ///< by plenum of the mesh
-  std::vector<NamedPoint> points;   ///< "top centre" and "side centre", then those of the study
+  std::vector<PlateDrive> plate_drives;
+  std::vector<NamedPoint> points;  ///< "top centre" and "side centre", then those of the study
+  Point low{};                     ///< of the bounding box at rest
+  Point high{};                    ///< of the bounding box at rest
   double solid_volume_m3 = 0.0;
   std::vector<std::string> notes;
 };
@@ -33,9 +36,13 @@ struct InflationProblem {
 /// "top centre" and "side centre" are the middles of the top and of the +x side of the body's bounding box; where the body is not
 /// there, the nearest corner of an element takes their place, and a note says so.
 ///
+/// A free body is held at three points (see free_supports), and must have no planes of symmetry, which would hold it, too.
+///
 /// A resting body starts where the ground's pressure on faces labelled "ground" carries its weight.
 /// @throws io::InputError naming file and value: what the meshing refuses, an unknown label, region or plenum, plena that nothing
-/// drives, a body without ground, labels that begin with "symmetry" and are none of the three or lie elsewhere
+/// drives, a body without ground, labels that begin with "symmetry" and are none of the three or lie elsewhere, a
+/// free body with planes of symmetry,
+/// plates without a face or with a corner in common
 InflationProblem make_problem(const InflationStudy& study);
 
 }  // namespace menger::fem

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "fem/body_ends.h"
 #include "fem/field_output.h"
 #include "fem/inflation_charts.h"
 #include "fem/inflation_picture.h"
@@ -65,6 +66,7 @@ class InflationRun {
         problem_(agreed_problem(study, options.communicator)),
         space_(make_space(problem_.mesh, study.degree, study.refinements, options.communicator)),
         points_(locate_points(space_, problem_.points)),
+        ends_(space_, problem_.low, problem_.high),
         equilibrium_(space_, problem_.body, study.solver),
         fields_(folder, options.communicator) {
     MPI_Comm_rank(options.communicator, &rank_);
@@ -72,6 +74,7 @@ class InflationRun {
     result_.plenum_names = problem_.mesh.plenum_names;
     for (const meshes::Chamber& chamber : problem_.mesh.chambers) result_.chamber_names.push_back(chamber.name);
     for (const LocatedPoint& point : points_) result_.point_names.push_back(point.point.name);
+    for (const StudyPlate& plate : study.plates) result_.plate_names.push_back(plate.name);
     result_.elements = space_.element_count;
     result_.unknowns = 3 * static_cast<std::size_t>(space_.node_count);
     result_.element_size_m = std::cbrt(problem_.solid_volume_m3 / static_cast<double>(space_.element_count));
@@ -138,6 +141,7 @@ class InflationRun {
     result_.points_taken_up = progress_.restart.points.size();
     result_.path.points = progress_.restart.points;
     result_.observations = progress_.observations;
+    result_.extent_changes_m = progress_.extent_changes_m;
     // from here on no file of an earlier run may pass for one of this run, also if this one is killed
     const bool ended = progress_.outcome.has_value();
     on_first_rank(options_.communicator, [&] {
@@ -174,8 +178,8 @@ class InflationRun {
     const bool goes_on = !taken_up.points.empty();
     PathOutcome outcome;
     try {
-      const PathReport report =
-          follow_path(equilibrium_, problem_.drives, study_.path, observer, stop, goes_on ? &taken_up : nullptr);
+      const PathReport report = follow_path(equilibrium_, PathDrives{.plena = problem_.drives, .plates = problem_.plate_drives},
+                                            study_.path, observer, stop, goes_on ? &taken_up : nullptr);
       outcome = {report.status, report.reason, report.limit_points, report.rejected_steps};
       result_.path.factorisations = report.factorisations;
     } catch (const EndOfPath& end) {
@@ -214,8 +218,10 @@ class InflationRun {
     const NodalFields fields = nodal_fields(equilibrium_.assembly(), state.displacements_m);
     progress_.restart = restart;
     progress_.observations.push_back(observe(space_, points_, state.displacements_m, fields));
+    progress_.extent_changes_m.push_back(extent_changes_m(state));
     result_.path.points = restart.points;
     result_.observations = progress_.observations;
+    result_.extent_changes_m = progress_.extent_changes_m;
     if (is_due(point.step)) fields_.add(space_, state.displacements_m, fields, field_step(point));
     write_curves();
     write_checkpoint(folder_ / checkpoint_name, identity(), progress_, options_.communicator);
@@ -226,6 +232,12 @@ class InflationRun {
     int stopped = rank_count_ > 1 && options_.stop != nullptr && options_.stop->load() ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &stopped, 1, MPI_INT, MPI_MAX, options_.communicator);
     if (stopped != 0) throw EndOfPath{io::RunStatus::stopped, "stopped by the user"};
+  }
+
+  [[nodiscard]] std::optional<Point> extent_changes_m(const BodyState& state) const {
+    if (!ends_.are_faces()) return std::nullopt;
+    return study_.supports.kind == SupportKind::free ? ends_.extent_changes_without_rotation_m(state.displacements_m)
+                                                     : ends_.extent_changes_m(state.displacements_m);
   }
 
   void end_where_strict(const std::vector<PointObservation>& observations) const {
@@ -317,6 +329,7 @@ class InflationRun {
   InflationProblem problem_;
   Space space_;
   std::vector<LocatedPoint> points_;
+  BodyEnds ends_;
   Equilibrium equilibrium_;
   FieldSeries fields_;
   int rank_ = 0;

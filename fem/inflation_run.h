@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,12 @@ struct InflationResult {
   std::vector<std::string> plenum_names;
   std::vector<std::string> chamber_names;
   std::vector<std::string> point_names;
+  std::vector<std::string> plate_names;
   std::vector<std::vector<PointObservation>> observations;  ///< per point of the path, per named point
-  std::vector<std::string> notes;                           ///< what was assumed, what is doubtful, what could not be made
+  /// Per point of the path, growth of the distance between the ends of the body along each axis (see BodyEnds), for a free body
+  /// after its rotation is taken out; none for bodies without faces in all planes of their bounding box.
+  std::vector<std::optional<Point>> extent_changes_m;
+  std::vector<std::string> notes;  ///< what was assumed, what is doubtful, what could not be made
   std::size_t elements = 0;
   std::size_t unknowns = 0;
   double element_size_m = 0.0;      ///< cube root of the mean volume of an element

@@ -59,6 +59,29 @@ void add_supports(std::string& text, const InflationStudy& study) {
   add_number(text, "gravity_m_per_s2", study.gravity_m_per_s2);
 }
 
+void add_plates(std::string& text, const InflationStudy& study) {
+  for (const StudyPlate& plate : study.plates) {
+    text += "[[plates]]\n";
+    add_word(text, "name", plate.name);
+    if (plate.side) {
+      add_word(text, "side", meshes::to_string(*plate.side));
+    } else {
+      add_word(text, "label", plate.label);
+    }
+    add_word(text, "grip", plate.slides, grip_words());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::vector<double> displacements_m;
+      std::vector<double> rotations_rad;
+      for (const PlateMotion& motion : plate.drive.values) {
+        displacements_m.push_back(motion.displacement_m[axis]);
+        rotations_rad.push_back(motion.rotation_rad[axis]);
+      }
+      add_numbers(text, plate_displacement_key(axis), displacements_m);
+      add_numbers(text, plate_rotation_key(axis), rotations_rad);
+    }
+  }
+}
+
 void add_path(std::string& text, const InflationStudy& study) {
   text += "[path]\n";
   add_number(text, "first_step", study.path.first_step);
@@ -114,6 +137,7 @@ std::string path_text(const InflationStudy& study) {
   add_word(text, "formulation", study.formulation, formulation_words());
   add_number(text, "refinements", study.refinements);
   add_supports(text, study);
+  add_plates(text, study);
   add_path(text, study);
   return text;
 }

@@ -15,6 +15,7 @@
 #include "fem/point.h"
 #include "meshes/design_file.h"
 #include "meshes/hollow_body_options.h"
+#include "meshes/side.h"
 
 namespace menger::fem {
 
@@ -25,7 +26,8 @@ struct StudyMaterial {
   std::optional<double> density_kg_per_m3;  ///< gravity needs one
   double smallest_stretch = 0.0;            ///< 1: never compared with compression; 0: no range is stated
   double largest_stretch = std::numeric_limits<double>::infinity();
-  std::string name;  ///< for messages: of the record and the law
+  std::string name;                           ///< for messages: of the record and the law
+  std::string silicone = "unnamed silicone";  ///< name of the record
 };
 
 /// A body from a design.
@@ -46,6 +48,7 @@ enum class SupportKind {
   ground_guided,  ///< faces on the ground held in z; the body's other rigid motions are held at two points
   ground_held,    ///< faces on the ground held in all directions
   resting,        ///< gravity presses the body on a plane that only pushes; horizontal rigid motions are held at two points
+  free,           ///< nothing but the six rigid motions, held at three points without any force (see free_supports)
   labels          ///< nothing but what label supports and planes of symmetry hold
 };
 
@@ -59,6 +62,15 @@ struct StudySupports {
   SupportKind kind = SupportKind::ground_guided;
   std::vector<LabelSupport> labels;  ///< in addition
   double ground_stiffness_Pa_per_m = 1e7;
+};
+
+/// A rigid plate on faces of the body: all those on a side of its bounding box, or with a label.
+struct StudyPlate {
+  std::string name;                  ///< in the columns of curves.csv
+  std::optional<meshes::Side> side;  ///< or `label`
+  std::string label;
+  bool slides = false;  ///< on a side only: the faces slide on it, and it moves along the side's normal
+  PlateDrive drive;
 };
 
 /// A point whose displacement and stretch are followed.
@@ -85,6 +97,7 @@ struct InflationStudy {
   int refinements = 0;
   StudySupports supports;
   double gravity_m_per_s2 = 0.0;  ///< downwards, >= 0
+  std::vector<StudyPlate> plates;
   /// By plenum; the drive under the empty name is that of all plena.
   std::map<std::string, PlenumDrive> drives;
   PathOptions path;

@@ -107,6 +107,46 @@ std::map<std::string, PlenumDrive> read_drives(const io::TomlTable& table) {
   return drives;
 }
 
+/// The motion of a plate from the lists of its parts.
+std::vector<PlateMotion> read_motions(const io::TomlTable& table, const StudyPlate& plate, std::size_t knot_count) {
+  std::vector<PlateMotion> motions(knot_count);
+  const auto read = [&](const std::string& key, bool may_move, const auto& part) {
+    if (!table.has(key)) return;
+    const std::vector<double> values = table.numbers(key);
+    if (values.size() != knot_count)
+      throw table.error(key, "must hold one value for each of the " + std::to_string(knot_count) + " knots of the path");
+    if (values.front() != 0.0) throw table.error(key, "must begin with 0: the path starts at rest");
+    if (!may_move) throw table.error(key, "a sliding plate moves along the normal of its side alone");
+    for (std::size_t knot = 0; knot < knot_count; ++knot) part(motions[knot]) = values[knot];
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool may_shift = !plate.slides || meshes::axis_of(*plate.side) == axis;
+    read(plate_displacement_key(axis), may_shift, [axis](PlateMotion& motion) -> double& { return motion.displacement_m[axis]; });
+    read(plate_rotation_key(axis), !plate.slides, [axis](PlateMotion& motion) -> double& { return motion.rotation_rad[axis]; });
+  }
+  return motions;
+}
+
+std::vector<StudyPlate> read_plates(const io::TomlTable& top, std::size_t knot_count) {
+  std::vector<StudyPlate> plates;
+  for (const io::TomlTable& table : top.optional_tables("plates")) {
+    StudyPlate plate;
+    plate.name = table.text("name");
+    const bool is_name = !plate.name.empty() && plate.name.find_first_of(",\"\n\r") == std::string::npos;
+    if (!is_name) throw table.error("name", "must be a name without comma, quote or line break");
+    const auto same = [&](const StudyPlate& other) { return other.name == plate.name; };
+    if (std::any_of(plates.begin(), plates.end(), same)) throw table.error("name", "is given twice");
+    if (table.has("side") == table.has("label")) throw table.error("name", "needs either side or label");
+    if (table.has("side")) plate.side = table.word("side", meshes::side_words());
+    if (table.has("label")) plate.label = table.text("label");
+    plate.slides = table.word_or("grip", plate.slides, grip_words());
+    if (plate.slides && !plate.side) throw table.error("grip", "only the faces of a side slide");
+    plate.drive.values = read_motions(table, plate, knot_count);
+    plates.push_back(std::move(plate));
+  }
+  return plates;
+}
+
 PathOptions read_path(const io::TomlTable& table, std::size_t knot_count) {
   PathOptions options;
   const io::Range part{.lowest = 0.0, .highest = 1.0, .lowest_excluded = true};
@@ -176,6 +216,15 @@ void check_gravity(const io::TomlTable& loads, const io::TomlTable& supports, co
   if (any) throw loads.error("gravity_m_per_s2", "needs material.density_kg_per_m3");
 }
 
+/// Whatever else holds or loads a body would pass forces into the three points.
+void check_freedom(const io::TomlTable& supports, const InflationStudy& study) {
+  if (study.supports.kind != SupportKind::free) return;
+  if (!study.supports.labels.empty()) throw supports.error("kind", "nothing else may hold a free body: [[supports.labels]] does");
+  if (!study.plates.empty()) throw supports.error("kind", "nothing else may hold a free body: [[plates]] does");
+  if (study.gravity_m_per_s2 != 0.0)
+    throw supports.error("kind", "nothing carries a free body's weight: loads.gravity_m_per_s2 must be 0");
+}
+
 }  // namespace
 
 InflationStudy read_inflation_study(const fs::path& file) {
@@ -201,6 +250,8 @@ InflationStudy read_inflation_study(const fs::path& file) {
   const io::TomlTable path = top.table("path");
   study.drives = read_drives(path);
   study.path = read_path(path, study.drives.begin()->second.values.size());
+  study.plates = read_plates(top, study.drives.begin()->second.values.size());
+  check_freedom(supports, study);
   study.solver = read_solver(table_or_empty(top, "solver"));
   study.output = read_output(table_or_empty(top, "output"));
   top.finish();

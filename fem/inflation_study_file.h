@@ -17,12 +17,15 @@ namespace menger::fem {
 /// [element] degree = 2, formulation = "three_field", refinements = 0.
 /// [supports] kind = "ground_guided", ground_stiffness_Pa_per_m = 1e7, [[supports.labels]] label, held = ["x", "y", "z"].
 /// [loads] gravity_m_per_s2 = 0.
-/// [path] one of pressure_Pa, volume_ratio, gas_amount (with gas_exponent = 1, ambient_pressure_Pa = 101325): the values at the
-/// knots, of which the first is that at rest: 0 of pressure_Pa, 1 of the others; or [[path.plenum]] name and the same for each
-/// plenum; first_step, largest_step, smallest_step, stations, touching_gap, desired_iterations, predictor_order as in
-/// PathOptions. [solver] linear = "automatic", largest_direct_size, linear_tolerance, force_tolerance, volume_tolerance,
-/// largest_iteration_count, predict_pressure.
-/// [output] fields = true, fields_every = 1, pictures = true, [[output.points]] name, position_m.
+/// [[plates]] name, side ("x min" ... "z max", of the body's bounding box) or label, grip = "bonded" or "sliding" (on a side,
+/// along whose normal alone such a plate moves); displacement_x_m, displacement_y_m, displacement_z_m and rotation_x_rad,
+/// rotation_y_rad, rotation_z_rad (rotation vector about the middle of its faces): the motion at the knots of the path, the first
+/// of them 0; what is not given stays 0. What a plate holds no support moves. [path] one of pressure_Pa, volume_ratio, gas_amount
+/// (with gas_exponent = 1, ambient_pressure_Pa = 101325): the values at the knots, of which the first is that at rest: 0 of
+/// pressure_Pa, 1 of the others; or [[path.plenum]] name and the same for each plenum; first_step, largest_step, smallest_step,
+/// stations, touching_gap, desired_iterations, predictor_order as in PathOptions. [solver] linear = "automatic",
+/// largest_direct_size, linear_tolerance, force_tolerance, volume_tolerance, largest_iteration_count, predict_pressure. [output]
+/// fields = true, fields_every = 1, pictures = true, [[output.points]] name, position_m.
 /// @throws io::InputError with file, key and value for anything else, and for files that it names and that cannot be read
 InflationStudy read_inflation_study(const std::filesystem::path& file);
 

@@ -1,13 +1,11 @@
-#include <algorithm>
-#include <array>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "fem/inflation_study_file.h"
 #include "fem/inflation_study_words.h"
 #include "io/number_text.h"
 #include "materials/law_file.h"
+#include "materials/silicone_library.h"
 #include "materials/silicone_record.h"
 
 namespace menger::fem {
@@ -20,35 +18,6 @@ namespace fs = std::filesystem;
 constexpr double default_bulk_factor = 50.0;
 
 constexpr std::string_view recommended = "recommended";
-
-/// Records lie beside the installed program, or in the source tree that it was built from.
-std::vector<fs::path> record_folders() {
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  return {program.parent_path().parent_path() / "share/menger/materials", fs::path(MENGER_MATERIAL_FOLDER)};
-}
-
-std::string known_records(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  std::string list;
-  for (const std::string& name : names) list.append(list.empty() ? "" : ", ").append(name);
-  return list;
-}
-
-fs::path record_file(const io::TomlTable& table) {
-  const std::string name = table.text("record");
-  if (name.find('/') != std::string::npos || fs::path(name).extension() == ".toml") return table.path("record");
-  for (const fs::path& folder : record_folders()) {
-    std::error_code ignored;
-    if (fs::path file = folder / (name + ".toml"); fs::is_regular_file(file, ignored)) return file;
-  }
-  throw table.error("record", "is neither a file (.toml) nor one of " + known_records(record_folders().back()));
-}
 
 /// The law that a table asks for among those of a record.
 const materials::SourcedLaw& choose_law(const io::TomlTable& table, const materials::SiliconeRecord& record,
@@ -107,7 +76,7 @@ StudyMaterial read_study_material(const io::TomlTable& table, const std::functio
     material.law = materials::read_law(table.table("law"));
     material.name = "inline " + std::string(materials::name_of(material.law));
   } else {
-    const fs::path file = record_file(table);
+    const fs::path file = materials::silicone_file(table, "record");
     read_input(file);
     const materials::SiliconeRecord record = materials::read_silicone(file);
     const materials::SourcedLaw& law = choose_law(table, record, notes);
@@ -115,6 +84,7 @@ StudyMaterial read_study_material(const io::TomlTable& table, const std::functio
     material.density_kg_per_m3 = record.data_sheet.density_kg_per_m3;
     material.smallest_stretch = law.smallest_stretch;
     material.largest_stretch = law.largest_stretch;
+    material.silicone = record.name;
     material.name = record.name + ", " + std::string(materials::name_of(law.law));
   }
   const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law);

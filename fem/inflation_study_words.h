@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "fem/inflation_study.h"
@@ -13,6 +14,7 @@ inline const io::Words<SupportKind>& support_words() {
   static const io::Words<SupportKind> words{{"ground_guided", SupportKind::ground_guided},
                                             {"ground_held", SupportKind::ground_held},
                                             {"resting", SupportKind::resting},
+                                            {"free", SupportKind::free},
                                             {"labels", SupportKind::labels}};
   return words;
 }
@@ -28,6 +30,16 @@ inline const io::Words<LinearMethod>& linear_words() {
       {"automatic", LinearMethod::automatic}, {"direct", LinearMethod::direct}, {"iterative", LinearMethod::iterative}};
   return words;
 }
+
+/// Whether the faces slide on a plate.
+inline const io::Words<bool>& grip_words() {
+  static const io::Words<bool> words{{"bonded", false}, {"sliding", true}};
+  return words;
+}
+
+/// The key under which a study gives a part of a plate's motion at the knots.
+inline std::string plate_displacement_key(std::size_t axis) { return std::string("displacement_") + "xyz"[axis] + "_m"; }
+inline std::string plate_rotation_key(std::size_t axis) { return std::string("rotation_") + "xyz"[axis] + "_rad"; }
 
 /// Volumetric energies by their place in VolumetricLaw.
 inline const io::Words<std::size_t>& volumetric_words() {

@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "io/number_text.h"
@@ -23,10 +24,15 @@ std::vector<std::string> columns_of(const InflationResult& result) {
     columns.push_back(column_part(plenum) + "_volume_m3");
   }
   for (const std::string& chamber : result.chamber_names) columns.push_back(column_part(chamber) + "_volume_m3");
+  for (const std::string& plate : result.plate_names) {
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(column_part(plate) + "_force_" + axis + "_N");
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(column_part(plate) + "_moment_" + axis + "_N_m");
+  }
   for (const std::string& point : result.point_names) {
     for (const char* axis : {"x", "y", "z"}) columns.push_back(column_part(point) + "_displacement_" + axis + "_m");
     columns.push_back(column_part(point) + "_largest_stretch");
   }
+  for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string("extent_change_") + axis + "_m");
   for (const char* name : {"strain_energy_J", "work_J", "dead_load_work_J", "smallest_gap_m", "ground_force_N",
                            "smallest_volume_ratio", "negative_pivots", "newton_iterations", "seconds"}) {
     columns.emplace_back(name);
@@ -54,10 +60,16 @@ io::CsvTable curves_table(const InflationResult& result) {
       row.push_back(io::cell(point.plenum_volumes_m3[p]));
     }
     for (const double volume : point.chamber_volumes_m3) row.push_back(io::cell(volume));
+    for (const PlateReaction& plate : point.plates) {
+      for (const double component : plate.force_N) row.push_back(io::cell(component));
+      for (const double component : plate.moment_N_m) row.push_back(io::cell(component));
+    }
     for (const PointObservation& observation : result.observations[n]) {
       for (const double component : observation.displacement_m) row.push_back(io::cell(component));
       row.push_back(io::cell(observation.largest_stretch));
     }
+    const std::optional<Point>& extents_m = result.extent_changes_m[n];
+    for (std::size_t axis = 0; axis < 3; ++axis) row.push_back(extents_m ? io::cell((*extents_m)[axis]) : io::CsvCell{});
     row.push_back(io::cell(point.strain_energy_J));
     row.push_back(io::cell(point.work_J));
     row.push_back(io::cell(point.dead_load_work_J));

@@ -87,4 +87,10 @@ struct LawReference {
   const void* parameters;
 };
 
+/// To the law that a variant holds; valid as long as the variant is neither changed nor moved.
+template <class Variant>
+LawReference reference_to(const Variant& law) {
+  return {law.index(), std::visit([](const auto& any) -> const void* { return &any; }, law)};
+}
+
 }  // namespace menger::fem::detail

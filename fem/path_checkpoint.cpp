@@ -15,7 +15,7 @@
 namespace menger::fem {
 namespace {
 
-constexpr std::string_view title = "menger path checkpoint 1\n";
+constexpr std::string_view title = "menger path checkpoint 3\n";
 constexpr std::size_t hash_length = 64;
 
 template <class Transfer, class Value>
@@ -106,11 +106,17 @@ void transfer(Transfer& stream, Value& value) {
     stream(value.work_J);
     stream(value.dead_load_work_J);
     stream(value.ground_force_N);
+    stream(value.plates);
     stream(value.smallest_ratio);
     stream(value.negative_pivots);
     stream(value.smallest_gap_m);
     stream(value.iterations);
     stream(value.seconds);
+  } else if constexpr (std::is_same_v<Plain, PlateReaction>) {
+    for (auto& component : value.force_N) stream(component);
+    for (auto& component : value.moment_N_m) stream(component);
+  } else if constexpr (std::is_same_v<Plain, Point>) {
+    for (auto& component : value) stream(component);
   } else if constexpr (std::is_same_v<Plain, BodyState>) {
     stream(value.displacements_m);
     stream(value.plenum_pressures_Pa);
@@ -134,6 +140,7 @@ void transfer(Transfer& stream, Value& value) {
     transfer(stream, value.restart.failed_status);
     stream(value.restart.rejected_steps);
     stream(value.observations);
+    stream(value.extent_changes_m);
     stream(value.outcome);
   } else if constexpr (std::is_same_v<Plain, io::RunStatus>) {
     auto number = static_cast<int>(value);

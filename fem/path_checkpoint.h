@@ -24,6 +24,7 @@ struct PathOutcome {
 struct PathProgress {
   PathRestart restart;
   std::vector<std::vector<PointObservation>> observations;  ///< per point of the path, per named point
+  std::vector<std::optional<Point>> extent_changes_m;       ///< per point of the path, see InflationResult
   std::optional<PathOutcome> outcome;                       ///< none while it is under way
 };
 

@@ -1,8 +1,9 @@
-# deal.II and PETSc, for the targets of this folder only.
+# deal.II, PETSc and SLEPc, for the targets of this folder only.
 find_package(deal.II 9.4 REQUIRED)
 include(${DEAL_II_TARGET_CONFIG})
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET GLOBAL PETSc)
+pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET GLOBAL SLEPc)
 set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 find_package(MPI REQUIRED COMPONENTS C CXX)
 # tests and programs of other folders link these through ours

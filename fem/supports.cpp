@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "fem/grips.h"
+
 namespace menger::fem {
 
 std::vector<std::uint8_t> held_components(const Space& space, const Body& body, const NodeExchange& exchange) {
@@ -17,6 +19,10 @@ std::vector<std::uint8_t> held_components(const Space& space, const Body& body, 
     for (const Support& support : body.supports) {
       if (support.label != face.label) continue;
       for (std::size_t n = 0; n < space.nodes_per_face(); ++n) mark(face.nodes[n], support.held);
+    }
+    for (const Plate& plate : body.plates) {
+      if (!contains(plate.faces, space, face)) continue;
+      for (std::size_t n = 0; n < space.nodes_per_face(); ++n) mark(face.nodes[n], plate.held);
     }
   }
   for (const PointSupport& support : body.point_supports) {

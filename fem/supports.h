@@ -10,7 +10,8 @@
 
 namespace menger::fem {
 
-/// Which displacement components the supports of a body hold at zero: 1 or 0 per component of the local nodes.
+/// Which displacement components the supports of a body hold at zero and its plates where they are: 1 or 0 per component of the
+/// local nodes.
 std::vector<std::uint8_t> held_components(const Space& space, const Body& body, const NodeExchange& exchange);
 
 /// Whether the supports leave a body no rigid motion: three translations and three rotations. The ground counts as a support

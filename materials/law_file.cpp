@@ -100,4 +100,11 @@ std::string law_text(const HyperelasticLaw& law) {
   return name + std::visit([](const auto& any) { return lines_of(any); }, law);
 }
 
+std::string law_line(const HyperelasticLaw& law) {
+  std::string text = law_text(law);
+  text.pop_back();  // the end of the last line
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) text.replace(at, 1, ", ");
+  return text;
+}
+
 }  // namespace menger::materials

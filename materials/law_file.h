@@ -18,4 +18,7 @@ HyperelasticLaw read_law(const io::TomlTable& table);
 /// The lines of a table from which read_law makes the same law.
 std::string law_text(const HyperelasticLaw& law);
 
+/// The same as one line without its end, by which response curves and voxel parameters tell laws apart: "name = ..., ...".
+std::string law_line(const HyperelasticLaw& law);
+
 }  // namespace menger::materials

@@ -1,5 +1,7 @@
 #include "materials/silicone_record.h"
 
+#include <algorithm>
+
 #include "io/toml_document.h"
 #include "materials/law_file.h"
 
@@ -33,6 +35,14 @@ SourcedLaw read_sourced_law(const io::TomlTable& table) {
   return result;
 }
 
+LossData read_loss(const io::TomlTable& table) {
+  LossData loss;
+  loss.source = read_filled(table, "source");
+  loss.tan_delta = table.number("tan_delta", io::positive());
+  loss.frequency_Hz = table.number("frequency_Hz", io::positive());
+  return loss;
+}
+
 }  // namespace
 
 SiliconeRecord read_silicone(const std::filesystem::path& file) {
@@ -43,6 +53,10 @@ SiliconeRecord read_silicone(const std::filesystem::path& file) {
   record.recommended = read_sourced_law(table.table("recommended"));
   for (const io::TomlTable& other : table.optional_tables("others")) record.others.push_back(read_sourced_law(other));
   record.not_measured = table.texts("not_measured");
+  if (const auto loss = table.optional_table("loss")) record.loss = read_loss(*loss);
+  const bool is_missing =
+      std::find(record.not_measured.begin(), record.not_measured.end(), "damping") != record.not_measured.end();
+  if (record.loss && is_missing) throw table.error("not_measured", "names damping, but there is a table [loss]");
   table.finish();
   return record;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,20 @@ struct SourcedLaw {
   std::string source;
 };
 
+/// What vibration takes out of the cured silicone, from a dynamic test at small strain.
+struct LossData {
+  std::string source;
+  double tan_delta = 0.0;     ///< loss modulus by storage modulus, > 0
+  double frequency_Hz = 0.0;  ///< of the test, > 0
+};
+
 /// A silicone: a file of materials/data, in which every number stands under a source.
 struct SiliconeRecord {
   std::string name;
   DataSheet data_sheet;
   SourcedLaw recommended;                 ///< stiffness to trust at moderate strain
   std::vector<SourcedLaw> others;         ///< fits of tests and published constants: shape of the curve, bounds of the stiffness
+  std::optional<LossData> loss;           ///< nothing where damping was not measured
   std::vector<std::string> not_measured;  ///< quantities for which no number with a source is known
 };
 

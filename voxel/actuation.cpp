@@ -20,4 +20,27 @@ std::vector<double> actuation_phases(const Lattice& lattice, const Actuation& ac
   return phases;
 }
 
+DriveMoment drive_moment(const Actuation& actuation, double time_s) {
+  DriveMoment moment;
+  if (time_s < actuation.ramp_s) {
+    moment.ramp = time_s / actuation.ramp_s;
+    moment.ramp_rate = 1.0 / actuation.ramp_s;
+  }
+  if (actuation.mode == ActuationMode::none) {
+    moment.sine = moment.cosine = 0.0;
+  } else if (actuation.mode == ActuationMode::hold) {
+    moment.sine = moment.ramp;
+    moment.cosine = 0.0;
+    moment.sine_rate = moment.ramp_rate;
+  } else {
+    const DriveAngle angle = drive_angle(time_s, actuation.period_s);
+    const double frequency = 2.0 * std::numbers::pi / actuation.period_s;
+    moment.sine = moment.ramp * angle.sine;
+    moment.cosine = moment.ramp * angle.cosine;
+    moment.sine_rate = frequency * moment.cosine + moment.ramp_rate * angle.sine;
+    moment.cosine_rate = -frequency * moment.sine + moment.ramp_rate * angle.cosine;
+  }
+  return moment;
+}
+
 }  // namespace menger::voxel

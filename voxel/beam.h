@@ -11,6 +11,8 @@ namespace menger::voxel {
 ///
 /// With E the harmonic mean of the two moduli and L the voxel edge: axial = E L^2, twist = E L^3 / (12 (1 + nu)) at nu = 0, shear
 /// = E L, bend = E L^2 / 2, turn = E L^3 / 6. The roots belong to the damping, see beam_damping. @cite hiller2014dynamic
+///
+/// Only a beam that shears (Timoshenko) has turn_difference and its root, see beam_coefficients of a section.
 template <class T>
 struct BeamCoefficients {
   T axial;          ///< N, force per axial strain
@@ -25,6 +27,9 @@ struct BeamCoefficients {
   T twist_root;     ///< sqrt(twist L^2 / 6)
   T damping_lower;  ///< zeta sqrt(m) of the voxel at the lower end
   T damping_upper;  ///< zeta sqrt(m) of the voxel at the upper end
+
+  T turn_difference;       ///< N m / rad, moment on either end against its rotation beyond the other end's; >= 0
+  T turn_difference_root;  ///< of its damping, >= 0
 };
 
 /// The two ends of a beam, in axes permuted so that the undeformed beam points along +x from its lower to its upper end.
@@ -84,33 +89,23 @@ inline BeamLoads<T> operator+(const BeamLoads<T>& a, const BeamLoads<T>& b) {
           a.upper_moment + b.upper_moment};
 }
 
-/// Deformation of a beam, with the switch between the small- and the large-angle state.
-///
-/// A beam enters the small-angle state when (|d_y| + |d_z|) / d_x < 0.05 and |1 - d_x / rest length| < 0.5, and leaves it beyond
-/// 0.06 or 0.6, with d the separation seen from the lower end. @cite hiller2014dynamic
+/// Deformation of a beam in the state that the mask names; state_changed is false.
+/// @param lower_frame matrix of ends.lower @param d the separation seen from the lower end
 template <class T>
-inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
-  using std::abs;
+inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, const Rotation<T>& lower_frame, const Vector3<T>& d,
+                                  const MaskOf<T>& small) {
   using std::sqrt;
   const T zero = constant<T>(0.0);
   BeamState<T> state;
-  state.frame = matrix(ends.lower);
-  const Vector3<T> d = rotate_back(state.frame, ends.separation);
+  state.frame = lower_frame;
+  state.small = small;
+  state.state_changed = MaskOf<T>(false);
   const Quaternion<T> relative = conjugate(ends.lower) * ends.upper;
-
-  const T across = abs(d.y) + abs(d.z);
-  const T stretch = abs(ends.rest_length - d.x);
-  const MaskOf<T> was = was_small > constant<T>(0.5);
-  const MaskOf<T> enters = (across < constant<T>(0.05) * d.x) && (stretch < constant<T>(0.5) * ends.rest_length);
-  const MaskOf<T> leaves = (across > constant<T>(0.06) * d.x) || (stretch > constant<T>(0.6) * ends.rest_length);
-  state.small = (was && !leaves) || (!was && enters);
-  state.state_changed = (was && !state.small) || (!was && state.small);
-
   state.deformation.displacement = {d.x - ends.rest_length, d.y, d.z};
   state.deformation.lower_angle_y = zero;
   state.deformation.lower_angle_z = zero;
   Quaternion<T> upper = relative;
-  const MaskOf<T> large = !state.small;
+  const MaskOf<T> large = !small;
   if (any(large)) {
     const Quaternion<T> turn = rotation_onto_x(d);
     const Vector3<T> angle = rotation_vector(turn);
@@ -128,8 +123,29 @@ inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
   return state;
 }
 
-/// Elastic loads of the Euler-Bernoulli beam, in its frame. @cite hiller2014dynamic
+/// Deformation of a beam, with the switch between the small- and the large-angle state.
+///
+/// A beam enters the small-angle state when (|d_y| + |d_z|) / d_x < 0.05 and |1 - d_x / rest length| < 0.5, and leaves it beyond
+/// 0.06 or 0.6, with d the separation seen from the lower end. @cite hiller2014dynamic
 template <class T>
+inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
+  using std::abs;
+  const Rotation<T> frame = matrix(ends.lower);
+  const Vector3<T> d = rotate_back(frame, ends.separation);
+  const T across = abs(d.y) + abs(d.z);
+  const T stretch = abs(ends.rest_length - d.x);
+  const MaskOf<T> was = was_small > constant<T>(0.5);
+  const MaskOf<T> enters = (across < constant<T>(0.05) * d.x) && (stretch < constant<T>(0.5) * ends.rest_length);
+  const MaskOf<T> leaves = (across > constant<T>(0.06) * d.x) || (stretch > constant<T>(0.6) * ends.rest_length);
+  const MaskOf<T> small = (was && !leaves) || (!was && enters);
+  BeamState<T> state = beam_in_state(ends, frame, d, small);
+  state.state_changed = (was && !small) || (!was && small);
+  return state;
+}
+
+/// Elastic loads of a beam, in its frame. @cite hiller2014dynamic @tparam Shears false leaves out the terms of turn_difference,
+/// for beams that have none: Euler-Bernoulli's
+template <bool Shears = true, class T>
 inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, const T& rest_length) {
   const T sum_y = e.lower_angle_y + e.upper_angle.y;
   const T sum_z = e.lower_angle_z + e.upper_angle.z;
@@ -142,6 +158,12 @@ inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients<T>& c, const BeamD
   const T twist = c.twist * e.upper_angle.x;
   loads.lower_moment = {twist, -bend_z - c.turn * (e.lower_angle_y + sum_y), bend_y - c.turn * (e.lower_angle_z + sum_z)};
   loads.upper_moment = {-twist, -bend_z - c.turn * (e.upper_angle.y + sum_y), bend_y - c.turn * (e.upper_angle.z + sum_z)};
+  if constexpr (Shears) {
+    const T difference_y = c.turn_difference * (e.upper_angle.y - e.lower_angle_y);
+    const T difference_z = c.turn_difference * (e.upper_angle.z - e.lower_angle_z);
+    loads.lower_moment = loads.lower_moment + Vector3<T>{constant<T>(0.0), difference_y, difference_z};
+    loads.upper_moment = loads.upper_moment - Vector3<T>{constant<T>(0.0), difference_y, difference_z};
+  }
   return loads;
 }
 
@@ -156,14 +178,18 @@ inline T beam_energy(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, 
   const T coupling = c.bend * (u.z * (e.lower_angle_y + a.y) - u.y * (e.lower_angle_z + a.z));
   const T bending = c.turn * (e.lower_angle_y * e.lower_angle_y + e.lower_angle_y * a.y + a.y * a.y +
                               e.lower_angle_z * e.lower_angle_z + e.lower_angle_z * a.z + a.z * a.z);
-  return stretch + shear + coupling + bending + half * c.twist * a.x * a.x;
+  const T difference_y = a.y - e.lower_angle_y;
+  const T difference_z = a.z - e.lower_angle_z;
+  const T difference = half * c.turn_difference * (difference_y * difference_y + difference_z * difference_z);
+  return stretch + shear + coupling + bending + half * c.twist * a.x * a.x + difference;
 }
 
 /// Damping loads from the rates of the deformation, in the beam's frame. `rate.displacement.x` contains the rate of the rest
 /// length.
 ///
-/// The coefficients of the two ends differ with their masses; equal coefficients give equal and opposite forces.
-template <class T>
+/// The coefficients of the two ends differ with their masses; equal coefficients give equal and opposite forces. @tparam Shears
+/// as for beam_elastic_loads
+template <bool Shears = true, class T>
 inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeformation<T>& rate) {
   const T half = constant<T>(0.5);
   const T sum_y = rate.lower_angle_y + rate.upper_angle.y;
@@ -176,10 +202,16 @@ inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeforma
   const T twist = c.twist_root * rate.upper_angle.x;
   const T bend_y = c.bend_root * rate.displacement.y;
   const T bend_z = c.bend_root * rate.displacement.z;
-  const Vector3<T> lower = {-twist, bend_z + c.turn_root * (rate.lower_angle_y + sum_y),
-                            c.turn_root * (rate.lower_angle_z + sum_z) - bend_y};
-  const Vector3<T> upper = {twist, bend_z + c.turn_root * (rate.upper_angle.y + sum_y),
-                            c.turn_root * (rate.upper_angle.z + sum_z) - bend_y};
+  Vector3<T> lower = {-twist, bend_z + c.turn_root * (rate.lower_angle_y + sum_y),
+                      c.turn_root * (rate.lower_angle_z + sum_z) - bend_y};
+  Vector3<T> upper = {twist, bend_z + c.turn_root * (rate.upper_angle.y + sum_y),
+                      c.turn_root * (rate.upper_angle.z + sum_z) - bend_y};
+  if constexpr (Shears) {
+    const T difference_y = c.turn_difference_root * (rate.upper_angle.y - rate.lower_angle_y);
+    const T difference_z = c.turn_difference_root * (rate.upper_angle.z - rate.lower_angle_z);
+    lower = lower - Vector3<T>{constant<T>(0.0), difference_y, difference_z};
+    upper = upper + Vector3<T>{constant<T>(0.0), difference_y, difference_z};
+  }
   loads.lower_moment = -((half * c.damping_lower) * lower);
   loads.upper_moment = -((half * c.damping_upper) * upper);
   return loads;

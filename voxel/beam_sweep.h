@@ -44,7 +44,7 @@ struct BeamStep {
   BeamLoads<T> damping;
 };
 
-template <int Axis, bool Velocity, bool Uniform, class T>
+template <int Axis, bool Velocity, BeamVariety Variety, class T>
 inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<RealOf<T>>& beams, std::size_t i,
                              const BeamCoefficients<T>& c, BeamEnds<T>& ends, BeamHistory<T>& history) {
   const T half = constant<T>(0.5);
@@ -55,19 +55,24 @@ inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<Re
   const Vector3<T> upper_axis = permuted<Axis>(upper, slot::qx);
   ends.lower = {lower.value[slot::qw], lower_axis.x, lower_axis.y, lower_axis.z};
   ends.upper = {upper.value[slot::qw], upper_axis.x, upper_axis.y, upper_axis.z};
-  ends.rest_length = half * (lower.value[slot::size] + upper.value[slot::size]);
+  if constexpr (Variety == BeamVariety::own_lengths) {
+    ends.rest_length = load_values<T>(beams.rest_length + i);
+  } else {
+    ends.rest_length = half * (lower.value[slot::size] + upper.value[slot::size]);
+  }
   if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
 
   history = load_history<T>(beams.history + i, beams.count);
   BeamStep<T> step;
   step.state = beam_state(ends, history.small);
-  step.elastic = beam_elastic_loads(c, step.state.deformation, ends.rest_length);
+  constexpr bool shears = Variety == BeamVariety::own_lengths;
+  step.elastic = beam_elastic_loads<shears>(c, step.state.deformation, ends.rest_length);
   if constexpr (Velocity) {
     const Lines<T> lower_motion = load_lines<T>(d.motion, beams.lower + i);
     const Lines<T> upper_motion = load_lines<T>(d.motion, beams.upper + i);
     T lower_inverse_mass = T(d.voxel.inverse_mass), upper_inverse_mass = T(d.voxel.inverse_mass);
     T lower_inverse_inertia = T(d.voxel.inverse_inertia), upper_inverse_inertia = T(d.voxel.inverse_inertia);
-    if constexpr (!Uniform) {
+    if constexpr (Variety != BeamVariety::uniform) {
       std::int32_t lower_rows[NumberTraits<T>::width];
       std::int32_t upper_rows[NumberTraits<T>::width];
       for (int lane = 0; lane < NumberTraits<T>::width; ++lane) {
@@ -86,28 +91,33 @@ inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<Re
     rates.upper_velocity = upper_inverse_mass * permuted<Axis>(upper_motion, slot::px);
     rates.lower_spin = lower_inverse_inertia * permuted<Axis>(lower_motion, slot::hx);
     rates.upper_spin = upper_inverse_inertia * permuted<Axis>(upper_motion, slot::hx);
-    rates.rest_length_rate = half * (lower_motion.value[slot::size_rate] + upper_motion.value[slot::size_rate]);
-    step.damping = beam_damping(c, rate_from_velocities(step.state, ends, rates));
+    if constexpr (Variety == BeamVariety::own_lengths) {
+      rates.rest_length_rate = load_values<T>(beams.rest_length_rate + i);
+    } else {
+      rates.rest_length_rate = half * (lower_motion.value[slot::size_rate] + upper_motion.value[slot::size_rate]);
+    }
+    step.damping = beam_damping<shears>(c, rate_from_velocities(step.state, ends, rates));
   } else {
-    step.damping = beam_damping(c, rate_from_increments(step.state, history.deformation, T(d.rate_scale)));
+    step.damping = beam_damping<shears>(c, rate_from_increments(step.state, history.deformation, T(d.rate_scale)));
   }
   store_history<T>(beams.history + i, beams.count, step.state);
   return step;
 }
 
-template <int Axis, bool Velocity, bool Uniform, class T>
+template <int Axis, bool Velocity, BeamVariety Variety, class T>
 inline bool sweep_axis(const StepData<RealOf<T>>& d) {
   using std::abs;
+  constexpr bool uniform = Variety == BeamVariety::uniform;
   constexpr std::size_t width = static_cast<std::size_t>(NumberTraits<T>::width);
   const BeamAxisData<RealOf<T>>& beams = d.axis[Axis];
   BeamCoefficients<T> c = broadcast<T>(d.beam);
   const T strain_limit = T(d.strain_limit);
   bool out_of_range = false;
   for (std::size_t i = 0; i < beams.count; i += width) {
-    if constexpr (!Uniform) c = beam_coefficients<T>(d.beam_table, beams.beam_class + i);
+    if constexpr (!uniform) c = beam_coefficients<T>(d.beam_table, beams.beam_class + i);
     BeamEnds<T> ends;
     BeamHistory<T> history;
-    const BeamStep<T> step = beam_step<Axis, Velocity, Uniform, T>(d, beams, i, c, ends, history);
+    const BeamStep<T> step = beam_step<Axis, Velocity, Variety, T>(d, beams, i, c, ends, history);
     const MaskOf<T> in_range = abs(step.state.deformation.displacement.x) <= strain_limit * ends.rest_length;
     out_of_range = out_of_range || any(!in_range);
 
@@ -117,7 +127,7 @@ inline bool sweep_axis(const StepData<RealOf<T>>& d) {
     lower.value[3] = lower.value[7] = upper.value[3] = upper.value[7] = constant<T>(0.0);
     unpermute<Axis>(loads.lower_force, lower, slot::fx);
     unpermute<Axis>(loads.lower_moment, lower, slot::mx);
-    if constexpr (Uniform) {
+    if constexpr (uniform) {
       unpermute<Axis>(-loads.lower_force, upper, slot::fx);
     } else {
       unpermute<Axis>(loads.upper_force, upper, slot::fx);
@@ -128,11 +138,11 @@ inline bool sweep_axis(const StepData<RealOf<T>>& d) {
   return out_of_range;
 }
 
-template <bool Velocity, bool Uniform, class T>
+template <bool Velocity, BeamVariety Variety, class T>
 bool sweep_beams(const StepData<RealOf<T>>& d) {
-  const bool x = sweep_axis<0, Velocity, Uniform, T>(d);
-  const bool y = sweep_axis<1, Velocity, Uniform, T>(d);
-  const bool z = sweep_axis<2, Velocity, Uniform, T>(d);
+  const bool x = sweep_axis<0, Velocity, Variety, T>(d);
+  const bool y = sweep_axis<1, Velocity, Variety, T>(d);
+  const bool z = sweep_axis<2, Velocity, Variety, T>(d);
   return x || y || z;
 }
 

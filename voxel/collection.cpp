@@ -19,7 +19,7 @@ void write_collection(const std::filesystem::path& file, const std::vector<Colle
     vtkNew<vtkXMLDataElement> element;
     element->SetName("DataSet");
     element->SetAttribute("timestep", io::number_text(entry.time_s).c_str());
-    element->SetAttribute("part", "0");
+    element->SetIntAttribute("part", entry.part);
     element->SetAttribute("file", entry.file.generic_string().c_str());
     collection->AddNestedElement(element);
   }
@@ -50,6 +50,7 @@ std::vector<CollectionEntry> read_collection(const std::filesystem::path& file) 
       throw io::InputError(file.string() + ": data set " + std::to_string(i + 1) + ": file or timestep is missing");
     }
     entry.file = name;
+    element->GetScalarAttribute("part", entry.part);  // stays 0 where there is none
     entries.push_back(entry);
   }
   return entries;

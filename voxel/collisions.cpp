@@ -173,8 +173,8 @@ void add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>
     const Vector3<double> apart = {static_cast<double>(pose2[slot::x]) - static_cast<double>(pose1[slot::x]),
                                    static_cast<double>(pose2[slot::y]) - static_cast<double>(pose1[slot::y]),
                                    static_cast<double>(pose2[slot::z]) - static_cast<double>(pose1[slot::z])};
-    const double reach =
-        collision_radius_fraction * (static_cast<double>(pose1[slot::size]) + static_cast<double>(pose2[slot::size]));
+    const double reach = collision_radius_fraction * (static_cast<double>(collision_size_m(d, static_cast<std::size_t>(first))) +
+                                                      static_cast<double>(collision_size_m(d, static_cast<std::size_t>(second))));
     const double distance2 = dot(apart, apart);
     if (!(distance2 < reach * reach) || distance2 == 0.0) continue;
     const double distance = std::sqrt(distance2);

@@ -1,49 +1,50 @@
 #include "voxel/energy_books.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "voxel/beam_sweep.h"
 #include "voxel/voxel_sweep.h"
 
 namespace menger::voxel {
 
-EnergyBooks::EnergyBooks(const StepData<double>& data, bool uniform, bool velocity, bool floor, bool gravity, bool actuated)
+EnergyBooks::EnergyBooks(const StepData<double>& data, BeamVariety variety, bool velocity, bool floor, bool gravity,
+                         bool actuated, LateralCoupling<double>* coupling)
     : data_(&data),
-      uniform_(uniform),
+      variety_(variety),
       velocity_(velocity),
       floor_(floor),
       gravity_(gravity),
       actuated_(actuated),
+      coupling_(coupling),
       books_(data.padded_voxels + 4) {
   std::size_t beams = 0;
   for (const BeamAxisData<double>& axis : data.axis) beams += axis.count;
-  rest_length_.assign(beams, 0.0);
-  rest_length_force_.assign(beams, 0.0);
+  for (auto* values : {&rest_length_, &last_rest_length_, &rest_length_force_, &last_rest_length_force_})
+    values->assign(beams, 0.0);
 }
 
-template <int Axis, bool Velocity, bool Uniform>
+template <int Axis, bool Velocity, BeamVariety Variety>
 bool EnergyBooks::add_axis() {
+  constexpr bool uniform = Variety == BeamVariety::uniform;
   const StepData<double>& d = *data_;
   const BeamAxisData<double>& beams = d.axis[Axis];
   std::size_t offset = 0;
   for (int axis = 0; axis < Axis; ++axis) offset += d.axis[axis].count;
   bool out_of_range = false;
   for (std::size_t i = 0; i < beams.count; ++i) {
-    const BeamCoefficients<double> c = Uniform ? d.beam : beam_coefficients<double>(d.beam_table, beams.beam_class + i);
+    const BeamCoefficients<double> c = uniform ? d.beam : beam_coefficients<double>(d.beam_table, beams.beam_class + i);
     BeamEnds<double> ends;
     BeamHistory<double> history;
-    const BeamStep<double> step = beam_step<Axis, Velocity, Uniform, double>(d, beams, i, c, ends, history);
+    const BeamStep<double> step = beam_step<Axis, Velocity, Variety, double>(d, beams, i, c, ends, history);
     const BeamDeformation<double>& e = step.state.deformation;
     out_of_range = out_of_range || !(std::abs(e.displacement.x) <= d.strain_limit * ends.rest_length);
     ledger_.elastic_J += beam_energy(c, e, ends.rest_length);
 
     // U depends on the rest length through the extension and through the stiffness axial / rest length.
     const double strain = e.displacement.x / ends.rest_length;
-    const double force = c.axial * (strain + 0.5 * strain * strain);
-    if (!first_)
-      ledger_.actuation_work_J -= 0.5 * (force + rest_length_force_[offset + i]) * (ends.rest_length - rest_length_[offset + i]);
     rest_length_[offset + i] = ends.rest_length;
-    rest_length_force_[offset + i] = force;
+    rest_length_force_[offset + i] = c.axial * (strain + 0.5 * strain * strain);
 
     const auto lower = static_cast<std::size_t>(beams.lower[i]);
     const auto upper = static_cast<std::size_t>(beams.upper[i]);
@@ -68,19 +69,43 @@ bool EnergyBooks::add_axis() {
     Lines<double> upper_line{};
     unpermute<Axis>(loads.lower_force, lower_line, slot::fx);
     unpermute<Axis>(loads.lower_moment, lower_line, slot::mx);
-    unpermute<Axis>(Uniform ? -loads.lower_force : loads.upper_force, upper_line, slot::fx);
+    unpermute<Axis>(uniform ? -loads.lower_force : loads.upper_force, upper_line, slot::fx);
     unpermute<Axis>(loads.upper_moment, upper_line, slot::mx);
     add_lines<double>(d.load, beams.lower + i, lower_line, beams.upper + i, upper_line);
   }
   return out_of_range;
 }
 
-template <bool Velocity, bool Uniform>
+template <bool Velocity, BeamVariety Variety>
 bool EnergyBooks::add_axes() {
-  const bool x = add_axis<0, Velocity, Uniform>();
-  const bool y = add_axis<1, Velocity, Uniform>();
-  const bool z = add_axis<2, Velocity, Uniform>();
+  const bool x = add_axis<0, Velocity, Variety>();
+  const bool y = add_axis<1, Velocity, Variety>();
+  const bool z = add_axis<2, Velocity, Variety>();
   return x || y || z;
+}
+
+template <bool Velocity>
+bool EnergyBooks::add_all_axes() {
+  switch (variety_) {
+    case BeamVariety::classes:
+      return add_axes<Velocity, BeamVariety::classes>();
+    case BeamVariety::uniform:
+      return add_axes<Velocity, BeamVariety::uniform>();
+    case BeamVariety::own_lengths:
+      break;
+  }
+  return add_axes<Velocity, BeamVariety::own_lengths>();
+}
+
+/// The work that the drive does on the stored energy by changing rest lengths, with the mean of the forces at both ends of the
+/// step.
+void EnergyBooks::book_actuation() {
+  for (std::size_t i = 0; i < rest_length_.size() && !first_; ++i) {
+    const double change = rest_length_[i] - last_rest_length_[i];
+    ledger_.actuation_work_J -= 0.5 * (rest_length_force_[i] + last_rest_length_force_[i]) * change;
+  }
+  last_rest_length_ = rest_length_;
+  last_rest_length_force_ = rest_length_force_;
 }
 
 bool EnergyBooks::add_beam_loads() {
@@ -89,8 +114,18 @@ bool EnergyBooks::add_beam_loads() {
     book.last_load = book.load;
     book.load = {};
   }
-  const bool out_of_range = velocity_ ? (uniform_ ? add_axes<true, true>() : add_axes<true, false>())
-                                      : (uniform_ ? add_axes<false, true>() : add_axes<false, false>());
+  const bool out_of_range = velocity_ ? add_all_axes<true>() : add_all_axes<false>();
+  if (coupling_ != nullptr) {
+    coupling_->add_loads(*data_);
+    ledger_.elastic_J += coupling_->energy_J();
+    std::size_t offset = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < coupling_->beam_count(axis); ++i)
+        rest_length_force_[offset + i] += coupling_->rest_length_force_N(axis, i);
+      offset += data_->axis[axis].count;
+    }
+  }
+  book_actuation();
   // Contacts are added next, straight to the load lines: remember what stands there, to tell them apart.
   for (std::size_t i = 0; i < data_->voxels; ++i) {
     const double* load = data_->load + i * static_cast<std::size_t>(line_length);
@@ -106,7 +141,8 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
   double height_weight = 0.0;
   for (std::size_t i = 0; i < d.voxels; ++i) {
     const std::size_t at = i * static_cast<std::size_t>(line_length);
-    const VoxelCoefficients<double> c = uniform_ ? d.voxel : voxel_coefficients<double>(d.voxel_table, d.voxel_class + i);
+    const VoxelCoefficients<double> c =
+        variety_ == BeamVariety::uniform ? d.voxel : voxel_coefficients<double>(d.voxel_table, d.voxel_class + i);
     const Lines<double> pose = load_lines<double>(d.pose + at);
     const Lines<double> motion = load_lines<double>(d.motion + at);
     const Lines<double> load = load_lines<double>(d.load + at);
@@ -157,7 +193,8 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
   ledger_.friction_work_J = work_[friction];
   ledger_.collision_work_J = work_[collision];
   ledger_.load_work_J = work_[external];
-  ledger_.largest_energy_J = std::max(ledger_.largest_energy_J, ledger_.kinetic_J + ledger_.elastic_J);
+  ledger_.largest_energy_J =
+      std::max({ledger_.largest_energy_J, ledger_.kinetic_J + ledger_.elastic_J, std::abs(ledger_.gravitational_J)});
   first_ = false;
   return sweep(d);
 }
@@ -172,7 +209,8 @@ void EnergyBooks::book_work(VoxelBook& book) {
 }
 
 VoxelSweep EnergyBooks::move_voxels() {
-  VoxelSweep (*sweep)(const StepData<double>&) = scalar_kernels_double().voxels[uniform_][floor_][gravity_][actuated_];
+  VoxelSweep (*sweep)(const StepData<double>&) =
+      scalar_kernels_double().voxels[variety_ == BeamVariety::uniform][floor_][gravity_][actuated_];
   if (floor_) return gravity_ ? move<true, true>(sweep) : move<true, false>(sweep);
   return gravity_ ? move<false, true>(sweep) : move<false, false>(sweep);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "voxel/energy_ledger.h"
+#include "voxel/rest_lengths.h"
 #include "voxel/rotation.h"
 #include "voxel/step_data.h"
 
@@ -15,10 +16,11 @@ namespace menger::voxel {
 /// A step is split as a kernel's: `add_beam_loads`, then contacts between voxels from outside, then `move_voxels`.
 class EnergyBooks {
  public:
-  /// @param uniform, velocity, floor, gravity, actuated: the terms of the step, as for the kernels
-  EnergyBooks(const StepData<double>& data, bool uniform, bool velocity, bool floor, bool gravity, bool actuated);
+  /// @param variety, velocity, floor, gravity, actuated: the terms of the step, as for the kernels @param coupling or null
+  EnergyBooks(const StepData<double>& data, BeamVariety variety, bool velocity, bool floor, bool gravity, bool actuated,
+              LateralCoupling<double>* coupling);
 
-  /// Adds the loads of all beams; true if a strain is out of range or not finite.
+  /// Adds the loads of all beams and of their coupling; true if a strain is out of range or not finite.
   bool add_beam_loads();
 
   /// To be called between the two: what was added to the loads since add_beam_loads is the work of collisions.
@@ -41,20 +43,25 @@ class EnergyBooks {
     Vector3<double> last_turn{0, 0, 0};
   };
 
-  template <int Axis, bool Velocity, bool Uniform>
+  template <int Axis, bool Velocity, BeamVariety Variety>
   bool add_axis();
-  template <bool Velocity, bool Uniform>
+  template <bool Velocity, BeamVariety Variety>
   bool add_axes();
+  template <bool Velocity>
+  bool add_all_axes();
+  void book_actuation();
   template <bool Floor, bool Gravity>
   VoxelSweep move(VoxelSweep (*sweep)(const StepData<double>&));
   void book_work(VoxelBook& book);
 
   const StepData<double>* data_;
-  bool uniform_, velocity_, floor_, gravity_, actuated_;
+  BeamVariety variety_;
+  bool velocity_, floor_, gravity_, actuated_;
+  LateralCoupling<double>* coupling_;
   bool first_ = true;
   std::vector<VoxelBook> books_;
-  std::vector<double> rest_length_;        ///< per beam, axis after axis
-  std::vector<double> rest_length_force_;  ///< -dU/d(rest length) of the last step
+  std::vector<double> rest_length_, last_rest_length_;              ///< per beam, axis after axis
+  std::vector<double> rest_length_force_, last_rest_length_force_;  ///< -dU/d(rest length)
   std::array<double, kinds> work_{};
   double start_height_weight_J_ = 0.0;
   EnergyLedger ledger_;

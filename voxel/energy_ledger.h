@@ -21,7 +21,10 @@ struct EnergyLedger {
   double friction_work_J = 0.0;      ///< kinetic friction and the stops by static friction
   double collision_work_J = 0.0;     ///< between voxels
   double load_work_J = 0.0;          ///< of constant external loads
-  double largest_energy_J = 0.0;     ///< largest of kinetic + elastic so far, the scale of the residual
+
+  /// Scale of the residual: largest so far of kinetic + elastic and of the magnitude of gravitational. 0 only if nothing ever
+  /// moved.
+  double largest_energy_J = 0.0;
 
   /// Energy that the books do not explain, J: end - start - work.
   [[nodiscard]] double residual_J() const {
@@ -29,6 +32,9 @@ struct EnergyLedger {
            (bond_damping_work_J + global_damping_work_J + actuation_work_J + floor_normal_work_J + friction_work_J +
             collision_work_J + load_work_J);
   }
+
+  /// The residual by its scale; 0 if nothing ever moved.
+  [[nodiscard]] double residual_share() const { return largest_energy_J > 0.0 ? residual_J() / largest_energy_J : 0.0; }
 };
 
 }  // namespace menger::voxel

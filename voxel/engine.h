@@ -8,6 +8,8 @@
 
 #include "voxel/collisions.h"
 #include "voxel/energy_books.h"
+#include "voxel/pressure_drive.h"
+#include "voxel/rest_lengths.h"
 #include "voxel/simulation.h"
 #include "voxel/voxel_state.h"
 
@@ -24,7 +26,8 @@ class Simulation::Engine {
   struct VoxelView {
     std::array<double, 3> position_m, velocity_m_s, angular_velocity_rad_s;
     std::array<double, 4> orientation;
-    double size_m;
+    double size_m;                  ///< against the floor
+    std::array<double, 6> reach_m;  ///< see Frame
     bool is_static;
   };
   [[nodiscard]] virtual VoxelView view(std::size_t voxel) const = 0;
@@ -32,6 +35,9 @@ class Simulation::Engine {
   [[nodiscard]] virtual std::size_t large_angle_beams() const = 0;
   [[nodiscard]] virtual std::vector<bool> in_contact_with_others() const = 0;
   [[nodiscard]] virtual std::vector<std::string> kernel_report() const = 0;
+
+  /// Cell of the design that a voxel belongs to.
+  [[nodiscard]] meshes::CellIndex cell_of(std::size_t voxel) const;
 
   std::unique_ptr<Lattice> lattice;
   Physics physics;
@@ -42,6 +48,8 @@ class Simulation::Engine {
   std::vector<double> phases;
   std::optional<Divergence> divergence;
   std::optional<EnergyLedger> energy;
+  std::optional<StrainRange> strain_range;    ///< of a calibrated body
+  std::vector<std::string> outside_validity;  ///< of its body and drive, known from the start
   CollisionCounts collision_counts;
 };
 
@@ -60,22 +68,37 @@ class EngineOf final : public Simulation::Engine {
   std::vector<std::string> kernel_report() const override;
 
  private:
+  /// @param uniform whether coefficients are left out of beams without rest lengths of their own
+  [[nodiscard]] BeamVariety variety(bool uniform) const {
+    return hollow_ ? BeamVariety::own_lengths : uniform ? BeamVariety::uniform : BeamVariety::classes;
+  }
   void choose_kernels(const KernelOptions& options);
   void prepare_collisions(const VoxelLoads& loads);
+  void prepare_drive();
+  void drive_to(double time_s);
+  void check_validity();
   void add_collisions();
   bool step();
+  void stay_near_origin(double largest_displacement_m);
   void note_strain();
   void note_speed();
   [[nodiscard]] double rest_length(std::size_t axis, std::size_t beam) const;
 
-  ClassTables tables_;
+  std::optional<HollowVoxels> hollow_;
+  BodyClasses classes_;
   std::unique_ptr<VoxelState<Real>> state_;
+  std::unique_ptr<PressureDrive<Real>> pressures_;
+  std::unique_ptr<LateralCoupling<Real>> coupling_;
   std::unique_ptr<VerletList> close_pairs_;
   std::unique_ptr<EnergyBooks> books_;  ///< double only
   typename StepKernels<Real>::BeamSweep beams_ = nullptr;
   typename StepKernels<Real>::VoxelSweepFunction voxels_ = nullptr;
-  bool floor_ = true, gravity_ = true, actuated_ = true, every_term_ = false;
+  bool floor_ = true, gravity_ = true, every_term_ = false;
+  bool actuated_ = true;  ///< by the kernels
+  bool shaped_ = false;   ///< sizes are set between the steps, because the drive is more than a sine
   double speed_limit_m_s_ = 0.0;
+  double floor_depth_m_ = 0.0;  ///< of the floor under the world's z = 0
+  double way_m_ = 0.0;          ///< bound on how far any voxel went since the origin was last looked at
   std::vector<std::string> report_;
 };
 

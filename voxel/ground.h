@@ -24,17 +24,17 @@ struct FloorContact {
   T friction_x, friction_y;  ///< N, kinetic friction
 };
 
-/// Contact of a voxel with the floor at z = -edge/2, before the momentum is updated.
+/// Contact of a voxel with the floor at z = -floor_depth (half an edge of the lowest layer), before the momentum is updated.
 ///
-/// With p = s/2 - L/2 - z the normal force is 2 E L p - 2 zeta_c sqrt(m E L) v_z for p >= 0. A voxel in static friction leaves it
-/// without a force in this step when the horizontal force exceeds mu_s 2 E L p; a sliding one is slowed by mu_k 2 E L p against
-/// its velocity; a voxel that does not touch is not in static friction. @cite hiller2014dynamic
+/// With p = s/2 - floor_depth - z the normal force is 2 E L p - 2 zeta_c sqrt(m E L) v_z for p >= 0. A voxel in static friction
+/// leaves it without a force in this step when the horizontal force exceeds mu_s 2 E L p; a sliding one is slowed by mu_k 2 E L p
+/// against its velocity; a voxel that does not touch is not in static friction. @cite hiller2014dynamic
 template <class T>
-inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& half_edge, const T& size, const T& z,
+inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& floor_depth, const T& size, const T& z,
                                      const Vector3<T>& velocity, const Vector3<T>& force, const MaskOf<T>& was_static) {
   using std::sqrt;
   const T zero = constant<T>(0.0);
-  const T penetration = constant<T>(0.5) * size - half_edge - z;
+  const T penetration = constant<T>(0.5) * size - floor_depth - z;
   FloorContact<T> contact;
   contact.touches = penetration >= zero;
   const T pressing = c.stiffness * penetration;

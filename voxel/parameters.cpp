@@ -12,6 +12,8 @@ std::string_view to_string(ActuationMode mode) {
       return "antiphase";
     case ActuationMode::wave:
       return "wave";
+    case ActuationMode::hold:
+      return "hold";
   }
   return "none";
 }

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "voxel/calibrated_body.h"
+
 namespace menger::voxel {
 
 /// What one of the two voxel materials is made of.
@@ -20,7 +22,7 @@ struct VoxelMaterial {
 
 /// Damping ratios: fractions of the critical damping of the oscillator formed by one voxel and one beam (or one contact).
 struct DampingRatios {
-  double bond = 1.0;       ///< zeta, of beams
+  double bond = 1.0;       ///< zeta, of beams; a calibrated body brings its own
   double collision = 0.8;  ///< zeta_c, of contacts with the floor and between voxels
   double global = 0.01;    ///< zeta_g, of every voxel against the resting world
 
@@ -32,14 +34,20 @@ enum class ActuationMode {
   none,       ///< nothing is driven
   in_phase,   ///< all voxels together, phase 0
   antiphase,  ///< by material, Actuation::material_phase
-  wave        ///< a wave travels along Actuation::wave_axis
+  wave,       ///< a wave travels along Actuation::wave_axis
+  hold        ///< all voxels together, held at the top of the cycle: the sine is 1 at all times
 };
 
-/// Drive of the voxel sizes: s = L (1 + amplitude sin(2 pi (t / period + phase))).
+/// Drive of the voxel sizes: s = L (1 + amplitude sin(2 pi (t / period + phase))), with the amplitude growing from zero over the
+/// ramp.
+///
+/// With ActuationMode::hold and a ramp a body is brought to a state and settles there under its damping, to be compared with an
+/// equilibrium.
 struct Actuation {
   ActuationMode mode = ActuationMode::antiphase;
   double amplitude = 0.144714;                     ///< a, fraction of the edge, 0 <= a < 1
   double period_s = 0.2;                           ///< T > 0
+  double ramp_s = 0.0;                             ///< >= 0: the drive is multiplied by min(1, t / ramp_s)
   std::array<double, 2> material_phase{0.0, 0.5};  ///< phases of materials 1 and 2, in periods (antiphase only)
   int wave_axis = 1;                               ///< 0, 1, 2 for x, y, z (wave only)
 
@@ -93,10 +101,19 @@ struct DivergenceLimits {
 
 /// All that decides how a body of voxels moves.
 struct Physics {
-  std::array<VoxelMaterial, 2> materials{};  ///< materials 1 and 2
+  /// Materials 1 and 2. Of a calibrated body they give the friction only.
+  std::array<VoxelMaterial, 2> materials{};
+
+  /// c of LateralCoupling, 0 <= c < 1: stretched bodies get thinner, by c / (1 + c) where they are wide. 0: not computed at all.
+  /// A calibrated body brings its own; see effective_coupling.
+  double lateral_coupling = 0.0;
+
+  /// Hollow cells driven by pressure; Actuation::amplitude is without effect then. None: solid voxels driven by size.
+  std::optional<CalibratedBody> surrogate;
+
   DampingRatios damping_ratios;
   double gravity_m_s2 = 9.81;  ///< downwards, >= 0
-  bool floor = true;           ///< rigid plane at half a cell edge below the centres of the lowest layer of the grid
+  bool floor = true;           ///< rigid plane at half a voxel edge below the centres of the lowest layer of the grid
 
   /// Whether a voxel in static friction also loses its angular momentum (voxcraft-sim does, Voxelyze does not).
   bool stop_rotation_in_static_friction = false;
@@ -108,6 +125,11 @@ struct Physics {
 
   bool operator==(const Physics&) const = default;
 };
+
+/// The lateral coupling that counts: the parameters' of a calibrated body.
+inline double effective_coupling(const Physics& physics) {
+  return physics.surrogate ? physics.surrogate->parameters.lateral_coupling : physics.lateral_coupling;
+}
 
 std::string_view to_string(ActuationMode mode);
 std::string_view to_string(DampingMode mode);

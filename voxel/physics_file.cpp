@@ -6,8 +6,9 @@
 #include <string_view>
 
 #include "io/input_error.h"
-#include "io/number_text.h"
 #include "io/range.h"
+#include "voxel/calibrated_body_file.h"
+#include "voxel/table_text.h"
 
 namespace menger::voxel {
 namespace {
@@ -20,7 +21,8 @@ io::Words<Value> words_of(const std::array<Value, count>& values) {
   return words;
 }
 
-const std::array actuation_modes{ActuationMode::none, ActuationMode::in_phase, ActuationMode::antiphase, ActuationMode::wave};
+const std::array actuation_modes{ActuationMode::none, ActuationMode::in_phase, ActuationMode::antiphase, ActuationMode::wave,
+                                 ActuationMode::hold};
 const std::array damping_modes{DampingMode::increments, DampingMode::velocity};
 const std::array number_types{NumberType::float64, NumberType::float32};
 constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
@@ -32,7 +34,10 @@ VoxelMaterial read_material(const io::TomlTable& table, const VoxelMaterial& def
           .kinetic_friction = table.number_or("kinetic_friction", defaults.kinetic_friction, io::non_negative())};
 }
 
-void read_materials(const io::TomlTable& table, std::array<VoxelMaterial, 2>& materials) {
+void read_materials(const io::TomlTable& table, Physics& physics) {
+  physics.lateral_coupling =
+      table.number_or("lateral_coupling", physics.lateral_coupling, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
+  std::array<VoxelMaterial, 2>& materials = physics.materials;
   constexpr std::array<std::string_view, 2> names{"material_1", "material_2"};
   for (std::size_t i = 0; i < materials.size(); ++i) {
     materials[i] = read_material(table, materials[i]);
@@ -58,6 +63,7 @@ void read_actuation(const io::TomlTable& table, Actuation& actuation) {
   actuation.amplitude =
       table.number_or("amplitude", actuation.amplitude, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
   actuation.period_s = table.number_or("period_s", actuation.period_s, io::positive());
+  actuation.ramp_s = table.number_or("ramp_s", actuation.ramp_s, io::non_negative());
   if (table.has("material_phase")) {
     const auto phases = table.numbers("material_phase");
     if (phases.size() != actuation.material_phase.size())
@@ -94,45 +100,20 @@ void read_integration(const io::TomlTable& table, Integration& integration) {
   }
 }
 
-/// One `key = value` per line.
-class TableText {
- public:
-  explicit TableText(std::string_view table) { text_.append("[").append(table).append("]\n"); }
-
-  TableText& add(std::string_view key, std::string_view value) {
-    text_.append(key).append(" = ").append(value).append("\n");
-    return *this;
-  }
-  TableText& number(std::string_view key, double value) { return add(key, io::number_text(value)); }
-  TableText& numbers(std::string_view key, const std::array<double, 2>& values) {
-    std::string list = "[";
-    list.append(io::number_text(values[0])).append(", ").append(io::number_text(values[1])).append("]");
-    return add(key, list);
-  }
-  TableText& boolean(std::string_view key, bool value) { return add(key, value ? "true" : "false"); }
-  TableText& word(std::string_view key, std::string_view value) { return add(key, io::toml_quoted(value)); }
-
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
-std::string material_text(std::string_view name, const VoxelMaterial& material) {
-  return TableText(name)
-      .number("youngs_modulus_Pa", material.youngs_modulus_Pa)
-      .number("density_kg_m3", material.density_kg_m3)
-      .number("static_friction", material.static_friction)
-      .number("kinetic_friction", material.kinetic_friction)
-      .text();
+std::string material_text(std::string_view name, const VoxelMaterial& material, bool friction_only) {
+  TableText table(name);
+  if (!friction_only)
+    table.number("youngs_modulus_Pa", material.youngs_modulus_Pa).number("density_kg_m3", material.density_kg_m3);
+  return table.number("static_friction", material.static_friction).number("kinetic_friction", material.kinetic_friction).text();
 }
 
-std::string actuation_text(const Actuation& actuation) {
-  return TableText("actuation")
-      .word("mode", to_string(actuation.mode))
-      .number("amplitude", actuation.amplitude)
-      .number("period_s", actuation.period_s)
-      .numbers("material_phase", actuation.material_phase)
+std::string actuation_text(const Actuation& actuation, bool by_pressure) {
+  TableText table("actuation");
+  table.word("mode", to_string(actuation.mode));
+  if (!by_pressure) table.number("amplitude", actuation.amplitude);
+  table.number("period_s", actuation.period_s);
+  if (actuation.ramp_s != 0.0 || by_pressure) table.number("ramp_s", actuation.ramp_s);
+  return table.numbers("material_phase", actuation.material_phase)
       .word("wave_axis", axis_names.at(static_cast<std::size_t>(actuation.wave_axis)))
       .number("wave_periods_per_body", actuation.wave_periods_per_body)
       .boolean("wave_over_gaps", actuation.wave_over_gaps)
@@ -143,7 +124,7 @@ std::string actuation_text(const Actuation& actuation) {
 
 Physics read_physics(const io::TomlTable& table, const Physics& defaults) {
   Physics physics = defaults;
-  if (const auto materials = table.optional_table("materials")) read_materials(*materials, physics.materials);
+  if (const auto materials = table.optional_table("materials")) read_materials(*materials, physics);
   if (const auto damping = table.optional_table("damping")) read_damping(*damping, physics.damping_ratios);
   if (const auto environment = table.optional_table("environment")) read_environment(*environment, physics);
   if (const auto actuation = table.optional_table("actuation")) read_actuation(*actuation, physics.actuation);
@@ -155,24 +136,27 @@ Physics read_physics(const io::TomlTable& table, const Physics& defaults) {
     physics.limits.speed_fraction = limits->number_or("speed_fraction", physics.limits.speed_fraction, io::positive());
     physics.limits.strain = limits->number_or("strain", physics.limits.strain, io::positive());
   }
+  read_calibrated_body(table, physics);
   return physics;
 }
 
 std::string physics_text(const Physics& physics) {
   const auto& depth = physics.collisions.exclusion_depth;
-  return material_text("materials.material_1", physics.materials[0]) +
-         material_text("materials.material_2", physics.materials[1]) +
-         TableText("damping")
-             .number("bond", physics.damping_ratios.bond)
-             .number("collision", physics.damping_ratios.collision)
-             .number("global", physics.damping_ratios.global)
-             .text() +
+  const bool calibrated = physics.surrogate.has_value();
+  TableText damping("damping");
+  if (!calibrated) damping.number("bond", physics.damping_ratios.bond);
+  damping.number("collision", physics.damping_ratios.collision).number("global", physics.damping_ratios.global);
+  std::string coupling;
+  if (physics.lateral_coupling != 0.0)
+    coupling = TableText("materials").number("lateral_coupling", physics.lateral_coupling).text();
+  return coupling + material_text("materials.material_1", physics.materials[0], calibrated) +
+         material_text("materials.material_2", physics.materials[1], calibrated) + damping.text() +
          TableText("environment")
              .number("gravity_m_s2", physics.gravity_m_s2)
              .boolean("floor", physics.floor)
              .boolean("stop_rotation_in_static_friction", physics.stop_rotation_in_static_friction)
              .text() +
-         actuation_text(physics.actuation) +
+         actuation_text(physics.actuation, calibrated) +
          TableText("collisions").add("exclusion_depth", depth ? std::to_string(*depth) : io::toml_quoted("off")).text() +
          TableText("integration")
              .number("time_step_fraction", physics.integration.time_step_fraction)
@@ -183,7 +167,8 @@ std::string physics_text(const Physics& physics) {
          TableText("limits")
              .number("speed_fraction", physics.limits.speed_fraction)
              .number("strain", physics.limits.strain)
-             .text();
+             .text() +
+         (calibrated ? calibrated_body_text(*physics.surrogate) : std::string());
 }
 
 }  // namespace menger::voxel

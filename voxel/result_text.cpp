@@ -61,6 +61,14 @@ std::string result_text(const SceneResult& result) {
   add_line(text, "steps_with_pairs", std::to_string(result.collisions.steps_with_pairs));
   add_line(text, "steps_skipped", std::to_string(result.collisions.steps_skipped));
   add_line(text, "list_rebuilds", std::to_string(result.collisions.list_rebuilds));
+  if (result.strain_range) {
+    text += "\n[surrogate]\n";
+    add_line(text, "smallest_strain", io::number_text(result.strain_range->smallest));
+    add_line(text, "largest_strain", io::number_text(result.strain_range->largest));
+    text += "outside_validity = [";
+    for (const std::string& fault : result.outside_validity) text += "\n  " + io::toml_quoted(fault) + ",";
+    text += "]\n";
+  }
   if (result.divergence) add_divergence(text, *result.divergence);
   return text;
 }

@@ -2,7 +2,7 @@
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersSources IOXML IOXMLParser RenderingCore RenderingFreeType)
 
 menger_layer(voxel_scene
-  SOURCES physics_file.cpp scene.cpp scene_file.cpp trajectory.cpp
+  SOURCES body_pieces.cpp calibrated_body_file.cpp physics_file.cpp scene.cpp scene_file.cpp trajectory.cpp
   LINK menger::voxel menger::materials menger::polycube menger::io)
 
 menger_layer(voxel_vtk

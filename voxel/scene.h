@@ -43,7 +43,11 @@ inline constexpr int largest_level = 20;
 double body_length_m(const meshes::Design& design, int level);
 
 /// Memory in bytes that simulating a design at a level takes, estimated without building anything; saturates at SIZE_MAX.
-std::size_t estimated_memory_bytes(const meshes::Polycube& basal_body, int level);
+/// @param voxels_per_cell along an edge
+std::size_t estimated_memory_bytes(const meshes::Polycube& basal_body, int level, int voxels_per_cell = 1);
+
+/// Of a physics: 1 without a surrogate.
+int voxels_per_cell(const Physics& physics);
 
 /// Memory of this machine in bytes.
 std::size_t machine_memory_bytes();

@@ -10,6 +10,8 @@
 #include "io/input_error.h"
 #include "io/range.h"
 #include "io/toml_document.h"
+#include "voxel/body_pieces.h"
+#include "voxel/calibrated_body_file.h"
 #include "voxel/physics_file.h"
 #include "voxel/scale_check.h"
 
@@ -93,6 +95,20 @@ SceneOutput read_output(const io::TomlTable& table) {
           .records_per_frame = table.integer_or("records_per_frame", defaults.records_per_frame, io::at_least(1))};
 }
 
+/// What keeps a calibrated body from being this design, or an empty text.
+std::string unusable_calibration(const Scene& scene) {
+  const CalibratedBody& body = *scene.physics.surrogate;
+  // Pieces are refused at level 1 only, where the design is the whole body; run_scene asks about the others once they are built.
+  if (const BodyPieces pieces = body_pieces(scene.design.body, scene.physics); pieces.is_refused) return pieces.text;
+  if (std::string problem = unusable_parameters(body, scene.design.cell_edge_m, &scene.design.body); !problem.empty())
+    return problem;
+  if (body.outside_range == OutsideRange::refuse) {
+    const std::vector<std::string> faults = outside_validity(body, scene.design.body);
+    if (!faults.empty()) return faults.front();
+  }
+  return "";
+}
+
 }  // namespace
 
 LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> level, std::size_t memory_bytes) {
@@ -103,6 +119,7 @@ LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> lev
   const GivenLevel given = read_level(table, scene.level, level);
   scene.level = given.level;
   scene.physics = read_physics(table);
+  if (const auto parameters = parameters_file(table)) loaded.files.push_back(*parameters);
   scene.duration_s = table.number_or("duration_s", scene.duration_s, io::positive());
   scene.record_interval_s = table.number_or("record_interval_s", std::min(scene.record_interval_s, scene.duration_s),
                                             {.lowest = 0.0, .highest = scene.duration_s, .lowest_excluded = true});
@@ -116,10 +133,16 @@ LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> lev
   if (const auto output = table.optional_table("output")) scene.output = read_output(*output);
   table.finish();
 
+  if (scene.physics.surrogate) {
+    scene.physics.surrogate->level = scene.level;
+    if (const std::string problem = unusable_calibration(scene); !problem.empty())
+      throw io::InputError(file.string() + ": surrogate: " + problem);
+  }
   if (const std::string problem = unusable_scales(scene.physics, scene.design.cell_edge_m, scene.duration_s); !problem.empty()) {
     throw io::InputError(file.string() + ": " + problem);
   }
-  if (const std::size_t needed = estimated_memory_bytes(scene.design.body, scene.level); needed > memory_bytes) {
+  if (const std::size_t needed = estimated_memory_bytes(scene.design.body, scene.level, voxels_per_cell(scene.physics));
+      needed > memory_bytes) {
     throw io::InputError(file.string() + ": " + given.name + ": the simulation would need about " + gibibytes(needed) +
                          " of memory, this machine has " + gibibytes(memory_bytes));
   }

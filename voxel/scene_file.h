@@ -12,7 +12,8 @@ namespace menger::voxel {
 /// A scene and where it came from.
 struct LoadedScene {
   Scene scene;
-  std::vector<std::filesystem::path> files;  ///< that were read: the scene's, then the design's if that is one of its own
+  std::vector<std::filesystem::path>
+      files;  ///< that were read: the scene's, then those of the design and of calibrated parameters if it names them
 };
 
 /// Reads a scene from TOML.
@@ -23,7 +24,9 @@ struct LoadedScene {
 ///
 /// @param level of the option --level, by which messages call it; takes the place of the file's, which must be right all the same
 /// @param memory_bytes a scene that would need more is refused, before anything is built
-/// @throws io::InputError with file, key and value; also for scales that cannot be computed with (unusable_scales)
+/// @throws io::InputError with file, key and value; also for scales that cannot be computed with (unusable_scales), and for
+/// calibrated parameters that the design or its drive does not suit (unusable_parameters, outside_validity), or a calibrated body
+/// of level 1 in pieces, because it could not be cast; one of a higher level runs, with a note (BodyPieces)
 LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> level = {},
                        std::size_t memory_bytes = machine_memory_bytes());
 

@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "io/joined_text.h"
 #include "io/number_text.h"
 #include "materials/observables.h"
+#include "voxel/actuation.h"
 #include "voxel/engine.h"
 #include "voxel/scale_check.h"
 #include "voxel/time_step.h"
@@ -20,7 +23,28 @@ void require(bool condition, const char* what) {
 bool positive(double value) { return std::isfinite(value) && value > 0.0; }
 bool not_negative(double value) { return std::isfinite(value) && value >= 0.0; }
 
-void check(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads) {
+/// @return see check
+std::vector<std::string> check_calibrated(const meshes::Polycube& body, double cell_edge_m, const Physics& physics,
+                                          const VoxelLoads& loads) {
+  const CalibratedBody& calibrated = *physics.surrogate;
+  require(loads.size_factor.empty(), "a calibrated body has no size factors");
+  require(calibrated.level >= 1, "level must be >= 1");
+  require(std::isfinite(calibrated.pressure_Pa[0]) && calibrated.pressure_Pa[0] <= calibrated.pressure_Pa[1],
+          "pressure_Pa must ascend");
+  const meshes::Polycube basal = basal_body_of(body, calibrated.level);
+  std::vector<std::string> outside = outside_validity(calibrated, basal);
+  if (!outside.empty() && calibrated.outside_range == OutsideRange::refuse) throw OutsideValidity(io::joined(outside, "; "));
+  std::string problem = unusable_parameters(calibrated, cell_edge_m, &basal);
+  require(problem.empty(), problem.c_str());
+  const HollowVoxels voxels = calibrated_voxels(body, calibrated);
+  problem = unrealisable_phases(voxels, actuation_phases(Lattice(voxels.body), physics.actuation));
+  require(problem.empty(), problem.c_str());
+  return outside;
+}
+
+/// @return what of a calibrated body and its drive lies outside the range of validity
+std::vector<std::string> check(const meshes::Polycube& body, double cell_edge_m, const Physics& physics,
+                               const VoxelLoads& loads) {
   require(body.count() > 0, "the body has no voxels");
   require(positive(cell_edge_m), "cell_edge_m must be > 0");
   for (const VoxelMaterial& material : physics.materials) {
@@ -36,6 +60,8 @@ void check(const meshes::Polycube& body, double cell_edge_m, const Physics& phys
   require(not_negative(physics.actuation.amplitude) && physics.actuation.amplitude < 1.0,
           "the actuation amplitude must be in [0, 1)");
   require(positive(physics.actuation.period_s), "period_s must be > 0");
+  require(not_negative(physics.actuation.ramp_s), "ramp_s must be >= 0");
+  require(not_negative(physics.lateral_coupling) && physics.lateral_coupling < 1.0, "lateral_coupling must be in [0, 1)");
   require(physics.actuation.wave_axis >= 0 && physics.actuation.wave_axis <= 2, "wave_axis must be 0, 1 or 2");
   require(positive(physics.integration.time_step_fraction), "time_step_fraction must be > 0");
   require(!physics.collisions.exclusion_depth || *physics.collisions.exclusion_depth >= 1, "exclusion_depth must be >= 1");
@@ -44,7 +70,13 @@ void check(const meshes::Polycube& body, double cell_edge_m, const Physics& phys
   require(physics.integration.number == NumberType::float64 || physics.integration.damping == DampingMode::velocity,
           "float32 cannot carry damping from increments");
   require(positive(physics.limits.speed_fraction) && positive(physics.limits.strain), "divergence limits must be > 0");
-  const auto fits = [&](std::size_t size) { return size == 0 || size == body.count(); };
+  std::size_t voxels = body.count();
+  std::vector<std::string> outside;
+  if (physics.surrogate) {
+    outside = check_calibrated(body, cell_edge_m, physics, loads);
+    for (int axis = 0; axis < 3; ++axis) voxels *= static_cast<std::size_t>(physics.surrogate->parameters.voxels_per_cell);
+  }
+  const auto fits = [&](std::size_t size) { return size == 0 || size == voxels; };
   require(fits(loads.force_N.size()) && fits(loads.moment_N_m.size()) && fits(loads.initial_displacement_m.size()) &&
               fits(loads.initial_velocity_m_s.size()) && fits(loads.initial_angular_velocity_rad_s.size()) &&
               fits(loads.size_factor.size()) && fits(loads.fixed.size()),
@@ -55,6 +87,7 @@ void check(const meshes::Polycube& body, double cell_edge_m, const Physics& phys
   for (const double factor : loads.size_factor) require(positive(factor), "size factors must be > 0");
   const std::string problem = unusable_scales(physics, cell_edge_m, 0.0);
   require(problem.empty(), problem.c_str());
+  return outside;
 }
 
 }  // namespace
@@ -69,12 +102,13 @@ std::string divergence_text(const Divergence& divergence) {
 
 Simulation::Simulation(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
                        const KernelOptions& options) {
-  check(body, cell_edge_m, physics, loads);
+  std::vector<std::string> outside = check(body, cell_edge_m, physics, loads);
   if (physics.integration.number == NumberType::float64) {
     engine_ = std::make_unique<EngineOf<double>>(body, cell_edge_m, physics, loads, options);
   } else {
     engine_ = std::make_unique<EngineOf<float>>(body, cell_edge_m, physics, loads, options);
   }
+  engine_->outside_validity = std::move(outside);
 }
 
 Simulation::~Simulation() = default;
@@ -121,6 +155,7 @@ Frame Simulation::frame() const {
     frame.position_m.push_back(voxel.position_m);
     frame.orientation.push_back(voxel.orientation);
     frame.size_m.push_back(voxel.size_m);
+    if (engine_->physics.surrogate) frame.reach_m.push_back(voxel.reach_m);
     frame.speed_m_s.push_back(std::hypot(voxel.velocity_m_s[0], voxel.velocity_m_s[1], voxel.velocity_m_s[2]));
     std::uint8_t bits = touching[i] ? contact::other_voxel : contact::none;
     const bool on_floor = engine_->physics.floor && 0.5 * voxel.size_m - 0.5 * engine_->cell_edge_m - voxel.position_m[2] >= 0.0;
@@ -140,10 +175,28 @@ bool Simulation::is_in_static_friction(std::size_t voxel) const { return engine_
 std::size_t Simulation::large_angle_beams() const { return engine_->large_angle_beams(); }
 std::vector<std::string> Simulation::kernel_report() const { return engine_->kernel_report(); }
 CollisionCounts Simulation::collision_counts() const { return engine_->collision_counts; }
+std::optional<StrainRange> Simulation::strain_range() const { return engine_->strain_range; }
+
+std::vector<std::string> Simulation::outside_validity() const {
+  std::vector<std::string> faults = engine_->outside_validity;
+  if (!engine_->physics.surrogate) return faults;
+  const ValidityRange& validity = engine_->physics.surrogate->parameters.validity;
+  const StrainRange& strains = *engine_->strain_range;
+  if (strains.smallest < validity.smallest_strain || strains.largest > validity.largest_strain) {
+    faults.push_back("beams were strained from " + io::number_text(strains.smallest) + " to " + io::number_text(strains.largest) +
+                     ", those of the fit from " + io::number_text(validity.smallest_strain) + " to " +
+                     io::number_text(validity.largest_strain));
+  }
+  return faults;
+}
+
 const std::optional<EnergyLedger>& Simulation::energy() const { return engine_->energy; }
 
 double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics) {
-  return recommended_time_step_s(Lattice(body), cell_edge_m, physics);
+  if (!physics.surrogate) return recommended_time_step_s(Lattice(body), cell_edge_m, physics);
+  const HollowVoxels voxels = calibrated_voxels(body, *physics.surrogate);
+  const Lattice lattice(voxels.body);
+  return recommended_time_step_s(lattice, calibrated_classes(lattice, voxels, physics, {}), effective_coupling(physics));
 }
 
 }  // namespace menger::voxel

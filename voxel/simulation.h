@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "voxel/frame.h"
 #include "voxel/kernel_choice.h"
 #include "voxel/parameters.h"
+#include "voxel/strain_range.h"
 
 namespace menger::voxel {
 
@@ -35,7 +37,7 @@ struct VoxelLoads {
 struct Divergence {
   std::size_t voxel = 0;        ///< index in grid order
   meshes::CellIndex cell;       ///< its cell
-  std::string quantity;         ///< "speed" (m/s), "strain" (1) or "not finite"
+  std::string quantity;         ///< "speed" (m/s), "strain" (1), "strain outside the range of validity" (1) or "not finite"
   std::optional<double> value;  ///< the largest of all voxels; none where it was not finite
   double limit = 0.0;           ///< that the value passed
   double time_s = 0.0;          ///< at the end of the step
@@ -43,6 +45,14 @@ struct Divergence {
 
 /// Where and how a run diverged, in a line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in m/s.
 std::string divergence_text(const Divergence& divergence);
+
+/// A calibrated body that with its drive lies outside the range of validity, with OutsideRange::refuse; see
+/// voxel::outside_validity, whose sentences what() joins by "; ". Apart from other wrong arguments, because a search meets such
+/// bodies among others.
+class OutsideValidity : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
 
 /// A body of voxels in motion: point masses joined by Euler-Bernoulli beams with driven rest lengths (Voxelyze's model at
 /// Poisson's ratio 0).
@@ -52,8 +62,11 @@ std::string divergence_text(const Divergence& divergence);
 /// @cite hiller2014dynamic
 class Simulation {
  public:
-  /// @param body whole aggregate, at least one voxel; @param cell_edge_m L > 0
-  /// @throws std::invalid_argument if a parameter is out of the range that its declaration states
+  /// @param body whole aggregate, at least one cell; a cell is a voxel, or voxels_per_cell^3 of them if physics.surrogate says
+  /// so: voxels are then those of calibrated_voxels, in grid order @param cell_edge_m > 0
+  /// @throws std::invalid_argument if a parameter is out of the range that its declaration states, or if the body and its drive
+  /// do not suit the calibrated parameters: another cell edge, phases that the chambers cannot have; among these
+  /// OutsideValidity, before anything is built
   Simulation(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads = {},
              const KernelOptions& options = {});
   ~Simulation();
@@ -98,6 +111,13 @@ class Simulation {
   /// How often collision work was done, skipped and the list of close pairs rebuilt.
   [[nodiscard]] CollisionCounts collision_counts() const;
 
+  /// Smallest and largest axial strain of all beams and steps so far; only of a calibrated body.
+  [[nodiscard]] std::optional<StrainRange> strain_range() const;
+
+  /// What lies outside the range of validity of calibrated parameters, a sentence each: of the body and its drive (see
+  /// voxel::outside_validity), and of the strains so far. Empty for solid voxels.
+  [[nodiscard]] std::vector<std::string> outside_validity() const;
+
   /// The energy balance from the start to the beginning of the last step; only with KernelOptions::energy_ledger.
   [[nodiscard]] const std::optional<EnergyLedger>& energy() const;
 
@@ -107,8 +127,7 @@ class Simulation {
   std::unique_ptr<Engine> engine_;
 };
 
-/// Recommended time step (s) of a body: 1 / (2 pi sqrt(k/m)) with k/m the largest of k = E L over the lighter end, over all beams
-/// (its own E L / m for a voxel without beams). @cite hiller2014dynamic
+/// Recommended time step (s) of a body, solid or calibrated; see voxel/time_step.h.
 double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics);
 
 }  // namespace menger::voxel

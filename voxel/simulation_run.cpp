@@ -9,8 +9,8 @@
 #include "io/input_error.h"
 #include "io/number_text.h"
 #include "io/whole_file.h"
-#include "meshes/connectivity.h"
 #include "meshes/fractal.h"
+#include "voxel/body_pieces.h"
 #include "voxel/preview.h"
 #include "voxel/vtk_output.h"
 
@@ -32,16 +32,17 @@ class SceneRun {
         folder_(folder),
         options_(options),
         body_(meshes::fractal(scene.design.body, scene.level, machine_memory_bytes())),
-        simulation_(body_, scene.design.cell_edge_m, scene.physics, {}, kernel_options(scene, options)),
+        simulation_(body_, scene.design.cell_edge_m, physics_of(scene), {}, kernel_options(scene, options)),
         frames_(folder) {
     result_.body_length_m = body_length_m(scene.design, scene.level);
     result_.time_step_s = simulation_.time_step_s();
     result_.voxels = simulation_.voxel_count();
     result_.beams = simulation_.beam_count();
     result_.kernel_report = simulation_.kernel_report();
-    result_.parts = meshes::count_components(body_);
-    if (result_.parts > 1)
-      result_.notes.push_back("the body is in " + std::to_string(result_.parts) + " pieces that no beam joins");
+    const BodyPieces pieces = body_pieces(body_, physics_of(scene));
+    if (pieces.is_refused) throw std::invalid_argument(pieces.text);
+    result_.parts = pieces.count;
+    if (!pieces.text.empty()) result_.notes.push_back(pieces.text);
   }
 
   SceneResult run() {
@@ -65,6 +66,13 @@ class SceneRun {
     KernelOptions kernel = options.kernel;
     kernel.energy_ledger = scene.energy_ledger;
     return kernel;
+  }
+
+  /// A scene knows the level of its body, whoever made it.
+  static Physics physics_of(const Scene& scene) {
+    Physics physics = scene.physics;
+    if (physics.surrogate) physics.surrogate->level = scene.level;
+    return physics;
   }
 
   /// Simulation::advance_to in slices, between which progress is reported. The steps are the same.
@@ -113,8 +121,17 @@ class SceneRun {
     if (result_.status == io::RunStatus::diverged && result_.divergence) result_.reason = divergence_text(*result_.divergence);
   }
 
+  /// What a calibrated body did beyond what its parameters are known for.
+  void note_validity() {
+    if (!scene_.physics.surrogate) return;
+    result_.strain_range = simulation_.strain_range();
+    result_.outside_validity = simulation_.outside_validity();
+    for (const std::string& fault : result_.outside_validity) result_.notes.push_back("outside the range of validity: " + fault);
+  }
+
   void finish() {
     explain_status();
+    note_validity();
     result_.time_s = simulation_.time_s();
     result_.steps = simulation_.steps();
     result_.collisions = simulation_.collision_counts();

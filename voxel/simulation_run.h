@@ -49,6 +49,8 @@ struct SceneResult {
   std::size_t beams = 0;
   std::size_t parts = 0;  ///< pieces of the body that no beam joins; more than one is worth a note
   std::optional<Divergence> divergence;
+  std::optional<StrainRange> strain_range;    ///< of a calibrated body
+  std::vector<std::string> outside_validity;  ///< what it did beyond what its parameters were fitted on; also notes
   CollisionCounts collisions;
   std::vector<std::string> kernel_report;
   Trajectory trajectory;

@@ -15,7 +15,7 @@ inline constexpr int line_length = 8;
 
 /// Positions of values in the lines of a voxel.
 namespace slot {
-inline constexpr int x = 0, y = 1, z = 2, size = 3, qw = 4, qx = 5, qy = 6, qz = 7;  ///< pose: m, quaternion
+inline constexpr int x = 0, y = 1, z = 2, size = 3, qw = 4, qx = 5, qy = 6, qz = 7;  ///< pose: m from the origin, quaternion
 inline constexpr int px = 0, py = 1, pz = 2, size_rate = 3, hx = 4, hy = 5, hz = 6,
                      is_static = 7;                                   ///< motion: kg m/s, m/s, kg m^2/s, 0 or 1
 inline constexpr int fx = 0, fy = 1, fz = 2, mx = 4, my = 5, mz = 6;  ///< load: N, N m; the others stay 0
@@ -49,6 +49,10 @@ struct BeamAxisData {
   const std::int32_t* upper = nullptr;
   const std::int32_t* beam_class = nullptr;  ///< row pair in the beam table
   Real* history = nullptr;                   ///< history_values arrays of `count`
+
+  /// Rest lengths (m) and their rates (m/s), where beams have their own; null where they are the means of the ends' sizes.
+  Real* rest_length = nullptr;
+  Real* rest_length_rate = nullptr;
 };
 
 /// All that one step reads and writes: plain arrays and constants, the same for every instruction set.
@@ -64,16 +68,17 @@ struct StepData {
   const Real* size_base = nullptr;      ///< size = base + sine part * sin(2 pi t/T) + cosine part * cos(2 pi t/T), m
   const Real* size_sine_part = nullptr;
   const Real* size_cosine_part = nullptr;
+  const Real* collision_size = nullptr;       ///< sizes (m) against other voxels, or null: the same as against the floor
   const std::int32_t* voxel_class = nullptr;  ///< row pair in the voxel table
   const Real* voxel_table = nullptr;          ///< class_values numbers per class
   const Real* beam_table = nullptr;
   VoxelCoefficients<Real> voxel;  ///< of all voxels, for uniform bodies
   BeamCoefficients<Real> beam;    ///< of all beams, for uniform bodies
   BeamAxisData<Real> axis[3];
-  Real half_edge = 0;   ///< L/2, m
-  Real time_step = 0;   ///< h, s
-  Real rate_scale = 0;  ///< 1/h for damping from increments, 0 in the first step
-  Real next_sine = 0;   ///< sin(2 pi t/T) at the end of the step
+  Real floor_depth = 0;  ///< of the floor under the z = 0 of the positions, m
+  Real time_step = 0;    ///< h, s
+  Real rate_scale = 0;   ///< 1/h for damping from increments, 0 in the first step
+  Real next_sine = 0;    ///< sin(2 pi t/T) at the end of the step
   Real next_cosine = 0;
   Real angular_frequency = 0;  ///< 2 pi / T, rad/s
   Real strain_limit = 0;
@@ -82,10 +87,34 @@ struct StepData {
   bool single_precision_rest_lengths = false;
 };
 
+/// Rest length (m) of a beam in this step, as the kernels see it.
+template <class Real>
+inline Real rest_length_m(const StepData<Real>& d, std::size_t axis, std::size_t beam) {
+  const BeamAxisData<Real>& beams = d.axis[axis];
+  const auto size = [&](std::int32_t voxel) { return d.pose[static_cast<std::ptrdiff_t>(voxel) * line_length + slot::size]; };
+  const Real length =
+      beams.rest_length != nullptr ? beams.rest_length[beam] : Real(0.5) * (size(beams.lower[beam]) + size(beams.upper[beam]));
+  return d.single_precision_rest_lengths ? rounded_to_single(length) : length;
+}
+
 /// What a sweep over voxels saw.
 struct VoxelSweep {
   bool out_of_range = false;           ///< a voxel is too fast or not finite
   double largest_displacement2 = 0.0;  ///< m^2 in this step
+};
+
+/// Size (m) of a voxel against other voxels in this step.
+template <class Real>
+inline Real collision_size_m(const StepData<Real>& d, std::size_t voxel) {
+  return d.collision_size != nullptr ? d.collision_size[voxel]
+                                     : d.pose[static_cast<std::size_t>(line_length) * voxel + slot::size];
+}
+
+/// What beams differ in; a kernel reads no more than that.
+enum class BeamVariety {
+  classes,     ///< coefficients per beam, rest lengths from the sizes of the ends
+  uniform,     ///< one set of coefficients
+  own_lengths  ///< coefficients and rest lengths per beam
 };
 
 /// The sweeps of one instruction set and number type, by the terms that they contain.
@@ -94,7 +123,7 @@ struct StepKernels {
   using BeamSweep =
       bool (*)(const StepData<Real>&);  ///< adds the loads of all beams; true if a strain is out of range or not finite
   using VoxelSweepFunction = VoxelSweep (*)(const StepData<Real>&);  ///< moves all voxels and clears their loads
-  BeamSweep beams[2][2];                                             ///< [damping from velocities][uniform]
+  BeamSweep beams[2][3];                                             ///< [damping from velocities][BeamVariety]
   VoxelSweepFunction voxels[2][2][2][2];                             ///< [uniform][floor][gravity][actuated]
 };
 

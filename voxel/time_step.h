@@ -2,6 +2,7 @@
 
 #include "voxel/lattice.h"
 #include "voxel/parameters.h"
+#include "voxel/voxel_classes.h"
 
 namespace menger::voxel {
 
@@ -12,7 +13,14 @@ double voxel_mass_kg(const VoxelMaterial& material, double cell_edge_m);
 double beam_modulus_Pa(const VoxelMaterial& a, const VoxelMaterial& b);
 
 /// Recommended step of a lattice, s: 1 / (2 pi sqrt(k/m)) with the largest k/m of k = E L over the lighter end of every beam, and
-/// of E L / m of every voxel without beams. @cite hiller2014dynamic
+/// of E L / m of every voxel without beams; with lateral coupling c shorter by sqrt(1 + 2 c). For bodies of solid voxels. @cite
+/// hiller2014dynamic
 double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const Physics& physics);
+
+/// The same for the classes of a calibrated body: k/m is the largest of (1 + 2 c) EA / L and 12 EI / (L^3 (1 + Phi)) over the
+/// lighter end, (2 + Phi) EI / (L (1 + Phi)) and GJ / L over the smaller moment of inertia of every beam, and half the ground's
+/// stiffness over the mass of every voxel; of solid voxels all but the torsion are E L / m. Phi is that of the beam's shear, 0 if
+/// it does not shear; see beam_coefficients.
+double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classes, double coupling);
 
 }  // namespace menger::voxel

@@ -1,5 +1,6 @@
 #include "voxel/voxel_classes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "voxel/time_step.h"
@@ -60,6 +61,33 @@ ClassTables class_tables(const Physics& physics, double cell_edge_m) {
     for (std::size_t lower = 0; lower < 2; ++lower) tables.beam.push_back(beam_between(physics, lower, upper, edge));
   }
   return tables;
+}
+
+BodyClasses solid_classes(const Lattice& lattice, double cell_edge_m, const Physics& physics, const std::vector<bool>& fixed) {
+  ClassTables tables = class_tables(physics, cell_edge_m);
+  BodyClasses classes;
+  std::array<bool, 2> used{};
+  for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
+    const auto material = static_cast<std::size_t>(lattice.material[i] - 1);
+    used[material] = true;
+    classes.voxel_class.push_back(material + (!fixed.empty() && fixed[i] ? 2 : 0));
+    classes.mass_kg.push_back(tables.mass_kg[material]);
+    classes.inertia_kg_m2.push_back(tables.inertia_kg_m2[material]);
+  }
+  const auto material_of = [&](std::int32_t voxel) {
+    return static_cast<std::size_t>(lattice.material[static_cast<std::size_t>(voxel)] - 1);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const AxisBeams& beams = lattice.beams[axis];
+    for (std::size_t i = 0; i < beams.lower.size(); ++i)
+      classes.beam_class[axis].push_back(material_of(beams.lower[i]) + 2 * material_of(beams.upper[i]));
+  }
+  const bool any_fixed = std::find(fixed.begin(), fixed.end(), true) != fixed.end();
+  classes.uniform = !any_fixed && (!(used[0] && used[1]) || physics.materials[0] == physics.materials[1]);
+  classes.beam_of_uniform = 3 * material_of(0);
+  classes.voxel = std::move(tables.voxel);
+  classes.beam = std::move(tables.beam);
+  return classes;
 }
 
 }  // namespace menger::voxel

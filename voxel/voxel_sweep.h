@@ -45,7 +45,7 @@ inline VoxelStep<T> voxel_step(const StepData<RealOf<T>>& d, const VoxelCoeffici
   if constexpr (Floor) {
     const MaskOf<T> was_static = motion.value[slot::is_static] > constant<T>(0.5);
     step.floor =
-        floor_contact(c.floor, T(d.half_edge), pose.value[slot::size], pose.value[slot::z], step.velocity, force, was_static);
+        floor_contact(c.floor, T(d.floor_depth), pose.value[slot::size], pose.value[slot::z], step.velocity, force, was_static);
     force = {force.x + step.floor.friction_x, force.y + step.floor.friction_y, force.z + step.floor.normal_force};
   }
   step.momentum = momentum + time_step * force;

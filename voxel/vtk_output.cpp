@@ -11,6 +11,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <string_view>
 #include <system_error>
@@ -27,6 +28,16 @@ void add_real_array(vtkUnstructuredGrid& grid, const char* name, const std::vect
   array->SetName(name);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
   std::transform(values.begin(), values.end(), array->GetPointer(0), [](double value) { return static_cast<float>(value); });
+  grid.GetCellData()->AddArray(array);
+}
+
+/// Whole, since what is measured between voxels is small beside where they are.
+void add_points_array(vtkUnstructuredGrid& grid, const char* name, const std::vector<std::array<double, 3>>& points) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+  for (vtkIdType voxel = 0; const auto& point : points) array->SetTuple(voxel++, point.data());
   grid.GetCellData()->AddArray(array);
 }
 
@@ -75,6 +86,7 @@ void remove_if_there(const std::filesystem::path& file) {
 void write_frame(const std::filesystem::path& file, const Frame& frame) {
   vtkNew<vtkUnstructuredGrid> grid;
   add_cubes(*grid, frame);
+  add_points_array(*grid, "centre_m", frame.position_m);
   add_byte_array(*grid, "material", frame.material);
   add_real_array(*grid, "phase", frame.phase);
   add_real_array(*grid, "size_m", frame.size_m);

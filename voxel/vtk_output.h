@@ -10,8 +10,10 @@
 namespace menger::voxel {
 
 /// Writes a frame for ParaView (.vtu, compressed): every voxel is a hexahedron with eight points of its own, the cube of its
-/// driven size around its centre, turned by its orientation. Cell data: material, phase, size_m, strain, speed_m_s, contact (bits
-/// of namespace contact); field data: TimeValue. Points and real cell data are float32. Whole or not at all.
+/// driven size around its centre or the box of its reaches, turned by its orientation. Cell data: centre_m (where the voxel's
+/// mass is, in general not the middle of a box with unequal reaches), material, phase, size_m, strain, speed_m_s, contact (bits
+/// of namespace contact); field data: TimeValue. Centres are float64, points and other real cell data float32. Whole or not at
+/// all.
 /// @throws io::InputError if the place cannot be written
 void write_frame(const std::filesystem::path& file, const Frame& frame);
 
@@ -22,6 +24,7 @@ void remove_if_there(const std::filesystem::path& file);
 struct CollectionEntry {
   double time_s = 0.0;
   std::filesystem::path file;  ///< relative to the collection
+  int part = 0;                ///< of what is shown together at that time
 
   bool operator==(const CollectionEntry&) const = default;
 };

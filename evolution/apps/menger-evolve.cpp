@@ -4,6 +4,7 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -113,6 +114,22 @@ void print_champion(const RunView& run, int last) {
   }
   std::cout << "Champion: individual " << summary.champion->individual.id << ", " << summary.champion->cells << " cells, "
             << phenotype_key(summary.champion->individual.phenotype) << "\n";
+  if (!summary.champion->outside_validity.empty())
+    std::cout << "The champion left the range of validity of its model: " << summary.champion->outside_validity << "\n";
+}
+
+/// Results that are extrapolations, if there are any.
+void print_validity(const RunArchive& archive, int last) {
+  std::uint64_t outside = 0;
+  std::uint64_t all = 0;
+  for (int generation = 0; generation <= last; ++generation) {
+    outside += archive.evaluations_outside_validity(generation);
+    all += archive.generation(generation).evaluations;
+  }
+  if (outside == 0) return;
+  std::cout << outside << " of " << all
+            << " evaluations left the range of validity of the calibrated parameters; generations.csv of "
+            << "menger export says in which generations.\n";
 }
 
 void require_memory(const Study& study, int threads) {
@@ -127,7 +144,7 @@ int evolve(const Arguments& arguments) {
   const VoxelEvaluator evaluator(study.physics, study.search.cell_edge_m, study.duration_s);
   io::Manifest manifest{
       .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
-  io::add_input(manifest, arguments.study);
+  for (const fs::path& file : study_inputs(arguments.study)) io::add_input(manifest, file);
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
   const RunView run{&archive, study.search, evaluator.physics()};
 
@@ -164,6 +181,7 @@ int evolve(const Arguments& arguments) {
     return io::exit_code::interrupted;
   }
   print_champion(run, *archive.last_generation());
+  print_validity(archive, *archive.last_generation());
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";
   return io::exit_code::done;
 }

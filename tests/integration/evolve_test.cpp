@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "evolution/run_archive.h"
+#include "io/content_hash.h"
 #include "io/whole_file.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/program_run.h"
+#include "tests/support/surrogate_example.h"
+#include "voxel/surrogate_file.h"
 
 namespace menger {
 namespace {
@@ -86,6 +89,27 @@ TEST_F(Evolve, WritesAnArchiveAndAManifestAndALinePerGeneration) {
   EXPECT_EQ(outcome.out.find('\r'), std::string::npos) << "a bar in a file";
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(io::read_whole(folder_ / "run.manifest.json").find("duration_s = 0.05"), std::string::npos);
+}
+
+TEST_F(Evolve, OfACalibratedStudyBelongsToItsParameters) {
+  voxel::SurrogateParameters parameters = tests::surrogate_example();
+  parameters.validity.smallest_strain = -1e-9;
+  io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
+  io::write_whole(study_, std::string(small_study) +
+                              "[surrogate]\nparameters = \"soft.toml\"\npressure_Pa = [0, 1500]\noutside_range = \"warn\"\n"
+                              "[actuation]\nmode = \"in_phase\"\n");
+  const Outcome outcome = run({"study.toml"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* words :
+       {"evaluations left the range of validity", "The champion left the range of validity of its model: level 1: "})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
+  const std::string hash = io::content_hash(io::read_whole(folder_ / "soft.toml"));
+  EXPECT_NE(io::read_whole(folder_ / "run.manifest.json").find(hash), std::string::npos) << "names the parameters' content";
+
+  ASSERT_EQ(run({"study.toml"}).code, 0);
+  parameters.torsion_Pa[3] *= 1.01;
+  io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
+  expect_refused({"study.toml"}, {"run.sqlite", "is the archive of another study", "torsion_Pa"});
 }
 
 TEST_F(Evolve, ASecondCallShowsInsteadOfRedoing) {

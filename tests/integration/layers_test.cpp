@@ -1,4 +1,4 @@
-// The link graph is the architecture: which folder may include which, and what the programs of the search load.
+// The link graph is the architecture: which folder may include which, where libraries are used, and what programs load.
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ const std::map<std::string, std::set<std::string>>& allowed_includes() {
 
 /// The adapters of the search, which are not part of it: they join it to the voxel engine.
 bool is_adapter(const fs::path& file) {
-  static const std::set<std::string> adapters = {"voxel_evaluator", "study",         "study_file",
-                                                 "export",          "menger-evolve", "menger-export"};
+  static const std::set<std::string> adapters = {"voxel_evaluator", "study",         "study_file",       "export",
+                                                 "menger-evolve",   "menger-export", "trade_off_settled"};
   return adapters.count(file.stem().string()) > 0;
 }
 
@@ -62,16 +62,34 @@ TEST(Layers, IncludeOnlyWhatStandsBelowThem) {
   EXPECT_GT(files, 50);
 }
 
-TEST(Layers, DealIIStaysBelowMeshesAndFem) {
+/// Where the headers of a library may be included: folders, or files by their path without extension.
+const std::map<std::string, std::set<std::string>>& places_of_libraries() {
+  static const std::map<std::string, std::set<std::string>> places = {
+      {"deal.II/", {"meshes", "fem"}},
+      {"petsc", {"fem"}},
+      {"slepc", {"fem"}},
+      {"ceres/", {"materials/separable_fit", "voxel/calibration_fit"}}};
+  return places;
+}
+
+TEST(Layers, SolversStayInTheirPlaces) {
   const fs::path root = MENGER_SOURCE_DIR;
-  for (const char* folder : {"io", "materials", "voxel", "evolution"}) {
+  std::map<std::string, int> found;
+  for (const auto& [folder, below] : allowed_includes()) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
       if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
-      std::ifstream file(entry.path());
-      for (std::string line; std::getline(file, line);)
-        EXPECT_EQ(line.find("#include <deal.II/"), std::string::npos) << entry.path();
+      const std::string file = fs::relative(entry.path(), root).replace_extension("").string();
+      std::ifstream text(entry.path());
+      for (std::string line; std::getline(text, line);) {
+        for (const auto& [library, places] : places_of_libraries()) {
+          if (line.rfind("#include <" + library, 0) != 0) continue;
+          ++found[library];
+          EXPECT_TRUE(places.count(folder) > 0 || places.count(file) > 0) << entry.path() << " includes " << line;
+        }
+      }
     }
   }
+  EXPECT_EQ(found.size(), places_of_libraries().size()) << "a library that nobody includes, or by another name";
 }
 
 /// Names of the shared libraries that a program needs, directly or not.
@@ -84,13 +102,17 @@ std::string needed_libraries(const std::string& program) {
   return output;
 }
 
-TEST(Layers, ProgramsOfTheSearchLoadNoFiniteElementLibrary) {
-  for (const char* program : {"menger-evolve", "menger-simulate", "menger-export"}) {
+TEST(Layers, OnlyProgramsOfFiniteElementsLoadTheirLibraries) {
+  for (const char* program : {"menger-evolve", "menger-simulate", "menger-export", "menger-calibrate", "menger-validate",
+                              "menger-tradeoff", "menger-extremes-voxel", "menger-extremes-calibration"}) {
     const std::string libraries = needed_libraries(program);
     EXPECT_NE(libraries.find("libstdc++"), std::string::npos) << libraries;
     EXPECT_EQ(libraries.find("libdeal"), std::string::npos) << program;
     EXPECT_EQ(libraries.find("libpetsc"), std::string::npos) << program;
+    EXPECT_EQ(libraries.find("libslepc"), std::string::npos) << program;
   }
+  for (const char* program : {"menger-evolve", "menger-simulate"})
+    EXPECT_EQ(needed_libraries(program).find("libceres"), std::string::npos) << program << " fits nothing";
   EXPECT_EQ(needed_libraries("menger-evolve").find("libvtk"), std::string::npos) << "the search draws nothing";
 }
 

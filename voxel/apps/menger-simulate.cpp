@@ -52,6 +52,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "Example:\n  menger simulate voxel/scenes/menger.toml -o walk\n"
       "writes walk/result.toml, trajectory.csv, frames.pvd (open it in ParaView), robot.png, trajectory.png and "
       "manifest.json.\n"
+      "A silicone body that air drives, with calibrated parameters: voxel/scenes/silicone.toml.\n"
       "Exit codes: 0 completed, 2 wrong input, 3 diverged, 130 interrupted.");
   app.add_option("scene", arguments.scene, "scene file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the scene file)");

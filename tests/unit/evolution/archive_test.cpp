@@ -78,6 +78,7 @@ TEST_F(Archive, GivesEvaluationsBackExactly) {
   Evaluation diverged;
   diverged.status = io::RunStatus::diverged;
   diverged.reason = "voxel 3: speed";
+  diverged.outside_validity = "beams were strained, \"much\"";
   archive.add_evaluation({"a", 1, "p"}, {4, completed});
   archive.add_evaluation({"a", 2, "p"}, {5, diverged});
 
@@ -93,6 +94,10 @@ TEST_F(Archive, GivesEvaluationsBackExactly) {
   EXPECT_EQ(second->result.status, io::RunStatus::diverged);
   EXPECT_EQ(second->result.reason, diverged.reason);
   EXPECT_FALSE(second->result.displacement_m);
+  EXPECT_EQ(first->result.outside_validity, "");
+  EXPECT_EQ(second->result.outside_validity, diverged.outside_validity);
+  EXPECT_EQ(archive.evaluations_outside_validity(4), 0U);
+  EXPECT_EQ(archive.evaluations_outside_validity(5), 1U);
 }
 
 TEST_F(Archive, KnowsAResultOnlyUnderItsWholeKey) {
@@ -201,7 +206,7 @@ TEST_F(Archive, RefusesOtherDatabases) {
 TEST_F(Archive, RefusesAnotherSchemaVersion) {
   fill();
   SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 99");
-  expect_refused({"schema version 99", "version 1"});
+  expect_refused({"schema version 99", "version " + std::to_string(RunArchive::schema_version)});
   EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError);
 }
 

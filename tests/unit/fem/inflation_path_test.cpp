@@ -384,5 +384,25 @@ TEST(InflationPath, TakesUpDeadLoadsBeforeThePressure) {
   EXPECT_NEAR(start->strain_energy_J / (0.5 * start->dead_load_work_J), 1.0, 0.01);
 }
 
+// Where the pressure has come to rest, a step of the dead load that fails says nothing about the pressure's limit, however near.
+TEST(InflationPath, TakesAFailedStepOfOneLegForNoLimitOfTheLegBefore) {
+  EquilibriumOptions few;
+  few.largest_iteration_count = 6;
+  Body body = quarter_body();
+  body.tractions = {{z_max, {0.0, 0.0, -2e4}}};
+  Space space = make_space(hollow_cube_quarter(), 2, 0, MPI_COMM_SELF);
+  Equilibrium equilibrium(space, body, few);
+  PathOptions options;
+  options.first_step = options.largest_step = 1.0;
+  options.stations = {0.8, 0.85, 0.9, 0.95};  // states near enough to one another to see the limit 0.2 % ahead of the last one
+  const PathDrives drives{.plena = {pressure_drive({0.0, 3.5e4, 3.5e4})}, .plates = {}, .dead_load_factors = {0.0, 0.0, 1.0}};
+  const PathReport report = follow_path(equilibrium, drives, options, {});
+  EXPECT_EQ(report.status, io::RunStatus::completed) << report.reason;
+  EXPECT_EQ(report.points.back().s, 2.0);
+  int points_on_the_second_leg = 0;
+  for (const PathPoint& point : report.points) points_on_the_second_leg += point.s > 1.0 ? 1 : 0;
+  EXPECT_GT(points_on_the_second_leg, 1) << "a step was cut back";
+}
+
 }  // namespace
 }  // namespace menger::fem

@@ -57,7 +57,7 @@ TEST(InflationPicture, ShowsStressInsideThatOnlyTheCutLaysOpen) {
 }
 
 TEST(InflationPicture, OfPressureOverVolumeNeedsAPoint) {
-  const fs::path folder = fs::path(testing::TempDir()) / "menger_inflation_picture";
+  const fs::path folder = fs::path(testing::TempDir()) / "menger_inflation_picture_of_pressure";
   EXPECT_FALSE(draw_pressure_volume(folder / "none.png", {}).written);
   InflationResult result;
   result.plenum_names = {"plenum 0"};

@@ -93,6 +93,28 @@ TEST(InflationProblem, KnowsThreePlanesOfSymmetryThroughTheOrigin) {
   EXPECT_NE(turned.find("y = 0"), std::string::npos) << turned;
 }
 
+TEST(InflationProblem, HoldsTheSixRigidMotionsOfAFreeBodyAndNoMore) {
+  InflationStudy study = cube_study();
+  study.supports.kind = SupportKind::free;
+  const InflationProblem problem = make_problem(study);
+  EXPECT_TRUE(problem.body.supports.empty());
+  ASSERT_EQ(problem.body.point_supports.size(), 3U);
+  std::size_t held = 0;
+  for (const PointSupport& support : problem.body.point_supports) {
+    held += static_cast<std::size_t>(std::count(support.held.begin(), support.held.end(), true));
+    EXPECT_NE(std::find(problem.mesh.points.begin(), problem.mesh.points.end(), support.position), problem.mesh.points.end());
+  }
+  EXPECT_EQ(held, 6U);
+  EXPECT_NEAR(norm(difference(problem.high, {0.02, 0.02, 0.02})), 0.0, 1e-12);
+  EXPECT_NEAR(norm(problem.low), 0.0, 1e-12);
+}
+
+TEST(InflationProblem, RefusesAFreeBodyWithAPlaneOfSymmetry) {
+  InflationStudy study = block_study("free", "symmetry x");
+  study.supports.kind = SupportKind::free;
+  EXPECT_NE(refusal(study).find("symmetry"), std::string::npos) << refusal(study);
+}
+
 TEST(InflationProblem, RefusesToRestOnNothing) {
   InflationStudy study = block_study("resting", "ground");
   study.supports.kind = SupportKind::resting;
@@ -168,6 +190,35 @@ TEST(InflationProblem, RefusesWhatTheBodyDoesNotHave) {
   std::get<DesignSource>(study.source).options.wall_thickness_m = 0.01;
   EXPECT_NE(refusal(study).find("wall_thickness_m"), std::string::npos) << refusal(study);
   EXPECT_NE(refusal(study).find("cube.toml"), std::string::npos) << refusal(study);
+}
+
+TEST(InflationProblem, PutsPlatesOnSidesAndLabels) {
+  InflationStudy study = cube_study();
+  StudyPlate tip{.name = "tip", .side = meshes::Side::x_max, .label = "", .slides = true, .drive = {}};
+  StudyPlate base{.name = "base", .side = meshes::Side::x_min, .label = "", .slides = false, .drive = {}};
+  study.plates = {tip, base};
+  const InflationProblem problem = make_problem(study);
+  ASSERT_EQ(problem.body.plates.size(), 2U);
+  EXPECT_EQ(problem.plate_drives.size(), 2U);
+  const Plate& plate = problem.body.plates[0];
+  EXPECT_EQ(plate.held, (std::array{true, false, false}));
+  ASSERT_TRUE(plate.faces.plane.has_value());
+  EXPECT_EQ(plate.faces.plane->axis, 0U);
+  EXPECT_NEAR(plate.faces.plane->position_m, 0.02, 1e-15);
+  EXPECT_LT(norm(difference(plate.centre, {0.02, 0.01, 0.01})), 1e-12);
+  EXPECT_EQ(problem.body.plates[1].held, (std::array{true, true, true}));
+}
+
+TEST(InflationProblem, RefusesPlatesThatMeetOrAreNowhere) {
+  InflationStudy study = cube_study();
+  StudyPlate tip{.name = "tip", .side = meshes::Side::x_max, .label = "", .slides = false, .drive = {}};
+  StudyPlate top{.name = "top", .side = meshes::Side::z_max, .label = "", .slides = false, .drive = {}};
+  study.plates = {tip, top};
+  EXPECT_NE(refusal(study).find("study.toml: plate \"top\" meets another plate"), std::string::npos) << refusal(study);
+  top.side.reset();
+  top.label = "lid";
+  study.plates = {top};
+  EXPECT_NE(refusal(study).find("lid"), std::string::npos) << refusal(study);
 }
 
 TEST(InflationProblem, WantsADriveForEveryPlenum) {

@@ -168,10 +168,58 @@ TEST_F(InflationStudyFile, RefusesEachFaultNamingFileKeyAndValue) {
   }
 }
 
+TEST_F(InflationStudyFile, ReadsTheMotionOfPlatesAtTheKnots) {
+  const InflationStudy study =
+      read({.path = "[path]\npressure_Pa = [0, 1000, 1000]\n[[plates]]\nname = \"tip\"\nside = \"x max\"\n"
+                    "displacement_z_m = [0, 0, 0.001]\nrotation_y_rad = [0, 0, 0.1]\n"
+                    "[[plates]]\nname = \"base\"\nlabel = \"ground\"\n"});
+  ASSERT_EQ(study.plates.size(), 2U);
+  EXPECT_EQ(study.plates[0].side, meshes::Side::x_max);
+  ASSERT_EQ(study.plates[0].drive.values.size(), 3U);
+  EXPECT_EQ(study.plates[0].drive.values[1], PlateMotion{});
+  EXPECT_EQ(study.plates[0].drive.values[2], (PlateMotion{{0.0, 0.0, 0.001}, {0.0, 0.1, 0.0}}));
+  EXPECT_EQ(study.plates[1].label, "ground");
+  EXPECT_EQ(study.plates[1].drive.values, std::vector<PlateMotion>(3));
+  InflationStudy moved = study;
+  moved.plates[0].drive.values[2].displacement_m[2] = 0.002;
+  EXPECT_NE(path_text(moved), path_text(study));
+}
+
+TEST_F(InflationStudyFile, RefusesPlatesThatCannotBe) {
+  const auto plate = [&](const std::string& lines) { return refusal({.rest = "[[plates]]\nname = \"tip\"\n" + lines}); };
+  const auto has = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find("study.toml"), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  has(plate(""), "either side or label");
+  has(plate("side = \"x max\"\nlabel = \"outer\"\n"), "either side or label");
+  has(plate("side = \"x top\"\n"), "side = \"x top\"");
+  has(plate("side = \"x max\"\ndisplacement_x_m = [0, 1, 2]\n"), "one value for each of the 2 knots");
+  has(plate("side = \"x max\"\ndisplacement_x_m = [1, 1]\n"), "must begin with 0");
+  has(plate("side = \"x max\"\ndisplacement_x_mm = [0, 1]\n"), "displacement_x_mm");
+  has(plate("side = \"x max\"\ngrip = \"sliding\"\ndisplacement_y_m = [0, 1e-3]\n"), "along the normal of its side alone");
+  has(plate("label = \"outer\"\ngrip = \"sliding\"\n"), "only the faces of a side slide");
+  has(plate("side = \"x max\"\n[[plates]]\nname = \"tip\"\nside = \"x min\"\n"), "is given twice");
+}
+
 TEST_F(InflationStudyFile, NamesFilesThatAreMissing) {
   EXPECT_NE(refusal({.body = "[design]\nfile = \"none.toml\"\n"}).find("none.toml"), std::string::npos);
   EXPECT_NE(refusal({.body = "[mesh]\nfile = \"none.msh\"\n"}).find("none.msh"), std::string::npos);
   EXPECT_NE(refusal({.material = "[material]\nrecord = \"none.toml\"\n"}).find("none.toml"), std::string::npos);
+}
+
+// A free body is held without force only if nothing else holds or loads it.
+TEST_F(InflationStudyFile, RefusesToHoldOrLoadAFreeBody) {
+  const std::string free = "[supports]\nkind = \"free\"\n";
+  EXPECT_EQ(read({.rest = free}).supports.kind, SupportKind::free);
+  const std::string held = refusal({.rest = free + "[[supports.labels]]\nlabel = \"ground\"\nheld = [\"z\"]\n"});
+  EXPECT_NE(held.find("supports.kind"), std::string::npos) << held;
+  EXPECT_NE(held.find("[[supports.labels]]"), std::string::npos) << held;
+  const std::string gripped = refusal({.rest = free + "[[plates]]\nname = \"tip\"\nside = \"x max\"\n"});
+  EXPECT_NE(gripped.find("[[plates]]"), std::string::npos) << gripped;
+  StudyText heavy{.rest = free + "[loads]\ngravity_m_per_s2 = 9.81\n"};
+  heavy.material += "density_kg_per_m3 = 1070\n";
+  EXPECT_NE(refusal(heavy).find("gravity_m_per_s2"), std::string::npos) << refusal(heavy);
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ PathProgress some_progress() {
   progress.restart.failed_status = io::RunStatus::inverted_element;
   progress.restart.rejected_steps = 11;
   progress.observations = {{}, {{{1.0, 2.0, 3.0}, 1.5}}};
+  progress.extent_changes_m = {std::nullopt, Point{1e-4, -2e-4, 1.0 / 3.0}};
   return progress;
 }
 
@@ -98,6 +99,7 @@ TEST_F(PathCheckpoint, GivesEveryNumberBack) {
   EXPECT_EQ(point.iterations, expected.iterations);
   EXPECT_EQ(point.seconds, expected.seconds);
   EXPECT_EQ(read->observations, written.observations);
+  EXPECT_EQ(read->extent_changes_m, written.extent_changes_m);
   EXPECT_FALSE(read->outcome);
 }
 

@@ -35,6 +35,11 @@ TEST(LawFile, ReadsBackEveryLawItWrites) {
   });
 }
 
+TEST(LawFile, NamesALawOnOneLine) {
+  EXPECT_EQ(law_line(NeoHookean{86677.0}), "name = \"neo_hookean\", shear_modulus_Pa = 86677");
+  EXPECT_EQ(law_line(MooneyRivlin{3e4, 1e3}), "name = \"mooney_rivlin\", c10_Pa = 30000, c01_Pa = 1000");
+}
+
 TEST(LawFile, ConvertsTheOtherConventionOfOgden) {
   const HyperelasticLaw law = law_from("name = \"ogden1\"\nconvention = \"abaqus\"\nmoduli_Pa = [40e3]\nexponents = [4]\n");
   EXPECT_EQ(std::get<Ogden<1>>(law).terms[0].modulus_Pa, 20e3);

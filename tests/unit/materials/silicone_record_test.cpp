@@ -131,6 +131,20 @@ TEST(SiliconeRecord, RefusesWrongValuesWithFileAndKey) {
   EXPECT_NE(refusal("[data_sheet]\n", "[data_sheet]\ncolour = \"white\"\n").find("colour: unknown key"), std::string::npos);
 }
 
+TEST(SiliconeRecord, ReadsLossDataWhereThereAreAny) {
+  EXPECT_FALSE(read_silicone(ready("dragon_skin_10")).loss);
+  std::string text = io::read_whole(ready("dragon_skin_10"));
+  const std::string table = "\n[loss]\nsource = \"a test\"\ntan_delta = 0.12\nfrequency_Hz = 2\n";
+  io::write_whole(scratch_file(), text + table);
+  EXPECT_THROW((void)read_silicone(scratch_file()), io::InputError) << "damping is named as not measured";
+  text.replace(text.find("\"damping\", "), 11, "");
+  io::write_whole(scratch_file(), text + table);
+  const SiliconeRecord record = read_silicone(scratch_file());
+  ASSERT_TRUE(record.loss);
+  EXPECT_EQ(record.loss->tan_delta, 0.12);
+  EXPECT_EQ(record.loss->frequency_Hz, 2.0);
+}
+
 TEST(SiliconeRecord, NamesAMissingFile) { EXPECT_THROW((void)read_silicone(ready("absent")), io::InputError); }
 
 }  // namespace

@@ -45,5 +45,33 @@ TEST(Drive, SizesFollowTheSineOfTheirPhase) {
 
 TEST(Drive, SizesHaveTheirDigitsAfterAThousandSeconds) { EXPECT_NEAR(drive_angle(1000.05, 0.2).sine, 1.0, 1e-12); }
 
+TEST(Drive, RatesAreTheDerivativesOfAShapedDrive) {
+  for (const ActuationMode mode : {ActuationMode::in_phase, ActuationMode::hold}) {
+    const Actuation actuation{.mode = mode, .period_s = 0.7, .ramp_s = 0.5};
+    for (const double time : {0.1, 0.3, 0.8}) {
+      // Central differences of a smooth function of order one: both errors are below 1e-8.
+      const double h = 1e-5;
+      const DriveMoment below = drive_moment(actuation, time - h);
+      const DriveMoment above = drive_moment(actuation, time + h);
+      const DriveMoment now = drive_moment(actuation, time);
+      EXPECT_NEAR(now.sine_rate, (above.sine - below.sine) / (2.0 * h), 1e-7);
+      EXPECT_NEAR(now.cosine_rate, (above.cosine - below.cosine) / (2.0 * h), 1e-7);
+      EXPECT_NEAR(now.ramp_rate, (above.ramp - below.ramp) / (2.0 * h), 1e-7);
+    }
+  }
+}
+
+TEST(Drive, RampsFromZeroToItsSineOrItsTop) {
+  const Actuation wave{.mode = ActuationMode::in_phase, .period_s = 0.4, .ramp_s = 0.2};
+  EXPECT_EQ(drive_moment(wave, 0.0).sine, 0.0);
+  EXPECT_EQ(drive_moment(wave, 0.0).cosine, 0.0);
+  EXPECT_DOUBLE_EQ(drive_moment(wave, 0.1).sine, 0.5);
+  EXPECT_DOUBLE_EQ(drive_moment(wave, 0.5).sine, 1.0);
+  const Actuation hold{.mode = ActuationMode::hold, .ramp_s = 0.2};
+  EXPECT_DOUBLE_EQ(drive_moment(hold, 0.05).sine, 0.25);
+  EXPECT_EQ(drive_moment(hold, 17.0).sine, 1.0);
+  EXPECT_EQ(drive_moment(hold, 17.0).cosine, 0.0);
+}
+
 }  // namespace
 }  // namespace menger::voxel

@@ -36,6 +36,24 @@ TEST(EnergyLedger, ClosesOnAnUndampedRingDown) {
   EXPECT_NEAR(energy.kinetic_J + energy.elastic_J, energy.kinetic_start_J, 1e-9 * energy.kinetic_start_J);
 }
 
+TEST(EnergyLedger, HasAScaleWhereverSomethingMoves) {
+  // A voxel that is set down on the floor: neither springs nor, where damping stops it at once, kinetic energy worth naming.
+  Physics physics = ringing();
+  physics.floor = true;
+  physics.gravity_m_s2 = 9.81;
+  physics.damping_ratios.collision = 1.0;
+  Simulation falling(meshes::bar(1), 0.01, physics, {}, {.energy_ledger = true});
+  ASSERT_EQ(falling.advance(5000), io::RunStatus::completed);
+  EXPECT_GE(falling.energy()->largest_energy_J, std::abs(falling.energy()->gravitational_J));
+  EXPECT_GT(falling.energy()->largest_energy_J, 0.0);
+  EXPECT_LE(std::abs(falling.energy()->residual_share()), 1e-9);
+
+  Simulation resting(meshes::bar(1), 0.01, ringing(), {}, {.energy_ledger = true});
+  ASSERT_EQ(resting.advance(10), io::RunStatus::completed);
+  EXPECT_EQ(resting.energy()->largest_energy_J, 0.0);
+  EXPECT_EQ(resting.energy()->residual_share(), 0.0);
+}
+
 TEST(EnergyLedger, ClosesOnADampedRingDown) {
   for (const DampingMode mode : {DampingMode::increments, DampingMode::velocity}) {
     Physics physics = ringing();

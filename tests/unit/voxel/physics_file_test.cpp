@@ -70,6 +70,16 @@ TEST(PhysicsFile, TextHoldsEveryValueWhateverTheDefaultsAre) {
   EXPECT_EQ(parse(physics_text(unlike_the_defaults()), Physics{}), unlike_the_defaults());
 }
 
+TEST(PhysicsFile, TextLeavesOutTermsThatAreNotInUse) {
+  EXPECT_EQ(physics_text({}).find("lateral_coupling"), std::string::npos);
+  EXPECT_EQ(physics_text({}).find("ramp_s"), std::string::npos);
+  Physics physics;
+  physics.lateral_coupling = 1.0 / 3.0;
+  physics.actuation.mode = ActuationMode::hold;
+  physics.actuation.ramp_s = 1.0 / 7.0;
+  EXPECT_EQ(parse(physics_text(physics)), physics);
+}
+
 TEST(PhysicsFile, TextTellsTheSmallestDifferenceApart) {
   Physics other;
   other.damping_ratios.global = std::nextafter(other.damping_ratios.global, 1.0);
@@ -125,6 +135,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadPhysics{"[integration]\nnumber = \"float16\"", ": integration.number = \"float16\": "},
                     BadPhysics{"[integration]\nnumber = \"float32\"",
                                ": integration.number = \"float32\": float32 cannot carry damping from increments"},
+                    BadPhysics{"[actuation]\nramp_s = -1", ": actuation.ramp_s = -1: must be >= 0"},
+                    BadPhysics{"[materials]\nlateral_coupling = 1", ": materials.lateral_coupling = 1: must be in [0, 1)"},
                     BadPhysics{"[limits]\nstrain = 0", ": limits.strain = 0: must be > 0"},
                     BadPhysics{"limits = 3", ": limits = 3: must be a table"}));
 

@@ -22,6 +22,7 @@ Frame two_cubes() {
           .position_m = {{0.0, 0.0, 0.0}, {0.01, 0.0, 0.0}},
           .orientation = {{1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}},
           .size_m = {0.01, 0.01},
+          .reach_m = {},
           .speed_m_s = {0.0, 0.0},
           .strain = {0.0, 0.0},
           .material = {1, 2},

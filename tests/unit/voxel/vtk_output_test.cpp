@@ -32,6 +32,7 @@ Frame two_voxels(double time_s) {
           .position_m = {{0.0, 0.0, 0.0}, {0.02, 0.01, 0.03}},
           .orientation = {{1.0, 0.0, 0.0, 0.0}, {half_root, 0.0, 0.0, half_root}},
           .size_m = {0.01, 0.012},
+          .reach_m = {},
           .speed_m_s = {0.0, 0.5},
           .strain = {-0.25, 0.125},
           .material = {1, 2},
@@ -83,6 +84,38 @@ TEST_F(VtkOutput, CornersAreThoseOfTheTurnedCube) {
   // The turn takes the corner direction (-, -, -) to (+, -, -) and (+, -, +) to (+, +, +).
   expect_point(1, 0, 0.02 + 0.006, 0.01 - 0.006, 0.03 - 0.006);
   expect_point(1, 5, 0.02 + 0.006, 0.01 + 0.006, 0.03 + 0.006);
+}
+
+TEST_F(VtkOutput, DrawsAHollowVoxelToTheReachOfItsSides) {
+  Frame frame = two_voxels(0.0);
+  frame.reach_m = {{0.004, 0.005, 0.006, 0.007, 0.008, 0.009}, {0.001, 0.002, 0.003, 0.004, 0.005, 0.006}};
+  write_frame(folder_ / "frame.vtu", frame);
+  vtkUnstructuredGrid& grid = read("frame.vtu");
+  const auto expect_corner = [&](vtkIdType cell, int corner, const std::array<double, 3>& expected) {
+    std::array<double, 3> point{};
+    grid.GetPoint(grid.GetCell(cell)->GetPointId(corner), point.data());
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(point[axis], expected[axis], 1e-8) << cell << " " << corner;
+  };
+  expect_corner(0, 0, {-0.004, -0.006, -0.008});
+  expect_corner(0, 6, {0.005, 0.007, 0.009});
+  // Turned by 90 degrees about z: its +x side looks along y, its +y side along -x.
+  expect_corner(1, 0, {0.02 + 0.003, 0.01 - 0.001, 0.03 - 0.005});
+  expect_corner(1, 6, {0.02 - 0.004, 0.01 + 0.002, 0.03 + 0.006});
+}
+
+TEST_F(VtkOutput, CentresAreKeptWhateverTheReaches) {
+  Frame frame = two_voxels(0.0);
+  frame.position_m[1] = {1.0 / 3.0, 1e-9, -0.1};  // more digits than a float32 has
+  frame.reach_m = {{0.004, 0.005, 0.006, 0.007, 0.008, 0.009}, {0.001, 0.002, 0.003, 0.004, 0.005, 0.006}};
+  write_frame(folder_ / "frame.vtu", frame);
+  vtkDataArray* centres = read("frame.vtu").GetCellData()->GetArray("centre_m");
+  ASSERT_NE(centres, nullptr);
+  ASSERT_EQ(centres->GetNumberOfComponents(), 3);
+  for (vtkIdType cell = 0; cell < 2; ++cell) {
+    std::array<double, 3> centre{};
+    centres->GetTuple(cell, centre.data());
+    EXPECT_EQ(centre, frame.position_m[static_cast<std::size_t>(cell)]);
+  }
 }
 
 TEST_F(VtkOutput, VolumesOfTheHexahedraArePositive) {
@@ -138,8 +171,8 @@ TEST_F(VtkOutput, ThousandsOfVoxelsStayCompact) {
     frame.contact.push_back(0);
   }
   write_frame(folder_ / "frame.vtu", frame);
-  // 8 points of 3 floats, 8 ids of 4 bytes and 4 real numbers per voxel are 144 bytes before compression.
-  EXPECT_LT(fs::file_size(folder_ / "frame.vtu"), 8000U * 144U);
+  // 8 points of 3 floats, 8 ids of 4 bytes, a centre of 3 doubles and 4 real numbers per voxel: 168 bytes before compression.
+  EXPECT_LT(fs::file_size(folder_ / "frame.vtu"), 8000U * 168U);
   EXPECT_EQ(read("frame.vtu").GetNumberOfCells(), 8000);
 }
 

@@ -1,0 +1,121 @@
+// menger tradeoff design.toml: how much accuracy costs how much time, on the user's own design.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "evolution/trade_off_run.h"
+#include "evolution/trade_off_study.h"
+#include "io/child_program.h"
+#include "io/exit_code.h"
+#include "io/input_error.h"
+#include "io/interrupt.h"
+#include "io/manifest.h"
+#include "io/program.h"
+#include "io/progress.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace io = menger::io;
+using namespace menger::evolution;
+using Clock = std::chrono::steady_clock;
+
+struct Arguments {
+  fs::path study;
+  fs::path folder;
+  fs::path programs = io::own_program_folder();
+  fs::path search;
+  bool no_pictures = false;
+};
+
+constexpr const char* description =
+    "Runs one design at many fidelities of finite elements and voxels and says what which accuracy costs.\n"
+    "Finished runs are kept: the same command goes on where it was stopped, or shows what is there.\n\n"
+    "Example:\n"
+    "  menger tradeoff meshes/designs/quadruped.toml -o quadruped\n"
+    "  menger tradeoff paper/trade_off/study.toml -o trade\n"
+    "  menger tradeoff --search paper/trade_off/search.toml -o searches\n"
+    "writes tradeoff.csv, gait.csv, tradeoff.png and recommendation.txt; with searches search.csv, search.png and search.txt.\n"
+    "Memory is the largest resident memory of a run's process, with its code and libraries.";
+
+std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
+  CLI::App app(description, "menger tradeoff");
+  app.footer(
+      "Exit codes: 0 done, 2 wrong input, 3 no run is fine enough to be the reference or no search found a champion, 130 "
+      "interrupted.");
+  app.add_option("study", arguments.study, "Design, or study that names one and what to run (TOML)");
+  app.add_option("--search", arguments.search, "Study of which only the searches are run");
+  app.add_option("-o,--output", arguments.folder, "Folder of the results (default: the name of the study)");
+  app.add_option("--programs", arguments.programs, "Folder of the other programs of menger")->capture_default_str();
+  app.add_flag("--no-pictures", arguments.no_pictures, "No PNG files");
+  const auto code = io::parse_arguments(app, argc, argv);
+  if (!code && arguments.study.empty() == arguments.search.empty()) {
+    throw io::InputError("a design or study is needed, either by itself or after --search");
+  }
+  return code;
+}
+
+TradeStudy read(const Arguments& arguments) {
+  if (arguments.search.empty()) return read_trade_study(arguments.study);
+  TradeStudy study = read_trade_study(arguments.search);
+  if (!study.search) throw io::InputError(arguments.search.string() + ": a table [search] is missing");
+  study.settling.reset();
+  study.gait.reset();
+  study.only_search = true;
+  return study;
+}
+
+void print(const TradeStudy& study, const TradeResult& result, const fs::path& folder) {
+  for (const std::string& note : result.notes) std::cout << "note: " << note << "\n";
+  const auto show = [&](const std::optional<TradeTable>& table, const char* title) {
+    if (table) std::cout << title << "\n" << recommendation_text(*table, study.targets);
+  };
+  show(result.body, "inflated:");
+  show(result.gait, "walking, voxels alone:");
+  if (result.search) std::cout << search_text(*result.search);
+  std::cout << result.repeated << " runs made in this call\nresults in " << folder.string() << std::endl;
+}
+
+int trade(Arguments& arguments) {
+  const auto start = Clock::now();
+  const TradeStudy study = read(arguments);
+  if (arguments.folder.empty()) arguments.folder = study.file.stem();
+  io::Manifest manifest{
+      .program = "menger-tradeoff", .parameters = resolved_text(study), .seed = {}, .seconds = 0.0, .inputs = study.inputs};
+  io::catch_interrupts();
+  std::unique_ptr<io::Progress> bar;
+  double bar_total = 0.0;
+  TradeOptions options{.programs = arguments.programs, .stop = &io::interrupted(), .pictures = !arguments.no_pictures};
+  options.progress = [&](double done, double total, const std::string& name) {
+    if (total <= 0.0) return;
+    if (!bar || bar_total != total) bar = std::make_unique<io::Progress>("tradeoff", total);
+    bar_total = total;
+    bar->update(done, name);
+  };
+  const TradeResult result = run_trade_off(study, arguments.folder, options);
+  bar.reset();
+  if (result.status == io::RunStatus::stopped) {
+    std::cout << "Stopped; finished runs are kept. The same command goes on from there." << std::endl;
+    return io::exit_code::interrupted;
+  }
+  manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  io::write_manifest(arguments.folder, manifest);
+  print(study, result, arguments.folder);
+  return result.status == io::RunStatus::completed ? io::exit_code::done : io::exit_code::numerical;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return io::run_program("menger-tradeoff", [&]() -> int {
+    Arguments arguments;
+    if (const auto code = parse(arguments, argc, argv)) return *code;
+    return trade(arguments);
+  });
+}

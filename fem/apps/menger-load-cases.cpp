@@ -1,0 +1,125 @@
+#include <mpi.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fem/load_case_set.h"
+#include "fem/load_case_study_file.h"
+#include "fem/parallel_session.h"
+#include "io/exit_code.h"
+#include "io/input_error.h"
+#include "io/interrupt.h"
+#include "io/program.h"
+#include "io/progress.h"
+
+namespace {
+
+using namespace menger;
+
+struct Arguments {
+  std::filesystem::path set;
+  std::filesystem::path folder;
+  std::vector<std::string> only;
+  bool no_pictures = false;
+  bool fields = false;
+};
+
+std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
+  CLI::App app(
+      "Computes how hollow silicone bodies answer to load cases, by finite elements: the curves that `menger calibrate` fits.",
+      "menger-load-cases");
+  app.footer(
+      "Example:\n  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml -o curves\n"
+      "writes NAME.csv, NAME.toml (where it comes from) and NAME.png for every case, and manifest.json.\n"
+      "Cases that are done are kept in curves/cache and not computed again, also after Ctrl-C or when the set has changed\n"
+      "elsewhere. Several processes may share a folder: give each its cases with --only.\n"
+      "With --fields every case also gets curves/fields/NAME/fields.pvd (open it in ParaView), one step per row of its curve:\n"
+      "`menger validate` then shows the worst body in both models side by side.\n"
+      "Exit codes: 0 all cases completed, 2 wrong input, 3 a case ended early (its .toml says why), 130 interrupted.");
+  app.add_option("set", arguments.set, "set of load cases (TOML)")->required();
+  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the set file)");
+  app.add_option("--only", arguments.only, "names of the cases to compute; the others are left alone")->delimiter(',');
+  app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
+  app.add_flag("--fields", arguments.fields,
+               "keep displacements and stresses of every state; cached cases that have none are computed again");
+  return io::parse_arguments(app, argc, argv);
+}
+
+/// Leaves the cases that are named. @throws io::InputError for a name that is none
+void keep_only(fem::LoadCaseStudy& study, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  for (const std::string& name : names) {
+    const auto same = [&](const fem::CaseRequest& request) { return request.load_case.name == name; };
+    if (std::none_of(study.cases.begin(), study.cases.end(), same))
+      throw io::InputError("--only " + name + ": " + study.file.string() + " has no case of that name");
+  }
+  std::erase_if(study.cases, [&](const fem::CaseRequest& request) {
+    return std::find(names.begin(), names.end(), request.load_case.name) == names.end();
+  });
+}
+
+std::string shown_seconds(double seconds) {
+  if (seconds >= 100.0) return io::duration_text(seconds);
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
+  return text.data();
+}
+
+void print(const fem::CaseOutcome& outcome) {
+  std::array<char, 160> line{};
+  std::snprintf(line.data(), line.size(), "%-28s %-10s %3zu states  %-14s %s", outcome.name.c_str(),
+                std::string(materials::to_string(outcome.kind)).c_str(), outcome.states,
+                std::string(io::to_string(outcome.status)).c_str(),
+                outcome.from_cache ? "from the cache" : shown_seconds(outcome.seconds).c_str());
+  std::cout << line.data() << '\n';
+  if (!outcome.reason.empty()) std::cout << "  " << outcome.reason << '\n';
+  std::cout << std::flush;
+}
+
+int exit_code_of(const std::vector<fem::CaseOutcome>& outcomes) {
+  if (outcomes.back().status == io::RunStatus::stopped && io::interrupted()) return io::exit_code::interrupted;
+  const auto completed = [](const fem::CaseOutcome& outcome) { return outcome.status == io::RunStatus::completed; };
+  return std::all_of(outcomes.begin(), outcomes.end(), completed) ? io::exit_code::done : io::exit_code::numerical;
+}
+
+int run(int argc, const char* const* argv) {
+  int rank_count = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
+  if (rank_count > 1) throw io::InputError("runs as one process: share the cases of a set with --only instead of mpirun");
+  Arguments arguments;
+  if (const auto code = parse(argc, argv, arguments)) return *code;
+  fem::LoadCaseStudy study = fem::read_load_case_study(arguments.set);
+  keep_only(study, arguments.only);
+  if (arguments.folder.empty()) arguments.folder = arguments.set.stem();
+  for (const std::string& note : study.notes) std::cout << "  " << note << '\n';
+
+  io::catch_interrupts();
+  io::Progress progress(arguments.set.stem().string(), static_cast<double>(study.cases.size()));
+  fem::SetOptions options{.stop = &io::interrupted(), .pictures = !arguments.no_pictures, .fields = arguments.fields};
+  options.progress = [&](std::size_t index, double part, const std::string& note) {
+    progress.update(static_cast<double>(index) + part, note);
+  };
+  options.finished = [&](const fem::CaseOutcome& outcome) {
+    progress.clear();
+    print(outcome);
+  };
+  const std::vector<fem::CaseOutcome> outcomes = fem::run_load_case_set(study, arguments.folder, options);
+  progress.clear();
+  std::cout << "curves in " << arguments.folder.string() << '\n';
+  return exit_code_of(outcomes);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const menger::fem::ParallelSession session(argc, argv);
+  return menger::io::run_program("menger-load-cases", [&] { return run(argc, argv); });
+}

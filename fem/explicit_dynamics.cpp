@@ -1,0 +1,161 @@
+#include "fem/explicit_dynamics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "fem/explicit_contact.h"
+#include "io/input_error.h"
+#include "io/number_text.h"
+#include "meshes/element_geometry.h"
+
+namespace menger::fem {
+namespace {
+
+constexpr std::size_t batches_per_block = 8;
+constexpr std::size_t faces_per_block = 256;
+constexpr std::size_t nodes_per_block = 256;
+
+void demand(bool is_met, const std::string& name, double value, const std::string& demand) {
+  if (!is_met) throw io::InputError("explicit dynamics: " + name + " = " + io::number_text(value) + ": " + demand);
+}
+
+}  // namespace
+
+ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, ExplicitOptions options)
+    : body_(body),
+      options_(std::move(options)),
+      chambers_(mesh),
+      walls_(mesh),
+      areas_(outer_node_areas_m2(mesh)),
+      nodes_(body_, chambers_, options_.loads, areas_),
+      loop_(options_.threads) {
+  if (options_.schedules.empty()) options_.schedules.resize(chambers_.plenum_count());
+  check(mesh);
+  element_slots_.resize(24 * body.boxes().width() * body.boxes().batch_count());
+  chamber_slots_.resize(chambers_.slot_count());
+  outcomes_.resize(BlockLoop::block_count(body.boxes().batch_count(), batches_per_block));
+  works_.resize(BlockLoop::block_count(body.node_count(), nodes_per_block));
+  current_positions_.resize(3 * body.node_count());
+  first_volumes_ = chambers_.volumes_m3(body.reference_positions_m());
+  energy_noise_ = 1e-10 * body.stiffness_J();
+  ExplicitState start;
+  start.displacements_m.assign(3 * body.node_count(), 0.0);
+  start.velocities_m_per_s = start.displacements_m;
+  rest_stable_step_ = stable_step_at(start.displacements_m);
+  set_state(std::move(start));
+  check_resolved(options_.schedules, mesh.plenum_names,
+                 std::min(options_.step_safety * rest_stable_step_, options_.largest_step_s.value_or(rest_stable_step_)));
+}
+
+void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
+  const ExplicitOptions& o = options_;
+  demand(o.step_safety > 0.0 && o.step_safety <= 1.0, "step_safety", o.step_safety, "must be in (0, 1]");
+  demand(!o.largest_step_s || *o.largest_step_s > 0.0, "largest_step_s", o.largest_step_s.value_or(0.0), "must be > 0");
+  demand(o.steps_per_bound >= 1, "steps_per_bound", static_cast<double>(o.steps_per_bound), "must be >= 1");
+  demand(o.largest_imbalance > 0.0, "largest_imbalance", o.largest_imbalance, "must be > 0");
+  demand(o.largest_volume_ratio > 1.0, "largest_volume_ratio", o.largest_volume_ratio, "must be > 1");
+  demand(o.smallest_step_ratio > 0.0 && o.smallest_step_ratio < 1.0, "smallest_step_ratio", o.smallest_step_ratio,
+         "must be in (0, 1)");
+  demand(o.threads >= 1, "threads", o.threads, "must be >= 1");
+  demand(o.loads.mass_damping_per_s >= 0.0, "mass_damping_per_s", o.loads.mass_damping_per_s, "must be >= 0");
+  if (o.schedules.size() != mesh.plenum_names.size())
+    throw io::InputError("explicit dynamics: " + std::to_string(o.schedules.size()) + " schedules for " +
+                         std::to_string(mesh.plenum_names.size()) + " plena");
+  if (!o.loads.ground) return;
+  const RigidGround& ground = *o.loads.ground;
+  demand(ground.stiffness_Pa_per_m > 0.0, "ground stiffness_Pa_per_m", ground.stiffness_Pa_per_m, "must be > 0");
+  demand(ground.friction.kinetic_coefficient >= 0.0, "kinetic_coefficient", ground.friction.kinetic_coefficient, "must be >= 0");
+  demand(ground.friction.static_coefficient >= ground.friction.kinetic_coefficient, "static_coefficient",
+         ground.friction.static_coefficient, "must not be below the kinetic one");
+  demand(ground.friction.regularisation_speed_m_per_s >= 0.0, "regularisation_speed_m_per_s",
+         ground.friction.regularisation_speed_m_per_s, "must be >= 0");
+  if (!ground.friction.directional) return;
+  const DirectionalFriction& directional = *ground.friction.directional;
+  demand(directional.backward_factor >= 0.0, "backward_factor", directional.backward_factor, "must be >= 0");
+  demand(directional.sideways_factor >= 0.0, "sideways_factor", directional.sideways_factor, "must be >= 0");
+  const double length = std::hypot(directional.forward[0], directional.forward[1]);
+  demand(std::abs(length - 1.0) <= 1e-9, "length of forward", length, "must be 1");
+}
+
+void ExplicitDynamics::set_state(ExplicitState state) {
+  assert(state.displacements_m.size() == 3 * body_.node_count() && state.velocities_m_per_s.size() == 3 * body_.node_count());
+  state_ = std::move(state);
+  report_ = {};
+  if (body_.failed_element(state_.displacements_m))
+    throw io::InputError("explicit dynamics: cannot start from this state: " + failure_in_element().reason);
+  for (std::size_t n = 0; n < state_.velocities_m_per_s.size(); ++n)
+    if (body_.inverse_masses_per_kg()[n] == 0.0) state_.velocities_m_per_s[n] = 0.0;
+  stable_step_ = stable_step_at(state_.displacements_m);
+  gap_ = walls_.smallest_gap(positions_m());
+  if (state_.at_start_J) return;
+  state_.at_start_J = 0.0;
+  state_.at_start_J = energies().imbalance_J();
+  state_.turnover_J = energies().turnover_J();
+}
+
+double ExplicitDynamics::compute_forces() {
+  const BoxMesh& boxes = body_.boxes();
+  const NodalMotion motion{state_.displacements_m.data(), state_.velocities_m_per_s.data()};
+  loop_.run(boxes.batch_count(), batches_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    outcomes_[block] = body_.element_forces(motion, begin, end - begin, element_slots_.data());
+  });
+  if (chambers_.chamber_count() > 0) {
+    std::vector<double> pressures;
+    for (const PlenumSchedule& schedule : options_.schedules) pressures.push_back(pressure_Pa(schedule, state_.time_s));
+    for (std::size_t n = 0; n < current_positions_.size(); ++n)
+      current_positions_[n] = body_.reference_positions_m()[n] + state_.displacements_m[n];
+    loop_.run(chambers_.face_count(), faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+      chambers_.set_face_forces(current_positions_, pressures, {begin, end}, chamber_slots_);
+    });
+    chambers_.set_cap_forces(current_positions_, pressures, chamber_slots_);
+  }
+  double smallest = 1.0;
+  for (const ElementsOutcome& outcome : outcomes_) smallest = std::min(smallest, outcome.smallest_ratio);
+  return smallest;
+}
+
+ExplicitWork ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
+  const SlotForces forces{element_slots_, chamber_slots_};
+  loop_.run(body_.node_count(), nodes_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    works_[block] = nodes_.move(forces, times, {begin, end}, displacements, velocities);
+  });
+  ExplicitWork work;
+  for (const ExplicitWork& part : works_) work += part;
+  for (const ElementsOutcome& outcome : outcomes_) work.viscous_J += times.kick_s * outcome.dissipated_W;
+  return work;
+}
+
+bool ExplicitDynamics::take_step(double step_s) {
+  if (!(compute_forces() > 0.0)) return false;
+  const StepTimes times{0.5 * (state_.last_step_s + step_s), step_s};
+  state_.work += move(times, state_.displacements_m, state_.velocities_m_per_s);
+  state_.last_step_s = step_s;
+  ++state_.steps;
+  return true;
+}
+
+ExplicitDynamics::HalfStep ExplicitDynamics::half_step() {
+  HalfStep half{state_.velocities_m_per_s, {}};
+  compute_forces();
+  std::vector<double> displacements = state_.displacements_m;
+  half.work = move({0.5 * state_.last_step_s, 0.0}, displacements, half.velocities);
+  return half;
+}
+
+ExplicitReport ExplicitDynamics::failure(io::RunStatus status, const std::string& reason) const {
+  return {status, reason + " at " + io::number_text(state_.time_s) + " s", std::nullopt};
+}
+
+ExplicitReport ExplicitDynamics::failure_in_element() const {
+  const std::optional<FailedElement> failed = body_.failed_element(state_.displacements_m);
+  if (!failed) return failure(io::RunStatus::diverged, "forces that are not finite");
+  const std::string where = "element " + std::to_string(failed->element) + " at " + meshes::millimetre_text(failed->position_m);
+  ExplicitReport report = failed->is_finite ? failure(io::RunStatus::inverted_element, where + " turned inside out")
+                                            : failure(io::RunStatus::diverged, where + " left all bounds");
+  report.failed_element = failed->element;
+  return report;
+}
+
+}  // namespace menger::fem

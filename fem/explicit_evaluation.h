@@ -1,0 +1,66 @@
+#pragma once
+
+// The kernels of explicit dynamics for one type of packs. Included only by the files explicit_kernel_<instruction set>.cpp, each
+// compiled for its own, and instantiated with pack types of that instruction set only.
+
+#include "fem/box_elements.h"
+
+namespace menger::fem::detail {
+
+template <class Pack, class Stress>
+ElementsOutcome forces_with(const ExplicitTask& task, double* forces_N) {
+  const Stress stress(task.law);
+  Pack smallest(1e300);
+  Pack dissipated(0.0);
+  for (std::size_t batch = 0; batch < task.batches.count; ++batch) {
+    BoxElements<Pack> elements(task.batches, batch);
+    elements.place(task.motion.displacements_m);
+    elements.compute_forces(stress, task);
+    elements.store_forces(forces_N + 24 * Pack::size * batch);
+    smallest = xsimd::min(smallest, elements.smallest_ratio());
+    dissipated = dissipated + elements.dissipation();
+  }
+  ElementsOutcome outcome;
+  alignas(64) std::array<double, Pack::size> lanes;
+  smallest.store_aligned(lanes.data());
+  for (const double ratio : lanes)
+    if (ratio < outcome.smallest_ratio) outcome.smallest_ratio = ratio;
+  dissipated.store_aligned(lanes.data());
+  for (const double power : lanes) outcome.dissipated_W += power;
+  return outcome;
+}
+
+template <class Pack>
+ElementsOutcome explicit_forces(const ExplicitTask& task, double* forces_N) {
+  static_assert(std::is_same_v<std::variant_alternative_t<0, materials::HyperelasticLaw>, materials::NeoHookean>);
+  if (task.law.index == 0) return forces_with<Pack, NeoHookeanStress<Pack>>(task, forces_N);
+  return forces_with<Pack, GeneralStress<Pack>>(task, forces_N);
+}
+
+template <class Pack>
+void explicit_energies(const ExplicitTask& task, double* energies_J, double* smallest_ratios) {
+  for (std::size_t batch = 0; batch < task.batches.count; ++batch) {
+    BoxElements<Pack> elements(task.batches, batch);
+    elements.place(task.motion.displacements_m);
+    elements.energy(task).store_aligned(energies_J + Pack::size * batch);
+    elements.smallest_ratio().store_aligned(smallest_ratios + Pack::size * batch);
+  }
+}
+
+template <class Pack>
+void explicit_bounds(const ExplicitTask& task, const ElementBounds& bounds) {
+  for (std::size_t batch = 0; batch < task.batches.count; ++batch) {
+    BoxElements<Pack> elements(task.batches, batch);
+    elements.place(task.motion.displacements_m);
+    elements.store_bounds(task, bounds, batch);
+  }
+}
+
+template <class Pack>
+const ExplicitKernelTable& explicit_kernel_table(const char* instruction_set) {
+  static const ExplicitKernelTable table{instruction_set, Pack::size, explicit_forces<Pack>, explicit_energies<Pack>,
+                                         explicit_bounds<Pack>};
+  return table;
+}
+
+}  // namespace menger::fem::detail

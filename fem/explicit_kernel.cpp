@@ -1,0 +1,63 @@
+#include "fem/explicit_kernel.h"
+
+#include <vector>
+
+#include "fem/explicit_kernel_table.h"
+
+namespace menger::fem {
+
+namespace {
+
+using detail::ExplicitKernelTable;
+using detail::ExplicitTask;
+using detail::reference_to;
+
+ExplicitTask task_of(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion) {
+  return {reference_to(material.law), reference_to(material.volume), material.viscosity_Pa_s, batches, motion};
+}
+
+/// All kernels this machine can run, the widest last.
+const std::vector<const ExplicitKernelTable*>& available_tables() {
+  static const std::vector<const ExplicitKernelTable*> tables = [] {
+    std::vector<const ExplicitKernelTable*> result{&detail::baseline_explicit_kernels()};
+#ifdef MENGER_X86_KERNELS
+    // The compiler's test, which also asks whether the operating system saves the wide registers.
+    if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0)
+      result.push_back(&detail::avx2_explicit_kernels());
+    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
+      result.push_back(&detail::avx512_explicit_kernels());
+#endif
+    return result;
+  }();
+  return tables;
+}
+
+}  // namespace
+
+ExplicitKernels::ExplicitKernels(const ExplicitKernelTable& table)
+    : instruction_set(table.instruction_set), width(table.width), table_(&table) {}
+
+ElementsOutcome ExplicitKernels::forces(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
+                                        double* forces_N) const {
+  return table_->forces(task_of(material, batches, motion), forces_N);
+}
+
+void ExplicitKernels::energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
+                               double* energies_J, double* smallest_ratios) const {
+  table_->energies(task_of(material, batches, motion), energies_J, smallest_ratios);
+}
+
+void ExplicitKernels::bounds(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
+                             const ElementBounds& bounds) const {
+  table_->bounds(task_of(material, batches, motion), bounds);
+}
+
+std::vector<ExplicitKernels> available_explicit_kernels() {
+  std::vector<ExplicitKernels> kernels;
+  for (const ExplicitKernelTable* table : available_tables()) kernels.emplace_back(*table);
+  return kernels;
+}
+
+ExplicitKernels best_explicit_kernels() { return ExplicitKernels(*available_tables().back()); }
+
+}  // namespace menger::fem

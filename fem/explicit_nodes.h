@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fem/explicit_body.h"
+#include "fem/explicit_chambers.h"
+#include "fem/explicit_energy.h"
+#include "fem/rigid_ground.h"
+
+namespace menger::fem {
+
+/// What acts on nodes besides their elements and chambers.
+struct NodalLoads {
+  Point gravity_m_per_s2{};
+  double mass_damping_per_s = 0.0;  ///< alpha >= 0: a force -alpha m v
+  std::optional<RigidGround> ground{};
+};
+
+/// Forces of elements and chambers, in their slots.
+struct SlotForces {
+  std::span<const double> elements_N;
+  std::span<const double> chambers_N;
+};
+
+/// The two halves of a step: time over which forces change velocities, and time over which velocities change displacements.
+struct StepTimes {
+  double kick_s = 0.0;
+  double drift_s = 0.0;
+};
+
+/// Sums the forces on nodes and moves them, each by itself. Nodes that are held in x or y feel no friction.
+class NodeUpdate {
+ public:
+  /// Keeps references. @param outer_areas_m2 per node, read only where there is a ground
+  NodeUpdate(const ExplicitBody& body, const ExplicitChambers& chambers, const NodalLoads& loads,
+             const std::vector<double>& outer_areas_m2)
+      : body_(body), chambers_(chambers), loads_(loads), areas_(outer_areas_m2) {}
+
+  /// Nodes begin to end. @param displacements_m, velocities_m_per_s 3 per node, changed @return the work of the kick
+  ExplicitWork move(const SlotForces& forces, const StepTimes& times, FaceRange nodes, std::span<double> displacements_m,
+                    std::span<double> velocities_m_per_s) const;
+
+ private:
+  const ExplicitBody& body_;
+  const ExplicitChambers& chambers_;
+  const NodalLoads& loads_;
+  const std::vector<double>& areas_;
+};
+
+}  // namespace menger::fem

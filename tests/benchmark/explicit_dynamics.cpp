@@ -1,0 +1,122 @@
+// Explicit dynamics of finite elements: forces of elements alone for each instruction set, whole steps, and half a second of the
+// driven module. One thread, process CPU time.
+
+#include "fem/explicit_dynamics.h"
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "meshes/hollow_polycube.h"
+
+namespace fem = menger::fem;
+namespace io = menger::io;
+namespace materials = menger::materials;
+namespace meshes = menger::meshes;
+
+namespace {
+
+struct Subject {
+  std::string name;
+  meshes::HexahedralMesh mesh;
+};
+
+/// The hollow cube of 20 mm and the robot stand18 with cells of 1 cm; walls of 2 mm, one element thick.
+std::vector<Subject> subjects() {
+  meshes::HollowBodyOptions options;
+  options.wall_thickness_m = 2e-3;
+  const auto file = std::string(MENGER_SOURCE_DIR) + "/meshes/designs/stand18.toml";
+  return {{"cube20", meshes::hollow_polycube(meshes::hollow_cube_design(20e-3), options).mesh},
+          {"stand18", meshes::hollow_polycube(meshes::read_design(file), options).mesh}};
+}
+
+fem::ExplicitBody silicone_body(const meshes::HexahedralMesh& mesh, double viscosity_Pa_s, const fem::ExplicitKernels& kernels) {
+  fem::ExplicitBodyOptions options;
+  options.regions.assign(mesh.region_names.size(),
+                         {{materials::NeoHookean{50e3}, materials::SimoTaylorVolume{2.5e6}, viscosity_Pa_s}, 1070.0});
+  return {mesh, options, kernels};
+}
+
+/// Pressure, weight and a rough ground.
+fem::ExplicitOptions on_ground(std::size_t plena) {
+  fem::ExplicitOptions options;
+  options.schedules.assign(plena, {fem::SinePressure{.low_Pa = 0.0, .high_Pa = 6e3, .frequency_Hz = 3.0}, 0.0});
+  options.loads.gravity_m_per_s2 = {0.0, 0.0, -9.81};
+  options.loads.ground = fem::RigidGround{.height_m = 0.0,
+                                          .stiffness_Pa_per_m = fem::ground_stiffness_Pa_per_m(2.5e6, 2e-3),
+                                          .friction = {.static_coefficient = 0.6, .kinetic_coefficient = 0.5}};
+  return options;
+}
+
+void element_forces(benchmark::State& state, const Subject& subject, const fem::ExplicitKernels& kernels, double viscosity_Pa_s) {
+  const fem::ExplicitBody body = silicone_body(subject.mesh, viscosity_Pa_s, kernels);
+  std::vector<double> displacements;
+  std::vector<double> velocities;
+  for (const meshes::Point& X : subject.mesh.points) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      displacements.push_back(0.1 * X[i] + X[0] * X[(i + 1) % 3]);
+      velocities.push_back(X[(i + 2) % 3]);
+    }
+  }
+  fem::AlignedNumbers slots(24 * kernels.width * body.boxes().batch_count());
+  for (auto unused : state) {
+    (void)unused;
+    const fem::ElementsOutcome outcome =
+        body.element_forces({displacements.data(), velocities.data()}, 0, body.boxes().batch_count(), slots.data());
+    if (!(outcome.smallest_ratio > 0.0)) state.SkipWithError("an element has no answer");
+    benchmark::ClobberMemory();
+  }
+  const auto updates = static_cast<double>(state.iterations()) * static_cast<double>(body.boxes().element_count());
+  state.counters["s_per_element"] = benchmark::Counter(updates, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void run(benchmark::State& state, const Subject& subject, double time_s, double viscosity_Pa_s) {
+  const fem::ExplicitBody body = silicone_body(subject.mesh, viscosity_Pa_s, fem::best_explicit_kernels());
+  std::size_t steps = 0;
+  for (auto unused : state) {
+    (void)unused;
+    fem::ExplicitDynamics dynamics(subject.mesh, body, on_ground(subject.mesh.plenum_names.size()));
+    const fem::ExplicitReport& report = dynamics.advance_to(time_s);
+    if (report.status != io::RunStatus::completed) {
+      state.SkipWithError(report.reason.c_str());
+      return;
+    }
+    steps += dynamics.state().steps;
+  }
+  state.counters["steps"] = static_cast<double>(steps) / static_cast<double>(state.iterations());
+  state.counters["elements"] = static_cast<double>(body.boxes().element_count());
+  const double updates = static_cast<double>(steps) * static_cast<double>(body.boxes().element_count());
+  state.counters["s_per_element"] = benchmark::Counter(updates, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<Subject> bodies = subjects();
+  for (const Subject& subject : bodies) {
+    for (const fem::ExplicitKernels& kernels : fem::available_explicit_kernels()) {
+      for (const double viscosity : {0.0, 10.0}) {
+        std::string name = "ElementForces/" + subject.name;
+        name.append("/").append(kernels.instruction_set).append(viscosity > 0.0 ? "/viscous" : "/elastic");
+        benchmark::RegisterBenchmark(name.c_str(), [&subject, kernels, viscosity](benchmark::State& state) {
+          element_forces(state, subject, kernels, viscosity);
+        })->Unit(benchmark::kMicrosecond);
+      }
+    }
+    const double time_s = subject.name == "cube20" ? 0.5 : 0.05;
+    for (const double viscosity : {0.0, 10.0}) {
+      const std::string name = "OnGround/" + subject.name + (viscosity > 0.0 ? "/viscous" : "/elastic");
+      benchmark::RegisterBenchmark(
+          name.c_str(), [&subject, time_s, viscosity](benchmark::State& state) { run(state, subject, time_s, viscosity); })
+          ->Unit(benchmark::kSecond)
+          ->MeasureProcessCPUTime()
+          ->Iterations(1);
+    }
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "io/whole_file.h"
+#include "materials/response_curve.h"
+#include "tests/support/program_run.h"
+
+namespace menger {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::Outcome;
+using test_support::ProgramRun;
+
+/// The program in a folder of its own, with sets of cases of a cell in 26 linear elements.
+class LoadCasesProgram : public testing::Test {
+ protected:
+  LoadCasesProgram() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  void write_set(const std::string& cases) const {
+    io::write_whole(folder_ / "set.toml",
+                    "[material]\nrecord = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n"
+                    "[elements]\ndegree = 1\nlargest_element_m = 0.006\ngrowth = 4\n" +
+                        cases);
+  }
+
+  /// A case of one cell. @param lines further keys
+  static std::string cell(const std::string& name, const std::string& kind, const std::string& lines) {
+    return "[[case]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\ncells = [1, 1, 1]\ndigits = \"1\"\n" + lines;
+  }
+
+  [[nodiscard]] Outcome run(std::vector<std::string> arguments) const {
+    return ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-load-cases", std::move(arguments)).wait();
+  }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / "menger_load_cases" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+const std::string stretch = "pressures_Pa = [0, 2000]\ndisplacement_m = [0.0005, 0.001]\n";
+
+TEST_F(LoadCasesProgram, WritesCurvesWithProvenancePicturesAndManifest) {
+  write_set(cell("pull", "stretch", stretch) + cell("hold", "blocked", "pressures_Pa = [-500, 1000]\n"));
+  const Outcome outcome = run({"set.toml", "-o", "out"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const materials::ResponseCurve pull = materials::read_response_curve(folder_ / "out/pull.toml");
+  EXPECT_EQ(pull.row_count(), 4U);
+  EXPECT_EQ(pull.provenance.silicone, "Dragon Skin 10");
+  EXPECT_EQ(pull.provenance.inputs.size(), 2U);
+  EXPECT_EQ(materials::read_response_curve(folder_ / "out/hold.toml").row_count(), 2U);
+  EXPECT_TRUE(fs::exists(folder_ / "out/manifest.json"));
+  EXPECT_NE(outcome.out.find("pull"), std::string::npos);
+  const Outcome again = run({"set.toml", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(again.code, 0);
+  EXPECT_NE(again.out.find("from the cache"), std::string::npos) << again.out;
+}
+
+TEST_F(LoadCasesProgram, LeavesNoEarlierCurveOfACaseThatReachesNothing) {
+  write_set(cell("pull", "stretch", stretch));
+  ASSERT_EQ(run({"set.toml", "-o", "out"}).code, 0);
+  ASSERT_TRUE(fs::exists(folder_ / "out/pull.toml"));
+  write_set(cell("pull", "stretch", "pressures_Pa = [0]\ndisplacement_m = [-0.0099]\n"));
+  const Outcome outcome = run({"set.toml", "-o", "out"});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  for (const char* extension : {".toml", ".csv", ".png"})
+    EXPECT_FALSE(fs::exists(folder_ / (std::string("out/pull") + extension))) << extension;
+  EXPECT_NE(outcome.out.find("removed"), std::string::npos) << outcome.out;
+}
+
+TEST_F(LoadCasesProgram, GoesOnAfterACaseThatEndsEarlyAndSaysSo) {
+  write_set(cell("crush", "stretch", "pressures_Pa = [0]\ndisplacement_m = [-0.0099, 0.0005]\n") +
+            cell("pull", "stretch", stretch));
+  const Outcome outcome = run({"set.toml", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(outcome.code, 3) << outcome.out;
+  EXPECT_NE(materials::read_response_curve(folder_ / "out/crush.toml").provenance.status, io::RunStatus::completed);
+  EXPECT_EQ(materials::read_response_curve(folder_ / "out/pull.toml").provenance.status, io::RunStatus::completed);
+  EXPECT_EQ(run({"set.toml", "-o", "out", "--no-pictures"}).code, 3) << "also from the cache";
+}
+
+TEST_F(LoadCasesProgram, RefusesWrongInputAndWritesNothing) {
+  write_set(cell("pull", "stretch", stretch + "displacment_m = 1\n"));
+  const Outcome unknown = run({"set.toml", "-o", "out"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.err.find("set.toml"), std::string::npos) << unknown.err;
+  EXPECT_NE(unknown.err.find("displacment_m"), std::string::npos) << unknown.err;
+  write_set(cell("pull", "stretch", stretch));
+  const Outcome name = run({"set.toml", "-o", "out", "--only", "push"});
+  EXPECT_EQ(name.code, 2);
+  EXPECT_NE(name.err.find("--only push"), std::string::npos) << name.err;
+  EXPECT_EQ(run({"missing.toml"}).code, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(LoadCasesProgram, ComputesOnlyTheCasesThatAreNamed) {
+  write_set(cell("pull", "stretch", stretch) + cell("hold", "blocked", "pressures_Pa = [1000]\n"));
+  ASSERT_EQ(run({"set.toml", "-o", "out", "--only", "hold", "--no-pictures"}).code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "out/hold.csv"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/pull.csv"));
+}
+
+TEST_F(LoadCasesProgram, KeepsFieldsOfCachedCasesOnlyWhenAsked) {
+  write_set(cell("inflate", "inflation", "pressures_Pa = [-500, 0, 2000]\n"));
+  const fs::path collection = folder_ / "out/fields/inflate/fields.pvd";
+  ASSERT_EQ(run({"set.toml", "-o", "out", "--no-pictures"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/fields"));
+  const std::string curve = io::read_whole(folder_ / "out/inflate.csv");
+  const Outcome computed = run({"set.toml", "-o", "out", "--no-pictures", "--fields"});
+  ASSERT_EQ(computed.code, 0) << computed.err;
+  EXPECT_EQ(computed.out.find("from the cache"), std::string::npos) << computed.out;
+  EXPECT_EQ(io::read_whole(folder_ / "out/inflate.csv"), curve) << "the same answer again";
+  const std::string steps = io::read_whole(collection);
+  std::size_t earlier = 0;
+  for (const char* file : {"fields/step_0000.vtu", "fields/step_0001.vtu", "fields/step_0002.vtu"}) {
+    EXPECT_TRUE(fs::exists(collection.parent_path() / file)) << file;
+    const std::size_t at = steps.find(file);
+    ASSERT_NE(at, std::string::npos) << file;
+    EXPECT_GT(at, earlier) << "in the order of the rows";
+    earlier = at;
+  }
+  for (const std::vector<std::string>& fields : {std::vector<std::string>{}, {"--fields"}}) {
+    std::vector<std::string> arguments{"set.toml", "-o", "out", "--no-pictures"};
+    arguments.insert(arguments.end(), fields.begin(), fields.end());
+    EXPECT_NE(run(arguments).out.find("from the cache"), std::string::npos);
+    EXPECT_EQ(io::read_whole(collection), steps);
+  }
+}
+
+TEST_F(LoadCasesProgram, KeepsFinishedCasesWhenInterrupted) {
+  write_set(cell("pull", "stretch", stretch) +
+            "[[case]]\nname = \"long\"\nkind = \"inflation\"\ncells = [3, 3, 1]\n"
+            "digits = \"111111111\"\ndegree = 2\nthrough_wall = 2\n");
+  const ProgramRun program(folder_, MENGER_PROGRAM_DIR "/menger-load-cases", {"set.toml", "-o", "out", "--no-pictures"});
+  while (!fs::exists(folder_ / "out/pull.toml")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.send(SIGINT);
+  const Outcome stopped = program.wait();
+  EXPECT_EQ(stopped.code, 130) << stopped.out << stopped.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out/long.csv"));
+  write_set(cell("pull", "stretch", stretch));
+  const Outcome again = run({"set.toml", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(again.code, 0);
+  EXPECT_NE(again.out.find("from the cache"), std::string::npos) << again.out;
+}
+
+}  // namespace
+}  // namespace menger

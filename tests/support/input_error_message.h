@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "io/input_error.h"
+
+namespace menger::tests {
+
+/// What the input error says that some work throws, or "no error".
+template <class Work>
+std::string message_of(const Work& work) {
+  try {
+    work();
+  } catch (const io::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace menger::tests

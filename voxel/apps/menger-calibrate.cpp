@@ -1,0 +1,156 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/exit_code.h"
+#include "io/interrupt.h"
+#include "io/program.h"
+#include "io/progress.h"
+#include "voxel/calibration_report.h"
+#include "voxel/calibration_run.h"
+#include "voxel/calibration_tables.h"
+
+namespace {
+
+using namespace menger;
+
+struct Arguments {
+  std::filesystem::path study;
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> curves;
+  int identifiability_fits = 0;
+  bool no_pictures = false;
+};
+
+std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
+  CLI::App app("Fits the parameters of the voxel surrogate to response curves of finite elements.", "menger-calibrate");
+  app.footer(
+      "Example:\n  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml -o curves\n"
+      "  menger calibrate voxel/studies/dragon_skin_10_1cm.toml --curves curves -o calibration\n"
+      "writes calibration/parameters.toml (for [surrogate] of scenes and searches), result.toml, details.csv, parameters.csv,\n"
+      "correlation.csv, residuals.csv, answers.csv, a picture of every curve, agreement.png and manifest.json.\n"
+      "Exit codes: 0 done, 2 wrong input, 3 the fit did not converge (the best found is written and says so), 130 interrupted.");
+  app.add_option("study", arguments.study, "study file (TOML)")->required();
+  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
+  app.add_option("--curves", arguments.curves, "files or folders of response curves, instead of those of the study");
+  app.add_option("--identifiability", arguments.identifiability_fits,
+                 "also fit this many sets of curves made from the parameters found, with noise, from far starts, and count how "
+                 "often the intervals hold the truth")
+      ->check(CLI::Range(1, 100000));
+  app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
+  return io::parse_arguments(app, argc, argv);
+}
+
+template <class... Values>
+void print_row(const char* format, Values... values) {
+  std::array<char, 200> row{};
+  std::snprintf(row.data(), row.size(), format, values...);
+  std::cout << row.data() << '\n';
+}
+
+void print_details(const voxel::CalibrationRunResult& result) {
+  print_row("%-14s %10s %12s %12s %10s  %s", "detail", "parameters", "chi2/freedom", "AIC", "RMS (%)", "status");
+  for (const voxel::CalibrationStep& step : result.calibration.steps) {
+    const voxel::CalibrationFit& fit = step.fit;
+    if (fit.residual_count == 0) {
+      print_row("%-14s %10s %12s %12s %10s  %s", std::string(voxel::to_string(step.detail)).c_str(), "-", "-", "-", "-",
+                std::string(io::to_string(fit.status)).c_str());
+      continue;
+    }
+    double square = 0.0;
+    const auto errors = voxel::ordinate_errors(result.curves, fit);
+    for (const voxel::OrdinateError& error : errors) square += error.relative * error.relative;
+    const double rms = errors.empty() ? 0.0 : std::sqrt(square / static_cast<double>(errors.size()));
+    print_row("%-14s %10zu %12.4g %12.1f %10.3g  %s%s",
+              ((step.kept_before.empty() ? "" : "+ ") + std::string(voxel::to_string(step.detail))).c_str(), fit.parameter_count,
+              fit.reduced_chi2(), fit.aic, 100.0 * rms, std::string(io::to_string(fit.status)).c_str(),
+              step.is_kept ? ", kept" : ", dropped");
+  }
+}
+
+void print_parameters(const voxel::CalibrationFit& fit) {
+  print_row("%-40s %12s %27s  %s", "parameter", "value", "95 % interval", "");
+  for (const voxel::FittedValue& value : fit.values) {
+    std::array<char, 64> interval{"-"};
+    if (value.confidence_95)
+      std::snprintf(interval.data(), interval.size(), "%.4g ... %.4g", value.confidence_95->first, value.confidence_95->second);
+    const bool is_determined = value.determination == voxel::Determination::determined;
+    print_row("%-40s %12.5g %27s  %s", value.parameter.name.c_str(), value.value, interval.data(),
+              is_determined ? "" : std::string(voxel::to_string(value.determination)).c_str());
+  }
+}
+
+void print_frequency_response(const std::vector<voxel::FrequencyGain>& gains) {
+  if (gains.empty()) return;
+  double worst = 0.0;
+  std::size_t answered = 0;
+  for (const voxel::FrequencyGain& gain : gains) {
+    if (!gain.surrogate_m_per_Pa) continue;
+    ++answered;
+    worst = std::max(worst, std::abs(*gain.surrogate_m_per_Pa / gain.reference_m_per_Pa - 1.0));
+  }
+  if (answered > 0) print_row("frequency response: off by %.3g %% at most", 100.0 * worst);
+  if (answered < gains.size())
+    print_row("frequency response: unanswered at %zu of %zu frequencies", gains.size() - answered, gains.size());
+}
+
+void print(const voxel::CalibrationRunResult& result, const std::filesystem::path& folder) {
+  const voxel::CalibrationFit& fit = result.calibration.fit();
+  for (const std::string& note : result.notes) std::cout << "  " << note << '\n';
+  for (const std::string& note : voxel::class_notes(result.calibration.classes)) std::cout << "  " << note << '\n';
+  print_details(result);
+  print_parameters(fit);
+  for (const voxel::Outlier& outlier : voxel::outliers_of(result.curves, fit)) {
+    print_row("outlier: %s, %s, row %zu: %+.3g standard deviations", result.curves[outlier.curve].load_case.name.c_str(),
+              outlier.ordinate.c_str(), outlier.row + 1, outlier.residual);
+  }
+  if (!fit.explained) std::cout << "the stated uncertainties of the curves do not explain the residuals\n";
+  if (result.identifiability) {
+    for (const voxel::Coverage& coverage : result.identifiability->coverage) {
+      const auto [lowest, highest] = voxel::likely_hits(coverage.interval_count, 0.95);
+      print_row("interval of %s held the truth %d of %d times (by chance %d to %d)", coverage.name.c_str(), coverage.hit_count,
+                coverage.interval_count, lowest, highest);
+    }
+  }
+  print_frequency_response(result.frequency_response);
+  const voxel::CalibrationFit& ended = result.calibration.ended();
+  std::cout << io::to_string(ended.status);
+  if (!ended.reason.empty()) std::cout << ": " << ended.reason;
+  std::cout << "; results in " << folder.string() << '\n';
+}
+
+int exit_code_of(const voxel::CalibrationRunResult& result) {
+  if (io::interrupted()) return io::exit_code::interrupted;
+  const bool is_done = result.calibration.fit().status == io::RunStatus::completed;
+  return is_done ? io::exit_code::done : io::exit_code::numerical;
+}
+
+int run(int argc, const char* const* argv) {
+  Arguments arguments;
+  if (const auto code = parse(argc, argv, arguments)) return *code;
+  const voxel::CalibrationStudy study = voxel::read_calibration_study(arguments.study, arguments.curves);
+  if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
+
+  io::catch_interrupts();
+  io::Progress progress(arguments.study.stem().string(), 1.0);
+  voxel::CalibrationRunOptions options{
+      .pictures = !arguments.no_pictures, .identifiability_fits = arguments.identifiability_fits, .stop = &io::interrupted()};
+  options.progress = [&](double done, const std::string& note) { progress.update(done, note); };
+  const voxel::CalibrationRunResult result = voxel::run_calibration(study, voxel::respond, arguments.folder, options);
+  progress.clear();
+  print(result, arguments.folder);
+  return exit_code_of(result);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return menger::io::run_program("menger-calibrate", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,138 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/child_program.h"
+#include "io/exit_code.h"
+#include "io/input_error.h"
+#include "io/interrupt.h"
+#include "io/manifest.h"
+#include "io/number_text.h"
+#include "io/program.h"
+#include "io/progress.h"
+#include "io/whole_file.h"
+#include "voxel/surrogate_file.h"
+#include "voxel/validation_run.h"
+
+namespace {
+
+using namespace menger;
+namespace fs = std::filesystem;
+
+struct Arguments {
+  fs::path study;
+  fs::path folder;
+  voxel::ValidationPlaces places;
+  bool explain = false;
+  bool no_pictures = false;
+};
+
+std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
+  CLI::App app("Compares voxel parameters with response curves of finite elements that no fit has seen.", "menger-validate");
+  app.footer(
+      "Example:\n  menger validate voxel/studies/held_out.toml --parameters calibration/parameters.toml -o validation\n"
+      "with the parameters of menger calibrate; the study names the load cases that are held out, whose curves menger "
+      "load-cases\n"
+      "makes first (those there already are not made again), or folders of curves. It writes validation/errors.csv, "
+      "summary.csv,\n"
+      "volume_actuation.csv, report.txt, errors.png, a picture of every curve, manifest.json, and the worst body in both "
+      "models:\n"
+      "worst.pvd (open it in ParaView) and worst.png.\n"
+      "Exit codes: 0 done, 2 wrong input, 3 the surrogate has no equilibrium in some state (the tables are written),\n"
+      "130 interrupted.");
+  app.add_option("study", arguments.study, "study file (TOML)")->required();
+  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
+  app.add_option("--parameters", arguments.places.parameters, "voxel parameters, instead of the study's");
+  app.add_option("--curves", arguments.places.curves, "folders or files of response curves, instead of the study's");
+  app.add_flag("--explain", arguments.explain,
+               "fit sizes, stiffnesses and both to each body alone, to see which of them is what it is missed by");
+  app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
+  return io::parse_arguments(app, argc, argv);
+}
+
+/// Runs menger-load-cases. @return false if the user stopped it
+/// @throws io::InputError if it refuses its input
+bool make_curves(const fs::path& set, const fs::path& folder, const fs::path& logs) {
+  io::require_writable_folder(logs);
+  io::ChildProgram child;
+  child.program = io::program_in(io::own_program_folder(), "menger-load-cases");
+  child.arguments = {fs::absolute(set).string(), "-o", fs::absolute(folder).string(), "--fields"};
+  child.out = logs / "load_cases.txt";
+  // what it says of its progress belongs on the terminal, if there is one
+  child.err = ::isatty(STDERR_FILENO) != 0 ? fs::path("/dev/stderr") : logs / "load_cases_errors.txt";
+  child.stop = &io::interrupted();
+  const io::ChildOutcome outcome = io::run_child(child);
+  if (outcome.end == io::ChildEnd::stopped || outcome.exit_code == io::exit_code::interrupted) return false;
+  if (outcome.exit_code == io::exit_code::done || outcome.exit_code == io::exit_code::numerical) return true;
+  throw io::InputError(set.string() + ": menger-load-cases ended " +
+                       (outcome.end == io::ChildEnd::signalled ? "by signal " + std::to_string(outcome.signal)
+                                                               : "with exit code " + std::to_string(outcome.exit_code)) +
+                       "; it says why in " + child.err.string());
+}
+
+io::Manifest manifest_of(const voxel::ValidationStudy& study, const voxel::SurrogateParameters& parameters,
+                         const std::vector<voxel::HeldOutCurve>& curves) {
+  io::Manifest manifest;
+  manifest.program = "menger-validate";
+  manifest.parameters =
+      "aim = " + io::number_text(study.aim) + "\nactuation_pressure_Pa = " + io::number_text(study.actuation_pressure_Pa) +
+      "\nactuation_amplitude = " + io::number_text(study.actuation_amplitude) + "\n" + voxel::surrogate_text(parameters);
+  io::add_input(manifest, study.file);
+  io::add_input(manifest, study.parameters);
+  for (const voxel::HeldOutCurve& curve : curves) io::add_input(manifest, curve.file);
+  if (study.load_cases) io::add_input(manifest, *study.load_cases);
+  return manifest;
+}
+
+int exit_code_of(io::RunStatus status) {
+  if (status == io::RunStatus::completed) return io::exit_code::done;
+  return status == io::RunStatus::stopped ? io::exit_code::interrupted : io::exit_code::numerical;
+}
+
+int run(int argc, const char* const* argv) {
+  Arguments arguments;
+  if (const auto code = parse(argc, argv, arguments)) return *code;
+  voxel::ValidationStudy study = voxel::read_validation_study(arguments.study, arguments.places);
+  if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
+  const voxel::SurrogateParameters parameters = voxel::read_surrogate(study.parameters);
+  const voxel::FitRecord record = voxel::read_fit_record(study.parameters);
+
+  io::catch_interrupts();
+  const auto start = std::chrono::steady_clock::now();
+  if (study.load_cases) {
+    const fs::path curves = voxel::load_case_folder(study, arguments.folder / "curves");
+    if (!make_curves(*study.load_cases, curves, arguments.folder)) return io::exit_code::interrupted;
+  }
+  const std::vector<voxel::HeldOutCurve> curves = voxel::read_held_out_curves(study, parameters, record);
+  io::Manifest manifest = manifest_of(study, parameters, curves);
+  io::require_writable_folder(arguments.folder);
+
+  io::Progress progress(arguments.study.stem().string(), 1.0);
+  voxel::ValidationRunOptions options{
+      .pictures = !arguments.no_pictures, .explain = arguments.explain, .stop = &io::interrupted()};
+  options.progress = [&](double done, const std::string& note) { progress.update(done, note); };
+  const voxel::ValidationResult result = voxel::run_validation(study, parameters, record, curves, arguments.folder, options);
+  progress.clear();
+  if (result.status == io::RunStatus::stopped) {
+    std::cout << "stopped; nothing was written\n";
+    return exit_code_of(result.status);
+  }
+  manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  io::write_manifest(arguments.folder, manifest);
+  for (const std::string& line : voxel::report_lines(result, study.aim)) std::cout << line << '\n';
+  std::cout << io::to_string(result.status) << ": " << result.comparisons.size() << " curves; results in "
+            << arguments.folder.string() << '\n';
+  return exit_code_of(result.status);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return menger::io::run_program("menger-validate", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,117 @@
+#include "voxel/pressure_drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "voxel/rest_lengths.h"
+
+namespace menger::voxel {
+
+template <class Real>
+PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& voxels, const CalibratedBody& calibrated,
+                                   const Actuation& actuation, const std::vector<double>& phases)
+    : parameters_(calibrated.parameters),
+      mean_Pa_(0.5 * (calibrated.pressure_Pa[0] + calibrated.pressure_Pa[1])),
+      amplitude_Pa_(0.5 * (calibrated.pressure_Pa[1] - calibrated.pressure_Pa[0])),
+      actuation_(actuation) {
+  if (actuation.mode == ActuationMode::none) mean_Pa_ = amplitude_Pa_ = 0.0;
+  std::map<double, std::size_t> index_of;
+  std::vector<std::size_t> phase_of(phases.size());
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const auto [entry, is_new] = index_of.try_emplace(phases[i], phases_.size());
+    const double angle = 2.0 * std::numbers::pi * phases[i];
+    if (is_new) phases_.push_back({std::cos(angle), std::sin(angle)});
+    phase_of[i] = entry->second;
+  }
+  answers_.resize(wall_class_count * phases_.size());
+  const auto answer = [&](std::int32_t voxel, std::size_t axis) {
+    const auto v = static_cast<std::size_t>(voxel);
+    return wall_class_count * phase_of[v] + voxels.wall_class[v][axis];
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const AxisBeams& beams = lattice.beams[axis];
+    for (std::size_t i = 0; i < beams.lower.size(); ++i)
+      beam_answers_[axis].push_back({answer(beams.lower[i], axis), answer(beams.upper[i], axis)});
+  }
+  collision_sizes_.resize(phases.size());
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const auto voxel = static_cast<std::int32_t>(i);
+    voxel_answers_.push_back({answer(voxel, 0), answer(voxel, 1), answer(voxel, 2)});
+    bulging_.push_back(voxels.walled[i]);
+    for (std::size_t side = 0; side < bulging_[i].size(); ++side) {
+      if (lattice.neighbours[i][side] >= 0) bulging_[i][side] = false;
+    }
+  }
+}
+
+template <class Real>
+void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
+  const DriveMoment moment = drive_moment(actuation_, time_s);
+  for (std::size_t k = 0; k < phases_.size(); ++k) {
+    const auto [cosine, sine] = phases_[k];
+    const double pressure = mean_Pa_ * moment.ramp + amplitude_Pa_ * (moment.sine * cosine + moment.cosine * sine);
+    const double rate = mean_Pa_ * moment.ramp_rate + amplitude_Pa_ * (moment.sine_rate * cosine + moment.cosine_rate * sine);
+    for (std::size_t c = 0; c < wall_class_count; ++c) {
+      answers_[wall_class_count * k + c] = {
+          half_length_m(parameters_, c, pressure), half_length_rate_m_s(parameters_, c, pressure, rate),
+          contact_size_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure)};
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
+      const Answer& lower = answers_[beam_answers_[axis][i][0]];
+      const Answer& upper = answers_[beam_answers_[axis][i][1]];
+      const auto length = static_cast<Real>(lower.half_length_m + upper.half_length_m);
+      d.axis[axis].rest_length[i] = d.single_precision_rest_lengths ? rounded_to_single(length) : length;
+      d.axis[axis].rest_length_rate[i] = static_cast<Real>(lower.half_length_rate_m_s + upper.half_length_rate_m_s);
+    }
+  }
+  for (std::size_t i = 0; i < voxel_answers_.size(); ++i) {
+    const Answer& answer = answers_[voxel_answers_[i][2]];
+    d.pose[static_cast<std::size_t>(line_length) * i + slot::size] = static_cast<Real>(answer.contact_size_m);
+    collision_sizes_[i] = static_cast<Real>(2.0 * answer.half_length_m);
+  }
+}
+
+template <class Real>
+std::array<double, 6> PressureDrive<Real>::reach_m(std::size_t voxel) const {
+  std::array<double, 6> reach{};
+  for (std::size_t side = 0; side < reach.size(); ++side) {
+    const Answer& answer = answers_[voxel_answers_[voxel][side / 2]];
+    reach[side] = answer.half_length_m + (bulging_[voxel][side] ? answer.bulge_m : 0.0);
+  }
+  return reach;
+}
+
+template <class Real>
+void PressureDrive<Real>::note_strains(const StepData<Real>& d) {
+  Real smallest = Real(0);
+  Real largest = Real(0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const BeamAxisData<Real>& beams = d.axis[axis];
+    for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
+      const Real strain = beams.history[i] / beams.rest_length[i];
+      smallest = strain < smallest ? strain : smallest;
+      largest = strain > largest ? strain : largest;
+    }
+  }
+  strains_.smallest = std::min(strains_.smallest, static_cast<double>(smallest));
+  strains_.largest = std::max(strains_.largest, static_cast<double>(largest));
+}
+
+double largest_collision_size_m(const HollowVoxels& voxels, const CalibratedBody& calibrated) {
+  double largest = calibrated.parameters.voxel_edge_m();
+  for (const double pressure : calibrated.pressure_Pa) {
+    for (const auto& wall_class : voxels.wall_class)
+      largest = std::max(largest, 2.0 * half_length_m(calibrated.parameters, wall_class[2], pressure));
+  }
+  return largest;
+}
+
+template class PressureDrive<double>;
+template class PressureDrive<float>;
+
+}  // namespace menger::voxel

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "voxel/actuation.h"
+#include "voxel/calibrated_body.h"
+#include "voxel/step_data.h"
+#include "voxel/strain_range.h"
+
+namespace menger::voxel {
+
+/// Puts the pressures of the chambers into the rest lengths of beams and the contact sizes of voxels of a calibrated body.
+///
+/// The laws are evaluated once per step for every phase and wall class that occur, not for every beam.
+template <class Real>
+class PressureDrive {
+ public:
+  /// @param phases of the voxels, in periods; equal within a chamber
+  PressureDrive(const Lattice& lattice, const HollowVoxels& voxels, const CalibratedBody& calibrated, const Actuation& actuation,
+                const std::vector<double>& phases);
+
+  /// Sets rest lengths, their rates and contact sizes for a time.
+  void set(double time_s, const StepData<Real>& d);
+
+  /// Sizes (m) of voxels against each other, L (1 + extension) with the laws along z: without the bulge, which would make voxels
+  /// touch that are joined across a corner.
+  [[nodiscard]] const std::vector<Real>& collision_sizes() const { return collision_sizes_; }
+
+  /// From the centre of a voxel to its sides -x, +x, -y, +y, -z, +z, m, as they were last set: half its driven lengths, plus the
+  /// mean bulge of walls behind which no voxel lies.
+  [[nodiscard]] std::array<double, 6> reach_m(std::size_t voxel) const;
+
+  /// Widens the range of strains by the beams as they were in the last step; to be called before the next set.
+  void note_strains(const StepData<Real>& d);
+
+  [[nodiscard]] const StrainRange& strains() const { return strains_; }
+
+ private:
+  /// What the laws give for a phase and a wall class.
+  struct Answer {
+    double half_length_m, half_length_rate_m_s, contact_size_m, bulge_m;
+  };
+
+  SurrogateParameters parameters_;
+  double mean_Pa_, amplitude_Pa_;
+  Actuation actuation_;
+  std::vector<std::array<double, 2>> phases_;                            ///< cos and sin of 2 pi phase, of the phases that occur
+  std::vector<Answer> answers_;                                          ///< by phase, then wall class
+  std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_answers_;  ///< per axis and beam: of its two halves
+  std::vector<std::array<std::size_t, 3>> voxel_answers_;                ///< per voxel: of its classes along x, y, z
+  std::vector<std::array<bool, 6>> bulging_;                             ///< per voxel: sides with a wall and no voxel behind it
+  std::vector<Real> collision_sizes_;
+  StrainRange strains_;
+};
+
+/// Largest size (m) against other voxels of any voxel of a calibrated body in its drive.
+double largest_collision_size_m(const HollowVoxels& voxels, const CalibratedBody& calibrated);
+
+}  // namespace menger::voxel

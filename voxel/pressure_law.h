@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cmath>
+
+namespace menger::voxel {
+
+/// How a length answers to the gauge pressure p of its chamber, as a fraction of the voxel edge:
+///
+///   x(p) = a p (w / (1 + k p) + (1 - w) / (1 - q+ p))  for p >= 0,    x(p) = a p / (1 - q- |p|)  for p < 0.
+///
+/// Flat walls bend first and then stretch, so that the share w of the answer fades from p = 1 / k on; what is left softens
+/// towards the limit pressure 1 / q+, where there is no equilibrium any more (q+ < 0: it stiffens). One slope a at p = 0, so that
+/// x is continuously differentiable; another curvature for p < 0, because walls that fold inwards are not walls that stretch.
+struct PressureLaw {
+  double slope_per_Pa = 0.0;               ///< a
+  double pressure_softening_per_Pa = 0.0;  ///< q+
+  double vacuum_softening_per_Pa = 0.0;    ///< q-
+  double fading_share = 0.0;               ///< w, 0 <= w <= 1
+  double fading_per_Pa = 0.0;              ///< k >= 0
+
+  bool operator==(const PressureLaw&) const = default;
+
+  [[nodiscard]] double softening_per_Pa(double pressure_Pa) const {
+    return pressure_Pa >= 0.0 ? pressure_softening_per_Pa : vacuum_softening_per_Pa;
+  }
+  /// Whether the law has a value at a pressure: q |p| < 1.
+  [[nodiscard]] bool has_value(double pressure_Pa) const { return softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa) < 1.0; }
+
+  /// x(p), where it has a value.
+  [[nodiscard]] double value(double pressure_Pa) const {
+    const double share = pressure_Pa >= 0.0 ? fading_share : 0.0;
+    const double rest = 1.0 - softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa);
+    return slope_per_Pa * pressure_Pa * (share / (1.0 + fading_per_Pa * std::abs(pressure_Pa)) + (1.0 - share) / rest);
+  }
+  /// dx/dp, 1/Pa.
+  [[nodiscard]] double derivative(double pressure_Pa) const {
+    const double share = pressure_Pa >= 0.0 ? fading_share : 0.0;
+    const double rest = 1.0 - softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa);
+    const double fading = 1.0 + fading_per_Pa * std::abs(pressure_Pa);
+    return slope_per_Pa * (share / (fading * fading) + (1.0 - share) / (rest * rest));
+  }
+};
+
+}  // namespace menger::voxel

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace menger::voxel {
+
+/// Smallest and largest axial strain of beams, beyond their rest lengths; both 0 at rest.
+struct StrainRange {
+  double smallest = 0.0;
+  double largest = 0.0;
+
+  bool operator==(const StrainRange&) const = default;
+};
+
+}  // namespace menger::voxel
