@@ -129,6 +129,10 @@ std::vector<std::string> study_notes(const Study& study) {
     notes.push_back("bodies with every wall would be outside the range of validity of the calibrated parameters: " + fault +
                     (refuses ? "; those that are get no result" : "; those that are get a mark"));
   }
+  if (study.physics.surrogate) {
+    for (const std::string& fault : voxel::sizeless_walls(*study.physics.surrogate))
+      notes.push_back(fault + ": bodies with such walls get no result");
+  }
   if (study.search.offspring.constraints.disconnected == DisconnectedPolicy::allow) {
     notes.emplace_back("bodies that fall apart at some level are simulated in pieces");
   }

@@ -1,5 +1,6 @@
 #include "evolution/trade_off_settled.h"
 
+#include <Eigen/Geometry>
 #include <cassert>
 #include <cmath>
 
@@ -7,13 +8,13 @@
 #include "io/input_error.h"
 #include "io/number_text.h"
 #include "io/toml_document.h"
+#include "voxel/body_shape.h"
 #include "voxel/surrogate_file.h"
 
 namespace menger::evolution {
 namespace {
 
 namespace fs = std::filesystem;
-using meshes::Side;
 using voxel::Vector3;
 
 /// @throws io::InputError unless the parameters of a file are those of the study's body
@@ -46,7 +47,16 @@ voxel::StaticBody body_of(const TradeStudy& study, const fs::path& file) {
           {}};
 }
 
-double length_of(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+/// The rotation that takes x, y, z to three directions.
+voxel::Quaternion<double> orientation_of(const std::array<Vector3<double>, 3>& axes) {
+  Eigen::Matrix3d rotation;
+  for (Eigen::Index column = 0; column < 3; ++column) {
+    const Vector3<double>& axis = axes.at(static_cast<std::size_t>(column));
+    rotation.col(column) << axis.x, axis.y, axis.z;
+  }
+  const Eigen::Quaterniond q(rotation);
+  return {q.w(), q.x(), q.y(), q.z()};
+}
 
 }  // namespace
 
@@ -64,76 +74,15 @@ voxel::DrivenSizes SettledBody::sizes(double pressure_Pa) const {
   return driven.value_or(voxel::DrivenSizes{});
 }
 
-double SettledBody::length_m(const voxel::StaticBeam& beam, const Voxels& now) const {
-  return length_of(now[beam.upper].middle - now[beam.lower].middle);
-}
-
-double SettledBody::half_length_m(std::size_t voxel, Side side, const Voxels& now, const voxel::DrivenSizes& sizes) const {
-  const auto& beams = body_.beam_at[voxel];
-  if (const auto beam = beams[static_cast<std::size_t>(side)]) return 0.5 * length_m(body_.beams[*beam], now);
-  const std::size_t axis = meshes::axis_of(side);
-  double across = 0.0;  // sum over both other axes of half the strains of the beams
-  for (const Side other : meshes::all_sides) {
-    const std::size_t along = meshes::axis_of(other);
-    const auto beam = beams[static_cast<std::size_t>(other)];
-    if (along == axis || !beam) continue;
-    const voxel::StaticBeam& ends = body_.beams[*beam];
-    const double rest_m = body_.half_length(sizes, ends.lower, along) + body_.half_length(sizes, ends.upper, along);
-    across += 0.5 * (length_m(ends, now) / rest_m - 1.0);
-  }
-  return body_.half_length(sizes, voxel, axis) * (1.0 - body_.parameters.lateral_coupling * across);
-}
-
-double SettledBody::bulge_m(std::size_t voxel, Side side, const voxel::DrivenSizes& sizes) const {
-  const auto at = static_cast<std::size_t>(side);
-  if (!body_.voxels.walled[voxel][at] || body_.beam_at[voxel][at]) return 0.0;
-  return body_.bulge(sizes, voxel, meshes::axis_of(side));
-}
-
-materials::EndPoints SettledBody::ends(const Voxels& now, const voxel::DrivenSizes& sizes) const {
-  materials::EndPoints points{};
-  for (const Side side : meshes::all_sides) {
-    const std::size_t axis = meshes::axis_of(side);
-    const std::vector<std::size_t> voxels = body_.end_voxels(side);
-    Vector3<double> sum{0.0, 0.0, 0.0};
-    for (const std::size_t voxel : voxels) {
-      const double distance_m = half_length_m(voxel, side, now, sizes) + bulge_m(voxel, side, sizes);
-      sum = sum + now[voxel].middle + (meshes::is_max(side) ? distance_m : -distance_m) * now[voxel].axes[axis];
-    }
-    const double share = 1.0 / static_cast<double>(voxels.size());
-    points[axis][meshes::is_max(side) ? 1 : 0] = {share * sum.x, share * sum.y, share * sum.z};
-  }
-  return points;
-}
-
-double SettledBody::volume_change(const Voxels& now, const voxel::DrivenSizes& sizes) const {
-  const double at_rest_m3 = std::pow(body_.edge_m, 3);
-  double chambers_m3 = 0.0;
-  double growth_m3 = 0.0;
-  for (std::size_t voxel = 0; voxel < voxel_count(); ++voxel) {
-    std::array<double, 3> length{};
-    std::array<double, 3> bulge{};
-    for (const Side side : meshes::all_sides) {
-      length[meshes::axis_of(side)] += half_length_m(voxel, side, now, sizes);
-      bulge[meshes::axis_of(side)] += bulge_m(voxel, side, sizes);
-    }
-    growth_m3 += length[0] * length[1] * length[2] + bulge[0] * length[1] * length[2] + length[0] * bulge[1] * length[2] +
-                 length[0] * length[1] * bulge[2] - at_rest_m3;
-    chambers_m3 += at_rest_m3 - body_.voxels.wall_volume_m3[voxel];
-  }
-  return growth_m3 / chambers_m3;
-}
-
 double SettledBody::observed(TradeObservable observable, const Voxels& now, double pressure_Pa) const {
   assert(now.size() == voxel_count());
   const voxel::DrivenSizes driven = sizes(pressure_Pa);
-  if (observable == TradeObservable::volume_change) return volume_change(now, driven);
-  Voxels rest;
-  for (std::size_t voxel = 0; voxel < voxel_count(); ++voxel)
-    rest.push_back({body_.rest[voxel].position, {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}}});
-  const materials::EndPoints before = ends(rest, sizes(0.0));
+  std::vector<voxel::Pose> poses;
+  for (const OrientedVoxel& voxel : now) poses.push_back({voxel.middle, orientation_of(voxel.axes)});
+  const voxel::BodyShape shape(body_, driven, poses);
+  if (observable == TradeObservable::volume_change) return shape.chamber_volume_change();
   const std::size_t axis = axis_of(observable);
-  return materials::extents_without_rotation(before, ends(now, driven)).at(axis) - body_.box_m.at(axis);
+  return shape.free_size().extents.at(axis) - body_.box_m.at(axis);
 }
 
 std::map<fs::path, SettledBody> settled_bodies(const TradeStudy& study) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "evolution/trade_off_study.h"
-#include "materials/body_extents.h"
 #include "voxel/static_body.h"
 
 namespace menger::evolution {
@@ -21,9 +20,8 @@ struct OrientedVoxel {
 
 /// A calibrated body under a pressure, as frames of `menger simulate` show it, observed like one of finite elements.
 ///
-/// Frames hold the middles of voxels and how they are turned. Where the walls lie follows from the parameters, with the
-/// definitions of voxel::BodyShape: half the distance to a neighbour, and where there is none the driven half length, shortened
-/// by the lateral coupling, and beyond it the bulge.
+/// Frames hold the middles of voxels and how they are turned. Where the walls lie follows from the parameters, see
+/// voxel::BodyShape.
 class SettledBody {
  public:
   using Voxels = std::vector<OrientedVoxel>;  ///< in grid order
@@ -44,13 +42,6 @@ class SettledBody {
 
  private:
   [[nodiscard]] voxel::DrivenSizes sizes(double pressure_Pa) const;
-  [[nodiscard]] double length_m(const voxel::StaticBeam& beam, const Voxels& now) const;
-  /// From the middle of a voxel to a side, without bulge.
-  [[nodiscard]] double half_length_m(std::size_t voxel, meshes::Side side, const Voxels& now,
-                                     const voxel::DrivenSizes& sizes) const;
-  [[nodiscard]] double bulge_m(std::size_t voxel, meshes::Side side, const voxel::DrivenSizes& sizes) const;
-  [[nodiscard]] materials::EndPoints ends(const Voxels& now, const voxel::DrivenSizes& sizes) const;
-  [[nodiscard]] double volume_change(const Voxels& now, const voxel::DrivenSizes& sizes) const;
 
   std::filesystem::path file_;
   voxel::StaticBody body_;

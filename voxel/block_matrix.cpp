@@ -16,24 +16,32 @@ BlockMatrix::BlockMatrix(std::size_t size, const std::vector<std::array<std::siz
     : rows_(size), matrix_(block_size * index(size), block_size * index(size)) {
   for (std::size_t i = 0; i < size; ++i) rows_[i].push_back(i);
   for (const auto& [row, column] : blocks) rows_[column].push_back(row);
-  Eigen::VectorXi entries(block_size * index(size));
   for (std::size_t column = 0; column < size; ++column) {
     std::vector<std::size_t>& rows = rows_[column];
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    entries.segment<block_size>(block_size * index(column)).setConstant(static_cast<int>(block_size * index(rows.size())));
   }
-  matrix_.reserve(entries);
-  for (std::size_t column = 0; column < size; ++column) {
+  fill_pattern();
+}
+
+/// The matrix is compressed from the beginning: laid down entry by entry, it would take longer than it is used.
+void BlockMatrix::fill_pattern() {
+  Eigen::Index count = 0;
+  for (const auto& rows : rows_) count += block_size * block_size * index(rows.size());
+  matrix_.resizeNonZeros(count);
+  int* begin = matrix_.outerIndexPtr();
+  int* row_of = matrix_.innerIndexPtr();
+  Eigen::Index next = 0;
+  for (std::size_t column = 0; column < rows_.size(); ++column) {
     for (Eigen::Index j = 0; j < block_size; ++j) {
+      begin[block_size * index(column) + j] = static_cast<int>(next);
       for (const std::size_t row : rows_[column]) {
-        for (Eigen::Index i = 0; i < block_size; ++i)
-          matrix_.insert(block_size * index(row) + i, block_size * index(column) + j) = 0.0;
+        for (Eigen::Index i = 0; i < block_size; ++i) row_of[next++] = static_cast<int>(block_size * index(row) + i);
       }
     }
   }
-  // Eigen reads past the end of a matrix of no columns: a single voxel that is held has none.
-  if (matrix_.cols() > 0) matrix_.makeCompressed();
+  begin[block_size * index(rows_.size())] = static_cast<int>(next);
+  set_zero();
 }
 
 BlockMatrix::Place BlockMatrix::place(std::size_t row, std::size_t column) const {
@@ -44,6 +52,6 @@ BlockMatrix::Place BlockMatrix::place(std::size_t row, std::size_t column) const
           block_size * index(rows.size())};
 }
 
-void BlockMatrix::set_zero() { std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0); }
+void BlockMatrix::set_zero() { matrix_.coeffs().setZero(); }
 
 }  // namespace menger::voxel

@@ -36,6 +36,8 @@ class BlockMatrix {
   [[nodiscard]] const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
  private:
+  void fill_pattern();
+
   std::vector<std::vector<std::size_t>> rows_;  ///< by column: rows of its blocks, ascending
   Eigen::SparseMatrix<double> matrix_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "materials/body_extents.h"
+#include "voxel/equilibrium.h"
 
 namespace menger::voxel {
 namespace {
@@ -42,27 +43,39 @@ TopMiddle top_middle(const StaticBody& body) {
 
 }  // namespace
 
-BodyShape::BodyShape(const Equilibrium& equilibrium) : equilibrium_(&equilibrium), body_(&equilibrium.balance().body()) {}
+BodyShape::BodyShape(const StaticBody& body, const DrivenSizes& sizes, const std::vector<Pose>& poses)
+    : body_(&body), sizes_(&sizes), poses_(&poses) {}
+
+BodyShape::BodyShape(const Equilibrium& equilibrium)
+    : BodyShape(equilibrium.balance().body(), equilibrium.balance().sizes(), equilibrium.state().poses) {}
+
+double BodyShape::rest_length(std::size_t beam) const { return body_->rest_length(*sizes_, body_->beams[beam]); }
+
+double BodyShape::axial_strain(std::size_t beam) const {
+  const StaticBeam& ends = body_->beams[beam];
+  const Vector3<double> separation = (*poses_)[ends.upper].position - (*poses_)[ends.lower].position;
+  return std::sqrt(dot(separation, separation)) / rest_length(beam) - 1.0;
+}
 
 double BodyShape::half_length(std::size_t voxel, Side side) const {
   const auto& beams = body_->beam_at[voxel];
   if (const auto beam = beams[static_cast<std::size_t>(side)]) {
     const StaticBeam& ends = body_->beams[*beam];
     const bool whole = body_->is_voxel(ends.lower) && body_->is_voxel(ends.upper);
-    return (whole ? 0.5 : 1.0) * equilibrium_->balance().rest_length(*beam) * (1.0 + equilibrium_->axial_strain(*beam));
+    return (whole ? 0.5 : 1.0) * rest_length(*beam) * (1.0 + axial_strain(*beam));
   }
   const std::size_t axis = meshes::axis_of(side);
   double across = 0.0;
   for (std::size_t other = 0; other < 6; ++other) {
-    if (other / 2 != axis && beams[other]) across += 0.5 * equilibrium_->axial_strain(*beams[other]);
+    if (other / 2 != axis && beams[other]) across += 0.5 * axial_strain(*beams[other]);
   }
-  return body_->half_length(equilibrium_->balance().sizes(), voxel, axis) * (1.0 - body_->parameters.lateral_coupling * across);
+  return body_->half_length(*sizes_, voxel, axis) * (1.0 - body_->parameters.lateral_coupling * across);
 }
 
 double BodyShape::bulge(std::size_t voxel, Side side) const {
   const auto at = static_cast<std::size_t>(side);
   if (!body_->voxels.walled[voxel][at] || body_->beam_at[voxel][at]) return 0.0;
-  return body_->bulge(equilibrium_->balance().sizes(), voxel, meshes::axis_of(side));
+  return body_->bulge(*sizes_, voxel, meshes::axis_of(side));
 }
 
 Vector3<double> BodyShape::face(std::size_t voxel, Side side, double bulge_factor) const {
@@ -70,7 +83,7 @@ Vector3<double> BodyShape::face(std::size_t voxel, Side side, double bulge_facto
   const double away = meshes::is_max(side) ? distance : -distance;
   std::array<double, 3> normal{};
   normal[meshes::axis_of(side)] = away;
-  const Pose& pose = equilibrium_->pose(voxel);
+  const Pose& pose = (*poses_)[voxel];
   return pose.position + rotate(matrix(pose.orientation), Vector3<double>{normal[0], normal[1], normal[2]});
 }
 

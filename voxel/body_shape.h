@@ -3,12 +3,15 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
-#include "voxel/equilibrium.h"
+#include "voxel/static_body.h"
 
 namespace menger::voxel {
 
-/// What a body of the surrogate looks like from outside at an equilibrium: half lengths, faces, volumes.
+class Equilibrium;
+
+/// What a body of the surrogate looks like from outside where its voxels lie: half lengths, faces, volumes.
 ///
 /// From the centre of a voxel to a side it is half the length of the beam there, the whole of a half beam to a plate, and where
 /// there is none the driven half length, shortened by the lateral coupling as if a beam without load were there: (L / 2)(1 +
@@ -16,6 +19,9 @@ namespace menger::voxel {
 /// voxel nor a plate lies behind them.
 class BodyShape {
  public:
+  /// @param poses of the nodes, those of the voxels first; of a body without plates they may end there. All must outlive this
+  BodyShape(const StaticBody& body, const DrivenSizes& sizes, const std::vector<Pose>& poses);
+
   /// @param equilibrium must outlive this and not move
   explicit BodyShape(const Equilibrium& equilibrium);
 
@@ -69,8 +75,12 @@ class BodyShape {
   [[nodiscard]] double clearance(std::size_t voxel, std::size_t axis) const;
   [[nodiscard]] double voxel_volume(std::size_t voxel) const;
 
-  const Equilibrium* equilibrium_;
+  [[nodiscard]] double rest_length(std::size_t beam) const;
+  [[nodiscard]] double axial_strain(std::size_t beam) const;
+
   const StaticBody* body_;
+  const DrivenSizes* sizes_;
+  const std::vector<Pose>* poses_;
 };
 
 }  // namespace menger::voxel

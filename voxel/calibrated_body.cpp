@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "io/number_text.h"
 #include "materials/load_case.h"
@@ -21,17 +22,31 @@ int root_of(int cells, int level) {
   return power == cells ? root : 0;
 }
 
-/// Wall classes of the voxels of a body; all of them where it is not known.
-ByWallClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Polycube* basal_body) {
+/// Wall classes of the voxels of a body.
+ByWallClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
   ByWallClass<bool> classes{};
-  classes.fill(basal_body == nullptr);
-  if (basal_body == nullptr) return classes;
   CalibratedBody module = calibrated;  // all modules have the same walls
   module.level = 1;
-  for (const auto& of_voxel : calibrated_voxels(*basal_body, module).wall_class) {
+  for (const auto& of_voxel : calibrated_voxels(basal_body, module).wall_class) {
     for (const std::uint8_t c : of_voxel) classes[c] = true;
   }
   return classes;
+}
+
+/// Why walls of a class have no size somewhere in the drive, or an empty text.
+std::string sizeless_class(const CalibratedBody& calibrated, std::size_t c) {
+  const SurrogateParameters& parameters = calibrated.parameters;
+  const auto text = [c](const char* what, double pressure) {
+    return "wall class " + std::string(wall_class_names[c]) + what + io::number_text(pressure);
+  };
+  // With rest at zero pressure in between: the drive may be ramped from there.
+  for (const double pressure : calibrated.pressure_Pa) {
+    for (const PressureLaw& law : {parameters.extension[c], parameters.bulge[c]}) {
+      if (!law.has_value(pressure)) return text(" has no equilibrium at pressure_Pa = ", pressure);
+    }
+    if (!(1.0 + parameters.extension[c].value(pressure) > 0.0)) return text(" has no length left at pressure_Pa = ", pressure);
+  }
+  return "";
 }
 
 std::vector<std::string> faults_of(const CalibratedBody& calibrated, const BodyWalls& walls, int longest_body_cells) {
@@ -100,22 +115,26 @@ std::string unusable_parameters(const CalibratedBody& calibrated, double cell_ed
     return "the parameters are calibrated for cell_edge_m = " + io::number_text(parameters.cell_edge_m) +
            ", the design has cell_edge_m = " + io::number_text(cell_edge_m);
   }
+  if (basal_body != nullptr) return sizeless_walls(calibrated, *basal_body);
+  const std::vector<std::string> faults = sizeless_walls(calibrated);
+  return faults.size() == wall_class_count ? faults.front() + ", nor has any other" : "";
+}
+
+std::string sizeless_walls(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
   const ByWallClass<bool> classes = classes_of(calibrated, basal_body);
-  // With rest at zero pressure in between: the drive may be ramped from there.
-  for (const double pressure : calibrated.pressure_Pa) {
-    for (std::size_t c = 0; c < wall_class_count; ++c) {
-      if (!classes[c]) continue;
-      for (const PressureLaw& law : {parameters.extension[c], parameters.bulge[c]}) {
-        if (law.has_value(pressure)) continue;
-        return "wall class " + std::string(wall_class_names[c]) +
-               " has no equilibrium at pressure_Pa = " + io::number_text(pressure);
-      }
-      if (!(1.0 + parameters.extension[c].value(pressure) > 0.0))
-        return "wall class " + std::string(wall_class_names[c]) +
-               " has no length left at pressure_Pa = " + io::number_text(pressure);
-    }
+  for (std::size_t c = 0; c < wall_class_count; ++c) {
+    if (!classes[c]) continue;
+    if (std::string fault = sizeless_class(calibrated, c); !fault.empty()) return fault;
   }
   return "";
+}
+
+std::vector<std::string> sizeless_walls(const CalibratedBody& calibrated) {
+  std::vector<std::string> faults;
+  for (std::size_t c = 0; c < wall_class_count; ++c) {
+    if (std::string fault = sizeless_class(calibrated, c); !fault.empty()) faults.push_back(std::move(fault));
+  }
+  return faults;
 }
 
 std::vector<std::string> outside_validity(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {

@@ -43,10 +43,17 @@ HollowVoxels calibrated_voxels(const meshes::Polycube& body, const CalibratedBod
 /// The basal body of a fractal. @throws std::invalid_argument if `body` is not the fractal of `level` of any basal body
 meshes::Polycube basal_body_of(const meshes::Polycube& body, int level);
 
-/// Why the parameters cannot be used at all, or an empty text: another cell edge, pressures at which the law of a wall class that
-/// the body has knows no value or leaves no length. @param basal_body null: a body that may have any class
+/// Why the parameters cannot be used at all, or an empty text: another cell edge, walls without a size (see sizeless_walls).
+/// @param basal_body null: for any body, one of a single wall class if need be
 std::string unusable_parameters(const CalibratedBody& calibrated, double cell_edge_m,
                                 const meshes::Polycube* basal_body = nullptr);
+
+/// Which wall class of a body has no size under the pressures of its drive, because a law of it knows no value there or leaves
+/// no length, or an empty text.
+std::string sizeless_walls(const CalibratedBody& calibrated, const meshes::Polycube& basal_body);
+
+/// The same of all wall classes that there are, a sentence each.
+std::vector<std::string> sizeless_walls(const CalibratedBody& calibrated);
 
 /// What of a body and its drive lies outside the range of validity, a sentence each with both numbers: pressures, by the walls
 /// and joints that the body has (covered_pressures.h), chambers, and along the longest side the cells of a module and the

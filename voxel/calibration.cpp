@@ -1,42 +1,53 @@
 #include "voxel/calibration.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <utility>
 
 #include "voxel/covered_pressures.h"
 
 namespace menger::voxel {
 namespace {
 
-/// All curves' residuals; a curve without answer has none.
-std::vector<std::vector<double>> all_residuals(const CalibrationProblem& problem, const SurrogateParameters& parameters) {
-  std::vector<std::vector<double>> residuals;
-  for (const FittedCurve& curve : problem.curves) {
-    const auto answers = answers_of(curve, problem.responder(parameters, curve.load_case, curve.states));
-    residuals.push_back(answers ? residuals_of(curve, *answers) : std::vector<double>{});
-  }
-  return residuals;
+/// The answers to all curves.
+std::vector<LoadCaseResponse> responses_of(const CalibrationProblem& problem, const SurrogateParameters& parameters) {
+  std::vector<LoadCaseResponse> responses(problem.curves.size());
+  tbb::parallel_for(std::size_t{0}, responses.size(), [&](std::size_t c) {
+    responses[c] = problem.responder(parameters, problem.curves[c].load_case, problem.curves[c].states);
+  });
+  return responses;
 }
 
-/// Whether any differs by more than what equilibria leave of their tolerance, which is far less than a standard deviation.
-bool differ(const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b) {
+/// By span, whether a curve's residuals change by it.
+std::vector<bool> spans_that_matter(const CalibrationProblem& problem, const FittedCurve& curve,
+                                    const std::vector<ParameterSpan>& spans) {
+  // More than what equilibria leave of their tolerance, which is far less than a standard deviation.
   constexpr double noise = 1e-6;
-  const auto far = [](double one, double other) { return std::abs(one - other) > noise; };
-  for (std::size_t c = 0; c < a.size(); ++c) {
-    if (a[c].size() != b[c].size()) return true;
-    if (!std::equal(a[c].begin(), a[c].end(), b[c].begin(), [&](double one, double other) { return !far(one, other); }))
-      return true;
+  const ResponseSlopes answer = problem.responder.slopes(problem.start, curve.load_case, curve.states, spans);
+  std::vector<bool> matters(spans.size(), false);
+  if (!answers_of(curve, answer.response)) return matters;
+  for (std::size_t n = 0; n < spans.size(); ++n) {
+    if (!answer.slopes[n]) {
+      matters[n] = true;  // it takes the answer away
+      continue;
+    }
+    const std::vector<double> slopes = slopes_of(curve, answer.response.columns, *answer.slopes[n]);
+    matters[n] = std::ranges::any_of(slopes, [&](double slope) { return std::abs(slope) * spans[n].above_by > noise; });
   }
-  return false;
+  return matters;
 }
 
 ValidityRange validity_of(const CalibrationProblem& problem, const SurrogateParameters& parameters) {
   ValidityRange validity;
-  for (const FittedCurve& curve : problem.curves) {
+  const std::vector<LoadCaseResponse> responses = responses_of(problem, parameters);
+  for (std::size_t c = 0; c < responses.size(); ++c) {
+    const FittedCurve& curve = problem.curves[c];
+    const LoadCaseResponse& response = responses[c];
     const ValueRange pressures = pressure_range_Pa({curve});
     cover(validity, body_walls(curve.load_case), pressures.lowest, pressures.highest);
-    const LoadCaseResponse response = problem.responder(parameters, curve.load_case, curve.states);
     validity.smallest_strain = std::min(validity.smallest_strain, response.smallest_strain);
     validity.largest_strain = std::max(validity.largest_strain, response.largest_strain);
     const int cells = materials::longest_side_cells(curve.load_case.cells, curve.load_case.digits);
@@ -96,23 +107,29 @@ ValueRange pressure_range_Pa(const std::vector<FittedCurve>& curves) {
 }
 
 DeterminedClasses determined_classes(const CalibrationProblem& problem) {
-  constexpr double change = 1.01;
-  const auto rest = all_residuals(problem, problem.start);
-  const auto matters = [&](const auto& alter) {
-    SurrogateParameters changed = problem.start;
-    alter(changed);
-    return differ(all_residuals(problem, changed), rest);
-  };
+  constexpr double change = 0.01;
   DeterminedClasses classes{{}, {}, {}};
+  std::vector<ParameterSpan> spans;
+  std::vector<std::pair<std::vector<std::size_t>*, std::size_t>> meanings;  // by span: the list, and the class to be put there
   for (std::size_t c = 0; c < wall_class_count; ++c) {
-    const bool stiffness = matters([&](SurrogateParameters& p) {
-      p.axial_Pa[c] *= change;
-      p.bending_Pa[c] *= change;
-      p.torsion_Pa[c] *= change;
+    const auto add = [&](std::vector<std::size_t>& found, const auto& alter) {
+      ParameterSpan span{.below = problem.start, .above = problem.start, .below_by = 0.0, .above_by = change};
+      alter(span.above);
+      spans.push_back(std::move(span));
+      meanings.emplace_back(&found, c);
+    };
+    add(classes.stiffness, [c](SurrogateParameters& p) {
+      for (ByWallClass<double>* stiffness : {&p.axial_Pa, &p.bending_Pa, &p.torsion_Pa}) (*stiffness)[c] *= 1.0 + change;
     });
-    if (stiffness) classes.stiffness.push_back(c);
-    if (matters([&](SurrogateParameters& p) { p.extension[c].slope_per_Pa *= change; })) classes.extension.push_back(c);
-    if (matters([&](SurrogateParameters& p) { p.bulge[c].slope_per_Pa *= change; })) classes.bulge.push_back(c);
+    add(classes.extension, [c](SurrogateParameters& p) { p.extension[c].slope_per_Pa *= 1.0 + change; });
+    add(classes.bulge, [c](SurrogateParameters& p) { p.bulge[c].slope_per_Pa *= 1.0 + change; });
+  }
+  std::vector<std::vector<bool>> matters(problem.curves.size());
+  tbb::parallel_for(std::size_t{0}, matters.size(),
+                    [&](std::size_t c) { matters[c] = spans_that_matter(problem, problem.curves[c], spans); });
+  for (std::size_t n = 0; n < spans.size(); ++n) {
+    if (std::ranges::any_of(matters, [n](const std::vector<bool>& of_curve) { return of_curve[n]; }))
+      meanings[n].first->push_back(meanings[n].second);
   }
   for (auto* found : {&classes.stiffness, &classes.extension, &classes.bulge}) {
     if (found->empty()) found->push_back(closed_wall_class);

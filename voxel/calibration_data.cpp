@@ -78,4 +78,14 @@ std::vector<double> residuals_of(const FittedCurve& curve, const std::vector<std
   return residuals;
 }
 
+std::vector<double> slopes_of(const FittedCurve& curve, const std::vector<std::string>& columns, const ResponseSlope& slope) {
+  std::vector<double> slopes;
+  slopes.reserve(curve.residual_count());
+  for (std::size_t o = 0; o < curve.ordinates.size(); ++o) {
+    const auto place = std::ranges::find(columns, curve.ordinates[o]) - columns.begin();
+    for (const double value : slope.at(static_cast<std::size_t>(place))) slopes.push_back(value / curve.sigma[o]);
+  }
+  return slopes;
+}
+
 }  // namespace menger::voxel

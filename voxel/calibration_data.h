@@ -36,6 +36,9 @@ std::optional<std::vector<std::vector<double>>> answers_of(const FittedCurve& cu
 /// (answer - reference) / sigma, ordinate by ordinate.
 std::vector<double> residuals_of(const FittedCurve& curve, const std::vector<std::vector<double>>& answers);
 
+/// Derivatives of residuals_of by a parameter. @param columns, slope of a response to the curve's load case
+std::vector<double> slopes_of(const FittedCurve& curve, const std::vector<std::string>& columns, const ResponseSlope& slope);
+
 /// The unit at the end of a column's name, "Pa", "m", "N_m"; empty for a plain number.
 std::string unit_of(const std::string& column);
 

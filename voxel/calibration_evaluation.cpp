@@ -17,7 +17,15 @@ double bounded_loss(double residual, double scale) {
   return std::copysign(scale * std::sqrt(std::log1p(ratio * ratio)), residual);
 }
 
-Index size_of(const auto& values) { return static_cast<Index>(values.size()); }
+double bounded_loss_slope(double residual, double scale) {
+  const double ratio = std::abs(residual / scale);
+  constexpr double linear = 1e-8;  // below which the loss is the residual, to rounding
+  return ratio < linear ? 1.0 : ratio / ((1.0 + ratio * ratio) * std::sqrt(std::log1p(ratio * ratio)));
+}
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Index>(values.size()));
+}
 
 }  // namespace
 
@@ -51,16 +59,19 @@ SurrogateParameters CalibrationEvaluation::parameters_at(std::span<const double>
   return parameters;
 }
 
+Eigen::VectorXd CalibrationEvaluation::weighted(std::size_t curve, const Eigen::VectorXd& residuals) const {
+  const double root = std::sqrt(curves_[curve].weight);
+  if (!loss_scale_) return root * residuals;
+  return root * residuals.unaryExpr([&](double value) { return bounded_loss(value, *loss_scale_); });
+}
+
 std::optional<Eigen::VectorXd> CalibrationEvaluation::curve_residuals(std::size_t curve,
                                                                       const SurrogateParameters& parameters) const {
   if (stop_ != nullptr && *stop_) return std::nullopt;
   const FittedCurve& fitted = curves_[curve];
   const auto answers = answers_of(fitted, responder_(parameters, fitted.load_case, fitted.states));
   if (!answers) return std::nullopt;
-  const std::vector<double> values = residuals_of(fitted, *answers);
-  Eigen::VectorXd residuals = Eigen::Map<const Eigen::VectorXd>(values.data(), size_of(values));
-  if (loss_scale_) residuals = residuals.unaryExpr([&](double value) { return bounded_loss(value, *loss_scale_); }).eval();
-  return std::sqrt(fitted.weight) * residuals;
+  return weighted(curve, vector_of(residuals_of(fitted, *answers)));
 }
 
 std::optional<Eigen::VectorXd> CalibrationEvaluation::residuals(std::span<const double> unknowns) const {
@@ -75,49 +86,68 @@ std::optional<Eigen::VectorXd> CalibrationEvaluation::residuals(std::span<const 
   return all;
 }
 
-std::optional<Eigen::VectorXd> CalibrationEvaluation::derivative(std::size_t curve, std::size_t parameter,
-                                                                 std::span<const double> unknowns,
-                                                                 const Eigen::VectorXd& at) const {
+ParameterSpan CalibrationEvaluation::span_of(std::size_t parameter, std::span<const double> unknowns) const {
   const FittedParameter& fitted = parameters_[parameter];
   std::vector<double> moved(unknowns.begin(), unknowns.end());
-  const auto answer_at = [&](double unknown, double bound_side) -> std::optional<Eigen::VectorXd> {
-    const bool inside = bound_side > 0.0 ? unknown <= fitted.unknown_of(fitted.bounds.highest)
-                                         : unknown >= fitted.unknown_of(fitted.bounds.lowest);
-    if (!inside) return std::nullopt;
-    moved[parameter] = unknown;
-    return curve_residuals(curve, parameters_at(moved));
+  const auto moved_by = [&](double change) {
+    moved[parameter] = unknowns[parameter] + change;
+    return parameters_at(moved);
   };
-  const auto above = answer_at(unknowns[parameter] + difference, 1.0);
-  const auto below = answer_at(unknowns[parameter] - difference, -1.0);
-  const auto here = at.segment(first_row_[curve], first_row_[curve + 1] - first_row_[curve]);
-  if (above && below) return (*above - *below) / (2.0 * difference);
-  if (above) return (*above - here) / difference;
-  if (below) return (here - *below) / difference;
-  return std::nullopt;
+  const bool has_above = unknowns[parameter] + difference <= fitted.unknown_of(fitted.bounds.highest);
+  const bool has_below = unknowns[parameter] - difference >= fitted.unknown_of(fitted.bounds.lowest);
+  return {.below = moved_by(-difference),
+          .above = moved_by(difference),
+          .below_by = has_below ? difference : 0.0,
+          .above_by = has_above ? difference : 0.0};
 }
 
-std::optional<RowMajorMatrix> CalibrationEvaluation::jacobian(std::span<const double> unknowns, const Eigen::VectorXd& at) const {
-  const std::size_t width = parameters_.size();
-  std::vector<std::optional<Eigen::VectorXd>> parts(curves_.size() * width);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
-    if (has_influence_[n / width][n % width]) parts[n] = derivative(n / width, n % width, unknowns, at);
-  });
-  RowMajorMatrix jacobian = RowMajorMatrix::Zero(first_row_.back(), static_cast<Index>(width));
-  for (std::size_t n = 0; n < parts.size(); ++n) {
-    if (!has_influence_[n / width][n % width]) continue;
-    if (!parts[n]) return std::nullopt;
-    jacobian.block(first_row_[n / width], static_cast<Index>(n % width), parts[n]->size(), 1) = *parts[n];
+std::optional<Eigen::VectorXd> CalibrationEvaluation::linearise_curve(std::size_t curve, std::span<const double> unknowns,
+                                                                      const std::vector<ParameterSpan>& spans,
+                                                                      RowMajorMatrix& jacobian) const {
+  if (stop_ != nullptr && *stop_) return std::nullopt;
+  const FittedCurve& fitted = curves_[curve];
+  std::vector<ParameterSpan> asked;
+  for (std::size_t p = 0; p < spans.size(); ++p) {
+    if (has_influence_[curve][p]) asked.push_back(spans[p]);
   }
-  return jacobian;
+  const ResponseSlopes answer = responder_.slopes(parameters_at(unknowns), fitted.load_case, fitted.states, asked);
+  const auto answers = answers_of(fitted, answer.response);
+  if (!answers) return std::nullopt;
+  const Eigen::VectorXd residuals = vector_of(residuals_of(fitted, *answers));
+  Eigen::VectorXd factor = Eigen::VectorXd::Constant(residuals.size(), std::sqrt(fitted.weight));
+  if (loss_scale_)
+    factor.array() *= residuals.unaryExpr([&](double value) { return bounded_loss_slope(value, *loss_scale_); }).array();
+  std::size_t next = 0;
+  for (std::size_t p = 0; p < spans.size(); ++p) {
+    if (!has_influence_[curve][p]) continue;
+    const auto& slope = answer.slopes[next++];
+    if (!slope) return std::nullopt;
+    const Eigen::VectorXd column = vector_of(slopes_of(fitted, answer.response.columns, *slope));
+    jacobian.block(first_row_[curve], static_cast<Index>(p), column.size(), 1) = factor.cwiseProduct(column);
+  }
+  return weighted(curve, residuals);
+}
+
+std::optional<CalibrationEvaluation::Linearisation> CalibrationEvaluation::linearise(std::span<const double> unknowns) const {
+  std::vector<ParameterSpan> spans;
+  for (std::size_t p = 0; p < parameters_.size(); ++p) spans.push_back(span_of(p, unknowns));
+  Linearisation all{Eigen::VectorXd(first_row_.back()),
+                    RowMajorMatrix::Zero(first_row_.back(), static_cast<Index>(parameters_.size()))};
+  std::vector<std::optional<Eigen::VectorXd>> parts(curves_.size());
+  tbb::parallel_for(std::size_t{0}, curves_.size(),
+                    [&](std::size_t c) { parts[c] = linearise_curve(c, unknowns, spans, all.jacobian); });
+  for (std::size_t c = 0; c < parts.size(); ++c) {
+    if (!parts[c]) return std::nullopt;
+    all.residuals.segment(first_row_[c], parts[c]->size()) = *parts[c];
+  }
+  return all;
 }
 
 std::optional<std::vector<FittedParameter>> CalibrationEvaluation::drop_without_influence(std::vector<double>& unknowns) {
   // What an equilibrium leaves of its tolerance is no influence: far less than any sigma.
   constexpr double smallest_influence = 1e-6;
-  const auto at = residuals(unknowns);
+  const auto at = linearise(unknowns);
   if (!at) return std::nullopt;
-  const auto derivatives = jacobian(unknowns, *at);
-  if (!derivatives) return std::nullopt;
   std::vector<FittedParameter> kept;
   std::vector<FittedParameter> dropped;
   std::vector<double> kept_unknowns;
@@ -126,7 +156,7 @@ std::optional<std::vector<FittedParameter>> CalibrationEvaluation::drop_without_
     std::vector<bool> column;
     bool any = false;
     for (std::size_t c = 0; c < curves_.size(); ++c) {
-      const auto part = derivatives->block(first_row_[c], static_cast<Index>(p), first_row_[c + 1] - first_row_[c], 1);
+      const auto part = at->jacobian.block(first_row_[c], static_cast<Index>(p), first_row_[c + 1] - first_row_[c], 1);
       column.push_back(part.size() > 0 && part.cwiseAbs().maxCoeff() > smallest_influence);
       any = any || column.back();
     }

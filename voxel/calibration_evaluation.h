@@ -16,7 +16,7 @@ using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eig
 /// Residuals of all curves, one below the other and each by the root of its curve's weight, as functions of the unknowns of a
 /// fit.
 ///
-/// Curves are answered in parallel; the numbers do not depend on how many do it.
+/// Curves are answered in parallel; the numbers do not depend on how many threads do it.
 class CalibrationEvaluation {
  public:
   /// @param base parameters in which the fitted ones are set
@@ -34,10 +34,13 @@ class CalibrationEvaluation {
   /// Nothing where the surrogate has no equilibrium in one of the states, or when it was stopped.
   [[nodiscard]] std::optional<Eigen::VectorXd> residuals(std::span<const double> unknowns) const;
 
-  /// Derivatives by the unknowns, one row per residual: central differences, one-sided at bounds and where one side has no
-  /// answer. Nothing where neither side has.
-  /// @param at the residuals there
-  [[nodiscard]] std::optional<RowMajorMatrix> jacobian(std::span<const double> unknowns, const Eigen::VectorXd& at) const;
+  /// Residuals and their derivatives by the unknowns, one row per residual. The responder gives them from both sides, at bounds
+  /// and where one side has no answer from the other. Nothing where neither side has one.
+  struct Linearisation {
+    Eigen::VectorXd residuals;
+    RowMajorMatrix jacobian;
+  };
+  [[nodiscard]] std::optional<Linearisation> linearise(std::span<const double> unknowns) const;
 
   /// Looks which unknown has an influence on which curve, so that later derivatives leave the others out, and drops the
   /// parameters without any. @return the dropped ones, or nothing where there is no answer at these unknowns
@@ -46,8 +49,12 @@ class CalibrationEvaluation {
  private:
   /// Of one curve.
   [[nodiscard]] std::optional<Eigen::VectorXd> curve_residuals(std::size_t curve, const SurrogateParameters& parameters) const;
-  [[nodiscard]] std::optional<Eigen::VectorXd> derivative(std::size_t curve, std::size_t parameter,
-                                                          std::span<const double> unknowns, const Eigen::VectorXd& at) const;
+  /// Its part of the derivatives is put into the jacobian.
+  [[nodiscard]] std::optional<Eigen::VectorXd> linearise_curve(std::size_t curve, std::span<const double> unknowns,
+                                                               const std::vector<ParameterSpan>& spans,
+                                                               RowMajorMatrix& jacobian) const;
+  [[nodiscard]] ParameterSpan span_of(std::size_t parameter, std::span<const double> unknowns) const;
+  [[nodiscard]] Eigen::VectorXd weighted(std::size_t curve, const Eigen::VectorXd& residuals) const;
 
   const std::vector<FittedCurve>& curves_;
   std::vector<Eigen::Index> first_row_;  ///< of each curve, and the number of all at the end

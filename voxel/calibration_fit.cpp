@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 #include <glog/logging.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +26,15 @@ class AllCurves : public ceres::CostFunction {
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     const std::span<const double> unknowns(parameters[0], evaluation_.parameters().size());
-    const auto values = evaluation_.residuals(unknowns);
-    if (!values) return false;
-    Eigen::Map<Eigen::VectorXd>(residuals, values->size()) = *values;
-    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    const auto jacobian = evaluation_.jacobian(unknowns, *values);
-    if (!jacobian) return false;
-    Eigen::Map<RowMajorMatrix>(jacobians[0], jacobian->rows(), jacobian->cols()) = *jacobian;
+    if (jacobians == nullptr || jacobians[0] == nullptr) {
+      const auto values = evaluation_.residuals(unknowns);
+      if (values) Eigen::Map<Eigen::VectorXd>(residuals, values->size()) = *values;
+      return values.has_value();
+    }
+    const auto at = evaluation_.linearise(unknowns);
+    if (!at) return false;
+    Eigen::Map<Eigen::VectorXd>(residuals, at->residuals.size()) = at->residuals;
+    Eigen::Map<RowMajorMatrix>(jacobians[0], at->jacobian.rows(), at->jacobian.cols()) = at->jacobian;
     return true;
   }
 
@@ -117,17 +120,20 @@ void set_status(CalibrationFit& fit, io::RunStatus status, std::string reason) {
 
 /// Residuals without loss, and what follows from their sum of squares.
 void judge_residuals(CalibrationFit& fit, const std::vector<FittedCurve>& curves, const Responder& responder) {
+  fit.residuals.resize(curves.size());
+  tbb::parallel_for(std::size_t{0}, curves.size(), [&](std::size_t c) {
+    const auto answers = answers_of(curves[c], responder(fit.parameters, curves[c].load_case, curves[c].states));
+    if (answers) fit.residuals[c] = residuals_of(curves[c], *answers);
+  });
   double weighted = 0.0;
   double weights = 0.0;
-  for (const FittedCurve& curve : curves) {
-    const auto answers = answers_of(curve, responder(fit.parameters, curve.load_case, curve.states));
-    fit.residuals.push_back(answers ? residuals_of(curve, *answers) : std::vector<double>{});
+  for (std::size_t c = 0; c < curves.size(); ++c) {
     double squares = 0.0;
-    for (const double residual : fit.residuals.back()) squares += residual * residual;
+    for (const double residual : fit.residuals[c]) squares += residual * residual;
     fit.chi2 += squares;
-    fit.residual_count += fit.residuals.back().size();
-    weighted += curve.weight * squares;
-    weights += curve.weight * static_cast<double>(fit.residuals.back().size());
+    fit.residual_count += fit.residuals[c].size();
+    weighted += curves[c].weight * squares;
+    weights += curves[c].weight * static_cast<double>(fit.residuals[c].size());
   }
   // By the mean weight, so that one that all curves have changes nothing.
   const double mean_weight = weights > 0.0 ? weights / static_cast<double>(fit.residual_count) : 1.0;
@@ -224,9 +230,7 @@ CalibrationFit fit_parameters(const std::vector<FittedCurve>& curves, const std:
   for (const FittedParameter& parameter : *dropped)
     fit.values.push_back({parameter, value_in(fit.parameters, parameter), Determination::no_influence, {}});
   judge_residuals(fit, curves, responder);
-  if (const auto at = evaluation.residuals(unknowns)) {
-    if (const auto jacobian = evaluation.jacobian(unknowns, *at)) set_confidence(fit, *jacobian, evaluation.weights());
-  }
+  if (const auto at = evaluation.linearise(unknowns)) set_confidence(fit, at->jacobian, evaluation.weights());
   return fit;
 }
 

@@ -76,6 +76,14 @@ io::RunStatus Equilibrium::load(const StaticLoads& target) {
   return io::RunStatus::completed;
 }
 
+bool Equilibrium::place(const StaticLoads& loads, const StaticState& state) {
+  if (!balance_.set_loads(loads)) return false;
+  loads_ = loads;
+  state_ = state;
+  factorised_ = false;
+  return true;
+}
+
 bool Equilibrium::solve() {
   constexpr int free_rounds = 4;
   balance_.place_plates(state_);
@@ -112,10 +120,7 @@ bool Equilibrium::newton() {
 
 bool Equilibrium::factorise() {
   static_cast<void>(balance_.linearise(state_));
-  if (!analysed_) factors_.analyzePattern(balance_.stiffness());
-  analysed_ = true;
-  factors_.factorize(balance_.stiffness());
-  factorised_ = factors_.info() == Eigen::Success;
+  factorised_ = factors_.factorise(balance_.stiffness());
   return factorised_;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <Eigen/SparseLU>
+#include <Eigen/Core>
 #include <cstddef>
 
 #include "io/run_status.h"
 #include "voxel/force_balance.h"
+#include "voxel/tangent_factors.h"
 
 namespace menger::voxel {
 
@@ -40,6 +41,10 @@ class Equilibrium {
   /// not_converged where none was found: then the state is the last equilibrium on the way
   [[nodiscard]] io::RunStatus load(const StaticLoads& target);
 
+  /// Puts the body into a state under loads, whether or not it is an equilibrium there, which only a state beside one is for.
+  /// @return false, and nothing changes, where the pressures lie beyond what a law of the body knows
+  [[nodiscard]] bool place(const StaticLoads& loads, const StaticState& state);
+
   [[nodiscard]] const StaticLoads& loads() const { return loads_; }
   [[nodiscard]] const StaticState& state() const { return state_; }
   [[nodiscard]] const Pose& pose(std::size_t node) const { return state_.poses[node]; }
@@ -62,8 +67,7 @@ class Equilibrium {
   ForceBalance balance_;
   StaticLoads loads_;
   StaticState state_;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factors_;
-  bool analysed_ = false;
+  TangentFactors factors_;
   bool factorised_ = false;
   std::size_t iterations_ = 0;
   std::size_t iteration_limit_ = 0;

@@ -22,10 +22,6 @@ std::vector<std::optional<std::size_t>> free_positions(const StaticBody& body, c
   return positions;
 }
 
-std::size_t count(const std::vector<std::optional<std::size_t>>& positions) {
-  return static_cast<std::size_t>(std::count_if(positions.begin(), positions.end(), [](const auto& p) { return p.has_value(); }));
-}
-
 NodeLoad joined(const Vector3<double>& force, const Vector3<double>& moment) {
   NodeLoad load;
   load << force.x, force.y, force.z, moment.x, moment.y, moment.z;
@@ -40,13 +36,16 @@ ForceBalance::ForceBalance(const StaticBody& body, const Supports& supports)
       force_scale_(*std::max_element(body.parameters.axial_Pa.begin(), body.parameters.axial_Pa.end()) * body.edge_m *
                    body.edge_m),
       free_(free_positions(body, supports)),
-      coupled_(body.parameters.lateral_coupling > 0.0 ? coupled_beams(body) : std::vector<std::array<std::size_t, 2>>{}),
-      stiffness_(count(free_), pattern()) {
-  for (std::size_t i = 0; i < body.beams.size(); ++i) beam_places_.push_back(places_of(i, i));
-  for (const auto& [first, second] : coupled_) coupled_places_.push_back(places_of(first, second));
+      coupled_(body.parameters.lateral_coupling > 0.0 ? coupled_beams(body) : std::vector<std::array<std::size_t, 2>>{}) {
   for (std::size_t node = 0; node < free_.size(); ++node) {
     if (free_[node]) free_nodes_.push_back(node);
   }
+}
+
+void ForceBalance::lay_down_stiffness() {
+  stiffness_.emplace(free_nodes_.size(), pattern());
+  for (std::size_t i = 0; i < body_->beams.size(); ++i) beam_places_.push_back(places_of(i, i));
+  for (const auto& [first, second] : coupled_) coupled_places_.push_back(places_of(first, second));
 }
 
 std::vector<std::array<std::size_t, 2>> ForceBalance::pattern() const {
@@ -70,7 +69,7 @@ ForceBalance::BlockPlaces ForceBalance::places_of(std::size_t row_beam, std::siz
   std::size_t next = 0;
   for (const std::size_t row : {rows.lower, rows.upper}) {
     for (const std::size_t column : {columns.lower, columns.upper}) {
-      if (free_[row] && free_[column]) places[next] = stiffness_.place(*free_[row], *free_[column]);
+      if (free_[row] && free_[column]) places[next] = stiffness_->place(*free_[row], *free_[column]);
       ++next;
     }
   }
@@ -83,13 +82,7 @@ bool ForceBalance::set_loads(const StaticLoads& loads) {
   sizes_ = std::move(*sizes);
   loads_ = loads;
   rest_length_.clear();
-  for (const StaticBeam& beam : body_->beams) {
-    double length = 0.0;
-    for (const std::size_t node : {beam.lower, beam.upper}) {
-      if (body_->is_voxel(node)) length += body_->half_length(sizes_, node, static_cast<std::size_t>(beam.axis));
-    }
-    rest_length_.push_back(length);
-  }
+  for (const StaticBeam& beam : body_->beams) rest_length_.push_back(body_->rest_length(sizes_, beam));
   return true;
 }
 
@@ -136,12 +129,13 @@ std::optional<Eigen::Index> ForceBalance::first_unknown(std::size_t node) const 
 }
 
 Eigen::VectorXd ForceBalance::linearise(const StaticState& state) {
-  stiffness_.set_zero();
-  return scaled(sum_loads(state, &stiffness_));
+  if (!stiffness_) lay_down_stiffness();
+  stiffness_->set_zero();
+  return scaled(sum_loads(state, &*stiffness_));
 }
 
 Eigen::VectorXd ForceBalance::masses() const {
-  Eigen::VectorXd masses(stiffness().rows());
+  Eigen::VectorXd masses(unknown_count());
   for (std::size_t i = 0; i < free_nodes_.size(); ++i) {
     const Eigen::Index at = 6 * static_cast<Eigen::Index>(i);
     const double per = 1.0 / (force_scale_ * body_->edge_m);
@@ -233,7 +227,7 @@ void ForceBalance::add_weight_and_ground(const StaticState& state, std::vector<N
 }
 
 Eigen::VectorXd ForceBalance::scaled(const std::vector<NodeLoad>& loads) const {
-  Eigen::VectorXd result(stiffness().rows());
+  Eigen::VectorXd result(unknown_count());
   for (std::size_t i = 0; i < free_nodes_.size(); ++i) {
     const NodeLoad& load = loads[free_nodes_[i]];
     const Eigen::Index at = 6 * static_cast<Eigen::Index>(i);

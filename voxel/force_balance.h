@@ -82,9 +82,12 @@ class ForceBalance {
   /// Scaled residual of the unknowns.
   [[nodiscard]] Eigen::VectorXd residual(const StaticState& state) const { return scaled(node_loads(state)); }
 
-  /// Scaled residual; puts minus its derivative into stiffness().
+  /// Scaled residual; puts minus its derivative into stiffness(), which before has no values.
   [[nodiscard]] Eigen::VectorXd linearise(const StaticState& state);
-  [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_.matrix(); }
+  [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_->matrix(); }
+
+  /// Six for every voxel that is not fixed.
+  [[nodiscard]] Eigen::Index unknown_count() const { return 6 * static_cast<Eigen::Index>(free_nodes_.size()); }
 
   /// Scaled lumped masses of the unknowns, s^2: squares of angular frequencies are eigenvalues of the stiffness against them.
   [[nodiscard]] Eigen::VectorXd masses() const;
@@ -99,6 +102,7 @@ class ForceBalance {
  private:
   using BlockPlaces = std::array<std::optional<BlockMatrix::Place>, 4>;  ///< lower-lower, lower-upper, upper-lower, upper-upper
 
+  void lay_down_stiffness();
   [[nodiscard]] std::vector<std::array<std::size_t, 2>> pattern() const;
   [[nodiscard]] BlockPlaces places_of(std::size_t row_beam, std::size_t column_beam) const;
   [[nodiscard]] std::vector<NodeLoad> sum_loads(const StaticState& state, BlockMatrix* stiffness) const;
@@ -113,7 +117,7 @@ class ForceBalance {
   std::vector<std::optional<std::size_t>> free_;  ///< by node: its position among the voxels that are not fixed
   std::vector<std::size_t> free_nodes_;
   std::vector<std::array<std::size_t, 2>> coupled_;  ///< pairs of beams along different axes at a voxel, once per voxel
-  BlockMatrix stiffness_;
+  std::optional<BlockMatrix> stiffness_;  ///< laid down when it is first needed: many balances are only asked for residuals
   std::vector<BlockPlaces> beam_places_;
   std::vector<BlockPlaces> coupled_places_;
   StaticLoads loads_;

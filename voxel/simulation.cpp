@@ -33,8 +33,12 @@ std::vector<std::string> check_calibrated(const meshes::Polycube& body, double c
           "pressure_Pa must ascend");
   const meshes::Polycube basal = basal_body_of(body, calibrated.level);
   std::vector<std::string> outside = outside_validity(calibrated, basal);
-  if (!outside.empty() && calibrated.outside_range == OutsideRange::refuse) throw OutsideValidity(io::joined(outside, "; "));
-  std::string problem = unusable_parameters(calibrated, cell_edge_m, &basal);
+  std::string sizeless = sizeless_walls(calibrated, basal);
+  const bool has_sizes = sizeless.empty();
+  if (!has_sizes) outside.push_back(std::move(sizeless));
+  if (!has_sizes || (!outside.empty() && calibrated.outside_range == OutsideRange::refuse))
+    throw OutsideValidity(io::joined(outside, "; "));
+  std::string problem = unusable_parameters(calibrated, cell_edge_m);
   require(problem.empty(), problem.c_str());
   const HollowVoxels voxels = calibrated_voxels(body, calibrated);
   problem = unrealisable_phases(voxels, actuation_phases(Lattice(voxels.body), physics.actuation));

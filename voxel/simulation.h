@@ -46,9 +46,9 @@ struct Divergence {
 /// Where and how a run diverged, in a line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in m/s.
 std::string divergence_text(const Divergence& divergence);
 
-/// A calibrated body that with its drive lies outside the range of validity, with OutsideRange::refuse; see
-/// voxel::outside_validity, whose sentences what() joins by "; ". Apart from other wrong arguments, because a search meets such
-/// bodies among others.
+/// A calibrated body that with its drive lies outside the range of validity, with OutsideRange::refuse, or whose walls have no
+/// size under its drive, whatever the rule; see voxel::outside_validity and sizeless_walls, whose sentences what() joins by "; ".
+/// Apart from other wrong arguments, because a search meets such bodies among others.
 class OutsideValidity : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

@@ -123,6 +123,14 @@ std::vector<std::size_t> StaticBody::end_voxels(Side side) const {
   return ends;
 }
 
+double StaticBody::rest_length(const DrivenSizes& sizes, const StaticBeam& beam) const {
+  double length = 0.0;
+  for (const std::size_t node : {beam.lower, beam.upper}) {
+    if (is_voxel(node)) length += half_length(sizes, node, static_cast<std::size_t>(beam.axis));
+  }
+  return length;
+}
+
 std::optional<DrivenSizes> driven_sizes(const StaticBody& body, const std::vector<double>& pressures_Pa) {
   const SurrogateParameters& parameters = body.parameters;
   const double smallest = 0.1 * 0.5 * parameters.voxel_edge_m();

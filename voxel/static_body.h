@@ -73,6 +73,8 @@ struct StaticBody {
   [[nodiscard]] double half_length(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
     return sizes.half_m[voxels.chamber[voxel]][voxels.wall_class[voxel][axis]];
   }
+  /// Of a beam, without lateral coupling, m.
+  [[nodiscard]] double rest_length(const DrivenSizes& sizes, const StaticBeam& beam) const;
   /// Mean bulge of a wall of a voxel across an axis, m.
   [[nodiscard]] double bulge(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
     return edge_m * sizes.bulge[voxels.chamber[voxel]][voxels.wall_class[voxel][axis]];

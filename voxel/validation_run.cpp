@@ -5,6 +5,7 @@
 
 #include "io/whole_file.h"
 #include "voxel/kept_fields.h"
+#include "voxel/load_case_slopes.h"
 #include "voxel/validation_charts.h"
 #include "voxel/validation_scene.h"
 #include "voxel/validation_tables.h"
@@ -137,7 +138,7 @@ void explain(ValidationResult& result, const std::string& worst, const Surrogate
       tell(options, comparing + explaining * done / static_cast<double>(bodies.size()),
            bodies[b] + " with " + std::string(to_string(part)) + " of its own");
     };
-    result.causes.push_back(explain_miss(result.comparisons, bodies[b], parameters, respond, cause));
+    result.causes.push_back(explain_miss(result.comparisons, bodies[b], parameters, equilibrium_responder(), cause));
     if (!is_stopped(options)) continue;
     result.status = io::RunStatus::stopped;
     return;

@@ -21,13 +21,13 @@ Eigen::VectorXd pressure_slope(ForceBalance& balance, const Equilibrium& equilib
       rate = std::max({rate, std::abs(law.slope_per_Pa), std::abs(law.pressure_softening_per_Pa),
                        std::abs(law.vacuum_softening_per_Pa), law.fading_per_Pa});
   }
-  if (rate == 0.0) return Eigen::VectorXd::Zero(balance.stiffness().rows());
+  if (rate == 0.0) return Eigen::VectorXd::Zero(balance.unknown_count());
   const double step = 1e-5 / rate;
   const auto residual_at = [&](double change) {
     StaticLoads loads = equilibrium.loads();
     for (double& pressure : loads.pressures_Pa) pressure += change;
     const bool in_range = balance.set_loads(loads);
-    return in_range ? balance.residual(equilibrium.state()) : Eigen::VectorXd::Zero(balance.stiffness().rows()).eval();
+    return in_range ? balance.residual(equilibrium.state()) : Eigen::VectorXd::Zero(balance.unknown_count()).eval();
   };
   return (residual_at(step) - residual_at(-step)) / (2.0 * step);
 }
@@ -43,7 +43,7 @@ Eigen::MatrixXd rigid_motions(const ForceBalance& balance, const StaticState& st
   Vector3<double> middle{0.0, 0.0, 0.0};
   for (std::size_t voxel = 0; voxel < body.voxel_count(); ++voxel)
     middle = middle + (1.0 / static_cast<double>(body.voxel_count())) * state.poses[voxel].position;
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(balance.stiffness().rows(), 6);
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(balance.unknown_count(), 6);
   for (std::size_t voxel = 0; voxel < body.voxel_count(); ++voxel) {
     const auto at = balance.first_unknown(voxel);
     if (!at) continue;

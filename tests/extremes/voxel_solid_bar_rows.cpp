@@ -6,6 +6,7 @@
 #include "tests/extremes/solid_bar.h"
 #include "tests/extremes/voxel_rows.h"
 #include "voxel/body_shape.h"
+#include "voxel/equilibrium.h"
 #include "voxel/load_case_response.h"
 
 namespace menger::extremes {

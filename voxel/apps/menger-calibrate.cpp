@@ -16,6 +16,7 @@
 #include "voxel/calibration_report.h"
 #include "voxel/calibration_run.h"
 #include "voxel/calibration_tables.h"
+#include "voxel/load_case_slopes.h"
 
 namespace {
 
@@ -143,7 +144,8 @@ int run(int argc, const char* const* argv) {
   voxel::CalibrationRunOptions options{
       .pictures = !arguments.no_pictures, .identifiability_fits = arguments.identifiability_fits, .stop = &io::interrupted()};
   options.progress = [&](double done, const std::string& note) { progress.update(done, note); };
-  const voxel::CalibrationRunResult result = voxel::run_calibration(study, voxel::respond, arguments.folder, options);
+  const voxel::CalibrationRunResult result =
+      voxel::run_calibration(study, voxel::equilibrium_responder(), arguments.folder, options);
   progress.clear();
   print(result, arguments.folder);
   return exit_code_of(result);

@@ -132,6 +132,33 @@ TEST_F(CalibratedStudy, RefusesDrivesThatNoWallWasFittedAt) {
   expect_refused(head + in_phase, "from -400 to 2000 Pa between joints");
 }
 
+TEST_F(CalibratedStudy, LeavesWallsWithoutASizeToTheJudgementOfTheirBodies) {
+  voxel::SurrogateParameters parameters = tests::surrogate_example();
+  const auto end_at_1400 = [&](std::size_t c) {
+    parameters.bulge.at(c).pressure_softening_per_Pa = 1.0 / 1400.0;
+    parameters.validity.highest_pressure_Pa.at(c) = 1300.0;
+  };
+  end_at_1400(voxel::walls::corner);
+  io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
+  const std::atomic<bool> never{false};
+  const std::string fault = "wall class 2a has no equilibrium at pressure_Pa = 1500";
+  for (const std::string rule : {"refuse", "warn"}) {
+    const Study study = read(head + "outside_range = \"" + rule + "\"\n" + in_phase);
+    const std::vector<std::string> notes = study_notes(study);
+    EXPECT_EQ(std::ranges::count(notes, fault + ": bodies with such walls get no result"), 1) << rule;
+    const VoxelEvaluator evaluator(study.physics, 0.01, 0.02);
+    const Evaluation bar = evaluator.evaluate(meshes::Polycube::from_digits(3, 1, 1, "111"), 1, never);
+    EXPECT_EQ(bar.status, io::RunStatus::completed) << bar.reason;
+    const Evaluation square = evaluator.evaluate(meshes::Polycube::from_digits(2, 2, 1, "1111"), 1, never);
+    EXPECT_EQ(square.status, io::RunStatus::diverged) << rule;
+    EXPECT_FALSE(square.displacement_m);
+    EXPECT_NE(square.reason.find(fault), std::string::npos) << square.reason;
+  }
+  for (std::size_t c = 0; c < voxel::wall_class_count; ++c) end_at_1400(c);
+  io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
+  expect_refused(head + in_phase, "wall class 0 has no equilibrium at pressure_Pa = 1500, nor has any other");
+}
+
 TEST_F(CalibratedStudy, RefusesLengthsThatNoBodyCouldKeep) {
   voxel::SurrogateParameters parameters = tests::surrogate_example();
   parameters.validity.longest_body_cells = 2;
