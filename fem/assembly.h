@@ -66,6 +66,12 @@ class Assembly {
   BodyTotals assemble(std::span<const double> displacements, const Loads& loads, std::span<double> residual,
                       std::span<std::vector<double>> volume_gradients, Mat stiffness, const HeldChange* held_change = nullptr);
 
+  /// Adds a block of some local nodes, row by row, to a matrix of make_matrix that has yet to be assembled.
+  /// @param block its rows and columns of held components become zero @param held_change takes what those columns would do, or
+  /// nullptr
+  void add_to_matrix(Mat stiffness, std::span<const Index> nodes, std::span<double> block,
+                     const HeldChange* held_change = nullptr) const;
+
   ElementGroups& elements() { return elements_; }
 
  private:
@@ -82,8 +88,6 @@ class Assembly {
   void add_plates(std::span<const double> displacements, const Loads& loads, std::span<const double> residual,
                   BodyTotals& totals) const;
   void add_held_change(std::span<const Index> nodes, std::span<const double> block, const HeldChange& held_change) const;
-  void add_to_matrix(Mat stiffness, std::span<const Index> nodes, std::span<double> block,
-                     const HeldChange* held_change = nullptr) const;
   void hold_diagonal(Mat stiffness) const;
   void sum_over_ranks(BodyTotals& totals) const;
 

@@ -21,22 +21,39 @@ void demand(bool is_met, const std::string& name, double value, const std::strin
   if (!is_met) throw io::InputError("explicit dynamics: " + name + " = " + io::number_text(value) + ": " + demand);
 }
 
+double default_contact_stiffness_Pa_per_m(const meshes::HexahedralMesh& mesh, const ExplicitBody& body) {
+  double bulk_modulus = 0.0;
+  for (std::size_t region = 0; region < mesh.region_names.size(); ++region)
+    bulk_modulus = std::max(bulk_modulus,
+                            std::visit([](const auto& law) { return law.bulk_modulus_Pa; }, body.region(region).material.volume));
+  return self_contact_stiffness_Pa_per_m(bulk_modulus, shortest_edge_m(mesh));
+}
+
 }  // namespace
 
 ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, ExplicitOptions options)
     : body_(body),
       options_(std::move(options)),
       chambers_(mesh),
-      walls_(mesh),
+      self_contact_(mesh,
+                    options_.self_contact && options_.self_contact->stiffness_Pa_per_m
+                        ? *options_.self_contact->stiffness_Pa_per_m
+                        : default_contact_stiffness_Pa_per_m(mesh, body),
+                    options_.self_contact.has_value()),
       areas_(outer_node_areas_m2(mesh)),
       nodes_(body_, chambers_, options_.loads, areas_),
       loop_(options_.threads) {
-  if (options_.schedules.empty()) options_.schedules.resize(chambers_.plenum_count());
+  if (!options_.supply) {
+    if (options_.schedules.empty()) options_.schedules.resize(chambers_.plenum_count());
+    options_.supply.emplace(std::vector<PlenumSupply>(options_.schedules.begin(), options_.schedules.end()));
+  } else if (!options_.schedules.empty()) {
+    throw io::InputError("explicit dynamics: schedules beside a supply of all plena");
+  }
   check(mesh);
   element_slots_.resize(24 * body.boxes().width() * body.boxes().batch_count());
   chamber_slots_.resize(chambers_.slot_count());
   outcomes_.resize(BlockLoop::block_count(body.boxes().batch_count(), batches_per_block));
-  works_.resize(BlockLoop::block_count(body.node_count(), nodes_per_block));
+  moves_.resize(BlockLoop::block_count(body.node_count(), nodes_per_block));
   current_positions_.resize(3 * body.node_count());
   first_volumes_ = chambers_.volumes_m3(body.reference_positions_m());
   energy_noise_ = 1e-10 * body.stiffness_J();
@@ -45,8 +62,8 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
   start.velocities_m_per_s = start.displacements_m;
   rest_stable_step_ = stable_step_at(start.displacements_m);
   set_state(std::move(start));
-  check_resolved(options_.schedules, mesh.plenum_names,
-                 std::min(options_.step_safety * rest_stable_step_, options_.largest_step_s.value_or(rest_stable_step_)));
+  options_.supply->check_resolved(
+      mesh.plenum_names, std::min(options_.step_safety * rest_stable_step_, options_.largest_step_s.value_or(rest_stable_step_)));
 }
 
 void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
@@ -59,9 +76,12 @@ void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
   demand(o.smallest_step_ratio > 0.0 && o.smallest_step_ratio < 1.0, "smallest_step_ratio", o.smallest_step_ratio,
          "must be in (0, 1)");
   demand(o.threads >= 1, "threads", o.threads, "must be >= 1");
+  if (o.self_contact && o.self_contact->stiffness_Pa_per_m)
+    demand(*o.self_contact->stiffness_Pa_per_m > 0.0, "self-contact stiffness_Pa_per_m", *o.self_contact->stiffness_Pa_per_m,
+           "must be > 0");
   demand(o.loads.mass_damping_per_s >= 0.0, "mass_damping_per_s", o.loads.mass_damping_per_s, "must be >= 0");
-  if (o.schedules.size() != mesh.plenum_names.size())
-    throw io::InputError("explicit dynamics: " + std::to_string(o.schedules.size()) + " schedules for " +
+  if (o.supply->plenum_count() != mesh.plenum_names.size())
+    throw io::InputError("explicit dynamics: " + std::to_string(o.supply->plenum_count()) + " schedules for " +
                          std::to_string(mesh.plenum_names.size()) + " plena");
   if (!o.loads.ground) return;
   const RigidGround& ground = *o.loads.ground;
@@ -87,8 +107,12 @@ void ExplicitDynamics::set_state(ExplicitState state) {
     throw io::InputError("explicit dynamics: cannot start from this state: " + failure_in_element().reason);
   for (std::size_t n = 0; n < state_.velocities_m_per_s.size(); ++n)
     if (body_.inverse_masses_per_kg()[n] == 0.0) state_.velocities_m_per_s[n] = 0.0;
+  if (!state_.pneumatics || !options_.supply->has_lines())
+    state_.pneumatics = options_.supply->start(state_.time_s, plenum_volumes_m3());
+  set_current_positions();
+  self_contact_.forget();
+  self_contact_.find_touches(current_positions_, loop_);
   stable_step_ = stable_step_at(state_.displacements_m);
-  gap_ = walls_.smallest_gap(positions_m());
   if (state_.at_start_J) return;
   state_.at_start_J = 0.0;
   state_.at_start_J = energies().imbalance_J();
@@ -102,10 +126,8 @@ double ExplicitDynamics::compute_forces() {
     outcomes_[block] = body_.element_forces(motion, begin, end - begin, element_slots_.data());
   });
   if (chambers_.chamber_count() > 0) {
-    std::vector<double> pressures;
-    for (const PlenumSchedule& schedule : options_.schedules) pressures.push_back(pressure_Pa(schedule, state_.time_s));
-    for (std::size_t n = 0; n < current_positions_.size(); ++n)
-      current_positions_[n] = body_.reference_positions_m()[n] + state_.displacements_m[n];
+    const std::vector<double> pressures = options_.supply->pressures_Pa(*state_.pneumatics);
+    set_current_positions();
     loop_.run(chambers_.face_count(), faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
       chambers_.set_face_forces(current_positions_, pressures, {begin, end}, chamber_slots_);
     });
@@ -113,24 +135,39 @@ double ExplicitDynamics::compute_forces() {
   }
   double smallest = 1.0;
   for (const ElementsOutcome& outcome : outcomes_) smallest = std::min(smallest, outcome.smallest_ratio);
+  if (self_contact_.is_awake() && smallest > 0.0) {  // positions that are not finite have no neighbours
+    if (chambers_.chamber_count() == 0) set_current_positions();
+    self_contact_.find_touches(current_positions_, loop_);
+  }
   return smallest;
 }
 
-ExplicitWork ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
-  const SlotForces forces{element_slots_, chamber_slots_};
+void ExplicitDynamics::set_current_positions() {
+  for (std::size_t n = 0; n < current_positions_.size(); ++n)
+    current_positions_[n] = body_.reference_positions_m()[n] + state_.displacements_m[n];
+}
+
+NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
+  SlotForces forces{element_slots_, chamber_slots_};
+  if (options_.self_contact) forces.self_contact_N = self_contact_.forces_N();
   loop_.run(body_.node_count(), nodes_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
-    works_[block] = nodes_.move(forces, times, {begin, end}, displacements, velocities);
+    moves_[block] = nodes_.move(forces, times, {begin, end}, displacements, velocities);
   });
-  ExplicitWork work;
-  for (const ExplicitWork& part : works_) work += part;
-  for (const ElementsOutcome& outcome : outcomes_) work.viscous_J += times.kick_s * outcome.dissipated_W;
-  return work;
+  NodesOutcome all;
+  for (const NodesOutcome& part : moves_) {
+    all.work += part.work;
+    all.largest_speed_square_m2_per_s2 = std::max(all.largest_speed_square_m2_per_s2, part.largest_speed_square_m2_per_s2);
+  }
+  for (const ElementsOutcome& outcome : outcomes_) all.work.viscous_J += times.kick_s * outcome.dissipated_W;
+  return all;
 }
 
 bool ExplicitDynamics::take_step(double step_s) {
   if (!(compute_forces() > 0.0)) return false;
-  const StepTimes times{0.5 * (state_.last_step_s + step_s), step_s};
-  state_.work += move(times, state_.displacements_m, state_.velocities_m_per_s);
+  const StepTimes times{0.5 * (state_.last_step_s + step_s), step_s, common_velocity_};
+  const NodesOutcome outcome = move(times, state_.displacements_m, state_.velocities_m_per_s);
+  state_.work += outcome.work;
+  self_contact_.moved(step_s * std::sqrt(outcome.largest_speed_square_m2_per_s2));
   state_.last_step_s = step_s;
   ++state_.steps;
   return true;
@@ -140,7 +177,7 @@ ExplicitDynamics::HalfStep ExplicitDynamics::half_step() {
   HalfStep half{state_.velocities_m_per_s, {}};
   compute_forces();
   std::vector<double> displacements = state_.displacements_m;
-  half.work = move({0.5 * state_.last_step_s, 0.0}, displacements, half.velocities);
+  half.work = move({0.5 * state_.last_step_s, 0.0, {}}, displacements, half.velocities).work;
   return half;
 }
 

@@ -10,6 +10,7 @@ struct ExplicitWork {
   double pressure_J = 0.0;      ///< of the chambers' pressure
   double gravity_J = 0.0;       ///< of the weight
   double contact_J = 0.0;       ///< of the ground's springs on the body: minus what is stored in them
+  double self_contact_J = 0.0;  ///< of those between parts of the surface: minus what is stored in them
   double friction_J = 0.0;      ///< lost
   double viscous_J = 0.0;       ///< lost in the material; to first order in the step
   double mass_damping_J = 0.0;  ///< lost
@@ -18,6 +19,7 @@ struct ExplicitWork {
     pressure_J += other.pressure_J;
     gravity_J += other.gravity_J;
     contact_J += other.contact_J;
+    self_contact_J += other.self_contact_J;
     friction_J += other.friction_J;
     viscous_J += other.viscous_J;
     mass_damping_J += other.mass_damping_J;
@@ -34,7 +36,7 @@ struct ExplicitEnergies {
 
   /// What is there minus what should be there: zero but for errors of second order in the step (first in viscous losses).
   [[nodiscard]] double imbalance_J() const {
-    const double put_in = work.pressure_J + work.gravity_J + work.contact_J;
+    const double put_in = work.pressure_J + work.gravity_J + work.contact_J + work.self_contact_J;
     const double lost = work.friction_J + work.viscous_J + work.mass_damping_J;
     return kinetic_J + strain_J + lost - put_in - at_start_J;
   }
@@ -42,7 +44,7 @@ struct ExplicitEnergies {
   /// The sizes of all works, losses and of the energy at the start, added up: what an imbalance is to be compared with.
   [[nodiscard]] double turnover_J() const {
     return std::abs(work.pressure_J) + std::abs(work.gravity_J) + std::abs(work.contact_J) + std::abs(work.friction_J) +
-           std::abs(work.viscous_J) + std::abs(work.mass_damping_J) + std::abs(at_start_J);
+           std::abs(work.viscous_J) + std::abs(work.mass_damping_J) + std::abs(at_start_J) + std::abs(work.self_contact_J);
   }
 };
 

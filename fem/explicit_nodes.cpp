@@ -52,18 +52,21 @@ double apply_friction(const Friction& friction, const Kick& kick, double normal_
 
 }  // namespace
 
-/// Work of pressure, weight, ground, friction and mass damping is force times the mean of both velocities, as the change of
-/// kinetic energy is. That of the elements is not counted here: the books have their energy and their dissipation instead.
-ExplicitWork NodeUpdate::move(const SlotForces& forces, const StepTimes& times, FaceRange nodes,
+/// Work of pressure, weight, ground, contact, friction and mass damping is force times the mean of both velocities, as the change
+/// of kinetic energy is. That of the elements is not counted here: the books have their energy and their dissipation instead.
+NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, FaceRange nodes,
                               std::span<double> displacements_m, std::span<double> velocities_m_per_s) const {
   const Kick kick = kick_of(times.kick_s, loads_.mass_damping_per_s);
   const Point gravity = loads_.gravity_m_per_s2;
   const RigidGround* ground = loads_.ground ? &*loads_.ground : nullptr;
   double pressure_power = 0.0;
   double contact_power = 0.0;
+  double self_contact_power = 0.0;
   double damped_power = 0.0;
   Point momentum{};
-  ExplicitWork work;
+  NodesOutcome outcome;
+  ExplicitWork& work = outcome.work;
+  const bool has_self_contact = !forces.self_contact_N.empty();
   for (std::size_t node = nodes.begin; node < nodes.end; ++node) {
     double* u = displacements_m.data() + 3 * node;
     double* v = velocities_m_per_s.data() + 3 * node;
@@ -79,7 +82,8 @@ ExplicitWork NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
     const Point before{v[0], v[1], v[2]};
     Point after{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const double load = pressure[i] - inner[i] + mass * gravity[i] + (i == 2 ? normal : 0.0);
+      double load = pressure[i] - inner[i] + mass * gravity[i] + (i == 2 ? normal : 0.0);
+      if (has_self_contact) load += forces.self_contact_N[3 * node + i];
       after[i] = kick.kept * before[i] + kick.time_s * inverse_masses[i] * load;
     }
     if (normal > 0.0 && inverse_masses[0] > 0.0 && inverse_masses[1] > 0.0)
@@ -87,18 +91,23 @@ ExplicitWork NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
     const Point mean = scaled(0.5, sum(before, after));
     pressure_power += dot(pressure, mean);
     contact_power += normal * mean[2];
+    if (has_self_contact)
+      for (std::size_t i = 0; i < 3; ++i) self_contact_power += forces.self_contact_N[3 * node + i] * mean[i];
     damped_power += mass * dot(mean, mean);
     momentum = sum(momentum, scaled(mass, mean));
     for (std::size_t i = 0; i < 3; ++i) {
       v[i] = after[i];
       u[i] += times.drift_s * after[i];
     }
+    const Point apart = difference(after, times.common_velocity_m_per_s);
+    outcome.largest_speed_square_m2_per_s2 = std::max(outcome.largest_speed_square_m2_per_s2, dot(apart, apart));
   }
   work.pressure_J = times.kick_s * pressure_power;
   work.contact_J = times.kick_s * contact_power;
+  work.self_contact_J = times.kick_s * self_contact_power;
   work.gravity_J = times.kick_s * dot(gravity, momentum);
   work.mass_damping_J = times.kick_s * loads_.mass_damping_per_s * damped_power;
-  return work;
+  return outcome;
 }
 
 }  // namespace menger::fem

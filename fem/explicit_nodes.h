@@ -19,16 +19,24 @@ struct NodalLoads {
   std::optional<RigidGround> ground{};
 };
 
-/// Forces of elements and chambers, in their slots.
+/// Forces of elements and chambers, in their slots, and of a body's contact with itself.
 struct SlotForces {
   std::span<const double> elements_N;
   std::span<const double> chambers_N;
+  std::span<const double> self_contact_N{};  ///< 3 per node; empty: none
 };
 
 /// The two halves of a step: time over which forces change velocities, and time over which velocities change displacements.
 struct StepTimes {
   double kick_s = 0.0;
   double drift_s = 0.0;
+  Point common_velocity_m_per_s{};  ///< what speeds are told against
+};
+
+/// What came of a step.
+struct NodesOutcome {
+  ExplicitWork work;                            ///< of the kick
+  double largest_speed_square_m2_per_s2 = 0.0;  ///< after the kick, against the common velocity
 };
 
 /// Sums the forces on nodes and moves them, each by itself. Nodes that are held in x or y feel no friction.
@@ -39,8 +47,8 @@ class NodeUpdate {
              const std::vector<double>& outer_areas_m2)
       : body_(body), chambers_(chambers), loads_(loads), areas_(outer_areas_m2) {}
 
-  /// Nodes begin to end. @param displacements_m, velocities_m_per_s 3 per node, changed @return the work of the kick
-  ExplicitWork move(const SlotForces& forces, const StepTimes& times, FaceRange nodes, std::span<double> displacements_m,
+  /// Nodes begin to end. @param displacements_m, velocities_m_per_s 3 per node, changed
+  NodesOutcome move(const SlotForces& forces, const StepTimes& times, FaceRange nodes, std::span<double> displacements_m,
                     std::span<double> velocities_m_per_s) const;
 
  private:

@@ -12,8 +12,24 @@ std::vector<double> ExplicitDynamics::positions_m() const {
 
 std::vector<double> ExplicitDynamics::velocities_m_per_s() { return half_step().velocities; }
 
+std::vector<double> ExplicitDynamics::plenum_volumes_m3() const {
+  const std::vector<double> chambers = chamber_volumes_m3();
+  std::vector<double> volumes(chambers_.plenum_count(), 0.0);
+  for (std::size_t c = 0; c < chambers.size(); ++c) volumes[chambers_.plenum(c)] += chambers[c];
+  return volumes;
+}
+
 double ExplicitDynamics::plenum_pressure_Pa(std::size_t plenum) const {
-  return pressure_Pa(options_.schedules[plenum], state_.time_s);
+  return options_.supply->pressure_Pa(*state_.pneumatics, plenum);
+}
+
+/// Pressures at the time that the state has come to.
+bool ExplicitDynamics::supply_air() {
+  if (!options_.supply->has_lines()) {
+    state_.pneumatics->time_s = state_.time_s;
+    return true;
+  }
+  return options_.supply->advance(*state_.pneumatics, state_.time_s, plenum_volumes_m3());
 }
 
 ExplicitEnergies ExplicitDynamics::energies() {
@@ -30,6 +46,20 @@ ExplicitEnergies ExplicitDynamics::energies() {
 
 double ExplicitDynamics::ground_force_N() const {
   return options_.loads.ground ? fem::ground_force_N(*options_.loads.ground, positions_m(), areas_) : 0.0;
+}
+
+std::vector<SelfTouch> ExplicitDynamics::self_touches() {
+  if (!options_.self_contact) return {};
+  compute_forces();
+  return self_contact_.touches();
+}
+
+/// By masses, half a step before the state.
+Point ExplicitDynamics::mean_velocity_m_per_s() const {
+  Point momentum{};
+  for (std::size_t n = 0; n < state_.velocities_m_per_s.size(); ++n)
+    momentum[n % 3] += body_.masses_kg()[n / 3] * state_.velocities_m_per_s[n];
+  return scaled(1.0 / body_.mass_kg(), momentum);
 }
 
 Point ExplicitDynamics::centre_of_mass_m() const {

@@ -97,6 +97,17 @@ double pressure_Pa(const PlenumSchedule& plenum, double time_s) {
   return time_s < plenum.ramp_s ? pressure * time_s / plenum.ramp_s : pressure;
 }
 
+double lowest_pressure_Pa(const PlenumSchedule& plenum) {
+  struct Lowest {
+    double operator()(const ConstantPressure& constant) const { return constant.pressure_Pa; }
+    double operator()(const SinePressure& sine) const { return std::min(sine.low_Pa, sine.high_Pa); }
+    double operator()(const SquarePressure& square) const { return std::min(square.low_Pa, square.high_Pa); }
+    double operator()(const PressureTable& table) const { return *std::ranges::min_element(table.pressures_Pa); }
+  };
+  const double lowest = std::visit(Lowest{}, plenum.schedule);
+  return plenum.ramp_s > 0.0 ? std::min(0.0, lowest) : lowest;
+}
+
 PressureTable read_pressure_table(const std::filesystem::path& file) {
   const io::CsvContents csv = io::read_csv(file);
   PressureTable table{csv.numbers("time_s"), csv.numbers("pressure_Pa")};
@@ -108,20 +119,26 @@ PressureTable read_pressure_table(const std::filesystem::path& file) {
   return table;
 }
 
+PlenumSchedule read_plenum_schedule(const io::TomlTable& table) {
+  return {read_schedule(table), table.number_or("ramp_s", 0.0, io::non_negative())};
+}
+
+std::size_t named_plenum(const io::TomlTable& table, std::span<const std::string> plenum_names) {
+  const std::string name = table.text("plenum");
+  const auto at = std::ranges::find(plenum_names, name);
+  if (at != plenum_names.end()) return static_cast<std::size_t>(at - plenum_names.begin());
+  std::string known;
+  for (const std::string& plenum : plenum_names) known += (known.empty() ? "\"" : ", \"") + plenum + "\"";
+  throw table.error("plenum", "the body has " + (known.empty() ? "no plenum" : known));
+}
+
 std::vector<PlenumSchedule> read_plenum_schedules(std::span<const io::TomlTable> tables,
                                                   std::span<const std::string> plenum_names) {
   std::vector<std::optional<PlenumSchedule>> found(plenum_names.size());
   for (const io::TomlTable& table : tables) {
-    const std::string name = table.text("plenum");
-    const auto at = std::find(plenum_names.begin(), plenum_names.end(), name);
-    if (at == plenum_names.end()) {
-      std::string known;
-      for (const std::string& plenum : plenum_names) known += (known.empty() ? "\"" : ", \"") + plenum + "\"";
-      throw table.error("plenum", "the body has " + (known.empty() ? "no plenum" : known));
-    }
-    auto& schedule = found[static_cast<std::size_t>(at - plenum_names.begin())];
+    auto& schedule = found[named_plenum(table, plenum_names)];
     if (schedule) throw table.error("plenum", "has a schedule already");
-    schedule = PlenumSchedule{read_schedule(table), table.number_or("ramp_s", 0.0, io::non_negative())};
+    schedule = read_plenum_schedule(table);
   }
   std::vector<PlenumSchedule> schedules;
   schedules.reserve(found.size());

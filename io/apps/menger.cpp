@@ -33,6 +33,8 @@ constexpr std::array commands{
     Command{"mesh", "mesh a design as a hollow silicone body", "menger mesh mesh.toml"},
     Command{"inflate", "inflate the chambers of a finite-element body", "menger inflate inflate.toml"},
     Command{"modes", "natural frequencies and modes of a finite-element body", "menger modes inflate.toml"},
+    Command{"stall-map", "piston stroke and line resistance against pressure", "menger stall-map study.toml"},
+    Command{"locomote", "finite-element locomotion of a silicone robot over the ground", "menger locomote locomotion.toml"},
     Command{"load-cases", "finite-element answers to a set of load cases", "menger load-cases set.toml"},
     Command{"calibrate", "calibrate voxel parameters to finite-element response curves", "menger calibrate study.toml"},
     Command{"validate", "compare voxel and finite-element responses", "menger validate validate.toml"},
@@ -41,7 +43,7 @@ constexpr std::array commands{
     Command{"simulate", "simulate one design and write its trajectory", "menger simulate scene.toml"},
     Command{"evolve", "evolve fractal robots; resumes where its archive stops", "menger evolve study.toml"},
     Command{"export", "write designs and tables from the archive of a run", "menger export run.sqlite"},
-    Command{"reevaluate", "judge the winners of a run again with finite elements", "menger reevaluate study.toml"},
+    Command{"reevaluate", "judge the winners of a run again with finite elements", "menger reevaluate run.sqlite --top 5"},
 };
 
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }

@@ -72,12 +72,14 @@ void element_forces(benchmark::State& state, const Subject& subject, const fem::
   state.counters["s_per_element"] = benchmark::Counter(updates, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void run(benchmark::State& state, const Subject& subject, double time_s, double viscosity_Pa_s) {
+void run(benchmark::State& state, const Subject& subject, double time_s, double viscosity_Pa_s, bool has_self_contact) {
   const fem::ExplicitBody body = silicone_body(subject.mesh, viscosity_Pa_s, fem::best_explicit_kernels());
   std::size_t steps = 0;
   for (auto unused : state) {
     (void)unused;
-    fem::ExplicitDynamics dynamics(subject.mesh, body, on_ground(subject.mesh.plenum_names.size()));
+    fem::ExplicitOptions options = on_ground(subject.mesh.plenum_names.size());
+    if (!has_self_contact) options.self_contact.reset();
+    fem::ExplicitDynamics dynamics(subject.mesh, body, options);
     const fem::ExplicitReport& report = dynamics.advance_to(time_s);
     if (report.status != io::RunStatus::completed) {
       state.SkipWithError(report.reason.c_str());
@@ -107,12 +109,17 @@ int main(int argc, char** argv) {
     }
     const double time_s = subject.name == "cube20" ? 0.5 : 0.05;
     for (const double viscosity : {0.0, 10.0}) {
-      const std::string name = "OnGround/" + subject.name + (viscosity > 0.0 ? "/viscous" : "/elastic");
-      benchmark::RegisterBenchmark(
-          name.c_str(), [&subject, time_s, viscosity](benchmark::State& state) { run(state, subject, time_s, viscosity); })
-          ->Unit(benchmark::kSecond)
-          ->MeasureProcessCPUTime()
-          ->Iterations(1);
+      for (const bool has_self_contact : {true, false}) {
+        const std::string name = "OnGround/" + subject.name + (viscosity > 0.0 ? "/viscous" : "/elastic") +
+                                 (has_self_contact ? "" : "/without_self_contact");
+        benchmark::RegisterBenchmark(name.c_str(),
+                                     [&subject, time_s, viscosity, has_self_contact](benchmark::State& state) {
+                                       run(state, subject, time_s, viscosity, has_self_contact);
+                                     })
+            ->Unit(benchmark::kSecond)
+            ->MeasureProcessCPUTime()
+            ->Iterations(1);
+      }
     }
   }
   benchmark::Initialize(&argc, argv);

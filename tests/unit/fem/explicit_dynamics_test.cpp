@@ -174,6 +174,9 @@ TEST(ExplicitDynamics, RefusesBadOptions) {
   EXPECT_EQ(message([](ExplicitOptions&) {}), "no error");
   EXPECT_NE(message([](ExplicitOptions& o) { o.step_safety = 1.5; }).find("step_safety = 1.5"), std::string::npos);
   EXPECT_NE(message([](ExplicitOptions& o) { o.threads = 0; }).find("threads = 0"), std::string::npos);
+  EXPECT_NE(
+      message([](ExplicitOptions& o) { o.self_contact->stiffness_Pa_per_m = -1.0; }).find("self-contact stiffness_Pa_per_m = -1"),
+      std::string::npos);
   EXPECT_NE(message([](ExplicitOptions& o) { o.schedules.resize(2); }).find("2 schedules for 1 plena"), std::string::npos);
   EXPECT_NE(message([](ExplicitOptions& o) { o.loads.ground->friction.static_coefficient = 0.1; }).find("static_coefficient"),
             std::string::npos);

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fem/implicit_dynamics.h"
+#include "io/number_text.h"
+
+namespace menger::fem {
+namespace {
+
+constexpr double close_steps = 1.2;  // ratio of steps that can share a factorisation
+constexpr double touching_gap = 1e-3;
+
+}  // namespace
+
+const ImplicitReport& ImplicitDynamics::advance_to(double time_s) {
+  while (report_.status == io::RunStatus::completed && state_.time_s < time_s) {
+    if (options_.stop != nullptr && *options_.stop) {
+      fail(io::RunStatus::stopped, "interrupted");
+    } else {
+      pass_step(time_s);
+    }
+  }
+  return report_;
+}
+
+void ImplicitDynamics::fail(io::RunStatus status, const std::string& reason) {
+  report_ = {status, reason + " at " + io::number_text(state_.time_s) + " s"};
+}
+
+/// One good step, the last of equal ones to a time where it is near.
+void ImplicitDynamics::pass_step(double end_s) {
+  std::vector<double> u;
+  for (;;) {
+    const double left = end_s - state_.time_s;
+    const double wanted = std::min(state_.next_step_s, options_.largest_step_s);
+    const double count = std::max(1.0, std::ceil(left / wanted * (1.0 - 1e-9)));
+    const double step = left / count;
+    trial_.time_s = count == 1.0 ? end_s : state_.time_s + step;
+    const Judgement judgement = try_step(step, u);
+    if (judgement == Judgement::good) {
+      if (count > 1.0 || error_ > 0.5) state_.next_step_s = next_step_s(step, error_);
+      accept(std::move(u));
+      return;
+    }
+    ++state_.rejected_steps;
+    state_.next_step_s = judgement == Judgement::inaccurate ? std::min(0.9 * step, next_step_s(step, error_)) : 0.4 * step;
+    if (state_.next_step_s >= options_.smallest_step_s) continue;
+    switch (judgement) {
+      case Judgement::inverted:
+        fail(io::RunStatus::inverted_element,
+             "an element would turn inside out, or its law has no answer, however short the step");
+        break;
+      case Judgement::crossing:
+        fail(io::RunStatus::wall_contact, "chamber walls touch");
+        break;
+      default:
+        fail(io::RunStatus::not_converged,
+             "no step as short as " + io::number_text(options_.smallest_step_s) + " s has an answer");
+    }
+    return;
+  }
+}
+
+/// @param u where the step ends
+ImplicitDynamics::Judgement ImplicitDynamics::try_step(double step_s, std::vector<double>& u) {
+  trial_.step_s = step_s;
+  u = state_.displacements_m;
+  for (std::size_t n = 0; n < u.size(); ++n)
+    u[n] += step_s * (state_.velocities_m_per_s[n] + 0.5 * step_s * state_.accelerations_m_per_s2[n]);
+  if (std::max(step_s, factorised_step_s_) > close_steps * std::min(step_s, factorised_step_s_)) newton_.forget_factorisation();
+  const NewtonOutcome outcome = newton_.solve(u, options_.newton_tolerance * tolerance_m_);
+  state_.iterations += static_cast<std::size_t>(outcome.iterations);
+  if (outcome.kind == NewtonOutcome::Kind::no_answer) return Judgement::inverted;
+  if (outcome.kind != NewtonOutcome::Kind::found) return Judgement::unsolved;
+  error_ = error_of_step() / tolerance_m_;
+  if (!(error_ <= 1.0)) return Judgement::inaccurate;
+  return look_at_walls(u);
+}
+
+/// c h^2 (a1 - a0) filtered by the matrix at hand, in which M stands with the factor m.
+double ImplicitDynamics::error_of_step() {
+  const double h = trial_.step_s;
+  const double mass_factor = (1.0 - scheme_.alpha_m) / ((1.0 - scheme_.alpha_f) * scheme_.beta * h * h);
+  std::vector<double> error(trial_.accelerations.size());
+  for (std::size_t n = 0; n < error.size(); ++n)
+    error[n] = scheme_.error_constant * h * h * (trial_.accelerations[n] - state_.accelerations_m_per_s2[n]);
+  copy_owned(error, work_in_);
+  petsc(VecScale(work_in_, mass_factor));
+  petsc(MatMult(mass_, work_in_, work_out_));
+  if (!newton_.apply_inverse(work_out_, work_in_)) return size_of(error);
+  const double* data = nullptr;
+  petsc(VecGetArrayRead(work_in_, &data));
+  std::copy_n(data, 3 * masses_.size(), error.begin());
+  petsc(VecRestoreArrayRead(work_in_, &data));
+  return size_of(error);
+}
+
+/// Walls of a chamber are looked at where it has shrunk and they may have closed half of their gap since the last look.
+ImplicitDynamics::Judgement ImplicitDynamics::look_at_walls(std::span<const double> u) {
+  const std::vector<double>& volumes = trial_.forces.totals.chamber_volumes_m3;
+  bool shrinks = false;
+  for (std::size_t c = 0; c < volumes.size(); ++c) shrinks = shrinks || volumes[c] < 0.999 * first_volumes_[c];
+  if (!shrinks) return Judgement::good;
+  if (gap_m_) {
+    double square = 0.0;
+    for (std::size_t node = 0; node < u.size() / 3; ++node) {
+      double way = 0.0;
+      for (std::size_t i = 0; i < 3; ++i) way += std::pow(u[3 * node + i] - gap_displacements_[3 * node + i], 2);
+      square = std::max(square, way);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_MAX, space().communicator);
+    const double way = 2.0 * std::sqrt(square);
+    if (way < 0.5 * *gap_m_) return Judgement::good;
+    if (way > *gap_m_ + gaps_.recognised_depth_m()) return Judgement::crossing;
+  }
+  const std::optional<WallGap> gap = gaps_.smallest(u);
+  if (!gap) return Judgement::good;
+  if (gap->is_crossing) return Judgement::crossing;
+  gap_m_ = gap->gap_m;
+  gap_displacements_.assign(u.begin(), u.end());
+  return Judgement::good;
+}
+
+/// Of the mean of two forces over the step to u.
+double ImplicitDynamics::mean_work(std::span<const double> before, std::span<const double> after,
+                                   std::span<const double> u) const {
+  double work = 0.0;
+  if (!after.empty())
+    for (std::size_t n = 0; n < 3 * masses_.size(); ++n)
+      work += 0.5 * (before[n] + after[n]) * (u[n] - state_.displacements_m[n]);
+  return sum_over_ranks(work);
+}
+
+void ImplicitDynamics::accept(std::vector<double>&& u) {
+  const Forces& now = trial_.forces;
+  ExplicitWork& work = state_.work;
+  for (std::size_t c = 0; c < body_.chambers.size(); ++c) {
+    const std::size_t plenum = body_.chambers[c].plenum;
+    work.pressure_J += 0.5 * (forces_.pressures_Pa[plenum] + now.pressures_Pa[plenum]) *
+                       (now.totals.chamber_volumes_m3[c] - forces_.totals.chamber_volumes_m3[c]);
+  }
+  work.gravity_J += now.totals.dead_load_work_J - forces_.totals.dead_load_work_J;
+  work.contact_J = -(now.ground.normal_energy_J + now.ground.stick_energy_J);
+  work.friction_J += now.ground.friction_loss_J;
+  work.viscous_J += mean_work(forces_.viscous_N, now.viscous_N, u);
+  work.mass_damping_J += mean_work(forces_.mass_damping_N, now.mass_damping_N, u);
+  state_.time_s = trial_.time_s;
+  state_.displacements_m = std::move(u);
+  std::swap(state_.velocities_m_per_s, trial_.velocities);
+  std::swap(state_.accelerations_m_per_s2, trial_.accelerations);
+  std::swap(forces_, trial_.forces);
+  state_.ground_nodes = forces_.ground_nodes;
+  ++state_.steps;
+  const std::vector<double>& volumes = forces_.totals.chamber_volumes_m3;
+  for (std::size_t c = 0; c < volumes.size(); ++c) {
+    const double ratio = volumes[c] / first_volumes_[c];
+    if (ratio > options_.largest_volume_ratio)
+      fail(io::RunStatus::diverged, "chamber " + std::to_string(c) + " grew to " + io::number_text(ratio) + " times its volume");
+  }
+  if (gap_m_ && *gap_m_ <= touching_gap * gaps_.size_m()) fail(io::RunStatus::wall_contact, "chamber walls touch");
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,112 @@
+#include "fem/locomotion_material.h"
+
+#include <optional>
+#include <string_view>
+
+#include "fem/material_damping.h"
+#include "io/number_text.h"
+#include "materials/law_file.h"
+#include "materials/law_parameters.h"
+#include "materials/silicone_library.h"
+
+namespace menger::fem {
+namespace {
+
+/// Bulk modulus by shear modulus where none is given, as for inflation: Poisson's ratio 0.490.
+constexpr double default_bulk_ratio = 50.0;
+
+constexpr std::string_view recommended = "recommended";
+
+/// Whether the key holds a table, as an inline law does, and not a name.
+bool is_inline_law(const io::TomlTable& table) {
+  if (!table.has("law")) return false;
+  try {
+    (void)table.table("law");
+    return true;
+  } catch (const io::InputError&) {
+    return false;
+  }
+}
+
+const materials::HyperelasticLaw& choose_law(const io::TomlTable& table, const materials::SiliconeRecord& record) {
+  const std::string name = table.text_or("law", recommended);
+  const auto variant = table.integer_or<std::size_t>("law_variant", 1, io::at_least(1));
+  if (name == recommended) {
+    if (variant != 1) throw table.error("law_variant", "there is one recommended law");
+    return record.recommended.law;
+  }
+  std::vector<const materials::SourcedLaw*> matches;
+  std::string known(recommended);
+  for (const materials::SourcedLaw& law : record.others) {
+    if (materials::name_of(law.law) == name) matches.push_back(&law);
+    known.append(", ").append(materials::name_of(law.law));
+  }
+  if (matches.empty()) throw table.error("law", "the record has " + known);
+  if (variant > matches.size())
+    throw table.error("law_variant", "the record has " + std::to_string(matches.size()) + " of " + name);
+  return matches[variant - 1]->law;
+}
+
+double read_stiffening(const io::TomlTable& table, const materials::HyperelasticLaw& law) {
+  const double factor = table.number_or("modulus_factor", 1.0, io::positive());
+  const auto youngs_modulus_Pa = table.optional_number("youngs_modulus_Pa", io::positive());
+  if (!youngs_modulus_Pa) return factor;
+  if (table.has("modulus_factor")) throw table.error("youngs_modulus_Pa", "modulus_factor beside it: keep one of them");
+  return *youngs_modulus_Pa / (3.0 * materials::shear_modulus_at_rest_Pa(law));
+}
+
+/// Damping that the study states itself.
+std::optional<materials::LossData> read_loss(const io::TomlTable& table) {
+  if (!table.has("loss_factor") && !table.has("loss_frequency_Hz")) return std::nullopt;
+  return materials::LossData{.source = "the study",
+                             .tan_delta = table.number("loss_factor", io::non_negative()),
+                             .frequency_Hz = table.number("loss_frequency_Hz", io::positive())};
+}
+
+}  // namespace
+
+materials::HyperelasticLaw stiffened(const materials::HyperelasticLaw& law, double factor) {
+  std::vector<double> values;
+  for (const auto& [name, value] : materials::parameters_of(law))
+    values.push_back(std::string_view(name).ends_with("_Pa") ? factor * value : value);
+  return materials::with_parameters(law, values);
+}
+
+LocomotionMaterial read_locomotion_material(const io::TomlTable& table,
+                                            const std::function<void(const std::filesystem::path&)>& read_input,
+                                            std::vector<std::string>& notes) {
+  LocomotionMaterial material;
+  std::optional<materials::LossData> recorded;
+  if (is_inline_law(table)) {
+    if (table.has("record")) throw table.error("record", "a table [law] beside it gives another material: keep one of them");
+    material.law = materials::read_law(table.table("law"));
+    material.density_kg_per_m3 = table.number("density_kg_per_m3", io::positive());
+    material.name = "inline " + std::string(materials::name_of(material.law));
+  } else {
+    const std::filesystem::path file = materials::silicone_file(table, "record");
+    read_input(file);
+    const materials::SiliconeRecord record = materials::read_silicone(file);
+    material.law = choose_law(table, record);
+    material.density_kg_per_m3 = table.number_or("density_kg_per_m3", record.data_sheet.density_kg_per_m3, io::positive());
+    material.name = record.name + ", " + std::string(materials::name_of(material.law));
+    recorded = record.loss;
+  }
+  material.law = stiffened(material.law, read_stiffening(table, material.law));
+  const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law);
+  material.bulk_modulus_Pa = shear_modulus_Pa * table.number_or("bulk_modulus_ratio", default_bulk_ratio, io::at_least(1.0));
+  if (!table.has("bulk_modulus_ratio"))
+    notes.push_back("material: bulk_modulus_ratio = " + io::number_text(default_bulk_ratio) + " is assumed");
+
+  const std::optional<materials::LossData> stated = read_loss(table);
+  material.is_damping_measured = !stated && recorded;
+  material.loss = stated ? *stated : recorded.value_or(assumed_silicone_loss());
+  material.viscosity_Pa_s = viscosity_Pa_s(shear_modulus_Pa, material.loss);
+  if (!material.is_damping_measured) {
+    notes.push_back("material: damping is not measured; loss factor " + io::number_text(material.loss.tan_delta) + " at " +
+                    io::number_text(material.loss.frequency_Hz) + " Hz, " +
+                    (stated ? "stated by the study" : std::string(material.loss.source)));
+  }
+  return material;
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,225 @@
+#include "fem/locomotion_run.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "fem/locomotion_checkpoint.h"
+#include "fem/locomotion_frames.h"
+#include "fem/locomotion_picture.h"
+#include "io/input_error.h"
+#include "io/manifest.h"
+#include "io/number_text.h"
+#include "io/version.h"
+#include "io/whole_file.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::string_view checkpoint_name = "locomotion.checkpoint";
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::string shown(double value, const char* format) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+/// One study on its way through its records.
+class LocomotionRun {
+ public:
+  LocomotionRun(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options)
+      : study_(study),
+        folder_(folder),
+        options_(options),
+        body_(study.mesh, body_options(study)),
+        dynamics_(study.mesh, body_, with_stop(dynamics_options(study), options.stop)),
+        times_s_(record_times_s(study)),
+        frames_(folder) {
+    result_.elements = study.mesh.elements.size();
+    result_.nodes = study.mesh.points.size();
+    result_.body_length_m = body_length_m(study.design, study.hollow.level);
+    result_.ground_height_m = study.ground.height_m;
+    result_.plenum_names = study.mesh.plenum_names;
+    for (const meshes::Chamber& chamber : study.mesh.chambers) result_.chamber_names.push_back(chamber.name);
+    result_.notes = study.notes;
+    identity_ = locomotion_text(study) + "version = " + std::string(io::version()) +
+                "\ninstruction_set = " + std::string(body_.kernels().instruction_set) + "\n";
+    if (!options.restart) earlier_ = read_locomotion_checkpoint(folder / checkpoint_name, identity_);
+  }
+
+  LocomotionResult run() {
+    begin_or_take_up();
+    if (result_.records.empty()) record();
+    if (outcome_)
+      conclude(*outcome_);
+    else
+      follow();
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  static ExplicitOptions with_stop(ExplicitOptions options, const std::atomic<bool>* stop) {
+    options.stop = stop;
+    return options;
+  }
+
+  [[nodiscard]] bool is_due(std::size_t record) const {
+    return study_.output.frames && record % study_.output.records_per_frame == 0;
+  }
+
+  void begin_or_take_up() {
+    // From here on no file of an earlier run may pass for one of this run, also if this one is killed.
+    for (const std::string_view name : {"locomotion.toml", "manifest.json", "trajectory.csv", "robot.png", "trajectory.png"})
+      remove(name);
+    std::vector<double> frame_times_s;
+    if (earlier_) {
+      dynamics_.set_state(std::move(earlier_->state));
+      result_.records = std::move(earlier_->records);
+      earlier_seconds_ = earlier_->seconds;
+      outcome_ = std::move(earlier_->outcome);
+      result_.seconds = earlier_seconds_;
+      for (std::size_t r = 0; r < result_.records.size(); ++r) {
+        // The end of a run has a frame of its own.
+        if (is_due(r) || (study_.output.frames && outcome_ && r + 1 == result_.records.size()))
+          frame_times_s.push_back(result_.records[r].time_s);
+      }
+    } else {
+      remove(checkpoint_name);
+    }
+    frames_.keep_only(frame_times_s);
+  }
+
+  void remove(std::string_view name) const {
+    std::error_code error;
+    fs::remove(folder_ / name, error);
+    if (error) throw io::InputError((folder_ / name).string() + ": cannot be removed: " + error.message());
+  }
+
+  void follow() {
+    if (options_.started) options_.started(dynamics_.state().time_s);
+    LocomotionOutcome outcome;
+    while (outcome.status == io::RunStatus::completed && result_.records.size() <= times_s_.size()) {
+      const ExplicitReport& report = dynamics_.advance_to(times_s_[result_.records.size() - 1]);
+      outcome = {report.status, report.reason};
+      if (report.status == io::RunStatus::stopped) break;
+      const bool is_last = report.status != io::RunStatus::completed || result_.records.size() == times_s_.size();
+      // What was reached by a run that failed may be a record that is there already.
+      if (dynamics_.state().time_s > result_.records.back().time_s) record(is_last);
+      if (options_.progress) options_.progress(dynamics_.state().time_s);
+      if (!is_last && seconds_since(last_checkpoint_) >= options_.checkpoint_interval_seconds) write_checkpoint();
+    }
+    conclude(outcome);
+    if (outcome.status != io::RunStatus::stopped) outcome_ = std::move(outcome);
+    result_.seconds = write_checkpoint();
+  }
+
+  void record(bool is_last = false) {
+    LocomotionRecord record;
+    record.time_s = dynamics_.state().time_s;
+    record.centre_of_mass_m = dynamics_.centre_of_mass_m();
+    for (std::size_t p = 0; p < study_.mesh.plenum_names.size(); ++p)
+      record.plenum_pressures_Pa.push_back(dynamics_.plenum_pressure_Pa(p));
+    record.chamber_volumes_m3 = dynamics_.chamber_volumes_m3();
+    record.energies = dynamics_.energies();
+    record.ground_force_N = dynamics_.ground_force_N();
+    result_.records.push_back(std::move(record));
+    if (is_due(result_.records.size() - 1) || (is_last && study_.output.frames)) add_frame();
+  }
+
+  void add_frame() {
+    const std::vector<double> velocities = dynamics_.velocities_m_per_s();
+    const LocomotionRecord& record = result_.records.back();
+    frames_.add(study_.mesh, {record.time_s, dynamics_.state().displacements_m, velocities, record.plenum_pressures_Pa});
+  }
+
+  /// @return the wall time that it states
+  double write_checkpoint() {
+    const double seconds = earlier_seconds_ + seconds_since(start_);
+    write_locomotion_checkpoint(folder_ / checkpoint_name, identity_, {dynamics_.state(), result_.records, outcome_, seconds});
+    last_checkpoint_ = Clock::now();
+    return seconds;
+  }
+
+  void conclude(const LocomotionOutcome& outcome) {
+    result_.status = outcome.status;
+    result_.reason = outcome.reason;
+  }
+
+  void finish() {
+    result_.time_s = dynamics_.state().time_s;
+    result_.steps = dynamics_.state().steps;
+    trajectory_table(result_).write(folder_ / "trajectory.csv");
+    if (study_.output.pictures) draw();
+    io::write_manifest(folder_, {.program = "menger-locomote",
+                                 .parameters = locomotion_text(study_) + "\n" + notes_text(),
+                                 .seed = std::nullopt,
+                                 .seconds = result_.seconds,
+                                 .inputs = study_.inputs});
+    io::write_whole(folder_ / "locomotion.toml", result_text(result_));
+  }
+
+  [[nodiscard]] std::string notes_text() const {
+    std::string text;
+    for (const std::string& note : study_.notes) text += "# " + note + "\n";
+    return text;
+  }
+
+  void draw() {
+    const LocomotionRecord& last = result_.records.back();
+    const Point way = difference(last.centre_of_mass_m, result_.records.front().centre_of_mass_m);
+    const std::string caption = study_.design.name + " after " + shown(result_.time_s, "%.3g") + " s: its centre moved by (" +
+                                shown(1e3 * way[0], "%.2f") + ", " + shown(1e3 * way[1], "%.2f") + ") mm";
+    const std::vector<double> velocities = dynamics_.velocities_m_per_s();
+    const io::PictureOutcome robot = draw_moved_body(
+        folder_ / "robot.png", study_.mesh,
+        {result_.time_s, dynamics_.state().displacements_m, velocities, last.plenum_pressures_Pa}, result_, caption);
+    if (!robot.written) {
+      result_.notes.push_back("no pictures: " + robot.missing);
+      return;
+    }
+    if (const auto plot = plot_locomotion(folder_ / "trajectory.png", result_); !plot.written)
+      result_.notes.push_back("no plot of the trajectory: " + plot.missing);
+  }
+
+  const LocomotionStudy& study_;
+  const fs::path& folder_;
+  const LocomotionRunOptions& options_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_checkpoint_ = start_;
+  ExplicitBody body_;
+  ExplicitDynamics dynamics_;
+  std::vector<double> times_s_;
+  LocomotionFrames frames_;
+  std::string identity_;
+  std::optional<LocomotionProgress> earlier_;
+  std::optional<LocomotionOutcome> outcome_;
+  double earlier_seconds_ = 0.0;
+  LocomotionResult result_;
+};
+
+}  // namespace
+
+LocomotionResult run_locomotion(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options) {
+  std::optional<LocomotionRun> run;
+  try {
+    run.emplace(study, folder, options);
+  } catch (const io::InputError& error) {
+    throw io::InputError(study.file.string() + ": " + error.what());
+  }
+  io::require_writable_folder(folder);
+  return run->run();
+}
+
+}  // namespace menger::fem

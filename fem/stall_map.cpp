@@ -1,0 +1,118 @@
+#include "fem/stall_map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "fem/pneumatic_supply.h"
+
+namespace menger::fem {
+namespace {
+
+/// Moves a point on by a period and looks at its extremes. @return whether the plenum stayed on its curve
+bool pass_period(const PneumaticSupply& supply, const std::vector<PlenumCompliance>& plena, std::size_t steps,
+                 PneumaticState& state, StallPoint& point) {
+  const double start_s = static_cast<double>(point.periods) / point.frequency_Hz;
+  const double period_s = 1.0 / point.frequency_Hz;
+  point.peak_pressure_Pa = point.lowest_pressure_Pa = supply.pressure_Pa(state, 0);
+  point.piston_peak_pressure_Pa = supply.piston_pressure_Pa(state, 0);
+  point.largest_volume_m3 = point.smallest_volume_m3 = state.volumes_m3[0];
+  point.largest_flow_m3_per_s = 0.0;
+  // What a step misses must not count as suction beyond a curve that begins at the fill.
+  const double error_Pa = 1e-4 * (plena[0].pressures_Pa.back() - plena[0].pressures_Pa.front());
+  for (std::size_t n = 1; n <= steps; ++n) {
+    const double part = static_cast<double>(n) / static_cast<double>(steps);
+    if (!supply.advance(state, start_s + part * period_s, plena)) return false;
+    const double pressure = supply.pressure_Pa(state, 0);
+    point.peak_pressure_Pa = std::max(point.peak_pressure_Pa, pressure);
+    point.lowest_pressure_Pa = std::min(point.lowest_pressure_Pa, pressure);
+    point.piston_peak_pressure_Pa = std::max(point.piston_peak_pressure_Pa, supply.piston_pressure_Pa(state, 0));
+    point.largest_volume_m3 = std::max(point.largest_volume_m3, state.volumes_m3[0]);
+    point.smallest_volume_m3 = std::min(point.smallest_volume_m3, state.volumes_m3[0]);
+    point.largest_flow_m3_per_s = std::max(point.largest_flow_m3_per_s, std::abs(supply.flow_m3_per_s(state, 0).value_or(0.0)));
+    if (pressure > plena[0].pressures_Pa.back() || pressure < plena[0].pressures_Pa.front() - error_Pa) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+PneumaticLine line_of(const StallMapStudy& study, double resistance_Pa_s_per_m3) {
+  if (study.line_length_m) return round_line_of(*study.line_length_m, resistance_Pa_s_per_m3);
+  return {.resistance_Pa_s_per_m3 = resistance_Pa_s_per_m3, .volume_m3 = study.line_volume_m3};
+}
+
+StallPoint stall_point(const StallMapStudy& study, double frequency_Hz, double resistance_Pa_s_per_m3, double stroke_m) {
+  Piston piston = study.piston;
+  piston.stroke_m = stroke_m;
+  piston.cylinder_length_m = study.cylinder_length_m.value_or(stroke_m);
+  piston.frequency_Hz = frequency_Hz;
+  const PneumaticSupply supply({PistonSupply{0, line_of(study, resistance_Pa_s_per_m3)}}, {piston}, study.gas);
+  const std::vector<PlenumCompliance> plena{study.plenum};
+  PneumaticState state = supply.start(0.0, std::vector<double>{study.plenum.volume_m3(piston.fill_pressure_Pa)});
+  StallPoint point{.frequency_Hz = frequency_Hz,
+                   .resistance_Pa_s_per_m3 = resistance_Pa_s_per_m3,
+                   .stroke_m = stroke_m,
+                   .status = io::RunStatus::not_converged};
+  double last_peak = 0.0;
+  while (point.periods < study.most_periods) {
+    if (!pass_period(supply, plena, study.steps_per_period, state, point)) {
+      point.status = io::RunStatus::diverged;
+      return point;
+    }
+    ++point.periods;
+    const bool is_settled = std::abs(point.peak_pressure_Pa - last_peak) <= study.settled * std::abs(point.peak_pressure_Pa);
+    last_peak = point.peak_pressure_Pa;
+    if (!is_settled || point.periods < 2) continue;
+    point.status = io::RunStatus::completed;
+    return point;
+  }
+  return point;
+}
+
+StallMap stall_map(const StallMapStudy& study, const std::atomic<bool>* stop, const std::function<void(double)>& progress) {
+  StallMap map;
+  const std::size_t total = study.frequencies_Hz.size() * study.resistances_Pa_s_per_m3.size() * study.strokes_m.size();
+  for (const double frequency : study.frequencies_Hz) {
+    for (const double resistance : study.resistances_Pa_s_per_m3) {
+      for (const double stroke : study.strokes_m) {
+        if (stop != nullptr && *stop) {
+          map.status = io::RunStatus::stopped;
+          return map;
+        }
+        map.points.push_back(stall_point(study, frequency, resistance, stroke));
+        if (progress) progress(static_cast<double>(map.points.size()) / static_cast<double>(total));
+      }
+    }
+  }
+  return map;
+}
+
+Isobar isobar(const StallMapStudy& study, const StallMap& map, std::size_t frequency, PressureMeasure measure,
+              double pressure_Pa) {
+  const std::size_t strokes = study.strokes_m.size();
+  const std::size_t resistances = study.resistances_Pa_s_per_m3.size();
+  assert(map.points.size() == study.frequencies_Hz.size() * resistances * strokes);
+  const bool is_peak = measure == PressureMeasure::peak;
+  Isobar result{measure, study.frequencies_Hz[frequency], pressure_Pa, {}};
+  for (std::size_t r = 0; r < resistances; ++r) {
+    // Without a stroke the pressure stays that of the fill.
+    double stroke = 0.0;
+    double before = is_peak ? study.piston.fill_pressure_Pa : 0.0;
+    std::optional<double> found;
+    for (std::size_t s = 0; s < strokes && !found; ++s) {
+      const StallPoint& point = map.points[(frequency * resistances + r) * strokes + s];
+      if (point.status != io::RunStatus::completed) break;
+      const double reached = point.peak_pressure_Pa - (is_peak ? 0.0 : point.lowest_pressure_Pa);
+      if (before < pressure_Pa && reached >= pressure_Pa)
+        found = std::lerp(stroke, point.stroke_m, (pressure_Pa - before) / (reached - before));
+      stroke = point.stroke_m;
+      before = reached;
+    }
+    result.strokes_m.push_back(found);
+  }
+  return result;
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,108 @@
+#include "fem/stall_map_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/pneumatic_supply_file.h"
+#include "io/content_hash.h"
+#include "io/csv_table.h"
+#include "io/toml_document.h"
+#include "io/whole_file.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+
+PlenumCompliance read_compliance(const io::TomlTable& table, std::map<std::string, std::string>& inputs) {
+  const fs::path file = table.path("curve");
+  const double count = table.integer_or("count", 1, io::at_least(1));
+  const std::string text = io::read_whole(file);
+  inputs[file.string()] = io::content_hash(text);
+  const io::CsvContents csv = io::parse_csv(text, file);
+  PlenumCompliance plenum;
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    // The ranges name file, line, column and value.
+    plenum.pressures_Pa.push_back(
+        csv.number(row, "pressure_Pa",
+                   row == 0 ? io::any_number() : io::Range{.lowest = plenum.pressures_Pa.back(), .lowest_excluded = true}));
+    plenum.volumes_m3.push_back(
+        count * csv.number(row, "volume_m3", row == 0 ? io::positive() : io::at_least(plenum.volumes_m3.back() / count)));
+  }
+  if (plenum.pressures_Pa.size() < 2) throw io::InputError(file.string() + ": needs at least two rows");
+  return plenum;
+}
+
+void read_piston(const io::TomlTable& table, StallMapStudy& study) {
+  study.piston = {.name = "piston",
+                  .bore_m = table.number("bore_m", io::positive()),
+                  .dead_volume_m3 = table.number_or("dead_volume_m3", 0.0, io::non_negative())};
+  study.cylinder_length_m = table.optional_number("cylinder_length_m", io::positive());
+  study.piston.fill_pressure_Pa = table.number_or("fill_pressure_Pa", 0.0);
+  if (!study.plenum.contains(study.piston.fill_pressure_Pa))
+    throw table.error("fill_pressure_Pa", "lies outside the curve of the plenum");
+}
+
+/// Numbers in equal ratios, the ends exact.
+std::vector<double> read_resistances(const io::TomlTable& table) {
+  const double lowest = table.number("lowest", io::positive());
+  const double highest = table.number("highest", {.lowest = lowest, .lowest_excluded = true});
+  const auto count = table.integer<std::size_t>("count", io::within(2, 1000));
+  std::vector<double> values;
+  for (std::size_t n = 0; n < count; ++n)
+    values.push_back(lowest * std::pow(highest / lowest, static_cast<double>(n) / static_cast<double>(count - 1)));
+  values.back() = highest;
+  return values;
+}
+
+std::vector<double> read_strokes(const io::TomlTable& table, const StallMapStudy& study) {
+  const double longest = table.number("longest", io::positive());
+  const auto count = table.integer<std::size_t>("count", io::within(1, 1000));
+  const double cylinder = study.cylinder_length_m.value_or(longest);
+  if (longest > cylinder) throw table.error("longest", "is longer than the cylinder's air");
+  if (longest == cylinder && study.piston.dead_volume_m3 == 0.0 && study.line_volume_m3 == 0.0 && !study.line_length_m)
+    throw table.error("longest", "leaves the air no room, without dead volume and volume of the line");
+  std::vector<double> values;
+  for (std::size_t n = 1; n <= count; ++n) values.push_back(longest * static_cast<double>(n) / static_cast<double>(count));
+  return values;
+}
+
+void read_map(const io::TomlTable& table, StallMapStudy& study) {
+  study.frequencies_Hz = table.numbers("frequencies_Hz", io::positive());
+  study.resistances_Pa_s_per_m3 = read_resistances(table.table("resistances_Pa_s_per_m3"));
+  study.strokes_m = read_strokes(table.table("strokes_m"), study);
+  if (table.has("isobars_Pa")) study.isobars_Pa = table.numbers("isobars_Pa", io::positive());
+  study.steps_per_period = table.integer_or("steps_per_period", study.steps_per_period, io::within(20, 1e6));
+  study.most_periods = table.integer_or("most_periods", study.most_periods, io::within(2, 1e6));
+  study.settled = table.number_or("settled", study.settled, io::between(0.0, 1.0));
+}
+
+}  // namespace
+
+StallMapStudy read_stall_map_study(const fs::path& file) {
+  StallMapStudy study;
+  study.file = file;
+  study.text = io::read_whole(file);
+  study.inputs[file.string()] = io::content_hash(study.text);
+  const io::TomlTable top = io::parse_toml(study.text, file);
+  study.plenum = read_compliance(top.table("plenum"), study.inputs);
+  study.gas = read_pneumatic_gas(top);
+  if (study.plenum.pressures_Pa.front() <= -study.gas.ambient_pressure_Pa)
+    throw top.table("plenum").error("curve", "begins at a perfect vacuum or less");
+  read_piston(top.table("piston"), study);
+  if (const auto line = top.optional_table("line")) {
+    study.line_length_m = line->optional_number("length_m", io::positive());
+    if (!study.line_length_m) study.line_volume_m3 = line->number_or("volume_m3", 0.0, io::non_negative());
+  }
+  read_map(top.table("map"), study);
+  for (const io::TomlTable& table : top.optional_tables("mark")) {
+    study.marks.push_back(
+        {table.text("label"), table.number("pressure_Pa", io::positive()), table.number("frequency_Hz", io::positive())});
+    if (std::ranges::find(study.frequencies_Hz, study.marks.back().frequency_Hz) == study.frequencies_Hz.end())
+      throw table.error("frequency_Hz", "is none of map.frequencies_Hz");
+  }
+  top.finish();
+  return study;
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,118 @@
+#include "fem/locomotion_checkpoint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "io/whole_file.h"
+#include "tests/support/input_error_message.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::message_of;
+
+fs::path checkpoint_file() {
+  return fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name() / "run.checkpoint";
+}
+
+/// Numbers that shorter representations would lose.
+LocomotionProgress awkward_progress() {
+  LocomotionProgress progress;
+  progress.state.time_s = 0.1 + 0.2;
+  progress.state.displacements_m = {-0.0, 1.0 / 3.0, std::numeric_limits<double>::denorm_min()};
+  progress.state.velocities_m_per_s = {1e300, -2.5, 16777217.0};
+  progress.state.last_step_s = 1e-5 / 3.0;
+  progress.state.steps = (std::size_t{1} << 40U) + 1;
+  progress.state.steps_to_bound = 200;
+  progress.state.step_share = 0.1;
+  progress.state.work = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  progress.state.at_start_J = 1e-17;
+  progress.state.turnover_J = 2.0 / 7.0;
+  progress.state.pneumatics = PneumaticState{.time_s = 0.3,
+                                             .volumes_m3 = {1e-6 / 3.0},
+                                             .plenum_air_m3 = {2e-6 / 3.0},
+                                             .piston_air_m3 = {},
+                                             .source_air_m3 = {-1e-7},
+                                             .work = {0.1, 0.2, 0.3, 0.4}};
+  LocomotionRecord record{
+      .time_s = 0.1, .centre_of_mass_m = {0.1, 0.2, 0.3}, .plenum_pressures_Pa = {5.0}, .ground_force_N = 1.1};
+  record.chamber_volumes_m3 = {1e-6};
+  record.energies.kinetic_J = 1.0 / 3.0;
+  record.energies.at_start_J = 1e-17;
+  record.energies.work.friction_J = 0.3;
+  progress.records = {record, record};
+  progress.seconds = 12.5;
+  return progress;
+}
+
+TEST(LocomotionCheckpoint, GivesEveryBitBack) {
+  const LocomotionProgress written = awkward_progress();
+  write_locomotion_checkpoint(checkpoint_file(), "study", written);
+  const auto read = read_locomotion_checkpoint(checkpoint_file(), "study");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->state.time_s, written.state.time_s);
+  EXPECT_EQ(read->state.displacements_m, written.state.displacements_m);
+  EXPECT_TRUE(std::signbit(read->state.displacements_m[0]));
+  EXPECT_EQ(read->state.velocities_m_per_s, written.state.velocities_m_per_s);
+  EXPECT_EQ(read->state.last_step_s, written.state.last_step_s);
+  EXPECT_EQ(read->state.steps, written.state.steps);
+  EXPECT_EQ(read->state.steps_to_bound, written.state.steps_to_bound);
+  EXPECT_EQ(read->state.step_share, written.state.step_share);
+  EXPECT_EQ(read->state.work.mass_damping_J, written.state.work.mass_damping_J);
+  EXPECT_EQ(read->state.work.pressure_J, written.state.work.pressure_J);
+  EXPECT_EQ(read->state.at_start_J, written.state.at_start_J);
+  EXPECT_EQ(read->state.turnover_J, written.state.turnover_J);
+  ASSERT_TRUE(read->state.pneumatics);
+  EXPECT_EQ(read->state.pneumatics->source_air_m3, written.state.pneumatics->source_air_m3);
+  EXPECT_EQ(read->state.pneumatics->work.line_J, 0.4);
+  ASSERT_EQ(read->records.size(), 2U);
+  EXPECT_EQ(read->records[1].centre_of_mass_m, written.records[1].centre_of_mass_m);
+  EXPECT_EQ(read->records[1].energies.kinetic_J, 1.0 / 3.0);
+  EXPECT_EQ(read->records[1].energies.work.friction_J, 0.3);
+  EXPECT_EQ(read->records[1].ground_force_N, 1.1);
+  EXPECT_FALSE(read->outcome);
+  EXPECT_EQ(read->seconds, 12.5);
+}
+
+TEST(LocomotionCheckpoint, KeepsHowARunEndedAndWhatIsNotThere) {
+  LocomotionProgress written = awkward_progress();
+  written.state.at_start_J.reset();
+  written.state.pneumatics.reset();
+  written.outcome = {io::RunStatus::diverged, "at 1 s: \"away\""};
+  write_locomotion_checkpoint(checkpoint_file(), "study", written);
+  const auto read = read_locomotion_checkpoint(checkpoint_file(), "study");
+  ASSERT_TRUE(read && read->outcome);
+  EXPECT_EQ(read->outcome->status, io::RunStatus::diverged);
+  EXPECT_EQ(read->outcome->reason, "at 1 s: \"away\"");
+  EXPECT_FALSE(read->state.at_start_J);
+  EXPECT_FALSE(read->state.pneumatics);
+}
+
+TEST(LocomotionCheckpoint, IsNothingWithoutAFile) {
+  EXPECT_FALSE(read_locomotion_checkpoint(fs::path(testing::TempDir()) / "no.checkpoint", "study"));
+}
+
+TEST(LocomotionCheckpoint, RefusesDamageAndOtherStudies) {
+  write_locomotion_checkpoint(checkpoint_file(), "study", awkward_progress());
+  const std::string whole = io::read_whole(checkpoint_file());
+  const auto message = [](const std::string& identity) {
+    return message_of([&] { (void)read_locomotion_checkpoint(checkpoint_file(), identity); });
+  };
+  EXPECT_NE(message("other").find("belongs to another study; --restart"), std::string::npos);
+  std::string flipped = whole;
+  flipped[flipped.size() - 7] ^= 1;
+  io::write_whole(checkpoint_file(), flipped);
+  EXPECT_NE(message("study").find("is damaged"), std::string::npos);
+  io::write_whole(checkpoint_file(), whole.substr(0, whole.size() / 2));
+  EXPECT_NE(message("study").find("is damaged"), std::string::npos);
+  io::write_whole(checkpoint_file(), "nonsense");
+  EXPECT_NE(message("study").find("is no checkpoint"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace menger::fem

@@ -1,0 +1,155 @@
+#include "fem/locomotion_study.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fem/locomotion_sweep.h"
+#include "tests/support/input_error_message.h"
+#include "tests/unit/fem/locomotion_samples.h"
+
+namespace menger::fem {
+namespace {
+
+using namespace locomotion_samples;
+using tests::message_of;
+
+std::string message_for(const std::string& text) {
+  return message_of([&] { (void)sample_study(text); });
+}
+
+void expect_refused(const std::string& text, const std::vector<std::string>& parts) {
+  const std::string message = message_for(text);
+  for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << " not in " << message;
+}
+
+TEST(LocomotionStudy, ReadsWhatItStates) {
+  const LocomotionStudy study = sample_study(cube_study +
+                                             "[dynamics]\nstep_safety = 0.5\nthreads = 2\nself_contact = false\n"
+                                             "[loads]\ngravity_m_per_s2 = 1.62\nmass_damping_per_s = 3\n");
+  EXPECT_EQ(study.mesh.elements.size(), 98U);
+  EXPECT_EQ(study.mesh.plenum_names, std::vector<std::string>{"plenum 0"});
+  EXPECT_EQ(study.step_safety, 0.5);
+  EXPECT_EQ(study.threads, 2);
+  EXPECT_FALSE(study.self_contact);
+  EXPECT_EQ(study.ground.friction.static_coefficient, 1.0);
+  EXPECT_EQ(study.output.records_per_frame, 4U);
+  const ExplicitOptions options = dynamics_options(study);
+  EXPECT_EQ(options.loads.gravity_m_per_s2[2], -1.62);
+  EXPECT_EQ(options.loads.mass_damping_per_s, 3.0);
+  EXPECT_DOUBLE_EQ(body_length_m(study.design, 2), 0.02) << "one cell per side at every level";
+}
+
+TEST(LocomotionStudy, MeasuresLengthByTheLongestSideOfTheGrid) {
+  const LocomotionStudy study = sample_study(hook_study);
+  EXPECT_DOUBLE_EQ(body_length_m(study.design, 1), 0.02);
+  EXPECT_DOUBLE_EQ(body_length_m(study.design, 3), 0.08);
+}
+
+TEST(LocomotionStudy, StandsOnItsLowestPoint) {
+  const std::string floating = "[design]\ncells = [1, 1, 2]\ndigits = \"01\"\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n" +
+                               silicone + ground + drive + time;
+  EXPECT_DOUBLE_EQ(sample_study(floating).ground.height_m, 0.01);
+  const std::string stated = "[ground]\nstatic_coefficient = 1\nkinetic_coefficient = 1\nheight_m = -0.002\n";
+  EXPECT_EQ(sample_study(cube + silicone + stated + drive + time).ground.height_m, -0.002);
+}
+
+TEST(LocomotionStudy, RecordsAtTheIntervalAndAtTheEnd) {
+  LocomotionStudy study = sample_study(cube_study);
+  study.duration_s = 0.25;
+  study.record_interval_s = 0.1;
+  EXPECT_EQ(record_times_s(study), (std::vector<double>{0.1, 0.2, 0.25}));
+  study.duration_s = 0.3;  // three times 0.1 is not 0.3 in floating point
+  EXPECT_EQ(record_times_s(study), (std::vector<double>{0.1, 0.2, 0.3}));
+}
+
+// Whatever changes the records changes the text, and threads do not.
+TEST(LocomotionStudy, IsTheSameRunIfItsTextIsTheSame) {
+  const std::string text = locomotion_text(sample_study(cube_study));
+  EXPECT_EQ(locomotion_text(sample_study(cube_study + "[dynamics]\nthreads = 2\n")), text);
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"4000", "4001"},
+                                                        {"period_s = 0.05", "period_s = 0.051"},
+                                                        {"kinetic_coefficient = 0.5", "kinetic_coefficient = 0.4"},
+                                                        {"shear_modulus_Pa = 5e4", "shear_modulus_Pa = 5.1e4"},
+                                                        {"loss_factor = 0.1", "loss_factor = 0.2"},
+                                                        {"wall_thickness_m = 0.004", "wall_thickness_m = 0.003"},
+                                                        {"digits = \"1\"", "digits = \"2\""},
+                                                        {"duration_s = 0.1", "duration_s = 0.2"}}) {
+    std::string changed = cube_study;
+    ASSERT_NE(changed.find(from), std::string::npos);
+    changed.replace(changed.find(from), from.size(), to);
+    EXPECT_NE(locomotion_text(sample_study(changed)), text) << to;
+  }
+  const std::string piston =
+      "[[pressure]]\nplenum = \"plenum 0\"\nsupply = \"piston\"\npiston = \"cam\"\nresistance_Pa_s_per_m3 = 1e8\n"
+      "[[piston]]\nname = \"cam\"\nbore_m = 0.02\ncylinder_length_m = 0.05\nstroke_m = 0.03\nfrequency_Hz = ";
+  EXPECT_NE(locomotion_text(sample_study(cube + silicone + ground + piston + "1.2\n" + time)),
+            locomotion_text(sample_study(cube + silicone + ground + piston + "1.3\n" + time)));
+}
+
+TEST(LocomotionStudy, NamesFileAndKeyOfWhatDoesNotFit) {
+  expect_refused(cube_study + "colour = 1\n", {"study.toml:", "output.colour"});
+  expect_refused(cube_study + "[floor]\nheight = 1\n", {"study.toml", "floor"});
+  expect_refused(cube + silicone + drive + time, {"study.toml", "ground is missing"});
+  expect_refused(cube + silicone + ground + time, {"study.toml", "[drive] or [[pressure]] is missing"});
+  expect_refused(cube + silicone + ground + drive, {"study.toml", "time is missing"});
+  expect_refused(cube_study + "[dynamics]\nmethod = \"implicit\"\n", {"dynamics.method = \"implicit\""});
+  expect_refused(cube_study + "[[pressure]]\nplenum = \"plenum 0\"\nschedule = \"constant\"\npressure_Pa = 0\n",
+                 {"keep one of them"});
+  expect_refused("schema_version = 2\n" + cube_study, {"schema_version = 2"});
+  expect_refused(cube + silicone + ground + drive + "[time]\nduration_s = 1e6\nrecord_interval_s = 1e-3\n",
+                 {"a million records"});
+  expect_refused(cube + silicone + "[ground]\nstatic_coefficient = 0.2\nkinetic_coefficient = 0.5\n" + drive + time,
+                 {"ground.static_coefficient = 0.2"});
+}
+
+TEST(LocomotionStudy, ReadsTheStudiesThatAreThere) {
+  const std::filesystem::path root = MENGER_SOURCE_DIR;
+  EXPECT_EQ(read_locomotion_study(root / "fem/studies/locomotion.toml").design.name, "hook");
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(root / "paper/locomotion")) {
+    if (entry.path().extension() != ".toml") continue;
+    const LocomotionStudy study = read_locomotion_study(entry.path());
+    EXPECT_GT(study.mesh.elements.size(), 500U) << entry.path();
+    EXPECT_EQ(study.notes.size(), 1U) << entry.path() << ": nothing but damping is assumed";
+    if (study.sweep) {
+      EXPECT_EQ(sweep_studies(study).size(), study.sweep->values.size()) << entry.path();
+    }
+    ++count;
+  }
+  EXPECT_GE(count, 7U);
+}
+
+TEST(LocomotionStudy, RefusesBodiesThatCannotBeCast) {
+  const std::string rest = silicone + ground + drive + time;
+  expect_refused("[design]\ncells = [1, 1, 1]\ndigits = \"1\"\ncell_edge_m = 0.02\nwall_thickness_m = 0.01\n" + rest,
+                 {"study.toml: [design]", "wall_thickness_m = 0.01", "smaller than half a cell"});
+  expect_refused("[design]\ncells = [3, 1, 1]\ndigits = \"101\"\ncell_edge_m = 0.02\n" + rest,
+                 {"study.toml: [design]", "falls into 2 parts"});
+  // One piece, but its copies in an aggregate do not touch each other face to face.
+  expect_refused("[design]\ncells = [3, 3, 1]\ndigits = \"110011001\"\nlevel = 2\ncell_edge_m = 0.01\n" + rest,
+                 {"study.toml: [design]", "level 2"});
+  expect_refused("[design]\ncells = [2, 2, 1]\ndigits = \"1001\"\ncell_edge_m = 0.02\n" + rest, {"study.toml: [design]"});
+  expect_refused("[design]\ncells = [1, 1, 1]\ndigits = \"0\"\ncell_edge_m = 0.02\n" + rest, {"the body is empty"});
+  expect_refused("[design]\ncells = [1, 1, 1]\ndigits = \"11\"\ncell_edge_m = 0.02\n" + rest, {"design.digits = \"11\""});
+  expect_refused("[design]\ncells = [1, 1, 1]\ndigits = \"1\"\ncell_edge_m = 0.02\nlevel = 4\n" + rest, {"design.level = 4"});
+}
+
+TEST(LocomotionStudy, RefusesPressuresThatArePossibleNowhere) {
+  const auto with_pressure = [](const std::string& pressure) { return message_for(cube + silicone + ground + pressure + time); };
+  EXPECT_NE(with_pressure("[[pressure]]\nplenum = \"plenum 7\"\nschedule = \"constant\"\npressure_Pa = 1\n")
+                .find("pressure[1].plenum = \"plenum 7\": the body has \"plenum 0\""),
+            std::string::npos);
+  const std::filesystem::path table = std::filesystem::path(testing::TempDir()) / "backwards.csv";
+  io::write_whole(table, "time_s,pressure_Pa\n0,0\n0.2,1000\n0.1,2000\n");
+  const std::string message =
+      with_pressure("[[pressure]]\nplenum = \"plenum 0\"\nschedule = \"table\"\nfile = \"" + table.string() + "\"\n");
+  EXPECT_NE(message.find("backwards.csv:4: time_s = 0.1"), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace menger::fem
