@@ -68,6 +68,25 @@ struct Contender {
   bool operator==(const Contender&) const = default;
 };
 
+/// A design of an archive that has a fitness, once per phenotype.
+struct FitDesign {
+  std::uint64_t individual = 0;  ///< the first that had the phenotype
+  Phenotype phenotype;
+  double fitness = 0.0;  ///< in the unit of the objective
+};
+
+/// What another judge than that of the search found of a design.
+struct Reevaluation {
+  std::string design_hash;  ///< design_hash() of the phenotype at the level
+  int level = 1;
+  std::string protocol;  ///< all that decides the result beside the body, as canonical text
+  std::string variant;   ///< name of the protocol among those that were judged together, for people
+  double duration_s = 0.0;
+  Evaluation result;  ///< status `stopped` only where a stated budget ended it
+
+  bool has_result = true;  ///< false: the judge failed, result.reason says how; there is no status
+};
+
 /// A finished generation.
 struct GenerationRecord {
   int number = 0;
@@ -88,13 +107,17 @@ struct GenerationRecord {
 /// number may read meanwhile. Calls from several threads must not overlap.
 class RunArchive {
  public:
-  static constexpr int schema_version = 2;
+  /// Version 2 had no re-evaluations; it is read as it is, and brought to this version when it is opened for writing.
+  static constexpr int schema_version = 3;
 
   /// Opens the archive of a study for writing, and makes it if there is none.
   /// @param study identity_text of the study @param generations that the run is to reach; kept for readers
   /// @throws io::InputError if the file is no archive, is damaged, has another schema version, belongs to another study (naming
   /// the first difference), is being written to by another process, or cannot be written; it is left as it is
   static RunArchive open(const std::filesystem::path& file, std::string_view study, int generations);
+
+  /// Opens an archive that exists to add re-evaluations to it. @throws io::InputError as open does
+  static RunArchive open_to_extend(const std::filesystem::path& file);
 
   /// Opens an archive that exists, for reading. @throws io::InputError as open does
   static RunArchive open_to_read(const std::filesystem::path& file);
@@ -117,6 +140,15 @@ class RunArchive {
 
   /// Results of which some model left its range of validity, first asked for by a generation.
   [[nodiscard]] std::uint64_t evaluations_outside_validity(int generation) const;
+
+  /// All designs that some generation gave a fitness, the best first; of equals the first individual first.
+  [[nodiscard]] std::vector<FitDesign> fit_designs() const;
+
+  /// By design, level and protocol; none in an archive of version 2.
+  [[nodiscard]] std::vector<Reevaluation> reevaluations() const;
+
+  /// Adds all in one transaction; one of the same design, level and protocol is replaced.
+  void add_reevaluations(std::span<const Reevaluation> reevaluations);
 
   /// Precondition: there is no result under this key, and its status is not `stopped`.
   void add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation);

@@ -6,7 +6,7 @@
 
 #include "evolution/run_archive.h"
 #include "evolution/run_archive_database.h"
-#include "io/content_hash.h"
+#include "evolution/run_archive_schema.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
 
@@ -16,58 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Marks SQLite files as archives of menger: "mngr".
-constexpr int application_id = 0x6d6e6772;
-
-constexpr const char* schema = R"sql(
-CREATE TABLE study (
-  row INTEGER PRIMARY KEY CHECK (row = 1),
-  hash TEXT NOT NULL,
-  resolved TEXT NOT NULL,
-  generations INTEGER NOT NULL
-);
-CREATE TABLE evaluation (
-  design_hash TEXT NOT NULL,
-  level INTEGER NOT NULL,
-  physics_hash TEXT NOT NULL,
-  generation INTEGER NOT NULL,
-  status TEXT NOT NULL,
-  dx_m REAL, dy_m REAL, dz_m REAL,
-  reason TEXT NOT NULL,
-  outside_validity TEXT NOT NULL,
-  steps INTEGER NOT NULL,
-  seconds REAL NOT NULL,
-  PRIMARY KEY (design_hash, level, physics_hash)
-) WITHOUT ROWID;
-CREATE TABLE individual (
-  id INTEGER PRIMARY KEY,
-  generation INTEGER NOT NULL,
-  parent INTEGER,
-  age INTEGER NOT NULL,
-  genome TEXT NOT NULL,
-  phenotype TEXT NOT NULL
-);
-CREATE TABLE contender (
-  generation INTEGER NOT NULL,
-  id INTEGER NOT NULL,
-  age INTEGER NOT NULL,
-  knowledge TEXT NOT NULL,
-  fitness REAL,
-  fitness_bound REAL,
-  survivor_rank INTEGER,
-  PRIMARY KEY (generation, id)
-) WITHOUT ROWID;
-CREATE TABLE generation (
-  number INTEGER PRIMARY KEY,
-  evaluations INTEGER NOT NULL,
-  cached INTEGER NOT NULL,
-  pruned INTEGER NOT NULL,
-  seconds REAL NOT NULL,
-  variation_generator TEXT NOT NULL,
-  selection_generator TEXT NOT NULL
-);
-)sql";
-
 [[noreturn]] void refuse(const fs::path& file, const std::string& reason) { throw io::InputError(file.string() + ": " + reason); }
 
 /// Looks at the first bytes before SQLite does, since it would take any short file for an empty database.
@@ -76,59 +24,6 @@ void require_database_header(const fs::path& file) {
   std::array<char, header.size()> begin{};
   std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
   if (std::string_view(begin.data(), begin.size()) != header) refuse(file, "is not an archive of menger: not an SQLite database");
-}
-
-bool is_empty_database(SQLite::Database& connection) {
-  return connection.execAndGet("PRAGMA application_id").getInt() == 0 &&
-         connection.execAndGet("SELECT COUNT(*) FROM sqlite_schema").getInt() == 0;
-}
-
-void create_schema(SQLite::Database& connection, std::string_view study, int generations) {
-  SQLite::Transaction transaction(connection);
-  connection.exec(schema);
-  connection.exec("PRAGMA application_id = " + std::to_string(application_id));
-  connection.exec("PRAGMA user_version = " + std::to_string(RunArchive::schema_version));
-  SQLite::Statement insert(connection, "INSERT INTO study VALUES (1, ?, ?, ?)");
-  insert.bind(1, io::content_hash(study));
-  insert.bind(2, std::string(study));
-  insert.bind(3, generations);
-  insert.exec();
-  transaction.commit();
-}
-
-/// What the pages cannot show: rows that contradict each other.
-void require_consistent_rows(const fs::path& file, SQLite::Database& connection) {
-  const auto none = [&](const char* wrong_rows, const char* what) {
-    if (connection.execAndGet(std::string("SELECT COUNT(*) FROM ") + wrong_rows).getInt() > 0)
-      refuse(file, std::string("is damaged: ") + what);
-  };
-  none("evaluation WHERE (status = 'completed') != (dx_m IS NOT NULL AND dy_m IS NOT NULL AND dz_m IS NOT NULL)",
-       "an evaluation has a displacement without being completed, or none although it is");
-  none("individual WHERE parent >= id", "an individual is older than its parent");
-  none(
-      "(SELECT COUNT(survivor_rank) AS held, MAX(survivor_rank) + 1 AS ranks, COUNT(DISTINCT survivor_rank) AS different FROM "
-      "contender "
-      "GROUP BY generation) WHERE held != ranks OR held != different",
-      "the survivors of a generation have gaps");
-}
-
-void require_archive(const fs::path& file, SQLite::Database& connection) {
-  if (connection.execAndGet("PRAGMA application_id").getInt() != application_id) {
-    refuse(file, "is not an archive of menger: an SQLite database of something else");
-  }
-  const int version = connection.execAndGet("PRAGMA user_version").getInt();
-  if (version != RunArchive::schema_version) {
-    refuse(file, "is an archive of schema version " + std::to_string(version) + ", this menger has version " +
-                     std::to_string(RunArchive::schema_version));
-  }
-  const std::string check = connection.execAndGet("PRAGMA quick_check(1)").getString();
-  if (check != "ok") refuse(file, "is damaged: " + check);
-  if (connection.execAndGet("SELECT COUNT(*) FROM study").getInt() != 1) refuse(file, "is damaged: it names no study");
-  if (io::content_hash(connection.execAndGet("SELECT resolved FROM study").getString()) !=
-      connection.execAndGet("SELECT hash FROM study").getString()) {
-    refuse(file, "is damaged: its study is not the one it was made for");
-  }
-  require_consistent_rows(file, connection);
 }
 
 void require_same_study(const fs::path& file, std::string_view archived, std::string_view given) {
@@ -171,7 +66,7 @@ RunArchive RunArchive::open(const fs::path& file, std::string_view study, int ge
     // What is committed survives the death of the process. A power failure may take the last commits, which are then made again,
     // the same; to flush each of them would slow small bodies down by a tenth.
     connection.exec("PRAGMA synchronous = NORMAL");
-    if (is_empty_database(connection)) create_schema(connection, study, generations);
+    is_empty_database(connection) ? create_schema(connection, study, generations) : upgrade(connection);
     RunArchive archive(std::make_unique<Database>(file, std::move(lock), std::move(connection)));
     if (archive.generation_goal() != generations) {
       SQLite::Statement update(archive.database_->connection, "UPDATE study SET generations = ?");
@@ -181,6 +76,22 @@ RunArchive RunArchive::open(const fs::path& file, std::string_view study, int ge
     return archive;
   } catch (const SQLite::Exception& error) {
     refuse(file, std::string("cannot be used as an archive: ") + error.what());
+  }
+}
+
+RunArchive RunArchive::open_to_extend(const fs::path& file) {
+  std::error_code missing;
+  if (!fs::is_regular_file(file, missing)) refuse(file, "there is no such file");
+  ArchiveLock lock(file);
+  require_database_header(file);
+  try {
+    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE);
+    require_archive(file, connection);
+    connection.exec("PRAGMA journal_mode = WAL");
+    upgrade(connection);
+    return RunArchive(std::make_unique<Database>(file, std::move(lock), std::move(connection)));
+  } catch (const SQLite::Exception& error) {
+    refuse(file, std::string("cannot be extended: ") + error.what());
   }
 }
 

@@ -29,8 +29,11 @@ const std::map<std::string, std::set<std::string>>& allowed_includes() {
 
 /// The adapters of the search, which are not part of it: they join it to the voxel engine.
 bool is_adapter(const fs::path& file) {
-  static const std::set<std::string> adapters = {"voxel_evaluator", "study",         "study_file",       "export",
-                                                 "menger-evolve",   "menger-export", "trade_off_settled"};
+  static const std::set<std::string> adapters = {"voxel_evaluator",    "study",
+                                                 "study_file",         "export",
+                                                 "menger-evolve",      "menger-export",
+                                                 "trade_off_settled",  "reevaluation_surrogate",
+                                                 "reevaluation_scene", "reevaluation_strip"};
   return adapters.count(file.stem().string()) > 0;
 }
 
@@ -103,8 +106,9 @@ std::string needed_libraries(const std::string& program) {
 }
 
 TEST(Layers, OnlyProgramsOfFiniteElementsLoadTheirLibraries) {
-  for (const char* program : {"menger-evolve", "menger-simulate", "menger-export", "menger-calibrate", "menger-validate",
-                              "menger-tradeoff", "menger-extremes-voxel", "menger-extremes-calibration"}) {
+  for (const char* program :
+       {"menger-evolve", "menger-simulate", "menger-export", "menger-calibrate", "menger-validate", "menger-tradeoff",
+        "menger-reevaluate", "menger-locomote", "menger-stall-map", "menger-extremes-voxel", "menger-extremes-calibration"}) {
     const std::string libraries = needed_libraries(program);
     EXPECT_NE(libraries.find("libstdc++"), std::string::npos) << libraries;
     EXPECT_EQ(libraries.find("libdeal"), std::string::npos) << program;

@@ -1,0 +1,188 @@
+#include "evolution/reevaluation_runner.h"
+
+#include <algorithm>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include "evolution/side_by_side.h"
+#include "evolution/trade_off_job.h"
+#include "io/csv_table.h"
+#include "io/exit_code.h"
+#include "io/input_error.h"
+#include "io/number_text.h"
+#include "io/toml_document.h"
+#include "io/whole_file.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* record_name = "calls.toml";
+constexpr const char* result_folder = "result";
+
+/// What calls of a run have come to.
+struct Calls {
+  bool is_finished = false;   ///< it ended with a result
+  double seconds = 0.0;       ///< that they took together
+  double time_limit_s = 0.0;  ///< of the last
+};
+
+Calls read_calls(const fs::path& folder) {
+  std::error_code ignored;
+  Calls calls;
+  if (!fs::is_regular_file(folder / record_name, ignored)) return calls;
+  try {
+    const io::TomlTable table = io::read_toml(folder / record_name);
+    calls = {.is_finished = table.boolean("finished"),
+             .seconds = table.number("seconds", io::non_negative()),
+             .time_limit_s = table.number("time_limit_s", io::non_negative())};
+  } catch (const io::InputError&) {  // as if there had been none: the run can be repeated
+  }
+  return calls;
+}
+
+void write_calls(const fs::path& folder, const Calls& calls) {
+  io::write_whole(folder / record_name, std::string("finished = ") + (calls.is_finished ? "true" : "false") +
+                                            "\nseconds = " + io::number_text(calls.seconds) +
+                                            "\ntime_limit_s = " + io::number_text(calls.time_limit_s) + "\n");
+}
+
+std::vector<Position> read_trajectory(const fs::path& file) {
+  const io::CsvContents table = io::read_csv(file);
+  std::vector<Position> positions;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    positions.push_back({table.number(row, "time_s"),
+                         {table.number(row, "centre_of_mass_x_m"), table.number(row, "centre_of_mass_y_m"),
+                          table.number(row, "centre_of_mass_z_m")}});
+  }
+  if (positions.empty()) throw io::InputError(file.string() + ": holds no row");
+  return positions;
+}
+
+/// Words that a run may end with.
+const io::Words<io::RunStatus>& status_words() {
+  static const io::Words<io::RunStatus> words = [] {
+    io::Words<io::RunStatus> all;
+    for (const auto status :
+         {io::RunStatus::completed, io::RunStatus::diverged, io::RunStatus::not_converged, io::RunStatus::limit_point,
+          io::RunStatus::inverted_element, io::RunStatus::wall_contact, io::RunStatus::stopped}) {
+      all.emplace_back(io::to_string(status), status);
+    }
+    return all;
+  }();
+  return words;
+}
+
+void read_result(const fs::path& folder, LocomotionRun& run) {
+  const io::TomlTable table = io::read_toml(folder / "locomotion.toml");
+  LocomotionRun read = run;
+  read.status = table.word("status", status_words());
+  read.reason = table.text_or("reason", "");
+  read.time_s = table.number("time_s", io::non_negative());
+  read.steps = table.integer<std::uint64_t>("steps", io::at_least(0));
+  read.elements = table.integer<std::uint64_t>("elements", io::at_least(0));
+  read.seconds = table.number("seconds", io::non_negative());
+  read.trajectory = read_trajectory(folder / "trajectory.csv");
+  if (read.status == io::RunStatus::completed) {
+    const std::vector<double> moved = table.numbers("displacement_m");
+    if (moved.size() != 3) throw table.error("displacement_m", "must be three numbers");
+    read.displacement_m = {moved[0], moved[1], moved[2]};
+  }
+  run = std::move(read);
+}
+
+/// A result that cannot be read is a failure of that run alone.
+void read_or_fail(LocomotionRun& run) {
+  try {
+    read_result(run.folder, run);
+  } catch (const io::InputError& error) {
+    run.status.reset();
+    run.reason = error.what();
+  }
+}
+
+/// What a run has come to whose time was up.
+void end_by_limit(LocomotionRun& run, double time_limit_s, double seconds) {
+  read_or_fail(run);
+  run.status = io::RunStatus::stopped;
+  run.displacement_m.reset();
+  run.seconds = seconds;
+  run.reason = "time limit of " + io::number_text(time_limit_s) + " s";
+}
+
+TradeJob child_of(const LocomotionJob& job, const LocomotionRunOptions& options) {
+  TradeJob child;
+  child.name = job.name;
+  child.program = options.program;
+  child.arguments = {"study.toml", "-o", result_folder, "--quiet", "--no-pictures"};
+  child.inputs = {{"study.toml", job.study}, {"design.toml", job.design}, {"silicone.toml", job.silicone}};
+  child.kept_folder = fs::absolute(options.runs / job_hash(child));
+  return child;
+}
+
+/// @return nothing if the user stopped it
+std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const LocomotionRunOptions& options,
+                                            const std::function<void()>& waiting) {
+  TradeJob child = child_of(job, options);
+  LocomotionRun run;
+  run.folder = child.kept_folder / result_folder;
+  Calls calls = read_calls(child.kept_folder);
+  if (calls.is_finished) {
+    read_or_fail(run);
+    if (run.status) return run;
+    calls = {};  // its files are damaged or gone
+  }
+  if (calls.time_limit_s >= options.time_limit_s) {
+    end_by_limit(run, calls.time_limit_s, calls.seconds);
+    return run;
+  }
+  child.time_limit_s = std::max(1e-3, options.time_limit_s - calls.seconds);
+  const TradeJobResult result =
+      run_job(child, {.runs = options.runs, .stop = options.stop, .waiting = [&](double) { waiting(); }});
+  calls.seconds += result.outcome.wall_s;
+  calls.is_finished = result.has_result();
+  const bool is_timed_out = result.outcome.end == io::ChildEnd::timed_out;
+  calls.time_limit_s = is_timed_out ? options.time_limit_s : 0.0;  // what the user stopped may go on under any limit
+  write_calls(child.kept_folder, calls);
+  if (result.is_stopped()) return std::nullopt;
+  run.is_repeated = true;
+  run.is_refused = result.is_refused();
+  run.seconds = calls.seconds;
+  if (result.has_result()) {
+    read_or_fail(run);
+  } else if (is_timed_out) {
+    end_by_limit(run, options.time_limit_s, calls.seconds);
+  } else {
+    run.reason = result.failure();
+  }
+  return run;
+}
+
+}  // namespace
+
+std::string_view status_word(const LocomotionRun& run) { return run.status ? io::to_string(*run.status) : "failed"; }
+
+std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
+                                                          const LocomotionRunOptions& options) {
+  std::vector<LocomotionRun> runs(jobs.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  const auto tell = [&](std::size_t finished, const std::string& name) {
+    const std::scoped_lock lock(mutex);
+    done += finished;
+    if (options.progress) options.progress(done, name);
+  };
+  const bool is_whole = side_by_side(jobs.size(), options.jobs, options.stop, [&](std::size_t n) {
+    auto run = run_locomotion(jobs[n], options, [&] { tell(0, jobs[n].name); });
+    if (!run) return false;
+    runs[n] = std::move(*run);
+    tell(1, jobs[n].name);
+    return true;
+  });
+  if (!is_whole) return std::nullopt;
+  return runs;
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "io/csv_table.h"
+#include "io/toml_document.h"
+#include "io/whole_file.h"
+#include "tests/support/program_run.h"
+
+namespace menger {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::Outcome;
+using test_support::ProgramRun;
+
+/// The program in a folder of its own, with studies of a hollow cube of 98 elements.
+class LocomoteProgram : public testing::Test {
+ protected:
+  LocomoteProgram() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    io::write_whole(folder_ / "design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
+    write_study("study.toml", "0.05", "");
+  }
+
+  void write_study(const std::string& name, const std::string& duration_s, const std::string& more) const {
+    io::write_whole(folder_ / name,
+                    "[design]\nfile = \"design.toml\"\nwall_thickness_m = 0.004\nlargest_element_m = 0.006\ngrowth = 4\n"
+                    "[material]\nrecord = \"dragon_skin_10\"\nbulk_modulus_ratio = 20\n"
+                    "[ground]\nstatic_coefficient = 1\nkinetic_coefficient = 0.5\n"
+                    "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 4000]\nfrequency_Hz = 20\n"
+                    "[time]\nduration_s = " +
+                        duration_s + "\n" + more);
+  }
+
+  [[nodiscard]] ProgramRun start(std::vector<std::string> arguments) const {
+    return {folder_, MENGER_PROGRAM_DIR "/menger-locomote", std::move(arguments)};
+  }
+  [[nodiscard]] Outcome run(std::vector<std::string> arguments) const { return start(std::move(arguments)).wait(); }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / "menger_locomote" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(LocomoteProgram, WritesWhatItPromises) {
+  const Outcome outcome = run({"study.toml", "-o", "out"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("damping is not measured"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("completed: 0.05 s"), std::string::npos) << outcome.out;
+  for (const char* name : {"trajectory.csv", "frames.pvd", "frames/frame_0000.vtu", "manifest.json"})
+    EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
+  const io::TomlTable result = io::read_toml(folder_ / "out/locomotion.toml");
+  EXPECT_EQ(result.text("status"), "completed");
+  EXPECT_EQ(result.numbers("displacement_m").size(), 3U);
+  for (const char* key : {"body_length_m", "body_lengths_per_minute", "peak_height_m", "seconds"})
+    EXPECT_GE(result.number(key), 0.0) << key;
+  const io::CsvContents trajectory = io::read_csv(folder_ / "out/trajectory.csv");
+  EXPECT_EQ(trajectory.number(0, "time_s"), 0.0);
+  EXPECT_EQ(trajectory.number(trajectory.row_count() - 1, "time_s"), 0.05);
+  const std::string manifest = io::read_whole(folder_ / "out/manifest.json");
+  EXPECT_NE(manifest.find("not measured"), std::string::npos);
+  EXPECT_NE(manifest.find("design.toml"), std::string::npos);
+}
+
+TEST_F(LocomoteProgram, IsQuietIfToldTo) {
+  const Outcome outcome = run({"study.toml", "-o", "out", "--quiet", "--no-pictures"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_FALSE(fs::exists(folder_ / "out/robot.png"));
+}
+
+TEST_F(LocomoteProgram, GoesOnAfterCtrlC) {
+  write_study("long.toml", "0.4", "[output]\npictures = false\n");
+  ASSERT_EQ(run({"long.toml", "-o", "whole"}).code, 0);
+  const ProgramRun interrupted = start({"long.toml", "-o", "parts"});
+  // The run takes about a second; its first frame says that it is on its way.
+  for (int n = 0; n < 1000 && !fs::exists(folder_ / "parts/frames/frame_0001.vtu"); ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  interrupted.send(SIGINT);
+  const Outcome outcome = interrupted.wait();
+  ASSERT_EQ(outcome.code, 130) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("stopped"), std::string::npos) << outcome.out;
+  EXPECT_EQ(io::read_toml(folder_ / "parts/locomotion.toml").text("status"), "stopped");
+  ASSERT_EQ(run({"long.toml", "-o", "parts"}).code, 0);
+  EXPECT_EQ(io::read_whole(folder_ / "parts/trajectory.csv"), io::read_whole(folder_ / "whole/trajectory.csv"));
+  EXPECT_EQ(io::read_whole(folder_ / "parts/frames.pvd"), io::read_whole(folder_ / "whole/frames.pvd"));
+}
+
+TEST_F(LocomoteProgram, RunsTheCasesOfASweep) {
+  write_study("sweep.toml", "0.01",
+              "[output]\npictures = false\n[sweep]\nkeys = [\"ground.kinetic_coefficient\"]\nvalues = [0.2, 0.4]\n");
+  const Outcome outcome = run({"sweep.toml", "-o", "out"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("2 of 2, ground.kinetic_coefficient = 0.4"), std::string::npos) << outcome.out;
+  const io::CsvContents table = io::read_csv(folder_ / "out/sweep.csv");
+  ASSERT_EQ(table.row_count(), 2U);
+  EXPECT_EQ(table.number(1, "ground.kinetic_coefficient"), 0.4);
+  EXPECT_TRUE(fs::exists(folder_ / "out/case_02/locomotion.toml"));
+}
+
+TEST_F(LocomoteProgram, SaysHowABurstEnds) {
+  write_study("burst.toml", "0.1", "[output]\npictures = false\n");
+  std::string text = io::read_whole(folder_ / "burst.toml");
+  text.replace(text.find("4000"), 4, "200e3");
+  io::write_whole(folder_ / "burst.toml", text);
+  const Outcome outcome = run({"burst.toml", "-o", "out"});
+  EXPECT_EQ(outcome.code, 3) << outcome.out << outcome.err;
+  const io::TomlTable result = io::read_toml(folder_ / "out/locomotion.toml");
+  EXPECT_NE(result.text("status"), "completed");
+  EXPECT_NE(result.text("reason"), "");
+  EXPECT_FALSE(result.has("displacement_m"));
+}
+
+TEST_F(LocomoteProgram, RefusesWrongInputAndTouchesNothing) {
+  write_study("wrong.toml", "0.05", "[floor]\nstickiness = 1\n");
+  const Outcome outcome = run({"wrong.toml", "-o", "out"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("menger-locomote: error: wrong.toml"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("floor"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+  EXPECT_EQ(run({"no_such.toml"}).code, 2);
+  EXPECT_EQ(run({"study.toml", "--threads", "0"}).code, 2);
+}
+
+TEST_F(LocomoteProgram, ExplainsItselfWithAnExample) {
+  const Outcome outcome = run({"--help"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.out.find("menger locomote fem/studies/locomotion.toml -o walk"), std::string::npos);
+}
+
+TEST_F(LocomoteProgram, LoadsNoFiniteElementLibraries) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen("ldd '" MENGER_PROGRAM_DIR "/menger-locomote'", "r"), pclose);
+  std::string libraries;
+  for (int sign = fgetc(pipe.get()); sign != EOF; sign = fgetc(pipe.get())) libraries += static_cast<char>(sign);
+  EXPECT_NE(libraries.find("libstdc++"), std::string::npos) << libraries;
+  for (const char* library : {"libdeal", "libpetsc", "libslepc"})
+    EXPECT_EQ(libraries.find(library), std::string::npos) << library;
+}
+
+}  // namespace
+}  // namespace menger

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/csv_table.h"
+#include "io/whole_file.h"
+#include "tests/support/program_run.h"
+
+namespace menger {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::Outcome;
+using test_support::ProgramRun;
+
+/// The program in a folder of its own, with a small map.
+class StallMapProgram : public testing::Test {
+ protected:
+  StallMapProgram() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    io::write_whole(folder_ / "curve.csv", "pressure_Pa,volume_m3\n0,5e-6\n1000,6e-6\n5000,9e-6\n");
+    write_study("");
+  }
+
+  void write_study(const std::string& more) const {
+    io::write_whole(folder_ / "study.toml",
+                    "[plenum]\ncurve = 'curve.csv'\ncount = 9\n[piston]\nbore_m = 0.03\ncylinder_length_m = 0.2\n"
+                    "[line]\nlength_m = 1\n[map]\nfrequencies_Hz = [1.2, 3]\n"
+                    "resistances_Pa_s_per_m3 = {lowest = 1e6, highest = 1e9, count = 3}\n"
+                    "strokes_m = {longest = 0.06, count = 4}\nisobars_Pa = [1000]\n" +
+                        more);
+  }
+
+  [[nodiscard]] Outcome run(std::vector<std::string> arguments) const {
+    return ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-stall-map", std::move(arguments)).wait();
+  }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / "menger_stall_map" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(StallMapProgram, WritesTheMapAndItsIsobars) {
+  const Outcome outcome = run({"study.toml", "-o", "out", "--no-pictures"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const io::CsvContents map = io::read_csv(folder_ / "out/stall_map.csv");
+  ASSERT_EQ(map.row_count(), 24U);
+  for (std::size_t row = 0; row < map.row_count(); ++row)
+    EXPECT_GE(map.number(row, "peak_pressure_Pa"), map.number(row, "lowest_pressure_Pa"));
+  EXPECT_EQ(io::read_csv(folder_ / "out/isobars.csv").row_count(), 12U) << "two measures, two frequencies, three resistances";
+  EXPECT_TRUE(fs::exists(folder_ / "out/manifest.json"));
+  const std::string first = io::read_whole(folder_ / "out/stall_map.csv");
+  ASSERT_EQ(run({"study.toml", "-o", "out", "--no-pictures"}).code, 0);
+  EXPECT_EQ(io::read_whole(folder_ / "out/stall_map.csv"), first);
+}
+
+TEST_F(StallMapProgram, BadInputLeavesResultsAlone) {
+  ASSERT_EQ(run({"study.toml", "-o", "out", "--no-pictures"}).code, 0);
+  const std::string first = io::read_whole(folder_ / "out/stall_map.csv");
+  write_study("colour = 'red'\n");
+  const Outcome outcome = run({"study.toml", "-o", "out"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("colour"), std::string::npos) << outcome.err;
+  EXPECT_EQ(io::read_whole(folder_ / "out/stall_map.csv"), first);
+}
+
+}  // namespace
+}  // namespace menger
