@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "evolution/offspring.h"
+#include "evolution/run_archive.h"
+#include "evolution/study_file.h"
+
+namespace menger::tests {
+
+/// The search of silicone robots that comes with menger, with its calibrated parameters.
+inline evolution::Study silicone_study() { return evolution::read_study(MENGER_SOURCE_DIR "/paper/silicone/study.toml"); }
+
+/// Makes an archive of a study with designs of these bodies (27 digits each), the first with the largest fitness.
+inline void make_archive(const std::filesystem::path& file, const evolution::Study& study,
+                         const std::vector<std::string>& bodies) {
+  evolution::RunArchive archive = evolution::RunArchive::open(file, evolution::identity_text(study), study.search.generations);
+  std::vector<evolution::Individual> born;
+  std::vector<evolution::Contender> contenders;
+  for (std::size_t n = 0; n < bodies.size(); ++n) {
+    evolution::RandomStream random(n, "genomes");
+    evolution::Individual individual;
+    individual.id = n;
+    individual.genome = evolution::random_offspring(study.search.offspring, random).genome;
+    individual.phenotype.body = meshes::Polycube::from_digits(3, 3, 3, bodies[n]);
+    born.push_back(individual);
+    const double fitness = 1.0 - 0.125 * static_cast<double>(n);
+    contenders.push_back({n, 0, evolution::Knowledge::evaluated, fitness, std::nullopt, n});
+  }
+  archive.add_generation({0, 0, 0, 0, 0.0, "a", "b"}, born, contenders);
+}
+
+}  // namespace menger::tests
