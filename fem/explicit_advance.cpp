@@ -93,7 +93,7 @@ std::optional<ExplicitReport> ExplicitDynamics::judge() {
   if (!(imbalance <= options_.largest_imbalance * state_.turnover_J + energy_noise_))
     return failure(io::RunStatus::diverged, "the energy books are open by " + io::number_text(imbalance) + " J of " +
                                                 io::number_text(state_.turnover_J) + " J");
-  if (const std::optional<ExplicitReport> objection = judge_contact()) return objection;
+  if (std::optional<ExplicitReport> objection = judge_contact()) return objection;
   stable_step_ = stable_step_at(state_.displacements_m);
   if (!(stable_step_ >= state_.last_step_s))
     return failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(stable_step_) + " s");

@@ -15,6 +15,10 @@ void keep_the_start_to_this_process() {
   setenv("HWLOC_COMPONENTS", "-gl", keep);
   // A process without mpirun starts a daemon, for spawning others: needless here, and it may fail on a busy machine.
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+  // Such processes share one folder for files, which the first to end takes away from those that start meanwhile; alone they need
+  // none.
+  const bool is_under_mpirun = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr;
+  if (!is_under_mpirun) setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
 }
 
 }  // namespace
