@@ -59,20 +59,6 @@ Extent extent_of(vtkPolyData& surface) {
   return extent;
 }
 
-Surface moved(vtkPolyData& surface, const Vector& shift) {
-  vtkNew<vtkPoints> points;
-  for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i) {
-    Vector point{};
-    surface.GetPoint(i, point.data());
-    for (std::size_t axis = 0; axis < 3; ++axis) point.at(axis) += shift.at(axis);
-    points->InsertNextPoint(point.data());
-  }
-  auto result = Surface::New();
-  result->ShallowCopy(&surface);
-  result->SetPoints(points);
-  return result;
-}
-
 void add_elements(vtkRenderer& renderer, vtkPolyData& surface) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&surface);
@@ -146,7 +132,7 @@ class Strip {
 
   void add_tile(vtkRenderer& renderer, std::size_t column, std::size_t row, Extent& all) const {
     const Vector shift = shift_of(column, row);
-    const Surface body = moved(*(row == 0 ? elements_ : surrogates_)[column], shift);
+    const Surface body = voxel::moved(*(row == 0 ? elements_ : surrogates_)[column], shift);
     Extent ground = world_;
     for (const std::size_t axis : {0U, 1U}) {
       ground.low.at(axis) += shift.at(axis);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "fem/mass_matrix.h"
+#include "fem/space_diameter.h"
 #include "io/input_error.h"
 #include "io/number_text.h"
 
@@ -15,22 +15,6 @@ namespace {
 
 void demand(bool is_met, const std::string& name, double value, const std::string& demand) {
   if (!is_met) throw io::InputError("implicit dynamics: " + name + " = " + io::number_text(value) + ": " + demand);
-}
-
-double diameter_of(const Space& space) {
-  Point low;
-  Point high;
-  low.fill(std::numeric_limits<double>::max());
-  high.fill(std::numeric_limits<double>::lowest());
-  for (const Point& X : space.positions) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], X[i]);
-      high[i] = std::max(high[i], X[i]);
-    }
-  }
-  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, space.communicator);
-  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, space.communicator);
-  return norm(difference(high, low));
 }
 
 void check_ground(const RigidGround& ground) {
@@ -66,7 +50,7 @@ ImplicitDynamics::ImplicitDynamics(const Space& space, const Body& body, Implici
   if (options_.ground) contact_.emplace(assembly_, body, *options_.ground, options_.stick_stiffness);
   options_.largest_step_s =
       std::min(options_.largest_step_s, longest_step_s(options_.schedules).value_or(options_.largest_step_s));
-  tolerance_m_ = options_.tolerance * diameter_of(space);
+  tolerance_m_ = options_.tolerance * diameter_m(space);
   weigh();
   ImplicitState start;
   start.displacements_m.assign(3 * space.positions.size(), 0.0);

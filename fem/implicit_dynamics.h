@@ -174,8 +174,4 @@ class ImplicitDynamics {
   std::optional<double> gap_m_;
 };
 
-/// Advances to each of the times (increasing) and calls observe there, the start included; ends where a run does not complete.
-const ImplicitReport& follow(ImplicitDynamics& dynamics, const std::vector<double>& times_s,
-                             const std::function<void(ImplicitDynamics&)>& observe);
-
 }  // namespace menger::fem

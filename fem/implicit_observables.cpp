@@ -29,14 +29,4 @@ Point ImplicitDynamics::centre_of_mass_m() const {
   return scaled(1.0 / mass_kg_, moment);
 }
 
-const ImplicitReport& follow(ImplicitDynamics& dynamics, const std::vector<double>& times_s,
-                             const std::function<void(ImplicitDynamics&)>& observe) {
-  observe(dynamics);
-  for (const double time : times_s) {
-    if (dynamics.advance_to(time).status != io::RunStatus::completed) break;
-    observe(dynamics);
-  }
-  return dynamics.advance_to(dynamics.state().time_s);
-}
-
 }  // namespace menger::fem

@@ -5,6 +5,7 @@
 #include "fem/inflation_study_words.h"
 #include "io/number_text.h"
 #include "materials/law_file.h"
+#include "materials/record_law.h"
 #include "materials/silicone_library.h"
 #include "materials/silicone_record.h"
 
@@ -17,42 +18,11 @@ namespace fs = std::filesystem;
 /// needs.
 constexpr double default_bulk_factor = 50.0;
 
-constexpr std::string_view recommended = "recommended";
-
-/// The law that a table asks for among those of a record.
-const materials::SourcedLaw& choose_law(const io::TomlTable& table, const materials::SiliconeRecord& record,
-                                        std::vector<std::string>& notes) {
-  const std::string name = table.text_or("law", recommended);
-  const auto variant = table.integer_or<std::size_t>("law_variant", 1, io::at_least(1));
-  if (name == recommended) {
-    if (variant != 1) throw table.error("law_variant", "there is one recommended law");
-    return record.recommended;
-  }
-  std::vector<const materials::SourcedLaw*> matches;
-  std::string known(recommended);
-  for (const materials::SourcedLaw& law : record.others) {
-    if (materials::name_of(law.law) == name) matches.push_back(&law);
-    known.append(", ").append(materials::name_of(law.law));
-  }
-  if (matches.empty()) throw table.error("law", "the record has " + known);
-  if (variant > matches.size()) {
-    throw table.error("law_variant", "the record has " + std::to_string(matches.size()) + " of " + name);
-  }
-  notes.push_back("material: " + name + ", number " + std::to_string(variant) + " of " + std::to_string(matches.size()) +
-                  " in the record, up to a stretch of " + io::number_text(matches[variant - 1]->largest_stretch) + ": " +
-                  matches[variant - 1]->source);
-  return *matches[variant - 1];
-}
-
-/// Whether the key holds a table, as an inline law does, and not a name.
-bool is_inline_law(const io::TomlTable& table) {
-  if (!table.has("law")) return false;
-  try {
-    (void)table.table("law");
-    return true;
-  } catch (const io::InputError&) {
-    return false;
-  }
+/// What is to be known of a law that is not the recommended one.
+std::string note_of(const materials::RecordLaw& chosen) {
+  return "material: " + std::string(materials::name_of(chosen.law.law)) + ", number " + std::to_string(chosen.variant) + " of " +
+         std::to_string(chosen.count) + " in the record, up to a stretch of " + io::number_text(chosen.law.largest_stretch) +
+         ": " + chosen.law.source;
 }
 
 VolumetricLaw volumetric_law(std::size_t kind, double bulk_modulus_Pa) {
@@ -71,7 +41,7 @@ VolumetricLaw volumetric_law(std::size_t kind, double bulk_modulus_Pa) {
 StudyMaterial read_study_material(const io::TomlTable& table, const std::function<void(const fs::path&)>& read_input,
                                   std::vector<std::string>& notes) {
   StudyMaterial material;
-  if (is_inline_law(table)) {
+  if (materials::has_inline_law(table)) {
     if (table.has("record")) throw table.error("record", "a table [law] beside it gives another material: keep one of them");
     material.law = materials::read_law(table.table("law"));
     material.name = "inline " + std::string(materials::name_of(material.law));
@@ -79,7 +49,9 @@ StudyMaterial read_study_material(const io::TomlTable& table, const std::functio
     const fs::path file = materials::silicone_file(table, "record");
     read_input(file);
     const materials::SiliconeRecord record = materials::read_silicone(file);
-    const materials::SourcedLaw& law = choose_law(table, record, notes);
+    const materials::RecordLaw chosen = materials::choose_law(table, record);
+    if (chosen.count > 0) notes.push_back(note_of(chosen));
+    const materials::SourcedLaw& law = chosen.law;
     material.law = law.law;
     material.density_kg_per_m3 = record.data_sheet.density_kg_per_m3;
     material.smallest_stretch = law.smallest_stretch;

@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
-#include <limits>
 
 #include "fem/mass_matrix.h"
+#include "fem/space_diameter.h"
 
 namespace menger::fem {
 
@@ -14,22 +14,6 @@ namespace {
 /// A rigid motion is free if its eigenvalue and the residual of K r = 0 are below this part of the elastic scale: far above what
 /// rounding and the tolerance of forces leave (about 1e-7), far below what even slender bodies have.
 constexpr double rigid_tolerance = 1e-5;
-
-double diameter_of(const Space& space) {
-  Point low;
-  Point high;
-  low.fill(std::numeric_limits<double>::max());
-  high.fill(std::numeric_limits<double>::lowest());
-  for (const Point& X : space.positions) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], X[i]);
-      high[i] = std::max(high[i], X[i]);
-    }
-  }
-  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, space.communicator);
-  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, space.communicator);
-  return norm(difference(high, low));
-}
 
 /// mu V / (m L^2), V/m being one by the mean density.
 double elastic_scale_of(const Space& space, const Body& body, double mass_kg, double diameter_m) {
@@ -72,7 +56,7 @@ LinearisedBody::LinearisedBody(Equilibrium& equilibrium, const BodyState& state,
       displacements_(state.displacements_m),
       volume_gradients_(equilibrium.body().plenum_count),
       total_mass_kg_(mass_of(equilibrium.space(), equilibrium.body())),
-      diameter_m_(diameter_of(equilibrium.space())) {
+      diameter_m_(diameter_m(equilibrium.space())) {
   assert(total_mass_kg_ > 0.0);
   elastic_scale_ = elastic_scale_of(equilibrium.space(), equilibrium.body(), total_mass_kg_, diameter_m_);
   Assembly& assembly = equilibrium.assembly();

@@ -7,6 +7,7 @@
 #include "io/number_text.h"
 #include "materials/law_file.h"
 #include "materials/law_parameters.h"
+#include "materials/record_law.h"
 #include "materials/silicone_library.h"
 
 namespace menger::fem {
@@ -14,38 +15,6 @@ namespace {
 
 /// Bulk modulus by shear modulus where none is given, as for inflation: Poisson's ratio 0.490.
 constexpr double default_bulk_ratio = 50.0;
-
-constexpr std::string_view recommended = "recommended";
-
-/// Whether the key holds a table, as an inline law does, and not a name.
-bool is_inline_law(const io::TomlTable& table) {
-  if (!table.has("law")) return false;
-  try {
-    (void)table.table("law");
-    return true;
-  } catch (const io::InputError&) {
-    return false;
-  }
-}
-
-const materials::HyperelasticLaw& choose_law(const io::TomlTable& table, const materials::SiliconeRecord& record) {
-  const std::string name = table.text_or("law", recommended);
-  const auto variant = table.integer_or<std::size_t>("law_variant", 1, io::at_least(1));
-  if (name == recommended) {
-    if (variant != 1) throw table.error("law_variant", "there is one recommended law");
-    return record.recommended.law;
-  }
-  std::vector<const materials::SourcedLaw*> matches;
-  std::string known(recommended);
-  for (const materials::SourcedLaw& law : record.others) {
-    if (materials::name_of(law.law) == name) matches.push_back(&law);
-    known.append(", ").append(materials::name_of(law.law));
-  }
-  if (matches.empty()) throw table.error("law", "the record has " + known);
-  if (variant > matches.size())
-    throw table.error("law_variant", "the record has " + std::to_string(matches.size()) + " of " + name);
-  return matches[variant - 1]->law;
-}
 
 double read_stiffening(const io::TomlTable& table, const materials::HyperelasticLaw& law) {
   const double factor = table.number_or("modulus_factor", 1.0, io::positive());
@@ -77,7 +46,7 @@ LocomotionMaterial read_locomotion_material(const io::TomlTable& table,
                                             std::vector<std::string>& notes) {
   LocomotionMaterial material;
   std::optional<materials::LossData> recorded;
-  if (is_inline_law(table)) {
+  if (materials::has_inline_law(table)) {
     if (table.has("record")) throw table.error("record", "a table [law] beside it gives another material: keep one of them");
     material.law = materials::read_law(table.table("law"));
     material.density_kg_per_m3 = table.number("density_kg_per_m3", io::positive());
@@ -86,7 +55,7 @@ LocomotionMaterial read_locomotion_material(const io::TomlTable& table,
     const std::filesystem::path file = materials::silicone_file(table, "record");
     read_input(file);
     const materials::SiliconeRecord record = materials::read_silicone(file);
-    material.law = choose_law(table, record);
+    material.law = materials::choose_law(table, record).law.law;
     material.density_kg_per_m3 = table.number_or("density_kg_per_m3", record.data_sheet.density_kg_per_m3, io::positive());
     material.name = record.name + ", " + std::string(materials::name_of(material.law));
     recorded = record.loss;

@@ -37,27 +37,6 @@ io::TomlTable table_or_empty(const io::TomlTable& table, std::string_view key) {
   return io::parse_toml("", table.file());
 }
 
-meshes::Design read_inline_design(const io::TomlTable& table) {
-  meshes::Design design;
-  design.name = table.text_or("name", "robot");
-  std::array<int, 3> cells{3, 3, 3};
-  if (table.has("cells")) {
-    const std::vector<double> sizes = table.numbers("cells", io::within(1, 1000));
-    if (sizes.size() != 3) throw table.error("cells", "must be three integers, not " + std::to_string(sizes.size()));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (sizes[axis] != std::floor(sizes[axis])) throw table.error("cells", "must be an integer", std::array{axis});
-      cells[axis] = static_cast<int>(sizes[axis]);
-    }
-  }
-  const std::string digits = table.text("digits");
-  try {
-    design.body = meshes::Polycube::from_digits(cells[0], cells[1], cells[2], digits);
-  } catch (const std::invalid_argument& fault) {
-    throw table.error("digits", fault.what());
-  }
-  return design;
-}
-
 void read_design_table(const io::TomlTable& table, LocomotionStudy& study) {
   if (table.has("file")) {
     if (table.has("digits")) throw table.error("digits", "a design file beside it gives another body: keep one of them");
@@ -66,7 +45,7 @@ void read_design_table(const io::TomlTable& table, LocomotionStudy& study) {
     study.design = meshes::read_design(file);
     study.design.cell_edge_m = table.number_or("cell_edge_m", study.design.cell_edge_m, io::positive());
   } else {
-    study.design = read_inline_design(table);
+    study.design = meshes::read_drawn_design(table);
     study.design.cell_edge_m = table.number("cell_edge_m", io::positive());
   }
   study.hollow = meshes::read_hollow_body_options(table);

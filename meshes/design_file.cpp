@@ -1,6 +1,9 @@
 #include "meshes/design_file.h"
 
 #include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "io/number_text.h"
@@ -62,6 +65,27 @@ Design read_design(const std::filesystem::path& file) {
   design.cell_edge_m = table.number("cell_edge_m", io::positive());
   design.body = read_layers(table);
   table.finish();
+  return design;
+}
+
+Design read_drawn_design(const io::TomlTable& table) {
+  Design design;
+  design.name = table.text_or("name", "robot");
+  std::array<int, 3> cells{3, 3, 3};
+  if (table.has("cells")) {
+    const std::vector<double> sizes = table.numbers("cells", io::within(1, 1000));
+    if (sizes.size() != 3) throw table.error("cells", "must be three integers, not " + std::to_string(sizes.size()));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (sizes[axis] != std::floor(sizes[axis])) throw table.error("cells", "must be an integer", std::array{axis});
+      cells[axis] = static_cast<int>(sizes[axis]);
+    }
+  }
+  const std::string digits = table.text("digits");
+  try {
+    design.body = Polycube::from_digits(cells[0], cells[1], cells[2], digits);
+  } catch (const std::invalid_argument& fault) {
+    throw table.error("digits", fault.what());
+  }
   return design;
 }
 

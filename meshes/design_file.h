@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "io/toml_document.h"
 #include "meshes/polycube.h"
 
 namespace menger::meshes {
@@ -20,6 +21,10 @@ struct Design {
 /// string per row of constant y with y growing downwards in the file, x growing along the row.
 /// @throws io::InputError with file, key and value for anything that is not such a design, an empty body included
 Design read_design(const std::filesystem::path& file);
+
+/// Reads a design that stands in a table of another file: name ("robot"), cells (three integers, [3, 3, 3]) and digits, one per
+/// cell with x fastest, then y, then z. Its edge stays the default. @throws io::InputError naming the key
+Design read_drawn_design(const io::TomlTable& table);
 
 /// Writes a design so that read_design gives it back; whole or not at all. @throws io::InputError if the place cannot be written
 void write_design(const std::filesystem::path& file, const Design& design);

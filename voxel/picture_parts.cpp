@@ -82,6 +82,20 @@ void add_robot(vtkRenderer& renderer, vtkPolyData& surface, double line_width) {
   renderer.AddActor(actor);
 }
 
+vtkSmartPointer<vtkPolyData> moved(vtkPolyData& surface, const Vector& shift) {
+  vtkNew<vtkPoints> points;
+  for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i) {
+    Vector point{};
+    surface.GetPoint(i, point.data());
+    for (std::size_t axis = 0; axis < 3; ++axis) point.at(axis) += shift.at(axis);
+    points->InsertNextPoint(point.data());
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(&surface);
+  result->SetPoints(points);
+  return result;
+}
+
 Vector shadow_of(const Vector& point, double ground_height) {
   const double way = (point[2] - ground_height) / light_direction[2];
   return {point[0] - way * light_direction[0], point[1] - way * light_direction[1], ground_height};

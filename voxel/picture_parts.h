@@ -22,6 +22,9 @@ struct Placed {
 /// The sides of all cubes with the colours of their materials.
 vtkSmartPointer<vtkPolyData> robot_surface(const Placed& robot);
 
+/// A copy of a surface elsewhere; what lies on it is shared.
+vtkSmartPointer<vtkPolyData> moved(vtkPolyData& surface, const Vector& shift);
+
 /// Where the light throws a point onto the ground of the given height.
 Vector shadow_of(const Vector& point, double ground_height);
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 
 #include "io/input_error.h"
@@ -19,24 +18,8 @@ namespace menger::voxel {
 namespace {
 
 meshes::Design read_inline_design(const io::TomlTable& table) {
-  meshes::Design design;
-  design.name = table.text_or("name", "robot");
+  meshes::Design design = meshes::read_drawn_design(table);
   design.cell_edge_m = table.number("cell_edge_m", io::positive());
-  std::array<int, 3> cells{3, 3, 3};
-  if (table.has("cells")) {
-    const auto sizes = table.numbers("cells", io::within(1, 1000));
-    if (sizes.size() != 3) throw table.error("cells", "must be three integers, not " + std::to_string(sizes.size()));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (sizes[axis] != std::floor(sizes[axis])) throw table.error("cells", "must be an integer", std::array{axis});
-      cells[axis] = static_cast<int>(sizes[axis]);
-    }
-  }
-  const std::string digits = table.text("digits");
-  try {
-    design.body = meshes::Polycube::from_digits(cells[0], cells[1], cells[2], digits);
-  } catch (const std::invalid_argument& fault) {
-    throw table.error("digits", fault.what());
-  }
   if (design.body.count() == 0) throw table.error("digits", "the body is empty");
   return design;
 }

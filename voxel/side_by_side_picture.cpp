@@ -58,19 +58,11 @@ Extent extent_of(vtkPolyData& surface, const View& view) {
   return extent;
 }
 
-/// A copy moved across the picture, to the right and up.
-vtkSmartPointer<vtkPolyData> moved_in_view(vtkPolyData& surface, const View& view, double right, double up) {
-  vtkNew<vtkPoints> points;
-  for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i) {
-    Vector point{};
-    surface.GetPoint(i, point.data());
-    for (std::size_t axis = 0; axis < 3; ++axis) point.at(axis) += right * view.right.at(axis) + up * view.up.at(axis);
-    points->InsertNextPoint(point.data());
-  }
-  auto moved = vtkSmartPointer<vtkPolyData>::New();
-  moved->ShallowCopy(&surface);
-  moved->SetPoints(points);
-  return moved;
+/// A way across the picture, to the right and up.
+Vector in_world(const View& view, double right, double up) {
+  Vector way{};
+  for (std::size_t axis = 0; axis < 3; ++axis) way.at(axis) = right * view.right.at(axis) + up * view.up.at(axis);
+  return way;
 }
 
 void add_elements(vtkRenderer& renderer, vtkPolyData& surface) {
@@ -98,7 +90,7 @@ void fill(vtkRenderWindow& window, const std::vector<vtkSmartPointer<vtkPolyData
   double left = 0.0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Extent own = extent_of(*bodies[i], view);
-    const auto body = moved_in_view(*bodies[i], view, left - own.low[0], -own.low[1]);
+    const auto body = moved(*bodies[i], in_world(view, left - own.low[0], -own.low[1]));
     const bool is_surrogate = i + 1 == bodies.size();
     if (is_surrogate) add_robot(*renderer, *body, 1.5 * io::supersampling);
     if (!is_surrogate) add_elements(*renderer, *body);

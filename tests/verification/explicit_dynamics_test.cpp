@@ -117,27 +117,10 @@ TEST(ExplicitDynamics, FreeFlightKeepsMomentumAndEnergy) {
     return sum(Point{0.5, -0.2, 0.1}, sum(cross({20.0, -10.0, 30.0}, arm), Point{15.0 * arm[0], -20.0 * arm[1], 0.0}));
   };
   dynamics.set_state(state_of(mesh, dynamics, nothing, spinning));
-  struct Motion {
-    Point momentum{};
-    Point angular{};
-    double size = 0.0;
-  };
-  const auto motion = [&] {
-    Motion result;
-    const std::vector<double> x = dynamics.positions_m();
-    const std::vector<double> v = dynamics.velocities_m_per_s();
-    for (std::size_t n = 0; n < mesh.points.size(); ++n) {
-      const Point p = scaled(body.masses_kg()[n], {v[3 * n], v[3 * n + 1], v[3 * n + 2]});
-      result.momentum = sum(result.momentum, p);
-      result.angular = sum(result.angular, cross({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, p));
-      result.size += norm(p);
-    }
-    return result;
-  };
-  const Motion before = motion();
+  const Motion before = motion_of(dynamics);
   const double energy = dynamics.energies().kinetic_J;
   ASSERT_EQ(dynamics.advance_to(0.05).status, io::RunStatus::completed);
-  const Motion after = motion();
+  const Motion after = motion_of(dynamics);
   EXPECT_LT(norm(difference(after.momentum, before.momentum)), 1e-11 * before.size);  // rounding over some 2,000 steps
   // The velocity at the time of the state is that of the half step plus half a kick: angular momentum has the error of one step.
   EXPECT_LT(norm(difference(after.angular, before.angular)), 1e-5 * norm(before.angular));

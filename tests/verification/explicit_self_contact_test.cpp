@@ -98,30 +98,13 @@ TEST(ExplicitSelfContact, FreeFlightKeepsMomentum) {
   const ExplicitBody body(mesh, silicone_options(mesh));
   ExplicitDynamics dynamics(mesh, body, {});
   dynamics.set_state(legs_thrown(mesh, dynamics, 1.0, {0.5, -0.2, 0.3}));
-  struct Motion {
-    Point momentum{};
-    Point angular{};
-    double size = 0.0;
-  };
-  const auto motion = [&] {
-    Motion result;
-    const std::vector<double> x = dynamics.positions_m();
-    const std::vector<double> v = dynamics.velocities_m_per_s();
-    for (std::size_t n = 0; n < mesh.points.size(); ++n) {
-      const Point p = scaled(body.masses_kg()[n], {v[3 * n], v[3 * n + 1], v[3 * n + 2]});
-      result.momentum = sum(result.momentum, p);
-      result.angular = sum(result.angular, cross({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, p));
-      result.size += norm(p);
-    }
-    return result;
-  };
-  const Motion before = motion();
+  const Motion before = motion_of(dynamics);
   std::size_t touches = 0;
   for (int n = 1; n <= 40; ++n) {
     ASSERT_EQ(dynamics.advance_to(2.5e-4 * n).status, io::RunStatus::completed);
     touches = std::max(touches, dynamics.self_touches().size());
   }
-  const Motion after = motion();
+  const Motion after = motion_of(dynamics);
   EXPECT_GE(touches, 6U);
   EXPECT_LT(norm(difference(after.momentum, before.momentum)), 1e-11 * before.size);
   EXPECT_LT(norm(difference(after.angular, before.angular)), 1e-5 * 0.01 * before.size);

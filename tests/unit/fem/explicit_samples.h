@@ -61,4 +61,25 @@ inline std::size_t node_at(const meshes::HexahedralMesh& mesh, const Point& plac
   return nearest;
 }
 
+/// What a body without loads keeps.
+struct Motion {
+  Point momentum{};   ///< kg m/s
+  Point angular{};    ///< kg m^2/s, about the origin
+  double size = 0.0;  ///< sum of the sizes of all nodes' momenta
+};
+
+inline Motion motion_of(ExplicitDynamics& dynamics) {
+  Motion result;
+  const std::vector<double> x = dynamics.positions_m();
+  const std::vector<double> v = dynamics.velocities_m_per_s();
+  const std::vector<double>& masses_kg = dynamics.body().masses_kg();
+  for (std::size_t n = 0; n < masses_kg.size(); ++n) {
+    const Point p = scaled(masses_kg[n], {v[3 * n], v[3 * n + 1], v[3 * n + 2]});
+    result.momentum = sum(result.momentum, p);
+    result.angular = sum(result.angular, cross({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, p));
+    result.size += norm(p);
+  }
+  return result;
+}
+
 }  // namespace menger::fem
