@@ -73,7 +73,7 @@ std::optional<Manifold> PneumaticSupply::flow(const PneumaticState& state, const
   if (group.piston) manifold.free_air_m3 = state.piston_air_m3[*group.piston];
   for (const std::size_t j : group.plena) {
     manifold.ends.push_back({.resistance_Pa_s_per_m3 = line(j)->resistance_Pa_s_per_m3,
-                             .laminar_drive_Pa = laminar_drive_Pa(*line(j)),
+                             .laminar_drive_Pa = laminar_drive_Pa(gas_, *line(j)),
                              .free_air_m3 = state.plenum_air_m3[j],
                              .pressure_Pa = pressure_Pa(state, j)});
   }

@@ -26,10 +26,10 @@ double line_drive_Pa(const PneumaticGas& gas, double from_Pa, double to_Pa) {
   return (from_Pa - to_Pa) * (1.0 + 0.5 * (from_Pa + to_Pa) / gas.ambient_pressure_Pa);
 }
 
-double laminar_drive_Pa(const PneumaticLine& line) {
+double laminar_drive_Pa(const PneumaticGas& gas, const PneumaticLine& line) {
   if (!line.bore) return std::numeric_limits<double>::infinity();
   const double crossing = std::pow(64.0 / 0.3164, 4.0 / 3.0);  // where 64 / Re meets 0.3164 Re^(-1/4)
-  return line.resistance_Pa_s_per_m3 * crossing / reynolds_number(1.0, *line.bore);
+  return line.resistance_Pa_s_per_m3 * crossing / reynolds_number(gas, 1.0, *line.bore);
 }
 
 ResistedFlow resisted_flow(double drive_Pa, double laminar_drive_Pa) {
@@ -41,11 +41,12 @@ ResistedFlow resisted_flow(double drive_Pa, double laminar_drive_Pa) {
 
 double line_flow_m3_per_s(const PneumaticGas& gas, const PneumaticLine& line, double from_Pa, double to_Pa) {
   assert(line.resistance_Pa_s_per_m3 > 0.0);
-  return resisted_flow(line_drive_Pa(gas, from_Pa, to_Pa), laminar_drive_Pa(line)).flow_Pa / line.resistance_Pa_s_per_m3;
+  return resisted_flow(line_drive_Pa(gas, from_Pa, to_Pa), laminar_drive_Pa(gas, line)).flow_Pa / line.resistance_Pa_s_per_m3;
 }
 
-double reynolds_number(double flow_m3_per_s, const RoundBore& bore) {
-  return 4.0 * air_density_kg_per_m3 * std::abs(flow_m3_per_s) / (pi * bore.diameter_m * bore.viscosity_Pa_s);
+double reynolds_number(const PneumaticGas& gas, double flow_m3_per_s, const RoundBore& bore) {
+  const double density_kg_per_m3 = air_density_kg_per_m3 * gas.ambient_pressure_Pa / standard_atmosphere_Pa;
+  return 4.0 * density_kg_per_m3 * std::abs(flow_m3_per_s) / (pi * bore.diameter_m * bore.viscosity_Pa_s);
 }
 
 }  // namespace menger::fem

@@ -46,7 +46,7 @@ PneumaticLine round_line_of(double length_m, double resistance_Pa_s_per_m3);
 double line_drive_Pa(const PneumaticGas& gas, double from_Pa, double to_Pa);
 
 /// D*, Pa, above which the flow is turbulent; infinite without a bore.
-double laminar_drive_Pa(const PneumaticLine& line);
+double laminar_drive_Pa(const PneumaticGas& gas, const PneumaticLine& line);
 
 /// R dN/dt as function of D, odd and increasing, and its derivative.
 struct ResistedFlow {
@@ -58,7 +58,8 @@ ResistedFlow resisted_flow(double drive_Pa, double laminar_drive_Pa);
 /// Flow of free air dN/dt, m^3/s, in a line with resistance (asserts).
 double line_flow_m3_per_s(const PneumaticGas& gas, const PneumaticLine& line, double from_Pa, double to_Pa);
 
-/// Reynolds number of a flow of free air, 4 rho_ambient |dN/dt| / (pi d mu), the same all along the tube.
-double reynolds_number(double flow_m3_per_s, const RoundBore& bore);
+/// Reynolds number of a flow of free air, 4 rho_ambient |dN/dt| / (pi d mu), the same all along the tube; rho_ambient is in
+/// proportion to the ambient pressure.
+double reynolds_number(const PneumaticGas& gas, double flow_m3_per_s, const RoundBore& bore);
 
 }  // namespace menger::fem

@@ -75,11 +75,13 @@ bool relax(const PneumaticGas& gas, double time_s, Manifold& manifold) {
       slope += air.derivative_m3_per_Pa * changes[j].by_root;
     }
     const double root_change = is_source ? 0.0 : -excess / slope;
-    double largest = add_change(gas, root_change, manifold.pressure_Pa);
-    for (std::size_t j = 0; j < changes.size(); ++j)
-      largest = std::max(largest,
-                         add_change(gas, changes[j].by_root * root_change + changes[j].offset_Pa, manifold.ends[j].pressure_Pa));
-    if (largest <= tolerance) return std::isfinite(manifold.pressure_Pa);
+    // No maximum: it would lose what is not a number.
+    bool has_converged = add_change(gas, root_change, manifold.pressure_Pa) <= tolerance;
+    for (std::size_t j = 0; j < changes.size(); ++j) {
+      const double change_Pa = changes[j].by_root * root_change + changes[j].offset_Pa;
+      if (!(add_change(gas, change_Pa, manifold.ends[j].pressure_Pa) <= tolerance)) has_converged = false;
+    }
+    if (has_converged) return true;
   }
   return false;
 }

@@ -10,9 +10,10 @@
 namespace menger::fem {
 namespace {
 
-/// Moves a point on by a period and looks at its extremes. @return whether the plenum stayed on its curve
-bool pass_period(const PneumaticSupply& supply, const std::vector<PlenumCompliance>& plena, std::size_t steps,
-                 PneumaticState& state, StallPoint& point) {
+/// Moves a point on by a period and looks at its extremes. @return completed, diverged where the plenum left its curve, or
+/// not_converged where a step found no pressures
+io::RunStatus pass_period(const PneumaticSupply& supply, const std::vector<PlenumCompliance>& plena, std::size_t steps,
+                          PneumaticState& state, StallPoint& point) {
   const double start_s = static_cast<double>(point.periods) / point.frequency_Hz;
   const double period_s = 1.0 / point.frequency_Hz;
   point.peak_pressure_Pa = point.lowest_pressure_Pa = supply.pressure_Pa(state, 0);
@@ -23,7 +24,7 @@ bool pass_period(const PneumaticSupply& supply, const std::vector<PlenumComplian
   const double error_Pa = 1e-4 * (plena[0].pressures_Pa.back() - plena[0].pressures_Pa.front());
   for (std::size_t n = 1; n <= steps; ++n) {
     const double part = static_cast<double>(n) / static_cast<double>(steps);
-    if (!supply.advance(state, start_s + part * period_s, plena)) return false;
+    if (!supply.advance(state, start_s + part * period_s, plena)) return io::RunStatus::not_converged;
     const double pressure = supply.pressure_Pa(state, 0);
     point.peak_pressure_Pa = std::max(point.peak_pressure_Pa, pressure);
     point.lowest_pressure_Pa = std::min(point.lowest_pressure_Pa, pressure);
@@ -31,9 +32,32 @@ bool pass_period(const PneumaticSupply& supply, const std::vector<PlenumComplian
     point.largest_volume_m3 = std::max(point.largest_volume_m3, state.volumes_m3[0]);
     point.smallest_volume_m3 = std::min(point.smallest_volume_m3, state.volumes_m3[0]);
     point.largest_flow_m3_per_s = std::max(point.largest_flow_m3_per_s, std::abs(supply.flow_m3_per_s(state, 0).value_or(0.0)));
-    if (pressure > plena[0].pressures_Pa.back() || pressure < plena[0].pressures_Pa.front() - error_Pa) return false;
+    if (pressure > plena[0].pressures_Pa.back() || pressure < plena[0].pressures_Pa.front() - error_Pa)
+      return io::RunStatus::diverged;
   }
-  return true;
+  return io::RunStatus::completed;
+}
+
+/// What is measured at a point, Pa.
+double measured_Pa(const StallPoint& point, PressureMeasure measure) {
+  return measure == PressureMeasure::peak ? point.peak_pressure_Pa : point.peak_pressure_Pa - point.lowest_pressure_Pa;
+}
+
+/// The stroke of a pressure between one that stays below it and one that leaves the plenum's curve; nothing if the curve ends
+/// first, as it does for a swing about a high mean.
+std::optional<double> stroke_before_end(const StallMapStudy& study, const StallPoint& beyond, double stroke_m,
+                                        PressureMeasure measure, double pressure_Pa) {
+  double low = stroke_m;
+  double high = beyond.stroke_m;
+  std::optional<double> found;
+  for (int n = 0; n < 20; ++n) {  // to a millionth of the interval
+    const double middle = std::midpoint(low, high);
+    const StallPoint point = stall_point(study, beyond.frequency_Hz, beyond.resistance_Pa_s_per_m3, middle);
+    const bool is_reached = point.status == io::RunStatus::completed && measured_Pa(point, measure) >= pressure_Pa;
+    if (is_reached) found = middle;
+    (is_reached || point.status == io::RunStatus::diverged ? high : low) = middle;
+  }
+  return found;
 }
 
 }  // namespace
@@ -57,8 +81,9 @@ StallPoint stall_point(const StallMapStudy& study, double frequency_Hz, double r
                    .status = io::RunStatus::not_converged};
   double last_peak = 0.0;
   while (point.periods < study.most_periods) {
-    if (!pass_period(supply, plena, study.steps_per_period, state, point)) {
-      point.status = io::RunStatus::diverged;
+    const io::RunStatus status = pass_period(supply, plena, study.steps_per_period, state, point);
+    if (status != io::RunStatus::completed) {
+      point.status = status;
       return point;
     }
     ++point.periods;
@@ -103,8 +128,10 @@ Isobar isobar(const StallMapStudy& study, const StallMap& map, std::size_t frequ
     std::optional<double> found;
     for (std::size_t s = 0; s < strokes && !found; ++s) {
       const StallPoint& point = map.points[(frequency * resistances + r) * strokes + s];
+      if (point.status == io::RunStatus::diverged && before < pressure_Pa)
+        found = stroke_before_end(study, point, stroke, measure, pressure_Pa);
       if (point.status != io::RunStatus::completed) break;
-      const double reached = point.peak_pressure_Pa - (is_peak ? 0.0 : point.lowest_pressure_Pa);
+      const double reached = measured_Pa(point, measure);
       if (before < pressure_Pa && reached >= pressure_Pa)
         found = std::lerp(stroke, point.stroke_m, (pressure_Pa - before) / (reached - before));
       stroke = point.stroke_m;

@@ -24,10 +24,23 @@ struct StallMark {
   double frequency_Hz = 0.0;  ///< one of the map's
 };
 
+/// A robot that walks at some points of the map, see stall_travels.
+struct StallWalker {
+  std::filesystem::path design{};      ///< basal body, see meshes::read_design
+  std::filesystem::path parameters{};  ///< of the voxels, see voxel::read_surrogate
+  std::string design_text{};
+  std::string parameters_text{};
+  int level = 1;                     ///< of the fractal, >= 1
+  double static_friction = 1.0;      ///< >= kinetic
+  double kinetic_friction = 0.5;     ///< >= 0
+  std::size_t periods = 6;           ///< simulated, >= 2; the first does not count
+  std::size_t every_resistance = 1;  ///< takes the first, then every so manieth
+  std::size_t every_stroke = 1;      ///< takes the longest, then every so manieth down from it
+};
+
 /// What a piston behind a line can do to a soft body, without the body's inertia: its plenum's volume follows the pressure.
 struct StallMapStudy {
   std::filesystem::path file;  ///< that it came from, for messages
-  std::string text;            ///< of that file
   PlenumCompliance plenum;     ///< all that hangs on the line
   Piston piston;               ///< bore, dead volume and fill; stroke, cylinder and frequency are those of a point of the map
   std::optional<double> cylinder_length_m{};  ///< at least the longest stroke; none: each cylinder is as long as its stroke
@@ -39,6 +52,7 @@ struct StallMapStudy {
   std::vector<double> strokes_m;                ///< > 0, increasing, within the cylinder
   std::vector<double> isobars_Pa;               ///< > 0
   std::vector<StallMark> marks;
+  std::optional<StallWalker> walker{};
   std::size_t steps_per_period = 200;           ///< >= 20
   std::size_t most_periods = 2000;              ///< >= 2
   double settled = 1e-6;                        ///< largest change of the peak from one period to the next, of the peak; > 0
@@ -47,8 +61,8 @@ struct StallMapStudy {
 
 /// A point of the map: the last period of a run that begins at the fill pressure with the piston withdrawn.
 ///
-/// `completed`: the peak has settled; `not_converged`: it has not after most_periods; `diverged`: the pressure left the range of
-/// the plenum's curve, and all numbers are those of the period so far.
+/// `completed`: the peak has settled; `not_converged`: it has not after most_periods, or a step found no pressures; `diverged`:
+/// the pressure left the range of the plenum's curve, and all numbers are those of the period so far.
 struct StallPoint {
   double frequency_Hz = 0.0;
   double resistance_Pa_s_per_m3 = 0.0;
@@ -91,7 +105,8 @@ StallPoint stall_point(const StallMapStudy& study, double frequency_Hz, double r
 [[nodiscard]] StallMap stall_map(const StallMapStudy& study, const std::atomic<bool>* stop = nullptr,
                                  const std::function<void(double)>& progress = {});
 
-/// The isobar of a complete map. @param frequency place among the study's
+/// The isobar of a complete map; between the last stroke that stays on the plenum's curve and the first that leaves it the stroke
+/// is found by bisection. @param frequency place among the study's @param pressure_Pa above the fill, on the plenum's curve
 Isobar isobar(const StallMapStudy& study, const StallMap& map, std::size_t frequency, PressureMeasure measure,
               double pressure_Pa);
 

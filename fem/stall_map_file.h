@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "fem/stall_map.h"
 
@@ -20,10 +21,16 @@ namespace menger::fem {
 ///     strokes_m = { longest = 0.06, count = 24 }                             # evenly from longest / count
 ///     isobars_Pa = [2000, 4000]
 ///     steps_per_period, most_periods, settled                                # see StallMapStudy
+///     [travel]                    # may be missing: a robot that walks at some points, see StallWalker
+///     design, level (1), parameters, static_friction (1), kinetic_friction (0.5), periods (6), every_resistance (1),
+///     every_stroke (1)
 ///     [[mark]]                    # any number: label, pressure_Pa, frequency_Hz
 ///
 /// @throws io::InputError with file, key and value for what lies outside its range, strokes beyond the cylinder or without room
 /// for air, fill pressures outside the curve, and marks at frequencies that are not on the map
 StallMapStudy read_stall_map_study(const std::filesystem::path& file);
+
+/// The study with every value spelled out, defaults and the plenum's curve included.
+std::string resolved_text(const StallMapStudy& study);
 
 }  // namespace menger::fem

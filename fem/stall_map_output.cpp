@@ -71,6 +71,28 @@ io::ChartPanel panel_of(const StallMapStudy& study, const StallMap& map, std::si
   return panel;
 }
 
+io::ChartPanel travel_panel(const StallMapStudy& study, const StallMap& map, std::size_t frequency,
+                            const std::vector<StallTravel>& travels) {
+  const double frequency_Hz = study.frequencies_Hz[frequency];
+  io::ChartPanel panel{.title = text_of("travel at %.3g Hz", frequency_Hz),
+                       .x = {.title = "swept volume (cm³)", .lowest = 0.0},
+                       .y = {.title = "body lengths per minute", .least_span = 0.1}};
+  std::optional<double> resistance;
+  for (const StallTravel& travel : travels) {
+    const StallPoint& point = map.points.at(travel.point);
+    if (point.frequency_Hz != frequency_Hz || !travel.body_lengths_per_minute) continue;
+    if (resistance != point.resistance_Pa_s_per_m3) {
+      resistance = point.resistance_Pa_s_per_m3;
+      panel.series.push_back({.name = text_of("%.1e Pa s/m³", *resistance),
+                              .marks = io::Marks::line_and_points,
+                              .colour = io::chart_colour(panel.series.size())});
+    }
+    panel.series.back().x.push_back(1e6 * swept_m3(study, point.stroke_m));
+    panel.series.back().y.push_back(*travel.body_lengths_per_minute);
+  }
+  return panel;
+}
+
 }  // namespace
 
 io::CsvTable stall_map_table(const StallMapStudy& study, const StallMap& map) {
@@ -83,7 +105,7 @@ io::CsvTable stall_map_table(const StallMapStudy& study, const StallMap& map) {
     std::optional<double> reynolds;
     if (line.bore) {
       diameter = line.bore->diameter_m;
-      reynolds = reynolds_number(point.largest_flow_m3_per_s, *line.bore);
+      reynolds = reynolds_number(study.gas, point.largest_flow_m3_per_s, *line.bore);
     }
     table.add_row(point.frequency_Hz, point.resistance_Pa_s_per_m3, point.stroke_m, swept_m3(study, point.stroke_m),
                   io::to_string(point.status), point.peak_pressure_Pa, point.lowest_pressure_Pa, point.piston_peak_pressure_Pa,
@@ -107,10 +129,13 @@ io::CsvTable isobars_table(const StallMapStudy& study, const StallMap& map) {
   return table;
 }
 
-io::PictureOutcome draw_stall_map(const std::filesystem::path& file, const StallMapStudy& study, const StallMap& map) {
+io::PictureOutcome draw_stall_map(const std::filesystem::path& file, const StallMapStudy& study, const StallMap& map,
+                                  const std::vector<StallTravel>& travels) {
   io::Chart chart{.title = "piston stroke and line resistance for a pressure in the plenum"};
-  for (std::size_t f = 0; f < study.frequencies_Hz.size(); ++f)
+  for (std::size_t f = 0; f < study.frequencies_Hz.size(); ++f) {
     for (const PressureMeasure measure : measures) chart.panels.push_back(panel_of(study, map, f, measure));
+    if (!travels.empty()) chart.panels.push_back(travel_panel(study, map, f, travels));
+  }
   return io::write_chart(file, chart, {.width_px = static_cast<int>(800 * chart.panels.size()), .height_px = 900});
 }
 

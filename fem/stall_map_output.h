@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "fem/stall_map.h"
+#include "fem/stall_travel.h"
 #include "io/csv_table.h"
 #include "io/picture.h"
 
@@ -18,7 +20,8 @@ io::CsvTable stall_map_table(const StallMapStudy& study, const StallMap& map);
 io::CsvTable isobars_table(const StallMapStudy& study, const StallMap& map);
 
 /// Two panels per frequency, of peak and of swing: swept volume that reaches each pressure over the resistance of the line; marks
-/// dashed.
-io::PictureOutcome draw_stall_map(const std::filesystem::path& file, const StallMapStudy& study, const StallMap& map);
+/// dashed. With walks a third: their speed by the swept volume, a line per resistance.
+io::PictureOutcome draw_stall_map(const std::filesystem::path& file, const StallMapStudy& study, const StallMap& map,
+                                  const std::vector<StallTravel>& travels = {});
 
 }  // namespace menger::fem

@@ -7,9 +7,13 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <thread>
+#include <vector>
 
 #include "fem/stall_map_file.h"
 #include "fem/stall_map_output.h"
+#include "fem/stall_travel.h"
+#include "io/child_program.h"
 #include "io/exit_code.h"
 #include "io/input_error.h"
 #include "io/interrupt.h"
@@ -26,6 +30,8 @@ using namespace menger;
 struct Arguments {
   fs::path study;
   fs::path folder;
+  fs::path programs = io::own_program_folder();
+  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   bool no_pictures = false;
 };
 
@@ -36,15 +42,19 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "moves a piston that pushes closed air through a line into plena whose volume follows their pressure (a curve of\n"
       "menger inflate), until each cycle is like the one before. Writes stall_map.csv (all points), isobars.csv (strokes that\n"
       "reach a pressure), stall_map.png and manifest.json. Bodies have no inertia here; menger locomote has it.\n"
+      "With [travel] in the study a robot of calibrated voxels walks at some points of the map: travel.csv, and travel/ keeps\n"
+      "what is done.\n"
       "Exit codes: 0 done (points beyond the curve say diverged), 2 wrong input, 130 interrupted.");
   app.add_option("study", arguments.study, "study file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
+  app.add_option("-j,--jobs", arguments.jobs, "walks at the same time")->check(CLI::Range(1, 1024))->capture_default_str();
+  app.add_option("--programs", arguments.programs, "folder of the other programs of menger")->capture_default_str();
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG picture");
   return io::parse_arguments(app, argc, argv);
 }
 
 void remove_earlier_files(const fs::path& folder) {
-  for (const char* name : {"stall_map.csv", "isobars.csv", "stall_map.png", "manifest.json"}) {
+  for (const char* name : {"stall_map.csv", "isobars.csv", "travel.csv", "stall_map.png", "manifest.json"}) {
     std::error_code error;
     fs::remove(folder / name, error);
     if (error) throw io::InputError((folder / name).string() + ": cannot be removed: " + error.message());
@@ -58,10 +68,40 @@ void print(const fem::StallMapStudy& study, const fem::StallMap& map, double sec
             << " not settled after " << study.most_periods << " periods\n";
 }
 
+/// The walks that a study asks for. @return nothing if the user stopped them
+std::optional<std::vector<fem::StallTravel>> walk(const Arguments& arguments, const fem::StallMapStudy& study,
+                                                  const fem::StallMap& map) {
+  if (!study.walker) return std::vector<fem::StallTravel>{};
+  const std::size_t count = fem::travel_points(study, map).size();
+  io::Progress progress("travel", static_cast<double>(count));
+  return fem::stall_travels(study, map,
+                            {.programs = arguments.programs,
+                             .runs = fs::absolute(arguments.folder) / "travel",
+                             .jobs = arguments.jobs,
+                             .stop = &io::interrupted(),
+                             .progress = [&](std::size_t done) { progress.update(static_cast<double>(done)); }});
+}
+
+/// @return whether the user let it finish
+bool write(const Arguments& arguments, const fem::StallMapStudy& study, const fem::StallMap& map) {
+  fem::stall_map_table(study, map).write(arguments.folder / "stall_map.csv");
+  if (map.status != io::RunStatus::completed) return false;
+  fem::isobars_table(study, map).write(arguments.folder / "isobars.csv");
+  const auto travels = walk(arguments, study, map);
+  if (travels && study.walker) fem::travel_table(map, *travels).write(arguments.folder / "travel.csv");
+  if (!arguments.no_pictures) {
+    const io::PictureOutcome picture =
+        fem::draw_stall_map(arguments.folder / "stall_map.png", study, map, travels.value_or(std::vector<fem::StallTravel>{}));
+    if (!picture.written) std::cout << "  no picture: " << picture.missing << '\n';
+  }
+  return travels.has_value();
+}
+
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
   const fem::StallMapStudy study = fem::read_stall_map_study(arguments.study);
+  if (study.walker) static_cast<void>(io::program_in(arguments.programs, "menger-simulate"));  // before anything is written over
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
   io::require_writable_folder(arguments.folder);
   remove_earlier_files(arguments.folder);
@@ -71,22 +111,17 @@ int run(int argc, const char* const* argv) {
   auto progress = std::make_unique<io::Progress>(arguments.study.stem().string(), 1.0);
   const fem::StallMap map = fem::stall_map(study, &io::interrupted(), [&](double part) { progress->update(part); });
   progress.reset();
+  const bool is_whole = write(arguments, study, map);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-
-  fem::stall_map_table(study, map).write(arguments.folder / "stall_map.csv");
-  if (map.status == io::RunStatus::completed) {
-    fem::isobars_table(study, map).write(arguments.folder / "isobars.csv");
-    if (!arguments.no_pictures) {
-      const io::PictureOutcome picture = fem::draw_stall_map(arguments.folder / "stall_map.png", study, map);
-      if (!picture.written) std::cout << "  no picture: " << picture.missing << '\n';
-    }
-  }
-  io::write_manifest(
-      arguments.folder,
-      {.program = "menger-stall-map", .parameters = study.text, .seed = {}, .seconds = seconds, .inputs = study.inputs});
+  io::write_manifest(arguments.folder, {.program = "menger-stall-map",
+                                        .parameters = fem::resolved_text(study),
+                                        .seed = {},
+                                        .seconds = seconds,
+                                        .inputs = study.inputs});
   print(study, map, seconds);
+  if (!is_whole) std::cout << "Stopped; walks that are done are kept, the same command goes on from there.\n";
   std::cout << "results in " << arguments.folder.string() << '\n' << std::flush;
-  return map.status == io::RunStatus::stopped ? io::exit_code::interrupted : io::exit_code::done;
+  return is_whole ? io::exit_code::done : io::exit_code::interrupted;
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -64,6 +67,38 @@ TEST_F(StallMapProgram, BadInputLeavesResultsAlone) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.err.find("colour"), std::string::npos) << outcome.err;
   EXPECT_EQ(io::read_whole(folder_ / "out/stall_map.csv"), first);
+}
+
+/// Speed in body lengths per minute after the first period of 20 records, from the files of menger simulate.
+double speed_of(const fs::path& result, double body_length_m) {
+  const io::CsvContents path = io::read_csv(result / "trajectory.csv");
+  const std::size_t last = path.row_count() - 1;
+  const auto moved = [&](const char* column) { return path.number(last, column) - path.number(20, column); };
+  return 60.0 * std::hypot(moved("centre_of_mass_x_m"), moved("centre_of_mass_y_m")) / (body_length_m * moved("time_s"));
+}
+
+TEST_F(StallMapProgram, RobotWalksAtPointsOfTheMap) {
+  io::write_whole(folder_ / "leg.toml", "name = 'leg'\ncell_edge_m = 0.01\nlayers = [['100','000','000'],['111','000','000']]\n");
+  write_study("[travel]\ndesign = 'leg.toml'\nparameters = '" MENGER_PARAMETERS
+              "'\nperiods = 2\nevery_resistance = 2\nevery_stroke = 4\n");
+  const Outcome outcome = run({"study.toml", "-o", "out", "--no-pictures"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const io::CsvContents travel = io::read_csv(folder_ / "out/travel.csv");
+  ASSERT_GE(travel.row_count(), 2U) << "two resistances, two frequencies, less what is beyond the curve";
+  std::map<fs::path, fs::file_time_type> made;
+  for (const auto& entry : fs::directory_iterator(folder_ / "out/travel"))
+    made[entry.path()] = fs::last_write_time(entry.path() / "result/result.toml");
+  EXPECT_EQ(made.size(), travel.row_count());
+  for (std::size_t row = 0; row < travel.row_count(); ++row) {
+    ASSERT_EQ(travel.text(row, "status"), "completed");
+    const double speed = travel.number(row, "body_lengths_per_minute");
+    EXPECT_TRUE(std::ranges::any_of(made, [&](const auto& run) {
+      return std::abs(speed_of(run.first / "result", 0.03) - speed) <= 1e-9 * speed;
+    })) << row;
+  }
+  // found again, not made again
+  ASSERT_EQ(run({"study.toml", "-o", "out", "--no-pictures"}).code, 0);
+  for (const auto& [folder, time] : made) EXPECT_EQ(fs::last_write_time(folder / "result/result.toml"), time);
 }
 
 }  // namespace

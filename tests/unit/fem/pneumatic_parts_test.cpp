@@ -67,24 +67,25 @@ TEST(PneumaticLine, FlowIsThatOfHagenAndPoiseuilleInEveryPieceOfTheTube) {
 // tube as above; on both sides of the change of laws.
 TEST(PneumaticLine, FrictionFactorIsThatOfLaminarOrTurbulentFlow) {
   const PneumaticGas gas{1.0, 1e5};
+  const double ambient_density = air_density_kg_per_m3 * 1e5 / standard_atmosphere_Pa;
   const RoundBore bore{3e-3};
   const PneumaticLine line = round_line(2.0, bore);
   for (const double from : {1e2, 3e3, 2e4}) {
     const double flow = line_flow_m3_per_s(gas, line, from, -500.0);
-    const double reynolds = reynolds_number(flow, bore);
+    const double reynolds = reynolds_number(gas, flow, bore);
     const double factor = std::max(64.0 / reynolds, 0.3164 * std::pow(reynolds, -0.25));
-    const double mass_flux = 4.0 * air_density_kg_per_m3 * flow / (std::numbers::pi * 9e-6);
+    const double mass_flux = 4.0 * ambient_density * flow / (std::numbers::pi * 9e-6);
     double pressure = from;
     constexpr int pieces = 1000;
     const auto slope = [&](double at) {
-      const double density = air_density_kg_per_m3 * (1.0 + at / 1e5);
+      const double density = ambient_density * (1.0 + at / 1e5);
       return -factor * mass_flux * mass_flux / (2.0 * density * 3e-3) * 2.0;
     };
     for (int n = 0; n < pieces; ++n) pressure += slope(pressure + 0.5 * slope(pressure) / pieces) / pieces;
     EXPECT_NEAR(pressure, -500.0, 1e-6 * (from + 500.0)) << reynolds;
   }
-  EXPECT_LT(reynolds_number(line_flow_m3_per_s(gas, line, 1e2, -500.0), bore), 1000.0);
-  EXPECT_GT(reynolds_number(line_flow_m3_per_s(gas, line, 2e4, -500.0), bore), 4000.0);
+  EXPECT_LT(reynolds_number(gas, line_flow_m3_per_s(gas, line, 1e2, -500.0), bore), 1000.0);
+  EXPECT_GT(reynolds_number(gas, line_flow_m3_per_s(gas, line, 2e4, -500.0), bore), 4000.0);
 }
 
 TEST(PneumaticLine, FlowGrowsWithItsDriveWithoutJumps) {
@@ -107,8 +108,8 @@ TEST(PneumaticLine, ReynoldsNumberIsThatOfTheMeanSpeed) {
   const double diameter = 4e-3;
   const double flow = 1e-4;
   const double speed = flow / (std::numbers::pi * 0.25 * diameter * diameter);
-  EXPECT_NEAR(reynolds_number(flow, {diameter}), air_density_kg_per_m3 * speed * diameter / air_viscosity_Pa_s, 1e-9);
-  EXPECT_EQ(reynolds_number(-flow, {diameter}), reynolds_number(flow, {diameter}));
+  EXPECT_NEAR(reynolds_number({}, flow, {diameter}), air_density_kg_per_m3 * speed * diameter / air_viscosity_Pa_s, 1e-9);
+  EXPECT_EQ(reynolds_number({}, -flow, {diameter}), reynolds_number({}, flow, {diameter}));
 }
 
 TEST(Piston, SweepsItsStrokeAndStartsWithdrawn) {

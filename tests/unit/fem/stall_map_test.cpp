@@ -9,6 +9,8 @@
 
 #include "fem/stall_map_file.h"
 #include "fem/stall_map_output.h"
+#include "fem/stall_travel.h"
+#include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
 
@@ -97,6 +99,31 @@ TEST(StallMap, IsobarsAreWhereTheirPressureIsReached) {
   EXPECT_FALSE(isobar(study, map, 1, PressureMeasure::swing, 12e3).strokes_m[1]);
 }
 
+// 13 kPa lie between the stroke of 40 mm and that of 100 mm, which leaves the curve.
+TEST(StallMap, IsobarsReachTheEndOfTheCurve) {
+  StallMapStudy study = example();
+  study.plenum = {{0.0, 15e3}, {5e-5, 9.5e-5}};
+  study.strokes_m = {0.02, 0.04, 0.1};
+  const StallMap map = stall_map(study);
+  ASSERT_EQ(map.points[1].status, io::RunStatus::completed);
+  ASSERT_LT(map.points[1].peak_pressure_Pa, 13e3);
+  ASSERT_EQ(map.points[2].status, io::RunStatus::diverged);
+  const Isobar line = isobar(study, map, 0, PressureMeasure::peak, 13e3);
+  ASSERT_TRUE(line.strokes_m[0]);
+  EXPECT_GT(*line.strokes_m[0], 0.04);
+  EXPECT_NEAR(stall_point(study, 1.0, 1e3, *line.strokes_m[0]).peak_pressure_Pa, 13e3, 0.5);  // twenty halvings of 60 mm
+}
+
+// Air at 70 kPa is thinner, so that its flow stays laminar further: Re and 1 / D* go with its density.
+TEST(StallMap, ReynoldsNumberKnowsTheAmbientPressure) {
+  const PneumaticLine line = round_line_of(2.0, 1e7);
+  const PneumaticGas usual;
+  const PneumaticGas thin{.ambient_pressure_Pa = 70e3};
+  const double share = 70e3 / standard_atmosphere_Pa;
+  EXPECT_DOUBLE_EQ(reynolds_number(thin, 1e-4, *line.bore), share * reynolds_number(usual, 1e-4, *line.bore));
+  EXPECT_DOUBLE_EQ(share * laminar_drive_Pa(thin, line), laminar_drive_Pa(usual, line));
+}
+
 TEST(StallMap, PressureBeyondTheCurveIsSaid) {
   StallMapStudy study = example();
   study.plenum = {{0.0, 10e3}, {5e-5, 8e-5}};
@@ -121,6 +148,31 @@ TEST(StallMap, TubesHaveTheirDiameterFromTheirResistance) {
   laminar.line_length_m.reset();
   const auto swing = [](const StallPoint& point) { return point.peak_pressure_Pa - point.lowest_pressure_Pa; };
   EXPECT_LT(swing(map.points[2]), 0.99 * swing(stall_point(laminar, 3.0, 1e7, 0.06)));
+}
+
+TEST(StallMap, WalksAreSpreadOverTheMap) {
+  StallMapStudy study = example();
+  study.strokes_m = {0.01, 0.02, 0.03, 0.04, 0.05};
+  study.walker = StallWalker{.every_stroke = 2};
+  StallMap map = stall_map(study);
+  EXPECT_EQ(travel_points(study, map), (std::vector<std::size_t>{0, 2, 4, 5, 7, 9, 10, 12, 14, 15, 17, 19}));
+  study.walker = StallWalker{.every_resistance = 2, .every_stroke = 3};
+  EXPECT_EQ(travel_points(study, map), (std::vector<std::size_t>{1, 4, 11, 14})) << "the longest stroke is there";
+  map.points[11].status = io::RunStatus::diverged;
+  EXPECT_EQ(travel_points(study, map), (std::vector<std::size_t>{1, 4, 14}));
+}
+
+TEST(StallMap, SceneHasThePressuresOfItsPoint) {
+  StallMapStudy study = example();
+  study.walker = StallWalker{.design = "cube.toml", .parameters = "fit.toml", .level = 2, .periods = 5};
+  const StallPoint point = stall_point(study, 2.0, 1e3, 0.02);
+  const io::TomlTable scene = io::parse_toml(travel_scene(study, point), "scene.toml");
+  EXPECT_EQ(scene.table("surrogate").numbers("pressure_Pa"),
+            (std::vector<double>{point.lowest_pressure_Pa, point.peak_pressure_Pa}));
+  EXPECT_DOUBLE_EQ(scene.table("actuation").number("period_s"), 0.5);
+  EXPECT_DOUBLE_EQ(scene.number("duration_s"), 2.5);
+  EXPECT_DOUBLE_EQ(scene.number("record_interval_s"), 0.025);
+  EXPECT_EQ(scene.path("design"), fs::absolute("cube.toml"));
 }
 
 class StallMapFile : public testing::Test {
@@ -156,14 +208,28 @@ TEST_F(StallMapFile, IsReadWhole) {
   EXPECT_EQ(study.inputs.size(), 2U);
 }
 
+TEST_F(StallMapFile, EqualVolumesAreNoDecrease) {
+  io::write_whole(folder_ / "curve.csv", "pressure_Pa,volume_m3\n0,6e-6\n1000,6e-6\n5000,9e-6\n");
+  EXPECT_EQ(read("count = 9", "count = 7").plenum.volumes_m3[1], 7 * 6e-6);
+}
+
 TEST_F(StallMapFile, BadInputIsNamed) {
   refuses("longest = 0.1", "longest = 0.125", "longest = 0.125");
   refuses("volume_m3 = 1e-6\n", "\n", "leaves the air no room");
   refuses("highest = 1e9", "highest = 1e5", "highest = 100000");
   refuses("frequency_Hz = 3", "frequency_Hz = 2", "frequency_Hz = 2");
+  refuses("[1.2, 3]", "[]", "frequencies_Hz");
+  refuses("[1.2, 3]", "[3, 1.2, 3]", "none of them twice");
+  refuses("isobars_Pa = [2000]", "isobars_Pa = [2000, 5001]", "5001");
+  refuses("pressure_Pa = 4000", "pressure_Pa = 6000", "pressure_Pa = 6000");
   refuses("bore_m = 0.03", "bore_m = -1", "bore_m = -1");
   refuses("count = 9", "count = 0", "count = 0");
   refuses("isobars_Pa", "isobar_Pa", "isobar_Pa");
+  const std::string travel = "[travel]\ndesign = 'curve.csv'\nparameters = 'curve.csv'\n";
+  refuses("[[mark]]", travel + "level = 4\n[[mark]]", "level = 4");
+  refuses("[[mark]]", travel + "periods = 1\n[[mark]]", "periods = 1");
+  refuses("[[mark]]", travel + "static_friction = 0.3\n[[mark]]", "is less than kinetic_friction = 0.5");
+  refuses("[[mark]]", "[travel]\ndesign = 'none.toml'\nparameters = 'curve.csv'\n[[mark]]", "none.toml");
   refuses("cylinder_length_m = 0.1\n", "cylinder_length_m = 0.1\nfill_pressure_Pa = -500\n", "outside the curve");
   io::write_whole(folder_ / "curve.csv", "pressure_Pa,volume_m3\n0,5e-6\n1000,6e-6\n900,9e-6\n");
   refuses("", "", "curve.csv:4");
