@@ -29,6 +29,14 @@ double default_contact_stiffness_Pa_per_m(const meshes::HexahedralMesh& mesh, co
   return self_contact_stiffness_Pa_per_m(bulk_modulus, shortest_edge_m(mesh));
 }
 
+SurfaceFriction self_friction(const ExplicitOptions& options) {
+  if (!options.self_contact) return {};
+  if (options.self_contact->friction) return *options.self_contact->friction;
+  if (!options.loads.ground) return {};
+  const Friction& ground = options.loads.ground->friction;
+  return {ground.static_coefficient, ground.kinetic_coefficient};
+}
+
 }  // namespace
 
 ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, ExplicitOptions options)
@@ -39,7 +47,7 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
                     options_.self_contact && options_.self_contact->stiffness_Pa_per_m
                         ? *options_.self_contact->stiffness_Pa_per_m
                         : default_contact_stiffness_Pa_per_m(mesh, body),
-                    options_.self_contact.has_value()),
+                    options_.self_contact.has_value(), self_friction(options_)),
       areas_(outer_node_areas_m2(mesh)),
       nodes_(body_, chambers_, options_.loads, areas_),
       loop_(options_.threads) {
@@ -79,6 +87,12 @@ void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
   if (o.self_contact && o.self_contact->stiffness_Pa_per_m)
     demand(*o.self_contact->stiffness_Pa_per_m > 0.0, "self-contact stiffness_Pa_per_m", *o.self_contact->stiffness_Pa_per_m,
            "must be > 0");
+  if (o.self_contact && o.self_contact->friction) {
+    const auto [static_coefficient, kinetic_coefficient] = *o.self_contact->friction;
+    demand(kinetic_coefficient >= 0.0, "self-contact kinetic_coefficient", kinetic_coefficient, "must be >= 0");
+    demand(static_coefficient >= kinetic_coefficient, "self-contact static_coefficient", static_coefficient,
+           "must not be below the kinetic one");
+  }
   demand(o.loads.mass_damping_per_s >= 0.0, "mass_damping_per_s", o.loads.mass_damping_per_s, "must be >= 0");
   if (o.supply->plenum_count() != mesh.plenum_names.size())
     throw io::InputError("explicit dynamics: " + std::to_string(o.supply->plenum_count()) + " schedules for " +
@@ -111,7 +125,8 @@ void ExplicitDynamics::set_state(ExplicitState state) {
     state_.pneumatics = options_.supply->start(state_.time_s, plenum_volumes_m3());
   set_current_positions();
   self_contact_.forget();
-  self_contact_.find_touches(current_positions_, loop_);
+  find_touches();
+  if (!state_.contact) state_.contact = self_contact_.memories();
   stable_step_ = stable_step_at(state_.displacements_m);
   if (state_.at_start_J) return;
   state_.at_start_J = 0.0;
@@ -137,9 +152,16 @@ double ExplicitDynamics::compute_forces() {
   for (const ElementsOutcome& outcome : outcomes_) smallest = std::min(smallest, outcome.smallest_ratio);
   if (self_contact_.is_awake() && smallest > 0.0) {  // positions that are not finite have no neighbours
     if (chambers_.chamber_count() == 0) set_current_positions();
-    self_contact_.find_touches(current_positions_, loop_);
+    find_touches();
   }
   return smallest;
+}
+
+/// Changes nothing in the state: what came before it stays its past until it takes a step.
+void ExplicitDynamics::find_touches() {
+  if (!state_.contact) return self_contact_.find_touches(current_positions_, loop_);
+  const ContactPast past{*state_.contact, state_.velocities_m_per_s, state_.last_step_s};
+  self_contact_.find_touches(current_positions_, loop_, &past);
 }
 
 void ExplicitDynamics::set_current_positions() {
@@ -149,7 +171,10 @@ void ExplicitDynamics::set_current_positions() {
 
 NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
   SlotForces forces{element_slots_, chamber_slots_};
-  if (options_.self_contact) forces.self_contact_N = self_contact_.forces_N();
+  if (options_.self_contact) {
+    forces.self_contact_N = self_contact_.forces_N();
+    forces.self_friction_N = self_contact_.friction_N();
+  }
   loop_.run(body_.node_count(), nodes_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
     moves_[block] = nodes_.move(forces, times, {begin, end}, displacements, velocities);
   });
@@ -163,7 +188,9 @@ NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>&
 }
 
 bool ExplicitDynamics::take_step(double step_s) {
+  const bool has_looked = self_contact_.is_awake();
   if (!(compute_forces() > 0.0)) return false;
+  if (has_looked) *state_.contact = self_contact_.memories();
   const StepTimes times{0.5 * (state_.last_step_s + step_s), step_s, common_velocity_};
   const NodesOutcome outcome = move(times, state_.displacements_m, state_.velocities_m_per_s);
   state_.work += outcome.work;

@@ -50,6 +50,9 @@ struct ExplicitState {
   std::optional<double> at_start_J{};          ///< see ExplicitEnergies; nothing: the books begin with this state
   double turnover_J = 0.0;                     ///< largest so far
   std::optional<PneumaticState> pneumatics{};  ///< at time_s, of the options' supply; nothing: it starts with this state
+  /// Of contact of the body with itself, before the last step; nothing: what touches in this state is pressed by all of its
+  /// depth.
+  std::optional<std::vector<ContactMemory>> contact{};
 };
 
 /// How far a run came.
@@ -71,7 +74,7 @@ struct ExplicitReport {
 /// The books count energy at one time: that of modes whose period is a few steps is known only roughly (to the square of step
 /// times frequency), and a body that mostly moves in such modes gets shorter steps for it.
 ///
-/// Parts of the outside that meet, and walls of one chamber, push each other (see SelfContact; no friction); chamber pressure
+/// Parts of the outside that meet, and walls of one chamber, push each other and rub (see SelfContact); chamber pressure
 /// acts on walls that touch as on all others. While nothing touches, results are the same bytes with and without, unless near
 /// parts move a twentieth of an edge in a step. Without self-contact, walls that touch end the run as `wall_contact`, and parts
 /// of the outside pass through each other; a chamber that has no volume left ends it so, too, with and without.
@@ -87,7 +90,8 @@ class ExplicitDynamics {
 
   /// Another start: a state from before, to go on from as if nothing had happened, or one that was changed; then its
   /// `at_start_J` must be empty, or the books stay open by the change, and so must be `pneumatics` where time or chambers'
-  /// volumes changed. Velocities of what is held become zero. Sizes must fit (asserts).
+  /// volumes changed, and `contact` where displacements or velocities did. Velocities of what is held become zero. Sizes must fit
+  /// (asserts).
   /// @throws io::InputError naming an element that is inside out there or not finite
   void set_state(ExplicitState state);
   [[nodiscard]] const ExplicitState& state() const { return state_; }
@@ -124,6 +128,7 @@ class ExplicitDynamics {
   bool take_step(double step_s);
   [[nodiscard]] bool supply_air();
   double compute_forces();
+  void find_touches();
   void set_current_positions();
   NodesOutcome move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities);
   HalfStep half_step();

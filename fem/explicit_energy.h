@@ -10,8 +10,8 @@ struct ExplicitWork {
   double pressure_J = 0.0;      ///< of the chambers' pressure
   double gravity_J = 0.0;       ///< of the weight
   double contact_J = 0.0;       ///< of the ground's springs on the body: minus what is stored in them
-  double self_contact_J = 0.0;  ///< of those between parts of the surface: minus what is stored in them
-  double friction_J = 0.0;      ///< lost
+  double self_contact_J = 0.0;  ///< of those between parts of the surface: minus what is stored or was lost in them
+  double friction_J = 0.0;      ///< lost, or stored in springs along the surface where parts of it stick to each other
   double viscous_J = 0.0;       ///< lost in the material; to first order in the step
   double mass_damping_J = 0.0;  ///< lost
 

@@ -62,11 +62,13 @@ NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
   double pressure_power = 0.0;
   double contact_power = 0.0;
   double self_contact_power = 0.0;
+  double self_friction_power = 0.0;
   double damped_power = 0.0;
   Point momentum{};
   NodesOutcome outcome;
   ExplicitWork& work = outcome.work;
   const bool has_self_contact = !forces.self_contact_N.empty();
+  const bool has_self_friction = !forces.self_friction_N.empty();
   for (std::size_t node = nodes.begin; node < nodes.end; ++node) {
     double* u = displacements_m.data() + 3 * node;
     double* v = velocities_m_per_s.data() + 3 * node;
@@ -84,6 +86,7 @@ NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
     for (std::size_t i = 0; i < 3; ++i) {
       double load = pressure[i] - inner[i] + mass * gravity[i] + (i == 2 ? normal : 0.0);
       if (has_self_contact) load += forces.self_contact_N[3 * node + i];
+      if (has_self_friction) load += forces.self_friction_N[3 * node + i];
       after[i] = kick.kept * before[i] + kick.time_s * inverse_masses[i] * load;
     }
     if (normal > 0.0 && inverse_masses[0] > 0.0 && inverse_masses[1] > 0.0)
@@ -93,6 +96,8 @@ NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
     contact_power += normal * mean[2];
     if (has_self_contact)
       for (std::size_t i = 0; i < 3; ++i) self_contact_power += forces.self_contact_N[3 * node + i] * mean[i];
+    if (has_self_friction)
+      for (std::size_t i = 0; i < 3; ++i) self_friction_power += forces.self_friction_N[3 * node + i] * mean[i];
     damped_power += mass * dot(mean, mean);
     momentum = sum(momentum, scaled(mass, mean));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -105,6 +110,7 @@ NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
   work.pressure_J = times.kick_s * pressure_power;
   work.contact_J = times.kick_s * contact_power;
   work.self_contact_J = times.kick_s * self_contact_power;
+  work.friction_J -= times.kick_s * self_friction_power;
   work.gravity_J = times.kick_s * dot(gravity, momentum);
   work.mass_damping_J = times.kick_s * loads_.mass_damping_per_s * damped_power;
   return outcome;

@@ -23,7 +23,8 @@ struct NodalLoads {
 struct SlotForces {
   std::span<const double> elements_N;
   std::span<const double> chambers_N;
-  std::span<const double> self_contact_N{};  ///< 3 per node; empty: none
+  std::span<const double> self_contact_N{};   ///< 3 per node; empty: none
+  std::span<const double> self_friction_N{};  ///< 3 per node; empty: none
 };
 
 /// The two halves of a step: time over which forces change velocities, and time over which velocities change displacements.

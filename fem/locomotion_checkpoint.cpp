@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view title = "menger locomotion checkpoint 1\n";
+constexpr std::string_view title = "menger locomotion checkpoint 2\n";
 constexpr std::size_t hash_length = 64;
 
 // Bindings name all members of a struct, so that one that is added does not compile until it is kept here, too.
@@ -51,9 +51,33 @@ PneumaticState air_from(const Json& json) {
   return air;
 }
 
+Json to_json(const ContactMemory& memory) {
+  const auto& [node, face, depth, pressed, paid, slip, is_sliding] = memory;
+  return {node, face, depth, pressed, paid, slip, is_sliding};
+}
+
+ContactMemory memory_from(const Json& json) {
+  ContactMemory memory;
+  auto& [node, face, depth, pressed, paid, slip, is_sliding] = memory;
+  json.at(0).get_to(node);
+  json.at(1).get_to(face);
+  json.at(2).get_to(depth);
+  json.at(3).get_to(pressed);
+  json.at(4).get_to(paid);
+  json.at(5).get_to(slip);
+  json.at(6).get_to(is_sliding);
+  return memory;
+}
+
+Json to_json(const std::vector<ContactMemory>& memories) {
+  Json list = Json::array();
+  for (const ContactMemory& memory : memories) list.push_back(to_json(memory));
+  return list;
+}
+
 Json to_json(const ExplicitState& state) {
-  const auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air] =
-      state;
+  const auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air,
+               contact] = state;
   return {time,
           displacements,
           velocities,
@@ -64,12 +88,14 @@ Json to_json(const ExplicitState& state) {
           to_json(work),
           turnover,
           at_start ? Json(*at_start) : Json(),
-          air ? to_json(*air) : Json()};
+          air ? to_json(*air) : Json(),
+          contact ? to_json(*contact) : Json()};
 }
 
 ExplicitState state_from(const Json& json) {
   ExplicitState state;
-  auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air] = state;
+  auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air, contact] =
+      state;
   json.at(0).get_to(time);
   json.at(1).get_to(displacements);
   json.at(2).get_to(velocities);
@@ -81,6 +107,9 @@ ExplicitState state_from(const Json& json) {
   json.at(8).get_to(turnover);
   if (!json.at(9).is_null()) at_start = json.at(9).get<double>();
   if (!json.at(10).is_null()) air = air_from(json.at(10));
+  if (json.at(11).is_null()) return state;
+  contact.emplace();
+  for (const Json& memory : json.at(11)) contact->push_back(memory_from(memory));
   return state;
 }
 

@@ -9,6 +9,9 @@ namespace menger::fem {
 namespace {
 
 constexpr std::size_t candidates_per_block = 32;
+constexpr double no_way = 1e-12;        // of an edge: rounding of depths
+constexpr double nothing_paid = 1e-18;  // of the square of an edge
+
 std::vector<double> positions_of(const meshes::HexahedralMesh& mesh) {
   std::vector<double> positions;
   positions.reserve(3 * mesh.points.size());
@@ -18,12 +21,16 @@ std::vector<double> positions_of(const meshes::HexahedralMesh& mesh) {
 
 }  // namespace
 
-SelfContact::SelfContact(const meshes::HexahedralMesh& mesh, double stiffness_Pa_per_m, bool with_outside)
+SelfContact::SelfContact(const meshes::HexahedralMesh& mesh, double stiffness_Pa_per_m, bool with_outside,
+                         const SurfaceFriction& friction)
     : surfaces_(mesh, with_outside),
       search_(surfaces_, surfaces_.points(positions_of(mesh))),
       stiffness_(stiffness_Pa_per_m),
+      friction_(friction),
       normals_(surfaces_.face_count()),
-      forces_(3 * mesh.points.size(), 0.0) {}
+      forces_(3 * mesh.points.size(), 0.0) {
+  if (friction.static_coefficient > 0.0) friction_forces_.resize(forces_.size(), 0.0);
+}
 
 void SelfContact::moved(double travel_m) {
   travel_ += travel_m;
@@ -40,9 +47,12 @@ void SelfContact::watch() {
   largest_travel_ = 0.0;
 }
 
-void SelfContact::find_touches(std::span<const double> positions_m, const BlockLoop& loop) {
+void SelfContact::find_touches(std::span<const double> positions_m, const BlockLoop& loop, const ContactPast* past) {
   if (must_search()) search(positions_m, loop);
-  if (!is_near_ && touches_.empty()) return;
+  if (!is_near_ && touches_.empty()) {
+    set_memories(past);
+    return;
+  }
   for (const std::uint32_t node : followed_nodes_) points_[node] = surfaces_.point(node, positions_m);
   for (const std::uint32_t face : followed_faces_) {
     const Point area = area_vector(surfaces_.corners(face, points_));
@@ -50,8 +60,9 @@ void SelfContact::find_touches(std::span<const double> positions_m, const BlockL
     normals_[face] = size > 0.0 ? scaled(1.0 / size, area) : Point{};
   }
   loop.run(found_.size(), candidates_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) found_[n] = touch_of(n);
+    for (std::size_t n = begin; n < end; ++n) found_[n] = touch_of(n, past);
   });
+  set_memories(past);
   set_forces();
 }
 
@@ -87,42 +98,112 @@ void SelfContact::follow_candidates() {
   make_unique(followed_nodes_);
 }
 
-std::optional<SelfTouch> SelfContact::touch_of(std::size_t candidate) const {
+std::optional<SelfContact::Found> SelfContact::touch_of(std::size_t candidate, const ContactPast* past) const {
   const std::size_t node = candidates_.nodes[candidate];
   const std::size_t first = candidates_.offsets[candidate];
   const auto faces = std::span(candidates_.faces).subspan(first, candidates_.offsets[candidate + 1] - first);
   const std::optional<NodeDepth> depth = depth_of(surfaces_, node, faces, {points_, normals_}, largest_seen_depth_m());
   if (!depth) return std::nullopt;
-  SelfTouch touch{surfaces_.mesh_node(node), static_cast<std::uint32_t>(surfaces_.surface(node)), {}, depth->nearest.weights,
-                  depth->behind_m,           0.5 * stiffness_ * surfaces_.area_m2(node)};
-  for (std::size_t c = 0; c < 4; ++c) touch.face_nodes[c] = surfaces_.mesh_node(surfaces_.face(depth->face)[c]);
-  return touch;
+  Found found{{surfaces_.mesh_node(node),
+               static_cast<std::uint32_t>(surfaces_.surface(node)),
+               {},
+               depth->nearest.weights,
+               depth->behind_m,
+               0.5 * stiffness_ * surfaces_.area_m2(node)},
+              memory_behind(node, depth->face, norm(depth->behind_m), past)};
+  for (std::size_t c = 0; c < 4; ++c) found.touch.face_nodes[c] = surfaces_.mesh_node(surfaces_.face(depth->face)[c]);
+  found.touch.pressed_m = found.memory.pressed_m;
+  if (past != nullptr && !friction_forces_.empty()) add_friction(found, *past);
+  return found;
+}
+
+ContactMemory SelfContact::memory_behind(std::size_t node, std::size_t face, double depth_m, const ContactPast* past) const {
+  const auto node_number = static_cast<std::uint32_t>(node);
+  const auto face_number = static_cast<std::uint32_t>(face);
+  if (past == nullptr) return {node_number, face_number, depth_m, depth_m, depth_m * depth_m};
+  const ContactMemory* before = memory_of(past->memories, node);
+  double way = no_way * surfaces_.shortest_edge_m() + way_past_face_m(surfaces_, node, face, *past);
+  if (before != nullptr && before->face != face) way = std::max(way, way_past_face_m(surfaces_, node, before->face, *past));
+  ContactMemory memory = memory_after(before != nullptr ? *before : ContactMemory{}, depth_m, way);
+  memory.node = node_number;
+  memory.face = face_number;
+  return memory;
+}
+
+void SelfContact::add_friction(Found& found, const ContactPast& past) const {
+  const auto way_of = [&](std::size_t node) { return scaled(past.step_s, surfaces_.point(node, past.velocities_m_per_s)); };
+  const auto& face = surfaces_.face(found.memory.face);
+  const PressedNode pressed{surfaces_.corners(found.memory.face, points_), found.touch.weights, found.touch.behind_m};
+  const std::array<Point, 4> ways{way_of(face[0]), way_of(face[1]), way_of(face[2]), way_of(face[3])};
+  found.touch.friction_N = friction_force_N(friction_, pressed, way_along_face_m(pressed, way_of(found.memory.node), ways),
+                                            face_turn_rad(pressed.corners, ways), found.touch.spring_N_per_m, found.memory);
+  found.touch.face_friction_N = face_reactions_N(pressed, found.touch.friction_N);
+}
+
+/// Of nodes that are behind a face, and of those that were before or have something to their credit.
+void SelfContact::set_memories(const ContactPast* past) {
+  memories_.clear();
+  auto found = found_.begin();
+  const auto add_found_before = [&](std::size_t node) {
+    for (; found != found_.end(); ++found) {
+      if (!*found) continue;
+      if ((*found)->memory.node >= node) return;
+      memories_.push_back((*found)->memory);
+    }
+  };
+  if (past != nullptr) {
+    const double edge = surfaces_.shortest_edge_m();
+    for (const ContactMemory& before : past->memories) {
+      add_found_before(before.node);
+      if (found != found_.end() && (*found)->memory.node == before.node) continue;
+      const double way = no_way * edge + way_past_face_m(surfaces_, before.node, before.face, *past);
+      ContactMemory memory = memory_after(before, 0.0, way);
+      memory.slip_m = {};
+      memory.is_sliding = false;
+      if (memory.paid_m2 > nothing_paid * edge * edge) memories_.push_back(memory);
+    }
+  }
+  add_found_before(surfaces_.node_count());
 }
 
 void SelfContact::set_forces() {
-  const auto clear = [&](std::size_t node) { std::fill_n(forces_.begin() + static_cast<std::ptrdiff_t>(3 * node), 3, 0.0); };
+  const auto clear = [&](std::size_t node) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      forces_[3 * node + i] = 0.0;
+      if (!friction_forces_.empty()) friction_forces_[3 * node + i] = 0.0;
+    }
+  };
   for (const SelfTouch& touch : touches_) {
     clear(touch.node);
     for (const std::uint32_t node : touch.face_nodes) clear(node);
   }
   touches_.clear();
+  const auto add = [](std::vector<double>& forces, std::size_t node, const Point& force) {
+    for (std::size_t i = 0; i < 3; ++i) forces[3 * node + i] += force[i];
+  };
   for (const auto& found : found_) {
     if (!found) continue;
-    touches_.push_back(*found);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double force = -found->spring_N_per_m * found->behind_m[i];
-      forces_[3 * std::size_t{found->node} + i] += force;
-      for (std::size_t c = 0; c < 4; ++c) forces_[3 * std::size_t{found->face_nodes[c]} + i] -= found->weights[c] * force;
-    }
-    largest_depth_ = std::max(largest_depth_, norm(found->behind_m));
+    const SelfTouch& touch = touches_.emplace_back(found->touch);
+    const double depth = found->memory.depth_m;
+    const Point push = scaled(-touch.spring_N_per_m * touch.pressed_m / depth, touch.behind_m);
+    add(forces_, touch.node, push);
+    for (std::size_t c = 0; c < 4; ++c) add(forces_, touch.face_nodes[c], scaled(-touch.weights[c], push));
+    largest_depth_ = std::max(largest_depth_, depth);
+    if (friction_forces_.empty()) continue;
+    add(friction_forces_, touch.node, touch.friction_N);
+    for (std::size_t c = 0; c < 4; ++c) add(friction_forces_, touch.face_nodes[c], touch.face_friction_N[c]);
   }
 }
 
 std::span<const double> SelfContact::forces_N() const { return touches_.empty() ? std::span<const double>{} : forces_; }
 
+std::span<const double> SelfContact::friction_N() const {
+  return touches_.empty() ? std::span<const double>{} : friction_forces_;
+}
+
 double SelfContact::energy_J() const {
   double energy = 0.0;
-  for (const SelfTouch& touch : touches_) energy += 0.5 * touch.spring_N_per_m * dot(touch.behind_m, touch.behind_m);
+  for (const SelfTouch& touch : touches_) energy += 0.5 * touch.spring_N_per_m * touch.pressed_m * touch.pressed_m;
   return energy;
 }
 

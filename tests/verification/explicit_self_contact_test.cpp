@@ -37,14 +37,13 @@ double air_m(const meshes::HexahedralMesh& mesh, const ExplicitDynamics& dynamic
 
 double stored_J(ExplicitDynamics& dynamics) {
   double energy = 0.0;
-  for (const SelfTouch& touch : dynamics.self_touches())
-    energy += 0.5 * touch.spring_N_per_m * dot(touch.behind_m, touch.behind_m);
+  for (const SelfTouch& touch : dynamics.self_touches()) energy += 0.5 * touch.spring_N_per_m * touch.pressed_m * touch.pressed_m;
   return energy;
 }
 
 // The legs meet, push and part. Books close as those of the block that bounces off the ground do, at a quarter of the stable
 // step. Springs hold what they have taken, but for nodes that slip over the rim of the other leg, whose sides are flush with it:
-// up to a hundredth of the energy of this strike.
+// up to a hundredth of the energy of this strike is lost so, and none is given but for errors of the step (1.4e-4).
 TEST(ExplicitSelfContact, LegsBounceAndKeepTheirEnergy) {
   const meshes::HexahedralMesh mesh = u_body();
   const ExplicitBody body(mesh, silicone_options(mesh));
@@ -57,6 +56,7 @@ TEST(ExplicitSelfContact, LegsBounceAndKeepTheirEnergy) {
   double last_air = edge;
   double worst = 0.0;
   double open_springs = 0.0;
+  double most = 0.0;
   std::size_t touches = 0;
   for (int n = 1; n <= 200; ++n) {
     const ExplicitReport& report = dynamics.advance_to(5e-5 * n);
@@ -64,6 +64,7 @@ TEST(ExplicitSelfContact, LegsBounceAndKeepTheirEnergy) {
     const ExplicitEnergies books = dynamics.energies();
     worst = std::max(worst, std::abs(books.imbalance_J()));
     open_springs = std::max(open_springs, std::abs(books.work.self_contact_J + stored_J(dynamics)));
+    most = std::max(most, books.work.self_contact_J + stored_J(dynamics));
     touches = std::max(touches, dynamics.self_touches().size());
     last_air = air_m(mesh, dynamics);
     least_air = std::min(least_air, last_air);
@@ -74,6 +75,7 @@ TEST(ExplicitSelfContact, LegsBounceAndKeepTheirEnergy) {
   EXPECT_GT(last_air, 0.1 * edge);
   EXPECT_LT(worst, 1e-3 * energy);
   EXPECT_LT(open_springs, 0.02 * energy);
+  EXPECT_LT(most, 1e-3 * energy);
 }
 
 // Without self-contact the outside passes through itself.
@@ -183,6 +185,7 @@ void expect_equal(const Outcome& one, const Outcome& other) {
   EXPECT_EQ(one.state.steps, other.state.steps);
   EXPECT_EQ(one.energies.imbalance_J(), other.energies.imbalance_J());
   EXPECT_EQ(one.energies.work.self_contact_J, other.energies.work.self_contact_J);
+  EXPECT_EQ(one.energies.work.friction_J, other.energies.work.friction_J);
 }
 
 // While nothing touches, the bytes are those of a run that looks at nothing: inflation, weight, a bounce on the ground.
@@ -215,6 +218,7 @@ ExplicitOptions vacuum() {
 TEST(ExplicitSelfContact, ResultsDoNotDependOnThreads) {
   const StandingCube cube;
   ExplicitOptions options = vacuum();
+  options.self_contact->friction = SurfaceFriction{0.5, 0.4};
   const Outcome one = outcome_of(cube, options, 0.02);
   EXPECT_LT(one.energies.work.self_contact_J, 0.0);
   options.threads = 3;
@@ -223,10 +227,13 @@ TEST(ExplicitSelfContact, ResultsDoNotDependOnThreads) {
 
 TEST(ExplicitSelfContact, GoesOnFromAStateAsIfNothingHadHappened) {
   const StandingCube cube;
-  ExplicitDynamics first(cube.mesh, cube.body, vacuum());
+  ExplicitOptions options = vacuum();
+  options.self_contact->friction = SurfaceFriction{0.5, 0.4};
+  ExplicitDynamics first(cube.mesh, cube.body, options);
   ASSERT_EQ(first.advance_to(0.015).status, io::RunStatus::completed);
   ASSERT_FALSE(first.self_touches().empty());
-  ExplicitDynamics second(cube.mesh, cube.body, vacuum());
+  ASSERT_FALSE(first.state().contact->empty());
+  ExplicitDynamics second(cube.mesh, cube.body, options);
   second.set_state(first.state());
   ASSERT_EQ(first.advance_to(0.02).status, io::RunStatus::completed);
   ASSERT_EQ(second.advance_to(0.02).status, io::RunStatus::completed);
@@ -261,6 +268,162 @@ TEST(ExplicitSelfContact, ModulesThatMeetAlongAnEdgeBearPressure) {
   EXPECT_GT(put_in, 1e-3);
   EXPECT_LT(worst, 1e-4 * put_in);
   EXPECT_LT(largest_work, 1e-5 * put_in);
+}
+
+/// A slab of 8 x 6 x 1 cubes and above it, its air shut but for a distance, a block of 3 x 2 x 2.
+struct BlockOnSlab {
+  meshes::HexahedralMesh mesh = body_of_cubes({8, 6, 4}, edge, [](std::size_t i, std::size_t j, std::size_t k) {
+    return k == 0 || (k >= 2 && i >= 2 && i < 5 && j >= 2 && j < 4);
+  });
+  [[nodiscard]] static bool is_of_block(const Point& X) { return X[2] > 1.5 * edge; }
+
+  [[nodiscard]] ExplicitBodyOptions options(bool holds_slab, double viscosity_Pa_s) const {
+    ExplicitBodyOptions options = silicone_options(mesh, viscosity_Pa_s);
+    for (const Point& X : mesh.points)
+      if (holds_slab && !is_of_block(X)) options.point_supports.push_back({X, {true, true, true}});
+    return options;
+  }
+  /// The block at a height over the slab.
+  [[nodiscard]] ExplicitState start(const ExplicitDynamics& dynamics, double height_m, const Point& velocity_m_per_s) const {
+    ExplicitState state = dynamics.state();
+    state.at_start_J.reset();
+    state.contact.reset();
+    for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+      if (!is_of_block(mesh.points[n])) continue;
+      state.displacements_m[3 * n + 2] = height_m - edge;
+      for (std::size_t i = 0; i < 3; ++i) state.velocities_m_per_s[3 * n + i] = velocity_m_per_s[i];
+    }
+    return state;
+  }
+  [[nodiscard]] Point block_way_m(const ExplicitDynamics& dynamics) const { return mean_way_m(dynamics, true); }
+  [[nodiscard]] Point slab_way_m(const ExplicitDynamics& dynamics) const { return mean_way_m(dynamics, false); }
+
+ private:
+  [[nodiscard]] Point mean_way_m(const ExplicitDynamics& dynamics, bool of_block) const {
+    const std::vector<double>& ways = dynamics.state().displacements_m;
+    Point total{};
+    double mass = 0.0;
+    for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+      if (is_of_block(mesh.points[n]) != of_block) continue;
+      const double of_node = dynamics.body().masses_kg()[n];
+      total = sum(total, scaled(of_node, {ways[3 * n], ways[3 * n + 1], ways[3 * n + 2]}));
+      mass += of_node;
+    }
+    return scaled(1.0 / mass, total);
+  }
+};
+
+/// Work of contact over a strike and what was open in the books, as part of the energy.
+struct Strike {
+  double work;
+  double imbalance;
+  double largest_stored;
+};
+
+Strike strike(double largest_step_s) {
+  const BlockOnSlab bodies;
+  const ExplicitBody body(bodies.mesh, bodies.options(false, 0.0));
+  ExplicitOptions options;
+  options.largest_step_s = largest_step_s;
+  ExplicitDynamics dynamics(bodies.mesh, body, options);
+  dynamics.set_state(bodies.start(dynamics, 1e-5, {0.0, 0.0, -0.3}));
+  const double energy = dynamics.energies().kinetic_J;
+  double stored = 0.0;
+  for (int n = 1; n <= 80; ++n) {
+    EXPECT_EQ(dynamics.advance_to(5e-5 * n).status, io::RunStatus::completed);
+    stored = std::max(stored, stored_J(dynamics));
+  }
+  EXPECT_TRUE(dynamics.self_touches().empty());
+  EXPECT_GT(bodies.block_way_m(dynamics)[2] - bodies.slab_way_m(dynamics)[2], 0.05 * edge - edge);
+  const ExplicitEnergies books = dynamics.energies();
+  return {books.work.self_contact_J / energy, books.imbalance_J() / energy, stored / energy};
+}
+
+// A block strikes a slab in flight and leaves it. What their springs took they give back, up to errors of second order in the
+// step, and no more.
+TEST(ExplicitSelfContact, StrikeGivesBackWhatItTook) {
+  const Strike coarse = strike(8e-6);
+  const Strike fine = strike(4e-6);
+  EXPECT_GT(fine.largest_stored, 0.01);
+  EXPECT_LT(std::abs(coarse.work), 1e-3);
+  EXPECT_LT(std::abs(fine.work), 0.5 * std::abs(coarse.work));
+  EXPECT_LT(std::abs(fine.imbalance), 1e-3);
+}
+
+/// Of a block on a slab that is held, under a weight that leans along x.
+struct Slide {
+  std::vector<double> times_s;
+  std::vector<double> ways_m;
+  double friction_J = 0.0;
+  double self_contact_J = 0.0;
+};
+
+Slide slide(const SurfaceFriction& friction, double slope, double speed_m_per_s, double time_s) {
+  const BlockOnSlab bodies;
+  const ExplicitBody body(bodies.mesh, bodies.options(true, 5.0));
+  ExplicitOptions options;
+  options.self_contact->friction = friction;
+  const double angle = std::atan(slope);
+  options.loads.gravity_m_per_s2 = {9.81 * std::sin(angle), 0.0, -9.81 * std::cos(angle)};
+  ExplicitDynamics dynamics(bodies.mesh, body, options);
+  dynamics.set_state(bodies.start(dynamics, 0.0, {speed_m_per_s, 0.0, 0.0}));
+  Slide result;
+  for (int n = 0; n <= 40; ++n) {
+    const ExplicitReport& report = dynamics.advance_to(time_s * n / 40);
+    EXPECT_EQ(report.status, io::RunStatus::completed) << report.reason;
+    result.times_s.push_back(dynamics.state().time_s);
+    result.ways_m.push_back(bodies.block_way_m(dynamics)[0]);
+  }
+  result.friction_J = dynamics.energies().work.friction_J;
+  result.self_contact_J = dynamics.energies().work.self_contact_J;
+  return result;
+}
+
+// v^2 / (2 mu g) on level ground, and then it stays.
+TEST(ExplicitSelfContact, SlidingBlockStopsWhereItShould) {
+  constexpr double speed = 0.1;
+  constexpr double mu = 0.3;
+  const double way = speed * speed / (2.0 * mu * 9.81);
+  const Slide found = slide({mu, mu}, 0.0, speed, 0.06);
+  const double stop_s = speed / (mu * 9.81);
+  for (std::size_t n = 0; n < found.times_s.size(); ++n) {
+    const double t = std::min(found.times_s[n], stop_s);
+    EXPECT_NEAR(found.ways_m[n], speed * t - 0.5 * mu * 9.81 * t * t, 0.01 * way) << found.times_s[n];
+  }
+  EXPECT_NEAR(found.ways_m[39], found.ways_m[40], 1e-5 * way);
+  const double mass = 12.0 * edge * edge * edge * 1070.0;
+  EXPECT_NEAR(found.friction_J, 0.5 * mass * speed * speed, 0.01 * found.friction_J);
+}
+
+// On a slope below the kinetic coefficient a block stays once its landing is over (which takes 2e-6 m); above the static one it
+// slides with the kinetic.
+TEST(ExplicitSelfContact, BlockOnASlopeStaysOrSlides) {
+  const Slide stays = slide({0.6, 0.4}, 0.35, 0.0, 0.05);
+  EXPECT_LT(std::abs(stays.ways_m[40] - stays.ways_m[20]), 1e-8);
+  EXPECT_LT(std::abs(stays.ways_m[40]), 1e-5);
+  constexpr double slope = 0.6;
+  const Slide slides = slide({0.4, 0.3}, slope, 0.0, 0.04);
+  const double acceleration = 9.81 * (slope - 0.3) / std::sqrt(1.0 + slope * slope);
+  EXPECT_NEAR(slides.ways_m[40], 0.5 * acceleration * 0.04 * 0.04, 0.01 * slides.ways_m[40]);
+}
+
+// As without friction, while legs strike each other and rub in flight.
+TEST(ExplicitSelfContact, FrictionKeepsMomentum) {
+  const meshes::HexahedralMesh mesh = u_body();
+  const ExplicitBody body(mesh, silicone_options(mesh));
+  ExplicitOptions options;
+  options.self_contact->friction = SurfaceFriction{0.6, 0.5};
+  ExplicitDynamics dynamics(mesh, body, options);
+  ExplicitState start = legs_thrown(mesh, dynamics, 1.0, {0.5, -0.2, 0.3});
+  for (std::size_t n = 0; n < mesh.points.size(); ++n)  // legs pass each other along y
+    start.velocities_m_per_s[3 * n + 1] += (mesh.points[n][0] < 5e-3 ? 40.0 : -40.0) * std::max(0.0, mesh.points[n][2] - edge);
+  dynamics.set_state(start);
+  const Motion before = motion_of(dynamics);
+  for (int n = 1; n <= 40; ++n) ASSERT_EQ(dynamics.advance_to(2.5e-4 * n).status, io::RunStatus::completed);
+  EXPECT_GT(dynamics.energies().work.friction_J, 1e-3 * dynamics.energies().turnover_J());
+  const Motion after = motion_of(dynamics);
+  EXPECT_LT(norm(difference(after.momentum, before.momentum)), 1e-11 * before.size);
+  EXPECT_LT(norm(difference(after.angular, before.angular)), 1e-5 * 0.01 * before.size);
 }
 
 // A contact too soft for what presses is a status before the legs have passed. Tips lean, so that their nodes come to be beyond

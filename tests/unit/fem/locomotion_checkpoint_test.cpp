@@ -39,6 +39,9 @@ LocomotionProgress awkward_progress() {
                                              .piston_air_m3 = {},
                                              .source_air_m3 = {-1e-7},
                                              .work = {0.1, 0.2, 0.3, 0.4}};
+  progress.state.contact = std::vector<ContactMemory>{
+      {.node = 7, .face = 9, .depth_m = 1e-5 / 3.0, .pressed_m = 1e-6 / 3.0, .paid_m2 = 1e-12 / 7.0, .slip_m = {-0.0, 1e-9, 0.1}},
+      {.node = 8, .is_sliding = true}};
   LocomotionRecord record{
       .time_s = 0.1, .centre_of_mass_m = {0.1, 0.2, 0.3}, .plenum_pressures_Pa = {5.0}, .ground_force_N = 1.1};
   record.chamber_volumes_m3 = {1e-6};
@@ -67,6 +70,8 @@ TEST(LocomotionCheckpoint, GivesEveryBitBack) {
   EXPECT_EQ(read->state.work.pressure_J, written.state.work.pressure_J);
   EXPECT_EQ(read->state.at_start_J, written.state.at_start_J);
   EXPECT_EQ(read->state.turnover_J, written.state.turnover_J);
+  ASSERT_TRUE(read->state.contact);
+  EXPECT_EQ(*read->state.contact, *written.state.contact);
   ASSERT_TRUE(read->state.pneumatics);
   EXPECT_EQ(read->state.pneumatics->source_air_m3, written.state.pneumatics->source_air_m3);
   EXPECT_EQ(read->state.pneumatics->work.line_J, 0.4);
