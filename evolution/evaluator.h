@@ -15,8 +15,13 @@ namespace menger::evolution {
 struct Evaluation {
   io::RunStatus status = io::RunStatus::stopped;
 
-  /// Net displacement of the centre of mass (x, y, z) in metres over the evaluation; exists exactly when status is `completed`.
+  /// Net displacement of the centre of mass (x, y, z) in metres over the evaluation, or the part of it that counts; exists
+  /// exactly when status is `completed`.
   std::optional<std::array<double, 3>> displacement_m;
+
+  /// Displacement before the part of the evaluation that counts, in metres; only where that does not begin at the start, and the
+  /// status is `completed`.
+  std::optional<std::array<double, 3>> left_out_m{};
 
   /// Where the judge's model left the range that it is known to hold in, sentences joined by "; "; empty: nowhere. The result
   /// stands, but it is an extrapolation.

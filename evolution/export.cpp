@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
+#include "evolution/judgement_table.h"
 #include "evolution/study_file.h"
-#include "evolution/voxel_evaluator.h"
+#include "evolution/study_view.h"
 #include "io/content_hash.h"
 #include "io/input_error.h"
 #include "io/number_text.h"
@@ -26,9 +28,7 @@ namespace fs = std::filesystem;
 class Exporter {
  public:
   Exporter(const RunArchive& archive, const fs::path& folder, const ExportOptions& options)
-      : archive_(archive), folder_(folder), options_(options), study_(archived_study(archive)) {
-    run_ = {&archive, study_.search, VoxelEvaluator(study_.physics, study_.search.cell_edge_m, study_.duration_s).physics()};
-  }
+      : archive_(archive), folder_(folder), options_(options), study_(archived_study(archive)), run_(view_of(archive, study_)) {}
 
   ExportResult write() {
     const auto last = archive_.last_generation();
@@ -37,6 +37,11 @@ class Exporter {
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
     generations_table(run_).write(folder_ / "generations.csv");
+    cost_table(run_).write(folder_ / "costs.csv");
+    if (study_.search.judging) {
+      judgement_table(run_).write(folder_ / "judgements.csv");
+      correction_table(run_).write(folder_ / "corrections.csv");
+    }
     if (result_.champion) write_champion();
     return std::move(result_);
   }
@@ -44,6 +49,9 @@ class Exporter {
  private:
   [[nodiscard]] const Individual& champion() const { return result_.champion->individual; }
   [[nodiscard]] bool arranged() const { return champion().phenotype.has_arrangements(); }
+
+  /// As the search simulated it.
+  [[nodiscard]] Phenotype simulated() const { return as_simulated(study_.search, champion().phenotype); }
 
   void require_levels() const {
     for (const int level : options_.levels) {
@@ -76,8 +84,8 @@ class Exporter {
 
   /// A fractal is given by its basal body at every level, any other body by all its cells.
   [[nodiscard]] meshes::Design design(int level) const {
-    return {"champion " + std::to_string(champion().id),
-            arranged() ? aggregate(champion().phenotype, level) : champion().phenotype.body, study_.search.cell_edge_m};
+    return {"champion " + std::to_string(champion().id), arranged() ? aggregate(simulated(), level) : simulated().body,
+            study_.search.cell_edge_m};
   }
 
   [[nodiscard]] voxel::Scene scene(int level) const {
@@ -134,9 +142,17 @@ class Exporter {
   }
 
   [[nodiscard]] bool differs_from_archive(const LevelResult& done) const {
-    const auto archived =
-        archive_.evaluation({design_hash(champion().phenotype, done.level), done.level, io::content_hash(run_.physics)});
-    return archived && archived->result.displacement_m != done.scene.displacement_m;
+    const auto archived = archive_.evaluation({design_hash(simulated(), done.level), done.level, io::content_hash(run_.physics)});
+    if (!archived) return false;
+    const Evaluation& result = archived->result;
+    if (!result.left_out_m || !done.scene.displacement_m) return result.displacement_m != done.scene.displacement_m;
+    // The archive has two parts of the way, whose sum is rounded otherwise.
+    constexpr double rounding_m = 1e-12;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double whole_m = result.displacement_m->at(axis) + result.left_out_m->at(axis);
+      if (std::abs(whole_m - done.scene.displacement_m->at(axis)) > rounding_m) return true;
+    }
+    return false;
   }
 
   void compare_with_archive(const LevelResult& done) {
@@ -171,12 +187,6 @@ class Exporter {
 };
 
 }  // namespace
-
-Study archived_study(const RunArchive& archive) {
-  Study study = study_from_text(archive.study(), archive.file());
-  study.search.generations = archive.generation_goal();
-  return study;
-}
 
 namespace {
 

@@ -38,11 +38,9 @@ struct ExportResult {
   std::vector<std::string> notes;  ///< pictures that could not be made; a simulation that differs from the archive
 };
 
-/// The study of an archive. @throws io::InputError if the archive holds none that this menger understands
-Study archived_study(const RunArchive& archive);
-
 /// Writes the tables and the champion of an archive into a folder:
-/// - generations.csv and lineage.csv (see generations_table, lineage_table),
+/// - generations.csv and lineage.csv (see generations_table, lineage_table), costs.csv (cost_table); where a judge took part
+///   judgements.csv and corrections.csv (judgement_table, correction_table),
 /// - champion.toml, the basal body; where arrangements are evolved too, champion_level_<n>.toml with the whole bodies,
 /// - level_<n>/ with scene.toml and what voxel::run_scene writes, champion.png with all levels side by side.
 ///

@@ -38,6 +38,20 @@ void add_displacements(std::vector<io::CsvCell>& row, const RunView& run, const 
   for (const int level : run.plan.levels()) row.push_back(io::cell(displacement(design, level)));
 }
 
+/// What the judge found of an individual, or of another of its form.
+std::optional<double> judged_fitness(const RunView& run, const Individual& individual) {
+  const std::vector<Judgement> judgements = run.archive->judgements();
+  const auto found = std::ranges::find(judgements, robot_form(individual.phenotype.body, run.distinction), &Judgement::form);
+  return found == judgements.end() ? std::nullopt : found->score;
+}
+
+/// Columns that only searches with a judge have.
+std::vector<std::string> judging_columns(const RunView& run, const std::string& prefix) {
+  if (!run.plan.judging) return {};
+  const std::string unit(fitness_unit(run.plan.objective));
+  return {prefix + "surrogate_fitness_" + unit, prefix + "judged_fitness_" + unit};
+}
+
 io::CsvCell count_cell(std::uint64_t count) { return io::cell(count); }
 
 }  // namespace
@@ -46,13 +60,16 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
   DesignSummary summary{.individual = individual,
                         .age = contender.age,
                         .fitness = contender.fitness,
+                        .surrogate_fitness = {},
+                        .judged_fitness = {},
                         .body_lengths = {},
                         .cells = individual.phenotype.body.count(),
                         .hausdorff_dimension = {},
                         .outside_validity = {}};
   const std::string physics_hash = io::content_hash(run.physics);
   for (const int level : run.plan.levels()) {
-    const auto found = run.archive->evaluation({design_hash(individual.phenotype, level), level, physics_hash});
+    const auto found =
+        run.archive->evaluation({design_hash(as_simulated(run.plan, individual.phenotype), level), level, physics_hash});
     if (!found) continue;
     if (const std::string& outside = found->result.outside_validity; !outside.empty()) {
       std::string& all = summary.outside_validity;
@@ -60,7 +77,9 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
     }
     if (!found->result.displacement_m) continue;
     summary.body_lengths[level] = body_lengths(*found->result.displacement_m, level, run.plan.cell_edge_m);
+    if (run.plan.judging) summary.surrogate_fitness = level_score(run.plan, *found->result.displacement_m, level);
   }
+  if (run.plan.judging) summary.judged_fitness = judged_fitness(run, individual);
   if (!individual.phenotype.has_arrangements())
     summary.hausdorff_dimension = meshes::hausdorff_dimension(individual.phenotype.body);
   return summary;
@@ -103,6 +122,7 @@ io::CsvTable generations_table(const RunView& run) {
         std::string("outside_validity"), std::string("champion_outside_validity")}) {
     columns.push_back(column);
   }
+  for (const std::string& column : judging_columns(run, "champion_")) columns.push_back(column);
   io::CsvTable table(columns);
   const int last = run.archive->last_generation().value_or(-1);
   for (int generation = 0; generation <= last; ++generation) {
@@ -119,6 +139,9 @@ io::CsvTable generations_table(const RunView& run) {
     row.insert(row.end(), {io::cell(summary.mean_fitness), count_cell(record.evaluations), count_cell(record.cached),
                            count_cell(record.pruned), count_cell(summary.outside_validity),
                            summary.champion ? io::cell(summary.champion->outside_validity) : io::CsvCell{}});
+    if (run.plan.judging && summary.champion)
+      row.insert(row.end(), {io::cell(summary.champion->surrogate_fitness), io::cell(summary.champion->judged_fitness)});
+    row.resize(columns.size());
     table.add_cells(row);
   }
   return table;
@@ -131,6 +154,7 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
   for (const int level : run.plan.levels()) columns.push_back(level_column(level));
   columns.emplace_back("outside_validity");
   columns.emplace_back("phenotype");
+  for (const std::string& column : judging_columns(run, "")) columns.push_back(column);
   io::CsvTable table(columns);
   for (const Individual& individual : lineage(*run.archive, id)) {
     const std::vector<Contender> contenders = run.archive->contenders(individual.generation);
@@ -147,6 +171,7 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
     add_displacements(row, run, design);
     row.push_back(io::cell(design.outside_validity));
     row.push_back(io::cell(phenotype_key(individual.phenotype)));
+    if (run.plan.judging) row.insert(row.end(), {io::cell(design.surrogate_fitness), io::cell(design.judged_fitness)});
     table.add_cells(row);
   }
   return table;
@@ -155,6 +180,7 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
 std::string summary_header(const RunView& run) {
   std::ostringstream line;
   line << std::setw(4) << "gen" << std::setw(12) << (run.plan.objective == Objective::body_lengths ? "F [BL]" : "F [m2]");
+  if (run.plan.judging) line << std::setw(12) << "judged";
   for (const int level : run.plan.levels()) line << std::setw(6) << 'd' << level << " [BL]";
   line << std::setw(7) << "H" << std::setw(5) << "age" << std::setw(11) << "mean F";
   for (const char* count : {"evals", "cached", "pruned"}) line << std::setw(7) << count;
@@ -167,6 +193,7 @@ std::string summary_line(const RunView& run, const GenerationSummary& summary, s
   const auto& champion = summary.champion;
   std::ostringstream line;
   line << std::setw(4) << record.number << std::setw(12) << number_or_dash(champion ? champion->fitness : std::nullopt, "%.5g");
+  if (run.plan.judging) line << std::setw(12) << number_or_dash(champion ? champion->judged_fitness : std::nullopt, "%.5g");
   for (const int level : run.plan.levels()) {
     line << std::setw(12) << number_or_dash(champion ? displacement(*champion, level) : std::nullopt, "%.4f");
   }

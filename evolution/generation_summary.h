@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "evolution/robot_form.h"
 #include "evolution/run_archive.h"
 #include "evolution/search_plan.h"
 #include "io/csv_table.h"
@@ -19,6 +20,8 @@ struct DesignSummary {
   Individual individual;
   int age = 0;                                ///< in the generation that the summary is of
   std::optional<double> fitness;              ///< in the unit of the objective
+  std::optional<double> surrogate_fitness;    ///< with a judge: by the evaluator alone
+  std::optional<double> judged_fitness;       ///< by the judge, if it judged this robot
   std::map<int, double> body_lengths;         ///< displacement by level, of the evaluations that completed
   std::size_t cells = 0;                      ///< of the basal body
   std::optional<double> hausdorff_dimension;  ///< of fractals
@@ -40,7 +43,9 @@ struct GenerationSummary {
 struct RunView {
   const RunArchive* archive = nullptr;
   SearchPlan plan;
-  std::string physics;  ///< DesignEvaluator::physics()
+  std::string physics;              ///< DesignEvaluator::physics()
+  Distinction distinction{};        ///< between robots, where a judge took part
+  std::size_t voxels_per_cell = 1;  ///< in a whole cell, for costs
 };
 
 DesignSummary summarise_design(const RunView& run, const Individual& individual, const Contender& contender);
@@ -49,7 +54,8 @@ GenerationSummary summarise_generation(const RunView& run, int generation);
 /// The individuals from a random one to this one, each the parent of the next.
 std::vector<Individual> lineage(const RunArchive& archive, std::uint64_t id);
 
-/// A row per finished generation: its champion, the mean fitness, what evaluating cost and saved, and
+/// A row per finished generation: its champion (where a judge took part by the corrected fitness, with its score by the evaluator
+/// and, if it was judged, by the judge), the mean fitness, what evaluating cost and saved, and
 /// where the champion (champion_outside_validity) and how many evaluations (outside_validity) left the range of validity of the
 /// model that judged them.
 io::CsvTable generations_table(const RunView& run);

@@ -15,13 +15,14 @@ const std::atomic<bool> never{false};
 }  // namespace
 
 PoolJudge::PoolJudge(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
-                     int generation, std::size_t* commits)
+                     int generation, std::size_t* commits, const CorrectedFitness* correction)
     : plan_(&plan),
       archive_(&archive),
       options_(&options),
       physics_hash_(io::content_hash(evaluator.physics())),
       generation_(generation),
       commits_(commits),
+      correction_(correction),
       workers_(evaluator, options.threads) {}
 
 void PoolJudge::add_survivor(const Contender& survivor) {
@@ -37,7 +38,7 @@ void PoolJudge::add_newcomer(const Individual& individual, bool duplicate) {
   candidate.contender.id = individual.id;
   candidate.contender.age = individual.age;
   candidate.contender.knowledge = Knowledge::bounded;
-  candidate.phenotype = individual.phenotype;
+  candidate.phenotype = as_simulated(*plan_, individual.phenotype);
   if (duplicate && plan_->duplicates == DuplicatePolicy::culled) candidate.contender.knowledge = Knowledge::duplicate;
   if (is_penalised(individual.phenotype, plan_->offspring.constraints)) candidate.contender.knowledge = Knowledge::penalised;
   candidates_.push_back(std::move(candidate));
@@ -67,6 +68,10 @@ void PoolJudge::learn(Candidate& candidate, int level, const Evaluation& result)
   if (next_level(candidate)) return;
   contender.knowledge = Knowledge::evaluated;
   contender.fitness = std::exchange(contender.fitness_bound, std::nullopt);
+  if (correction_ == nullptr) return;
+  const CorrectedScore corrected = correction_->score(candidate.phenotype->body, *contender.fitness);
+  contender.knowledge = corrected.knowledge;
+  contender.fitness = corrected.fitness;
 }
 
 io::RunStatus PoolJudge::evaluate(const std::vector<Request>& requests) {

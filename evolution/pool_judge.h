@@ -11,6 +11,7 @@
 #include "evolution/lazy_selection.h"
 #include "evolution/run_archive.h"
 #include "evolution/search.h"
+#include "evolution/search_judging.h"
 #include "evolution/worker_pool.h"
 
 namespace menger::evolution {
@@ -25,8 +26,9 @@ struct JudgeCounts {
 /// Finds out about the fitness of the new individuals of one generation, as much as selection needs.
 class PoolJudge {
  public:
+  /// @param correction what turns scores into fitness; null: they are the fitness
   PoolJudge(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
-            int generation, std::size_t* commits);
+            int generation, std::size_t* commits, const CorrectedFitness* correction = nullptr);
 
   /// Adds a survivor of the generation before, whose fitness is known, at its present age.
   void add_survivor(const Contender& survivor);
@@ -51,7 +53,7 @@ class PoolJudge {
  private:
   struct Candidate {
     Contender contender;                 ///< knowledge `bounded` while undecided
-    std::optional<Phenotype> phenotype;  ///< of new individuals
+    std::optional<Phenotype> phenotype;  ///< of new individuals, as it is simulated
     std::map<int, Evaluation> results;   ///< by level, as far as known
     [[nodiscard]] bool undecided() const { return contender.knowledge == Knowledge::bounded; }
   };
@@ -69,6 +71,7 @@ class PoolJudge {
   std::string physics_hash_;
   int generation_;
   std::size_t* commits_;
+  const CorrectedFitness* correction_;
   WorkerPool workers_;
   std::vector<Candidate> candidates_;
   std::map<EvaluationKey, Evaluation> results_;  ///< of this generation's requests

@@ -29,7 +29,7 @@ Motion motion_of(const ReevaluationStudy& study, const std::array<double, 3>& di
   const double angle = std::atan2(displacement_m[1], displacement_m[0]) * degrees_per_radian;
   motion.direction_deg = angle <= -180.0 ? 180.0 : angle;
   motion.body_lengths = motion.horizontal_m / body_length_m(study);
-  motion.body_lengths_per_minute = motion.body_lengths * seconds_per_minute / study.duration_s;
+  motion.body_lengths_per_minute = motion.body_lengths * seconds_per_minute / study.measured_s();
   return motion;
 }
 

@@ -68,7 +68,9 @@ std::string locomotion_text(const ReevaluationStudy& study, const LocomotionOpti
 std::string protocol_text(const ReevaluationStudy& study, const LocomotionOptions& options) {
   LocomotionOptions shown = options;
   shown.threads = 1;  // results are the same for any number
-  return locomotion_text(study, shown, false) + "# silicone.toml\n" + io::read_whole(study.silicone_file);
+  std::string text = locomotion_text(study, shown, false);
+  if (study.measure_from_s > 0.0) text += "# measured\n" + number("measure_from_s", study.measure_from_s);
+  return text + "# silicone.toml\n" + io::read_whole(study.silicone_file);
 }
 
 LocomotionJob locomotion_job(const ReevaluationStudy& study, const LocomotionOptions& options, const meshes::Polycube& body,

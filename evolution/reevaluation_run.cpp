@@ -5,9 +5,9 @@
 
 #include "evolution/archive_lock.h"
 #include "evolution/reevaluation_output.h"
-#include "evolution/side_by_side.h"
 #include "io/child_program.h"
 #include "io/input_error.h"
+#include "io/side_by_side.h"
 #include "io/whole_file.h"
 
 namespace menger::evolution {
@@ -45,15 +45,6 @@ class Reevaluator {
  private:
   ReevaluationFindings& findings() { return result_.findings; }
 
-  /// A search that drives all cells alike does not tell materials apart, nor does it ask where a body stands.
-  [[nodiscard]] Distinction distinction() const {
-    const voxel::Physics& physics = study_.search.physics;
-    const bool is_wave = physics.actuation.mode == voxel::ActuationMode::wave;
-    const bool materials = physics.actuation.mode == voxel::ActuationMode::antiphase ||
-                           physics.surrogate->chambers == meshes::ChamberLayout::per_phase;
-    return {.materials = materials, .place = is_wave};
-  }
-
   void choose() {
     const std::vector<FitDesign> designs = archive_.fit_designs();
     const std::string file = archive_.file().string();
@@ -61,7 +52,7 @@ class Reevaluator {
     if (study_.level > 1 && designs.front().phenotype.has_arrangements())
       throw io::InputError(file + ": bodies with arrangements are no fractals: only level 1 can be judged");
     const SelectionOptions options{
-        .top = study_.top, .sample = study_.sample, .seed = study_.sample_seed, .distinction = distinction()};
+        .top = study_.top, .sample = study_.sample, .seed = study_.sample_seed, .distinction = distinction_of(study_.search)};
     Selection selection =
         choose_designs(designs, options, [&](const meshes::Polycube& body) { return obstacle_to_judging(study_, body); });
     if (selection.chosen.empty())
@@ -84,7 +75,7 @@ class Reevaluator {
   /// @return false if the user stopped it
   bool walk_surrogates() {
     std::vector<JudgedDesign>& designs = findings().designs;
-    const bool is_whole = side_by_side(designs.size(), options_.jobs, options_.stop, [&](std::size_t n) {
+    const bool is_whole = io::side_by_side(designs.size(), options_.jobs, options_.stop, [&](std::size_t n) {
       designs[n].surrogate = surrogate_walk(study_, designs[n].design.body, n == 0, options_.stop);
       return designs[n].surrogate.result.status != io::RunStatus::stopped;
     });
@@ -121,33 +112,23 @@ class Reevaluator {
     require_accepted(*runs);
     result_.repeated = static_cast<std::size_t>(std::ranges::count(*runs, true, &LocomotionRun::is_repeated));
     for (std::size_t n = 0; n < runs->size(); ++n) {
+      leave_out((*runs)[n], study_.measure_from_s);
       LocomotionRun& place = n < designs.size() ? designs[n].elements : findings().variants[n - designs.size()].run;
       place = std::move((*runs)[n]);
     }
     return true;
   }
 
-  /// What the program refuses of every design is the study's fault, not that of a design.
-  static void require_accepted(const std::vector<LocomotionRun>& runs) {
-    if (std::ranges::all_of(runs, &LocomotionRun::is_refused))
-      throw io::InputError("finite elements refused every design, the first: " + runs.front().reason);
-  }
-
   [[nodiscard]] Reevaluation archive_row(const JudgedDesign& design, const LocomotionOptions& options, const std::string& variant,
                                          const LocomotionRun& run) const {
-    Reevaluation row{.design_hash = design_hash(design.design.phenotype, study_.level),
-                     .level = study_.level,
-                     .protocol = protocol_text(study_, options),
-                     .variant = variant,
-                     .duration_s = study_.duration_s,
-                     .result = {},
-                     .has_result = run.status.has_value()};
-    row.result.status = run.status.value_or(io::RunStatus::stopped);
-    row.result.displacement_m = run.displacement_m;
-    row.result.reason = run.reason;
-    row.result.steps = run.steps;
-    row.result.seconds = run.seconds;
-    return row;
+    const Phenotype simulated = as_simulated(study_.search.search, design.design.phenotype);
+    return {.design_hash = design_hash(simulated, study_.level),
+            .level = study_.level,
+            .protocol = protocol_text(study_, options),
+            .variant = variant,
+            .duration_s = study_.duration_s,
+            .result = evaluation_of(run),
+            .has_result = run.status.has_value()};
   }
 
   [[nodiscard]] std::vector<Reevaluation> archive_rows() const {

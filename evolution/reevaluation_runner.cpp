@@ -1,16 +1,17 @@
 #include "evolution/reevaluation_runner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <system_error>
 #include <utility>
 
-#include "evolution/side_by_side.h"
-#include "evolution/trade_off_job.h"
+#include "evolution/program_job.h"
 #include "io/csv_table.h"
 #include "io/exit_code.h"
 #include "io/input_error.h"
 #include "io/number_text.h"
+#include "io/side_by_side.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
 
@@ -112,8 +113,8 @@ void end_by_limit(LocomotionRun& run, double time_limit_s, double seconds) {
   run.reason = "time limit of " + io::number_text(time_limit_s) + " s";
 }
 
-TradeJob child_of(const LocomotionJob& job, const LocomotionRunOptions& options) {
-  TradeJob child;
+ProgramJob child_of(const LocomotionJob& job, const LocomotionRunOptions& options) {
+  ProgramJob child;
   child.name = job.name;
   child.program = options.program;
   child.arguments = {"study.toml", "-o", result_folder, "--quiet", "--no-pictures"};
@@ -125,7 +126,7 @@ TradeJob child_of(const LocomotionJob& job, const LocomotionRunOptions& options)
 /// @return nothing if the user stopped it
 std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const LocomotionRunOptions& options,
                                             const std::function<void()>& waiting) {
-  TradeJob child = child_of(job, options);
+  ProgramJob child = child_of(job, options);
   LocomotionRun run;
   run.folder = child.kept_folder / result_folder;
   Calls calls = read_calls(child.kept_folder);
@@ -139,7 +140,7 @@ std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const Loco
     return run;
   }
   child.time_limit_s = std::max(1e-3, options.time_limit_s - calls.seconds);
-  const TradeJobResult result =
+  const ProgramJobResult result =
       run_job(child, {.runs = options.runs, .stop = options.stop, .waiting = [&](double) { waiting(); }});
   calls.seconds += result.outcome.wall_s;
   calls.is_finished = result.has_result();
@@ -164,6 +165,39 @@ std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const Loco
 
 std::string_view status_word(const LocomotionRun& run) { return run.status ? io::to_string(*run.status) : "failed"; }
 
+void leave_out(LocomotionRun& run, double until_s) {
+  if (until_s <= 0.0 || !run.displacement_m) return;
+  const std::vector<Position>& records = run.trajectory;
+  const std::array<double, 3>& start = records.front().centre_of_mass_m;
+  const auto after = std::ranges::lower_bound(records, until_s, {}, &Position::time_s);
+  if (after == records.begin()) return;
+  const Position& later = after == records.end() ? records.back() : *after;
+  const Position& earlier = *(after - 1);
+  const double part = after == records.end() ? 1.0 : (until_s - earlier.time_s) / (later.time_s - earlier.time_s);
+  run.left_out_m.emplace();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double then_m = std::lerp(earlier.centre_of_mass_m.at(axis), later.centre_of_mass_m.at(axis), part);
+    run.left_out_m->at(axis) = then_m - start.at(axis);
+    run.displacement_m->at(axis) -= run.left_out_m->at(axis);
+  }
+}
+
+Evaluation evaluation_of(const LocomotionRun& run) {
+  Evaluation result;
+  result.status = run.status.value_or(io::RunStatus::stopped);
+  result.displacement_m = run.displacement_m;
+  result.left_out_m = run.left_out_m;
+  result.reason = run.reason;
+  result.steps = run.steps;
+  result.seconds = run.seconds;
+  return result;
+}
+
+void require_accepted(std::span<const LocomotionRun> runs) {
+  if (std::ranges::all_of(runs, &LocomotionRun::is_refused))
+    throw io::InputError("finite elements refused every design, the first: " + runs.front().reason);
+}
+
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
                                                           const LocomotionRunOptions& options) {
   std::vector<LocomotionRun> runs(jobs.size());
@@ -174,7 +208,7 @@ std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const Locomo
     done += finished;
     if (options.progress) options.progress(done, name);
   };
-  const bool is_whole = side_by_side(jobs.size(), options.jobs, options.stop, [&](std::size_t n) {
+  const bool is_whole = io::side_by_side(jobs.size(), options.jobs, options.stop, [&](std::size_t n) {
     auto run = run_locomotion(jobs[n], options, [&] { tell(0, jobs[n].name); });
     if (!run) return false;
     runs[n] = std::move(*run);

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "evolution/evaluator.h"
 #include "evolution/reevaluation_locomotion.h"
 #include "io/run_status.h"
 
@@ -28,6 +29,7 @@ struct LocomotionRun {
   std::optional<io::RunStatus> status;  ///< nothing where the program gave no result
   std::string reason;
   std::optional<std::array<double, 3>> displacement_m;  ///< exactly if completed
+  std::optional<std::array<double, 3>> left_out_m{};    ///< before that, see leave_out
   double time_s = 0.0;                                  ///< reached
   std::uint64_t steps = 0;
   std::uint64_t elements = 0;
@@ -40,6 +42,16 @@ struct LocomotionRun {
 
 /// The word for a status, or "failed" where there is none.
 std::string_view status_word(const LocomotionRun& run);
+
+/// Takes what came before a time (up to the end of the run) out of the displacement of a run that completed: its position then is
+/// that of its records, interpolated linearly, which is exact at a record. Nothing for 0.
+void leave_out(LocomotionRun& run, double until_s);
+
+/// A run as the archive keeps it: `stopped` without a result, too.
+Evaluation evaluation_of(const LocomotionRun& run);
+
+/// @throws io::InputError if the program refused every run: that is the study's fault, not that of a design
+void require_accepted(std::span<const LocomotionRun> runs);
 
 /// How runs are made, never what comes out of them, but for time limits.
 struct LocomotionRunOptions {

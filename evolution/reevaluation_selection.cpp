@@ -1,9 +1,7 @@
 #include "evolution/reevaluation_selection.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -12,28 +10,7 @@
 namespace menger::evolution {
 namespace {
 
-using meshes::CellIndex;
 using meshes::Polycube;
-
-/// A cell of a square grid turned by `quarters` of a turn about the vertical, after a reflection in x if asked for.
-CellIndex turned(CellIndex cell, int side, int quarters, bool is_mirrored) {
-  if (is_mirrored) cell.x = side - 1 - cell.x;
-  for (int quarter = 0; quarter < quarters; ++quarter) cell = {side - 1 - cell.y, cell.x, cell.z};
-  return cell;
-}
-
-/// The body moved to the corner of its grid.
-std::string digits_at_corner(const Polycube& body, const std::vector<CellIndex>& cells, bool with_materials,
-                             const std::vector<meshes::Material>& materials) {
-  CellIndex low{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
-  for (const CellIndex& cell : cells) low = {std::min(low.x, cell.x), std::min(low.y, cell.y), std::min(low.z, cell.z)};
-  Polycube moved(body.nx(), body.ny(), body.nz());
-  for (std::size_t n = 0; n < cells.size(); ++n) {
-    const CellIndex& cell = cells[n];
-    moved.set({cell.x - low.x, cell.y - low.y, cell.z - low.z}, with_materials ? materials[n] : meshes::Material{1});
-  }
-  return moved.digits();
-}
 
 class Chooser {
  public:
@@ -100,35 +77,6 @@ class Chooser {
 };
 
 }  // namespace
-
-Polycube standing(const Polycube& body) {
-  const std::vector<CellIndex> cells = body.occupied();
-  if (cells.empty()) return body;
-  const int lowest = std::ranges::min(cells, {}, &CellIndex::z).z;
-  Polycube moved(body.nx(), body.ny(), body.nz());
-  for (const CellIndex& cell : cells) moved.set({cell.x, cell.y, cell.z - lowest}, body.at(cell));
-  return moved;
-}
-
-std::string robot_form(const Polycube& body, const Distinction& distinction) {
-  assert(body.nx() == body.ny());
-  if (distinction.place) return standing(body).digits();
-  const std::vector<CellIndex> cells = body.occupied();
-  std::vector<meshes::Material> materials;
-  materials.reserve(cells.size());
-  for (const CellIndex& cell : cells) materials.push_back(body.at(cell));
-  std::string form;
-  for (const bool is_mirrored : {false, true}) {
-    for (int quarters = 0; quarters < 4; ++quarters) {
-      std::vector<CellIndex> now;
-      now.reserve(cells.size());
-      for (const CellIndex& cell : cells) now.push_back(turned(cell, body.nx(), quarters, is_mirrored));
-      std::string digits = digits_at_corner(body, now, distinction.materials, materials);
-      if (form.empty() || digits < form) form = std::move(digits);
-    }
-  }
-  return form;
-}
 
 Selection choose_designs(std::span<const FitDesign> designs, const SelectionOptions& options,
                          const std::function<std::string(const Polycube&)>& obstacle) {

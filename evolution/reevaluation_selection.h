@@ -7,24 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "evolution/robot_form.h"
 #include "evolution/run_archive.h"
 #include "meshes/polycube.h"
 
 namespace menger::evolution {
-
-/// The body with its lowest cells in the lowest layer of its grid: in finite elements it stands on the ground from the start, in
-/// the search it may have fallen there.
-meshes::Polycube standing(const meshes::Polycube& body);
-
-/// What makes two bodies different robots.
-struct Distinction {
-  bool materials = true;  ///< the two materials are driven apart, or differ otherwise
-  bool place = false;     ///< the drive depends on where in the grid a cell is and how the body is turned
-};
-
-/// Equal for two bodies exactly if they are the same robot, up to where it stands on the ground, how it is turned about the
-/// vertical, and its mirror image. Precondition: the grid is as wide along x as along y.
-std::string robot_form(const meshes::Polycube& body, const Distinction& distinction);
 
 /// A design that is to be judged.
 struct ChosenDesign {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evolution/export.h"
+#include "evolution/study_file.h"
 #include "io/content_hash.h"
 #include "io/joined_text.h"
 #include "io/number_text.h"
@@ -104,26 +104,44 @@ void read_silicone_of(const io::TomlTable& table, ReevaluationStudy& study) {
   study.inputs[study.silicone_file.string()] = io::file_hash(study.silicone_file);
 }
 
+bool is_multiple(double value, double of) {
+  constexpr double rounding = 1e-9;
+  const double count = value / of;
+  return std::abs(count - std::round(count)) <= rounding * count;
+}
+
 void read_times(const io::TomlTable& table, ReevaluationStudy& study) {
   study.duration_s = table.number_or("duration_s", study.search.duration_s, io::positive());
+  study.measure_from_s = table.number_or("measure_from_s", study.search.measure_from_s, io::non_negative());
+  if (study.measure_from_s >= study.duration_s) {
+    throw io::InputError(table.file().string() + ": measure_from_s = " + io::number_text(study.measure_from_s) +
+                         ": must be less than duration_s = " + io::number_text(study.duration_s));
+  }
+  // The usual interval becomes a part of the time that is left out: finite elements tell where they were at records only.
+  if (study.measure_from_s > 0.0)
+    study.record_interval_s = study.measure_from_s / std::ceil(study.measure_from_s / study.record_interval_s);
   const io::Range interval{.lowest = study.duration_s / most_records, .highest = study.duration_s};
   study.record_interval_s = table.number_or("record_interval_s", std::min(study.record_interval_s, study.duration_s), interval);
   const double usual_s = study.record_interval_s * std::max(1.0, std::round(study.frame_interval_s / study.record_interval_s));
   study.frame_interval_s = table.number_or("frame_interval_s", usual_s, io::at_least(study.record_interval_s));
-  const double records = study.frame_interval_s / study.record_interval_s;
-  constexpr double rounding = 1e-9;
-  if (std::abs(records - std::round(records)) > rounding * records)
-    throw table.error("frame_interval_s",
-                      "must be a multiple of record_interval_s = " + io::number_text(study.record_interval_s));
+  const std::string multiple = "must be a multiple of record_interval_s = " + io::number_text(study.record_interval_s);
+  if (!is_multiple(study.frame_interval_s, study.record_interval_s)) throw table.error("frame_interval_s", multiple);
+  if (!is_multiple(study.measure_from_s, study.record_interval_s)) {
+    throw io::InputError(table.file().string() + ": measure_from_s = " + io::number_text(study.measure_from_s) + ": " + multiple);
+  }
 }
 
 }  // namespace
 
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const RunArchive& archive) {
+  return read_reevaluation_study(request, archived_study(archive));
+}
+
+ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const Study& search) {
   if (request.top < 1) throw io::InputError("--top 0: must be at least 1");
   ReevaluationStudy study{.archive = request.archive,
                           .file = request.file,
-                          .search = archived_study(archive),
+                          .search = search,
                           .top = request.top,
                           .sample = request.sample,
                           .silicone_file = {},
@@ -154,9 +172,10 @@ std::string resolved_text(const ReevaluationStudy& study) {
   const LocomotionOptions& own = study.elements;
   std::string text = line("top", std::to_string(study.top)) + line("sample", std::to_string(study.sample)) +
                      line("sample_seed", std::to_string(study.sample_seed)) + line("level", std::to_string(study.level)) +
-                     number("duration_s", study.duration_s) + number("record_interval_s", study.record_interval_s) +
-                     number("frame_interval_s", study.frame_interval_s) + number("least_body_lengths", study.least_body_lengths) +
-                     number("time_limit_s", study.time_limit_s) + line("silicone", io::toml_quoted(study.silicone_file.string()));
+                     number("duration_s", study.duration_s) + number("measure_from_s", study.measure_from_s) +
+                     number("record_interval_s", study.record_interval_s) + number("frame_interval_s", study.frame_interval_s) +
+                     number("least_body_lengths", study.least_body_lengths) + number("time_limit_s", study.time_limit_s) +
+                     line("silicone", io::toml_quoted(study.silicone_file.string()));
   text += "[elements]\n" + line("elements_through_wall", std::to_string(own.elements_through_wall)) +
           number("bulk_modulus_ratio", own.bulk_modulus_ratio) + number("step_safety", own.step_safety) +
           line("threads", std::to_string(own.threads));

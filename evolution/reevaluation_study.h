@@ -44,6 +44,7 @@ struct ReevaluationStudy {
   std::uint64_t sample_seed = 1;
   int level = 1;
   double duration_s = 0.0;
+  double measure_from_s = 0.0;  ///< displacement counts from then on in both models, a multiple of record_interval_s
   double record_interval_s = 0.02;
   double frame_interval_s = 0.1;     ///< of the shown design, a multiple of record_interval_s
   double least_body_lengths = 0.01;  ///< a design that moves less, in either model, has no direction
@@ -52,6 +53,8 @@ struct ReevaluationStudy {
   LocomotionOptions elements;
   std::optional<JudgeOptions> judge;
   std::map<std::string, std::string> inputs;  ///< content hash of every file that was read
+
+  [[nodiscard]] double measured_s() const { return duration_s - measure_from_s; }
 };
 
 /// What is asked for beside the files.
@@ -64,8 +67,8 @@ struct ReevaluationRequest {
 
 /// Reads a study of re-evaluation:
 ///
-/// - level (the only one of the search if not given), duration_s (the search's), record_interval_s, frame_interval_s, silicone (a
-///   record of menger by its name, or a file), sample_seed, least_body_lengths, time_limit_s
+/// - level (the only one of the search if not given), duration_s and measure_from_s (the search's), record_interval_s,
+///   frame_interval_s, silicone (a record of menger by its name, or a file), sample_seed, least_body_lengths, time_limit_s
 /// - `[elements]` elements_through_wall, bulk_modulus_ratio, step_safety, youngs_modulus_Pa, threads
 /// - `[ground]` static_friction, kinetic_friction: of both models, instead of the search's
 /// - `[judge]` designs, elements_through_wall, bulk_modulus_factor, step_factor, youngs_moduli_Pa; a factor of 1, the same number
@@ -74,6 +77,9 @@ struct ReevaluationRequest {
 /// @throws io::InputError with file, key and value; also if the search was not on a calibrated surrogate that is driven by
 /// pressure, has no such level, has two materials of different friction, or calibrated another silicone than the study names
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const RunArchive& archive);
+
+/// The same for a search by its study. @param request with the search's file for messages in place of the archive
+ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const Study& search);
 
 /// Everything that decides the results, as text for the manifest.
 std::string resolved_text(const ReevaluationStudy& study);

@@ -1,5 +1,6 @@
 #include "evolution/reevaluation_surrogate.h"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -28,16 +29,17 @@ class Walker {
     const auto start = std::chrono::steady_clock::now();
     const auto records = static_cast<std::size_t>(std::ceil(study_.duration_s / study_.record_interval_s * (1.0 - 1e-12)));
     const auto per_frame = static_cast<std::size_t>(std::lround(study_.frame_interval_s / study_.record_interval_s));
+    const auto left_out = static_cast<std::size_t>(std::lround(study_.measure_from_s / study_.record_interval_s));
     Evaluation& result = walk_.result;
     result.status = io::RunStatus::completed;
     record(true);
     for (std::size_t n = 1; n <= records && result.status == io::RunStatus::completed; ++n) {
-      const double until_s = n == records ? study_.duration_s : static_cast<double>(n) * study_.record_interval_s;
-      result.status = simulation_.advance_to(until_s, stop);
+      // Exactly the search's time where it is one of the records, so that the same step is its first.
+      const double at_s = n == left_out ? study_.measure_from_s : static_cast<double>(n) * study_.record_interval_s;
+      result.status = simulation_.advance_to(n == records ? study_.duration_s : at_s, stop);
       if (result.status == io::RunStatus::completed) record(n % per_frame == 0);
     }
-    if (result.status == io::RunStatus::completed)
-      result.displacement_m = voxel::displacement_m(walk_.trajectory, walk_.trajectory.back());
+    if (result.status == io::RunStatus::completed) measure(left_out);
     if (const auto& divergence = simulation_.divergence()) result.reason = voxel::divergence_text(*divergence);
     result.outside_validity = io::joined(simulation_.outside_validity(), "; ");
     result.steps = simulation_.steps();
@@ -46,6 +48,19 @@ class Walker {
   }
 
  private:
+  /// @param left_out records before the first that counts
+  void measure(std::size_t left_out) {
+    const voxel::Trajectory& trajectory = walk_.trajectory;
+    walk_.result.displacement_m = difference(trajectory.back(), trajectory.at(left_out));
+    if (left_out > 0) walk_.result.left_out_m = difference(trajectory[left_out], trajectory.front());
+  }
+
+  static std::array<double, 3> difference(const voxel::TrajectoryPoint& to, const voxel::TrajectoryPoint& from) {
+    const auto& a = to.centre_of_mass_m;
+    const auto& b = from.centre_of_mass_m;
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+
   void record(bool is_frame) {
     walk_.trajectory.push_back({simulation_.time_s(), simulation_.centre_of_mass_m(), {}});
     if (with_frames_ && is_frame) walk_.frames.push_back(simulation_.frame());

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "evolution/search_plan.h"
+#include "materials/observables.h"
 
 namespace menger::evolution {
 namespace {
@@ -35,6 +36,11 @@ void add_motion(Row& row, const ReevaluationStudy& study, const std::optional<st
 void add_name(Row& row, const ReevaluationStudy& study, const ChosenDesign& design) {
   row.insert(row.end(), {io::cell(design_hash(design.phenotype, study.level)), io::cell(design.individual),
                          io::cell(std::uint64_t{design.rank}), io::cell(design.is_top ? "top" : "sample")});
+}
+
+/// Distance before displacement counts; empty where it counts from the start.
+io::CsvCell left_out_cell(const std::optional<std::array<double, 3>>& left_out_m) {
+  return left_out_m ? io::cell(materials::horizontal_displacement(*left_out_m)) : io::CsvCell{};
 }
 
 /// How far the centre was above its start at the lowest; below it, a body has fallen over or in.
@@ -73,7 +79,7 @@ io::CsvTable reevaluation_table(const ReevaluationStudy& study, const Reevaluati
   add(columns, "elements_", {"lowest_dz_m"});
   add(columns, "",
       {"distance_ratio", "angle_deg", "surrogate_relative_error", "surrogate_steps", "elements_steps", "elements_count",
-       "surrogate_seconds", "elements_seconds"});
+       "surrogate_seconds", "elements_seconds", "surrogate_left_out_m", "elements_left_out_m"});
   io::CsvTable table(columns);
   for (const JudgedDesign& judged : findings.designs) {
     const Evaluation& surrogate = judged.surrogate.result;
@@ -88,9 +94,9 @@ io::CsvTable reevaluation_table(const ReevaluationStudy& study, const Reevaluati
     add_motion(row, study, elements.displacement_m);
     row.push_back(io::cell(lowest_rise_m(elements.trajectory)));
     const ModelGap gap = gap_of(study, judged);
-    row.insert(row.end(),
-               {io::cell(gap.ratio), io::cell(gap.angle_deg), io::cell(gap.relative_error), io::cell(surrogate.steps),
-                io::cell(elements.steps), io::cell(elements.elements), io::cell(surrogate.seconds), io::cell(elements.seconds)});
+    row.insert(row.end(), {io::cell(gap.ratio), io::cell(gap.angle_deg), io::cell(gap.relative_error), io::cell(surrogate.steps),
+                           io::cell(elements.steps), io::cell(elements.elements), io::cell(surrogate.seconds),
+                           io::cell(elements.seconds), left_out_cell(surrogate.left_out_m), left_out_cell(elements.left_out_m)});
     table.add_cells(row);
   }
   return table;

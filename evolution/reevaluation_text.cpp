@@ -94,10 +94,12 @@ std::string judge_text(const ReevaluationStudy& study, const ReevaluationFinding
 }  // namespace
 
 std::string findings_text(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
-  std::string text = std::to_string(findings.designs.size()) + " of " + std::to_string(findings.distinct) +
-                     " robots judged for " + formatted("%.4g", study.duration_s) + " s, body lengths per minute:\n" +
-                     padded("rank", 5) + padded("of", 8) + padded("individual", 11) + padded("surrogate", 13) +
-                     padded("elements", 13) + padded("ratio", 9) + padded("angle", 8) + "  status\n";
+  std::string text =
+      std::to_string(findings.designs.size()) + " of " + std::to_string(findings.distinct) + " robots judged for " +
+      formatted("%.4g", study.duration_s) + " s" +
+      (study.measure_from_s > 0.0 ? " (the first " + formatted("%.4g", study.measure_from_s) + " s left out)" : "") +
+      ", body lengths per minute:\n" + padded("rank", 5) + padded("of", 8) + padded("individual", 11) + padded("surrogate", 13) +
+      padded("elements", 13) + padded("ratio", 9) + padded("angle", 8) + "  status\n";
   for (const JudgedDesign& judged : findings.designs) text += design_line(study, judged);
   if (!findings.refused.empty()) {
     text += std::to_string(findings.refused.size()) + " designs in line could not be judged, the first (rank " +

@@ -187,6 +187,7 @@ std::optional<ArchivedEvaluation> RunArchive::evaluation(const EvaluationKey& ke
     found.result.outside_validity = query.getColumn(6).getString();
     found.result.steps = static_cast<std::uint64_t>(query.getColumn(7).getInt64());
     found.result.seconds = query.getColumn(8).getDouble();
+    found.result.left_out_m = left_out_m(database_->connection, key);
     return found;
   });
 }

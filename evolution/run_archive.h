@@ -87,6 +87,18 @@ struct Reevaluation {
   bool has_result = true;  ///< false: the judge failed, result.reason says how; there is no status
 };
 
+/// What a judge that takes part in a search found of a robot.
+struct Judgement {
+  int generation = 0;               ///< before which it was judged
+  std::size_t place = 0;            ///< among the robots of that generation, from 0: the best first
+  std::uint64_t individual = 0;     ///< that was judged for all of its form
+  std::string form;                 ///< robot_form of its basal body
+  double surrogate = 0.0;           ///< score by the evaluator of the search
+  std::optional<double> score;      ///< by the judge; none if it failed
+  std::uint64_t element_steps = 0;  ///< what it took
+  Reevaluation found;
+};
+
 /// A finished generation.
 struct GenerationRecord {
   int number = 0;
@@ -101,6 +113,8 @@ struct GenerationRecord {
 };
 
 /// The archive of one search in an SQLite database: everything to continue it, to tell its history and to judge its designs.
+///
+/// Displacements that were left out and judgements have tables of their own, which only searches have that know such.
 ///
 /// Every change is one transaction, which outlives the process once the call returns (write-ahead log). Rows have natural keys
 /// only, so that two runs of a study hold the same content, apart from the columns named `seconds`. One process writes, any
@@ -149,6 +163,12 @@ class RunArchive {
 
   /// Adds all in one transaction; one of the same design, level and protocol is replaced.
   void add_reevaluations(std::span<const Reevaluation> reevaluations);
+
+  /// What judges found in the course of the search, by generation and place.
+  [[nodiscard]] std::vector<Judgement> judgements() const;
+
+  /// Adds judgements and their re-evaluations in one transaction. Precondition: there is none of their generations and places.
+  void add_judgements(std::span<const Judgement> judgements);
 
   /// Precondition: there is no result under this key, and its status is not `stopped`.
   void add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation);

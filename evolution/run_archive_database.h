@@ -2,9 +2,11 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "evolution/archive_lock.h"
@@ -33,6 +35,20 @@ class RunArchive::Database {
     }
   }
 };
+
+/// Whether there is a table; some are made only where they are needed.
+bool has_table(const SQLite::Database& connection, const char* name);
+
+/// What was left out of a displacement that does not count from the start; by what names a result: design, level, and the hash of
+/// what decides it beside the body.
+void insert_left_out(SQLite::Database& connection, const EvaluationKey& key, const std::array<double, 3>& left_out_m);
+std::optional<std::array<double, 3>> left_out_m(const SQLite::Database& connection, const EvaluationKey& key);
+
+/// Adds re-evaluations with their protocols, without a transaction.
+void insert_reevaluations(SQLite::Database& connection, std::span<const Reevaluation> reevaluations);
+
+/// A re-evaluation from the columns of a row: design_hash, level, text of the protocol, and all from `variant` on.
+Reevaluation read_reevaluation(SQLite::Statement& row, int first_column, const SQLite::Database& connection);
 
 template <class Number>
 inline std::int64_t signed_number(Number number) {

@@ -23,23 +23,6 @@ io::RunStatus status_of(const std::string& word) {
   return *found;
 }
 
-Reevaluation read_row(SQLite::Statement& row) {
-  Reevaluation found;
-  found.design_hash = row.getColumn(0).getString();
-  found.level = row.getColumn(1).getInt();
-  found.protocol = row.getColumn(2).getString();
-  found.variant = row.getColumn(3).getString();
-  found.duration_s = row.getColumn(4).getDouble();
-  found.has_result = !row.getColumn(5).isNull();
-  if (found.has_result) found.result.status = status_of(row.getColumn(5).getString());
-  if (!row.getColumn(6).isNull())
-    found.result.displacement_m = {row.getColumn(6).getDouble(), row.getColumn(7).getDouble(), row.getColumn(8).getDouble()};
-  found.result.reason = row.getColumn(9).getString();
-  found.result.steps = static_cast<std::uint64_t>(row.getColumn(10).getInt64());
-  found.result.seconds = row.getColumn(11).getDouble();
-  return found;
-}
-
 void insert(SQLite::Statement& row, const Reevaluation& reevaluation, const std::string& protocol_hash) {
   const Evaluation& result = reevaluation.result;
   row.reset();
@@ -59,6 +42,39 @@ void insert(SQLite::Statement& row, const Reevaluation& reevaluation, const std:
 }
 
 }  // namespace
+
+Reevaluation read_reevaluation(SQLite::Statement& row, int first_column, const SQLite::Database& connection) {
+  const auto column = [&](int n) { return row.getColumn(first_column + n); };
+  Reevaluation found;
+  found.design_hash = column(0).getString();
+  found.level = column(1).getInt();
+  found.protocol = column(2).getString();
+  found.variant = column(3).getString();
+  found.duration_s = column(4).getDouble();
+  found.has_result = !column(5).isNull();
+  if (found.has_result) found.result.status = status_of(column(5).getString());
+  if (!column(6).isNull()) found.result.displacement_m = {column(6).getDouble(), column(7).getDouble(), column(8).getDouble()};
+  found.result.reason = column(9).getString();
+  found.result.steps = static_cast<std::uint64_t>(column(10).getInt64());
+  found.result.seconds = column(11).getDouble();
+  found.result.left_out_m = left_out_m(connection, {found.design_hash, found.level, io::content_hash(found.protocol)});
+  return found;
+}
+
+void insert_reevaluations(SQLite::Database& connection, std::span<const Reevaluation> reevaluations) {
+  SQLite::Statement protocol(connection, "INSERT OR IGNORE INTO protocol VALUES (?, ?)");
+  SQLite::Statement row(connection, "INSERT OR REPLACE INTO reevaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const Reevaluation& reevaluation : reevaluations) {
+    const std::string hash = io::content_hash(reevaluation.protocol);
+    protocol.reset();
+    protocol.bind(1, hash);
+    protocol.bind(2, reevaluation.protocol);
+    protocol.exec();
+    insert(row, reevaluation, hash);
+    const auto& left_out = reevaluation.result.left_out_m;
+    if (left_out) insert_left_out(connection, {reevaluation.design_hash, reevaluation.level, hash}, *left_out);
+  }
+}
 
 std::vector<FitDesign> RunArchive::fit_designs() const {
   return database_->guarded(reading, [&] {
@@ -84,7 +100,7 @@ std::vector<Reevaluation> RunArchive::reevaluations() const {
                             "SELECT design_hash, level, protocol.text, variant, duration_s, status, dx_m, dy_m, dz_m, reason, "
                             "steps, seconds FROM reevaluation JOIN protocol ON protocol.hash = protocol_hash "
                             "ORDER BY design_hash, level, protocol_hash");
-    while (query.executeStep()) all.push_back(read_row(query));
+    while (query.executeStep()) all.push_back(read_reevaluation(query, 0, database_->connection));
     return all;
   });
 }
@@ -92,17 +108,7 @@ std::vector<Reevaluation> RunArchive::reevaluations() const {
 void RunArchive::add_reevaluations(std::span<const Reevaluation> reevaluations) {
   database_->guarded(writing, [&] {
     SQLite::Transaction transaction(database_->connection);
-    SQLite::Statement protocol(database_->connection, "INSERT OR IGNORE INTO protocol VALUES (?, ?)");
-    SQLite::Statement row(database_->connection,
-                          "INSERT OR REPLACE INTO reevaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    for (const Reevaluation& reevaluation : reevaluations) {
-      const std::string hash = io::content_hash(reevaluation.protocol);
-      protocol.reset();
-      protocol.bind(1, hash);
-      protocol.bind(2, reevaluation.protocol);
-      protocol.exec();
-      insert(row, reevaluation, hash);
-    }
+    insert_reevaluations(database_->connection, reevaluations);
     transaction.commit();
   });
 }

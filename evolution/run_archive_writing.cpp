@@ -55,6 +55,7 @@ void insert_generation(SQLite::Statement insert, const GenerationRecord& record)
 void RunArchive::add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation) {
   database_->guarded(writing, [&] {
     const Evaluation& result = evaluation.result;
+    SQLite::Transaction transaction(database_->connection);
     SQLite::Statement insert(database_->connection, "INSERT INTO evaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, key.design_hash);
     insert.bind(2, key.level);
@@ -70,6 +71,8 @@ void RunArchive::add_evaluation(const EvaluationKey& key, const ArchivedEvaluati
     insert.bind(11, signed_number(result.steps));
     insert.bind(12, result.seconds);
     insert.exec();
+    if (result.left_out_m) insert_left_out(database_->connection, key, *result.left_out_m);
+    transaction.commit();
   });
 }
 

@@ -1,7 +1,9 @@
 #include "evolution/search.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -9,6 +11,7 @@
 
 #include "evolution/pool_judge.h"
 #include "evolution/random_stream.h"
+#include "io/content_hash.h"
 #include "io/input_error.h"
 
 namespace menger::evolution {
@@ -25,13 +28,18 @@ struct Survivor {
 
 class Search {
  public:
-  Search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options)
+  Search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
+         DesignJudge* judge)
       : plan_(plan),
         evaluator_(evaluator),
         archive_(archive),
         options_(options),
+        physics_hash_(io::content_hash(evaluator.physics())),
         variation_(plan.seed, "variation"),
-        selection_(plan.seed, "selection") {}
+        selection_(plan.seed, "selection") {
+    assert(plan.judging.has_value() == (judge != nullptr));
+    if (judge != nullptr) judging_.emplace(plan, *judge, archive);
+  }
 
   io::RunStatus run() {
     restore();
@@ -58,16 +66,22 @@ class Search {
       throw io::InputError(archive_.file().string() + ": is damaged: generation " + std::to_string(*last) + " has no survivors");
     }
     std::ranges::sort(survivors_, {}, [](const Survivor& survivor) { return *survivor.contender.survivor_rank; });
-    for (std::string& key : archive_.phenotype_keys()) phenotypes_.insert(std::move(key));
+    for (const std::string& key : archive_.phenotype_keys()) phenotypes_.insert(simulated_key(phenotype_from_key(key)));
+  }
+
+  [[nodiscard]] std::string simulated_key(const Phenotype& phenotype) const {
+    return phenotype_key(as_simulated(plan_, phenotype));
   }
 
   io::RunStatus do_generation() {
     const auto start = Clock::now();
+    if (judging_ && !judge_survivors()) return io::RunStatus::stopped;
     const std::vector<Individual> born = next_generation_ == 0 ? first_generation() : children_and_newcomers();
-    PoolJudge judge(plan_, evaluator_, archive_, options_, next_generation_, &commits_);
+    PoolJudge judge(plan_, evaluator_, archive_, options_, next_generation_, &commits_,
+                    judging_ ? &judging_->fitness() : nullptr);
     for (const Survivor& survivor : survivors_) judge.add_survivor(survivor.contender);
     for (const Individual& individual : born) {
-      const bool is_new = phenotypes_.insert(phenotype_key(individual.phenotype)).second;
+      const bool is_new = phenotypes_.insert(simulated_key(individual.phenotype)).second;
       judge.add_newcomer(individual, !is_new);
     }
     const bool lazily = plan_.pruning && next_generation_ > 0;
@@ -75,6 +89,39 @@ class Search {
     if (status != io::RunStatus::completed) return status;
     commit(judge, born, std::chrono::duration<double>(Clock::now() - start).count());
     return status;
+  }
+
+  /// Holds a round of judging if one is due, and scores the survivors by what is known now. @return false if it was stopped
+  bool judge_survivors() {
+    std::vector<std::optional<double>> scores;
+    for (const Survivor& survivor : survivors_) scores.push_back(surrogate_score(survivor.individual.phenotype));
+    if (judging_->is_due(next_generation_)) {
+      std::vector<Nominee> nominees;
+      for (std::size_t n = 0; n < survivors_.size(); ++n) {
+        const auto& [individual, contender] = survivors_[n];
+        nominees.push_back({individual.id, contender.age, &individual.phenotype, scores[n], contender.fitness});
+      }
+      const auto round = judging_->judge(next_generation_, nominees, options_.stop);
+      if (!round) return false;
+      if (options_.judged) options_.judged(*round, judging_->fitness().discrepancy());
+      if (round->is_made && options_.after_commit) options_.after_commit(++commits_);
+    }
+    for (std::size_t n = 0; n < survivors_.size(); ++n) {
+      const Knowledge knowledge = survivors_[n].contender.knowledge;
+      if (!scores[n] || (knowledge != Knowledge::evaluated && knowledge != Knowledge::failed)) continue;
+      const CorrectedScore corrected = judging_->fitness().score(survivors_[n].individual.phenotype.body, *scores[n]);
+      survivors_[n].contender.knowledge = corrected.knowledge;
+      survivors_[n].contender.fitness = corrected.fitness;
+    }
+    return true;
+  }
+
+  /// The score by the evaluator, of a search at one level; none if it failed or was never asked for.
+  [[nodiscard]] std::optional<double> surrogate_score(const Phenotype& phenotype) const {
+    const int level = plan_.levels().front();
+    const auto found = archive_.evaluation({design_hash(as_simulated(plan_, phenotype), level), level, physics_hash_});
+    if (!found || !found->result.displacement_m) return std::nullopt;
+    return level_score(plan_, *found->result.displacement_m, level);
   }
 
   std::vector<Individual> first_generation() {
@@ -150,6 +197,8 @@ class Search {
   const DesignEvaluator& evaluator_;
   RunArchive& archive_;
   const SearchOptions& options_;
+  std::optional<SearchJudging> judging_;
+  std::string physics_hash_;
   RandomStream variation_;
   RandomStream selection_;
   std::vector<Survivor> survivors_;  ///< by rank
@@ -162,8 +211,8 @@ class Search {
 }  // namespace
 
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
-                         const SearchOptions& options) {
-  return Search(plan, evaluator, archive, options).run();
+                         const SearchOptions& options, DesignJudge* judge) {
+  return Search(plan, evaluator, archive, options, judge).run();
 }
 
 }  // namespace menger::evolution

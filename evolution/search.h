@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <functional>
 
+#include "evolution/design_judge.h"
 #include "evolution/evaluator.h"
 #include "evolution/run_archive.h"
+#include "evolution/search_judging.h"
 #include "evolution/search_plan.h"
 #include "io/run_status.h"
 
@@ -24,6 +26,9 @@ struct SearchOptions {
   const std::atomic<bool>* stop = nullptr;  ///< ends the search soon; evaluations under way are given up
   std::function<void(const GenerationRecord&)> generation_done;
   std::function<void(const SearchProgress&)> progress;
+
+  /// Called after every round of judging, with what was learnt so far.
+  std::function<void(const JudgingRound&, const Discrepancy&)> judged{};
   std::function<void(std::size_t count)> after_commit;  ///< called when the archive has grown for the count-th time, from 1
 };
 
@@ -38,10 +43,17 @@ struct SearchOptions {
 /// What is decided depends on results only between batches of evaluations, never on their order within one: the archive's content
 /// does not depend on the number of threads, nor on where the search was interrupted.
 ///
-/// @param archive of this plan and evaluator
+/// With plan.judging a generation that is due begins with a round of judging (SearchJudging): the best distinct survivors of the
+/// generation before are judged by a dearer model, all survivors are scored again with what was learnt (CorrectedFitness), and
+/// the new individuals' scores go through the same correction. Once the budget is spent, the search goes on with the correction
+/// learnt. The fitness that the archive keeps of a contender is the corrected one; scores of the evaluator stay as they are.
+/// Pruning needs no change: with the one level that judging allows, a score is either unknown, without a bound, or final, and
+/// corrected as soon as it is known; outlook() never sees a bound that a correction could lift.
+///
+/// @param archive of this plan and evaluator @param judge exactly with plan.judging, whose protocol is the judge's
 /// @return completed, or stopped
 /// @throws io::InputError if the constraints of the plan cannot be met or the archive cannot be written
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
-                         const SearchOptions& options);
+                         const SearchOptions& options, DesignJudge* judge = nullptr);
 
 }  // namespace menger::evolution

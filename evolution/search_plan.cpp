@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "evolution/robot_form.h"
 #include "materials/observables.h"
 
 namespace menger::evolution {
@@ -12,6 +13,10 @@ std::string_view to_string(Objective objective) {
 
 std::string_view to_string(DuplicatePolicy policy) {
   return policy == DuplicatePolicy::archived_result ? "archived-result" : "culled";
+}
+
+Phenotype as_simulated(const SearchPlan& plan, const Phenotype& phenotype) {
+  return plan.stand ? standing(phenotype) : phenotype;
 }
 
 double body_lengths(const std::array<double, 3>& displacement_m, int level, double cell_edge_m) {

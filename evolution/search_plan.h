@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "evolution/judging_plan.h"
 #include "evolution/offspring.h"
 
 namespace menger::evolution {
@@ -39,10 +41,21 @@ struct SearchPlan {
   /// options are: see outlook(), whose proof needs a fitness that is a minimum, as it is for both objectives.
   bool pruning = true;
 
+  /// Whether bodies stand on the ground from the start, whatever layer they grew in (see standing), so that none gains by a fall
+  /// and equal bodies in different layers are one. What has to do with where a cell is, such as the phase of a wave, is that of
+  /// the body that stands.
+  bool stand = false;
+
+  /// A dearer judge that corrects the fitness on the way; none: the evaluator alone decides.
+  std::optional<JudgingPlan> judging{};
+
   bool operator==(const SearchPlan&) const = default;
 
   [[nodiscard]] const std::vector<int>& levels() const { return offspring.constraints.levels; }  ///< ascending, none twice
 };
+
+/// What of a phenotype is simulated: itself, or where plan.stand says so what stands of it.
+Phenotype as_simulated(const SearchPlan& plan, const Phenotype& phenotype);
 
 /// Horizontal displacement in body lengths of the level.
 double body_lengths(const std::array<double, 3>& displacement_m, int level, double cell_edge_m);

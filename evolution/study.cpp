@@ -48,6 +48,15 @@ void add_body(std::string& text, const SearchPlan& plan) {
   if (constraints.castable) add_line(text, "castable", "true");
 }
 
+void add_judging(std::string& text, const JudgingPlan& judging) {
+  text += "[judge]\n";
+  add_word(text, "protocol", judging.protocol);
+  add_line(text, "every", std::to_string(judging.every));
+  add_count(text, "designs", judging.designs);
+  add_number(text, "budget_element_steps", judging.budget_element_steps);
+  add_number(text, "voxel_steps_per_element_step", judging.voxel_steps_per_element_step);
+}
+
 /// The physics with poissons_ratio in its table [materials], which TOML may open only once.
 std::string physics_text_with_poissons_ratio(const voxel::Physics& physics) {
   constexpr std::string_view header = "[materials]\n";
@@ -108,14 +117,30 @@ std::string identity_text(const Study& study) {
   add_body(text, plan);
   text += "[evaluation]\n";
   add_number(text, "duration_s", study.duration_s);
+  if (study.measure_from_s > 0.0) add_number(text, "measure_from_s", study.measure_from_s);
+  if (plan.stand) add_line(text, "stand", "true");
   add_word(text, "objective", to_string(plan.objective));
   add_word(text, "duplicates", to_string(plan.duplicates));
   add_line(text, "pruning", plan.pruning ? "true" : "false");
+  if (plan.judging) add_judging(text, *plan.judging);
   return text + physics_text_with_poissons_ratio(study.physics);
 }
 
 std::string resolved_text(const Study& study) {
   return "generations = " + std::to_string(study.search.generations) + "\n" + identity_text(study);
+}
+
+Distinction distinction_of(const Study& study) {
+  const voxel::ActuationMode mode = study.physics.actuation.mode;
+  const auto& surrogate = study.physics.surrogate;
+  const bool is_single = surrogate && surrogate->chambers == meshes::ChamberLayout::single;
+  const bool materials = mode == voxel::ActuationMode::antiphase || !is_single;
+  return {.materials = materials, .place = mode == voxel::ActuationMode::wave};
+}
+
+std::size_t voxels_in_cell(const Study& study) {
+  const auto along_edge = static_cast<std::size_t>(voxel::voxels_per_cell(study.physics));
+  return along_edge * along_edge * along_edge;
 }
 
 std::vector<std::string> study_notes(const Study& study) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "evolution/robot_form.h"
 #include "evolution/search_plan.h"
 #include "voxel/parameters.h"
 
@@ -12,18 +14,30 @@ namespace menger::evolution {
 /// A search on the voxel engine: everything that decides its result.
 struct Study {
   SearchPlan search;
-  double duration_s = 5.0;  ///< simulated per evaluation, > 0
+  double duration_s = 5.0;      ///< simulated per evaluation, > 0
+  double measure_from_s = 0.0;  ///< displacement counts from then on, >= 0 and < duration_s
   voxel::Physics physics;
+
+  /// Study of re-evaluation that says how search.judging judges; empty in a study that was read from its text, where the hash of
+  /// what it says stands.
+  std::filesystem::path judge_file{};
 
   bool operator==(const Study&) const = default;
 };
 
 /// The study as TOML with every value spelled out, always in the same order and exact: equal text means equal studies, and
-/// reading it gives the study back.
+/// reading it gives the study back, but for judge_file. Precondition: search.judging names its protocol, if there is one.
 std::string resolved_text(const Study& study);
 
 /// The same without the number of generations: what two runs must share so that one can continue the other.
 std::string identity_text(const Study& study);
+
+/// What makes two robots of a study different: a drive that is the same for all cells does not tell materials apart, and only a
+/// wave asks where a body stands.
+Distinction distinction_of(const Study& study);
+
+/// Voxels that a whole cell is made of.
+std::size_t voxels_in_cell(const Study& study);
 
 /// What a reader of the results should know about the values of the study, a sentence each.
 std::vector<std::string> study_notes(const Study& study);

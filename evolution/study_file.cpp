@@ -82,6 +82,23 @@ void read_evaluation(const io::TomlTable& table, Study& study) {
   plan.duplicates =
       table.word_or("duplicates", plan.duplicates, words_of(DuplicatePolicy::archived_result, DuplicatePolicy::culled));
   plan.pruning = table.boolean_or("pruning", plan.pruning);
+  plan.stand = table.boolean_or("stand", plan.stand);
+  study.measure_from_s = table.number_or("measure_from_s", study.measure_from_s, io::non_negative());
+}
+
+void read_judging(const io::TomlTable& table, Study& study) {
+  JudgingPlan judging;
+  if (table.has("protocol")) {
+    judging.protocol = table.text("protocol");
+  } else {
+    study.judge_file = table.path("study");
+  }
+  judging.every = table.integer_or("every", judging.every, io::at_least(1));
+  judging.designs = table.integer_or("designs", judging.designs, io::within(1, largest_population));
+  judging.budget_element_steps = table.number("budget_element_steps", io::non_negative());
+  judging.voxel_steps_per_element_step =
+      table.number_or("voxel_steps_per_element_step", judging.voxel_steps_per_element_step, io::positive());
+  study.search.judging = judging;
 }
 
 void read_poissons_ratio(const io::TomlTable& table) {
@@ -100,6 +117,7 @@ Study read_tables(const io::TomlTable& table, Study study) {
   if (const auto genome = table.optional_table("genome")) read_genome(*genome, plan.offspring);
   if (const auto body = table.optional_table("body")) read_body(*body, plan);
   if (const auto evaluation = table.optional_table("evaluation")) read_evaluation(*evaluation, study);
+  if (const auto judge = table.optional_table("judge")) read_judging(*judge, study);
   if (const auto materials = table.optional_table("materials")) read_poissons_ratio(*materials);
   study.physics = voxel::read_physics(table, study.physics);
   return study;
@@ -134,6 +152,11 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
     if (body && body->has("levels")) return body->error("levels", levels + ": " + reason);
     return io::InputError(table.file().string() + ": body." + levels + ": " + reason);
   };
+  if (plan.judging && plan.levels().size() > 1) throw fault("with a table [judge] there must be one");
+  if (study.measure_from_s >= study.duration_s) {
+    throw io::InputError(table.file().string() + ": evaluation.measure_from_s = " + io::number_text(study.measure_from_s) +
+                         ": must be less than duration_s = " + io::number_text(study.duration_s));
+  }
   if (plan.offspring.decoder.plan == BodyPlan::nonfractal && plan.levels().back() > largest_arranged_level) {
     throw fault("a nonfractal body has at most " + std::to_string(largest_arranged_level));
   }
@@ -185,6 +208,8 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   table.finish();
   apply(overrides, study);
   check_whole(table, study, memory_bytes);
+  if (study.search.judging && study.judge_file.empty())
+    throw io::InputError(file.string() + ": judge.protocol: is that of an archive; a study names its judge by judge.study");
   if (study.physics.surrogate) {
     if (const std::string problem = unusable_surrogate(study); !problem.empty())
       throw io::InputError(file.string() + ": surrogate: " + problem);
@@ -196,9 +221,17 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   return study;
 }
 
+Study archived_study(const RunArchive& archive) {
+  Study study = study_from_text(archive.study(), archive.file());
+  study.search.generations = archive.generation_goal();
+  return study;
+}
+
 std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& file) {
   std::vector<std::filesystem::path> files{file};
-  if (const auto parameters = voxel::parameters_file(io::read_toml(file))) files.push_back(*parameters);
+  const io::TomlTable table = io::read_toml(file);
+  if (const auto parameters = voxel::parameters_file(table)) files.push_back(*parameters);
+  if (const auto judge = table.optional_table("judge")) files.push_back(judge->path("study"));
   return files;
 }
 

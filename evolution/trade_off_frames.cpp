@@ -85,7 +85,7 @@ SettledBody::Voxels frame_voxels(const fs::path& file) {
   return voxels;
 }
 
-void read_settling_result(const TradeStudy& study, const SettledBody& body, double pressure_Pa, const TradeJobResult& result,
+void read_settling_result(const TradeStudy& study, const SettledBody& body, double pressure_Pa, const ProgramJobResult& result,
                           TradeRow& row) {
   if (!read_voxel_summary(result, row)) return;
   std::vector<fs::path> frames;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "evolution/trade_off_job.h"
+#include "evolution/program_job.h"
 #include "evolution/trade_off_table.h"
 
 namespace menger::evolution {
@@ -37,13 +37,13 @@ class TradeRunner {
   /// Runs a job that was expected; none if the user stopped it or an earlier one. A program that refuses its input is a result
   /// like any other failure: one fidelity may be refused where others are not.
   /// @throws io::InputError if the program cannot be started or the folder cannot be written
-  std::optional<TradeJobResult> run(const TradeJob& job);
+  std::optional<ProgramJobResult> run(const ProgramJob& job);
 
   /// Runs a job and puts its costs, its status and by `read` its result into a row. A result that cannot be read makes the row
   /// "failed" with the reason, as does a program that fails or refuses its input, with its message; a time that was up "stopped".
   /// @return the result, if it could be read
-  std::optional<TradeJobResult> fill(TradeRow& row, const TradeJob& job,
-                                     const std::function<void(const TradeJobResult&, TradeRow&)>& read);
+  std::optional<ProgramJobResult> fill(TradeRow& row, const ProgramJob& job,
+                                       const std::function<void(const ProgramJobResult&, TradeRow&)>& read);
 
   [[nodiscard]] bool is_stopped() const { return is_stopped_; }
   [[nodiscard]] std::size_t repeated() const { return repeated_; }  ///< runs made, not found

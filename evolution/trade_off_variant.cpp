@@ -5,7 +5,7 @@
 #include <cassert>
 #include <sstream>
 
-#include "evolution/trade_off_job.h"
+#include "evolution/program_job.h"
 #include "evolution/trade_off_voxels.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
@@ -80,7 +80,7 @@ void set_integration(TomlVariant& variant, const VoxelFidelity& fidelity) {
   variant.set({"integration", "time_step_fraction"}, fidelity.time_step_fraction);
 }
 
-void add_input(TradeJob& job, const std::string& name, TomlVariant variant) {
+void add_input(ProgramJob& job, const std::string& name, TomlVariant variant) {
   constexpr const char* copy = "parameters.toml";
   if (const auto parameters = variant.parameters()) {
     job.inputs[copy] = io::read_whole(*parameters);

@@ -1,5 +1,7 @@
 #include "evolution/voxel_evaluator.h"
 
+#include <array>
+#include <cassert>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -12,8 +14,18 @@
 
 namespace menger::evolution {
 
-VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s)
-    : physics_(physics), cell_edge_m_(cell_edge_m), duration_s_(duration_s) {}
+namespace {
+
+std::array<double, 3> difference(const std::array<double, 3>& to, const std::array<double, 3>& from) {
+  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
+
+}  // namespace
+
+VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s)
+    : physics_(physics), cell_edge_m_(cell_edge_m), duration_s_(duration_s), measure_from_s_(measure_from_s) {
+  assert(measure_from_s >= 0.0 && measure_from_s < duration_s);
+}
 
 Evaluation VoxelEvaluator::evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const {
   const auto start = std::chrono::steady_clock::now();
@@ -31,11 +43,14 @@ Evaluation VoxelEvaluator::evaluate(const meshes::Polycube& body, int level, con
     return evaluation;
   }
   voxel::Simulation& simulation = *built;
-  const auto from = simulation.centre_of_mass_m();
-  evaluation.status = simulation.advance_to(duration_s_, &stop);
-  const auto to = simulation.centre_of_mass_m();
-  if (evaluation.status == io::RunStatus::completed)
-    evaluation.displacement_m = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  const auto start_m = simulation.centre_of_mass_m();
+  evaluation.status = simulation.advance_to(measure_from_s_, &stop);
+  const auto from_m = simulation.centre_of_mass_m();
+  if (evaluation.status == io::RunStatus::completed) evaluation.status = simulation.advance_to(duration_s_, &stop);
+  if (evaluation.status == io::RunStatus::completed) {
+    evaluation.displacement_m = difference(simulation.centre_of_mass_m(), from_m);
+    if (measure_from_s_ > 0.0) evaluation.left_out_m = difference(from_m, start_m);
+  }
   if (const auto& divergence = simulation.divergence()) evaluation.reason = voxel::divergence_text(*divergence);
   evaluation.outside_validity = io::joined(simulation.outside_validity(), "; ");
   evaluation.steps = simulation.steps();
@@ -44,8 +59,9 @@ Evaluation VoxelEvaluator::evaluate(const meshes::Polycube& body, int level, con
 }
 
 std::string VoxelEvaluator::physics() const {
-  return "duration_s = " + io::number_text(duration_s_) + "\ncell_edge_m = " + io::number_text(cell_edge_m_) + "\n" +
-         voxel::physics_text(physics_);
+  std::string text = "duration_s = " + io::number_text(duration_s_) + "\n";
+  if (measure_from_s_ > 0.0) text += "measure_from_s = " + io::number_text(measure_from_s_) + "\n";
+  return text + "cell_edge_m = " + io::number_text(cell_edge_m_) + "\n" + voxel::physics_text(physics_);
 }
 
 double VoxelEvaluator::cost(const meshes::Polycube& body, int /*level*/) const { return static_cast<double>(body.count()); }

@@ -12,10 +12,13 @@
 #include <thread>
 
 #include "evolution/generation_summary.h"
+#include "evolution/judgement_table.h"
 #include "evolution/run_archive.h"
 #include "evolution/search.h"
+#include "evolution/silicone_judge.h"
 #include "evolution/study_file.h"
-#include "evolution/voxel_evaluator.h"
+#include "evolution/study_view.h"
+#include "io/child_program.h"
 #include "io/exit_code.h"
 #include "io/input_error.h"
 #include "io/interrupt.h"
@@ -34,13 +37,16 @@ using Clock = std::chrono::steady_clock;
 struct Arguments {
   fs::path study;
   fs::path archive = "run.sqlite";
+  fs::path programs = io::own_program_folder();
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   StudyOverrides overrides;
 };
 
 constexpr const char* description =
     "Evolves fractal robots. The archive keeps everything: call the same command again and it goes on where it stopped,\n"
-    "or shows the result if it is done.\n\n"
+    "or shows the result if it is done. With a table [judge] in the study finite elements judge survivors on the way and "
+    "correct\n"
+    "the fitness of all; their runs lie in a folder named after the archive.\n\n"
     "Example:\n"
     "  menger evolve paper/demo/study.toml -o demo/run.sqlite --threads 4\n"
     "  menger export demo/run.sqlite -o demo/champion";
@@ -55,6 +61,8 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("-g,--generations", arguments.overrides.generations, "In place of the study's number of generations");
   app.add_option("--levels", arguments.overrides.levels, "In place of the study's levels, e.g. --levels 1 2");
   app.add_option("--duration", arguments.overrides.duration_s, "In place of the study's seconds per evaluation");
+  app.add_option("--programs", arguments.programs, "Folder of the other programs of menger, for a [judge]")
+      ->capture_default_str();
   app.add_option("--seed", arguments.overrides.seed, "In place of the study's seed");
   return io::parse_arguments(app, argc, argv);
 }
@@ -82,6 +90,17 @@ class Log {
     }
     bar_->update(static_cast<double>(progress.finished),
                  std::to_string(progress.finished) + "/" + std::to_string(total_) + " evaluations");
+  }
+
+  void judging(std::size_t done, std::size_t total, const std::string& name) {
+    if (!bar_ || total_ != total) bar_ = std::make_unique<io::Progress>("judge", static_cast<double>(total));
+    total_ = total;
+    bar_->update(static_cast<double>(done), name);
+  }
+
+  void judged(const JudgingRound& round, const Discrepancy& discrepancy) {
+    bar_.reset();
+    std::cout << round_text(run_.plan, round, discrepancy) << std::flush;
   }
 
   void close() { bar_.reset(); }
@@ -139,14 +158,21 @@ void require_memory(const Study& study, int threads) {
 }
 
 int evolve(const Arguments& arguments) {
-  const Study study = read_study(arguments.study, arguments.overrides);
+  Study study = read_study(arguments.study, arguments.overrides);
   require_memory(study, arguments.threads);
-  const VoxelEvaluator evaluator(study.physics, study.search.cell_edge_m, study.duration_s);
+  const VoxelEvaluator evaluator = evaluator_of(study);
+  Log* listener = nullptr;
+  SiliconeJudgeOptions judging{.programs = arguments.programs, .runs = fs::path(arguments.archive).replace_extension(".judge")};
+  judging.progress = [&](std::size_t done, std::size_t total, const std::string& name) {
+    if (listener != nullptr) listener->judging(done, total, name);
+  };
+  const std::unique_ptr<SiliconeJudge> judge = judge_of(study, arguments.study, judging, arguments.threads);
   io::Manifest manifest{
       .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
   for (const fs::path& file : study_inputs(arguments.study)) io::add_input(manifest, file);
+  if (judge) manifest.inputs.insert(judge->study().inputs.begin(), judge->study().inputs.end());
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
-  const RunView run{&archive, study.search, evaluator.physics()};
+  const RunView run = view_of(archive, study);
 
   for (const std::string& note : study_notes(study)) std::cout << "note: " << note << "\n";
   const auto last = archive.last_generation();
@@ -164,14 +190,17 @@ int evolve(const Arguments& arguments) {
   if (!finished) {
     io::catch_interrupts();
     Log log(run, study.search.generations);
+    listener = &log;
     SearchOptions options;
     options.threads = arguments.threads;
     options.stop = &io::interrupted();
     options.generation_done = [&](const GenerationRecord& record) { log.generation_done(record); };
     options.progress = [&](const SearchProgress& progress) { log.progress(progress); };
+    options.judged = [&](const JudgingRound& round, const Discrepancy& learnt) { log.judged(round, learnt); };
     const auto start = Clock::now();
-    status = run_search(study.search, evaluator, archive, options);
+    status = run_search(study.search, evaluator, archive, options, judge.get());
     log.close();
+    listener = nullptr;
     manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     // Beside the archive and named after it: several trials may share a folder.
     io::write_manifest_file(fs::path(arguments.archive).replace_extension(".manifest.json"), manifest);
@@ -182,6 +211,7 @@ int evolve(const Arguments& arguments) {
   }
   print_champion(run, *archive.last_generation());
   print_validity(archive, *archive.last_generation());
+  if (judge) std::cout << judging_text(run);
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";
   return io::exit_code::done;
 }

@@ -10,6 +10,7 @@
 
 #include "evolution/export.h"
 #include "evolution/run_archive.h"
+#include "evolution/study_file.h"
 #include "io/content_hash.h"
 #include "io/exit_code.h"
 #include "io/interrupt.h"

@@ -43,6 +43,7 @@ constexpr std::array commands{
     Command{"simulate", "simulate one design and write its trajectory", "menger simulate scene.toml"},
     Command{"evolve", "evolve fractal robots; resumes where its archive stops", "menger evolve study.toml"},
     Command{"export", "write designs and tables from the archive of a run", "menger export run.sqlite"},
+    Command{"compare-searches", "what searches found on finite elements for their steps", "menger compare-searches a b"},
     Command{"reevaluate", "judge the winners of a run again with finite elements", "menger reevaluate run.sqlite --top 5"},
 };
 

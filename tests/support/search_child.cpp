@@ -1,6 +1,6 @@
 // A search with the fake evaluator in a process of its own, which can kill itself: search_child archive threads commit
-// evaluation. It dies after that commit, or in the evaluation of that number; 0: never. It prints how often the archive has
-// grown.
+// evaluation judging. It dies after that commit, in the evaluation or in the round of judging of that number; 0: never; "none"
+// for a search without a judge. It prints how often the archive has grown.
 #include <csignal>
 #include <iostream>
 #include <string>
@@ -8,11 +8,13 @@
 #include "evolution/run_archive.h"
 #include "evolution/search.h"
 #include "tests/support/fake_evaluator.h"
+#include "tests/support/fake_judge.h"
 
 namespace {
 
 using namespace menger::evolution;
 using menger::test_support::FakeEvaluator;
+using menger::test_support::FakeJudge;
 
 SearchPlan small_plan() {
   SearchPlan plan;
@@ -24,10 +26,18 @@ SearchPlan small_plan() {
   return plan;
 }
 
+SearchPlan judged_plan() {
+  SearchPlan plan = small_plan();
+  plan.stand = true;
+  plan.offspring.constraints.levels = {1};
+  plan.judging = JudgingPlan{.every = 2, .designs = 2, .budget_element_steps = 1e9, .protocol = "fake"};
+  return plan;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) return 2;
+  if (argc != 6) return 2;
   const int threads = std::stoi(argv[2]);
   const std::size_t fatal_commit = std::stoul(argv[3]);
   const std::uint64_t fatal_evaluation = std::stoul(argv[4]);
@@ -36,7 +46,13 @@ int main(int argc, char** argv) {
     if (call == fatal_evaluation) raise(SIGKILL);
   };
   const FakeEvaluator evaluator(fake);
-  const SearchPlan plan = small_plan();
+  const std::string fatal_round = argv[5];
+  const bool is_judged = fatal_round != "none";
+  FakeJudge judge(
+      {.failing = 0.2, .crashing = 0.1, .fewest_cells = 0, .time_factor = 1.0, .before_results = [=](std::uint64_t call) {
+         if (call == std::stoul(fatal_round)) raise(SIGKILL);
+       }});
+  const SearchPlan plan = is_judged ? judged_plan() : small_plan();
   RunArchive archive = RunArchive::open(argv[1], "a small study", plan.generations);
   std::size_t commits = 0;
   SearchOptions options;
@@ -45,7 +61,7 @@ int main(int argc, char** argv) {
     commits = count;
     if (count == fatal_commit) raise(SIGKILL);
   };
-  const auto status = run_search(plan, evaluator, archive, options);
+  const auto status = run_search(plan, evaluator, archive, options, is_judged ? &judge : nullptr);
   std::cout << commits << "\n";
   return status == menger::io::RunStatus::completed ? 0 : 1;
 }

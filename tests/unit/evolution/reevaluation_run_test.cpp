@@ -153,6 +153,27 @@ TEST_F(ReevaluationRun, AFallShowsInTheLowestHeight) {
   EXPECT_NEAR(table("reevaluation.csv").number(0, "elements_lowest_dz_m"), -0.002, 1e-12);
 }
 
+TEST_F(ReevaluationRun, WhatIsLeftOutIsTakenFromBothModelsAndRecorded) {
+  (void)run(1, 0, "measure_from_s = 0.04\n");
+  const io::CsvContents found = table("reevaluation.csv");
+  // by hand: 3 cells go 3 mm evenly in 0.1 s, of which 0.06 s count
+  EXPECT_NEAR(found.number(0, "elements_dx_m"), 1.8e-3, 1e-12);
+  EXPECT_NEAR(found.number(0, "elements_left_out_m"), 1.2e-3 * std::hypot(1.0, 0.01), 1e-12);
+  EXPECT_NEAR(found.number(0, "elements_body_lengths_per_minute"), 60.0 * std::hypot(1.0, 0.01), 1e-6) << "as fast as ever";
+  const double part_m = found.number(0, "surrogate_dx_m");
+  EXPECT_TRUE(found.optional_number(0, "surrogate_left_out_m"));
+  const std::vector<Reevaluation> rows = RunArchive::open_to_read(archive_).reevaluations();
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_NEAR(rows[0].result.displacement_m.value()[0], 1.8e-3, 1e-12);
+  EXPECT_NEAR(rows[0].result.left_out_m.value()[0], 1.2e-3, 1e-12);
+  EXPECT_EQ(calls(), 1U);
+  (void)run(1);
+  EXPECT_EQ(calls(), 1U) << "the same run serves another window";
+  EXPECT_EQ(table("reevaluation.csv").text(0, "elements_left_out_m"), "");
+  EXPECT_NE(table("reevaluation.csv").number(0, "surrogate_dx_m"), part_m);
+  EXPECT_EQ(RunArchive::open_to_read(archive_).reevaluations().size(), 2U) << "another protocol";
+}
+
 TEST_F(ReevaluationRun, IsTheSameForAnyNumberOfJobs) {
   const auto without_seconds = [&] {
     std::string text;

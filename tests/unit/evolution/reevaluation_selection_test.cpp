@@ -40,37 +40,6 @@ std::vector<FitDesign> different_designs() {
 
 std::string nothing_against(const Polycube&) { return ""; }
 
-TEST(ReevaluationSelection, BodiesAreLetDownToTheGround) {
-  EXPECT_EQ(standing(layers("000000000", "120000000", "010000000")), layers("120000000", "010000000"));
-  EXPECT_EQ(standing(layers("100000000")), layers("100000000"));
-}
-
-TEST(ReevaluationSelection, ARobotIsTheSameTurnedMirroredAndElsewhere) {
-  // an L of four cells with a second storey, a chiral body
-  const Polycube body = layers("111100000", "001000000");
-  const Polycube quarter = layers("110010010", "000000010");
-  const Polycube mirrored = layers("111001000", "100000000");
-  const Polycube elsewhere = layers("000111100", "000001000");
-  const Polycube lifted = layers("000000000", "111100000", "001000000");
-  for (const bool materials : {true, false}) {
-    const Distinction distinction{.materials = materials, .place = false};
-    const std::string form = robot_form(body, distinction);
-    for (const Polycube& same : {quarter, mirrored, elsewhere, lifted}) EXPECT_EQ(robot_form(same, distinction), form);
-    EXPECT_NE(robot_form(layers("111100000", "010000000"), distinction), form);
-    EXPECT_NE(robot_form(layers("111010000", "001000000"), distinction), form);
-  }
-}
-
-TEST(ReevaluationSelection, MaterialsAndPlaceCountWhereTheDriveKnowsThem) {
-  const Polycube one = layers("112000000");
-  const Polycube other = layers("121000000");
-  EXPECT_NE(robot_form(one, {.materials = true}), robot_form(other, {.materials = true}));
-  EXPECT_EQ(robot_form(one, {.materials = false}), robot_form(other, {.materials = false}));
-  EXPECT_EQ(robot_form(one, {.materials = true}), robot_form(layers("211000000"), {.materials = true}));
-  EXPECT_NE(robot_form(one, {.place = true}), robot_form(layers("211000000"), {.place = true}));
-  EXPECT_EQ(robot_form(one, {.place = true}), robot_form(layers("000000000", "112000000"), {.place = true}));
-}
-
 TEST(ReevaluationSelection, TakesTheBestDistinctOnesOnce) {
   std::vector<FitDesign> designs = different_designs();
   designs.insert(designs.begin() + 1, design(7, layers("000000001"), 0.995));  // the first one elsewhere

@@ -6,6 +6,7 @@
 
 #include "evolution/reevaluation_judge.h"
 #include "evolution/reevaluation_locomotion.h"
+#include "evolution/reevaluation_runner.h"
 #include "evolution/reevaluation_surrogate.h"
 #include "evolution/voxel_evaluator.h"
 #include "io/toml_document.h"
@@ -134,6 +135,65 @@ TEST_F(ReevaluationStudyTest, TheSurrogateMovesAsInTheSearch) {
   const std::atomic<bool> never{false};
   const VoxelEvaluator search(study.search.physics, study.search.search.cell_edge_m, study.duration_s);
   EXPECT_EQ(search.evaluate(body, 1, never).displacement_m, walk.result.displacement_m) << "to the last bit";
+}
+
+Study windowed_study() {
+  Study search = tests::silicone_study();
+  search.search.stand = true;
+  search.duration_s = 0.05;
+  search.measure_from_s = 0.021;
+  return search;
+}
+
+TEST_F(ReevaluationStudyTest, BothModelsMeasureOverTheWindowOfTheSearchUnlessTheStudySaysOtherwise) {
+  const ReevaluationStudy own = read("", windowed_study());
+  EXPECT_EQ(own.measure_from_s, 0.021);
+  EXPECT_DOUBLE_EQ(own.record_interval_s, 0.021 / 2.0) << "the usual 0.02 s is made a part of what is left out";
+  EXPECT_DOUBLE_EQ(own.measured_s(), 0.029);
+  EXPECT_EQ(read("measure_from_s = 0\n", windowed_study()).measure_from_s, 0.0);
+  const ReevaluationStudy other = read("duration_s = 1\nmeasure_from_s = 0.5\nrecord_interval_s = 0.1\n", windowed_study());
+  EXPECT_EQ(other.measure_from_s, 0.5);
+  EXPECT_EQ(other.record_interval_s, 0.1);
+  EXPECT_EQ(read("").measure_from_s, 0.0) << "of a search that measures from the start";
+  EXPECT_NE(protocol_text(own, own.elements), protocol_text(read("measure_from_s = 0\n", windowed_study()), own.elements));
+  EXPECT_NE(refusal("measure_from_s = 0.05\n", windowed_study()).find("must be less than duration_s"), std::string::npos);
+  EXPECT_NE(refusal("duration_s = 0.02\n", windowed_study()).find("measure_from_s = 0.021"), std::string::npos);
+  EXPECT_NE(refusal("record_interval_s = 0.01\n", windowed_study()).find("a multiple of record_interval_s"), std::string::npos);
+}
+
+TEST_F(ReevaluationStudyTest, TheSurrogateIsMeasuredAsInTheSearch) {
+  const ReevaluationStudy study = read("", windowed_study());
+  const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, "111100000100000000000000000");
+  const SurrogateWalk walk = surrogate_walk(study, body, false, nullptr);
+  const std::atomic<bool> never{false};
+  const VoxelEvaluator search(study.search.physics, study.search.search.cell_edge_m, 0.05, 0.021);
+  const Evaluation expected = search.evaluate(body, 1, never);
+  ASSERT_TRUE(expected.displacement_m);
+  EXPECT_EQ(walk.result.displacement_m, expected.displacement_m) << "to the last bit";
+  EXPECT_EQ(walk.result.left_out_m, expected.left_out_m);
+}
+
+TEST(LeaveOut, TakesWhatCameBeforeATimeOutOfTheDisplacement) {
+  LocomotionRun run;
+  run.displacement_m = {9.0, -3.0, 1.0};
+  run.trajectory = {{0.0, {1.0, 1.0, 0.0}}, {0.1, {2.0, 1.0, 0.0}}, {0.2, {4.0, 0.0, 0.5}}, {0.3, {10.0, -2.0, 1.0}}};
+  LocomotionRun at_record = run;
+  leave_out(at_record, 0.2);
+  EXPECT_EQ(at_record.left_out_m, (std::array{3.0, -1.0, 0.5}));
+  EXPECT_EQ(at_record.displacement_m, (std::array{6.0, -2.0, 0.5}));
+  LocomotionRun between = run;
+  leave_out(between, 0.15);
+  EXPECT_NEAR((*between.left_out_m)[0], 2.0, 1e-12) << "halfway from 2 to 4, from a start at 1";
+  EXPECT_NEAR((*between.displacement_m)[0], 7.0, 1e-12);
+  LocomotionRun whole = run;
+  leave_out(whole, 0.0);
+  EXPECT_EQ(whole.displacement_m, run.displacement_m);
+  EXPECT_FALSE(whole.left_out_m);
+  LocomotionRun failed = run;
+  failed.displacement_m.reset();
+  leave_out(failed, 0.2);
+  EXPECT_FALSE(failed.displacement_m);
+  EXPECT_FALSE(failed.left_out_m);
 }
 
 TEST_F(ReevaluationStudyTest, NamesWhatStandsAgainstABody) {

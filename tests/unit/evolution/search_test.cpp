@@ -10,6 +10,8 @@
 #include <string>
 
 #include "evolution/age_fitness_pareto.h"
+#include "evolution/pool_judge.h"
+#include "evolution/robot_form.h"
 #include "io/content_hash.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/fake_evaluator.h"
@@ -338,6 +340,49 @@ TEST_F(SearchRun, DuplicatesTakeTheArchivedResultOrAreCulled) {
       }
     }
   }
+}
+
+TEST_F(SearchRun, ADesignAndItsLiftedTwinShareAnEvaluationWhereBodiesStand) {
+  SearchPlan plan = small_plan();
+  Individual low;
+  low.phenotype.body = meshes::Polycube::from_digits(3, 3, 3, "111011000010000000000000000");
+  Individual high = low;
+  high.id = 1;
+  high.phenotype.body = meshes::Polycube::from_digits(3, 3, 3, "000000000111011000010000000");
+  for (const bool stand : {true, false}) {
+    plan.stand = stand;
+    RunArchive archive = open(stand ? "standing" : "grown");
+    std::size_t commits = 0;
+    const std::uint64_t before = evaluator_.calls();
+    PoolJudge judge(plan, evaluator_, archive, {}, 0, &commits);
+    judge.add_newcomer(low, false);
+    judge.add_newcomer(high, false);
+    ASSERT_EQ(judge.judge_in_full(), io::RunStatus::completed);
+    const std::vector<Contestant> pool = judge.contestants();
+    ASSERT_TRUE(pool[0].fitness) << "this body diverges: take another";
+    EXPECT_EQ(pool[0].fitness == pool[1].fitness, stand);
+    EXPECT_EQ(evaluator_.calls() - before, stand ? 3U : 6U) << "at three levels";
+    EXPECT_EQ(judge.counts().cached, stand ? 3U : 0U);
+  }
+}
+
+TEST_F(SearchRun, WhereBodiesStandALiftedTwinIsADuplicate) {
+  SearchPlan plan = released_plan();
+  plan.stand = true;
+  plan.generations = 20;
+  plan.pruning = false;
+  const RunArchive archive = searched(plan);
+  std::set<std::string> seen;
+  std::size_t lifted = 0;
+  for (std::uint64_t id = 0; id < archive.next_id(); ++id) {
+    const Individual individual = archive.individual(id);
+    const bool is_new = seen.insert(phenotype_key(standing(individual.phenotype))).second;
+    const std::vector<Contender> pool = archive.contenders(individual.generation);
+    const auto contender = std::ranges::find(pool, id, &Contender::id);
+    EXPECT_EQ(contender->knowledge == Knowledge::duplicate, !is_new);
+    if (standing(individual.phenotype) != individual.phenotype) ++lifted;
+  }
+  EXPECT_GT(lifted, 0U) << "all bodies stand as they grew, so nothing is tested";
 }
 
 TEST_F(SearchRun, PenalisedBodiesHaveNoFitnessAndAreNotSimulated) {

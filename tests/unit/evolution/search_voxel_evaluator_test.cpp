@@ -66,6 +66,38 @@ TEST(VoxelEvaluator, PhysicsTextNamesEverythingThatDecides) {
   EXPECT_NE(velocity, VoxelEvaluator(physics, 0.01, 2.0).physics());
 }
 
+TEST(VoxelEvaluator, DisplacementCountsFromTheTimeThatIsAskedFor) {
+  // Two whole evaluations on either side of the window, whose steps are the same.
+  const Evaluation whole = VoxelEvaluator({}, 0.01, 0.05).evaluate(quadruped(), 1, never);
+  const Evaluation start = VoxelEvaluator({}, 0.01, 0.02).evaluate(quadruped(), 1, never);
+  const Evaluation window = VoxelEvaluator({}, 0.01, 0.05, 0.02).evaluate(quadruped(), 1, never);
+  ASSERT_EQ(window.status, io::RunStatus::completed);
+  EXPECT_EQ(window.steps, whole.steps);
+  EXPECT_EQ(window.left_out_m, start.displacement_m);
+  EXPECT_FALSE(whole.left_out_m);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    // Positions are some 1e-2 m: differences of them are exact to 1e-17.
+    EXPECT_NEAR((*window.displacement_m)[axis], (*whole.displacement_m)[axis] - (*start.displacement_m)[axis], 1e-16);
+  }
+  EXPECT_NE(*window.displacement_m, *whole.displacement_m);
+}
+
+TEST(VoxelEvaluator, AWindowIsPartOfThePhysicsOnlyWhereThereIsOne) {
+  EXPECT_EQ(VoxelEvaluator({}, 0.01, 2.0, 0.0).physics(), VoxelEvaluator({}, 0.01, 2.0).physics());
+  EXPECT_EQ(VoxelEvaluator({}, 0.01, 2.0).physics().find("measure"), std::string::npos);
+  EXPECT_NE(VoxelEvaluator({}, 0.01, 2.0, 0.5).physics(), VoxelEvaluator({}, 0.01, 2.0).physics());
+  EXPECT_NE(VoxelEvaluator({}, 0.01, 2.0, 0.5).physics(), VoxelEvaluator({}, 0.01, 2.0, 0.25).physics());
+}
+
+TEST(VoxelEvaluator, OneThatDivergesBeforeItCountsHasNothingLeftOut) {
+  voxel::Physics physics;
+  physics.integration.time_step_fraction = 5.0;  // far beyond the limit of stability
+  const Evaluation result = VoxelEvaluator(physics, 0.01, 1.0, 0.9).evaluate(quadruped(), 1, never);
+  EXPECT_EQ(result.status, io::RunStatus::diverged);
+  EXPECT_FALSE(result.displacement_m);
+  EXPECT_FALSE(result.left_out_m);
+}
+
 TEST(VoxelEvaluator, LargerBodiesCostMore) {
   const VoxelEvaluator evaluator({}, 0.01, 2.0);
   EXPECT_LT(evaluator.cost(meshes::menger_sponge(), 1), evaluator.cost(meshes::fractal(meshes::menger_sponge(), 2), 2));

@@ -182,6 +182,65 @@ TEST_F(StudyFile, RefusesWhatDoesNotFitWithPlaceKeyAndValue) {
   expect_refused(head + "[body]\nlevels = [1, 9]\n", {place + "3", "levels", "memory"});
 }
 
+const std::string judged_study =
+    "preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nstudy = \"finite/elements.toml\"\nbudget_element_steps = 4e9\n";
+
+TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentityOnlyWhereItIsNotTheWholeWay) {
+  const std::string head = "preset = \"paper\"\n[evaluation]\n";
+  const Study study = read(head + "stand = true\nmeasure_from_s = 0.5\n");
+  EXPECT_TRUE(study.search.stand);
+  EXPECT_EQ(study.measure_from_s, 0.5);
+  EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
+  const std::string usual = identity_text(read("preset = \"paper\"\n"));
+  EXPECT_EQ(identity_text(read(head + "stand = false\nmeasure_from_s = 0\n")), usual);
+  for (const std::string word : {"stand", "measure_from_s", "judge"}) EXPECT_EQ(usual.find(word), std::string::npos) << word;
+  EXPECT_NE(identity_text(read(head + "stand = true\n")), usual);
+  EXPECT_NE(identity_text(read(head + "measure_from_s = 1\n")), usual);
+}
+
+TEST_F(StudyFile, RefusesAWindowThatIsNoPartOfTheEvaluation) {
+  const std::string head = "preset = \"paper\"\n[evaluation]\nduration_s = 2\n";
+  expect_refused(head + "measure_from_s = -0.5\n", {"study.toml:4", "evaluation.measure_from_s = -0.5"});
+  expect_refused(head + "measure_from_s = 2\n", {"study.toml", "measure_from_s = 2", "less than duration_s = 2"});
+  expect_refused(head + "stand = 1\n", {"evaluation.stand"});
+  StudyOverrides overrides;
+  overrides.duration_s = 0.25;
+  expect_refused(head + "measure_from_s = 0.5\n", {"measure_from_s = 0.5", "less than duration_s = 0.25"}, overrides);
+}
+
+TEST_F(StudyFile, AJudgeIsNamedByItsStudyAndArchivedByItsProtocol) {
+  Study study = read(judged_study + "every = 4\ndesigns = 3\n");
+  ASSERT_TRUE(study.search.judging);
+  EXPECT_EQ(study.search.judging->every, 4);
+  EXPECT_EQ(study.search.judging->designs, 3U);
+  EXPECT_EQ(study.search.judging->budget_element_steps, 4e9);
+  EXPECT_EQ(study.search.judging->voxel_steps_per_element_step, 2.6);
+  EXPECT_EQ(study.judge_file, folder_ / "finite/elements.toml") << "counts from the study's folder";
+  EXPECT_EQ(study_inputs(folder_ / "study.toml").back(), study.judge_file);
+  study.search.judging->protocol = "0123";
+  const Study archived = study_from_text(resolved_text(study), "archive");
+  EXPECT_EQ(archived.search, study.search);
+  EXPECT_TRUE(archived.judge_file.empty());
+  Study other = study;
+  other.search.judging->protocol = "4567";
+  EXPECT_NE(identity_text(other), identity_text(study));
+}
+
+TEST_F(StudyFile, RefusesAJudgeThatCannotWork) {
+  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nstudy = \"a.toml\"\n", {"judge.budget_element_steps"});
+  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nbudget_element_steps = 1\n", {"judge.study"});
+  expect_refused(judged_study + "protocol = \"0123\"\n", {"judge.study"});
+  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nprotocol = \"0123\"\nbudget_element_steps = 1\n",
+                 {"judge.protocol", "of an archive"});
+  expect_refused(judged_study + "every = 0\n", {"judge.every = 0"});
+  expect_refused(judged_study + "designs = 0\n", {"judge.designs = 0"});
+  expect_refused(judged_study + "robots = 3\n", {"judge.robots", "unknown key"});
+  expect_refused(judged_study + "voxel_steps_per_element_step = 0\n", {"judge.voxel_steps_per_element_step = 0"});
+  StudyOverrides overrides;
+  overrides.levels = std::vector{1, 2};
+  expect_refused(judged_study, {"levels", "[judge]", "one"}, overrides);
+}
+
 TEST_F(StudyFile, RefusesALevelThatWouldNotFitTheMemory) {
   io::write_whole(folder_ / "study.toml", "preset = \"paper\"\n");
   EXPECT_NO_THROW((void)read_study(folder_ / "study.toml", {}, std::size_t{1} << 30));

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "evolution/program_job.h"
 #include "evolution/trade_off_body.h"
-#include "evolution/trade_off_job.h"
 #include "evolution/trade_off_variant.h"
 #include "evolution/trade_off_voxels.h"
 #include "io/input_error.h"
@@ -128,7 +128,7 @@ TEST_F(TradeStudyTest, ParametersOfAVariantArePartOfTheJob) {
   io::write_whole(folder_ / "scene.toml", "[surrogate]\nparameters = \"p.toml\"\n");
   const auto hash = [&](const std::string& content) {
     io::write_whole(folder_ / "p.toml", content);
-    TradeJob job;
+    ProgramJob job;
     job.program = folder_ / "scene.toml";  // any file
     add_input(job, "scene.toml", TomlVariant(folder_ / "scene.toml"));
     EXPECT_EQ(job.inputs.at("parameters.toml"), content);

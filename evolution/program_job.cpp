@@ -1,4 +1,4 @@
-#include "evolution/trade_off_job.h"
+#include "evolution/program_job.h"
 
 #include <csignal>
 #include <cstring>
@@ -26,7 +26,7 @@ const io::Words<io::ChildEnd>& end_words() {
   return words;
 }
 
-std::string record_text(const TradeJob& job, const io::ChildOutcome& outcome) {
+std::string record_text(const ProgramJob& job, const io::ChildOutcome& outcome) {
   std::string text = "job = " + io::toml_quoted(job.name) + "\n";
   text += "end = " + io::toml_quoted(outcome.end == io::ChildEnd::exited ? "exited" : "timed_out") + "\n";
   text += "exit_code = " + std::to_string(outcome.exit_code) + "\n";
@@ -38,12 +38,12 @@ std::string record_text(const TradeJob& job, const io::ChildOutcome& outcome) {
 }
 
 /// What an earlier call recorded; nothing if there is nothing or it is not readable, since the run can be repeated.
-std::optional<TradeJobResult> recorded(const fs::path& folder) {
+std::optional<ProgramJobResult> recorded(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_regular_file(folder / record_name, ignored)) return std::nullopt;
   try {
     const io::TomlTable table = io::read_toml(folder / record_name);
-    TradeJobResult result{.folder = folder, .outcome = {}, .time_limit_s = 0.0, .repeated = false, .message = {}};
+    ProgramJobResult result{.folder = folder, .outcome = {}, .time_limit_s = 0.0, .repeated = false, .message = {}};
     result.outcome.end = table.word("end", end_words());
     result.outcome.exit_code = table.integer("exit_code");
     result.time_limit_s = table.number("time_limit_s");
@@ -71,16 +71,16 @@ void make_empty_folder(const fs::path& folder) {
 
 }  // namespace
 
-bool TradeJobResult::has_result() const {
+bool ProgramJobResult::has_result() const {
   return outcome.end == io::ChildEnd::exited &&
          (outcome.exit_code == io::exit_code::done || outcome.exit_code == io::exit_code::numerical);
 }
 
-bool TradeJobResult::is_refused() const {
+bool ProgramJobResult::is_refused() const {
   return outcome.end == io::ChildEnd::exited && outcome.exit_code == io::exit_code::bad_input;
 }
 
-std::string TradeJobResult::failure() const {
+std::string ProgramJobResult::failure() const {
   if (outcome.end == io::ChildEnd::timed_out) return "time limit of " + io::duration_text(time_limit_s);
   if (outcome.end == io::ChildEnd::stopped) return "stopped by the user";
   const bool by_signal = outcome.end == io::ChildEnd::signalled;
@@ -90,14 +90,14 @@ std::string TradeJobResult::failure() const {
   return text;
 }
 
-std::string job_hash(const TradeJob& job) {
+std::string job_hash(const ProgramJob& job) {
   std::string text = io::file_hash(job.program) + "\n";
   for (const std::string& argument : job.arguments) text += io::content_hash(argument) + "\n";
   for (const auto& [name, content] : job.inputs) text += name + "\n" + io::content_hash(content) + "\n";
   return io::content_hash(text).substr(0, hash_length);
 }
 
-TradeJobResult run_job(const TradeJob& job, const TradeJobOptions& options) {
+ProgramJobResult run_job(const ProgramJob& job, const ProgramJobOptions& options) {
   const bool keeps = !job.kept_folder.empty();
   const fs::path folder = keeps ? job.kept_folder : options.runs / job_hash(job);
   if (auto earlier = keeps ? std::nullopt : recorded(folder)) {
@@ -114,7 +114,7 @@ TradeJobResult run_job(const TradeJob& job, const TradeJobOptions& options) {
                                .time_limit_s = job.time_limit_s,
                                .stop = options.stop,
                                .waiting = options.waiting};
-  TradeJobResult result{
+  ProgramJobResult result{
       .folder = folder, .outcome = io::run_child(child), .time_limit_s = job.time_limit_s, .repeated = true, .message = {}};
   const bool is_known = result.has_result() || result.outcome.end == io::ChildEnd::timed_out;
   if (is_known && !keeps) io::write_whole(folder / record_name, record_text(job, result.outcome));

@@ -1,4 +1,4 @@
-#include "evolution/trade_off_job.h"
+#include "evolution/program_job.h"
 
 #include <gtest/gtest.h>
 
@@ -11,19 +11,19 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A folder with a shell script that notes its calls in the file `calls`.
-class TradeJobTest : public testing::Test {
+class ProgramJobTest : public testing::Test {
  protected:
-  TradeJobTest() {
+  ProgramJobTest() {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     options_.runs = folder_ / "runs";
   }
 
-  [[nodiscard]] TradeJob script(const std::string& lines) const {
+  [[nodiscard]] ProgramJob script(const std::string& lines) const {
     const fs::path file = folder_ / "script";
     io::write_whole(file, "#!/bin/sh\necho call >>'" + (folder_ / "calls").string() + "'\n" + lines + "\n");
     fs::permissions(file, fs::perms::owner_all);
-    TradeJob job;
+    ProgramJob job;
     job.name = "job";
     job.program = file;
     job.arguments = {"input.txt"};
@@ -33,22 +33,21 @@ class TradeJobTest : public testing::Test {
 
   [[nodiscard]] std::size_t calls() const { return io::read_whole(folder_ / "calls").size() / 5; }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "trade_off_job" / testing::UnitTest::GetInstance()->current_test_info()->name();
-  TradeJobOptions options_;
+  fs::path folder_ = fs::path(testing::TempDir()) / "program_job" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  ProgramJobOptions options_;
 };
 
-TEST_F(TradeJobTest, RunsInAFolderWithItsInputs) {
-  const TradeJobResult result = run_job(script("cp \"$1\" copy"), options_);
+TEST_F(ProgramJobTest, RunsInAFolderWithItsInputs) {
+  const ProgramJobResult result = run_job(script("cp \"$1\" copy"), options_);
   EXPECT_TRUE(result.has_result());
   EXPECT_TRUE(result.repeated);
   EXPECT_EQ(io::read_whole(result.folder / "copy"), "content");
 }
 
-TEST_F(TradeJobTest, FinishedRunsAreNotRepeatedAndKeepTheirCosts) {
-  const TradeJob job = script("sleep 0.05; exit 3");
-  const TradeJobResult first = run_job(job, options_);
-  const TradeJobResult second = run_job(job, options_);
+TEST_F(ProgramJobTest, FinishedRunsAreNotRepeatedAndKeepTheirCosts) {
+  const ProgramJob job = script("sleep 0.05; exit 3");
+  const ProgramJobResult first = run_job(job, options_);
+  const ProgramJobResult second = run_job(job, options_);
   EXPECT_EQ(calls(), 1U);
   EXPECT_TRUE(second.has_result());
   EXPECT_FALSE(second.repeated);
@@ -58,10 +57,10 @@ TEST_F(TradeJobTest, FinishedRunsAreNotRepeatedAndKeepTheirCosts) {
   EXPECT_EQ(second.outcome.peak_memory_bytes, first.outcome.peak_memory_bytes);
 }
 
-TEST_F(TradeJobTest, OtherInputArgumentsOrProgramIsAnotherRun) {
-  TradeJob job = script("");
+TEST_F(ProgramJobTest, OtherInputArgumentsOrProgramIsAnotherRun) {
+  ProgramJob job = script("");
   const std::string hash = job_hash(job);
-  TradeJob other = job;
+  ProgramJob other = job;
   other.inputs["input.txt"] = "other";
   EXPECT_NE(job_hash(other), hash);
   other = job;
@@ -72,20 +71,20 @@ TEST_F(TradeJobTest, OtherInputArgumentsOrProgramIsAnotherRun) {
   EXPECT_EQ(job_hash(script("")), hash);
 }
 
-TEST_F(TradeJobTest, FailuresAreToldAndTriedAgain) {
-  const TradeJob job = script("echo first >&2; echo 'key = 3: must be 4' >&2; exit 2");
-  const TradeJobResult result = run_job(job, options_);
+TEST_F(ProgramJobTest, FailuresAreToldAndTriedAgain) {
+  const ProgramJob job = script("echo first >&2; echo 'key = 3: must be 4' >&2; exit 2");
+  const ProgramJobResult result = run_job(job, options_);
   EXPECT_FALSE(result.has_result());
   EXPECT_EQ(result.failure(), "exit code 2: key = 3: must be 4");
   (void)run_job(job, options_);
   EXPECT_EQ(calls(), 2U);
 }
 
-TEST_F(TradeJobTest, ARunWhoseTimeWasUpIsTriedAgainWithMoreTimeOnly) {
-  TradeJob job = script("trap 'exit 130' INT; while :; do sleep 0.02; done");
+TEST_F(ProgramJobTest, ARunWhoseTimeWasUpIsTriedAgainWithMoreTimeOnly) {
+  ProgramJob job = script("trap 'exit 130' INT; while :; do sleep 0.02; done");
   job.time_limit_s = 0.1;
   EXPECT_EQ(run_job(job, options_).outcome.end, io::ChildEnd::timed_out);
-  const TradeJobResult again = run_job(job, options_);
+  const ProgramJobResult again = run_job(job, options_);
   EXPECT_EQ(calls(), 1U);
   EXPECT_FALSE(again.has_result());
   EXPECT_NE(again.failure().find("time limit"), std::string::npos);
@@ -94,10 +93,10 @@ TEST_F(TradeJobTest, ARunWhoseTimeWasUpIsTriedAgainWithMoreTimeOnly) {
   EXPECT_EQ(calls(), 2U);
 }
 
-TEST_F(TradeJobTest, AStoppedRunBeginsAgainInAnEmptyFolder) {
+TEST_F(ProgramJobTest, AStoppedRunBeginsAgainInAnEmptyFolder) {
   const std::string flag = "'" + (folder_ / "second").string() + "'";
-  const TradeJob job = script("if [ -e " + flag + " ]; then test ! -e left; exit; fi; touch left " + flag +
-                              "; trap 'exit 130' INT; while :; do sleep 0.02; done");
+  const ProgramJob job = script("if [ -e " + flag + " ]; then test ! -e left; exit; fi; touch left " + flag +
+                                "; trap 'exit 130' INT; while :; do sleep 0.02; done");
   std::atomic<bool> stop{false};
   options_.stop = &stop;
   options_.waiting = [&](double) { stop = fs::exists(folder_ / "second"); };
@@ -107,16 +106,16 @@ TEST_F(TradeJobTest, AStoppedRunBeginsAgainInAnEmptyFolder) {
   EXPECT_EQ(calls(), 2U);
 }
 
-TEST_F(TradeJobTest, AKeptFolderKeepsWhatIsThereAndIsAlwaysCalled) {
-  TradeJob job = script("echo x >>grows");
+TEST_F(ProgramJobTest, AKeptFolderKeepsWhatIsThereAndIsAlwaysCalled) {
+  ProgramJob job = script("echo x >>grows");
   job.kept_folder = folder_ / "kept";
   (void)run_job(job, options_);
   (void)run_job(job, options_);
   EXPECT_EQ(io::read_whole(job.kept_folder / "grows"), "x\nx\n");
 }
 
-TEST_F(TradeJobTest, AMissingProgramIsWrongInput) {
-  TradeJob job = script("");
+TEST_F(ProgramJobTest, AMissingProgramIsWrongInput) {
+  ProgramJob job = script("");
   job.program = folder_ / "missing";
   EXPECT_THROW((void)run_job(job, options_), io::InputError);
 }

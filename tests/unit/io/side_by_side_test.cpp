@@ -1,11 +1,11 @@
-#include "evolution/side_by_side.h"
+#include "io/side_by_side.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <stdexcept>
 
-namespace menger::evolution {
+namespace menger::io {
 namespace {
 
 TEST(SideBySide, DoesEveryPieceOnce) {
@@ -44,4 +44,4 @@ TEST(SideBySide, PassesOnWhatAPieceThrows) {
 }
 
 }  // namespace
-}  // namespace menger::evolution
+}  // namespace menger::io

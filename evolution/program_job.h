@@ -12,7 +12,7 @@
 namespace menger::evolution {
 
 /// A run of another program in a folder of its own, which holds all that it reads.
-struct TradeJob {
+struct ProgramJob {
   std::string name;  ///< for people
   std::filesystem::path program;
   std::vector<std::string> arguments;         ///< files by their names in the folder
@@ -26,7 +26,7 @@ struct TradeJob {
 };
 
 /// How a job ended.
-struct TradeJobResult {
+struct ProgramJobResult {
   std::filesystem::path folder;
   io::ChildOutcome outcome;
   double time_limit_s = 0.0;  ///< under which it ran
@@ -43,7 +43,7 @@ struct TradeJobResult {
 };
 
 /// What a runner of jobs may do.
-struct TradeJobOptions {
+struct ProgramJobOptions {
   std::filesystem::path runs;  ///< folder with a folder per job
   const std::atomic<bool>* stop = nullptr;
   std::function<void(double seconds)> waiting;
@@ -51,12 +51,12 @@ struct TradeJobOptions {
 
 /// Name of a job's folder: the start of the SHA-256 of program, arguments and inputs. The program counts by its content, since
 /// another build may give another result at another speed.
-std::string job_hash(const TradeJob& job);
+std::string job_hash(const ProgramJob& job);
 
 /// Runs a job, where it has no folder to keep unless its folder holds a result from an earlier call. A run that failed or was
 /// stopped is run again, from its beginning, so that its times are those of a whole run; one whose time was up only if its limit
 /// is larger now.
 /// @throws io::InputError if the program cannot be started or the folder cannot be written
-TradeJobResult run_job(const TradeJob& job, const TradeJobOptions& options);
+ProgramJobResult run_job(const ProgramJob& job, const ProgramJobOptions& options);
 
 }  // namespace menger::evolution

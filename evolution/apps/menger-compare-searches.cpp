@@ -1,0 +1,79 @@
+// menger compare-searches a b c: what searches found on finite elements for the steps that they took.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evolution/search_comparison.h"
+#include "io/exit_code.h"
+#include "io/input_error.h"
+#include "io/program.h"
+#include "io/whole_file.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace io = menger::io;
+using namespace menger::evolution;
+
+struct Arguments {
+  std::vector<fs::path> searches;
+  fs::path folder = "comparison";
+  ComparisonOptions options;
+  bool no_pictures = false;
+};
+
+constexpr const char* description =
+    "Compares what searches found on finite elements for the steps that they took: searches that finite elements correct on the\n"
+    "way, and searches on the surrogate alone whose best were judged afterwards.\n\n"
+    "Example:\n"
+    "  menger export corrected.sqlite -o corrected --levels 1\n"
+    "  menger export plain.sqlite -o plain --levels 1\n"
+    "  menger reevaluate plain.sqlite --top 16 -o plain\n"
+    "  menger compare-searches corrected plain -o comparison\n"
+    "writes comparison.csv, comparison.png and summary.txt.";
+
+std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
+  CLI::App app(description, "menger compare-searches");
+  app.add_option("searches", arguments.searches, "Folders of results, one per search")->required();
+  app.add_option("-o,--output", arguments.folder, "Folder of the comparison")->capture_default_str();
+  app.add_option("--budget-element-steps", arguments.options.budget_element_steps,
+                 "Robots that no longer fit into this, of each search, do not count")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--voxel-steps-per-element-step", arguments.options.voxel_steps_per_element_step,
+                 "What an element-step costs, as in the table [judge] of a study")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("--no-pictures", arguments.no_pictures, "No PNG files");
+  return io::parse_arguments(app, argc, argv);
+}
+
+int compare(const Arguments& arguments) {
+  std::vector<ComparedSearch> searches;
+  for (const fs::path& folder : arguments.searches) searches.push_back(read_compared_search(folder, arguments.options));
+  io::require_writable_folder(arguments.folder);
+  const std::string text = comparison_text(searches, arguments.options);
+  comparison_table(searches, arguments.options).write(arguments.folder / "comparison.csv");
+  io::write_whole(arguments.folder / "summary.txt", text);
+  if (!arguments.no_pictures) {
+    const io::PictureOutcome picture =
+        io::write_chart(arguments.folder / "comparison.png", comparison_chart(searches), {.width_px = 2000, .height_px = 900});
+    if (!picture.written) std::cout << "note: comparison.png: not drawn: " << picture.missing << "\n";
+  }
+  std::cout << text << "results in " << arguments.folder.string() << std::endl;
+  return io::exit_code::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return io::run_program("menger-compare-searches", [&]() -> int {
+    Arguments arguments;
+    if (const auto code = parse(arguments, argc, argv)) return *code;
+    return compare(arguments);
+  });
+}

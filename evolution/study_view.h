@@ -1,0 +1,16 @@
+#pragma once
+
+#include "evolution/generation_summary.h"
+#include "evolution/run_archive.h"
+#include "evolution/study.h"
+#include "evolution/voxel_evaluator.h"
+
+namespace menger::evolution {
+
+/// The evaluator of a study.
+VoxelEvaluator evaluator_of(const Study& study);
+
+/// An archive with what tables need to know of its study. @param archive outlives the view
+RunView view_of(const RunArchive& archive, const Study& study);
+
+}  // namespace menger::evolution
