@@ -509,6 +509,10 @@ PathReport PathFollower::follow(const PathRestart* restart) {
     const double target = station - s < 1.2 * length && station < failed_s_ ? station : s + length;
     switch (try_step(target)) {
       case StepOutcome::accepted:
+        if (options_.ends_at && options_.ends_at(report_.points.back(), report_.limit_points)) {
+          report_.status = io::RunStatus::completed;
+          return report_;
+        }
         break;
       case StepOutcome::rejected:
         ++report_.rejected_steps;

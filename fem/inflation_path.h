@@ -33,17 +33,6 @@ struct PathDrives {
   std::vector<double> dead_load_factors{};  ///< on gravity and tractions at the knots; none: 1, and they grow before the path
 };
 
-/// Steps along a path whose parameter s runs from 0 to the number of its legs, one leg between two knots.
-struct PathOptions {
-  double first_step = 0.25;      ///< of a leg
-  double largest_step = 0.5;     ///< of a leg
-  double smallest_step = 1e-4;   ///< of a leg; when even this one fails the path ends
-  int desired_iterations = 6;    ///< steps grow when they take fewer, and shrink when they take more
-  int predictor_order = 2;       ///< 0: the last state, 1: secant, 2: quadratic through the last three
-  std::vector<double> stations;  ///< values of s that must be met exactly, beside the knots
-  double touching_gap = 1e-3;    ///< walls touch when their gap is this part of the chamber's size; 0: contact is not looked for
-};
-
 /// A state on the path, given to the observer and kept in the report.
 struct PathPoint {
   double s = 0.0;
@@ -69,6 +58,19 @@ struct LimitPoint {
   double pressure_Pa = 0.0;  ///< gauge
   double volume_m3 = 0.0;
   bool passed = false;  ///< whether states beyond it were reached
+};
+
+/// Steps along a path whose parameter s runs from 0 to the number of its legs, one leg between two knots.
+struct PathOptions {
+  double first_step = 0.25;      ///< of a leg
+  double largest_step = 0.5;     ///< of a leg
+  double smallest_step = 1e-4;   ///< of a leg; when even this one fails the path ends
+  int desired_iterations = 6;    ///< steps grow when they take fewer, and shrink when they take more
+  int predictor_order = 2;       ///< 0: the last state, 1: secant, 2: quadratic through the last three
+  std::vector<double> stations;  ///< values of s that must be met exactly, beside the knots
+  double touching_gap = 1e-3;    ///< walls touch when their gap is this part of the chamber's size; 0: contact is not looked for
+  /// Called after every step: whether the path ends there, `completed`. May be empty.
+  std::function<bool(const PathPoint& point, const std::vector<LimitPoint>& limit_points)> ends_at{};
 };
 
 struct PathReport {

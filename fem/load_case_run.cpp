@@ -58,11 +58,7 @@ class CaseRun {
     }
     const double lowest = vacuum_share * range.lowest_pressure_Pa;
     const double highest = range.limit_pressure_Pa ? safe_share * *range.limit_pressure_Pa : range.highest_pressure_Pa;
-    const int below = request_.state_count / 3;
-    const int above = request_.state_count - 1 - below;
-    for (int n = below; n > 0; --n) answer_.pressures_Pa.push_back(lowest * n / below);
-    answer_.pressures_Pa.push_back(0.0);
-    for (int n = 1; n <= above; ++n) answer_.pressures_Pa.push_back(highest * n / above);
+    answer_.pressures_Pa = pressures_between(lowest, highest, request_.state_count);
   }
 
   void from_rest() {

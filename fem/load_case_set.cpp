@@ -11,6 +11,7 @@
 #include "fem/load_case_body.h"
 #include "fem/load_case_chart.h"
 #include "fem/load_case_fields.h"
+#include "fem/pressure_range.h"
 #include "fem/rank_agreement.h"
 #include "io/content_hash.h"
 #include "io/manifest.h"
@@ -81,8 +82,13 @@ class SetRun {
     CaseRequest resolved = request;
     std::optional<ResponseCurve> curve;
     if (!request.pressure_fractions.empty()) {
-      outcome.status = resolve(resolved, outcome.reason);
-      if (outcome.status == io::RunStatus::completed) curve = answer_to(resolved, outcome, options_.fields);
+      const CaseOutcome range = resolve(resolved);
+      if (resolved.pressure_fractions.empty()) curve = answer_to(resolved, outcome, options_.fields);
+      add_range(range, outcome);
+      if (curve) {
+        curve->provenance.status = outcome.status;
+        curve->provenance.reason = outcome.reason;
+      }
     } else {
       curve = answer_to(resolved, outcome, options_.fields);
     }
@@ -123,22 +129,34 @@ class SetRun {
     if (removed > 0) outcome.reason += "; the curve of an earlier run under this name was removed";
   }
 
-  /// The pressures of a case that gives fractions.
-  io::RunStatus resolve(CaseRequest& request, std::string& reason) {
+  /// Gives a case that names fractions its pressures. @return how the inflation ended that finds their range; if it reached
+  /// nothing the fractions stay
+  CaseOutcome resolve(CaseRequest& request) {
     CaseOutcome range{.name = request.load_case.name};
     const auto inflation = answer_to(inflation_of(request), range, false);
     if (!inflation) {
-      reason = "the range of pressures could not be found: " + range.reason;
-      return range.status == io::RunStatus::completed ? io::RunStatus::not_converged : range.status;
+      range.reason = "the range of pressures could not be found: " + range.reason;
+      if (range.status == io::RunStatus::completed) range.status = io::RunStatus::not_converged;
+      return range;
     }
     const std::vector<double>& reached = inflation->column("pressure_Pa");
     const double lowest = inflation->provenance.contact_pressure_Pa.value_or(std::min(reached.front(), 0.0));
     const auto& limit = inflation->provenance.limit_pressure_Pa;
     const double highest = limit ? safe_share * *limit : std::max(reached.back(), 0.0);
-    for (const double fraction : request.pressure_fractions)
-      request.load_case.pressures_Pa.push_back(fraction < 0.0 ? -fraction * lowest : fraction * highest);
+    request.load_case.pressures_Pa = pressures_at(request.pressure_fractions, lowest, highest);
     request.pressure_fractions.clear();
-    return io::RunStatus::completed;
+    if (range.status != io::RunStatus::completed) {
+      range.reason = "the inflation that gives its pressures ended early (" + std::string(io::to_string(range.status)) +
+                     "): " + range.reason;
+    }
+    return range;
+  }
+
+  /// A case whose range ended early did not get the pressures that were asked for, however well it went at them.
+  static void add_range(const CaseOutcome& range, CaseOutcome& outcome) {
+    if (range.status == io::RunStatus::completed) return;
+    if (outcome.status == io::RunStatus::completed) outcome.status = range.status;
+    outcome.reason = range.reason + (outcome.reason.empty() ? "" : "; " + outcome.reason);
   }
 
   /// The curve of a case from the cache, or computed and put there; nothing if no state was reached or the user stopped it.

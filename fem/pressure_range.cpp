@@ -42,13 +42,14 @@ PathReport follow_volume(LoadCaseBody& body, std::optional<double> largest_press
   options.first_step = first_volume_step / leg;
   options.largest_step = std::min(0.5, largest_volume_step / leg);
   options.smallest_step = smallest_volume_step / leg;
-  std::atomic<bool> is_over = false;
-  const auto watch = [&](const PathPoint& point, const BodyState&, const PathRestart& restart) {
-    const bool user_stops = stop != nullptr && stop->load();
-    const bool high_enough = largest_pressure_Pa && point.pressures_Pa.front() >= *largest_pressure_Pa;
-    if (user_stops || high_enough || !restart.limit_points.empty()) is_over = true;
+  options.ends_at = [&](const PathPoint& point, const std::vector<LimitPoint>& limit_points) {
+    return !limit_points.empty() || (largest_pressure_Pa && point.pressures_Pa.front() >= *largest_pressure_Pa);
   };
-  return follow_path(body.equilibrium(), drives, options, watch, &is_over);
+  return follow_path(body.equilibrium(), drives, options, {}, stop);
+}
+
+void remove_repetitions(std::vector<double>& ascending) {
+  ascending.erase(std::unique(ascending.begin(), ascending.end()), ascending.end());
 }
 
 void add(std::string& text, const std::string& part) { text += (text.empty() ? "" : "; ") + part; }
@@ -84,6 +85,24 @@ PressureRange find_pressure_range(LoadCaseBody& body, std::optional<double> larg
   if (largest_pressure_Pa) range.highest_pressure_Pa = std::min(range.highest_pressure_Pa, *largest_pressure_Pa);
   range.stopped = stop != nullptr && stop->load();
   return range;
+}
+
+std::vector<double> pressures_between(double lowest_Pa, double highest_Pa, int count) {
+  const int below = count / 3;
+  const int above = count - 1 - below;
+  std::vector<double> pressures_Pa;
+  for (int n = below; n > 0; --n) pressures_Pa.push_back(lowest_Pa * n / below);
+  pressures_Pa.push_back(0.0);
+  for (int n = 1; n <= above; ++n) pressures_Pa.push_back(highest_Pa * n / above);
+  remove_repetitions(pressures_Pa);
+  return pressures_Pa;
+}
+
+std::vector<double> pressures_at(const std::vector<double>& fractions, double lowest_Pa, double highest_Pa) {
+  std::vector<double> pressures_Pa;
+  for (const double fraction : fractions) pressures_Pa.push_back(fraction < 0.0 ? -fraction * lowest_Pa : fraction * highest_Pa);
+  remove_repetitions(pressures_Pa);
+  return pressures_Pa;
 }
 
 }  // namespace menger::fem

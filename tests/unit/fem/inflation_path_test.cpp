@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "body_samples.h"
 #include "meshes/verification_shapes.h"
@@ -286,6 +288,41 @@ TEST(InflationPath, StopsWhenAskedAndKeepsItsPoints) {
   EXPECT_EQ(report.status, io::RunStatus::stopped);
   EXPECT_EQ(report.points.size(), 3U);
   EXPECT_FALSE(report.reason.empty());
+}
+
+TEST(InflationPath, EndsWhereItIsTold) {
+  PathRun run(hollow_cube_quarter(), quarter_body());
+  PathOptions options;
+  options.largest_step = 0.1;
+  options.ends_at = [](const PathPoint& point, const std::vector<LimitPoint>&) { return point.pressures_Pa[0] >= 2e3; };
+  const PathReport report = run.follow(pressure_drive({0.0, 8e3}), options);
+  EXPECT_EQ(report.status, io::RunStatus::completed) << report.reason;
+  ASSERT_GE(report.points.size(), 2U);
+  EXPECT_GE(report.points.back().pressures_Pa[0], 2e3);
+  EXPECT_LT(report.points.back().s, 1.0);
+  EXPECT_LT(report.points[report.points.size() - 2].pressures_Pa[0], 2e3);
+}
+
+// From rest on no residual is as small as this, so that every step is rejected, and none is too small to be tried.
+TEST(InflationPath, IsStoppedBetweenStepsThatAreRejected) {
+  PathRun rest(hollow_cube_quarter(), quarter_body());
+  ASSERT_FALSE(rest.follow(volume_drive({1.0, 1.01}), {}).points.empty());
+  EquilibriumOptions never;
+  never.largest_iteration_count = 1;
+  never.relative_force_tolerance = 1e-300;
+  PathRun run(hollow_cube_quarter(), quarter_body(), 1, never);
+  PathOptions options;
+  options.smallest_step = 0.0;
+  options.ends_at = [](const PathPoint&, const std::vector<LimitPoint>&) { return true; };
+  std::thread user([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    run.stop = true;
+  });
+  const PathReport report = run.follow(volume_drive({1.0, 40.0}), options, &rest.restarts.front());
+  user.join();
+  EXPECT_EQ(report.status, io::RunStatus::stopped);
+  EXPECT_GT(report.rejected_steps, 0);
+  EXPECT_EQ(report.points.size(), 1U) << "the one at rest";
 }
 
 void expect_same_points(const PathReport& report, const PathReport& whole) {

@@ -10,6 +10,7 @@
 
 #include "fem/inflation_run.h"
 #include "fem/load_case_set.h"
+#include "fem/pressure_range.h"
 #include "io/content_hash.h"
 #include "io/whole_file.h"
 #include "meshes/reference_shapes.h"
@@ -218,6 +219,17 @@ TEST(LoadCaseRun, KeepsWhatWasReachedBeforeAPathEnds) {
   EXPECT_EQ(answer.rows[0][1], -0.0005);
 }
 
+TEST(PressureRange, SidesWithoutRangeGiveNoPressureTwice) {
+  EXPECT_EQ(pressures_between(-600.0, 3000.0, 6), (std::vector<double>{-600.0, -300.0, 0.0, 1000.0, 2000.0, 3000.0}));
+  EXPECT_EQ(pressures_between(0.0, 3000.0, 6), (std::vector<double>{0.0, 1000.0, 2000.0, 3000.0}));
+  EXPECT_EQ(pressures_between(-600.0, 0.0, 6), (std::vector<double>{-600.0, -300.0, 0.0}));
+  EXPECT_EQ(pressures_between(0.0, 0.0, 6), std::vector<double>{0.0});
+  EXPECT_EQ(pressures_between(-600.0, 3000.0, 1), std::vector<double>{0.0});
+  EXPECT_EQ(pressures_at({-1.0, -0.5, 0.0, 1.0}, -600.0, 3000.0), (std::vector<double>{-600.0, -300.0, 0.0, 3000.0}));
+  EXPECT_EQ(pressures_at({-1.0, -0.5, 0.0, 1.0}, 0.0, 3000.0), (std::vector<double>{0.0, 3000.0}));
+  EXPECT_EQ(pressures_at({-1.0, 0.5, 1.0}, -600.0, 0.0), (std::vector<double>{-600.0, 0.0}));
+}
+
 class LoadCaseSet : public testing::Test {
  protected:
   LoadCaseSet() {
@@ -270,6 +282,31 @@ TEST_F(LoadCaseSet, FindsFractionsOfTheRangeOnceForABody) {
   ASSERT_TRUE(free.provenance.limit_pressure_Pa && free.provenance.contact_pressure_Pa);
   EXPECT_DOUBLE_EQ(blocked.values[0][0], 0.5 * *free.provenance.contact_pressure_Pa);
   EXPECT_DOUBLE_EQ(blocked.values[0][1], 0.8 * *free.provenance.limit_pressure_Pa);
+}
+
+TEST_F(LoadCaseSet, SaysThatTheInflationOfItsRangeEndedEarly) {
+  study_.cases = {row_of_cells(LoadCaseKind::inflation, 1, {})};
+  ASSERT_EQ(run().status, io::RunStatus::completed);
+  for (const auto& entry : fs::directory_iterator(folder_ / "cache")) {
+    if (entry.path().extension() != ".toml") continue;
+    std::string text = io::read_whole(entry.path());
+    const std::string completed = "status = \"completed\"";
+    ASSERT_NE(text.find(completed), std::string::npos);
+    io::write_whole(entry.path(), text.replace(text.find(completed), completed.size(), "status = \"not_converged\""));
+  }
+  study_.cases = {row_of_cells(LoadCaseKind::blocked, 1, {})};
+  study_.cases[0].pressure_fractions = {-0.5, 1.0};
+  for (const bool from_cache : {false, true}) {
+    const CaseOutcome outcome = run();
+    EXPECT_EQ(outcome.from_cache, from_cache);
+    EXPECT_EQ(outcome.status, io::RunStatus::not_converged);
+    EXPECT_NE(outcome.reason.find("the inflation that gives its pressures ended early (not_converged)"), std::string::npos)
+        << outcome.reason;
+    EXPECT_EQ(outcome.states, 2U);
+    const materials::CurveProvenance written = materials::read_response_curve(folder_ / "case.toml").provenance;
+    EXPECT_EQ(written.status, outcome.status);
+    EXPECT_EQ(written.reason, outcome.reason);
+  }
 }
 
 TEST_F(LoadCaseSet, RemovesFieldsThatBelongToAnotherCurve) {
