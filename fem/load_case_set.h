@@ -38,9 +38,9 @@ struct SetOptions {
 /// Answers are kept in folder/cache under a hash of everything that decides them: load case, law, elements, version of menger,
 /// but neither the name of the case nor the rest of the set. A case that is found there is not computed again. Where a case asks
 /// for fractions of contact or limit pressure, the inflation that finds them is kept there, too; where that ended early the case
-/// has its status and says so, since its pressures are not those that were meant. Cases that the user stops are
-/// not kept; of a case that ended early the states that it reached are written with its status. Of a case that reached none, what
-/// an earlier run left under its name is removed, and the reason says so.
+/// has its status and says so, since its pressures are not those that were meant. Cases that the user stops
+/// are not kept; of a case that ended early the states that it reached are written with its status. Of a case that reached none,
+/// what an earlier run left under its name is removed, and the reason says so.
 ///
 /// With `fields` the fields of every row of NAME.csv are written into fields/NAME; a cached case that has none is computed again
 /// for them. Without, those that are there stay as long as they belong to the curve, and are removed when it changes.

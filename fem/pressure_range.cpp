@@ -100,6 +100,7 @@ std::vector<double> pressures_between(double lowest_Pa, double highest_Pa, int c
 
 std::vector<double> pressures_at(const std::vector<double>& fractions, double lowest_Pa, double highest_Pa) {
   std::vector<double> pressures_Pa;
+  pressures_Pa.reserve(fractions.size());
   for (const double fraction : fractions) pressures_Pa.push_back(fraction < 0.0 ? -fraction * lowest_Pa : fraction * highest_Pa);
   remove_repetitions(pressures_Pa);
   return pressures_Pa;

@@ -4,8 +4,8 @@ find_package(glog REQUIRED)  # in which Ceres writes its log
 find_package(Eigen3 REQUIRED NO_MODULE)
 
 menger_layer(calibration
-  SOURCES calibration.cpp calibration_confidence.cpp calibration_damping.cpp calibration_data.cpp calibration_evaluation.cpp calibration_fit.cpp
-          calibration_parameters.cpp calibration_report.cpp calibration_start.cpp calibration_study.cpp calibration_tables.cpp identifiability.cpp responder.cpp
+  SOURCES calibration.cpp calibration_confidence.cpp calibration_curves.cpp calibration_damping.cpp calibration_data.cpp calibration_evaluation.cpp calibration_fit.cpp
+          calibration_parameters.cpp calibration_quantities.cpp calibration_report.cpp calibration_search.cpp calibration_start.cpp calibration_study.cpp calibration_tables.cpp identifiability.cpp responder.cpp
   LINK menger::voxel menger::material_fit Eigen3::Eigen
   PRIVATE_LINK Ceres::ceres glog::glog TBB::tbb)
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <utility>
 
 #include "voxel/covered_pressures.h"
@@ -58,6 +59,14 @@ ValidityRange validity_of(const CalibrationProblem& problem, const SurrogatePara
   return validity;
 }
 
+/// Whether a fit completed and leaves no more than another, whatever their numbers of parameters.
+bool is_as_good(const CalibrationFit& fit, const CalibrationFit& other) {
+  constexpr double slack = 1.0;  // of the criterion, which means something to about that
+  const auto left = [](const CalibrationFit& of) { return of.aic - 2.0 * static_cast<double>(of.parameter_count); };
+  if (fit.status != io::RunStatus::completed || fit.parameter_count == 0) return false;
+  return other.status != io::RunStatus::completed || left(fit) <= left(other) + slack;
+}
+
 /// A calibration as it grows.
 struct Search {
   const CalibrationProblem& problem;
@@ -65,10 +74,26 @@ struct Search {
   Calibration calibration;
 
   [[nodiscard]] bool pays(const CalibrationFit& fit) const {
-    if (calibration.steps.empty() || plan.choice) return true;
+    if (calibration.steps.empty()) return true;
     if (fit.status != io::RunStatus::completed) return false;
     const CalibrationFit& best = calibration.fit();
-    return best.status != io::RunStatus::completed || fit.aic < best.aic - plan.aic_margin;
+    return plan.choice || best.status != io::RunStatus::completed || fit.aic < best.aic - plan.aic_margin;
+  }
+
+  /// Fits a detail joined with those kept: first from where it has its usual effect. That may lie where equilibria are few; since
+  /// the fit before is a special case of this one, which then must be as good, it else begins there.
+  [[nodiscard]] CalibrationFit fit_with(CalibrationDetail detail, const DetailSet& details) const {
+    const auto parameters = fitted_parameters(details, calibration.classes, problem.bounds, problem.start);
+    const auto fit_from = [&](const SurrogateParameters& start) {
+      return fit_parameters(problem.curves, parameters, start, problem.responder, plan.fit);
+    };
+    const bool has_before = !calibration.steps.empty() && calibration.fit().parameter_count > 0;
+    const SurrogateParameters& before = has_before ? calibration.fit().parameters : problem.start;
+    CalibrationFit fit = fit_from(with_detail(before, detail, problem.start, pressure_range_Pa(problem.curves).highest));
+    if (!has_before || detail == CalibrationDetail::sections || fit.status == io::RunStatus::stopped) return fit;
+    if (is_as_good(fit, calibration.fit())) return fit;
+    CalibrationFit again = fit_from(before);
+    return again.status == io::RunStatus::stopped || is_as_good(again, fit) ? again : fit;
   }
 
   /// Fits one more detail. @return false if it was stopped
@@ -76,19 +101,15 @@ struct Search {
     if (plan.begin) plan.begin(detail);
     CalibrationStep step;
     step.detail = detail;
-    SurrogateParameters start = problem.start;
-    if (!calibration.steps.empty()) {
-      step.kept_before = calibration.details();
-      if (calibration.fit().parameter_count > 0) start = calibration.fit().parameters;
-    }
-    start = with_detail(start, detail, problem.start, pressure_range_Pa(problem.curves).highest);
-    const auto parameters = fitted_parameters(step.details(), calibration.classes, problem.bounds, problem.start);
-    step.fit = fit_parameters(problem.curves, parameters, start, problem.responder, plan.fit);
+    if (!calibration.steps.empty()) step.kept_before = calibration.details();
+    step.fit = fit_with(detail, step.details());
     step.fit.parameters.validity = validity_of(problem, step.fit.parameters);
     const bool is_stopped = step.fit.status == io::RunStatus::stopped;
     step.is_kept = calibration.steps.empty() || (!is_stopped && pays(step.fit));
+    const bool is_missed = plan.choice && !is_stopped && !step.is_kept;
     calibration.steps.push_back(std::move(step));
     if (calibration.steps.back().is_kept) calibration.chosen = calibration.steps.size() - 1;
+    if (is_missed && !calibration.missed) calibration.missed = calibration.steps.size() - 1;
     return !is_stopped;
   }
 };
@@ -147,6 +168,19 @@ std::string to_string(const DetailSet& details) {
   std::string text;
   for (const CalibrationDetail detail : details) text.append(text.empty() ? "" : " + ").append(to_string(detail));
   return text;
+}
+
+std::vector<std::string> failed_details(const Calibration& calibration) {
+  std::map<CalibrationDetail, std::string> failed;
+  for (const CalibrationStep& step : calibration.steps) {
+    failed.erase(step.detail);
+    if (step.fit.status == io::RunStatus::completed) continue;
+    failed[step.detail] = "detail " + std::string(to_string(step.detail)) + ": " + std::string(io::to_string(step.fit.status)) +
+                          ", " + step.fit.reason + (step.is_kept ? "" : "; the result is without it");
+  }
+  std::vector<std::string> sentences;
+  for (const auto& [detail, sentence] : failed) sentences.push_back(sentence);
+  return sentences;
 }
 
 Calibration calibrate(const CalibrationProblem& problem, const CalibrationPlan& plan) {

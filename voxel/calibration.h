@@ -26,7 +26,7 @@ struct CalibrationPlan {
       CalibrationDetail::shear,   CalibrationDetail::bulge_classes,     CalibrationDetail::lateral,
       CalibrationDetail::fading,  CalibrationDetail::extension_classes, CalibrationDetail::stiffness_classes,
       CalibrationDetail::joints};
-  /// All details up to this one are kept, whatever they buy. Without it Akaike's criterion decides.
+  /// All details up to this one are kept, whatever they buy, if their fits complete. Without it Akaike's criterion decides.
   std::optional<CalibrationDetail> choice;
   double aic_margin = 10.0;  ///< a detail is kept if it lowers the criterion by more than this
   CalibrationFitOptions fit;
@@ -47,14 +47,21 @@ struct Calibration {
   DeterminedClasses classes;
   std::vector<CalibrationStep> steps;  ///< in the order in which they were tried; the last may have been stopped
   std::size_t chosen = 0;              ///< the last one kept
+  /// A step whose detail was to be kept whatever it buys, and whose fit did not complete.
+  std::optional<std::size_t> missed{};
 
   [[nodiscard]] const CalibrationFit& fit() const { return steps[chosen].fit; }
-  /// How it ended: by the fit that was stopped, which is not kept, else by the one chosen.
+  /// How it ended: by the fit that was stopped, which is not kept, else by the one that was asked for and missed, else by the one
+  /// chosen.
   [[nodiscard]] const CalibrationFit& ended() const {
-    return steps.back().fit.status == io::RunStatus::stopped ? steps.back().fit : fit();
+    if (steps.back().fit.status == io::RunStatus::stopped) return steps.back().fit;
+    return missed ? steps[*missed].fit : fit();
   }
   [[nodiscard]] DetailSet details() const { return steps[chosen].details(); }
 };
+
+/// In sentences, the details whose last fit did not complete, and why; what is there without them stands.
+std::vector<std::string> failed_details(const Calibration& calibration);
 
 /// Wall classes whose stiffness, extension or bulge changes an answer of the surrogate at the start. Where none does the class
 /// with four walls stands for all.
@@ -63,8 +70,10 @@ DeterminedClasses determined_classes(const CalibrationProblem& problem);
 /// Tries the details one after the other on top of those kept so far, each fit beginning with the result of the last one kept.
 ///
 /// Those that did not pay are tried again after others were kept, because what is small beside one error may be large beside the
-/// next; it ends when none pays any more. Sets the range of validity of every result: pressures by the walls that the bodies of
-/// the load cases have, the longest body, strains of the surrogate's answers.
+/// next; it ends when none pays any more. A fit that leaves more than the one before, which is a special case of it, is made
+/// again from there. A detail whose fit does not complete is not kept, and takes nothing from those before it, unless none of
+/// those completed either. Sets the range of validity of every result: pressures by the walls that the bodies of the load cases
+/// have, the longest body, strains of the surrogate's answers.
 Calibration calibrate(const CalibrationProblem& problem, const CalibrationPlan& plan);
 
 /// "uniform + stiffness", in the order of the enumeration.

@@ -1,7 +1,5 @@
 #include "voxel/calibration_fit.h"
 
-#include <ceres/ceres.h>
-#include <glog/logging.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -9,93 +7,12 @@
 
 #include "voxel/calibration_confidence.h"
 #include "voxel/calibration_evaluation.h"
+#include "voxel/calibration_search.h"
 
 namespace menger::voxel {
 namespace {
 
 constexpr int most_halvings = 8;
-constexpr int most_repetitions = 4;
-
-/// All residuals over all unknowns, in the solver's terms.
-class AllCurves : public ceres::CostFunction {
- public:
-  explicit AllCurves(const CalibrationEvaluation& evaluation) : evaluation_(evaluation) {
-    set_num_residuals(static_cast<int>(evaluation.residual_count()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(evaluation.parameters().size()));
-  }
-
-  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const std::span<const double> unknowns(parameters[0], evaluation_.parameters().size());
-    if (jacobians == nullptr || jacobians[0] == nullptr) {
-      const auto values = evaluation_.residuals(unknowns);
-      if (values) Eigen::Map<Eigen::VectorXd>(residuals, values->size()) = *values;
-      return values.has_value();
-    }
-    const auto at = evaluation_.linearise(unknowns);
-    if (!at) return false;
-    Eigen::Map<Eigen::VectorXd>(residuals, at->residuals.size()) = at->residuals;
-    Eigen::Map<RowMajorMatrix>(jacobians[0], at->jacobian.rows(), at->jacobian.cols()) = at->jacobian;
-    return true;
-  }
-
- private:
-  const CalibrationEvaluation& evaluation_;
-};
-
-/// Tells of each iteration and ends the solution when asked to.
-class Watch : public ceres::IterationCallback {
- public:
-  explicit Watch(const CalibrationFitOptions& options) : options_(options) {}
-
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    if (options_.progress) options_.progress(summary.iteration, 2.0 * summary.cost);
-    const bool stops = options_.stop != nullptr && *options_.stop;
-    return stops ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const CalibrationFitOptions& options_;
-};
-
-ceres::Solver::Summary solve(const CalibrationEvaluation& evaluation, std::vector<double>& unknowns,
-                             const CalibrationFitOptions& fit_options) {
-  // Ceres logs steps to where the surrogate has no equilibrium, which is no news here.
-  FLAGS_minloglevel = google::GLOG_FATAL;
-  ceres::Problem problem;
-  problem.AddResidualBlock(new AllCurves(evaluation), nullptr, unknowns.data());
-  for (std::size_t p = 0; p < unknowns.size(); ++p) {
-    const FittedParameter& parameter = evaluation.parameters()[p];
-    problem.SetParameterLowerBound(unknowns.data(), static_cast<int>(p), parameter.unknown_of(parameter.bounds.lowest));
-    problem.SetParameterUpperBound(unknowns.data(), static_cast<int>(p), parameter.unknown_of(parameter.bounds.highest));
-  }
-  Watch watch(fit_options);
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = fit_options.largest_iteration_count;
-  options.max_num_consecutive_invalid_steps = 20;  // into regions without equilibrium, from where the trust region shrinks
-  options.function_tolerance = 1e-7;               // of chi2, which means something to about one
-  options.parameter_tolerance = 1e-7;
-  options.gradient_tolerance = 1e-10;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;  // curves are answered in parallel, in a fixed order of summation
-  options.callbacks.push_back(&watch);
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  return summary;
-}
-
-/// Unknowns well inside their bounds: from a bound a step that the others want is cut off at once, and the search may end where
-/// it began.
-std::vector<double> moved_inside(std::vector<double> unknowns, const std::vector<FittedParameter>& parameters) {
-  constexpr double margin = 0.02;
-  for (std::size_t p = 0; p < parameters.size(); ++p) {
-    const double lowest = parameters[p].unknown_of(parameters[p].bounds.lowest);
-    const double highest = parameters[p].unknown_of(parameters[p].bounds.highest);
-    const double inside = margin * (highest - lowest);
-    unknowns[p] = std::clamp(unknowns[p], lowest + inside, highest - inside);
-  }
-  return unknowns;
-}
 
 std::vector<double> unknowns_of(const std::vector<FittedParameter>& parameters, const SurrogateParameters& start) {
   std::vector<double> unknowns;
@@ -103,7 +20,7 @@ std::vector<double> unknowns_of(const std::vector<FittedParameter>& parameters, 
     const double value = std::clamp(value_in(start, parameter), parameter.bounds.lowest, parameter.bounds.highest);
     unknowns.push_back(parameter.unknown_of(value));
   }
-  return moved_inside(std::move(unknowns), parameters);
+  return unknowns;
 }
 
 void halve_slopes(SurrogateParameters& parameters) {
@@ -112,6 +29,32 @@ void halve_slopes(SurrogateParameters& parameters) {
 }
 
 bool is_stopped(const CalibrationFitOptions& options) { return options.stop != nullptr && *options.stop; }
+
+/// Unknowns to begin with and the parameters without influence there, which the evaluation is rid of.
+struct Beginning {
+  std::vector<double> unknowns;
+  std::vector<FittedParameter> dropped;
+};
+
+/// Begins at the start or, where the surrogate has no equilibrium there, with slopes that are smaller and smaller; well inside
+/// the bounds if it can, else nearer to them. @return nothing where there is no equilibrium, or if stopped
+std::optional<Beginning> beginning_of(CalibrationEvaluation& evaluation, SurrogateParameters start,
+                                      const CalibrationFitOptions& options) {
+  for (int halving = 0; halving <= most_halvings; ++halving) {
+    const std::vector<double> at_start = unknowns_of(evaluation.parameters(), start);
+    for (const double margin : inside_margins) {
+      if (is_stopped(options)) return std::nullopt;
+      Beginning beginning{moved_inside(at_start, evaluation.parameters(), margin), {}};
+      if (auto dropped = evaluation.drop_without_influence(beginning.unknowns)) {
+        beginning.dropped = std::move(*dropped);
+        return beginning;
+      }
+      if (beginning.unknowns == at_start) break;  // it lies inside as it is
+    }
+    halve_slopes(start);
+  }
+  return std::nullopt;
+}
 
 void set_status(CalibrationFit& fit, io::RunStatus status, std::string reason) {
   fit.status = status;
@@ -181,53 +124,32 @@ CalibrationFit fit_parameters(const std::vector<FittedCurve>& curves, const std:
                               const CalibrationFitOptions& options) {
   CalibrationFit fit;
   fit.parameters = start;
-  SurrogateParameters begin = start;
-  CalibrationEvaluation evaluation(curves, parameters, begin, responder, options.loss_scale, options.stop);
-  std::vector<double> unknowns = unknowns_of(parameters, begin);
-  std::optional<std::vector<FittedParameter>> dropped = evaluation.drop_without_influence(unknowns);
-  for (int halving = 0; !dropped && halving < most_halvings && !is_stopped(options); ++halving) {
-    halve_slopes(begin);
-    unknowns = unknowns_of(parameters, begin);
-    dropped = evaluation.drop_without_influence(unknowns);
-  }
+  CalibrationEvaluation evaluation(curves, parameters, start, responder, options.loss_scale, options.stop);
+  std::optional<Beginning> beginning = beginning_of(evaluation, start, options);
   if (is_stopped(options)) {
     set_status(fit, io::RunStatus::stopped, "before the first iteration");
-  } else if (!dropped) {
+  } else if (!beginning) {
     set_status(fit, io::RunStatus::not_converged, "the surrogate has no equilibrium at the start of the fit");
-  } else if (unknowns.empty()) {
+  } else if (beginning->unknowns.empty()) {
     set_status(fit, io::RunStatus::not_converged, "no load case answers to any of the parameters");
   }
   if (fit.status != io::RunStatus::completed) return fit;
 
+  std::vector<double> unknowns = beginning->unknowns;
   if (options.loss_scale) {
     // Far residuals hardly pull, so that a search among them may end anywhere: it begins where squares end.
-    const CalibrationEvaluation squares(curves, evaluation.parameters(), begin, responder, {}, options.stop);
-    solve(squares, unknowns, options);
+    const CalibrationEvaluation squares(curves, evaluation.parameters(), start, responder, {}, options.stop);
+    static_cast<void>(search_once(squares, unknowns, options));
   }
-  ceres::Solver::Summary summary = solve(evaluation, unknowns, options);
-  // A search that ran along bounds is begun anew from inside them, with its trust region as wide as at first.
-  for (int again = 0; again < most_repetitions && !is_stopped(options); ++again) {
-    std::vector<double> repeated = moved_inside(unknowns, evaluation.parameters());
-    const ceres::Solver::Summary next = solve(evaluation, repeated, options);
-    constexpr double worth = 1e-3;
-    if (!(next.final_cost < summary.final_cost)) break;
-    const bool ends = next.final_cost > (1.0 - worth) * summary.final_cost;
-    unknowns = repeated;
-    summary = next;
-    if (ends) break;
-  }
-  if (is_stopped(options)) {
-    set_status(fit, io::RunStatus::stopped, "after " + std::to_string(summary.iterations.size()) + " iterations");
-  } else if (summary.termination_type != ceres::CONVERGENCE) {
-    set_status(fit, io::RunStatus::not_converged, summary.message);
-  }
+  const SearchEnd end = search_repeatedly(evaluation, unknowns, options);
+  set_status(fit, end.status, end.reason);
   fit.parameters = evaluation.parameters_at(unknowns);
   fit.parameter_count = unknowns.size();
   for (std::size_t p = 0; p < unknowns.size(); ++p) {
     const FittedParameter& parameter = evaluation.parameters()[p];
     fit.values.push_back({parameter, parameter.value_of(unknowns[p]), Determination::determined, {}});
   }
-  for (const FittedParameter& parameter : *dropped)
+  for (const FittedParameter& parameter : beginning->dropped)
     fit.values.push_back({parameter, value_in(fit.parameters, parameter), Determination::no_influence, {}});
   judge_residuals(fit, curves, responder);
   if (const auto at = evaluation.linearise(unknowns)) set_confidence(fit, at->jacobian, evaluation.weights());

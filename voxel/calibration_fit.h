@@ -69,7 +69,9 @@ double akaike(double chi2, std::size_t residual_count, std::size_t parameter_cou
 /// Fits parameters by least squares within their bounds, beginning with those of `start`, moved well inside
 /// the bounds.
 ///
-/// Where the surrogate has no equilibrium at the start, its slopes of extension and bulge are halved up to eight times.
+/// Where the surrogate has no equilibrium there, it begins nearer to the bounds, and where it has none at the start itself, its
+/// slopes of extension and bulge are halved up to eight times. A search that fails on the way ends as not_converged with the best
+/// that it found.
 CalibrationFit fit_parameters(const std::vector<FittedCurve>& curves, const std::vector<FittedParameter>& parameters,
                               const SurrogateParameters& start, const Responder& responder,
                               const CalibrationFitOptions& options = {});

@@ -33,10 +33,11 @@ void add_determination(TableText& table, const CalibrationFit& fit) {
   table.add("no_influence", quoted_list(names_with(fit, Determination::no_influence)));
 }
 
-void add_outcome(TableText& table, const Calibration& calibration) {
+/// @param ended how what the table is about ended: the calibration, or the fit that its parameters are of
+void add_outcome(TableText& table, const Calibration& calibration, const CalibrationFit& ended) {
   const CalibrationFit& fit = calibration.fit();
-  table.word("status", io::to_string(calibration.ended().status));
-  if (!calibration.ended().reason.empty()) table.word("reason", calibration.ended().reason);
+  table.word("status", io::to_string(ended.status));
+  if (!ended.reason.empty()) table.word("reason", ended.reason);
   table.word("details", to_string(calibration.details())).boolean("explained", fit.explained);
   table.number("chi2", fit.chi2).number("reduced_chi2", fit.reduced_chi2()).number("aic", fit.aic);
   table.number("residuals", static_cast<double>(fit.residual_count));
@@ -76,7 +77,9 @@ SurrogateParameters reported_parameters(const Calibration& calibration, const Ca
 std::string parameters_text(const Calibration& calibration, const CalibrationStudy& study) {
   const CalibrationFit& fit = calibration.fit();
   TableText table("fit");
-  add_outcome(table, calibration);
+  add_outcome(table, calibration, fit);
+  if (const std::vector<std::string> failed = failed_details(calibration); !failed.empty())
+    table.add("failed", quoted_list(failed));
   add_determination(table, fit);
   TableText intervals("fit.confidence_95");
   for (const FittedValue& value : fit.values) {
@@ -96,9 +99,10 @@ std::string parameters_text(const Calibration& calibration, const CalibrationStu
 std::string result_text(const Calibration& calibration, const CalibrationStudy& study, const std::vector<FittedCurve>& curves) {
   const CalibrationFit& fit = calibration.fit();
   TableText table("fit");
-  add_outcome(table, calibration);
+  add_outcome(table, calibration, calibration.ended());
   add_determination(table, fit);
   std::vector<std::string> notes = study.notes;
+  for (const std::string& note : failed_details(calibration)) notes.push_back(note);
   for (const std::string& note : class_notes(calibration.classes)) notes.push_back(note);
   if (!fit.explained) {
     notes.emplace_back(

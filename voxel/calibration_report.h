@@ -12,7 +12,9 @@ namespace menger::voxel {
 SurrogateParameters reported_parameters(const Calibration& calibration, const CalibrationStudy& study);
 
 /// Voxel parameters as read_surrogate reads them, with a table [fit]: status, details, explained, chi2, reduced_chi2, aic,
-/// residuals, curves with their content hashes, 95 % intervals, and the names of parameters that the curves do not determine.
+/// residuals, curves with their content hashes, 95 % intervals, and the names of parameters that the curves do not determine;
+/// details whose fits failed, if any. The status is that of the fit that the parameters are of, whatever became of further
+/// details.
 std::string parameters_text(const Calibration& calibration, const CalibrationStudy& study);
 
 /// The outcome for people and scripts: status and reason, details, whether the uncertainties explain the residuals, classes that

@@ -15,7 +15,14 @@ constexpr double least_share = 0.02;
 
 /// Bulge of a face by that of the closed cell's: a clamped plate goes with the fourth power of its span, which is that of the
 /// cell's chamber with walls around, of 2 and 3 cells where one or none is.
-constexpr ByWallClass<double> bulge_factors{1000.0, 350.0, 50.0, 5.0, 3.3, 2.0, 1.0};
+///
+/// Of half a cell the class says less, and the least span that it occurs at is taken: one cell beside two walls, two cells along
+/// one axis beside one, along both beside none. Of smaller parts a closed cell alone has all classes.
+ByWallClass<double> bulge_factors(int voxels_per_cell) {
+  if (voxels_per_cell == 1) return {1000.0, 350.0, 50.0, 5.0, 3.3, 2.0, 1.0};
+  if (voxels_per_cell == 2) return {50.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+  return all_classes(1.0);
+}
 
 /// Part of a voxel's section that is wall. @param t wall thickness by the voxel's edge
 double wall_share(std::size_t wall_class, double t) {
@@ -44,12 +51,13 @@ SurrogateParameters rough_parameters(const materials::CurveProvenance& provenanc
   p.density_kg_m3 = provenance.density_kg_m3;
   const double edge = p.voxel_edge_m();
   // Laws are by the edge of the voxel, and the bulge of a cell is that of any of its voxels.
+  const ByWallClass<double> factors = bulge_factors(voxels_per_cell);
   const double bulge = plate_factor * b * b * b * b / (plate_stiffness_N_m * edge);
   for (std::size_t c = 0; c < wall_class_count; ++c) {
     const double share = std::max(least_share, wall_share(c, std::min(t / edge, 0.5)));
     p.axial_Pa[c] = youngs_modulus_Pa * share;
     p.extension[c].slope_per_Pa = (1.0 - share) / (youngs_modulus_Pa * std::max(share, t / edge));
-    p.bulge[c].slope_per_Pa = bulge_factors[c] * bulge;
+    p.bulge[c].slope_per_Pa = factors[c] * bulge;
   }
   p.bending_Pa = p.axial_Pa;
   p.torsion_Pa = p.axial_Pa;

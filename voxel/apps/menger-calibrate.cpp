@@ -107,6 +107,7 @@ void print(const voxel::CalibrationRunResult& result, const std::filesystem::pat
   for (const std::string& note : result.notes) std::cout << "  " << note << '\n';
   for (const std::string& note : voxel::class_notes(result.calibration.classes)) std::cout << "  " << note << '\n';
   print_details(result);
+  for (const std::string& note : voxel::failed_details(result.calibration)) std::cout << "  " << note << '\n';
   print_parameters(fit);
   for (const voxel::Outlier& outlier : voxel::outliers_of(result.curves, fit)) {
     print_row("outlier: %s, %s, row %zu: %+.3g standard deviations", result.curves[outlier.curve].load_case.name.c_str(),
@@ -129,7 +130,7 @@ void print(const voxel::CalibrationRunResult& result, const std::filesystem::pat
 
 int exit_code_of(const voxel::CalibrationRunResult& result) {
   if (io::interrupted()) return io::exit_code::interrupted;
-  const bool is_done = result.calibration.fit().status == io::RunStatus::completed;
+  const bool is_done = result.calibration.ended().status == io::RunStatus::completed;
   return is_done ? io::exit_code::done : io::exit_code::numerical;
 }
 

@@ -82,6 +82,48 @@ TEST(CalibrationFit, AStartAtABoundIsMovedInside) {
   EXPECT_LT(fit.chi2, 1e-6);
 }
 
+/// Closed forms that have no answer for ground stiffnesses in a range.
+Responder without_answers_in(double lowest_N_per_m, double highest_N_per_m) {
+  return [=](const SurrogateParameters& p, const materials::LoadCase& load_case, const Responder::States& states) {
+    const double stiffness = p.ground_stiffness_N_per_m;
+    if (stiffness > lowest_N_per_m && stiffness < highest_N_per_m)
+      return LoadCaseResponse{.status = io::RunStatus::not_converged, .columns = {}, .values = {}};
+    return samples::closed_forms(p, load_case, states);
+  };
+}
+
+// The ground stiffness, of 5000 in truth, ends at its bound of 6000; a repetition begins at 6049, or 6012, 6002, 6000 where there
+// is no answer.
+TEST(CalibrationFit, ARepetitionWithoutAnswersLosesNothing) {
+  for (const double lowest : {6030.0, 6010.0, 6001.0}) {
+    CalibrationProblem problem = samples::problem(noisy_curves(samples::truth(), 13));
+    problem.bounds[Quantity::ground_stiffness] = {6000.0, 9000.0};
+    const auto parameters = fitted_parameters(samples::by_class, determined_classes(problem), problem.bounds, problem.start);
+    SurrogateParameters start = samples::truth();
+    start.ground_stiffness_N_per_m = 8000.0;
+    const CalibrationFit whole = fit_parameters(problem.curves, parameters, start, problem.responder);
+    const CalibrationFit fit = fit_parameters(problem.curves, parameters, start, without_answers_in(lowest, 6100.0));
+    EXPECT_EQ(fit.status, io::RunStatus::completed) << fit.reason;
+    EXPECT_NEAR(value_named(fit, "ground_stiffness_N_per_m").value, 6000.0, 1e-6);
+    EXPECT_EQ(fit.residual_count, whole.residual_count) << "every value has its answer";
+    EXPECT_NEAR(fit.chi2, whole.chi2, 1e-3 * whole.chi2) << "where a search ends that gains no more";
+  }
+}
+
+TEST(CalibrationFit, BeginsBesideABoundWhereThereIsNoAnswerInside) {
+  CalibrationProblem problem = samples::problem(noisy_curves(samples::truth(), 13));
+  problem.bounds[Quantity::ground_stiffness] = {6000.0, 9000.0};
+  const auto parameters = fitted_parameters(samples::by_class, determined_classes(problem), problem.bounds, problem.start);
+  SurrogateParameters start = samples::truth();
+  start.ground_stiffness_N_per_m = 6000.0;
+  const CalibrationFit fit = fit_parameters(problem.curves, parameters, start, without_answers_in(6001.0, 1e9));
+  EXPECT_EQ(fit.status, io::RunStatus::completed) << fit.reason;
+  EXPECT_NEAR(value_named(fit, "ground_stiffness_N_per_m").value, 6000.0, 1e-6);
+  // slopes were not halved for it
+  const double truth = samples::truth().bulge[closed_wall_class].slope_per_Pa;
+  EXPECT_NEAR(value_named(fit, "bulge_slope_4_per_Pa").value, truth, 0.1 * truth);
+}
+
 TEST(CalibrationFit, IntervalsStayWithinTheBounds) {
   // where nothing fades, how fast it would is not known at all
   const SurrogateParameters truth = samples::truth();

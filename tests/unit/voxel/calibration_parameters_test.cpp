@@ -112,6 +112,23 @@ TEST(CalibrationParameters, BulgesComeApartInTheirRoughProportions) {
     EXPECT_NEAR(first.bulge[c].slope_per_Pa, rough.bulge[c].slope_per_Pa, 1e-12 * rough.bulge[c].slope_per_Pa) << c;
 }
 
+// A closed cell has walls on all four sides of a voxel, on two of half a cell, on none of what lies inside of three.
+TEST(CalibrationParameters, WallsOfACellBeginToBulgeAlikeHoweverManyVoxelsItHas) {
+  const SurrogateParameters whole = rough_parameters(samples::provenance(), 1);
+  const double bulge_m_per_Pa = whole.voxel_edge_m() * whole.bulge[walls::closed].slope_per_Pa;
+  const auto expect_alike = [&](int voxels_per_cell, const std::vector<std::size_t>& classes) {
+    const SurrogateParameters parts = rough_parameters(samples::provenance(), voxels_per_cell);
+    for (const std::size_t c : classes)
+      EXPECT_NEAR(parts.voxel_edge_m() * parts.bulge[c].slope_per_Pa, bulge_m_per_Pa, 1e-12 * bulge_m_per_Pa) << c;
+  };
+  expect_alike(2, {walls::corner});
+  expect_alike(3, {walls::corner, walls::one, walls::none});
+  // beside one wall half a cell is part of two, beside none of two by two
+  const SurrogateParameters halves = rough_parameters(samples::provenance(), 2);
+  EXPECT_GT(halves.bulge[walls::one].slope_per_Pa, halves.bulge[walls::corner].slope_per_Pa);
+  EXPECT_GT(halves.bulge[walls::none].slope_per_Pa, halves.bulge[walls::one].slope_per_Pa);
+}
+
 TEST(CalibrationParameters, WhatHasNoEffectAtZeroBeginsAwayFromIt) {
   const SurrogateParameters rough = rough_parameters(samples::provenance(), 1);
   const SurrogateParameters fading = with_detail(rough, CalibrationDetail::fading, rough, 1e4);

@@ -249,6 +249,54 @@ TEST(Calibration, AStartWithoutEquilibriumIsPulledBack) {
   EXPECT_LT(found.fit().chi2, 1e-3);
 }
 
+// Nothing has an answer with lateral coupling, which the third detail begins with.
+TEST(Calibration, ADetailThatCannotBeFittedLeavesThoseThatCan) {
+  CalibrationProblem problem = samples::problem(noisy_curves(samples::truth(), 15));
+  problem.responder = [](const SurrogateParameters& p, const materials::LoadCase& load_case, const Responder::States& states) {
+    if (p.lateral_coupling > 0.0) return LoadCaseResponse{.status = io::RunStatus::not_converged, .columns = {}, .values = {}};
+    return samples::closed_forms(p, load_case, states);
+  };
+  CalibrationPlan plan = plan_of(
+      {CalibrationDetail::uniform, CalibrationDetail::stiffness, CalibrationDetail::lateral, CalibrationDetail::bulge_classes});
+  for (const auto choice : {std::optional<CalibrationDetail>{}, std::optional(CalibrationDetail::bulge_classes)}) {
+    plan.choice = choice;
+    const Calibration found = calibrate(problem, plan);
+    EXPECT_EQ(to_string(found.details()), "uniform + stiffness + bulge_classes");
+    EXPECT_EQ(found.fit().status, io::RunStatus::completed);
+    EXPECT_GT(found.fit().parameter_count, 0U);
+    // who named the detail is told that it is not there; else it is one that did not pay
+    EXPECT_EQ(found.ended().status, choice ? io::RunStatus::not_converged : io::RunStatus::completed);
+    const std::vector<std::string> failed = failed_details(found);
+    ASSERT_EQ(failed.size(), 1U);
+    EXPECT_EQ(failed[0].find("detail lateral: not_converged, the surrogate has no equilibrium"), 0U) << failed[0];
+  }
+}
+
+// Bulges by class begin in their rough proportions, here so large that there is no answer until they are halved too often to come
+// back; the fit before, with one bulge for all classes, is the truth.
+TEST(Calibration, ADetailIsNeverWorseThanTheFitThatItHolds) {
+  SurrogateParameters truth = samples::truth();
+  truth.bulge.fill(truth.bulge[closed_wall_class]);
+  truth.bulge_peak_ratio.fill(2.2);
+  truth.axial_Pa.fill(truth.axial_Pa[closed_wall_class]);
+  truth.bending_Pa.fill(truth.bending_Pa[closed_wall_class]);
+  truth.torsion_Pa.fill(truth.torsion_Pa[closed_wall_class]);
+  truth.extension.fill(truth.extension[closed_wall_class]);
+  CalibrationProblem problem = samples::problem(noisy_curves(truth, 15));
+  // answers only about the truth, but for a valley far away from it
+  problem.responder = [&](const SurrogateParameters& p, const materials::LoadCase& load_case, const Responder::States& states) {
+    const double ratio = p.bulge[samples::corner_wall_class].slope_per_Pa / truth.bulge[samples::corner_wall_class].slope_per_Pa;
+    if (ratio > 5.0 && ratio < 20.0) return LoadCaseResponse{.status = io::RunStatus::not_converged, .columns = {}, .values = {}};
+    return samples::closed_forms(p, load_case, states);
+  };
+  CalibrationPlan plan = plan_of({CalibrationDetail::uniform, CalibrationDetail::stiffness, CalibrationDetail::bulge_classes});
+  plan.choice = CalibrationDetail::bulge_classes;
+  const Calibration found = calibrate(problem, plan);
+  ASSERT_EQ(found.steps.size(), 3U);
+  EXPECT_EQ(found.fit().status, io::RunStatus::completed) << found.fit().reason;
+  EXPECT_LE(found.fit().chi2, found.steps[1].fit.chi2 * (1.0 + 1e-3));
+}
+
 TEST(Calibration, SaysWhereThereIsNoAnswerAtAll) {
   CalibrationProblem problem = samples::problem(noisy_curves(samples::truth(), 15));
   problem.responder = [](const SurrogateParameters&, const materials::LoadCase&, const std::vector<std::vector<double>>&) {
