@@ -99,7 +99,7 @@ inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, const Rotation<T>& lo
   BeamState<T> state;
   state.frame = lower_frame;
   state.small = small;
-  state.state_changed = MaskOf<T>(false);
+  state.state_changed = nowhere<T>();
   const Quaternion<T> relative = conjugate(ends.lower) * ends.upper;
   state.deformation.displacement = {d.x - ends.rest_length, d.y, d.z};
   state.deformation.lower_angle_y = zero;

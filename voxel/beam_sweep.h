@@ -22,18 +22,48 @@ inline BeamHistory<T> load_history(const RealOf<T>* history, std::size_t stride)
   return h;
 }
 
-template <class T>
+/// Damping from velocities asks for the extension and the state only.
+template <bool Velocity, class T>
 inline void store_history(RealOf<T>* history, std::size_t stride, const BeamState<T>& state) {
   const BeamDeformation<T>& e = state.deformation;
   store_values<T>(history, e.displacement.x);
-  store_values<T>(history + stride, e.displacement.y);
-  store_values<T>(history + 2 * stride, e.displacement.z);
-  store_values<T>(history + 3 * stride, e.lower_angle_y);
-  store_values<T>(history + 4 * stride, e.lower_angle_z);
-  store_values<T>(history + 5 * stride, e.upper_angle.x);
-  store_values<T>(history + 6 * stride, e.upper_angle.y);
-  store_values<T>(history + 7 * stride, e.upper_angle.z);
+  if constexpr (!Velocity) {
+    store_values<T>(history + stride, e.displacement.y);
+    store_values<T>(history + 2 * stride, e.displacement.z);
+    store_values<T>(history + 3 * stride, e.lower_angle_y);
+    store_values<T>(history + 4 * stride, e.lower_angle_z);
+    store_values<T>(history + 5 * stride, e.upper_angle.x);
+    store_values<T>(history + 6 * stride, e.upper_angle.y);
+    store_values<T>(history + 7 * stride, e.upper_angle.z);
+  }
   store_values<T>(history + 8 * stride, select(state.small, constant<T>(1.0), constant<T>(0.0)));
+}
+
+/// Ends of a beam from their poses; the rest length is the mean of their sizes.
+template <int Axis, class T>
+inline BeamEnds<T> beam_ends(const Lines<T>& lower, const Lines<T>& upper) {
+  BeamEnds<T> ends;
+  ends.separation = permuted<Axis>(upper, slot::x) - permuted<Axis>(lower, slot::x);
+  const Vector3<T> lower_axis = permuted<Axis>(lower, slot::qx);
+  const Vector3<T> upper_axis = permuted<Axis>(upper, slot::qx);
+  ends.lower = {lower.value[slot::qw], lower_axis.x, lower_axis.y, lower_axis.z};
+  ends.upper = {upper.value[slot::qw], upper_axis.x, upper_axis.y, upper_axis.z};
+  ends.rest_length = constant<T>(0.5) * (lower.value[slot::size] + upper.value[slot::size]);
+  return ends;
+}
+
+/// Inverse mass (1/kg) and inverse moment of inertia (1/(kg m^2)) of the ends of a beam.
+template <class T>
+struct EndInertias {
+  T lower_mass, upper_mass, lower_moment, upper_moment;
+};
+
+/// Rates of the ends from their motions; that of the rest length is the mean of their sizes' rates.
+template <int Axis, class T>
+inline BeamEndRates<T> beam_end_rates(const EndInertias<T>& inverse, const Lines<T>& lower, const Lines<T>& upper) {
+  return {inverse.lower_mass * permuted<Axis>(lower, slot::px), inverse.upper_mass * permuted<Axis>(upper, slot::px),
+          inverse.lower_moment * permuted<Axis>(lower, slot::hx), inverse.upper_moment * permuted<Axis>(upper, slot::hx),
+          constant<T>(0.5) * (lower.value[slot::size_rate] + upper.value[slot::size_rate])};
 }
 
 /// One beam per lane, from its ends to their loads; what the sweep and the energy books share.
@@ -44,22 +74,29 @@ struct BeamStep {
   BeamLoads<T> damping;
 };
 
+/// The inertias of the ends of the beams from `i` on, one per lane.
+template <BeamVariety Variety, class T>
+inline EndInertias<T> end_inertias(const StepData<RealOf<T>>& d, const BeamAxisData<RealOf<T>>& beams, std::size_t i) {
+  if constexpr (Variety == BeamVariety::uniform) {
+    return {T(d.voxel.inverse_mass), T(d.voxel.inverse_mass), T(d.voxel.inverse_inertia), T(d.voxel.inverse_inertia)};
+  } else {
+    std::int32_t lower_rows[NumberTraits<T>::width];
+    std::int32_t upper_rows[NumberTraits<T>::width];
+    for (int lane = 0; lane < NumberTraits<T>::width; ++lane) {
+      lower_rows[lane] = d.voxel_class[beams.lower[i + static_cast<std::size_t>(lane)]];
+      upper_rows[lane] = d.voxel_class[beams.upper[i + static_cast<std::size_t>(lane)]];
+    }
+    const VoxelCoefficients<T> lower = voxel_coefficients<T>(d.voxel_table, lower_rows);
+    const VoxelCoefficients<T> upper = voxel_coefficients<T>(d.voxel_table, upper_rows);
+    return {lower.inverse_mass, upper.inverse_mass, lower.inverse_inertia, upper.inverse_inertia};
+  }
+}
+
 template <int Axis, bool Velocity, BeamVariety Variety, class T>
 inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<RealOf<T>>& beams, std::size_t i,
                              const BeamCoefficients<T>& c, BeamEnds<T>& ends, BeamHistory<T>& history) {
-  const T half = constant<T>(0.5);
-  const Lines<T> lower = load_lines<T>(d.pose, beams.lower + i);
-  const Lines<T> upper = load_lines<T>(d.pose, beams.upper + i);
-  ends.separation = permuted<Axis>(upper, slot::x) - permuted<Axis>(lower, slot::x);
-  const Vector3<T> lower_axis = permuted<Axis>(lower, slot::qx);
-  const Vector3<T> upper_axis = permuted<Axis>(upper, slot::qx);
-  ends.lower = {lower.value[slot::qw], lower_axis.x, lower_axis.y, lower_axis.z};
-  ends.upper = {upper.value[slot::qw], upper_axis.x, upper_axis.y, upper_axis.z};
-  if constexpr (Variety == BeamVariety::own_lengths) {
-    ends.rest_length = load_values<T>(beams.rest_length + i);
-  } else {
-    ends.rest_length = half * (lower.value[slot::size] + upper.value[slot::size]);
-  }
+  ends = beam_ends<Axis>(load_lines<T>(d.pose, beams.lower + i), load_lines<T>(d.pose, beams.upper + i));
+  if constexpr (Variety == BeamVariety::own_lengths) ends.rest_length = load_values<T>(beams.rest_length + i);
   if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
 
   history = load_history<T>(beams.history + i, beams.count);
@@ -68,44 +105,19 @@ inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<Re
   constexpr bool shears = Variety == BeamVariety::own_lengths;
   step.elastic = beam_elastic_loads<shears>(c, step.state.deformation, ends.rest_length);
   if constexpr (Velocity) {
-    const Lines<T> lower_motion = load_lines<T>(d.motion, beams.lower + i);
-    const Lines<T> upper_motion = load_lines<T>(d.motion, beams.upper + i);
-    T lower_inverse_mass = T(d.voxel.inverse_mass), upper_inverse_mass = T(d.voxel.inverse_mass);
-    T lower_inverse_inertia = T(d.voxel.inverse_inertia), upper_inverse_inertia = T(d.voxel.inverse_inertia);
-    if constexpr (Variety != BeamVariety::uniform) {
-      std::int32_t lower_rows[NumberTraits<T>::width];
-      std::int32_t upper_rows[NumberTraits<T>::width];
-      for (int lane = 0; lane < NumberTraits<T>::width; ++lane) {
-        lower_rows[lane] = d.voxel_class[beams.lower[i + static_cast<std::size_t>(lane)]];
-        upper_rows[lane] = d.voxel_class[beams.upper[i + static_cast<std::size_t>(lane)]];
-      }
-      const VoxelCoefficients<T> at_lower = voxel_coefficients<T>(d.voxel_table, lower_rows);
-      const VoxelCoefficients<T> at_upper = voxel_coefficients<T>(d.voxel_table, upper_rows);
-      lower_inverse_mass = at_lower.inverse_mass;
-      upper_inverse_mass = at_upper.inverse_mass;
-      lower_inverse_inertia = at_lower.inverse_inertia;
-      upper_inverse_inertia = at_upper.inverse_inertia;
-    }
-    BeamEndRates<T> rates;
-    rates.lower_velocity = lower_inverse_mass * permuted<Axis>(lower_motion, slot::px);
-    rates.upper_velocity = upper_inverse_mass * permuted<Axis>(upper_motion, slot::px);
-    rates.lower_spin = lower_inverse_inertia * permuted<Axis>(lower_motion, slot::hx);
-    rates.upper_spin = upper_inverse_inertia * permuted<Axis>(upper_motion, slot::hx);
-    if constexpr (Variety == BeamVariety::own_lengths) {
-      rates.rest_length_rate = load_values<T>(beams.rest_length_rate + i);
-    } else {
-      rates.rest_length_rate = half * (lower_motion.value[slot::size_rate] + upper_motion.value[slot::size_rate]);
-    }
+    BeamEndRates<T> rates = beam_end_rates<Axis>(end_inertias<Variety, T>(d, beams, i), load_lines<T>(d.motion, beams.lower + i),
+                                                 load_lines<T>(d.motion, beams.upper + i));
+    if constexpr (Variety == BeamVariety::own_lengths) rates.rest_length_rate = load_values<T>(beams.rest_length_rate + i);
     step.damping = beam_damping<shears>(c, rate_from_velocities(step.state, ends, rates));
   } else {
     step.damping = beam_damping<shears>(c, rate_from_increments(step.state, history.deformation, T(d.rate_scale)));
   }
-  store_history<T>(beams.history + i, beams.count, step.state);
+  store_history<Velocity>(beams.history + i, beams.count, step.state);
   return step;
 }
 
 template <int Axis, bool Velocity, BeamVariety Variety, class T>
-inline bool sweep_axis(const StepData<RealOf<T>>& d) {
+[[gnu::flatten]] bool sweep_axis(const StepData<RealOf<T>>& d) {
   using std::abs;
   constexpr bool uniform = Variety == BeamVariety::uniform;
   constexpr std::size_t width = static_cast<std::size_t>(NumberTraits<T>::width);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "voxel/voxel_contact.h"
+
 namespace menger::voxel {
 
 CollisionRule::CollisionRule(const Lattice& lattice, int exclusion_depth)
@@ -61,7 +63,7 @@ void VerletList::build(const Real* positions, std::size_t stride) {
 
 template <class Real>
 bool VerletList::refresh(const Real* positions, std::size_t stride) {
-  if (built_ && bound_m_ <= 0.5 * skin_m_) return false;
+  if (!bound_used_up()) return false;
   if (built_) {
     double largest2 = 0.0;
     for (std::size_t i = 0; i < rule_.surface().size(); ++i) {
@@ -167,46 +169,32 @@ void VerletList::find_pairs() {
 
 template <class Real>
 void add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d) {
+  const auto line = [](auto* lines, std::int32_t voxel) { return lines + static_cast<std::ptrdiff_t>(voxel) * line_length; };
+  const auto end = [&](std::int32_t voxel) {
+    const Real* coefficients = line(d.voxel_table, d.voxel_class[voxel]);
+    const Real* motion = line(d.motion, voxel);
+    const Vector3<Real> momentum{motion[slot::px], motion[slot::py], motion[slot::pz]};
+    return ContactEnd<Real>{coefficients[class_slot::inverse_mass] * momentum, coefficients[class_slot::contact_stiffness],
+                            coefficients[class_slot::contact_damping]};
+  };
   for (const auto& [first, second] : pairs) {
-    const Real* pose1 = d.pose + static_cast<std::ptrdiff_t>(first) * line_length;
-    const Real* pose2 = d.pose + static_cast<std::ptrdiff_t>(second) * line_length;
-    const Vector3<double> apart = {static_cast<double>(pose2[slot::x]) - static_cast<double>(pose1[slot::x]),
-                                   static_cast<double>(pose2[slot::y]) - static_cast<double>(pose1[slot::y]),
-                                   static_cast<double>(pose2[slot::z]) - static_cast<double>(pose1[slot::z])};
-    const double reach = collision_radius_fraction * (static_cast<double>(collision_size_m(d, static_cast<std::size_t>(first))) +
-                                                      static_cast<double>(collision_size_m(d, static_cast<std::size_t>(second))));
-    const double distance2 = dot(apart, apart);
-    if (!(distance2 < reach * reach) || distance2 == 0.0) continue;
-    const double distance = std::sqrt(distance2);
-    const double overlap = reach - distance;
-    if (!(overlap > 0.0)) continue;
-
-    const Real* class1 = d.voxel_table + static_cast<std::ptrdiff_t>(d.voxel_class[first]) * line_length;
-    const Real* class2 = d.voxel_table + static_cast<std::ptrdiff_t>(d.voxel_class[second]) * line_length;
-    const double stiffness1 = static_cast<double>(class1[class_slot::contact_stiffness]);
-    const double stiffness2 = static_cast<double>(class2[class_slot::contact_stiffness]);
-    const double stiffness = 2.0 * stiffness1 * stiffness2 / (stiffness1 + stiffness2);
-    const double damping = 0.5 * (static_cast<double>(class1[class_slot::contact_damping]) +
-                                  static_cast<double>(class2[class_slot::contact_damping]));
-    const Real* motion1 = d.motion + static_cast<std::ptrdiff_t>(first) * line_length;
-    const Real* motion2 = d.motion + static_cast<std::ptrdiff_t>(second) * line_length;
-    const Vector3<double> normal = (1.0 / distance) * apart;
-    const auto velocity = [](const Real* motion, const Real* voxel_class) {
-      const auto inverse_mass = static_cast<double>(voxel_class[class_slot::inverse_mass]);
-      return Vector3<double>{inverse_mass * static_cast<double>(motion[slot::px]),
-                             inverse_mass * static_cast<double>(motion[slot::py]),
-                             inverse_mass * static_cast<double>(motion[slot::pz])};
-    };
-    const double closing = dot(velocity(motion1, class1) - velocity(motion2, class2), normal);
-    const Vector3<double> force = (stiffness * overlap + damping * closing) * normal;
-    Real* load1 = d.load + static_cast<std::ptrdiff_t>(first) * line_length;
-    Real* load2 = d.load + static_cast<std::ptrdiff_t>(second) * line_length;
-    load1[slot::fx] -= static_cast<Real>(force.x);
-    load1[slot::fy] -= static_cast<Real>(force.y);
-    load1[slot::fz] -= static_cast<Real>(force.z);
-    load2[slot::fx] += static_cast<Real>(force.x);
-    load2[slot::fy] += static_cast<Real>(force.y);
-    load2[slot::fz] += static_cast<Real>(force.z);
+    const Real* pose1 = line(d.pose, first);
+    const Real* pose2 = line(d.pose, second);
+    const Vector3<Real> apart = {pose2[slot::x] - pose1[slot::x], pose2[slot::y] - pose1[slot::y],
+                                 pose2[slot::z] - pose1[slot::z]};
+    const Real reach = static_cast<Real>(collision_radius_fraction) * (collision_size_m(d, static_cast<std::size_t>(first)) +
+                                                                       collision_size_m(d, static_cast<std::size_t>(second)));
+    const Real distance2 = dot(apart, apart);
+    if (!spheres_overlap(distance2, reach)) continue;
+    const Vector3<Real> force = contact_force(apart, distance2, reach, end(first), end(second));
+    Real* load1 = line(d.load, first);
+    Real* load2 = line(d.load, second);
+    load1[slot::fx] -= force.x;
+    load1[slot::fy] -= force.y;
+    load1[slot::fz] -= force.z;
+    load2[slot::fx] += force.x;
+    load2[slot::fy] += force.y;
+    load2[slot::fz] += force.z;
   }
 }
 

@@ -8,11 +8,9 @@
 
 #include "voxel/lattice.h"
 #include "voxel/step_data.h"
+#include "voxel/voxel_contact.h"
 
 namespace menger::voxel {
-
-/// Radius of a voxel's collision sphere as a fraction of its driven size. @cite hiller2014dynamic
-inline constexpr double collision_radius_fraction = 0.625;
 
 /// Which pairs of voxels of a lattice may collide: surface voxels farther apart than `exclusion_depth` beams (or not joined at
 /// all).
@@ -55,6 +53,9 @@ class VerletList {
   /// Notes that no voxel moved farther than `displacement_m` in a step.
   void moved(double displacement_m) { bound_m_ += displacement_m; }
 
+  /// Whether refresh would look at positions.
+  [[nodiscard]] bool bound_used_up() const { return !built_ || bound_m_ > 0.5 * skin_m_; }
+
   /// Makes the list valid for these positions. The sum of the largest displacements of each step is a cheap bound; when it is
   /// used up, the true displacements since the list was made replace it, and only if those are used up too is the list made anew.
   /// Returns whether it was.
@@ -82,11 +83,8 @@ class VerletList {
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;
 };
 
-/// Adds the contact forces of all pairs whose spheres overlap to the load lines.
-///
-/// With n from the first to the second voxel and the overlap d = 0.625 (s1 + s2) - |r2 - r1| > 0: f = k d + c (v1 - v2) · n, -f n
-/// on the first, +f n on the second voxel; k is the harmonic mean of 2 E L, c the mean of 2 zeta_c sqrt(m E L). @cite
-/// hiller2014dynamic
+/// Adds the contact forces of all pairs whose spheres overlap to the load lines, pair after pair: -f on the first, +f on the
+/// second voxel, see contact_force.
 template <class Real>
 void add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d);
 

@@ -146,7 +146,7 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
     const Lines<double> pose = load_lines<double>(d.pose + at);
     const Lines<double> motion = load_lines<double>(d.motion + at);
     const Lines<double> load = load_lines<double>(d.load + at);
-    const VoxelStep<double> step = voxel_step<Floor, Gravity, double>(d, c, pose, motion, load);
+    const VoxelStep<double> step = voxel_step<Floor, Gravity, double>(d, d.floor_depth, c, pose, motion, load);
     VoxelBook& book = books_[i];
 
     const Vector3<double> momentum = {motion.value[slot::px], motion.value[slot::py], motion.value[slot::pz]};

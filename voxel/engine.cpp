@@ -121,13 +121,13 @@ void EngineOf<Real>::choose_kernels(const KernelOptions& options) {
   gravity_ = physics.gravity_m_s2 != 0.0 || every_term_;
   const bool is_sine = is_driven(physics.actuation) && !is_shaped(physics.actuation) && !hollow_;
   actuated_ = is_sine || every_term_;
-  // A floor that is kept in the loop for comparison only lies infinitely deep.
-  if (!physics.floor && floor_) {
+  // A floor that is kept in the loop where the scene has none lies infinitely deep.
+  if (!physics.floor) {
     floor_depth_m_ = std::numeric_limits<double>::infinity();
     state_->data.floor_depth = std::numeric_limits<Real>::infinity();
   }
 
-  const InstructionSet set = resolve<Real>(options.instruction_set);
+  const InstructionSet set = resolve(options.instruction_set);
   const StepKernels<Real>& kernels = kernels_for<Real>(set);
   const bool uniform = state_->uniform() && !every_term_;
   beams_ = kernels.beams[physics.integration.damping == DampingMode::velocity][static_cast<std::size_t>(variety(uniform))];
@@ -190,13 +190,25 @@ void EngineOf<Real>::add_collisions() {
   add_collision_loads(close_pairs_->pairs(), state_->data);
 }
 
-/// Takes the origin of positions along once the body is far from it. Only where positions are rounded to single precision: in
-/// double a kilometre costs a tenth of a picometre.
+template <class Real>
+bool EngineOf<Real>::runs_in_lanes() const {
+  return !hollow_ && !coupling_ && !books_ && !shaped_ && !every_term_ && !divergence && state_->data.external_load == nullptr;
+}
+
+/// Whether a step of this displacement makes the way since the origin was last looked at long enough to look again. Only where
+/// positions are rounded to single precision: in double a kilometre costs a tenth of a picometre.
+template <class Real>
+bool EngineOf<Real>::looks_at_origin_after(double displacement_m) const {
+  return std::is_same_v<Real, float> && way_m_ + displacement_m >= cell_edge_m;
+}
+
+/// Takes the origin of positions along once the body is far from it.
 template <class Real>
 void EngineOf<Real>::stay_near_origin(double largest_displacement_m) {
   if constexpr (std::is_same_v<Real, float>) {
+    const bool looks = looks_at_origin_after(largest_displacement_m);
     way_m_ += largest_displacement_m;
-    if (way_m_ < cell_edge_m) return;
+    if (!looks) return;
     way_m_ = 0.0;
     if (!state_->take_origin_along()) return;
     state_->data.floor_depth = static_cast<Real>(floor_depth_m_ + state_->origin_m()[2]);

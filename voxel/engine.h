@@ -53,6 +53,9 @@ class Simulation::Engine {
   CollisionCounts collision_counts;
 };
 
+/// Number of the first step that ends at or after a time (s). @throws std::invalid_argument for more than 1e18 steps
+std::uint64_t steps_until(double time_s, double time_step_s);
+
 /// The engine for one number type.
 template <class Real>
 class EngineOf final : public Simulation::Engine {
@@ -67,7 +70,14 @@ class EngineOf final : public Simulation::Engine {
   std::vector<bool> in_contact_with_others() const override;
   std::vector<std::string> kernel_report() const override;
 
+  /// Whether this robot can be stepped in a lane beside others: solid voxels without lateral coupling, without loads, with a
+  /// drive that is a sine.
+  [[nodiscard]] bool runs_in_lanes() const;
+
  private:
+  template <class>
+  friend class LaneGroup;
+
   /// @param uniform whether coefficients are left out of beams without rest lengths of their own
   [[nodiscard]] BeamVariety variety(bool uniform) const {
     return hollow_ ? BeamVariety::own_lengths : uniform ? BeamVariety::uniform : BeamVariety::classes;
@@ -79,6 +89,7 @@ class EngineOf final : public Simulation::Engine {
   void check_validity();
   void add_collisions();
   bool step();
+  [[nodiscard]] bool looks_at_origin_after(double displacement_m) const;
   void stay_near_origin(double largest_displacement_m);
   void note_strain();
   void note_speed();

@@ -37,6 +37,7 @@ inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& flo
   const T penetration = constant<T>(0.5) * size - floor_depth - z;
   FloorContact<T> contact;
   contact.touches = penetration >= zero;
+  if (!any(contact.touches)) return {contact.touches, contact.touches, zero, zero, zero};
   const T pressing = c.stiffness * penetration;
   contact.normal_force = select(contact.touches, pressing - c.damping * velocity.z, zero);
   const T hold = c.static_friction * pressing;

@@ -1,8 +1,10 @@
 #include "voxel/instruction_sets.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace menger::voxel {
 
@@ -31,16 +33,13 @@ bool machine_has(InstructionSet set) {
 
 }  // namespace
 
-template <class Real>
 InstructionSet resolve(InstructionSet requested) {
-  // There is no float kernel of 16 lanes: a register would hold two lines.
-  constexpr bool has_avx512 = std::is_same_v<Real, double>;
   if (requested == InstructionSet::best) {
-    if (has_avx512 && machine_has(InstructionSet::avx512)) return InstructionSet::avx512;
-    if (machine_has(InstructionSet::avx2)) return InstructionSet::avx2;
-    return machine_has(InstructionSet::sse2) ? InstructionSet::sse2 : InstructionSet::scalar;
+    for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::sse2}) {
+      if (machine_has(set)) return set;
+    }
+    return InstructionSet::scalar;
   }
-  if (requested == InstructionSet::avx512 && !has_avx512) throw std::invalid_argument("there are no avx512 kernels for float32");
   if (!machine_has(requested))
     throw std::invalid_argument("this machine has no " + std::string(to_string(requested)) + " kernels");
   return requested;
@@ -60,11 +59,45 @@ const StepKernels<double>& kernels_for<double>(InstructionSet set) {
 template <>
 const StepKernels<float>& kernels_for<float>(InstructionSet set) {
 #ifdef MENGER_X86_KERNELS
+  if (set == InstructionSet::avx512) return avx512_kernels_float();
   if (set == InstructionSet::avx2) return avx2_kernels_float();
   if (set == InstructionSet::sse2) return sse2_kernels_float();
 #endif
   (void)set;
   return scalar_kernels_float();
+}
+
+namespace {
+
+/// The lane kernels of the instruction sets up to a resolved one, from few lanes to many; scalar ones stand for themselves.
+template <class Real>
+std::vector<const LaneKernels<Real>*> lane_kernels_up_to(InstructionSet set) {
+  constexpr bool is_double = std::is_same_v<Real, double>;
+  std::vector<const LaneKernels<Real>*> all;
+  const auto add = [&](const LaneKernels<double>& (*doubles)(), const LaneKernels<float>& (*floats)()) {
+    if constexpr (is_double) {
+      all.push_back(&doubles());
+    } else {
+      all.push_back(&floats());
+    }
+  };
+#ifdef MENGER_X86_KERNELS
+  if (set >= InstructionSet::sse2) add(sse2_lane_kernels_double, sse2_lane_kernels_float);
+  if (set >= InstructionSet::avx2) add(avx2_lane_kernels_double, avx2_lane_kernels_float);
+  if (set >= InstructionSet::avx512) add(avx512_lane_kernels_double, avx512_lane_kernels_float);
+#endif
+  if (all.empty()) add(scalar_lane_kernels_double, scalar_lane_kernels_float);
+  return all;
+}
+
+}  // namespace
+
+template <class Real>
+const LaneKernels<Real>& lane_kernels_for(InstructionSet set, std::size_t robots) {
+  const std::vector<const LaneKernels<Real>*> all = lane_kernels_up_to<Real>(set);
+  const auto holds = [&](const LaneKernels<Real>* kernels) { return static_cast<std::size_t>(kernels->lanes) >= robots; };
+  const auto found = std::find_if(all.begin(), all.end(), holds);
+  return found == all.end() ? *all.back() : **found;
 }
 
 std::string_view to_string(InstructionSet set) {
@@ -83,7 +116,7 @@ std::string_view to_string(InstructionSet set) {
   return "best";
 }
 
-template InstructionSet resolve<double>(InstructionSet);
-template InstructionSet resolve<float>(InstructionSet);
+template const LaneKernels<double>& lane_kernels_for<double>(InstructionSet, std::size_t);
+template const LaneKernels<float>& lane_kernels_for<float>(InstructionSet, std::size_t);
 
 }  // namespace menger::voxel

@@ -1,21 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "voxel/kernel_choice.h"
+#include "voxel/lane_data.h"
 #include "voxel/step_data.h"
 
 namespace menger::voxel {
 
-/// The instruction set that a request resolves to on this machine for this number type: the best one there is, or the requested
-/// one.
+/// The instruction set that a request resolves to on this machine: the best one there is, or the requested one.
 /// @throws std::invalid_argument if this machine does not have the one requested
-template <class Real>
 InstructionSet resolve(InstructionSet requested);
 
 /// The kernels of a resolved instruction set.
 template <class Real>
 const StepKernels<Real>& kernels_for(InstructionSet set);
+
+/// The kernels for robots in lanes with the fewest lanes that hold so many robots, or else the most lanes that the instruction
+/// set has. @param set resolved
+template <class Real>
+const LaneKernels<Real>& lane_kernels_for(InstructionSet set, std::size_t robots);
 
 std::string_view to_string(InstructionSet set);
 

@@ -51,6 +51,41 @@ inline void packs_to_lines(Register (&r)[line_length]) {
   for (int bit = 0; bit < 3; ++bit) shuffle_stage<W>(r);
 }
 
+/// A line of single-precision numbers, half of the widest register.
+using LineRegister [[gnu::vector_size(line_length * sizeof(float)), gnu::may_alias]] = float;
+
+template <class Register, std::size_t... I>
+inline Register joined(const float* low, const float* high, std::index_sequence<I...>) {
+  return __builtin_shufflevector(*reinterpret_cast<const LineRegister*>(low), *reinterpret_cast<const LineRegister*>(high), I...);
+}
+
+/// Adds one half of a register, from number `First` on, to a line.
+template <std::size_t First, class Register, std::size_t... I>
+inline void add_half(float* line, Register r, std::index_sequence<I...>) {
+  auto* sum = reinterpret_cast<LineRegister*>(line);
+  *sum += __builtin_shufflevector(r, r, First + I...);
+}
+
+/// Adds the line of a lane, out of registers that packs_to_lines made, to a line in memory.
+template <class T, class Register>
+inline void add_line(RealOf<T>* line, const Register (&r)[line_length], int lane) {
+  constexpr int width = NumberTraits<T>::width;
+  if constexpr (width > line_length) {
+    constexpr auto half = std::make_index_sequence<line_length>{};
+    if (lane % 2 == 0) {
+      add_half<0>(line, r[lane / 2], half);
+    } else {
+      add_half<line_length>(line, r[lane / 2], half);
+    }
+  } else {
+    constexpr int per_line = line_length / width;
+    for (int part = 0; part < per_line; ++part) {
+      const T sum = T::load_aligned(line + part * width) + T(r[lane * per_line + part]);
+      sum.store_aligned(line + part * width);
+    }
+  }
+}
+
 }  // namespace detail
 
 /// The lines base[index[lane]] of all lanes.
@@ -61,12 +96,18 @@ inline Lines<T> load_lines(const RealOf<T>* base, const std::int32_t* index) {
   if constexpr (width == 1) {
     for (int k = 0; k < line_length; ++k) out.value[k] = base[static_cast<std::ptrdiff_t>(index[0]) * line_length + k];
   } else {
-    static_assert(width <= line_length, "a register longer than a line would need two lines joined");
     using Register = typename T::register_type;
-    constexpr int per_line = line_length / width;
+    const auto line = [&](int lane) { return base + static_cast<std::ptrdiff_t>(index[lane]) * line_length; };
     Register r[line_length];
     for (int k = 0; k < line_length; ++k) {
-      r[k] = T::load_aligned(base + static_cast<std::ptrdiff_t>(index[k / per_line]) * line_length + (k % per_line) * width);
+      if constexpr (width > line_length) {
+        static_assert(width == 2 * line_length);
+        r[k] =
+            detail::joined<Register>(line(2 * k), line(2 * k + 1), std::make_index_sequence<static_cast<std::size_t>(width)>{});
+      } else {
+        constexpr int per_line = line_length / width;
+        r[k] = T::load_aligned(line(k / per_line) + (k % per_line) * width);
+      }
     }
     detail::lines_to_packs<width>(r);
     for (int k = 0; k < line_length; ++k) out.value[k] = T(r[k]);
@@ -114,9 +155,7 @@ inline void add_lines(RealOf<T>* base, const std::int32_t* lower_index, const Li
     for (int k = 0; k < line_length; ++k) base[static_cast<std::ptrdiff_t>(lower_index[0]) * line_length + k] += lower.value[k];
     for (int k = 0; k < line_length; ++k) base[static_cast<std::ptrdiff_t>(upper_index[0]) * line_length + k] += upper.value[k];
   } else {
-    static_assert(width <= line_length, "a register longer than a line would need two lines joined");
     using Register = typename T::register_type;
-    constexpr int per_line = line_length / width;
     Register a[line_length];
     Register b[line_length];
     for (int k = 0; k < line_length; ++k) {
@@ -126,16 +165,8 @@ inline void add_lines(RealOf<T>* base, const std::int32_t* lower_index, const Li
     detail::packs_to_lines<width>(a);
     detail::packs_to_lines<width>(b);
     for (int lane = 0; lane < width; ++lane) {
-      RealOf<T>* to_lower = base + static_cast<std::ptrdiff_t>(lower_index[lane]) * line_length;
-      RealOf<T>* to_upper = base + static_cast<std::ptrdiff_t>(upper_index[lane]) * line_length;
-      for (int part = 0; part < per_line; ++part) {
-        const T sum = T::load_aligned(to_lower + part * width) + T(a[lane * per_line + part]);
-        sum.store_aligned(to_lower + part * width);
-      }
-      for (int part = 0; part < per_line; ++part) {
-        const T sum = T::load_aligned(to_upper + part * width) + T(b[lane * per_line + part]);
-        sum.store_aligned(to_upper + part * width);
-      }
+      detail::add_line<T>(base + static_cast<std::ptrdiff_t>(lower_index[lane]) * line_length, a, lane);
+      detail::add_line<T>(base + static_cast<std::ptrdiff_t>(upper_index[lane]) * line_length, b, lane);
     }
   }
 }

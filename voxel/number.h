@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <xsimd/xsimd.hpp>
 
 namespace menger::voxel {
@@ -36,6 +37,18 @@ using MaskOf = typename NumberTraits<T>::Mask;
 
 [[gnu::always_inline]] inline bool any(bool mask) { return mask; }
 
+/// A mask that holds nowhere.
+template <class T>
+inline MaskOf<T> nowhere() {
+  if constexpr (NumberTraits<T>::width == 1) {
+    return false;
+  } else if constexpr (sizeof(MaskOf<T>) <= sizeof(std::uint64_t)) {
+    return MaskOf<T>(typename MaskOf<T>::register_type(0));  // a bool would be put into it bit by bit
+  } else {
+    return MaskOf<T>(false);
+  }
+}
+
 /// A constant as T.
 template <class T>
 inline T constant(double value) {
@@ -57,7 +70,7 @@ inline T rounded_to_single(const T& x) {
 
 /// A function of one double applied to every lane, for rare cases that have no pack version.
 template <class T>
-inline T apply_to_lanes(const T& x, double (*function)(double)) {
+[[gnu::noinline]] T apply_to_lanes(const T& x, double (*function)(double)) {
   using Real = RealOf<T>;
   if constexpr (NumberTraits<T>::width == 1) {
     return static_cast<Real>(function(static_cast<double>(x)));

@@ -121,14 +121,18 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 io::RunStatus Simulation::advance(std::uint64_t steps, const std::atomic<bool>* stop) { return engine_->advance(steps, stop); }
 
-io::RunStatus Simulation::advance_to(double time, const std::atomic<bool>* stop) {
-  // The first step at or after the time: rounding of the quotient may be one off either way.
-  const double h = engine_->time_step_s;
-  const double quotient = time / h;
+std::uint64_t steps_until(double time_s, double time_step_s) {
+  // Rounding of the quotient may be one off either way.
+  const double quotient = time_s / time_step_s;
   if (!(quotient < 1e18)) throw std::invalid_argument("more steps than can be counted");
   auto needed = quotient > 0.0 ? static_cast<std::uint64_t>(quotient) : 0;
-  while (needed > 0 && static_cast<double>(needed - 1) * h >= time) --needed;
-  while (static_cast<double>(needed) * h < time) ++needed;
+  while (needed > 0 && static_cast<double>(needed - 1) * time_step_s >= time_s) --needed;
+  while (static_cast<double>(needed) * time_step_s < time_s) ++needed;
+  return needed;
+}
+
+io::RunStatus Simulation::advance_to(double time, const std::atomic<bool>* stop) {
+  const std::uint64_t needed = steps_until(time, engine_->time_step_s);
   return engine_->advance(needed > engine_->steps ? needed - engine_->steps : 0, stop);
 }
 

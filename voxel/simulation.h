@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -124,6 +125,8 @@ class Simulation {
   class Engine;  ///< the implementation for one number type
 
  private:
+  friend std::vector<io::RunStatus> advance_together_to(std::span<Simulation>, double, const std::atomic<bool>*, InstructionSet);
+
   std::unique_ptr<Engine> engine_;
 };
 

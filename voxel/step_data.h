@@ -39,7 +39,10 @@ struct VoxelCoefficients {
 
 inline constexpr int history_values = 9;  ///< numbers that a beam remembers
 inline constexpr int class_values = 16;   ///< numbers of a voxel or beam class in the tables, two lines
-inline constexpr int widest_pack = 8;     ///< beams and voxels are padded to a multiple of this
+
+/// Beams and voxels are padded to a multiple of this: the numbers in the widest register.
+template <class Real>
+inline constexpr std::size_t widest_pack = 64 / sizeof(Real);
 
 /// Beams along one axis, in the order of their lower voxel, padded with beams between two voxels that nobody sees.
 template <class Real>
@@ -55,9 +58,22 @@ struct BeamAxisData {
   Real* rest_length_rate = nullptr;
 };
 
-/// All that one step reads and writes: plain arrays and constants, the same for every instruction set.
+/// What all voxels and beams of a step have in common.
 template <class Real>
-struct StepData {
+struct StepConstants {
+  Real time_step = 0;   ///< h, s
+  Real rate_scale = 0;  ///< 1/h for damping from increments, 0 in the first step
+  Real next_sine = 0;   ///< sin(2 pi t/T) at the end of the step
+  Real next_cosine = 0;
+  Real angular_frequency = 0;  ///< 2 pi / T, rad/s
+  Real strain_limit = 0;
+  bool stop_rotation_in_static_friction = false;
+  bool single_precision_rest_lengths = false;
+};
+
+/// All that one step of one body reads and writes: plain arrays and constants, the same for every instruction set.
+template <class Real>
+struct StepData : StepConstants<Real> {
   std::size_t voxels = 0;         ///< real ones
   std::size_t padded_voxels = 0;  ///< swept ones
   Real* pose = nullptr;           ///< lines, see namespace slot
@@ -75,16 +91,8 @@ struct StepData {
   VoxelCoefficients<Real> voxel;  ///< of all voxels, for uniform bodies
   BeamCoefficients<Real> beam;    ///< of all beams, for uniform bodies
   BeamAxisData<Real> axis[3];
-  Real floor_depth = 0;  ///< of the floor under the z = 0 of the positions, m
-  Real time_step = 0;    ///< h, s
-  Real rate_scale = 0;   ///< 1/h for damping from increments, 0 in the first step
-  Real next_sine = 0;    ///< sin(2 pi t/T) at the end of the step
-  Real next_cosine = 0;
-  Real angular_frequency = 0;  ///< 2 pi / T, rad/s
-  Real strain_limit = 0;
+  Real floor_depth = 0;          ///< of the floor under the z = 0 of the positions, m
   Real displacement_limit2 = 0;  ///< (speed limit * h)^2, m^2
-  bool stop_rotation_in_static_friction = false;
-  bool single_precision_rest_lengths = false;
 };
 
 /// Rest length (m) of a beam in this step, as the kernels see it.
@@ -135,5 +143,6 @@ const StepKernels<float>& sse2_kernels_float();
 const StepKernels<double>& avx2_kernels_double();
 const StepKernels<float>& avx2_kernels_float();
 const StepKernels<double>& avx512_kernels_double();
+const StepKernels<float>& avx512_kernels_float();
 
 }  // namespace menger::voxel

@@ -16,8 +16,9 @@ constexpr std::size_t line_size = static_cast<std::size_t>(line_length);
 /// Bodies up to this many edges away from their origin keep it.
 constexpr double farthest_edges = 8.0;
 
+template <class Real>
 std::size_t padded(std::size_t count) {
-  constexpr auto pack = static_cast<std::size_t>(widest_pack);
+  constexpr std::size_t pack = widest_pack<Real>;
   return (count + pack - 1) / pack * pack;
 }
 
@@ -93,7 +94,7 @@ VoxelState<Real>::VoxelState(const Lattice& lattice, double cell_edge_m, const P
 template <class Real>
 void VoxelState<Real>::allocate(const Lattice& lattice) {
   data.voxels = lattice.voxel_count();
-  data.padded_voxels = padded(data.voxels);
+  data.padded_voxels = padded<Real>(data.voxels);
   all_voxels_ = data.padded_voxels + 4;
   pose_.assign(line_size * all_voxels_, Real(0));
   motion_.assign(line_size * all_voxels_, Real(0));
@@ -236,7 +237,7 @@ template <class Real>
 void VoxelState<Real>::fill_beams(const Lattice& lattice, const BodyClasses& classes, bool own_lengths) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = lattice.beams[axis];
-    const std::size_t count = padded(beams.lower.size());
+    const std::size_t count = padded<Real>(beams.lower.size());
     lower_[axis] = beams.lower;
     upper_[axis] = beams.upper;
     lower_[axis].resize(count, static_cast<std::int32_t>(data.padded_voxels));

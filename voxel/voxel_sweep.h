@@ -28,8 +28,8 @@ struct VoxelStep {
 /// Moves one voxel per lane: momentum, then position; moment of momentum, then orientation (semi-implicit Euler). @cite
 /// hiller2014dynamic
 template <bool Floor, bool Gravity, class T>
-inline VoxelStep<T> voxel_step(const StepData<RealOf<T>>& d, const VoxelCoefficients<T>& c, const Lines<T>& pose,
-                               const Lines<T>& motion, const Lines<T>& load) {
+inline VoxelStep<T> voxel_step(const StepConstants<RealOf<T>>& d, const T& floor_depth, const VoxelCoefficients<T>& c,
+                               const Lines<T>& pose, const Lines<T>& motion, const Lines<T>& load) {
   const T zero = constant<T>(0.0);
   const T time_step = T(d.time_step);
   VoxelStep<T> step;
@@ -40,12 +40,12 @@ inline VoxelStep<T> voxel_step(const StepData<RealOf<T>>& d, const VoxelCoeffici
   Vector3<T> force =
       Vector3<T>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz]} - c.global_damping * step.velocity;
   if constexpr (Gravity) force.z = force.z - c.weight;
-  step.is_static = MaskOf<T>(false);
-  step.floor = {MaskOf<T>(false), MaskOf<T>(false), zero, zero, zero};
+  step.is_static = nowhere<T>();
+  step.floor = {nowhere<T>(), nowhere<T>(), zero, zero, zero};
   if constexpr (Floor) {
     const MaskOf<T> was_static = motion.value[slot::is_static] > constant<T>(0.5);
     step.floor =
-        floor_contact(c.floor, T(d.floor_depth), pose.value[slot::size], pose.value[slot::z], step.velocity, force, was_static);
+        floor_contact(c.floor, floor_depth, pose.value[slot::size], pose.value[slot::z], step.velocity, force, was_static);
     force = {force.x + step.floor.friction_x, force.y + step.floor.friction_y, force.z + step.floor.normal_force};
   }
   step.momentum = momentum + time_step * force;
@@ -70,8 +70,63 @@ inline VoxelStep<T> voxel_step(const StepData<RealOf<T>>& d, const VoxelCoeffici
   return step;
 }
 
+/// The orientation that a step turns a voxel to.
+template <class T>
+inline Quaternion<T> turned_orientation(const Lines<T>& pose, const Vector3<T>& turn) {
+  Quaternion<T> turned =
+      quaternion_of(turn) * Quaternion<T>{pose.value[slot::qw], pose.value[slot::qx], pose.value[slot::qy], pose.value[slot::qz]};
+  if constexpr (std::is_same_v<RealOf<T>, float>) {
+    // The cosine of a step's half angle rounds to 1 in float: without this the quaternion grows by 3e-4 a second.
+    const T excess = constant<T>(0.5) *
+                     (constant<T>(1.0) - (turned.w * turned.w + turned.x * turned.x + turned.y * turned.y + turned.z * turned.z));
+    turned = {turned.w + excess * turned.w, turned.x + excess * turned.x, turned.y + excess * turned.y,
+              turned.z + excess * turned.z};
+  }
+  return turned;
+}
+
+/// Puts what a step did to a voxel into its lines.
+/// @param residual what rounding left out of the positions, three numbers; float only
+template <class T>
+inline void put_step(const VoxelStep<T>& step, Lines<T>& pose, Lines<T>& motion, T* residual) {
+  const Quaternion<T> turned = turned_orientation(pose, step.turn);
+  const T moves[3] = {step.displacement.x, step.displacement.y, step.displacement.z};
+  for (int k = 0; k < 3; ++k) {
+    if constexpr (std::is_same_v<RealOf<T>, float>) {
+      // Kahan's sum: at small steps a displacement is below the last digit of a float position.
+      const T move = moves[k] - residual[k];
+      const T sum = pose.value[k] + move;
+      residual[k] = (sum - pose.value[k]) - move;
+      pose.value[k] = sum;
+    } else {
+      pose.value[k] = pose.value[k] + moves[k];
+    }
+  }
+  pose.value[slot::qw] = turned.w;
+  pose.value[slot::qx] = turned.x;
+  pose.value[slot::qy] = turned.y;
+  pose.value[slot::qz] = turned.z;
+  motion.value[slot::px] = step.momentum.x;
+  motion.value[slot::py] = step.momentum.y;
+  motion.value[slot::pz] = step.momentum.z;
+  motion.value[slot::hx] = step.spin_momentum.x;
+  motion.value[slot::hy] = step.spin_momentum.y;
+  motion.value[slot::hz] = step.spin_momentum.z;
+  motion.value[slot::is_static] = select(step.is_static, constant<T>(1.0), constant<T>(0.0));
+}
+
+/// Puts the size at the end of a step, base + sine part sin + cosine part cos, and its rate into the lines.
+template <class T>
+inline void put_size(const StepConstants<RealOf<T>>& d, const T& base, const T& sine_part, const T& cosine_part, Lines<T>& pose,
+                     Lines<T>& motion) {
+  const T sine = T(d.next_sine);
+  const T cosine = T(d.next_cosine);
+  pose.value[slot::size] = base + (sine_part * sine + cosine_part * cosine);
+  motion.value[slot::size_rate] = T(d.angular_frequency) * (sine_part * cosine - cosine_part * sine);
+}
+
 template <bool Uniform, bool Floor, bool Gravity, bool Actuated, class T>
-VoxelSweep sweep_voxels(const StepData<RealOf<T>>& d) {
+[[gnu::flatten]] VoxelSweep sweep_voxels(const StepData<RealOf<T>>& d) {
   using Real = RealOf<T>;
   constexpr std::size_t width = static_cast<std::size_t>(NumberTraits<T>::width);
   const T zero = constant<T>(0.0);
@@ -85,51 +140,19 @@ VoxelSweep sweep_voxels(const StepData<RealOf<T>>& d) {
     Lines<T> pose = load_lines<T>(d.pose + at);
     Lines<T> motion = load_lines<T>(d.motion + at);
     if constexpr (!Uniform) c = voxel_coefficients<T>(d.voxel_table, d.voxel_class + i);
-    const VoxelStep<T> step = voxel_step<Floor, Gravity, T>(d, c, pose, motion, load_lines<T>(d.load + at));
+    const VoxelStep<T> step = voxel_step<Floor, Gravity, T>(d, T(d.floor_depth), c, pose, motion, load_lines<T>(d.load + at));
 
-    Quaternion<T> turned = quaternion_of(step.turn) *
-                           Quaternion<T>{pose.value[slot::qw], pose.value[slot::qx], pose.value[slot::qy], pose.value[slot::qz]};
     if constexpr (std::is_same_v<Real, float>) {
-      // The cosine of a step's half angle rounds to 1 in float: without this the quaternion grows by 3e-4 a second.
-      const T excess =
-          constant<T>(0.5) *
-          (constant<T>(1.0) - (turned.w * turned.w + turned.x * turned.x + turned.y * turned.y + turned.z * turned.z));
-      turned = {turned.w + excess * turned.w, turned.x + excess * turned.x, turned.y + excess * turned.y,
-                turned.z + excess * turned.z};
-      // Kahan's sum: at small steps a displacement is below the last digit of a float position.
       Lines<T> residual = load_lines<T>(d.position_residual + at);
-      const T moves[3] = {step.displacement.x, step.displacement.y, step.displacement.z};
-      for (int k = 0; k < 3; ++k) {
-        const T move = moves[k] - residual.value[k];
-        const T sum = pose.value[k] + move;
-        residual.value[k] = (sum - pose.value[k]) - move;
-        pose.value[k] = sum;
-      }
+      put_step(step, pose, motion, residual.value);
       store_lines<T>(d.position_residual + at, residual);
     } else {
-      pose.value[slot::x] = pose.value[slot::x] + step.displacement.x;
-      pose.value[slot::y] = pose.value[slot::y] + step.displacement.y;
-      pose.value[slot::z] = pose.value[slot::z] + step.displacement.z;
+      put_step<T>(step, pose, motion, nullptr);
     }
-    pose.value[slot::qw] = turned.w;
-    pose.value[slot::qx] = turned.x;
-    pose.value[slot::qy] = turned.y;
-    pose.value[slot::qz] = turned.z;
     if constexpr (Actuated) {
-      const T sine_part = load_values<T>(d.size_sine_part + i);
-      const T cosine_part = load_values<T>(d.size_cosine_part + i);
-      const T sine = T(d.next_sine);
-      const T cosine = T(d.next_cosine);
-      pose.value[slot::size] = load_values<T>(d.size_base + i) + (sine_part * sine + cosine_part * cosine);
-      motion.value[slot::size_rate] = T(d.angular_frequency) * (sine_part * cosine - cosine_part * sine);
+      put_size(d, load_values<T>(d.size_base + i), load_values<T>(d.size_sine_part + i), load_values<T>(d.size_cosine_part + i),
+               pose, motion);
     }
-    motion.value[slot::px] = step.momentum.x;
-    motion.value[slot::py] = step.momentum.y;
-    motion.value[slot::pz] = step.momentum.z;
-    motion.value[slot::hx] = step.spin_momentum.x;
-    motion.value[slot::hy] = step.spin_momentum.y;
-    motion.value[slot::hz] = step.spin_momentum.z;
-    motion.value[slot::is_static] = select(step.is_static, constant<T>(1.0), zero);
     store_lines<T>(d.pose + at, pose);
     store_lines<T>(d.motion + at, motion);
     store_lines<T>(d.load + at, d.external_load == nullptr ? no_load : load_lines<T>(d.external_load + at));

@@ -102,11 +102,10 @@ io::Manifest manifest_of(const std::vector<std::filesystem::path>& inputs) {
   return manifest;
 }
 
-void choose_kernels(Arguments& arguments, const voxel::Scene& scene) {
+void choose_kernels(Arguments& arguments) {
   const voxel::InstructionSet requested = instruction_sets().at(arguments.instruction_set);
   try {
-    const bool is_double = scene.physics.integration.number == voxel::NumberType::float64;
-    arguments.kernel.instruction_set = is_double ? voxel::resolve<double>(requested) : voxel::resolve<float>(requested);
+    arguments.kernel.instruction_set = voxel::resolve(requested);
   } catch (const std::invalid_argument& error) {
     throw io::InputError("--instruction-set " + arguments.instruction_set + ": " + error.what());
   }
@@ -122,7 +121,7 @@ int run(int argc, const char* const* argv) {
   if (scene.energy_ledger && scene.physics.integration.number != voxel::NumberType::float64) {
     throw io::InputError(arguments.scene.string() + ": the energy balance needs integration.number = \"float64\"");
   }
-  choose_kernels(arguments, scene);
+  choose_kernels(arguments);
   manifest.parameters = voxel::scene_text(scene);
   if (arguments.folder.empty()) arguments.folder = arguments.scene.stem();
 
