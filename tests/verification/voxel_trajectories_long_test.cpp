@@ -13,5 +13,9 @@ TEST(VoxelTrajectoriesLong, DampingFromVelocitiesMatchesLongCasesAtSmallSteps) {
   expect_within_tolerance(DampingMode::velocity, [](const TrajectoryCase& c) { return c.fraction < 0.1 && !is_short(c); });
 }
 
+TEST(VoxelTrajectoriesLong, SinglePrecisionHoldsLongCases) {
+  expect_float_within_tolerance([](const TrajectoryCase& c) { return !is_short(c); });
+}
+
 }  // namespace
 }  // namespace menger::voxel

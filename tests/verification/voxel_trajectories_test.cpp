@@ -11,6 +11,8 @@ TEST(VoxelTrajectories, DampingFromVelocitiesMatchesShortCasesAtSmallSteps) {
   expect_within_tolerance(DampingMode::velocity, [](const TrajectoryCase& c) { return c.fraction < 0.1 && is_short(c); });
 }
 
+TEST(VoxelTrajectories, SinglePrecisionHoldsShortCases) { expect_float_within_tolerance(is_short); }
+
 TEST(VoxelTrajectories, ExactRestLengthsMissOneSlipOfThePublicEngine) {
   int found = 0;
   for (const TrajectoryCase& c : cases()) {
