@@ -35,7 +35,7 @@ ArchiveLock::ArchiveLock(const std::filesystem::path& archive) : file_(archive.s
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
       ::close(descriptor_);
-      if (error == EWOULDBLOCK) throw io::InputError(archive.string() + ": another process is writing to this archive");
+      if (error == EWOULDBLOCK) throw io::InputError(archive.string() + ": another process is writing to it");
       throw io::InputError(file_.string() + ": cannot be locked: " + std::generic_category().message(error));
     }
     if (is_file(descriptor_, file_)) return;

@@ -4,8 +4,8 @@
 
 namespace menger::evolution {
 
-/// Keeps other processes from writing to the same archive, by a lock on a file of the name `<archive>.lock` beside it. A process
-/// that dies, however, lets go of it.
+/// Keeps other processes from writing to the same archive (or folder of runs), by a lock on a file of the name `<archive>.lock`
+/// beside it. A process that dies, however, lets go of it.
 ///
 /// The lock stands on a file of its own since SQLite forgets its locks as soon as any descriptor of the database is closed.
 class ArchiveLock {

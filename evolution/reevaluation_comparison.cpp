@@ -20,6 +20,17 @@ double least_m(const ReevaluationStudy& study) { return study.least_body_lengths
 /// A distance that no division is hurt by.
 bool is_enough(double distance_m, double least) { return distance_m > 0.0 && distance_m >= least; }
 
+/// Body lengths per minute, 0 where the distance is too small to be told from another.
+double ranked_speed(const ReevaluationStudy& study, const std::array<double, 3>& displacement_m) {
+  const Motion motion = motion_of(study, displacement_m);
+  return is_enough(motion.horizontal_m, least_m(study)) ? motion.body_lengths_per_minute : 0.0;
+}
+
+/// Of all designs that are compared the best can lose nothing: no value then.
+std::optional<TopRegret> regret_of(const std::vector<double>& surrogate, const std::vector<double>& elements, std::size_t k) {
+  return k < surrogate.size() ? top_regret(surrogate, elements, k) : std::nullopt;
+}
+
 }  // namespace
 
 Motion motion_of(const ReevaluationStudy& study, const std::array<double, 3>& displacement_m) {
@@ -27,7 +38,7 @@ Motion motion_of(const ReevaluationStudy& study, const std::array<double, 3>& di
   Motion motion;
   motion.horizontal_m = materials::horizontal_displacement(displacement_m);
   const double angle = std::atan2(displacement_m[1], displacement_m[0]) * degrees_per_radian;
-  motion.direction_deg = angle <= -180.0 ? 180.0 : angle;
+  if (is_enough(motion.horizontal_m, least_m(study))) motion.direction_deg = angle <= -180.0 ? 180.0 : angle;
   motion.body_lengths = motion.horizontal_m / body_length_m(study);
   motion.body_lengths_per_minute = motion.body_lengths * seconds_per_minute / study.measured_s();
   return motion;
@@ -69,8 +80,8 @@ Ranking rank_designs(const ReevaluationStudy& study, const std::string& name, st
   std::size_t within_90 = 0;
   for (const JudgedDesign* design : designs) {
     if (!design->surrogate.result.displacement_m || !design->elements.displacement_m) continue;
-    surrogate.push_back(motion_of(study, *design->surrogate.result.displacement_m).body_lengths_per_minute);
-    elements.push_back(motion_of(study, *design->elements.displacement_m).body_lengths_per_minute);
+    surrogate.push_back(ranked_speed(study, *design->surrogate.result.displacement_m));
+    elements.push_back(ranked_speed(study, *design->elements.displacement_m));
     const auto angle = gap_of(study, *design).angle_deg;
     if (!angle) continue;
     ++with_direction;
@@ -84,8 +95,8 @@ Ranking rank_designs(const ReevaluationStudy& study, const std::string& name, st
           .kendall = kendall_correlation(surrogate, elements),
           .within_45_deg = share(within_45, with_direction),
           .within_90_deg = share(within_90, with_direction),
-          .best = top_regret(surrogate, elements, 1),
-          .best_of_k = top_regret(surrogate, elements, k),
+          .best = regret_of(surrogate, elements, 1),
+          .best_of_k = regret_of(surrogate, elements, k),
           .k = k};
 }
 
@@ -93,17 +104,20 @@ std::vector<Ranking> rank_all(const ReevaluationStudy& study, const std::vector<
   std::vector<const JudgedDesign*> all;
   std::vector<const JudgedDesign*> top;
   std::vector<const JudgedDesign*> sample;
+  std::vector<const JudgedDesign*> balanced;
   for (const JudgedDesign& design : designs) {
     all.push_back(&design);
     (design.design.is_top ? top : sample).push_back(&design);
+    if (design.is_balanced) balanced.push_back(&design);
   }
   std::vector<Ranking> rankings;
   const auto add = [&](const std::string& name, const std::vector<const JudgedDesign*>& set) {
     if (set.size() >= 2) rankings.push_back(rank_designs(study, name, set, study.top));
   };
-  add("all", all);
-  if (!sample.empty()) add("top", top);
   if (!sample.empty()) add("sample", sample);
+  if (!sample.empty()) add("top", top);
+  if (balanced.size() < all.size()) add("balanced", balanced);
+  add("all", all);
   return rankings;
 }
 

@@ -19,12 +19,13 @@ struct JudgedDesign {
   ChosenDesign design;
   SurrogateWalk surrogate;
   LocomotionRun elements;
+  bool is_balanced = true;  ///< see is_balanced(): else it falls over by itself
 };
 
 /// How a body went.
 struct Motion {
   double horizontal_m = 0.0;
-  double direction_deg = 0.0;  ///< from +x towards +y, (-180, 180]
+  std::optional<double> direction_deg;  ///< from +x towards +y, (-180, 180]; nothing if it moved less than least_body_lengths
   double body_lengths = 0.0;
   double body_lengths_per_minute = 0.0;
 };
@@ -45,8 +46,9 @@ struct ModelGap {
 ModelGap gap_of(const ReevaluationStudy& study, const JudgedDesign& design);
 
 /// How well the surrogate ranks a set of designs, by their distances. Designs that did not complete in both models are left out.
+/// Distances below least_body_lengths are equal: their order would be that of rounding.
 struct Ranking {
-  std::string name;          ///< of the set: "all", "top" or "sample"
+  std::string name;          ///< of the set: "sample", "top", "balanced" or "all"
   std::size_t judged = 0;    ///< designs of the set
   std::size_t compared = 0;  ///< of which both models have a displacement
   std::optional<RankCorrelation> spearman;
@@ -54,7 +56,7 @@ struct Ranking {
   std::optional<Share> within_45_deg;  ///< of the designs that have a direction in both
   std::optional<Share> within_90_deg;
   std::optional<TopRegret> best;       ///< of the surrogate's best alone, body lengths per minute
-  std::optional<TopRegret> best_of_k;  ///< of the k best
+  std::optional<TopRegret> best_of_k;  ///< of the k best; nothing where these are all there are
   std::size_t k = 1;
 };
 
@@ -62,7 +64,8 @@ struct Ranking {
 Ranking rank_designs(const ReevaluationStudy& study, const std::string& name, std::span<const JudgedDesign* const> designs,
                      std::size_t k);
 
-/// The sets that have at least two designs: all, and where there is a sample both parts.
+/// The sets that have at least two designs. Where there is a sample both parts come first, the sample before all, since the best
+/// and a sample of the others together stand for no population; where some designs are not balanced, then those that are.
 std::vector<Ranking> rank_all(const ReevaluationStudy& study, const std::vector<JudgedDesign>& designs);
 
 }  // namespace menger::evolution

@@ -50,9 +50,13 @@ void write_winner(const ReevaluationStudy& study, const fs::path& folder, bool p
         io::write_chart(folder / "trajectories.png", trajectories_chart(study, winner), {.width_px = 2100, .height_px = 750}),
         notes);
   }
-  const SceneOutcome scene = write_both_models(folder, winner, pictures);
-  notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
-  if (pictures) note_missing("strip.png", scene.picture, notes);
+  try {
+    const SceneOutcome scene = write_both_models(folder, winner, pictures);
+    notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
+    if (pictures) note_missing("strip.png", scene.picture, notes);
+  } catch (const io::InputError& error) {  // frames that are gone or damaged take nothing from the numbers
+    notes.push_back(std::string("the winner is not shown in both models: ") + error.what());
+  }
 }
 
 }  // namespace

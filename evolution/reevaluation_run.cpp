@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "evolution/archive_lock.h"
+#include "evolution/balance.h"
 #include "evolution/reevaluation_output.h"
 #include "io/child_program.h"
 #include "io/input_error.h"
 #include "io/side_by_side.h"
 #include "io/whole_file.h"
+#include "meshes/fractal.h"
 
 namespace menger::evolution {
 namespace {
@@ -17,13 +19,14 @@ namespace fs = std::filesystem;
 
 class Reevaluator {
  public:
-  Reevaluator(const ReevaluationStudy& study, const RunArchive& archive, const fs::path& folder,
+  /// @param designs of the archive, the best first
+  Reevaluator(const ReevaluationStudy& study, fs::path archive_file, std::vector<FitDesign> designs, const fs::path& folder,
               const ReevaluationOptions& options)
-      : study_(study), archive_(archive), folder_(folder), options_(options) {}
+      : study_(study), archive_file_(std::move(archive_file)), designs_(std::move(designs)), folder_(folder), options_(options) {}
 
   ReevaluationResult run() {
     const fs::path program = io::program_in(options_.programs, "menger-locomote");
-    { const ArchiveLock lock(archive_.file()); }  // whoever else writes is found before the work begins
+    { const ArchiveLock lock(archive_file_); }  // whoever else writes is found before the work begins
     choose();
     io::require_writable_folder(folder_);
     if (!walk_surrogates() || !walk_elements(program)) {
@@ -37,8 +40,8 @@ class Reevaluator {
       result_.status = io::RunStatus::not_converged;
       result_.notes.emplace_back("no design completed in both models");
     }
+    RunArchive::open_to_extend(archive_file_).add_reevaluations(archive_rows());
     write_reevaluation(study_, folder_, options_.pictures, findings(), result_.notes);
-    RunArchive::open_to_extend(archive_.file()).add_reevaluations(archive_rows());
     return std::move(result_);
   }
 
@@ -46,8 +49,8 @@ class Reevaluator {
   ReevaluationFindings& findings() { return result_.findings; }
 
   void choose() {
-    const std::vector<FitDesign> designs = archive_.fit_designs();
-    const std::string file = archive_.file().string();
+    const std::vector<FitDesign>& designs = designs_;
+    const std::string file = archive_file_.string();
     if (designs.empty()) throw io::InputError(file + ": no design has a fitness");
     if (study_.level > 1 && designs.front().phenotype.has_arrangements())
       throw io::InputError(file + ": bodies with arrangements are no fractals: only level 1 can be judged");
@@ -62,6 +65,8 @@ class Reevaluator {
     note_less("designs of the sample", selection.chosen.size() - top, study_.sample);
     for (ChosenDesign& design : selection.chosen)
       findings().designs.push_back({.design = std::move(design), .surrogate = {}, .elements = {}});
+    for (JudgedDesign& design : findings().designs)
+      design.is_balanced = is_balanced(meshes::fractal(design.design.body, study_.level));
     findings().refused = std::move(selection.refused);
     findings().distinct = selection.distinct;
   }
@@ -142,7 +147,8 @@ class Reevaluator {
   }
 
   const ReevaluationStudy& study_;
-  const RunArchive& archive_;
+  fs::path archive_file_;
+  std::vector<FitDesign> designs_;
   const fs::path& folder_;
   const ReevaluationOptions& options_;
   ReevaluationResult result_;
@@ -150,9 +156,16 @@ class Reevaluator {
 
 }  // namespace
 
-ReevaluationResult reevaluate(const ReevaluationStudy& study, const RunArchive& archive, const fs::path& folder,
+ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive, const fs::path& folder,
                               const ReevaluationOptions& options) {
-  return Reevaluator(study, archive, folder, options).run();
+  fs::path file;
+  std::vector<FitDesign> designs;
+  {
+    const RunArchive read = std::move(archive);
+    file = read.file();
+    designs = read.fit_designs();
+  }  // closed from here on: a reader would keep the changes in the log beside the file
+  return Reevaluator(study, std::move(file), std::move(designs), folder, options).run();
 }
 
 }  // namespace menger::evolution

@@ -42,10 +42,13 @@ struct ReevaluationResult {
 /// - runs/: a folder per run of finite elements, by which a second call finds it.
 ///
 /// A design that fails stands in the tables with its status; the others go on. Stopped, nothing is written but what is in runs/.
-/// Surrogates are judged anew in every call.
+/// Surrogates are judged anew in every call. What is archived of a robot is of its standing body, under the name of what the
+/// search simulated.
+/// @param archive of the study, which is closed before its file is written to: so the file holds everything in the end, without a
+/// log beside it
 /// @throws io::InputError if no design can be judged (with the first reason), the program is missing or refuses every design,
 /// another process writes to the archive, or a place cannot be written
-ReevaluationResult reevaluate(const ReevaluationStudy& study, const RunArchive& archive, const std::filesystem::path& folder,
+ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive, const std::filesystem::path& folder,
                               const ReevaluationOptions& options);
 
 }  // namespace menger::evolution

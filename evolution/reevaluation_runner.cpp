@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <system_error>
 #include <utility>
 
+#include "evolution/archive_lock.h"
 #include "evolution/program_job.h"
 #include "io/csv_table.h"
 #include "io/exit_code.h"
@@ -22,6 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* record_name = "calls.toml";
 constexpr const char* result_folder = "result";
+constexpr const char* checkpoint_name = "locomotion.checkpoint";
 
 /// What calls of a run have come to.
 struct Calls {
@@ -104,9 +107,10 @@ void read_or_fail(LocomotionRun& run) {
   }
 }
 
-/// What a run has come to whose time was up.
+/// What a run has come to whose time was up; it may have ended just then by itself.
 void end_by_limit(LocomotionRun& run, double time_limit_s, double seconds) {
   read_or_fail(run);
+  if (run.status && *run.status != io::RunStatus::stopped) return;
   run.status = io::RunStatus::stopped;
   run.displacement_m.reset();
   run.seconds = seconds;
@@ -140,8 +144,14 @@ std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const Loco
     return run;
   }
   child.time_limit_s = std::max(1e-3, options.time_limit_s - calls.seconds);
-  const ProgramJobResult result =
-      run_job(child, {.runs = options.runs, .stop = options.stop, .waiting = [&](double) { waiting(); }});
+  const ProgramJobOptions job_options{.runs = options.runs, .stop = options.stop, .waiting = [&](double) { waiting(); }};
+  ProgramJobResult result = run_job(child, job_options);
+  std::error_code ignored;
+  if (result.is_refused() && fs::exists(run.folder / checkpoint_name, ignored)) {
+    // A checkpoint that is damaged, or was made by another program or instruction set, must not keep the run from being made.
+    child.arguments.emplace_back("--restart");
+    result = run_job(child, job_options);
+  }
   calls.seconds += result.outcome.wall_s;
   calls.is_finished = result.has_result();
   const bool is_timed_out = result.outcome.end == io::ChildEnd::timed_out;
@@ -200,22 +210,37 @@ void require_accepted(std::span<const LocomotionRun> runs) {
 
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
                                                           const LocomotionRunOptions& options) {
-  std::vector<LocomotionRun> runs(jobs.size());
+  io::require_writable_folder(options.runs);
+  const ArchiveLock lock(options.runs);
+  // Equal jobs share a folder: each is run once, for the first that asks for it.
+  std::map<fs::path, std::size_t> place_of;
+  std::vector<std::size_t> first;
+  for (std::size_t n = 0; n < jobs.size(); ++n) {
+    if (place_of.emplace(child_of(jobs[n], options).kept_folder, first.size()).second) first.push_back(n);
+  }
+  std::vector<LocomotionRun> made(first.size());
   std::mutex mutex;
-  std::size_t done = 0;
+  std::size_t done = jobs.size() - first.size();
   const auto tell = [&](std::size_t finished, const std::string& name) {
-    const std::scoped_lock lock(mutex);
+    const std::scoped_lock guard(mutex);
     done += finished;
     if (options.progress) options.progress(done, name);
   };
-  const bool is_whole = io::side_by_side(jobs.size(), options.jobs, options.stop, [&](std::size_t n) {
-    auto run = run_locomotion(jobs[n], options, [&] { tell(0, jobs[n].name); });
+  const bool is_whole = io::side_by_side(first.size(), options.jobs, options.stop, [&](std::size_t n) {
+    const LocomotionJob& job = jobs[first[n]];
+    auto run = run_locomotion(job, options, [&] { tell(0, job.name); });
     if (!run) return false;
-    runs[n] = std::move(*run);
-    tell(1, jobs[n].name);
+    made[n] = std::move(*run);
+    tell(1, job.name);
     return true;
   });
   if (!is_whole) return std::nullopt;
+  std::vector<LocomotionRun> runs;
+  for (std::size_t n = 0; n < jobs.size(); ++n) {
+    const std::size_t place = place_of.at(child_of(jobs[n], options).kept_folder);
+    runs.push_back(made[place]);
+    if (first[place] != n) runs.back().is_repeated = false;
+  }
   return runs;
 }
 

@@ -67,9 +67,10 @@ struct LocomotionRunOptions {
 };
 
 /// Runs jobs side by side; results in the order of the jobs. A finished run is found again, one that was stopped or whose time
-/// was up goes on from its checkpoint, the latter if the limit is larger now. No failure ends the others.
+/// was up goes on from its checkpoint, the latter if the limit is larger now; with a checkpoint that the program refuses it
+/// begins anew. Equal jobs are run once. No failure ends the others.
 /// @return nothing if the user stopped it; what is finished is kept
-/// @throws io::InputError if the program cannot be started or the folder cannot be written
+/// @throws io::InputError if the program cannot be started, the folder cannot be written or another process runs jobs in it
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
                                                           const LocomotionRunOptions& options);
 

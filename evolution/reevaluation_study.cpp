@@ -58,7 +58,7 @@ LocomotionOptions read_elements(const io::TomlTable& table) {
   return options;
 }
 
-JudgeOptions read_judge(const io::TomlTable& table, const LocomotionOptions& own) {
+JudgeOptions read_judge(const io::TomlTable& table, const LocomotionOptions& own, const fs::path& silicone) {
   JudgeOptions options;
   options.designs = table.integer_or<std::size_t>("designs", options.designs, io::at_least(1));
   const int through = table.integer_or("elements_through_wall", options.elements_through_wall.value(), io::within(1, 16));
@@ -66,7 +66,12 @@ JudgeOptions read_judge(const io::TomlTable& table, const LocomotionOptions& own
   options.bulk_modulus_factor = read_factor(table, "bulk_modulus_factor", options.bulk_modulus_factor, io::positive());
   options.step_factor =
       read_factor(table, "step_factor", options.step_factor, {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
-  if (table.has("youngs_moduli_Pa")) options.youngs_moduli_Pa = table.numbers("youngs_moduli_Pa", io::positive());
+  // What is stated of one silicone says nothing of another.
+  if (table.has("youngs_moduli_Pa") || silicone.stem() != usual_silicone)
+    options.youngs_moduli_Pa = table.numbers("youngs_moduli_Pa", io::positive());
+  std::vector<double> sorted = options.youngs_moduli_Pa;
+  std::ranges::sort(sorted);
+  if (std::ranges::adjacent_find(sorted) != sorted.end()) throw table.error("youngs_moduli_Pa", "must be different");
   return options;
 }
 
@@ -160,7 +165,7 @@ ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, co
   read_times(table, study);
   read_silicone_of(table, study);
   if (const auto elements = table.optional_table("elements")) study.elements = read_elements(*elements);
-  if (const auto judge = table.optional_table("judge")) study.judge = read_judge(*judge, study.elements);
+  if (const auto judge = table.optional_table("judge")) study.judge = read_judge(*judge, study.elements, study.silicone_file);
   read_ground(table.optional_table("ground"), table.file(), study.search);
   table.finish();
   return study;

@@ -72,7 +72,7 @@ struct ReevaluationRequest {
 /// - `[elements]` elements_through_wall, bulk_modulus_ratio, step_safety, youngs_modulus_Pa, threads
 /// - `[ground]` static_friction, kinetic_friction: of both models, instead of the search's
 /// - `[judge]` designs, elements_through_wall, bulk_modulus_factor, step_factor, youngs_moduli_Pa; a factor of 1, the same number
-///   of elements and an empty list leave a variant out
+///   of elements and an empty list leave a variant out; youngs_moduli_Pa must be given for any silicone but the usual one
 ///
 /// @throws io::InputError with file, key and value; also if the search was not on a calibrated surrogate that is driven by
 /// pressure, has no such level, has two materials of different friction, or calibrated another silicone than the study names

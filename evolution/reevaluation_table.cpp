@@ -29,8 +29,8 @@ void add_motion(Row& row, const ReevaluationStudy& study, const std::optional<st
   }
   const Motion motion = motion_of(study, *displacement_m);
   for (const double value : *displacement_m) row.push_back(io::cell(value));
-  for (const double value : {motion.horizontal_m, motion.direction_deg, motion.body_lengths, motion.body_lengths_per_minute})
-    row.push_back(io::cell(value));
+  row.insert(row.end(), {io::cell(motion.horizontal_m), io::cell(motion.direction_deg), io::cell(motion.body_lengths),
+                         io::cell(motion.body_lengths_per_minute)});
 }
 
 void add_name(Row& row, const ReevaluationStudy& study, const ChosenDesign& design) {
@@ -79,7 +79,8 @@ io::CsvTable reevaluation_table(const ReevaluationStudy& study, const Reevaluati
   add(columns, "elements_", {"lowest_dz_m"});
   add(columns, "",
       {"distance_ratio", "angle_deg", "surrogate_relative_error", "surrogate_steps", "elements_steps", "elements_count",
-       "surrogate_seconds", "elements_seconds", "surrogate_left_out_m", "elements_left_out_m"});
+       "surrogate_seconds", "elements_seconds", "surrogate_left_out_m", "elements_left_out_m", "is_balanced",
+       "surrogate_reason"});
   io::CsvTable table(columns);
   for (const JudgedDesign& judged : findings.designs) {
     const Evaluation& surrogate = judged.surrogate.result;
@@ -96,7 +97,8 @@ io::CsvTable reevaluation_table(const ReevaluationStudy& study, const Reevaluati
     const ModelGap gap = gap_of(study, judged);
     row.insert(row.end(), {io::cell(gap.ratio), io::cell(gap.angle_deg), io::cell(gap.relative_error), io::cell(surrogate.steps),
                            io::cell(elements.steps), io::cell(elements.elements), io::cell(surrogate.seconds),
-                           io::cell(elements.seconds), left_out_cell(surrogate.left_out_m), left_out_cell(elements.left_out_m)});
+                           io::cell(elements.seconds), left_out_cell(surrogate.left_out_m), left_out_cell(elements.left_out_m),
+                           io::cell(judged.is_balanced ? "true" : "false"), io::cell(surrogate.reason)});
     table.add_cells(row);
   }
   return table;

@@ -19,7 +19,8 @@ struct ReevaluationFindings {
 };
 
 /// A row per judged design with both models: status, displacement, direction, speed, cost; ratio, angle, relative error.
-/// left_out_m is the horizontal distance before displacement counts, where that is not from the start. lowest_dz_m is how far the
+/// left_out_m is the horizontal distance before displacement counts, where that is not from the start; is_balanced whether the
+/// robot stands by itself. lowest_dz_m is how far the
 /// centre came below its start, 0 if never (seen at the records): far below, the body fell over.
 io::CsvTable reevaluation_table(const ReevaluationStudy& study, const ReevaluationFindings& findings);
 

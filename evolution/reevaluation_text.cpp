@@ -34,6 +34,10 @@ std::string design_line(const ReevaluationStudy& study, const JudgedDesign& judg
                      padded(number_or_dash(gap.ratio, "%.3f"), 9) + padded(number_or_dash(gap.angle_deg, "%.0f"), 8) + "  " +
                      std::string(status_word(judged.elements));
   if (!judged.elements.reason.empty()) line += ": " + judged.elements.reason;
+  const Evaluation& surrogate = judged.surrogate.result;
+  if (surrogate.status != io::RunStatus::completed)
+    line += "; surrogate " + std::string(io::to_string(surrogate.status)) + ": " + surrogate.reason;
+  if (!judged.is_balanced) line += "; falls over by itself";
   return line + "\n";
 }
 
@@ -87,7 +91,8 @@ std::string judge_text(const ReevaluationStudy& study, const ReevaluationFinding
   }
   if (text.empty() || gaps.empty()) return text;
   std::ranges::sort(gaps);
-  return text + "the surrogate's displacement is off by " + formatted("%.0f", 100.0 * gaps[gaps.size() / 2]) + " % (median of " +
+  return text + "the surrogate's displacement is off by " +
+         formatted("%.0f", 100.0 * 0.5 * (gaps[(gaps.size() - 1) / 2] + gaps[gaps.size() / 2])) + " % (median of " +
          std::to_string(gaps.size()) + " designs)\n";
 }
 

@@ -161,7 +161,8 @@ class RunArchive {
   /// By design, level and protocol; none in an archive of version 2.
   [[nodiscard]] std::vector<Reevaluation> reevaluations() const;
 
-  /// Adds all in one transaction; one of the same design, level and protocol is replaced.
+  /// Adds all in one transaction. One of the same design, level and protocol is replaced, but never an outcome of the physics by
+  /// a run that was stopped or failed.
   void add_reevaluations(std::span<const Reevaluation> reevaluations);
 
   /// What judges found in the course of the search, by generation and place.

@@ -63,7 +63,13 @@ Reevaluation read_reevaluation(SQLite::Statement& row, int first_column, const S
 
 void insert_reevaluations(SQLite::Database& connection, std::span<const Reevaluation> reevaluations) {
   SQLite::Statement protocol(connection, "INSERT OR IGNORE INTO protocol VALUES (?, ?)");
-  SQLite::Statement row(connection, "INSERT OR REPLACE INTO reevaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  // A budget or a failure that ended a run says nothing of the robot: what another call found of it stays.
+  SQLite::Statement row(connection,
+                        "INSERT INTO reevaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+                        "ON CONFLICT (design_hash, level, protocol_hash) DO UPDATE SET variant = excluded.variant, "
+                        "duration_s = excluded.duration_s, status = excluded.status, dx_m = excluded.dx_m, dy_m = excluded.dy_m, "
+                        "dz_m = excluded.dz_m, reason = excluded.reason, steps = excluded.steps, seconds = excluded.seconds "
+                        "WHERE COALESCE(excluded.status, 'stopped') != 'stopped' OR COALESCE(status, 'stopped') = 'stopped'");
   for (const Reevaluation& reevaluation : reevaluations) {
     const std::string hash = io::content_hash(reevaluation.protocol);
     protocol.reset();
@@ -110,6 +116,8 @@ void RunArchive::add_reevaluations(std::span<const Reevaluation> reevaluations) 
     SQLite::Transaction transaction(database_->connection);
     insert_reevaluations(database_->connection, reevaluations);
     transaction.commit();
+    // Whoever copies the file alone has everything; with readers about it is done when the last of them is gone.
+    database_->connection.exec("PRAGMA wal_checkpoint(TRUNCATE)");
   });
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "evolution/reevaluation_run.h"
 #include "evolution/reevaluation_study.h"
@@ -69,7 +70,7 @@ int usual_jobs(const ReevaluationStudy& study) {
 
 int judge(const Arguments& arguments) {
   const auto start = Clock::now();
-  const RunArchive archive = RunArchive::open_to_read(arguments.request.archive);
+  RunArchive archive = RunArchive::open_to_read(arguments.request.archive);
   const ReevaluationStudy study = read_reevaluation_study(arguments.request, archive);
   io::Manifest manifest{.program = "menger-reevaluate",
                         .parameters = resolved_text(study) + "# search\n" + resolved_text(study.search),
@@ -87,7 +88,7 @@ int judge(const Arguments& arguments) {
     if (!bar) bar = std::make_unique<io::Progress>("reevaluate", static_cast<double>(total));
     bar->update(static_cast<double>(done), name);
   };
-  const ReevaluationResult result = reevaluate(study, archive, arguments.folder, options);
+  const ReevaluationResult result = reevaluate(study, std::move(archive), arguments.folder, options);
   bar.reset();
   if (result.status == io::RunStatus::stopped) {
     std::cout << "Stopped; what is done is kept. The same command goes on from there." << std::endl;
