@@ -179,6 +179,7 @@ std::vector<std::string> failed_details(const Calibration& calibration) {
                           ", " + step.fit.reason + (step.is_kept ? "" : "; the result is without it");
   }
   std::vector<std::string> sentences;
+  sentences.reserve(failed.size());
   for (const auto& [detail, sentence] : failed) sentences.push_back(sentence);
   return sentences;
 }
