@@ -10,18 +10,28 @@ namespace {
 
 constexpr double close_steps = 1.2;  // ratio of steps that can share a factorisation
 constexpr double touching_gap = 1e-3;
+constexpr double moment_s = 1e-9;  // too short for a step: accelerations would be rounding
 
 }  // namespace
 
 const ImplicitReport& ImplicitDynamics::advance_to(double time_s) {
   while (report_.status == io::RunStatus::completed && state_.time_s < time_s) {
-    if (options_.stop != nullptr && *options_.stop) {
+    if (is_told_to_stop()) {
       fail(io::RunStatus::stopped, "interrupted");
+    } else if (time_s - state_.time_s < moment_s) {
+      state_.time_s = time_s;
     } else {
       pass_step(time_s);
     }
   }
   return report_;
+}
+
+/// The same on all ranks, whichever of them was told.
+bool ImplicitDynamics::is_told_to_stop() const {
+  int stops = options_.stop != nullptr && *options_.stop ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &stops, 1, MPI_INT, MPI_MAX, space().communicator);
+  return stops != 0;
 }
 
 void ImplicitDynamics::fail(io::RunStatus status, const std::string& reason) {
@@ -39,12 +49,12 @@ void ImplicitDynamics::pass_step(double end_s) {
     trial_.time_s = count == 1.0 ? end_s : state_.time_s + step;
     const Judgement judgement = try_step(step, u);
     if (judgement == Judgement::good) {
-      if (count > 1.0 || error_ > 0.5) state_.next_step_s = next_step_s(step, error_);
+      if (count > 1.0 || error_ > 0.5) state_.next_step_s = next_step_s(step, error_, wanted);
       accept(std::move(u));
       return;
     }
     ++state_.rejected_steps;
-    state_.next_step_s = judgement == Judgement::inaccurate ? std::min(0.9 * step, next_step_s(step, error_)) : 0.4 * step;
+    state_.next_step_s = judgement == Judgement::inaccurate ? std::min(0.9 * step, next_step_s(step, error_, step)) : 0.4 * step;
     if (state_.next_step_s >= options_.smallest_step_s) continue;
     switch (judgement) {
       case Judgement::inverted:
@@ -78,10 +88,11 @@ ImplicitDynamics::Judgement ImplicitDynamics::try_step(double step_s, std::vecto
   return look_at_walls(u);
 }
 
-/// c h^2 (a1 - a0) filtered by the matrix at hand, in which M stands with the factor m.
+/// c h^2 (a1 - a0) filtered by the matrix at hand, in which M stands with the factor m of the step that it was made for.
 double ImplicitDynamics::error_of_step() {
   const double h = trial_.step_s;
-  const double mass_factor = (1.0 - scheme_.alpha_m) / ((1.0 - scheme_.alpha_f) * scheme_.beta * h * h);
+  const double mass_factor =
+      (1.0 - scheme_.alpha_m) / ((1.0 - scheme_.alpha_f) * scheme_.beta * factorised_step_s_ * factorised_step_s_);
   std::vector<double> error(trial_.accelerations.size());
   for (std::size_t n = 0; n < error.size(); ++n)
     error[n] = scheme_.error_constant * h * h * (trial_.accelerations[n] - state_.accelerations_m_per_s2[n]);
@@ -96,30 +107,43 @@ double ImplicitDynamics::error_of_step() {
   return size_of(error);
 }
 
-/// Walls of a chamber are looked at where it has shrunk and they may have closed half of their gap since the last look.
+/// An upper bound of how far two points of the body have come nearer to each other: motion apart from the mean one, twice.
+double ImplicitDynamics::approach_m(std::span<const double> from, std::span<const double> to) const {
+  Point mean{};
+  for (std::size_t n = 0; n < 3 * masses_.size(); ++n) mean[n % 3] += masses_[n / 3] * (to[n] - from[n]) / mass_kg_;
+  MPI_Allreduce(MPI_IN_PLACE, mean.data(), 3, MPI_DOUBLE, MPI_SUM, space().communicator);
+  double square = 0.0;
+  for (std::size_t node = 0; node < masses_.size(); ++node) {
+    Point way{};
+    for (std::size_t i = 0; i < 3; ++i) way[i] = to[3 * node + i] - from[3 * node + i] - mean[i];
+    square = std::max(square, dot(way, way));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_MAX, space().communicator);
+  return 2.0 * std::sqrt(square);
+}
+
+/// Walls of a chamber are looked at where it has shrunk and they may have closed half of their gap since the last look. Where
+/// that was before this step, they are looked at where it began, too: what they may have passed unseen is judged by this step.
 ImplicitDynamics::Judgement ImplicitDynamics::look_at_walls(std::span<const double> u) {
   const std::vector<double>& volumes = trial_.forces.totals.chamber_volumes_m3;
   bool shrinks = false;
   for (std::size_t c = 0; c < volumes.size(); ++c) shrinks = shrinks || volumes[c] < 0.999 * first_volumes_[c];
   if (!shrinks) return Judgement::good;
-  if (gap_m_) {
-    double square = 0.0;
-    for (std::size_t node = 0; node < u.size() / 3; ++node) {
-      double way = 0.0;
-      for (std::size_t i = 0; i < 3; ++i) way += std::pow(u[3 * node + i] - gap_displacements_[3 * node + i], 2);
-      square = std::max(square, way);
-    }
-    MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_MAX, space().communicator);
-    const double way = 2.0 * std::sqrt(square);
-    if (way < 0.5 * *gap_m_) return Judgement::good;
-    if (way > *gap_m_ + gaps_.recognised_depth_m()) return Judgement::crossing;
-  }
+  if (gap_m_ && approach_m(gap_displacements_, u) < 0.5 * *gap_m_) return Judgement::good;
+  if (!look_from(state_.displacements_m)) return Judgement::crossing;
+  if (gap_m_ && approach_m(state_.displacements_m, u) > *gap_m_ + gaps_.recognised_depth_m()) return Judgement::crossing;
+  return look_from(u) ? Judgement::good : Judgement::crossing;
+}
+
+/// @return whether no walls cross there
+bool ImplicitDynamics::look_from(std::span<const double> u) {
   const std::optional<WallGap> gap = gaps_.smallest(u);
-  if (!gap) return Judgement::good;
-  if (gap->is_crossing) return Judgement::crossing;
+  gap_m_.reset();
+  if (!gap) return true;
+  if (gap->is_crossing) return false;
   gap_m_ = gap->gap_m;
   gap_displacements_.assign(u.begin(), u.end());
-  return Judgement::good;
+  return true;
 }
 
 /// Of the mean of two forces over the step to u.

@@ -1,5 +1,6 @@
 #include "fem/implicit_contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fem/face_area.h"
@@ -49,7 +50,9 @@ ImplicitContact::ImplicitContact(const Assembly& assembly, const Body& body, con
     if (areas[node] == 0.0) continue;
     const bool has_friction = assembly.held()[3 * node] == 0 && assembly.held()[3 * node + 1] == 0;
     springs_.push_back({static_cast<Index>(node), ground.stiffness_Pa_per_m * areas[node], has_friction});
+    largest_stick_stiffness_ = std::max(largest_stick_stiffness_, stick_stiffness_ * springs_.back().stiffness_N_per_m);
   }
+  MPI_Allreduce(MPI_IN_PLACE, &largest_stick_stiffness_, 1, MPI_DOUBLE, MPI_MAX, assembly.space().communicator);
 }
 
 void ImplicitContact::stick_or_slip(const Spring& spring, const StepMotion& motion, const GroundNode& before,
@@ -65,10 +68,15 @@ void ImplicitContact::stick_or_slip(const Spring& spring, const StepMotion& moti
   const double scale = directional_factor(friction, pulled) * response.normal_N;
   const bool stuck = before.touches && !before.slides;
   const double limit = (stuck ? friction.static_coefficient : friction.kinetic_coefficient) * scale;
+  if (limit <= 0.0) {
+    node.slides = true;
+    node.anchor_m = end;
+    return;
+  }
   if (stiffness * distance <= limit) {
     node.friction_N = {-stiffness * pulled[0], -stiffness * pulled[1]};
-    const double speed = length(in_plane(motion.velocities_m_per_s, static_cast<std::size_t>(spring.node)));
-    node.slides = stiffness * speed * motion.step_s > friction.kinetic_coefficient * scale;
+    const Plane velocity = in_plane(motion.velocities_m_per_s, static_cast<std::size_t>(spring.node));
+    node.slides = !stuck && velocity[0] * pulled[0] + velocity[1] * pulled[1] > 0.0;
     response.tangent = {stiffness, 0.0, 0.0, stiffness};
     return;
   }
@@ -135,22 +143,48 @@ double ImplicitContact::loss_of(const Spring& spring, const StepMotion& motion, 
 GroundTotals ImplicitContact::add_forces(const StepMotion& motion, std::span<const GroundNode> before,
                                          std::span<GroundNode> after, std::span<double> residual_N) const {
   GroundTotals totals;
-  const bool by_speed = ground_.friction.regularisation_speed_m_per_s > 0.0;
   for (std::size_t s = 0; s < springs_.size(); ++s) {
     const Spring& spring = springs_[s];
     const Response response = response_of(spring, motion, before[s]);
     after[s] = response.node;
     if (spring.has_friction) totals.friction_loss_J += loss_of(spring, motion, before[s], after[s]);
-    if (!after[s].touches) continue;
-    const auto first = 3 * static_cast<std::size_t>(spring.node);
-    for (std::size_t i = 0; i < 2; ++i) residual_N[first + i] -= after[s].friction_N[i];
-    if (assembly_.held()[first + 2] == 0) residual_N[first + 2] -= response.normal_N;
-    totals.force_N += response.normal_N;
-    totals.normal_energy_J += 0.5 * response.normal_N * response.normal_N / spring.stiffness_N_per_m;
-    const double force = length(after[s].friction_N);
-    if (!by_speed) totals.stick_energy_J += 0.5 * force * force / (stick_stiffness_ * spring.stiffness_N_per_m);
+    push(spring, response.normal_N, after[s], residual_N, totals);
   }
   return totals;
+}
+
+GroundTotals ImplicitContact::add_remembered_forces(std::span<const double> displacements_m, std::span<const GroundNode> nodes,
+                                                    std::span<double> residual_N) const {
+  GroundTotals totals;
+  for (std::size_t s = 0; s < springs_.size(); ++s) {
+    const auto node = static_cast<std::size_t>(springs_[s].node);
+    const double depth = ground_.height_m - assembly_.space().positions[node][2] - displacements_m[3 * node + 2];
+    push(springs_[s], springs_[s].stiffness_N_per_m * std::max(depth, 0.0), nodes[s], residual_N, totals);
+  }
+  return totals;
+}
+
+/// What the ground does to a node that touches it.
+void ImplicitContact::push(const Spring& spring, double normal_N, const GroundNode& node, std::span<double> residual_N,
+                           GroundTotals& totals) const {
+  if (!node.touches) return;
+  const auto first = 3 * static_cast<std::size_t>(spring.node);
+  for (std::size_t i = 0; i < 2; ++i) residual_N[first + i] -= node.friction_N[i];
+  if (assembly_.held()[first + 2] == 0) residual_N[first + 2] -= normal_N;
+  totals.force_N += normal_N;
+  totals.normal_energy_J += 0.5 * normal_N * normal_N / spring.stiffness_N_per_m;
+  if (ground_.friction.regularisation_speed_m_per_s > 0.0) return;
+  const double force = length(node.friction_N);
+  totals.stick_energy_J += 0.5 * force * force / (stick_stiffness_ * spring.stiffness_N_per_m);
+}
+
+double ImplicitContact::unbalanced_N(std::span<const GroundNode> nodes, std::span<const double> residual_N) const {
+  double left = 0.0;
+  for (std::size_t s = 0; s < springs_.size(); ++s) {
+    if (nodes[s].touches && springs_[s].has_friction)
+      left += length(in_plane(residual_N, static_cast<std::size_t>(springs_[s].node)));
+  }
+  return left;
 }
 
 void ImplicitContact::add_matrix(const StepMotion& motion, std::span<const GroundNode> before, Mat matrix) const {

@@ -7,17 +7,10 @@
 
 #include "fem/assembly.h"
 #include "fem/body.h"
+#include "fem/implicit_state.h"
 #include "fem/rigid_ground.h"
 
 namespace menger::fem {
-
-/// What a node on the ground remembers from step to step.
-struct GroundNode {
-  bool touches = false;
-  bool slides = false;
-  std::array<double, 2> anchor_m{};    ///< where its stick spring is unloaded, while it touches
-  std::array<double, 2> friction_N{};  ///< on the body
-};
 
 /// Motion over a step: 3 numbers per local node.
 struct StepMotion {
@@ -25,7 +18,6 @@ struct StepMotion {
   std::span<const double> displacements_m;
   std::span<const double> velocities_m_per_s;
   double velocity_by_displacement_per_s = 0.0;  ///< dv/du at the end of the step
-  double step_s = 0.0;
 };
 
 /// Sums over the nodes of this rank.
@@ -41,10 +33,12 @@ struct GroundTotals {
 ///
 /// Without a regularisation speed friction is an elastic-plastic return map: a node that touches hangs on a stick spring, a given
 /// part of its normal one, whose other end, the anchor, gives way where the force would exceed the friction that the node bears:
-/// during a step the static coefficient times N where the node stuck before, the kinetic one where it slid (or will in another
-/// such step at its speed: springs that load again on the way are no rest) or was in the air. So
-/// the force is continuous within a step, and falls to the kinetic one a step after a node broke loose. Loaded nodes that stick
-/// have moved by force over spring and come back. With a regularisation speed friction is that of rigid_ground.h, by velocity.
+/// during a step the static coefficient times N where the node stuck before, the kinetic one where it slid or was in the air. A
+/// node slides on as long as it moves along its pull, also where its spring loads again because N has grown; it sticks when it
+/// stands still or turns back. So the force is continuous within a step, and falls to the kinetic one a step after a node broke
+/// loose. Loaded nodes that stick have moved by force over spring and come back: what is to be seen of friction must be slower
+/// or larger than mu N over the spring, mu times the depth at equal stiffness. With a regularisation speed friction is that of
+/// rigid_ground.h, by velocity.
 ///
 /// Nodes that are held in x or y feel no friction. Outer areas are int N_a dA over boundary faces that bound no chamber, in the
 /// reference configuration: a quarter of each face at a node where elements are boxes of degree 1, as in explicit dynamics.
@@ -60,8 +54,18 @@ class ImplicitContact {
   GroundTotals add_forces(const StepMotion& motion, std::span<const GroundNode> before, std::span<GroundNode> after,
                           std::span<double> residual_N) const;
 
+  /// The same for a state that was reached before: friction as its nodes remember it.
+  GroundTotals add_remembered_forces(std::span<const double> displacements_m, std::span<const GroundNode> nodes,
+                                     std::span<double> residual_N) const;
+
+  /// What a residual leaves of the forces in the plane on nodes that feel friction, added up without their directions, N.
+  [[nodiscard]] double unbalanced_N(std::span<const GroundNode> nodes, std::span<const double> residual_N) const;
+
+  /// Largest of the stick springs, N/m, the same on all ranks.
+  [[nodiscard]] double largest_stick_stiffness_N_per_m() const { return largest_stick_stiffness_; }
+
   /// Adds the symmetric part of d(residual)/du to a matrix that has not been assembled since: without the change of friction with
-  /// the normal force, which is not symmetric.
+  /// the normal force, which is not symmetric, and with the direction, where that decides about its coefficients.
   void add_matrix(const StepMotion& motion, std::span<const GroundNode> before, Mat matrix) const;
 
  private:
@@ -78,12 +82,15 @@ class ImplicitContact {
   [[nodiscard]] Response response_of(const Spring& spring, const StepMotion& motion, const GroundNode& before) const;
   void stick_or_slip(const Spring& spring, const StepMotion& motion, const GroundNode& before, Response& response) const;
   void follow_speed(const std::array<double, 2>& velocity, double velocity_by_displacement, Response& response) const;
+  void push(const Spring& spring, double normal_N, const GroundNode& node, std::span<double> residual_N,
+            GroundTotals& totals) const;
   [[nodiscard]] double loss_of(const Spring& spring, const StepMotion& motion, const GroundNode& before,
                                const GroundNode& after) const;
 
   const Assembly& assembly_;
   RigidGround ground_;
   double stick_stiffness_;
+  double largest_stick_stiffness_ = 0.0;
   std::vector<Spring> springs_;
 };
 

@@ -1,6 +1,7 @@
 #include "fem/implicit_dynamics.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -98,7 +99,6 @@ double ImplicitDynamics::sum_over_ranks(double value) const {
 
 /// Masses of nodes are those of a body that nothing holds.
 void ImplicitDynamics::weigh() {
-  assemble_mass(assembly_, body_, mass_);
   mass_kg_ = mass_of(space(), body_);
   Body free = body_;
   free.supports.clear();
@@ -113,6 +113,24 @@ void ImplicitDynamics::weigh() {
   masses_.resize(static_cast<std::size_t>(space().owned_count));
   for (std::size_t node = 0; node < masses_.size(); ++node) masses_[node] = data[3 * node];
   petsc(VecRestoreArrayRead(work_out_, &data));
+  petsc(MatZeroEntries(mass_));
+  add_masses(1.0, mass_);
+}
+
+/// Adds a multiple of the mass to a matrix and assembles it.
+void ImplicitDynamics::add_masses(double factor, Mat matrix) const {
+  if (!options_.lumped_mass) {
+    add_mass(assembly_, body_, factor, matrix);
+    return;
+  }
+  for (std::size_t node = 0; node < masses_.size(); ++node) {
+    const double m = factor * masses_[node];
+    std::array<double, 9> block{m, 0.0, 0.0, 0.0, m, 0.0, 0.0, 0.0, m};
+    const auto index = static_cast<Index>(node);
+    assembly_.add_to_matrix(matrix, std::span(&index, 1), block);
+  }
+  petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+  petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
 }
 
 /// Root mean square by mass.
@@ -125,7 +143,8 @@ double ImplicitDynamics::size_of(std::span<const double> field) {
 NodalEquation ImplicitDynamics::equation() {
   return {[this](std::span<const double> u, std::span<double> residual) { return compute_residual(u, residual); },
           [this](std::span<const double> u, Mat matrix) { compute_matrix(u, matrix); },
-          [this](std::span<const double> u) { return size_of(u); }};
+          [this](std::span<const double> u) { return size_of(u); },
+          [this](std::span<const double> residual) { return is_balanced(residual); }};
 }
 
 void ImplicitDynamics::set_state(ImplicitState state) {
@@ -135,14 +154,16 @@ void ImplicitDynamics::set_state(ImplicitState state) {
   report_ = {};
   for (std::size_t n = 0; n < count; ++n)
     if (assembly_.held()[n] != 0) state_.displacements_m[n] = state_.velocities_m_per_s[n] = 0.0;
-  if (contact_ && state_.ground_nodes.empty()) state_.ground_nodes = contact_->free_nodes();
+  const bool remembers = !state_.ground_nodes.empty();
+  if (contact_ && !remembers) state_.ground_nodes = contact_->free_nodes();
+  assert(!contact_ || state_.ground_nodes.size() == contact_->free_nodes().size());
   const bool is_new = state_.accelerations_m_per_s2.empty();
   if (is_new) state_.accelerations_m_per_s2.assign(count, 0.0);
   trial_.time_s = state_.time_s;
   trial_.step_s = options_.first_step_s;
   trial_.accelerations = state_.accelerations_m_per_s2;
   trial_.velocities = state_.velocities_m_per_s;
-  if (!compute_forces(state_.displacements_m, forces_))
+  if (!compute_forces(state_.displacements_m, forces_, remembers))
     throw io::InputError("implicit dynamics: cannot start from this state: an element is inside out");
   state_.ground_nodes = forces_.ground_nodes;
   if (is_new) start_from_forces();

@@ -7,11 +7,12 @@
 namespace menger::fem {
 
 StepMotion ImplicitDynamics::motion_to(std::span<const double> u) const {
-  return {state_.displacements_m, u, trial_.velocities, scheme_.gamma / (scheme_.beta * trial_.step_s), trial_.step_s};
+  return {state_.displacements_m, u, trial_.velocities, scheme_.gamma / (scheme_.beta * trial_.step_s)};
 }
 
 /// Forces at the end of a step with the displacements u, the velocities and the time of the trial.
-bool ImplicitDynamics::compute_forces(std::span<const double> u, Forces& forces) {
+/// @param are_remembered those of the ground are the state's
+bool ImplicitDynamics::compute_forces(std::span<const double> u, Forces& forces, bool are_remembered) {
   forces.residual_N.resize(u.size());
   forces.pressures_Pa.clear();
   for (const PlenumSchedule& schedule : options_.schedules) forces.pressures_Pa.push_back(pressure_Pa(schedule, trial_.time_s));
@@ -26,8 +27,10 @@ bool ImplicitDynamics::compute_forces(std::span<const double> u, Forces& forces)
       if (assembly_.held()[n] == 0) forces.residual_N[n] += forces.viscous_N[n];
   }
   if (contact_) {
-    forces.ground_nodes.resize(state_.ground_nodes.size());
-    GroundTotals own = contact_->add_forces(motion_to(u), state_.ground_nodes, forces.ground_nodes, forces.residual_N);
+    forces.ground_nodes = state_.ground_nodes;
+    const GroundTotals own =
+        are_remembered ? contact_->add_remembered_forces(u, state_.ground_nodes, forces.residual_N)
+                       : contact_->add_forces(motion_to(u), state_.ground_nodes, forces.ground_nodes, forces.residual_N);
     forces.ground = {sum_over_ranks(own.force_N), sum_over_ranks(own.normal_energy_J), sum_over_ranks(own.stick_energy_J),
                      sum_over_ranks(own.friction_loss_J)};
   }
@@ -71,6 +74,19 @@ bool ImplicitDynamics::compute_residual(std::span<const double> u, std::span<dou
   return true;
 }
 
+/// A force that Newton's method leaves on nodes of the ground works like one from outside, as friction does, and small ones in
+/// one direction add up to a way: the walking module of ImplicitDynamics went 432 um in three periods with stick springs of 10
+/// when displacements alone were judged, 251 um so, and 259 um by explicit dynamics. What is left may be a part of the friction
+/// there, or what the tolerance of displacements makes of one stick spring.
+bool ImplicitDynamics::is_balanced(std::span<const double> residual) const {
+  if (!contact_) return true;
+  constexpr double part = 0.01;
+  const double left = sum_over_ranks(contact_->unbalanced_N(trial_.forces.ground_nodes, residual));
+  const double friction = options_.ground->friction.kinetic_coefficient * trial_.forces.ground.force_N;
+  const double of_a_spring = contact_->largest_stick_stiffness_N_per_m() * options_.newton_tolerance * tolerance_m_;
+  return left <= std::max(part * friction, of_a_spring);
+}
+
 void ImplicitDynamics::add_inertia(std::span<double> residual) {
   double* in = nullptr;
   petsc(VecGetArrayWrite(work_in_, &in));
@@ -94,7 +110,7 @@ void ImplicitDynamics::compute_matrix(std::span<const double> u, Mat matrix) {
   assembly_.assemble(u, {.plenum_pressures_Pa = trial_.forces.pressures_Pa}, {}, {}, matrix);
   viscosity_.add_matrix(assembly_, u, by_velocity, matrix);
   if (contact_) contact_->add_matrix(motion_to(u), state_.ground_nodes, matrix);
-  add_mass(assembly_, body_, by_acceleration + options_.mass_damping_per_s * by_velocity, matrix);
+  add_masses(by_acceleration + options_.mass_damping_per_s * by_velocity, matrix);
   factorised_step_s_ = h;
 }
 
@@ -107,9 +123,12 @@ void ImplicitDynamics::start_from_forces() {
   petsc(KSPSetTolerances(solver, 1e-12, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
   PC preconditioner = nullptr;
   petsc(KSPGetPC(solver, &preconditioner));
-  petsc(PCSetType(preconditioner, PCNONE));
+  petsc(PCSetType(preconditioner, PCJACOBI));
   copy_owned(forces_.residual_N, work_in_);
   petsc(KSPSolve(solver, work_in_, work_out_));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  petsc(KSPGetConvergedReason(solver, &reason));
+  if (reason <= 0) fail(io::RunStatus::not_converged, "the accelerations of the start were not found");
   const double* data = nullptr;
   petsc(VecGetArrayRead(work_out_, &data));
   std::vector<double>& a = state_.accelerations_m_per_s2;

@@ -10,6 +10,7 @@ namespace {
 constexpr int most_iterations = 20;
 /// A factorisation costs about as much as eight steps: steps that shrink by less are not worth going on with it.
 constexpr double slow_rate = 0.6;
+constexpr double rate_of_new_factor = 0.5;  // not known yet; the second step says
 constexpr int most_trials = 6;
 constexpr double tolerable_overshoot = 0.5;
 
@@ -79,7 +80,8 @@ PetscErrorCode ImplicitNewton::compute_function(SNES, Vec x, Vec f, void* contex
 }
 
 bool ImplicitNewton::wants_factorisation() const {
-  return is_stale_ || !has_factor_ || (this_rate_ > slow_rate && steps_with_factor_ > 1);
+  if (is_stale_ || !has_factor_) return true;
+  return steps_with_factor_ == 0 ? rate_ > slow_rate : this_rate_ > slow_rate && steps_with_factor_ > 1;
 }
 
 PetscErrorCode ImplicitNewton::compute_jacobian(SNES, Vec x, Mat, Mat, void* context) {
@@ -90,7 +92,7 @@ PetscErrorCode ImplicitNewton::compute_jacobian(SNES, Vec x, Mat, Mat, void* con
   self.has_factor_ = self.linear_.prepare();
   self.singular_ = !self.has_factor_;
   self.is_stale_ = false;
-  self.rate_ = 1.0;
+  self.rate_ = rate_of_new_factor;
   self.this_rate_ = 0.0;
   self.steps_with_factor_ = 0;
   return 0;
@@ -154,9 +156,9 @@ SNESConvergedReason ImplicitNewton::judge(PetscInt iteration) {
   if (singular_) return SNES_DIVERGED_LINEAR_SOLVE;
   if (!has_answer_) return SNES_DIVERGED_FUNCTION_DOMAIN;
   if (iteration == 0) return SNES_CONVERGED_ITERATING;
-  const double rate = this_rate_ > 0.0 ? this_rate_ : std::clamp(rate_, 0.1, 0.5);
+  const double rate = this_rate_ > 0.0 ? this_rate_ : std::max(rate_, 0.1);
   const double left = rate < 0.9 ? step_size_ * rate / (1.0 - rate) : 10.0 * step_size_;
-  if (left <= tolerance_) return SNES_CONVERGED_SNORM_RELATIVE;
+  if (left <= tolerance_ && equation_.is_balanced(residual_)) return SNES_CONVERGED_SNORM_RELATIVE;
   return SNES_CONVERGED_ITERATING;
 }
 

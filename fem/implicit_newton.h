@@ -16,6 +16,8 @@ struct NodalEquation {
   std::function<bool(std::span<const double> u, std::span<double> residual)> residual;
   std::function<void(std::span<const double> u, Mat matrix)> matrix;  ///< dR/du or something near it, the identity where held
   std::function<double(std::span<const double> u)> size;              ///< a norm, the same on all ranks
+  /// Whether the residual at the last u that it was asked for is small where displacements say too little; the same on all ranks.
+  std::function<bool(std::span<const double> residual)> is_balanced;
 };
 
 /// How Newton's method ended.
@@ -36,7 +38,7 @@ class ImplicitNewton {
   ImplicitNewton(const ImplicitNewton&) = delete;
   ImplicitNewton& operator=(const ImplicitNewton&) = delete;
 
-  /// Improves u until what is left to the solution is at most a tolerance, in the size of the equation.
+  /// Improves u until what is left to the solution is at most a tolerance, in the size of the equation, and it is balanced.
   [[nodiscard]] NewtonOutcome solve(std::vector<double>& u, double tolerance);
 
   /// The next solve begins with a factorisation.
@@ -75,7 +77,7 @@ class ImplicitNewton {
   bool singular_ = false;
   bool has_answer_ = false;
   double tolerance_ = 0.0;
-  double rate_ = 1.0;       ///< of the last equation
+  double rate_ = 0.5;       ///< of the last equation
   double this_rate_ = 0.0;  ///< of this one; 0: not known yet
   double step_size_ = 0.0;
   int steps_with_factor_ = 0;  ///< in this equation

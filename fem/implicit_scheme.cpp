@@ -17,11 +17,11 @@ GeneralisedAlpha generalised_alpha(double spectral_radius) {
   return scheme;
 }
 
-double next_step_s(double step_s, double error) {
+double next_step_s(double step_s, double error, double wanted_s) {
   constexpr double growth = 1.5;
-  if (error <= 0.0) return growth * step_s;
+  if (error <= 0.0) return growth * wanted_s;
   const double factor = std::max(0.8 * std::pow(error, -1.0 / 3.0), 0.2);
-  if (factor >= growth) return growth * step_s;
+  if (factor >= growth) return std::min(growth * wanted_s, factor * step_s);
   return std::min(factor, 1.0) * step_s;
 }
 

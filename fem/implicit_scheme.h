@@ -30,7 +30,9 @@ GeneralisedAlpha generalised_alpha(double spectral_radius);
 /// The next step by the error of the last: factor 0.8 error^(-1/3), at least 0.2. Steps grow only by 1.5, where that is right: a
 /// new factorisation has to be worth it.
 /// @param error of the last step by the tolerance, >= 0; above 1 it has to be taken again
-double next_step_s(double step_s, double error);
+/// @param wanted_s what would have been taken if no end had been near, >= step_s: growth counts from there, as far as the error
+/// of the shorter step allows
+double next_step_s(double step_s, double error, double wanted_s);
 
 /// The longest step that shows a schedule: a twentieth of a period, half a rise or a ramp or a line of a table. Nothing where the
 /// pressure is constant.

@@ -290,6 +290,7 @@ TEST(ImplicitDynamics, BlockOnASlopeRestsOrSlides) {
 struct Walk {
   double peak_m = 0.0;
   double way_m = 0.0;
+  double mean_way_m = 0.0;  ///< over the second half
   double largest_volume_m3 = 0.0;
   double friction_J = 0.0;
 };
@@ -298,9 +299,10 @@ template <class Dynamics>
 Walk walk(Dynamics& dynamics) {
   Walk result;
   const double start = dynamics.centre_of_mass_m()[0];
-  for (int n = 1; n <= 20; ++n) {
-    EXPECT_EQ(dynamics.advance_to(n / 60.0).status, io::RunStatus::completed);
+  for (int n = 1; n <= 200; ++n) {
+    EXPECT_EQ(dynamics.advance_to(n / 300.0).status, io::RunStatus::completed);
     result.peak_m = std::max(result.peak_m, dynamics.centre_of_mass_m()[2]);
+    if (n > 100) result.mean_way_m += 0.01 * (dynamics.centre_of_mass_m()[0] - start);
     result.largest_volume_m3 = std::max(result.largest_volume_m3, dynamics.chamber_volumes_m3()[0]);
   }
   result.way_m = dynamics.centre_of_mass_m()[0] - start;
@@ -308,9 +310,11 @@ Walk walk(Dynamics& dynamics) {
   return result;
 }
 
-// The module of 20 mm under 6 kPa at 3 Hz, on a ground that is less rough for sliding backwards, through one period: 57 um by
-// explicit dynamics, whatever its step. The implicit one goes 4 to 5 % further at any tolerance: its nodes have consistent masses
-// and stick elastically.
+// The module of 20 mm under 6 kPa at 3 Hz, on a ground that is less rough for sliding backwards, through two periods: 111 um by
+// explicit dynamics, whatever its step. With the same lumped masses the implicit one goes 118 um: its nodes stick elastically,
+// and its steps are long (113 um with stick springs of 10 and steps of 0.1 ms). The mean place, which leaves out how the module
+// sways when it comes to rest on its base, differs by 6 um of 53; less than what twice the ground's stiffness does to explicit
+// dynamics.
 TEST(ImplicitDynamics, ModuleWalksAsByExplicitDynamics) {
   const meshes::HexahedralMesh mesh = hollow_cube();
   const Point gravity{0.0, 0.0, -9.81};
@@ -327,7 +331,7 @@ TEST(ImplicitDynamics, ModuleWalksAsByExplicitDynamics) {
   explicit_options.loads.ground = ground;
   ExplicitDynamics by_explicit(mesh, lumped, explicit_options);
   const Walk expected = walk(by_explicit);
-  EXPECT_LT(expected.way_m, -50e-6);
+  EXPECT_LT(expected.way_m, -100e-6);
 
   ImplicitSample sample(mesh);
   sample.body.gravity_m_per_s2 = gravity;
@@ -335,11 +339,13 @@ TEST(ImplicitDynamics, ModuleWalksAsByExplicitDynamics) {
   options.schedules = schedules;
   options.viscosities_Pa_s = {10.0};
   options.ground = ground;
+  options.lumped_mass = true;
   ImplicitDynamics dynamics(sample.space, sample.body, options);
   const Walk found = walk(dynamics);
   EXPECT_NEAR(found.peak_m, expected.peak_m, 0.002 * expected.peak_m);
   EXPECT_NEAR(found.largest_volume_m3, expected.largest_volume_m3, 0.002 * expected.largest_volume_m3);
-  EXPECT_NEAR(found.way_m, expected.way_m, 0.08 * std::abs(expected.way_m));
+  EXPECT_NEAR(found.way_m, expected.way_m, 0.1 * std::abs(expected.way_m));
+  EXPECT_NEAR(found.mean_way_m, expected.mean_way_m, 0.15 * std::abs(expected.mean_way_m));
   EXPECT_NEAR(found.friction_J, expected.friction_J, 0.05 * expected.friction_J);
 }
 

@@ -110,6 +110,68 @@ TEST(ImplicitContact, SticksUpToStaticFrictionAndSlidesAtKinetic) {
   EXPECT_NEAR(lifted.totals.friction_loss_J, 0.5 * 0.5 * normal * 10e-6, 1e-15);
 }
 
+// A node that goes on in one direction slides on, however its normal force changes: static friction has no part in it, and at
+// 2 mm/s, beyond 0.5 dN/dt over the spring (0.8 mm/s), the mean is kinetic friction. Kinetic friction with and without steps that
+// follow each other closely.
+TEST(ImplicitContact, SlidingOnDoesNotFeelStaticFriction) {
+  const Block block;
+  const auto mean_friction = [&](double static_coefficient, double speed, double step_s) {
+    const ImplicitContact contact(block.assembly, block.sample.body, rough(static_coefficient, 0.5), 1.0);
+    const auto place = [&](double t) {
+      return block.moved({speed * t, 0.0, 5e-6 * std::sin(2.0 * 3.14159265358979 * 50.0 * t)});
+    };
+    std::vector<GroundNode> nodes = contact.free_nodes();
+    const auto steps = static_cast<int>(std::lround(0.1 / step_s));
+    double friction = 0.0;
+    double normal = 0.0;
+    for (int n = 0; n < steps; ++n) {
+      const std::vector<double> from = place(n * step_s);
+      const std::vector<double> to = place((n + 1) * step_s);
+      const Answer result = answer(block, contact, {from, to, block.moved({speed, 0.0, 0.0}), 0.0}, nodes);
+      nodes = result.nodes;
+      if (2 * n < steps) continue;  // the pull builds up
+      friction -= total_force(result)[0];
+      normal += result.totals.force_N;
+    }
+    return friction / normal;
+  };
+  for (const double step : {1e-3, 1e-4}) {
+    EXPECT_NEAR(mean_friction(0.5, 2e-3, step), 0.5, 1e-3) << step;
+    for (const double speed : {2e-3, 1e-4}) EXPECT_EQ(mean_friction(1.0, speed, step), mean_friction(0.5, speed, step)) << step;
+  }
+}
+
+// Without friction there is no stick spring either.
+TEST(ImplicitContact, SmoothGroundHoldsNothing) {
+  const Block block;
+  const ImplicitContact contact(block.assembly, block.sample.body, rough(0.0, 0.0), 1.0);
+  const std::vector<double> start = block.moved({});
+  const Answer lying = answer(block, contact, {start, start, start, 0.0}, contact.free_nodes());
+  const std::vector<double> end = block.moved({1e-5, 0.0, 0.0});
+  const Answer moved = answer(block, contact, {start, end, start, 0.0}, lying.nodes);
+  EXPECT_EQ(total_force(moved)[0], 0.0);
+  EXPECT_EQ(moved.totals.friction_loss_J, 0.0);
+  EXPECT_EQ(moved.totals.stick_energy_J, 0.0);
+}
+
+// What nodes remember is what a state is taken up with: the same forces and the same memory, of nodes that stick and that slide.
+TEST(ImplicitContact, RemembersItsForces) {
+  const Block block;
+  const ImplicitContact contact(block.assembly, block.sample.body, rough(0.8, 0.5), 0.5);
+  const std::vector<double> start = block.moved({});
+  const Answer lying = answer(block, contact, {start, start, start, 0.0}, contact.free_nodes());
+  for (const double way : {10e-6, 30e-6}) {
+    const std::vector<double> end = block.moved({way, 0.0, 0.0});
+    const Answer pulled = answer(block, contact, {start, end, start, 0.0}, lying.nodes);
+    std::vector<double> residual = block.moved({});
+    const GroundTotals totals = contact.add_remembered_forces(end, pulled.nodes, residual);
+    EXPECT_EQ(residual, pulled.residual);
+    EXPECT_EQ(totals.force_N, pulled.totals.force_N);
+    EXPECT_EQ(totals.stick_energy_J, pulled.totals.stick_energy_J);
+    EXPECT_GT(totals.stick_energy_J, 0.0);
+  }
+}
+
 // By velocity: in proportion up to the regularisation speed, kinetic beyond, weaker backwards where that is asked for.
 TEST(ImplicitContact, RegularisedFrictionFollowsTheSpeed) {
   const Block block;

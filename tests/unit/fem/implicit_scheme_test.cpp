@@ -63,11 +63,14 @@ TEST(GeneralisedAlpha, EstimatesTheErrorOfAStep) {
 }
 
 TEST(GeneralisedAlpha, StepsFollowTheErrorOfThirdOrder) {
-  EXPECT_DOUBLE_EQ(next_step_s(1.0, 8.0), 0.4);
-  EXPECT_DOUBLE_EQ(next_step_s(1.0, 1e9), 0.2);
-  EXPECT_DOUBLE_EQ(next_step_s(1.0, 0.4), 1.0);  // not worth a factorisation
-  EXPECT_DOUBLE_EQ(next_step_s(1.0, 0.125), 1.5);
-  EXPECT_DOUBLE_EQ(next_step_s(1.0, 0.0), 1.5);
+  EXPECT_DOUBLE_EQ(next_step_s(1.0, 8.0, 1.0), 0.4);
+  EXPECT_DOUBLE_EQ(next_step_s(1.0, 1e9, 1.0), 0.2);
+  EXPECT_DOUBLE_EQ(next_step_s(1.0, 0.4, 1.0), 1.0);  // not worth a factorisation
+  EXPECT_DOUBLE_EQ(next_step_s(1.0, 0.125, 1.0), 1.5);
+  EXPECT_DOUBLE_EQ(next_step_s(1.0, 0.0, 1.0), 1.5);
+  // shortened to end with others: from the longer one, as far as the error of the shorter one goes
+  EXPECT_DOUBLE_EQ(next_step_s(1.0, 0.0, 1.8), 2.7);
+  EXPECT_DOUBLE_EQ(next_step_s(1.0, 0.064, 1.8), 2.0);
 }
 
 TEST(GeneralisedAlpha, StepsShowEverySchedule) {
