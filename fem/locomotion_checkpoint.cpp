@@ -92,7 +92,7 @@ Json to_json(const ExplicitState& state) {
           contact ? to_json(*contact) : Json()};
 }
 
-ExplicitState state_from(const Json& json) {
+ExplicitState explicit_state_from(const Json& json) {
   ExplicitState state;
   auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air, contact] =
       state;
@@ -111,6 +111,67 @@ ExplicitState state_from(const Json& json) {
   contact.emplace();
   for (const Json& memory : json.at(11)) contact->push_back(memory_from(memory));
   return state;
+}
+
+Json to_json(const GroundNode& node) {
+  const auto& [touches, slides, anchor, friction] = node;
+  return {touches, slides, anchor, friction};
+}
+
+GroundNode ground_node_from(const Json& json) {
+  GroundNode node;
+  auto& [touches, slides, anchor, friction] = node;
+  json.at(0).get_to(touches);
+  json.at(1).get_to(slides);
+  json.at(2).get_to(anchor);
+  json.at(3).get_to(friction);
+  return node;
+}
+
+Json to_json(const ImplicitState& state) {
+  const auto& [time, displacements, velocities, accelerations, ground_nodes, next_step, steps, rejected, iterations, work,
+               at_start] = state;
+  Json ground = Json::array();
+  for (const GroundNode& node : ground_nodes) ground.push_back(to_json(node));
+  return {time,
+          displacements,
+          velocities,
+          accelerations,
+          ground,
+          next_step,
+          steps,
+          rejected,
+          iterations,
+          to_json(work),
+          at_start ? Json(*at_start) : Json()};
+}
+
+ImplicitState implicit_state_from(const Json& json) {
+  ImplicitState state;
+  auto& [time, displacements, velocities, accelerations, ground_nodes, next_step, steps, rejected, iterations, work, at_start] =
+      state;
+  json.at(0).get_to(time);
+  json.at(1).get_to(displacements);
+  json.at(2).get_to(velocities);
+  json.at(3).get_to(accelerations);
+  for (const Json& node : json.at(4)) ground_nodes.push_back(ground_node_from(node));
+  json.at(5).get_to(next_step);
+  json.at(6).get_to(steps);
+  json.at(7).get_to(rejected);
+  json.at(8).get_to(iterations);
+  work = work_from(json.at(9));
+  if (!json.at(10).is_null()) at_start = json.at(10).get<double>();
+  return state;
+}
+
+/// With the place of the method among the kinds of states.
+Json to_json(const LocomotionState& state) {
+  return {state.index(), std::visit([](const auto& kind) { return to_json(kind); }, state)};
+}
+
+LocomotionState state_from(const Json& json) {
+  if (json.at(0).get<std::size_t>() == 0) return explicit_state_from(json.at(1));
+  return implicit_state_from(json.at(1));
 }
 
 Json to_json(const LocomotionRecord& record) {
@@ -181,6 +242,8 @@ std::optional<LocomotionProgress> read_locomotion_checkpoint(const std::filesyst
     return progress_from(checked_content(io::read_whole(file), identity));
   } catch (const io::InputError& error) {
     throw io::InputError(file.string() + ": " + error.what() + "; --restart begins anew");
+  } catch (const Json::exception&) {  // the hash is that of its content, but another build arranged it
+    throw io::InputError(file.string() + ": is of another build of menger; --restart begins anew");
   }
 }
 

@@ -5,22 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "fem/explicit_dynamics.h"
+#include "fem/locomotion_dynamics.h"
 #include "fem/locomotion_result.h"
 
 namespace menger::fem {
 
-/// How a run ended that is not to be taken up again.
-struct LocomotionOutcome {
-  io::RunStatus status = io::RunStatus::completed;
-  std::string reason{};
-};
-
 /// A run that is under way or at its end.
 struct LocomotionProgress {
-  ExplicitState state;  ///< where it can be taken up
+  LocomotionState state;  ///< where it can be taken up
   std::vector<LocomotionRecord> records{};
-  std::optional<LocomotionOutcome> outcome{};  ///< none while it is under way
+  std::optional<LocomotionOutcome> outcome{};  ///< how it ended; none while it is under way
   double seconds = 0.0;                        ///< wall time so far
 };
 

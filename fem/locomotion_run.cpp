@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+/// Between the states that a run can be taken up from, where not every one will do: it costs a factorisation each time.
+constexpr std::size_t records_per_restart = 10;
+
 constexpr std::string_view checkpoint_name = "locomotion.checkpoint";
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -42,8 +46,7 @@ class LocomotionRun {
       : study_(study),
         folder_(folder),
         options_(options),
-        body_(study.mesh, body_options(study)),
-        dynamics_(study.mesh, body_, with_stop(dynamics_options(study), options.stop)),
+        dynamics_(options.make(study, options.stop)),
         times_s_(record_times_s(study)),
         frames_(folder) {
     result_.elements = study.mesh.elements.size();
@@ -54,7 +57,7 @@ class LocomotionRun {
     for (const meshes::Chamber& chamber : study.mesh.chambers) result_.chamber_names.push_back(chamber.name);
     result_.notes = study.notes;
     identity_ = locomotion_text(study) + "version = " + std::string(io::version()) +
-                "\ninstruction_set = " + std::string(body_.kernels().instruction_set) + "\n";
+                "\ninstruction_set = " + dynamics_->machine_text() + "\n";
     if (!options.restart) earlier_ = read_locomotion_checkpoint(folder / checkpoint_name, identity_);
   }
 
@@ -70,11 +73,6 @@ class LocomotionRun {
   }
 
  private:
-  static ExplicitOptions with_stop(ExplicitOptions options, const std::atomic<bool>* stop) {
-    options.stop = stop;
-    return options;
-  }
-
   [[nodiscard]] bool is_due(std::size_t record) const {
     return study_.output.frames && record % study_.output.records_per_frame == 0;
   }
@@ -85,7 +83,7 @@ class LocomotionRun {
       remove(name);
     std::vector<double> frame_times_s;
     if (earlier_) {
-      dynamics_.set_state(std::move(earlier_->state));
+      dynamics_->set_state(std::move(earlier_->state));
       result_.records = std::move(earlier_->records);
       earlier_seconds_ = earlier_->seconds;
       outcome_ = std::move(earlier_->outcome);
@@ -108,46 +106,55 @@ class LocomotionRun {
   }
 
   void follow() {
-    if (options_.started) options_.started(dynamics_.state().time_s);
+    if (options_.started) options_.started(dynamics_->time_s());
     LocomotionOutcome outcome;
     while (outcome.status == io::RunStatus::completed && result_.records.size() <= times_s_.size()) {
-      const ExplicitReport& report = dynamics_.advance_to(times_s_[result_.records.size() - 1]);
-      outcome = {report.status, report.reason};
-      if (report.status == io::RunStatus::stopped) break;
-      const bool is_last = report.status != io::RunStatus::completed || result_.records.size() == times_s_.size();
-      // What was reached by a run that failed may be a record that is there already.
-      if (dynamics_.state().time_s > result_.records.back().time_s) record(is_last);
-      if (options_.progress) options_.progress(dynamics_.state().time_s);
+      make_restart_point();
+      outcome = dynamics_->advance_to(times_s_[result_.records.size() - 1]);
+      if (outcome.status == io::RunStatus::stopped) break;
+      const bool is_last = outcome.status != io::RunStatus::completed || result_.records.size() == times_s_.size();
+      // What was reached by a run that failed may be a record that is there already, without the frame of an end.
+      if (dynamics_->time_s() > result_.records.back().time_s)
+        record(is_last);
+      else if (is_last && study_.output.frames && !is_due(result_.records.size() - 1))
+        add_frame();
+      if (options_.progress) options_.progress(dynamics_->time_s());
       if (!is_last && seconds_since(last_checkpoint_) >= options_.checkpoint_interval_seconds) write_checkpoint();
     }
     conclude(outcome);
-    if (outcome.status != io::RunStatus::stopped) outcome_ = std::move(outcome);
+    if (outcome.status != io::RunStatus::stopped) outcome_ = outcome;
     result_.seconds = write_checkpoint();
   }
 
   void record(bool is_last = false) {
-    LocomotionRecord record;
-    record.time_s = dynamics_.state().time_s;
-    record.centre_of_mass_m = dynamics_.centre_of_mass_m();
-    for (std::size_t p = 0; p < study_.mesh.plenum_names.size(); ++p)
-      record.plenum_pressures_Pa.push_back(dynamics_.plenum_pressure_Pa(p));
-    record.chamber_volumes_m3 = dynamics_.chamber_volumes_m3();
-    record.energies = dynamics_.energies();
-    record.ground_force_N = dynamics_.ground_force_N();
-    result_.records.push_back(std::move(record));
+    result_.records.push_back(dynamics_->record());
     if (is_due(result_.records.size() - 1) || (is_last && study_.output.frames)) add_frame();
   }
 
   void add_frame() {
-    const std::vector<double> velocities = dynamics_.velocities_m_per_s();
+    const std::vector<double> displacements = dynamics_->displacements_m();
+    const std::vector<double> velocities = dynamics_->velocities_m_per_s();
     const LocomotionRecord& record = result_.records.back();
-    frames_.add(study_.mesh, {record.time_s, dynamics_.state().displacements_m, velocities, record.plenum_pressures_Pa});
+    frames_.add(study_.mesh, {record.time_s, displacements, velocities, record.plenum_pressures_Pa});
+  }
+
+  /// Keeps a state to be taken up from, and goes on from it as that run will.
+  void make_restart_point() {
+    if (dynamics_->goes_on_from_any_state() || (result_.records.size() - 1) % records_per_restart != 0) return;
+    restart_.emplace(dynamics_->state());
+    dynamics_->set_state(*restart_);
+    restart_records_ = result_.records.size();
   }
 
   /// @return the wall time that it states
   double write_checkpoint() {
     const double seconds = earlier_seconds_ + seconds_since(start_);
-    write_locomotion_checkpoint(folder_ / checkpoint_name, identity_, {dynamics_.state(), result_.records, outcome_, seconds});
+    LocomotionProgress progress{dynamics_->state(), result_.records, outcome_, seconds};
+    if (restart_ && !outcome_) {
+      progress.state = *restart_;
+      progress.records.resize(restart_records_);
+    }
+    write_locomotion_checkpoint(folder_ / checkpoint_name, identity_, progress);
     last_checkpoint_ = Clock::now();
     return seconds;
   }
@@ -158,8 +165,8 @@ class LocomotionRun {
   }
 
   void finish() {
-    result_.time_s = dynamics_.state().time_s;
-    result_.steps = dynamics_.state().steps;
+    result_.time_s = dynamics_->time_s();
+    result_.steps = dynamics_->steps();
     trajectory_table(result_).write(folder_ / "trajectory.csv");
     if (study_.output.pictures) draw();
     io::write_manifest(folder_, {.program = "menger-locomote",
@@ -172,7 +179,7 @@ class LocomotionRun {
 
   [[nodiscard]] std::string notes_text() const {
     std::string text;
-    for (const std::string& note : study_.notes) text += "# " + note + "\n";
+    for (const std::string& note : result_.notes) text += "# " + note + "\n";
     return text;
   }
 
@@ -181,10 +188,11 @@ class LocomotionRun {
     const Point way = difference(last.centre_of_mass_m, result_.records.front().centre_of_mass_m);
     const std::string caption = study_.design.name + " after " + shown(result_.time_s, "%.3g") + " s: its centre moved by (" +
                                 shown(1e3 * way[0], "%.2f") + ", " + shown(1e3 * way[1], "%.2f") + ") mm";
-    const std::vector<double> velocities = dynamics_.velocities_m_per_s();
-    const io::PictureOutcome robot = draw_moved_body(
-        folder_ / "robot.png", study_.mesh,
-        {result_.time_s, dynamics_.state().displacements_m, velocities, last.plenum_pressures_Pa}, result_, caption);
+    const std::vector<double> displacements = dynamics_->displacements_m();
+    const std::vector<double> velocities = dynamics_->velocities_m_per_s();
+    const io::PictureOutcome robot =
+        draw_moved_body(folder_ / "robot.png", study_.mesh, {result_.time_s, displacements, velocities, last.plenum_pressures_Pa},
+                        result_, caption);
     if (!robot.written) {
       result_.notes.push_back("no pictures: " + robot.missing);
       return;
@@ -198,8 +206,9 @@ class LocomotionRun {
   const LocomotionRunOptions& options_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_checkpoint_ = start_;
-  ExplicitBody body_;
-  ExplicitDynamics dynamics_;
+  std::unique_ptr<LocomotionDynamics> dynamics_;
+  std::optional<LocomotionState> restart_;  ///< of the last restart point, where there are such
+  std::size_t restart_records_ = 0;         ///< up to it
   std::vector<double> times_s_;
   LocomotionFrames frames_;
   std::string identity_;
@@ -209,17 +218,27 @@ class LocomotionRun {
   LocomotionResult result_;
 };
 
-}  // namespace
-
-LocomotionResult run_locomotion(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options) {
-  std::optional<LocomotionRun> run;
+void begin(std::optional<LocomotionRun>& run, const LocomotionStudy& study, const fs::path& folder,
+           const LocomotionRunOptions& options) {
   try {
     run.emplace(study, folder, options);
   } catch (const io::InputError& error) {
     throw io::InputError(study.file.string() + ": " + error.what());
   }
+}
+
+}  // namespace
+
+LocomotionResult run_locomotion(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options) {
+  std::optional<LocomotionRun> run;
+  begin(run, study, folder, options);
   io::require_writable_folder(folder);
   return run->run();
+}
+
+void check_locomotion(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options) {
+  std::optional<LocomotionRun> run;
+  begin(run, study, folder, options);
 }
 
 }  // namespace menger::fem

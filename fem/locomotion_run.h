@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "fem/locomotion_dynamics.h"
 #include "fem/locomotion_result.h"
 #include "fem/locomotion_study.h"
 
@@ -18,6 +19,7 @@ struct LocomotionRunOptions {
   std::function<void(double time_s)> started{};
   /// Called after every record with the time that it is at.
   std::function<void(double time_s)> progress{};
+  LocomotionMaker make = make_explicit_locomotion;  ///< of studies of its method
 };
 
 /// Moves the body of a study and writes into `folder`: trajectory.csv, frames.pvd with frames/frame_0000.vtu ..., robot.png,
@@ -30,5 +32,9 @@ struct LocomotionRunOptions {
 /// (schedules that the step cannot resolve), before anything is removed
 LocomotionResult run_locomotion(const LocomotionStudy& study, const std::filesystem::path& folder,
                                 const LocomotionRunOptions& options = {});
+
+/// What run_locomotion would refuse, found without removing or writing anything. @throws io::InputError as run_locomotion does
+void check_locomotion(const LocomotionStudy& study, const std::filesystem::path& folder,
+                      const LocomotionRunOptions& options = {});
 
 }  // namespace menger::fem

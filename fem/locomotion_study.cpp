@@ -72,6 +72,9 @@ void add_schedule(SettingsText& text, const PlenumSchedule& schedule) {
 void add_line(SettingsText& text, const PneumaticLine& line) {
   text.number("resistance_Pa_s_per_m3", line.resistance_Pa_s_per_m3);
   text.number("volume_m3", line.volume_m3);
+  if (!line.bore) return;
+  text.number("diameter_m", line.bore->diameter_m);
+  text.number("viscosity_Pa_s", line.bore->viscosity_Pa_s);
 }
 
 void add_plenum(SettingsText& text, const PneumaticSupply& supply, std::size_t plenum) {
@@ -144,6 +147,23 @@ void add_ground(SettingsText& text, const RigidGround& ground) {
   }
 }
 
+void add_dynamics(SettingsText& text, const LocomotionStudy& study) {
+  text.table("dynamics");
+  text.word("method", study.implicit ? "implicit" : "explicit");
+  if (study.implicit) {
+    text.number("degree", study.implicit->degree);
+    text.number("tolerance", study.implicit->tolerance);
+    text.number("stick_stiffness", study.implicit->stick_stiffness);
+  } else {
+    text.number("step_safety", study.step_safety);
+  }
+  if (study.largest_step_s) text.number("largest_step_s", *study.largest_step_s);
+  if (study.implicit) return;
+  text.lines(std::string("self_contact = ") + (study.self_contact ? "true" : "false") + "\n");
+  if (study.self_contact && study.self_contact->stiffness_Pa_per_m)
+    text.number("self_contact_stiffness_Pa_per_m", *study.self_contact->stiffness_Pa_per_m);
+}
+
 }  // namespace
 
 double body_length_m(const meshes::Design& design, int level) {
@@ -167,13 +187,7 @@ std::string locomotion_text(const LocomotionStudy& study) {
   text.table("time");
   text.number("duration_s", study.duration_s);
   text.number("record_interval_s", study.record_interval_s);
-  text.table("dynamics");
-  text.word("method", "explicit");
-  text.number("step_safety", study.step_safety);
-  if (study.largest_step_s) text.number("largest_step_s", *study.largest_step_s);
-  text.lines(std::string("self_contact = ") + (study.self_contact ? "true" : "false") + "\n");
-  if (study.self_contact && study.self_contact->stiffness_Pa_per_m)
-    text.number("self_contact_stiffness_Pa_per_m", *study.self_contact->stiffness_Pa_per_m);
+  add_dynamics(text, study);
   text.table("output");
   text.lines(std::string("frames = ") + (study.output.frames ? "true" : "false") + "\n");
   text.number("records_per_frame", static_cast<double>(study.output.records_per_frame));

@@ -30,6 +30,13 @@ struct LocomotionSweep {
   std::vector<std::vector<double>> values;  ///< per case, one for each key
 };
 
+/// How implicit dynamics moves the body of a study; see ImplicitOptions.
+struct LocomotionImplicit {
+  int degree = 1;                ///< of the elements: 1 (Q1/P0) or 2 (Q2/P1)
+  double tolerance = 2e-5;       ///< > 0
+  double stick_stiffness = 1.0;  ///< > 0
+};
+
 /// Everything that decides what `menger locomote` computes. Physics takes parts of it and never sees the file.
 struct LocomotionStudy {
   std::filesystem::path file;  ///< that it came from, for messages
@@ -39,13 +46,14 @@ struct LocomotionStudy {
   meshes::HexahedralMesh mesh;  ///< of the two
   LocomotionMaterial material;
   RigidGround ground;
-  double gravity_m_per_s2 = 9.81;           ///< downwards, >= 0
-  double mass_damping_per_s = 0.0;          ///< >= 0
-  std::optional<PneumaticSupply> supply{};  ///< of all plena; always there in a study that was read
-  double duration_s = 5.0;                  ///< > 0
-  double record_interval_s = 0.01;          ///< > 0, at most the duration
-  double step_safety = 0.9;                 ///< in (0, 1]
-  std::optional<double> largest_step_s{};   ///< > 0
+  double gravity_m_per_s2 = 9.81;                ///< downwards, >= 0
+  double mass_damping_per_s = 0.0;               ///< >= 0
+  std::optional<PneumaticSupply> supply{};       ///< of all plena; always there in a study that was read
+  double duration_s = 5.0;                       ///< > 0
+  double record_interval_s = 0.01;               ///< > 0, at most the duration
+  std::optional<LocomotionImplicit> implicit{};  ///< nothing: explicit dynamics
+  double step_safety = 0.9;                      ///< in (0, 1]; of explicit dynamics, as self_contact and threads are
+  std::optional<double> largest_step_s{};        ///< > 0
   /// Nothing: walls that touch end the run.
   std::optional<SelfContactLaw> self_contact = SelfContactLaw{};
   int threads = 1;  ///< >= 1; results do not depend on it

@@ -29,7 +29,7 @@ constexpr double largest_record_count = 1e6;
 /// Deepest fractal: 27 cells per side of a design of three.
 constexpr int largest_level = 3;
 
-enum class Method { explicit_dynamics };
+enum class Method { explicit_dynamics, implicit_dynamics };
 
 /// An optional table: the keys of one that is missing have their defaults.
 io::TomlTable table_or_empty(const io::TomlTable& table, std::string_view key) {
@@ -69,7 +69,20 @@ double lowest_m(const meshes::HexahedralMesh& mesh) {
 void read_ground_table(const io::TomlTable& table, LocomotionStudy& study) {
   const double stiffness = ground_stiffness_Pa_per_m(study.material.bulk_modulus_Pa, shortest_edge_m(study.mesh));
   study.ground = read_rigid_ground(table, stiffness);
-  if (!table.has("height_m")) study.ground.height_m = lowest_m(study.mesh);
+  const double lowest = lowest_m(study.mesh);
+  if (!table.has("height_m")) study.ground.height_m = lowest;
+  // Springs that are loaded at the start would throw the body up.
+  if (study.ground.height_m > lowest)
+    throw table.error("height_m", "is above the body's lowest point, which is at " + io::number_text(lowest));
+}
+
+/// Air through lines is moved by explicit dynamics alone.
+void refuse_lines(const io::TomlTable& top, const LocomotionStudy& study) {
+  if (!study.implicit || !study.supply->has_lines()) return;
+  for (const io::TomlTable& table : top.tables("pressure")) {
+    if (table.text_or("supply", "schedule") != "schedule")
+      throw table.error("supply", "dynamics.method = \"implicit\" has no lines: prescribe the pressure, or use \"explicit\"");
+  }
 }
 
 /// Either the surrogate's drive or what the study says of each plenum.
@@ -99,10 +112,31 @@ void read_time(const io::TomlTable& table, LocomotionStudy& study) {
     throw table.error(table.has("record_interval_s") ? "record_interval_s" : "duration_s", "makes more than a million records");
 }
 
+/// Refuses what implicit dynamics has not, rather than leave it out.
+void read_implicit(const io::TomlTable& table, LocomotionStudy& study) {
+  for (const char* key : {"step_safety", "self_contact_stiffness_Pa_per_m", "threads"})
+    if (table.has(key)) throw table.error(key, "belongs to method = \"explicit\"");
+  if (table.boolean_or("self_contact", false)) throw table.error("self_contact", "method = \"implicit\" has none");
+  study.self_contact.reset();
+  LocomotionImplicit implicit;
+  implicit.degree = table.integer_or("degree", implicit.degree, io::within(1, 2));
+  implicit.tolerance = table.number_or("tolerance", implicit.tolerance, io::positive());
+  implicit.stick_stiffness = table.number_or("stick_stiffness", implicit.stick_stiffness, io::positive());
+  study.implicit = implicit;
+  study.notes.push_back("dynamics: without self-contact: walls that touch end the run, other parts pass through each other");
+}
+
 void read_dynamics(const io::TomlTable& table, LocomotionStudy& study) {
-  table.word_or<Method>("method", Method::explicit_dynamics, {{"explicit", Method::explicit_dynamics}});
-  study.step_safety = table.number_or("step_safety", study.step_safety, {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
+  const Method method = table.word_or<Method>("method", Method::explicit_dynamics,
+                                              {{"explicit", Method::explicit_dynamics}, {"implicit", Method::implicit_dynamics}});
   study.largest_step_s = table.optional_number("largest_step_s", io::positive());
+  if (method == Method::implicit_dynamics) {
+    read_implicit(table, study);
+    return;
+  }
+  for (const char* key : {"degree", "tolerance", "stick_stiffness"})
+    if (table.has(key)) throw table.error(key, "belongs to method = \"implicit\"");
+  study.step_safety = table.number_or("step_safety", study.step_safety, {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
   const auto contact_stiffness = table.optional_number("self_contact_stiffness_Pa_per_m", io::positive());
   study.self_contact = SelfContactLaw{contact_stiffness};
   if (!table.boolean_or("self_contact", true)) {
@@ -142,6 +176,7 @@ LocomotionStudy parse_locomotion_study(std::string_view text, const fs::path& fi
   read_pressures(top, study);
   read_time(top.table("time"), study);
   read_dynamics(table_or_empty(top, "dynamics"), study);
+  refuse_lines(top, study);
   const io::TomlTable output = table_or_empty(top, "output");
   study.output.frames = output.boolean_or("frames", study.output.frames);
   study.output.pictures = output.boolean_or("pictures", study.output.pictures);

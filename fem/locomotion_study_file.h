@@ -10,8 +10,8 @@ namespace menger::fem {
 /// Reads a study of `menger locomote` and meshes its body. Tables: [design] (`file`, or `name`, `cells` and `digits`;
 /// `cell_edge_m`, and the keys of read_hollow_body_options), [material] (read_locomotion_material), [ground] (read_rigid_ground;
 /// its height is that of the body's lowest point where none is given), [loads], either [drive] (read_surrogate_drive) or
-/// [[pressure]], [[piston]] and [gas] (read_pneumatic_supply), [time], [dynamics], [output], [sweep]; see LocomotionStudy for the
-/// other keys.
+/// [[pressure]], [[piston]] and [gas] (read_pneumatic_supply), [time], [dynamics] (`method`, "explicit" or "implicit", and
+/// its own keys), [output], [sweep]; see LocomotionStudy for the other keys.
 /// @throws io::InputError with file, key and value for anything else, and for a body that cannot be hollowed out or meshed
 LocomotionStudy read_locomotion_study(const std::filesystem::path& file);
 

@@ -16,7 +16,8 @@ struct MaterialDamping {
 materials::LossData assumed_silicone_loss();
 
 /// eta = mu tan(delta) / (2 pi f): at the frequency f of the data the loss factor of small shear is that of the data. It grows in
-/// proportion to the frequency, as silicones' does not: one viscosity holds for one range of frequencies.
+/// proportion to the frequency, as silicones' does not: one viscosity holds for one range of frequencies. A Prony series, which
+/// holds for more, needs loss factors at several frequencies: one alone does not determine it, and no record has even that.
 /// @param shear_modulus_Pa mu at rest, > 0
 double viscosity_Pa_s(double shear_modulus_Pa, const materials::LossData& loss);
 

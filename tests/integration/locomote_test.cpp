@@ -95,6 +95,41 @@ TEST_F(LocomoteProgram, GoesOnAfterCtrlC) {
   EXPECT_EQ(io::read_whole(folder_ / "parts/frames.pvd"), io::read_whole(folder_ / "whole/frames.pvd"));
 }
 
+// The same files by implicit dynamics, which has a program of its own behind this one.
+TEST_F(LocomoteProgram, MovesBodiesImplicitly) {
+  write_study("implicit.toml", "0.1",
+              "record_interval_s = 0.005\n[dynamics]\nmethod = \"implicit\"\n[output]\npictures = false\n");
+  ASSERT_EQ(run({"implicit.toml", "-o", "whole"}).code, 0);
+  const io::TomlTable result = io::read_toml(folder_ / "whole/locomotion.toml");
+  EXPECT_EQ(result.text("status"), "completed");
+  EXPECT_EQ(io::read_csv(folder_ / "whole/trajectory.csv").row_count(), 21U);
+  EXPECT_TRUE(fs::exists(folder_ / "whole/manifest.json"));
+
+  const ProgramRun interrupted = start({"implicit.toml", "-o", "parts"});
+  for (int n = 0; n < 6000 && !fs::exists(folder_ / "parts/frames/frame_0001.vtu"); ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  interrupted.send(SIGINT);
+  const Outcome outcome = interrupted.wait();
+  ASSERT_EQ(outcome.code, 130) << outcome.out << outcome.err;
+  EXPECT_EQ(io::read_toml(folder_ / "parts/locomotion.toml").text("status"), "stopped");
+  ASSERT_EQ(run({"implicit.toml", "-o", "parts"}).code, 0);
+  EXPECT_EQ(io::read_whole(folder_ / "parts/trajectory.csv"), io::read_whole(folder_ / "whole/trajectory.csv"));
+  EXPECT_EQ(io::read_whole(folder_ / "parts/frames.pvd"), io::read_whole(folder_ / "whole/frames.pvd"));
+}
+
+TEST_F(LocomoteProgram, RefusesWhatImplicitDynamicsHasNot) {
+  write_study("implicit.toml", "0.05", "[dynamics]\nmethod = \"implicit\"\nself_contact = true\n");
+  const Outcome outcome = run({"implicit.toml", "-o", "out"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("implicit.toml"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("dynamics.self_contact = true"), std::string::npos) << outcome.err;
+  write_study("implicit.toml", "0.05", "[dynamics]\nmethod = \"implicit\"\n");
+  const Outcome threads = run({"implicit.toml", "-o", "out", "--threads", "2"});
+  EXPECT_EQ(threads.code, 2);
+  EXPECT_NE(threads.err.find("--threads"), std::string::npos) << threads.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(LocomoteProgram, RunsTheCasesOfASweep) {
   write_study("sweep.toml", "0.01",
               "[output]\npictures = false\n[sweep]\nkeys = [\"ground.kinetic_coefficient\"]\nvalues = [0.2, 0.4]\n");

@@ -23,23 +23,24 @@ fs::path checkpoint_file() {
 /// Numbers that shorter representations would lose.
 LocomotionProgress awkward_progress() {
   LocomotionProgress progress;
-  progress.state.time_s = 0.1 + 0.2;
-  progress.state.displacements_m = {-0.0, 1.0 / 3.0, std::numeric_limits<double>::denorm_min()};
-  progress.state.velocities_m_per_s = {1e300, -2.5, 16777217.0};
-  progress.state.last_step_s = 1e-5 / 3.0;
-  progress.state.steps = (std::size_t{1} << 40U) + 1;
-  progress.state.steps_to_bound = 200;
-  progress.state.step_share = 0.1;
-  progress.state.work = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
-  progress.state.at_start_J = 1e-17;
-  progress.state.turnover_J = 2.0 / 7.0;
-  progress.state.pneumatics = PneumaticState{.time_s = 0.3,
-                                             .volumes_m3 = {1e-6 / 3.0},
-                                             .plenum_air_m3 = {2e-6 / 3.0},
-                                             .piston_air_m3 = {},
-                                             .source_air_m3 = {-1e-7},
-                                             .work = {0.1, 0.2, 0.3, 0.4}};
-  progress.state.contact = std::vector<ContactMemory>{
+  ExplicitState& state = progress.state.emplace<ExplicitState>();
+  state.time_s = 0.1 + 0.2;
+  state.displacements_m = {-0.0, 1.0 / 3.0, std::numeric_limits<double>::denorm_min()};
+  state.velocities_m_per_s = {1e300, -2.5, 16777217.0};
+  state.last_step_s = 1e-5 / 3.0;
+  state.steps = (std::size_t{1} << 40U) + 1;
+  state.steps_to_bound = 200;
+  state.step_share = 0.1;
+  state.work = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  state.at_start_J = 1e-17;
+  state.turnover_J = 2.0 / 7.0;
+  state.pneumatics = PneumaticState{.time_s = 0.3,
+                                    .volumes_m3 = {1e-6 / 3.0},
+                                    .plenum_air_m3 = {2e-6 / 3.0},
+                                    .piston_air_m3 = {},
+                                    .source_air_m3 = {-1e-7},
+                                    .work = {0.1, 0.2, 0.3, 0.4}};
+  state.contact = std::vector<ContactMemory>{
       {.node = 7, .face = 9, .depth_m = 1e-5 / 3.0, .pressed_m = 1e-6 / 3.0, .paid_m2 = 1e-12 / 7.0, .slip_m = {-0.0, 1e-9, 0.1}},
       {.node = 8, .is_sliding = true}};
   LocomotionRecord record{
@@ -57,24 +58,26 @@ TEST(LocomotionCheckpoint, GivesEveryBitBack) {
   const LocomotionProgress written = awkward_progress();
   write_locomotion_checkpoint(checkpoint_file(), "study", written);
   const auto read = read_locomotion_checkpoint(checkpoint_file(), "study");
-  ASSERT_TRUE(read);
-  EXPECT_EQ(read->state.time_s, written.state.time_s);
-  EXPECT_EQ(read->state.displacements_m, written.state.displacements_m);
-  EXPECT_TRUE(std::signbit(read->state.displacements_m[0]));
-  EXPECT_EQ(read->state.velocities_m_per_s, written.state.velocities_m_per_s);
-  EXPECT_EQ(read->state.last_step_s, written.state.last_step_s);
-  EXPECT_EQ(read->state.steps, written.state.steps);
-  EXPECT_EQ(read->state.steps_to_bound, written.state.steps_to_bound);
-  EXPECT_EQ(read->state.step_share, written.state.step_share);
-  EXPECT_EQ(read->state.work.mass_damping_J, written.state.work.mass_damping_J);
-  EXPECT_EQ(read->state.work.pressure_J, written.state.work.pressure_J);
-  EXPECT_EQ(read->state.at_start_J, written.state.at_start_J);
-  EXPECT_EQ(read->state.turnover_J, written.state.turnover_J);
-  ASSERT_TRUE(read->state.contact);
-  EXPECT_EQ(*read->state.contact, *written.state.contact);
-  ASSERT_TRUE(read->state.pneumatics);
-  EXPECT_EQ(read->state.pneumatics->source_air_m3, written.state.pneumatics->source_air_m3);
-  EXPECT_EQ(read->state.pneumatics->work.line_J, 0.4);
+  ASSERT_TRUE(read && std::holds_alternative<ExplicitState>(read->state));
+  const auto& found = std::get<ExplicitState>(read->state);
+  const auto& state = std::get<ExplicitState>(written.state);
+  EXPECT_EQ(found.time_s, state.time_s);
+  EXPECT_EQ(found.displacements_m, state.displacements_m);
+  EXPECT_TRUE(std::signbit(found.displacements_m[0]));
+  EXPECT_EQ(found.velocities_m_per_s, state.velocities_m_per_s);
+  EXPECT_EQ(found.last_step_s, state.last_step_s);
+  EXPECT_EQ(found.steps, state.steps);
+  EXPECT_EQ(found.steps_to_bound, state.steps_to_bound);
+  EXPECT_EQ(found.step_share, state.step_share);
+  EXPECT_EQ(found.work.mass_damping_J, state.work.mass_damping_J);
+  EXPECT_EQ(found.work.pressure_J, state.work.pressure_J);
+  EXPECT_EQ(found.at_start_J, state.at_start_J);
+  EXPECT_EQ(found.turnover_J, state.turnover_J);
+  ASSERT_TRUE(found.contact);
+  EXPECT_EQ(*found.contact, *state.contact);
+  ASSERT_TRUE(found.pneumatics);
+  EXPECT_EQ(found.pneumatics->source_air_m3, state.pneumatics->source_air_m3);
+  EXPECT_EQ(found.pneumatics->work.line_J, 0.4);
   ASSERT_EQ(read->records.size(), 2U);
   EXPECT_EQ(read->records[1].centre_of_mass_m, written.records[1].centre_of_mass_m);
   EXPECT_EQ(read->records[1].energies.kinetic_J, 1.0 / 3.0);
@@ -86,16 +89,53 @@ TEST(LocomotionCheckpoint, GivesEveryBitBack) {
 
 TEST(LocomotionCheckpoint, KeepsHowARunEndedAndWhatIsNotThere) {
   LocomotionProgress written = awkward_progress();
-  written.state.at_start_J.reset();
-  written.state.pneumatics.reset();
+  auto& state = std::get<ExplicitState>(written.state);
+  state.at_start_J.reset();
+  state.pneumatics.reset();
   written.outcome = {io::RunStatus::diverged, "at 1 s: \"away\""};
   write_locomotion_checkpoint(checkpoint_file(), "study", written);
   const auto read = read_locomotion_checkpoint(checkpoint_file(), "study");
   ASSERT_TRUE(read && read->outcome);
   EXPECT_EQ(read->outcome->status, io::RunStatus::diverged);
   EXPECT_EQ(read->outcome->reason, "at 1 s: \"away\"");
-  EXPECT_FALSE(read->state.at_start_J);
-  EXPECT_FALSE(read->state.pneumatics);
+  EXPECT_FALSE(std::get<ExplicitState>(read->state).at_start_J);
+  EXPECT_FALSE(std::get<ExplicitState>(read->state).pneumatics);
+}
+
+TEST(LocomotionCheckpoint, KeepsStatesOfImplicitDynamics) {
+  LocomotionProgress written;
+  ImplicitState state;
+  state.time_s = 0.1 + 0.2;
+  state.displacements_m = {-0.0, 1.0 / 3.0, 1e-300};
+  state.velocities_m_per_s = {1.0, 2.0 / 3.0, 3.0};
+  state.accelerations_m_per_s2 = {1e5 / 3.0, 0.0, -1.0};
+  state.ground_nodes = {{.touches = true, .slides = true, .anchor_m = {0.1, 1.0 / 3.0}, .friction_N = {-0.7, 1e-17}}, {}};
+  state.next_step_s = 1e-3 / 3.0;
+  state.steps = 7;
+  state.rejected_steps = 2;
+  state.iterations = 19;
+  state.work.friction_J = 0.3;
+  state.at_start_J = 1e-17;
+  written.state = state;
+  write_locomotion_checkpoint(checkpoint_file(), "study", written);
+  const auto read = read_locomotion_checkpoint(checkpoint_file(), "study");
+  ASSERT_TRUE(read && std::holds_alternative<ImplicitState>(read->state));
+  const auto& found = std::get<ImplicitState>(read->state);
+  EXPECT_EQ(found.time_s, state.time_s);
+  EXPECT_EQ(found.displacements_m, state.displacements_m);
+  EXPECT_EQ(found.velocities_m_per_s, state.velocities_m_per_s);
+  EXPECT_EQ(found.accelerations_m_per_s2, state.accelerations_m_per_s2);
+  ASSERT_EQ(found.ground_nodes.size(), 2U);
+  EXPECT_TRUE(found.ground_nodes[0].touches && found.ground_nodes[0].slides);
+  EXPECT_FALSE(found.ground_nodes[1].touches || found.ground_nodes[1].slides);
+  EXPECT_EQ(found.ground_nodes[0].anchor_m, state.ground_nodes[0].anchor_m);
+  EXPECT_EQ(found.ground_nodes[0].friction_N, state.ground_nodes[0].friction_N);
+  EXPECT_EQ(found.next_step_s, state.next_step_s);
+  EXPECT_EQ(found.steps, 7U);
+  EXPECT_EQ(found.rejected_steps, 2U);
+  EXPECT_EQ(found.iterations, 19U);
+  EXPECT_EQ(found.work.friction_J, 0.3);
+  EXPECT_EQ(found.at_start_J, state.at_start_J);
 }
 
 TEST(LocomotionCheckpoint, IsNothingWithoutAFile) {

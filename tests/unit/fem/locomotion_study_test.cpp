@@ -55,6 +55,8 @@ TEST(LocomotionStudy, StandsOnItsLowestPoint) {
   EXPECT_DOUBLE_EQ(sample_study(floating).ground.height_m, 0.01);
   const std::string stated = "[ground]\nstatic_coefficient = 1\nkinetic_coefficient = 1\nheight_m = -0.002\n";
   EXPECT_EQ(sample_study(cube + silicone + stated + drive + time).ground.height_m, -0.002);
+  const std::string above = "[ground]\nstatic_coefficient = 1\nkinetic_coefficient = 1\nheight_m = 0.001\n";
+  expect_refused(cube + silicone + above + drive + time, {"ground.height_m = 0.001", "above the body's lowest point"});
 }
 
 TEST(LocomotionStudy, RecordsAtTheIntervalAndAtTheEnd) {
@@ -89,6 +91,13 @@ TEST(LocomotionStudy, IsTheSameRunIfItsTextIsTheSame) {
       "[[piston]]\nname = \"cam\"\nbore_m = 0.02\ncylinder_length_m = 0.05\nstroke_m = 0.03\nfrequency_Hz = ";
   EXPECT_NE(locomotion_text(sample_study(cube + silicone + ground + piston + "1.2\n" + time)),
             locomotion_text(sample_study(cube + silicone + ground + piston + "1.3\n" + time)));
+  // Turbulence needs the bore: a tube is not only its resistance and volume.
+  const LocomotionStudy tube = sample_study(
+      cube + silicone + ground +
+      "[[pressure]]\nplenum = \"plenum 0\"\nsupply = \"line\"\nschedule = \"sine\"\nlow_Pa = 0\nhigh_Pa = 4000\n"
+      "frequency_Hz = 2\nlength_m = 1\ndiameter_m = 0.002\n" +
+      time);
+  EXPECT_NE(locomotion_text(tube).find("diameter_m = 0.002"), std::string::npos) << locomotion_text(tube);
 }
 
 TEST(LocomotionStudy, NamesFileAndKeyOfWhatDoesNotFit) {
@@ -97,7 +106,7 @@ TEST(LocomotionStudy, NamesFileAndKeyOfWhatDoesNotFit) {
   expect_refused(cube + silicone + drive + time, {"study.toml", "ground is missing"});
   expect_refused(cube + silicone + ground + time, {"study.toml", "[drive] or [[pressure]] is missing"});
   expect_refused(cube + silicone + ground + drive, {"study.toml", "time is missing"});
-  expect_refused(cube_study + "[dynamics]\nmethod = \"implicit\"\n", {"dynamics.method = \"implicit\""});
+  expect_refused(cube_study + "[dynamics]\nmethod = \"magic\"\n", {"dynamics.method = \"magic\""});
   expect_refused(cube_study + "[[pressure]]\nplenum = \"plenum 0\"\nschedule = \"constant\"\npressure_Pa = 0\n",
                  {"keep one of them"});
   expect_refused("schema_version = 2\n" + cube_study, {"schema_version = 2"});
@@ -105,6 +114,33 @@ TEST(LocomotionStudy, NamesFileAndKeyOfWhatDoesNotFit) {
                  {"a million records"});
   expect_refused(cube + silicone + "[ground]\nstatic_coefficient = 0.2\nkinetic_coefficient = 0.5\n" + drive + time,
                  {"ground.static_coefficient = 0.2"});
+}
+
+TEST(LocomotionStudy, ReadsWhatMovesItImplicitly) {
+  const std::string implicit = cube_study + "[dynamics]\nmethod = \"implicit\"\n";
+  const LocomotionStudy study = sample_study(implicit + "degree = 2\ntolerance = 1e-4\nlargest_step_s = 1e-3\n");
+  ASSERT_TRUE(study.implicit);
+  EXPECT_EQ(study.implicit->degree, 2);
+  EXPECT_EQ(study.implicit->tolerance, 1e-4);
+  EXPECT_EQ(study.largest_step_s, 1e-3);
+  EXPECT_FALSE(study.self_contact);
+  EXPECT_NE(locomotion_text(study), locomotion_text(sample_study(implicit)));
+  EXPECT_NE(locomotion_text(sample_study(cube_study)), locomotion_text(sample_study(implicit)));
+}
+
+TEST(LocomotionStudy, RefusesWhatImplicitDynamicsHasNot) {
+  const std::string implicit = "[dynamics]\nmethod = \"implicit\"\n";
+  expect_refused(cube_study + implicit + "self_contact = true\n", {"study.toml:", "dynamics.self_contact = true"});
+  expect_refused(cube_study + implicit + "step_safety = 0.5\n", {"dynamics.step_safety = 0.5", "method = \"explicit\""});
+  expect_refused(cube_study + implicit + "threads = 2\n", {"dynamics.threads = 2"});
+  expect_refused(cube_study + implicit + "degree = 3\n", {"dynamics.degree = 3"});
+  expect_refused(cube_study + implicit + "tolerance = 0\n", {"dynamics.tolerance = 0"});
+  expect_refused(cube_study + "[dynamics]\ntolerance = 1e-4\n", {"dynamics.tolerance = 0.0001", "method = \"implicit\""});
+  const std::string piston =
+      "[[pressure]]\nplenum = \"plenum 0\"\nsupply = \"piston\"\npiston = \"cam\"\nresistance_Pa_s_per_m3 = 1e8\n"
+      "[[piston]]\nname = \"cam\"\nbore_m = 0.02\ncylinder_length_m = 0.05\nstroke_m = 0.03\nfrequency_Hz = 1\n";
+  expect_refused(cube + silicone + ground + piston + time + implicit,
+                 {"study.toml:", "pressure[1].supply = \"piston\"", "\"implicit\" has no lines"});
 }
 
 TEST(LocomotionStudy, ReadsTheStudiesThatAreThere) {
