@@ -137,11 +137,10 @@ vtkSmartPointer<vtkUnstructuredGrid> moved_body_grid(const meshes::HexahedralMes
 
 void LocomotionFrames::keep_only(const std::vector<double>& times_s) {
   times_s_ = times_s;
-  // A run without frames may come before this one: from the first that is missing on there are none.
+  // Somebody may have removed some: from the first that is missing on there are none.
   std::size_t kept = 0;
   while (kept < times_s_.size() && is_there(folder_ / frame_file(kept))) ++kept;
-  const bool complete = kept == times_s_.size();
-  if (!complete) times_s_.clear();
+  times_s_.resize(kept);
   // Before the files go, so that the collection never names one that is not there.
   if (times_s_.empty())
     remove_file(folder_ / collection_name);

@@ -87,6 +87,8 @@ std::vector<LocomotionStudy> sweep_studies(const LocomotionStudy& study) {
 std::vector<SweepCase> run_sweep(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options,
                                  const std::function<void(std::size_t number, const SweepCase& done)>& ran) {
   const std::vector<LocomotionStudy> studies = sweep_studies(study);
+  // A case that cannot begin is found before hours of others, and before anything of an earlier sweep is removed.
+  for (std::size_t n = 0; n < studies.size(); ++n) check_locomotion(studies[n], folder / case_folder(n + 1), options);
   io::require_writable_folder(folder);
   for (const char* name : {"sweep.csv", "sweep.png"}) remove_file(folder / name);
   std::vector<SweepCase> cases;

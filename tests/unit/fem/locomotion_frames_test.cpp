@@ -103,5 +103,22 @@ TEST(LocomotionFrames, KeepTheFirstOnesAndGoOn) {
   EXPECT_NE(reader->GetOutput()->GetPointData()->GetArray("velocity_m_per_s"), nullptr);
 }
 
+TEST(LocomotionFrames, KeepThoseBeforeOneThatIsMissing) {
+  const fs::path folder = fs::path(testing::TempDir()) / "locomotion_frames_missing";
+  fs::remove_all(folder);
+  const Moved moved;
+  LocomotionFrames frames(folder);
+  frames.keep_only({});
+  for (int n = 0; n < 3; ++n) frames.add(moved.study.mesh, moved.body());
+  fs::remove(folder / "frames/frame_0001.vtu");
+  LocomotionFrames again(folder);
+  again.keep_only({0.5, 0.5, 0.5});
+  EXPECT_TRUE(fs::exists(folder / "frames/frame_0000.vtu"));
+  EXPECT_FALSE(fs::exists(folder / "frames/frame_0002.vtu"));
+  const std::string collection = io::read_whole(folder / "frames.pvd");
+  EXPECT_NE(collection.find("frame_0000.vtu"), std::string::npos);
+  EXPECT_EQ(collection.find("frame_0001.vtu"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace menger::fem

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/csv_table.h"
+#include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
 #include "tests/unit/fem/locomotion_samples.h"
 
@@ -69,6 +70,16 @@ TEST(LocomotionSweep, RunsEveryCaseAlsoAfterOneThatFailed) {
   EXPECT_EQ(csv.text(2, "status"), "completed");
   EXPECT_EQ(csv.number(2, "loads.gravity_m_per_s2"), 1.62);
   EXPECT_TRUE(fs::exists(folder / "case_03/trajectory.csv"));
+}
+
+TEST(LocomotionSweep, RefusesACaseBeforeItRunsAnother) {
+  const fs::path folder = fresh_folder();
+  io::write_whole(folder / "sweep.csv", "earlier");
+  const std::string study = base + "[sweep]\nkeys = [\"drive.period_s\"]\nvalues = [0.05, 5e-5]\n";
+  const std::string message = message_of([&] { (void)run_sweep(sample_study(study), folder); });
+  EXPECT_NE(message.find("a ramp of 5e-05 s"), std::string::npos) << message;
+  EXPECT_EQ(io::read_whole(folder / "sweep.csv"), "earlier");
+  EXPECT_FALSE(fs::exists(folder / "case_01"));
 }
 
 TEST(LocomotionSweep, GoesOnWithTheCaseThatWasStopped) {
