@@ -115,12 +115,12 @@ class BoxElements {
     Pack largest(0.0);
     for (std::size_t q = 0; q < 8; ++q) {
       add_stress(points_[q].cofactor, q);
-      largest = xsimd::max(largest, inverse_stretch_square(points_[q]));
+      largest = xsimd::max(largest, largest_deviatoric_square(q));
     }
     store_forces(bounds.volume_gradients_m2 + 24 * Pack::size * batch);
     const auto response = volume_laws[task.volume.index](task.volume.parameters, dilatation_);
     response.second_derivative.store_aligned(bounds.bulk_moduli_Pa + Pack::size * batch);
-    largest.store_aligned(bounds.inverse_stretch_squares + Pack::size * batch);
+    largest.store_aligned(bounds.deviatoric_squares + Pack::size * batch);
   }
 
   [[nodiscard]] const Pack& smallest_ratio() const { return smallest_ratio_; }
@@ -134,17 +134,23 @@ class BoxElements {
     return result;
   }
 
-  /// The largest row sum of C^-1 = cof(F)^T cof(F) / J^2, not less than its largest eigenvalue.
-  static Pack inverse_stretch_square(const PointVolume<Pack>& point) {
-    const auto& C = point.cofactor;
-    const auto entry = [&](std::size_t i, std::size_t j) {
-      return xsimd::abs(xsimd::fma(C[i], C[j], xsimd::fma(C[3 + i], C[3 + j], C[6 + i] * C[6 + j])));
-    };
-    const Pack xy = entry(0, 1);
-    const Pack xz = entry(0, 2);
-    const Pack yz = entry(1, 2);
-    const Pack sum = xsimd::max(entry(0, 0) + xy + xz, xsimd::max(entry(1, 1) + xy + yz, entry(2, 2) + xz + yz));
-    return sum / (point.ratio * point.ratio);
+  /// The largest |dev sym(G F^-1)|^2 of all G with |G| = 1. In the axes of F the off-diagonal entries have (s_i + s_j) / 2, s
+  /// being the eigenvalues of C^-1, and the diagonal ones the largest eigenvalue of diag(s) - d d^T / 3, d_i^2 = s_i, which is
+  /// never less: I1 / 3 + sqrt(I1^2 / 9 - I2 / 3) with the invariants I1 = |cof F|^2 / J^2 and I2 = |F|^2 / J^2 of C^-1.
+  [[nodiscard]] Pack largest_deviatoric_square(std::size_t q) const {
+    const PointVolume<Pack>& point = points_[q];
+    Pack first(0.0);
+    Pack second(0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        first = xsimd::fma(point.cofactor[3 * i + j], point.cofactor[3 * i + j], first);
+        second = xsimd::fma(gradient_.at(i, j, q), gradient_.at(i, j, q), second);
+      }
+    }
+    const Pack inverse_square = Pack(1.0) / (point.ratio * point.ratio);
+    const Pack third = first * inverse_square * Pack(1.0 / 3.0);
+    const Pack root = xsimd::fms(third, third, second * inverse_square * Pack(1.0 / 3.0));
+    return third + xsimd::sqrt(xsimd::max(root, Pack(0.0)));
   }
 
   /// Two points share each place of a column; the one with the smaller number comes first.

@@ -37,7 +37,7 @@ NodeSlots sorted_by_node(std::span<const std::uint32_t> nodes, std::span<const s
   sorted.offsets.assign(node_count + 1, 0);
   for (const std::uint32_t node : nodes) ++sorted.offsets[node + 1];
   for (std::size_t n = 0; n < node_count; ++n) sorted.offsets[n + 1] += sorted.offsets[n];
-  sorted.slots.resize(nodes.size());
+  sorted.slots.assign(nodes.size() + NodeSlots::padding, 0);
   std::vector<std::uint32_t> next(sorted.offsets.begin(), sorted.offsets.end() - 1);
   for (std::size_t s = 0; s < nodes.size(); ++s) sorted.slots[next[nodes[s]]++] = first_component[s];
   return sorted;

@@ -16,8 +16,11 @@ using AlignedNumbers = std::vector<double, xsimd::aligned_allocator<double, 64>>
 
 /// Where forces on a node stand in an array of forces per element or face: the three components of slot s are `stride` apart.
 struct NodeSlots {
+  static constexpr std::size_t padding = 32;
   std::vector<std::uint32_t> offsets;  ///< node_count + 1 positions in slots
-  std::vector<std::uint32_t> slots;    ///< index of the first component, in the order of elements or faces
+  /// Index of the first component, in the order of elements or faces; at the end so many more of no meaning, 0, for those who
+  /// look ahead.
+  std::vector<std::uint32_t> slots;
   std::size_t stride = 1;
 
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t node) const {

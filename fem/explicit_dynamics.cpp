@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t batches_per_block = 8;
 constexpr std::size_t faces_per_block = 256;
 constexpr std::size_t nodes_per_block = 256;
+constexpr std::size_t components_per_block = 4096;
 
 void demand(bool is_met, const std::string& name, double value, const std::string& demand) {
   if (!is_met) throw io::InputError("explicit dynamics: " + name + " = " + io::number_text(value) + ": " + demand);
@@ -165,8 +166,10 @@ void ExplicitDynamics::find_touches() {
 }
 
 void ExplicitDynamics::set_current_positions() {
-  for (std::size_t n = 0; n < current_positions_.size(); ++n)
-    current_positions_[n] = body_.reference_positions_m()[n] + state_.displacements_m[n];
+  loop_.run(current_positions_.size(), components_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+      current_positions_[n] = body_.reference_positions_m()[n] + state_.displacements_m[n];
+  });
 }
 
 NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {

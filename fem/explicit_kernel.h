@@ -46,9 +46,9 @@ struct ElementsOutcome {
 
 /// What bounds of the eigenvalues need of elements. Arrays hold numbers per batch and are aligned to 64 bytes.
 struct ElementBounds {
-  double* volume_gradients_m2;      ///< 24 width: d(volume)/du, in the order of the forces
-  double* bulk_moduli_Pa;           ///< width: U'' at the mean dilatation
-  double* inverse_stretch_squares;  ///< width: a bound of the largest eigenvalue of C^-1 over the points; 1 at rest
+  double* volume_gradients_m2;  ///< 24 width: d(volume)/du, in the order of the forces
+  double* bulk_moduli_Pa;       ///< width: U'' at the mean dilatation
+  double* deviatoric_squares;   ///< width: largest |dev sym(G F^-1)|^2 over |G| = 1 and the points; 1 at rest
 };
 
 namespace detail {

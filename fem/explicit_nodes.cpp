@@ -5,6 +5,7 @@
 namespace menger::fem {
 namespace {
 
+/// Forces of elements are further away than the nearest caches; those of nodes to come are asked for in time.
 inline Point sum_of(const NodeSlots& slots, std::span<const double> forces, std::size_t node) {
   const double* values = forces.data();
   const std::size_t stride = slots.stride;
@@ -14,6 +15,10 @@ inline Point sum_of(const NodeSlots& slots, std::span<const double> forces, std:
   double y = 0.0;
   double z = 0.0;
   for (; slot != end; ++slot) {
+    const double* later = values + slot[NodeSlots::padding];
+    __builtin_prefetch(later);
+    __builtin_prefetch(later + stride);
+    __builtin_prefetch(later + 2 * stride);
     const double* value = values + *slot;
     x += value[0];
     y += value[stride];

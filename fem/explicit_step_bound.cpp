@@ -13,7 +13,7 @@ namespace {
 struct AllBounds {
   AlignedNumbers gradients;
   AlignedNumbers bulk_moduli;
-  AlignedNumbers inverse_stretch_squares;
+  AlignedNumbers deviatoric_squares;
 };
 
 constexpr std::size_t batches_per_block = 16;
@@ -39,7 +39,7 @@ AllBounds element_bounds(const ExplicitBody& body, std::span<const double> displ
       const std::size_t lane = first * width;
       body.kernels().bounds(
           body.region(group.region).material, boxes.batches(first, last - first), {displacements.data()},
-          {all.gradients.data() + 24 * lane, all.bulk_moduli.data() + lane, all.inverse_stretch_squares.data() + lane});
+          {all.gradients.data() + 24 * lane, all.bulk_moduli.data() + lane, all.deviatoric_squares.data() + lane});
     });
   });
   return all;
@@ -52,7 +52,7 @@ ElementKernels implicit_kernels(const ExplicitBody& body) {
   return best_element_kernels();
 }
 
-/// Largest Frobenius norm of K_rest over the share of a node, 1/s^2, of the elements of one batch.
+/// Frobenius norms of K_rest, N/m, of the elements of one batch.
 class RestStiffness {
  public:
   explicit RestStiffness(const ExplicitBody& body)
@@ -65,7 +65,9 @@ class RestStiffness {
     assert(kernels_.width == body.boxes().width());
   }
 
-  double largest(const BoxGroup& group, std::size_t batch, std::span<const double> displacements, const AllBounds& bounds) {
+  /// @param norms one per lane of the body
+  void set_norms(const BoxGroup& group, std::size_t batch, std::span<const double> displacements, const AllBounds& bounds,
+                 std::span<double> norms) {
     const BoxMesh& boxes = body_.boxes();
     const std::size_t width = boxes.width();
     for (std::size_t lane = 0; lane < width; ++lane) {
@@ -80,15 +82,12 @@ class RestStiffness {
     task.stiffness = stiffness_.data();
     task.smallest_ratio = ratios_.data();
     kernels_.evaluate({1, Formulation::three_field, region.material.law, region.material.volume}, task);
-    double result = 0.0;
     for (std::size_t lane = 0; lane < width; ++lane) {
-      const double volume = boxes.volume_m3(batch * width + lane);
-      if (volume == 0.0) continue;
-      const double bulk = bounds.bulk_moduli[batch * width + lane] / volume;
-      const double square = norm_square(bounds.gradients.data() + 24 * width * batch + lane, bulk, lane, width);
-      result = std::max(result, 8.0 * std::sqrt(square) / (region.density_kg_per_m3 * volume));
+      const std::size_t of_body = batch * width + lane;
+      if (boxes.volume_m3(of_body) == 0.0) continue;
+      const double bulk = bounds.bulk_moduli[of_body] / boxes.volume_m3(of_body);
+      norms[of_body] = std::sqrt(norm_square(bounds.gradients.data() + 24 * width * batch + lane, bulk, lane, width));
     }
-    return result;
   }
 
  private:
@@ -175,25 +174,49 @@ double bulk_bound(const ExplicitBody& body, const AllBounds& bounds, const Block
   return bound;
 }
 
-/// The parts of the bounds that come from elements one by one.
+/// What a node gets of the matrices of each of its elements: a number per lane.
+struct NodeShares {
+  std::vector<double> stiffness_N_per_m;
+  std::vector<double> damping_kg_per_s;
+};
+
+NodeShares node_shares(const ExplicitBody& body, std::span<const double> displacements, const AllBounds& elements,
+                       const BlockLoop& loop) {
+  const BoxMesh& boxes = body.boxes();
+  NodeShares shares{std::vector<double>(elements.bulk_moduli.size(), 0.0), std::vector<double>(elements.bulk_moduli.size(), 0.0)};
+  loop.run(boxes.batch_count(), batches_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    RestStiffness rest(body);
+    for_each_part(boxes, begin, end, [&](const BoxGroup& group, std::size_t first, std::size_t last) {
+      const double viscosity = body.region(group.region).material.viscosity_Pa_s;
+      for (std::size_t batch = first; batch < last; ++batch)
+        rest.set_norms(group, batch, displacements, elements, shares.stiffness_N_per_m);
+      for (std::size_t lane = first * boxes.width(); lane < last * boxes.width(); ++lane) {
+        const double edge = boxes.shortest_edge_m(lane);
+        shares.damping_kg_per_s[lane] = viscosity * elements.deviatoric_squares[lane] * boxes.volume_m3(lane) / (edge * edge);
+      }
+    });
+  });
+  return shares;
+}
+
+/// The parts of the bounds that come from elements one by one: the largest sum of shares at a node over its mass.
 EigenvalueBounds bounds_of_elements(const ExplicitBody& body, std::span<const double> displacements, const AllBounds& elements,
                                     const BlockLoop& loop) {
   const BoxMesh& boxes = body.boxes();
-  std::vector<EigenvalueBounds> parts(BlockLoop::block_count(boxes.batch_count(), batches_per_block));
-  loop.run(boxes.batch_count(), batches_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
-    EigenvalueBounds& part = parts[block];
-    RestStiffness rest(body);
-    for_each_part(boxes, begin, end, [&](const BoxGroup& group, std::size_t first, std::size_t last) {
-      const ExplicitRegion& region = body.region(group.region);
-      for (std::size_t batch = first; batch < last; ++batch)
-        part.stiffness_per_s2 = std::max(part.stiffness_per_s2, rest.largest(group, batch, displacements, elements));
-      for (std::size_t lane = first * boxes.width(); lane < last * boxes.width(); ++lane) {
-        const double edge = boxes.shortest_edge_m(lane);
-        const double damping = 8.0 * region.material.viscosity_Pa_s * elements.inverse_stretch_squares[lane] /
-                               (region.density_kg_per_m3 * edge * edge);
-        part.damping_per_s = std::max(part.damping_per_s, damping);
+  const std::size_t width = boxes.width();
+  const NodeShares shares = node_shares(body, displacements, elements, loop);
+  std::vector<EigenvalueBounds> parts(BlockLoop::block_count(body.node_count(), nodes_per_block));
+  loop.run(body.node_count(), nodes_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node) {
+      EigenvalueBounds at_node;
+      for (const std::uint32_t slot : boxes.slots().of(node)) {
+        const std::size_t lane = slot / (24 * width) * width + slot % width;
+        at_node.stiffness_per_s2 += shares.stiffness_N_per_m[lane] / body.masses_kg()[node];
+        at_node.damping_per_s += shares.damping_kg_per_s[lane] / body.masses_kg()[node];
       }
-    });
+      parts[block].stiffness_per_s2 = std::max(parts[block].stiffness_per_s2, at_node.stiffness_per_s2);
+      parts[block].damping_per_s = std::max(parts[block].damping_per_s, at_node.damping_per_s);
+    }
   });
   EigenvalueBounds largest;
   for (const EigenvalueBounds& part : parts) {

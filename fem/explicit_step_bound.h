@@ -21,8 +21,10 @@ struct EigenvalueBounds {
 /// K = K_rest + sum_e (U''_e / V_e) g_e g_e^T with the gradient g of an element's volume. The second part, which decides, has the
 /// eigenvalues of the matrix s_e s_f g_e^T M^-1 g_f, s = sqrt(U'' / V), of pairs of elements; they are bounded by the largest
 /// ratio (B w)_e / w_e of its absolute values B, for any positive w: after some power iterations. Masses are those of the
-/// assembled nodes, so that a wall of one element gets its longer step. K_rest is bounded element by element by its Frobenius
-/// norm over the element's share of a node, C by 8 eta |F^-1|^2 / (rho h^2) with the shortest edge h.
+/// assembled nodes, so that a wall of one element gets its longer step. K_rest is at most the Frobenius norm of each element's
+/// part at each of its nodes, C at most eta n V / h^2 with the shortest edge h and the largest n = |dev sym(G F^-1)|^2 of any
+/// gradient G with |G| = 1 at a point: 2 eta n |G|^2 is what the point dissipates, and gradients of node velocities v have a mean
+/// square of at most 4 / h^2 times that of v. The largest sum of a node's shares over its mass bounds the eigenvalues.
 ///
 /// The stiffness of follower pressure, smaller by about pressure over bulk modulus, is not in it.
 /// @param loop does the work on elements; the result does not depend on its threads

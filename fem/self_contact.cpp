@@ -9,6 +9,7 @@ namespace menger::fem {
 namespace {
 
 constexpr std::size_t candidates_per_block = 32;
+constexpr std::size_t faces_per_block = 512;
 constexpr double no_way = 1e-12;        // of an edge: rounding of depths
 constexpr double nothing_paid = 1e-18;  // of the square of an edge
 
@@ -54,11 +55,13 @@ void SelfContact::find_touches(std::span<const double> positions_m, const BlockL
     return;
   }
   for (const std::uint32_t node : followed_nodes_) points_[node] = surfaces_.point(node, positions_m);
-  for (const std::uint32_t face : followed_faces_) {
-    const Point area = area_vector(surfaces_.corners(face, points_));
-    const double size = norm(area);
-    normals_[face] = size > 0.0 ? scaled(1.0 / size, area) : Point{};
-  }
+  loop.run(followed_faces_.size(), faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Point area = area_vector(surfaces_.corners(followed_faces_[f], points_));
+      const double size = norm(area);
+      normals_[followed_faces_[f]] = size > 0.0 ? scaled(1.0 / size, area) : Point{};
+    }
+  });
   loop.run(found_.size(), candidates_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) found_[n] = touch_of(n, past);
   });

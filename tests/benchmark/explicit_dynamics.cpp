@@ -1,5 +1,6 @@
-// Explicit dynamics of finite elements: forces of elements alone for each instruction set, whole steps, and half a second of the
-// driven module. One thread, process CPU time.
+// Explicit dynamics of finite elements: forces of elements alone for each instruction set, whole steps, half a second of the
+// driven module, and an aggregate on one and two threads. Process CPU time and, beside it, wall time; one thread where nothing
+// else is said.
 
 #include "fem/explicit_dynamics.h"
 
@@ -23,13 +24,22 @@ struct Subject {
   meshes::HexahedralMesh mesh;
 };
 
-/// The hollow cube of 20 mm and the robot stand18 with cells of 1 cm; walls of 2 mm, one element thick.
+/// The robot stand18 with cells of 1 cm, or an aggregate of copies of it whose chambers are joined by holes as wide as they are;
+/// walls of 2 mm, one element thick.
+Subject stand18(const std::string& name, int level) {
+  meshes::HollowBodyOptions options;
+  options.wall_thickness_m = 2e-3;
+  options.level = level;
+  if (level > 1) options.hole_edge_m = 6e-3;
+  const auto file = std::string(MENGER_SOURCE_DIR) + "/meshes/designs/stand18.toml";
+  return {name, meshes::hollow_polycube(meshes::read_design(file), options).mesh};
+}
+
+/// The hollow cube of 20 mm, with walls as above, and stand18.
 std::vector<Subject> subjects() {
   meshes::HollowBodyOptions options;
   options.wall_thickness_m = 2e-3;
-  const auto file = std::string(MENGER_SOURCE_DIR) + "/meshes/designs/stand18.toml";
-  return {{"cube20", meshes::hollow_polycube(meshes::hollow_cube_design(20e-3), options).mesh},
-          {"stand18", meshes::hollow_polycube(meshes::read_design(file), options).mesh}};
+  return {{"cube20", meshes::hollow_polycube(meshes::hollow_cube_design(20e-3), options).mesh}, stand18("stand18", 1)};
 }
 
 fem::ExplicitBody silicone_body(const meshes::HexahedralMesh& mesh, double viscosity_Pa_s, const fem::ExplicitKernels& kernels) {
@@ -72,15 +82,24 @@ void element_forces(benchmark::State& state, const Subject& subject, const fem::
   state.counters["s_per_element"] = benchmark::Counter(updates, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void run(benchmark::State& state, const Subject& subject, double time_s, double viscosity_Pa_s, bool has_self_contact) {
-  const fem::ExplicitBody body = silicone_body(subject.mesh, viscosity_Pa_s, fem::best_explicit_kernels());
+/// What differs between runs.
+struct Run {
+  double time_s;
+  double viscosity_Pa_s;
+  bool has_self_contact = true;
+  int threads = 1;
+};
+
+void run(benchmark::State& state, const Subject& subject, const Run& how) {
+  const fem::ExplicitBody body = silicone_body(subject.mesh, how.viscosity_Pa_s, fem::best_explicit_kernels());
   std::size_t steps = 0;
   for (auto unused : state) {
     (void)unused;
     fem::ExplicitOptions options = on_ground(subject.mesh.plenum_names.size());
-    if (!has_self_contact) options.self_contact.reset();
+    options.threads = how.threads;
+    if (!how.has_self_contact) options.self_contact.reset();
     fem::ExplicitDynamics dynamics(subject.mesh, body, options);
-    const fem::ExplicitReport& report = dynamics.advance_to(time_s);
+    const fem::ExplicitReport& report = dynamics.advance_to(how.time_s);
     if (report.status != io::RunStatus::completed) {
       state.SkipWithError(report.reason.c_str());
       return;
@@ -91,6 +110,13 @@ void run(benchmark::State& state, const Subject& subject, double time_s, double 
   state.counters["elements"] = static_cast<double>(body.boxes().element_count());
   const double updates = static_cast<double>(steps) * static_cast<double>(body.boxes().element_count());
   state.counters["s_per_element"] = benchmark::Counter(updates, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void add_run(const std::string& name, const Subject& subject, const Run& how) {
+  benchmark::RegisterBenchmark(name.c_str(), [&subject, how](benchmark::State& state) { run(state, subject, how); })
+      ->Unit(benchmark::kSecond)
+      ->MeasureProcessCPUTime()
+      ->Iterations(1);
 }
 
 }  // namespace
@@ -108,20 +134,15 @@ int main(int argc, char** argv) {
       }
     }
     const double time_s = subject.name == "cube20" ? 0.5 : 0.05;
-    for (const double viscosity : {0.0, 10.0}) {
-      for (const bool has_self_contact : {true, false}) {
-        const std::string name = "OnGround/" + subject.name + (viscosity > 0.0 ? "/viscous" : "/elastic") +
-                                 (has_self_contact ? "" : "/without_self_contact");
-        benchmark::RegisterBenchmark(name.c_str(),
-                                     [&subject, time_s, viscosity, has_self_contact](benchmark::State& state) {
-                                       run(state, subject, time_s, viscosity, has_self_contact);
-                                     })
-            ->Unit(benchmark::kSecond)
-            ->MeasureProcessCPUTime()
-            ->Iterations(1);
-      }
-    }
+    for (const double viscosity : {0.0, 10.0})
+      for (const bool has_self_contact : {true, false})
+        add_run("OnGround/" + subject.name + (viscosity > 0.0 ? "/viscous" : "/elastic") +
+                    (has_self_contact ? "" : "/without_self_contact"),
+                subject, {time_s, viscosity, has_self_contact});
   }
+  const Subject aggregate = stand18("aggregate of stand18", 2);
+  for (const int threads : {1, 2})
+    add_run("OnGround/aggregate18/viscous/threads" + std::to_string(threads), aggregate, {2e-3, 10.0, true, threads});
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

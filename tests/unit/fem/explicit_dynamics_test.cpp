@@ -177,6 +177,14 @@ TEST(ExplicitDynamics, RefusesBadOptions) {
   EXPECT_NE(
       message([](ExplicitOptions& o) { o.self_contact->stiffness_Pa_per_m = -1.0; }).find("self-contact stiffness_Pa_per_m = -1"),
       std::string::npos);
+  const auto rub = [&](double static_coefficient, double kinetic_coefficient) {
+    return message([&](ExplicitOptions& o) {
+      o.self_contact->friction = SurfaceFriction{static_coefficient, kinetic_coefficient};
+    });
+  };
+  EXPECT_EQ(rub(0.5, 0.5), "no error");
+  EXPECT_NE(rub(0.5, -0.5).find("self-contact kinetic_coefficient = -0.5"), std::string::npos);
+  EXPECT_NE(rub(0.1, 0.5).find("self-contact static_coefficient = 0.1"), std::string::npos);
   EXPECT_NE(message([](ExplicitOptions& o) { o.schedules.resize(2); }).find("2 schedules for 1 plena"), std::string::npos);
   EXPECT_NE(message([](ExplicitOptions& o) { o.loads.ground->friction.static_coefficient = 0.1; }).find("static_coefficient"),
             std::string::npos);
