@@ -162,6 +162,10 @@ void add_dynamics(SettingsText& text, const LocomotionStudy& study) {
   text.lines(std::string("self_contact = ") + (study.self_contact ? "true" : "false") + "\n");
   if (study.self_contact && study.self_contact->stiffness_Pa_per_m)
     text.number("self_contact_stiffness_Pa_per_m", *study.self_contact->stiffness_Pa_per_m);
+  if (study.self_contact && study.self_contact->friction) {
+    text.number("self_contact_static_coefficient", study.self_contact->friction->static_coefficient);
+    text.number("self_contact_kinetic_coefficient", study.self_contact->friction->kinetic_coefficient);
+  }
 }
 
 }  // namespace

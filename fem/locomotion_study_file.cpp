@@ -126,6 +126,17 @@ void read_implicit(const io::TomlTable& table, LocomotionStudy& study) {
   study.notes.push_back("dynamics: without self-contact: walls that touch end the run, other parts pass through each other");
 }
 
+/// As on the ground where nothing else is stated.
+SurfaceFriction read_self_friction(const io::TomlTable& table, const Friction& ground) {
+  SurfaceFriction friction;
+  friction.kinetic_coefficient =
+      table.number_or("self_contact_kinetic_coefficient", ground.kinetic_coefficient, io::non_negative());
+  friction.static_coefficient =
+      table.number_or("self_contact_static_coefficient", std::max(ground.static_coefficient, friction.kinetic_coefficient),
+                      io::at_least(friction.kinetic_coefficient));
+  return friction;
+}
+
 void read_dynamics(const io::TomlTable& table, LocomotionStudy& study) {
   const Method method = table.word_or<Method>("method", Method::explicit_dynamics,
                                               {{"explicit", Method::explicit_dynamics}, {"implicit", Method::implicit_dynamics}});
@@ -138,9 +149,11 @@ void read_dynamics(const io::TomlTable& table, LocomotionStudy& study) {
     if (table.has(key)) throw table.error(key, "belongs to method = \"implicit\"");
   study.step_safety = table.number_or("step_safety", study.step_safety, {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
   const auto contact_stiffness = table.optional_number("self_contact_stiffness_Pa_per_m", io::positive());
-  study.self_contact = SelfContactLaw{contact_stiffness};
+  study.self_contact = SelfContactLaw{contact_stiffness, read_self_friction(table, study.ground.friction)};
   if (!table.boolean_or("self_contact", true)) {
-    if (contact_stiffness) throw table.error("self_contact_stiffness_Pa_per_m", "has no use with self_contact = false");
+    for (const char* key :
+         {"self_contact_stiffness_Pa_per_m", "self_contact_static_coefficient", "self_contact_kinetic_coefficient"})
+      if (table.has(key)) throw table.error(key, "has no use with self_contact = false");
     study.self_contact.reset();
   }
   study.threads = table.integer_or("threads", study.threads, io::within(1, 1024));

@@ -43,6 +43,21 @@ TEST(LocomotionStudy, ReadsWhatItStates) {
   EXPECT_DOUBLE_EQ(body_length_m(study.design, 2), 0.02) << "one cell per side at every level";
 }
 
+TEST(LocomotionStudy, SurfacesRubAsOnTheGroundUnlessStated) {
+  const LocomotionStudy plain = sample_study(cube_study);
+  ASSERT_TRUE(plain.self_contact && plain.self_contact->friction);
+  EXPECT_EQ(plain.self_contact->friction->static_coefficient, plain.ground.friction.static_coefficient);
+  EXPECT_EQ(plain.self_contact->friction->kinetic_coefficient, plain.ground.friction.kinetic_coefficient);
+  const LocomotionStudy slippery =
+      sample_study(cube_study + "[dynamics]\nself_contact_static_coefficient = 0.2\nself_contact_kinetic_coefficient = 0.1\n");
+  EXPECT_EQ(slippery.self_contact->friction->static_coefficient, 0.2);
+  EXPECT_EQ(slippery.self_contact->friction->kinetic_coefficient, 0.1);
+  EXPECT_NE(locomotion_text(plain), locomotion_text(slippery));
+  expect_refused(cube_study + "[dynamics]\nself_contact_static_coefficient = 0.1\nself_contact_kinetic_coefficient = 0.2\n",
+                 {"self_contact_static_coefficient"});
+  expect_refused(cube_study + "[dynamics]\nself_contact = false\nself_contact_kinetic_coefficient = 0.2\n", {"has no use"});
+}
+
 TEST(LocomotionStudy, MeasuresLengthByTheLongestSideOfTheGrid) {
   const LocomotionStudy study = sample_study(hook_study);
   EXPECT_DOUBLE_EQ(body_length_m(study.design, 1), 0.02);
@@ -92,11 +107,11 @@ TEST(LocomotionStudy, IsTheSameRunIfItsTextIsTheSame) {
   EXPECT_NE(locomotion_text(sample_study(cube + silicone + ground + piston + "1.2\n" + time)),
             locomotion_text(sample_study(cube + silicone + ground + piston + "1.3\n" + time)));
   // Turbulence needs the bore: a tube is not only its resistance and volume.
-  const LocomotionStudy tube = sample_study(
-      cube + silicone + ground +
-      "[[pressure]]\nplenum = \"plenum 0\"\nsupply = \"line\"\nschedule = \"sine\"\nlow_Pa = 0\nhigh_Pa = 4000\n"
-      "frequency_Hz = 2\nlength_m = 1\ndiameter_m = 0.002\n" +
-      time);
+  const LocomotionStudy tube =
+      sample_study(cube + silicone + ground +
+                   "[[pressure]]\nplenum = \"plenum 0\"\nsupply = \"line\"\nschedule = \"sine\"\nlow_Pa = 0\nhigh_Pa = 4000\n"
+                   "frequency_Hz = 2\nlength_m = 1\ndiameter_m = 0.002\n" +
+                   time);
   EXPECT_NE(locomotion_text(tube).find("diameter_m = 0.002"), std::string::npos) << locomotion_text(tube);
 }
 
