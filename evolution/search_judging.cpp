@@ -66,6 +66,7 @@ std::optional<JudgingRound> SearchJudging::judge(int generation, std::span<const
   if (round.judged.empty() && count > 0) {
     const std::vector<Nominee> line = chosen(nominees, count);
     std::vector<meshes::Polycube> bodies;
+    bodies.reserve(line.size());
     for (const Nominee& nominee : line) bodies.push_back(standing(nominee.phenotype->body));
     if (!bodies.empty()) {
       const auto results = judge_->judge(bodies, stop);
