@@ -43,13 +43,16 @@ class Watch : public ceres::IterationCallback {
   explicit Watch(const CalibrationFitOptions& options) : options_(options) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    if (options_.progress) options_.progress(summary.iteration, 2.0 * summary.cost);
+    // The cost of a step that was not taken is that of where it would have led, without end where there is no equilibrium.
+    if (summary.iteration == 0 || summary.step_is_successful) chi2_ = 2.0 * summary.cost;
+    if (options_.progress) options_.progress(summary.iteration, chi2_);
     const bool stops = options_.stop != nullptr && *options_.stop;
     return stops ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
   const CalibrationFitOptions& options_;
+  double chi2_ = 0.0;  ///< at the last step that was taken
 };
 
 bool is_stopped(const CalibrationFitOptions& options) { return options.stop != nullptr && *options.stop; }

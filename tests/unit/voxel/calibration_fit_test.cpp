@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -116,7 +117,11 @@ TEST(CalibrationFit, BeginsBesideABoundWhereThereIsNoAnswerInside) {
   const auto parameters = fitted_parameters(samples::by_class, determined_classes(problem), problem.bounds, problem.start);
   SurrogateParameters start = samples::truth();
   start.ground_stiffness_N_per_m = 6000.0;
-  const CalibrationFit fit = fit_parameters(problem.curves, parameters, start, without_answers_in(6001.0, 1e9));
+  std::vector<double> chi2_by_iteration;
+  CalibrationFitOptions options;
+  options.progress = [&](int, double chi2) { chi2_by_iteration.push_back(chi2); };
+  const CalibrationFit fit = fit_parameters(problem.curves, parameters, start, without_answers_in(6001.0, 1e9), options);
+  for (const double chi2 : chi2_by_iteration) EXPECT_TRUE(std::isfinite(chi2)) << "also after steps to where there is no answer";
   EXPECT_EQ(fit.status, io::RunStatus::completed) << fit.reason;
   EXPECT_NEAR(value_named(fit, "ground_stiffness_N_per_m").value, 6000.0, 1e-6);
   // slopes were not halved for it
