@@ -117,7 +117,7 @@ inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<Re
 }
 
 template <int Axis, bool Velocity, BeamVariety Variety, class T>
-[[gnu::flatten]] bool sweep_axis(const StepData<RealOf<T>>& d) {
+MENGER_INLINED_WHOLE bool sweep_axis(const StepData<RealOf<T>>& d) {
   using std::abs;
   constexpr bool uniform = Variety == BeamVariety::uniform;
   constexpr std::size_t width = static_cast<std::size_t>(NumberTraits<T>::width);

@@ -129,7 +129,7 @@ inline BeamLoads<T> lane_beam_loads(const LaneData<RealOf<T>>& d, const LaneBeam
 }
 
 template <int Axis, bool Velocity, bool Uniform, bool Complete, class T>
-[[gnu::flatten]] MaskOf<T> sweep_lane_axis(const LaneData<RealOf<T>>& d) {
+MENGER_INLINED_WHOLE MaskOf<T> sweep_lane_axis(const LaneData<RealOf<T>>& d) {
   const LaneBeams<RealOf<T>>& beams = d.axis[Axis];
   const std::size_t stride = pack_stride<T>(line_length);
   BeamCoefficients<T> c = broadcast<T>(d.beam);
@@ -169,7 +169,7 @@ std::uint32_t sweep_lane_beams(const LaneData<RealOf<T>>& d) {
 }
 
 template <bool Uniform, bool Complete, class T>
-[[gnu::flatten]] std::uint32_t sweep_lane_voxels(const LaneData<RealOf<T>>& d, RealOf<T>* largest_displacement2) {
+MENGER_INLINED_WHOLE std::uint32_t sweep_lane_voxels(const LaneData<RealOf<T>>& d, RealOf<T>* largest_displacement2) {
   const T zero = constant<T>(0.0);
   const std::size_t stride = pack_stride<T>(line_length);
   const T floor_depth = load_values<T>(d.floor_depth);
@@ -222,7 +222,7 @@ inline ContactEnd<T> lane_contact_end(const LaneData<RealOf<T>>& d, std::size_t 
 }
 
 template <bool Uniform, class T>
-[[gnu::flatten]] void sweep_lane_pairs(const LaneData<RealOf<T>>& d) {
+MENGER_INLINED_WHOLE void sweep_lane_pairs(const LaneData<RealOf<T>>& d) {
   const T zero = constant<T>(0.0);
   const std::size_t stride = pack_stride<T>(line_length);
   for (std::size_t i = 0; i < d.pairs.count; ++i) {

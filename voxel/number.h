@@ -4,6 +4,14 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
+/// Inlines all that a kernel calls, which makes small bodies a third faster. Not with the address sanitizer, whose checks make
+/// compilers take minutes over each of them.
+#if defined(__SANITIZE_ADDRESS__)
+#define MENGER_INLINED_WHOLE
+#else
+#define MENGER_INLINED_WHOLE [[gnu::flatten]]
+#endif
+
 namespace menger::voxel {
 
 /// The number types that the laws of this folder are written for: double, float and SIMD packs of them (one lane per beam or

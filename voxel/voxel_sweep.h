@@ -126,7 +126,7 @@ inline void put_size(const StepConstants<RealOf<T>>& d, const T& base, const T& 
 }
 
 template <bool Uniform, bool Floor, bool Gravity, bool Actuated, class T>
-[[gnu::flatten]] VoxelSweep sweep_voxels(const StepData<RealOf<T>>& d) {
+MENGER_INLINED_WHOLE VoxelSweep sweep_voxels(const StepData<RealOf<T>>& d) {
   using Real = RealOf<T>;
   constexpr std::size_t width = static_cast<std::size_t>(NumberTraits<T>::width);
   const T zero = constant<T>(0.0);
