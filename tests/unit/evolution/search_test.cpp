@@ -354,7 +354,8 @@ TEST_F(SearchRun, ADesignAndItsLiftedTwinShareAnEvaluationWhereBodiesStand) {
     RunArchive archive = open(stand ? "standing" : "grown");
     std::size_t commits = 0;
     const std::uint64_t before = evaluator_.calls();
-    PoolJudge judge(plan, evaluator_, archive, {}, 0, &commits);
+    const SearchOptions options;
+    PoolJudge judge(plan, evaluator_, archive, options, 0, &commits);
     judge.add_newcomer(low, false);
     judge.add_newcomer(high, false);
     ASSERT_EQ(judge.judge_in_full(), io::RunStatus::completed);
