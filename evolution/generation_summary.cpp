@@ -1,12 +1,11 @@
 #include "evolution/generation_summary.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <iomanip>
 #include <sstream>
 
 #include "io/content_hash.h"
+#include "io/formatted.h"
 #include "io/input_error.h"
 #include "meshes/fractal.h"
 
@@ -23,10 +22,7 @@ bool is_better(const Contender& a, const Contender& b) {
 std::string level_column(int level) { return "level_" + std::to_string(level) + "_displacement_body_lengths"; }
 
 std::string number_or_dash(const std::optional<double>& value, const char* format) {
-  if (!value) return "-";
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), format, *value);
-  return text.data();
+  return value ? io::formatted(format, *value) : "-";
 }
 
 std::optional<double> displacement(const DesignSummary& design, int level) {

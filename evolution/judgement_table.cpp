@@ -1,24 +1,17 @@
 #include "evolution/judgement_table.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "io/content_hash.h"
+#include "io/formatted.h"
 #include "io/number_text.h"
 #include "materials/observables.h"
 
 namespace menger::evolution {
 namespace {
-
-std::string formatted(const char* format, double value) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 /// The word for how a judgement ended.
 std::string_view end_of(const Judgement& judgement) {
@@ -114,16 +107,16 @@ std::string round_text(const SearchPlan& plan, const JudgingRound& round, const 
   text += "judged " + std::to_string(round.judged.size()) + "\n";
   for (const Judgement& one : round.judged) {
     text += "       individual " + std::to_string(one.individual) + ": ";
-    text += one.score ? formatted("%.4f", *one.score) + unit : std::string(end_of(one)) + ", no fitness";
-    text += ", surrogate " + formatted("%.4f", one.surrogate) + unit;
+    text += one.score ? io::formatted("%.4f", *one.score) + unit : std::string(end_of(one)) + ", no fitness";
+    text += ", surrogate " + io::formatted("%.4f", one.surrogate) + unit;
     if (!one.found.result.reason.empty()) text += " (" + one.found.result.reason + ")";
     text += "\n";
   }
-  text +=
-      "       correction: " + std::string(to_string(discrepancy.kind())) + ", ratio " + formatted("%.3f", discrepancy.ratio());
-  if (discrepancy.error()) text += ", error on robots left out " + formatted("%.4f", *discrepancy.error()) + unit;
-  return text + "; " + formatted("%.3g", static_cast<double>(round.element_steps)) + " of " +
-         formatted("%.3g", plan.judging->budget_element_steps) + " element-steps spent\n";
+  text += "       correction: " + std::string(to_string(discrepancy.kind())) + ", ratio " +
+          io::formatted("%.3f", discrepancy.ratio());
+  if (discrepancy.error()) text += ", error on robots left out " + io::formatted("%.4f", *discrepancy.error()) + unit;
+  return text + "; " + io::formatted("%.3g", static_cast<double>(round.element_steps)) + " of " +
+         io::formatted("%.3g", plan.judging->budget_element_steps) + " element-steps spent\n";
 }
 
 std::optional<Judgement> best_judged(const RunArchive& archive) {
@@ -138,8 +131,8 @@ std::string judging_text(const RunView& run) {
   std::string text = std::to_string(judgements.size()) + " robots judged, " + std::to_string(failed) + " without a fitness";
   if (const auto best = best_judged(*run.archive)) {
     const std::string unit = unit_text(run.plan);
-    text += "; the best: individual " + std::to_string(best->individual) + ", " + formatted("%.4f", *best->score) + unit +
-            ", surrogate " + formatted("%.4f", best->surrogate) + unit;
+    text += "; the best: individual " + std::to_string(best->individual) + ", " + io::formatted("%.4f", *best->score) + unit +
+            ", surrogate " + io::formatted("%.4f", best->surrogate) + unit;
   }
   GenerationCost sum;
   for (int generation = 0; generation <= run.archive->last_generation().value(); ++generation) {
@@ -149,9 +142,9 @@ std::string judging_text(const RunView& run) {
   }
   const double rate = run.plan.judging->voxel_steps_per_element_step;
   const double total = static_cast<double>(sum.voxel_steps) + rate * static_cast<double>(sum.element_steps);
-  return text + "\nbudget: " + formatted("%.4g", static_cast<double>(sum.voxel_steps)) + " voxel-steps and " +
-         formatted("%.4g", static_cast<double>(sum.element_steps)) + " element-steps of " + io::number_text(rate) +
-         " voxel-steps each, together " + formatted("%.4g", total) + " voxel-steps\n";
+  return text + "\nbudget: " + io::formatted("%.4g", static_cast<double>(sum.voxel_steps)) + " voxel-steps and " +
+         io::formatted("%.4g", static_cast<double>(sum.element_steps)) + " element-steps of " + io::number_text(rate) +
+         " voxel-steps each, together " + io::formatted("%.4g", total) + " voxel-steps\n";
 }
 
 }  // namespace menger::evolution

@@ -13,6 +13,7 @@
 #include "io/exit_code.h"
 #include "io/input_error.h"
 #include "io/number_text.h"
+#include "io/run_status_words.h"
 #include "io/side_by_side.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
@@ -65,24 +66,10 @@ std::vector<Position> read_trajectory(const fs::path& file) {
   return positions;
 }
 
-/// Words that a run may end with.
-const io::Words<io::RunStatus>& status_words() {
-  static const io::Words<io::RunStatus> words = [] {
-    io::Words<io::RunStatus> all;
-    for (const auto status :
-         {io::RunStatus::completed, io::RunStatus::diverged, io::RunStatus::not_converged, io::RunStatus::limit_point,
-          io::RunStatus::inverted_element, io::RunStatus::wall_contact, io::RunStatus::stopped}) {
-      all.emplace_back(io::to_string(status), status);
-    }
-    return all;
-  }();
-  return words;
-}
-
 void read_result(const fs::path& folder, LocomotionRun& run) {
   const io::TomlTable table = io::read_toml(folder / "locomotion.toml");
   LocomotionRun read = run;
-  read.status = table.word("status", status_words());
+  read.status = table.word("status", io::run_status_words());
   read.reason = table.text_or("reason", "");
   read.time_s = table.number("time_s", io::non_negative());
   read.steps = table.integer<std::uint64_t>("steps", io::at_least(0));

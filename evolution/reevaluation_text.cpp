@@ -1,21 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <vector>
 
 #include "evolution/reevaluation_table.h"
+#include "io/formatted.h"
 
 namespace menger::evolution {
 namespace {
 
-std::string formatted(const char* format, double value) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 std::string number_or_dash(const std::optional<double>& value, const char* format) {
-  return value ? formatted(format, *value) : "-";
+  return value ? io::formatted(format, *value) : "-";
 }
 
 std::string padded(const std::string& text, std::size_t width) {
@@ -43,12 +37,12 @@ std::string design_line(const ReevaluationStudy& study, const JudgedDesign& judg
 
 std::string interval_text(const std::optional<Interval>& interval) {
   if (!interval) return "no interval";
-  return "95 % interval " + formatted("%.2f", interval->low) + " to " + formatted("%.2f", interval->high);
+  return "95 % interval " + io::formatted("%.2f", interval->low) + " to " + io::formatted("%.2f", interval->high);
 }
 
 std::string correlation_text(const char* name, const std::optional<RankCorrelation>& found) {
   if (!found) return std::string(name) + " has no value";
-  return std::string(name) + " " + formatted("%.2f", found->value) + " (" + interval_text(found->interval) + ")";
+  return std::string(name) + " " + io::formatted("%.2f", found->value) + " (" + interval_text(found->interval) + ")";
 }
 
 std::string direction_text(const char* angle, const std::optional<Share>& found) {
@@ -60,8 +54,8 @@ std::string direction_text(const char* angle, const std::optional<Share>& found)
 std::string regret_text(std::size_t k, const std::optional<TopRegret>& found) {
   if (!found) return "";
   std::string text = "  looking only at the surrogate's best" + (k > 1 ? " " + std::to_string(k) : std::string()) + " loses " +
-                     formatted("%.3f", found->regret) + " body lengths per minute of the best's " +
-                     formatted("%.3f", found->best);
+                     io::formatted("%.3f", found->regret) + " body lengths per minute of the best's " +
+                     io::formatted("%.3f", found->best);
   if (k > 1) text += "; " + std::to_string(found->shared) + " of both models' best " + std::to_string(k) + " are the same";
   return text + "\n";
 }
@@ -81,7 +75,7 @@ std::string judge_text(const ReevaluationStudy& study, const ReevaluationFinding
   for (const JudgeError& error : judge_errors(study, findings.designs, findings.variants)) {
     text += error.kind == "numerical" ? "the judge's own error: " : "the silicone's uncertain stiffness: ";
     text += "displacement changes by up to ";
-    text += error.largest_change ? formatted("%.0f", 100.0 * *error.largest_change) + " %" : "-";
+    text += error.largest_change ? io::formatted("%.0f", 100.0 * *error.largest_change) + " %" : "-";
     text += ", direction by up to " + number_or_dash(error.largest_angle_deg, "%.0f") + " degrees, in " +
             std::to_string(error.compared) + " of " + std::to_string(error.runs) + " runs\n";
   }
@@ -92,7 +86,7 @@ std::string judge_text(const ReevaluationStudy& study, const ReevaluationFinding
   if (text.empty() || gaps.empty()) return text;
   std::ranges::sort(gaps);
   return text + "the surrogate's displacement is off by " +
-         formatted("%.0f", 100.0 * 0.5 * (gaps[(gaps.size() - 1) / 2] + gaps[gaps.size() / 2])) + " % (median of " +
+         io::formatted("%.0f", 100.0 * 0.5 * (gaps[(gaps.size() - 1) / 2] + gaps[gaps.size() / 2])) + " % (median of " +
          std::to_string(gaps.size()) + " designs)\n";
 }
 
@@ -101,8 +95,8 @@ std::string judge_text(const ReevaluationStudy& study, const ReevaluationFinding
 std::string findings_text(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
   std::string text =
       std::to_string(findings.designs.size()) + " of " + std::to_string(findings.distinct) + " robots judged for " +
-      formatted("%.4g", study.duration_s) + " s" +
-      (study.measure_from_s > 0.0 ? " (the first " + formatted("%.4g", study.measure_from_s) + " s left out)" : "") +
+      io::formatted("%.4g", study.duration_s) + " s" +
+      (study.measure_from_s > 0.0 ? " (the first " + io::formatted("%.4g", study.measure_from_s) + " s left out)" : "") +
       ", body lengths per minute:\n" + padded("rank", 5) + padded("of", 8) + padded("individual", 11) + padded("surrogate", 13) +
       padded("elements", 13) + padded("ratio", 9) + padded("angle", 8) + "  status\n";
   for (const JudgedDesign& judged : findings.designs) text += design_line(study, judged);

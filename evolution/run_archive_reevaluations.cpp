@@ -5,6 +5,7 @@
 #include "evolution/run_archive.h"
 #include "evolution/run_archive_database.h"
 #include "io/content_hash.h"
+#include "io/run_status_words.h"
 
 namespace menger::evolution {
 
@@ -13,14 +14,11 @@ namespace {
 constexpr std::string_view reading = "cannot be read";
 constexpr std::string_view writing = "cannot be written";
 
-constexpr std::array statuses{io::RunStatus::completed,   io::RunStatus::diverged,         io::RunStatus::not_converged,
-                              io::RunStatus::limit_point, io::RunStatus::inverted_element, io::RunStatus::wall_contact,
-                              io::RunStatus::stopped};
-
 io::RunStatus status_of(const std::string& word) {
-  const auto* const found = std::ranges::find_if(statuses, [&](io::RunStatus status) { return io::to_string(status) == word; });
-  if (found == statuses.end()) throw io::InputError("\"" + word + "\" is not a status of a run");
-  return *found;
+  const auto& words = io::run_status_words();
+  const auto found = std::ranges::find(words, word, &std::pair<std::string_view, io::RunStatus>::first);
+  if (found == words.end()) throw io::InputError("\"" + word + "\" is not a status of a run");
+  return found->second;
 }
 
 void insert(SQLite::Statement& row, const Reevaluation& reevaluation, const std::string& protocol_hash) {

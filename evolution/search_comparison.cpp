@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/formatted.h"
 #include "io/input_error.h"
 
 namespace menger::evolution {
@@ -45,12 +46,6 @@ void read_reevaluation(const fs::path& folder, double rate, ComparedSearch& sear
     robot.total_voxel_steps = spent;
     search.robots.push_back(robot);
   }
-}
-
-std::string formatted(const char* format, double value) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
 }
 
 /// The best so far, as steps, up to all that was taken.
@@ -167,14 +162,14 @@ std::string comparison_text(const std::vector<ComparedSearch>& searches, const C
     const auto best = search.best();
     add(std::snprintf(line.data(), line.size(), "%-20.40s %-16s %7zu %14.4g %14s %12s\n", search.name.c_str(),
                       std::string(kind_of(search)).c_str(), search.robots.size(), total_of(search, options),
-                      best ? formatted("%.5f", *best->body_lengths).c_str() : "-",
-                      best ? formatted("%.5f", best->surrogate_body_lengths).c_str() : "-"));
+                      best ? io::formatted("%.5f", *best->body_lengths).c_str() : "-",
+                      best ? io::formatted("%.5f", best->surrogate_body_lengths).c_str() : "-"));
   }
   const auto corrected = median_outcome(searches, true);
   const auto alone = median_outcome(searches, false);
   if (corrected && alone)
-    text += "median of the corrected " + formatted("%.5f", *corrected) + ", of the surrogate alone " + formatted("%.5f", *alone) +
-            "\n";
+    text += "median of the corrected " + io::formatted("%.5f", *corrected) + ", of the surrogate alone " +
+            io::formatted("%.5f", *alone) + "\n";
   return text;
 }
 

@@ -1,10 +1,9 @@
 // What searches of equal cost tell, as table, text and picture.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "evolution/trade_off_search.h"
+#include "io/formatted.h"
 #include "materials/student_quantile.h"
 
 namespace menger::evolution {
@@ -45,11 +44,7 @@ Sample sample_of(const SearchTrade& trade, const VoxelFidelity& fidelity, Judgem
   return sample;
 }
 
-std::string shown(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
+std::string shown(double value) { return io::formatted("%.4g", value); }
 
 std::string sample_text(const Sample& sample) {
   if (sample.values.empty()) return "no champion";

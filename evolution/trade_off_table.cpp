@@ -1,12 +1,11 @@
 #include "evolution/trade_off_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "io/formatted.h"
 #include "io/number_text.h"
 #include "io/progress.h"
 #include "io/toml_document.h"
@@ -44,11 +43,7 @@ double known_error(const TradeTable& table, std::size_t n) {
   return std::max(*table.rows[n].error, table.reference_error.value_or(0.0));
 }
 
-std::string shown(double value, const char* format) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
+std::string shown(double value, const char* format) { return io::formatted(format, value); }
 
 std::string percent(double fraction) { return shown(100.0 * fraction, "%.2g") + " %"; }
 

@@ -1,10 +1,8 @@
 #include "fem/inflation_run.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -18,6 +16,7 @@
 #include "fem/inflation_tables.h"
 #include "fem/path_checkpoint.h"
 #include "fem/rank_agreement.h"
+#include "io/formatted.h"
 #include "io/input_error.h"
 #include "io/manifest.h"
 #include "io/number_text.h"
@@ -38,11 +37,7 @@ struct EndOfPath {
   std::string reason;
 };
 
-std::string shown(double value, const char* format = "%.4g") {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
+std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
 
 /// Whether a drive asks for less air than at rest.
 bool is_vacuum(const PlenumDrive& drive) {

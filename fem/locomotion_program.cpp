@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -15,6 +13,7 @@
 #include "fem/locomotion_study_file.h"
 #include "fem/locomotion_sweep.h"
 #include "io/exit_code.h"
+#include "io/formatted.h"
 #include "io/interrupt.h"
 #include "io/program.h"
 #include "io/progress.h"
@@ -52,11 +51,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   return io::parse_arguments(app, argc, argv);
 }
 
-std::string shown(double value, const char* format = "%.4g") {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
+std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
 
 void print(const LocomotionResult& result) {
   std::cout << io::to_string(result.status) << ": " << shown(result.time_s) << " s in " << result.steps << " steps, "

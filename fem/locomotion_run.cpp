@@ -1,8 +1,6 @@
 #include "fem/locomotion_run.h"
 
-#include <array>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +12,7 @@
 #include "fem/locomotion_checkpoint.h"
 #include "fem/locomotion_frames.h"
 #include "fem/locomotion_picture.h"
+#include "io/formatted.h"
 #include "io/input_error.h"
 #include "io/manifest.h"
 #include "io/number_text.h"
@@ -33,11 +32,7 @@ constexpr std::string_view checkpoint_name = "locomotion.checkpoint";
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::string shown(double value, const char* format) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
+std::string shown(double value, const char* format) { return io::formatted(format, value); }
 
 /// One study on its way through its records.
 class LocomotionRun {

@@ -1,20 +1,14 @@
 #include "fem/stall_map_output.h"
 
 #include <array>
-#include <cstdio>
 #include <string>
 
 #include "fem/pneumatic_line.h"
 #include "io/chart.h"
+#include "io/formatted.h"
 
 namespace menger::fem {
 namespace {
-
-std::string text_of(const char* format, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 double swept_m3(const StallMapStudy& study, double stroke_m) {
   Piston piston = study.piston;
@@ -37,7 +31,7 @@ void add_rows(const StallMapStudy& study, const Isobar& isobar, const std::strin
 }
 
 io::ChartSeries series_of(const StallMapStudy& study, const Isobar& isobar) {
-  io::ChartSeries series{.name = text_of("%.3g kPa", 1e-3 * isobar.pressure_Pa)};
+  io::ChartSeries series{.name = io::formatted("%.3g kPa", 1e-3 * isobar.pressure_Pa)};
   for (std::size_t r = 0; r < isobar.strokes_m.size(); ++r) {
     if (!isobar.strokes_m[r]) continue;
     series.x.push_back(study.resistances_Pa_s_per_m3[r]);
@@ -49,7 +43,7 @@ io::ChartSeries series_of(const StallMapStudy& study, const Isobar& isobar) {
 io::ChartPanel panel_of(const StallMapStudy& study, const StallMap& map, std::size_t frequency, PressureMeasure measure) {
   const double frequency_Hz = study.frequencies_Hz[frequency];
   io::ChartPanel panel{
-      .title = word_of(measure) + text_of(" at %.3g Hz", frequency_Hz),
+      .title = word_of(measure) + io::formatted(" at %.3g Hz", frequency_Hz),
       .x = {.title = "resistance of the line (Pa s/m³)",
             .logarithmic = true,
             .lowest = study.resistances_Pa_s_per_m3.front(),
@@ -74,7 +68,7 @@ io::ChartPanel panel_of(const StallMapStudy& study, const StallMap& map, std::si
 io::ChartPanel travel_panel(const StallMapStudy& study, const StallMap& map, std::size_t frequency,
                             const std::vector<StallTravel>& travels) {
   const double frequency_Hz = study.frequencies_Hz[frequency];
-  io::ChartPanel panel{.title = text_of("travel at %.3g Hz", frequency_Hz),
+  io::ChartPanel panel{.title = io::formatted("travel at %.3g Hz", frequency_Hz),
                        .x = {.title = "swept volume (cm³)", .lowest = 0.0},
                        .y = {.title = "body lengths per minute", .least_span = 0.1}};
   std::optional<double> resistance;
@@ -83,7 +77,7 @@ io::ChartPanel travel_panel(const StallMapStudy& study, const StallMap& map, std
     if (point.frequency_Hz != frequency_Hz || !travel.body_lengths_per_minute) continue;
     if (resistance != point.resistance_Pa_s_per_m3) {
       resistance = point.resistance_Pa_s_per_m3;
-      panel.series.push_back({.name = text_of("%.1e Pa s/m³", *resistance),
+      panel.series.push_back({.name = io::formatted("%.1e Pa s/m³", *resistance),
                               .marks = io::Marks::line_and_points,
                               .colour = io::chart_colour(panel.series.size())});
     }

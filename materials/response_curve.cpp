@@ -12,6 +12,7 @@
 #include "io/input_error.h"
 #include "io/joined_text.h"
 #include "io/number_text.h"
+#include "io/run_status_words.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "materials/load_case_file.h"
@@ -21,16 +22,6 @@ namespace menger::materials {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array all_statuses{io::RunStatus::completed,   io::RunStatus::diverged,         io::RunStatus::not_converged,
-                                  io::RunStatus::limit_point, io::RunStatus::inverted_element, io::RunStatus::wall_contact,
-                                  io::RunStatus::stopped};
-
-io::Words<io::RunStatus> status_words() {
-  io::Words<io::RunStatus> words;
-  for (const io::RunStatus status : all_statuses) words.emplace_back(io::to_string(status), status);
-  return words;
-}
 
 void add_line(std::string& text, std::string_view key, const std::string& value) {
   text.append(key).append(" = ").append(value).append("\n");
@@ -126,7 +117,7 @@ CurveProvenance read_provenance(const io::TomlTable& top) {
   provenance.shear_modulus_Pa = top.number("shear_modulus_Pa", io::positive());
   provenance.density_kg_m3 = top.number("density_kg_m3", io::positive());
   provenance.relative_uncertainty = top.number("relative_uncertainty", io::positive());
-  provenance.status = top.word("status", status_words());
+  provenance.status = top.word("status", io::run_status_words());
   provenance.reason = top.text_or("reason", "");
   provenance.limit_pressure_Pa = top.optional_number("limit_pressure_Pa", io::positive());
   provenance.contact_pressure_Pa = top.optional_number("contact_pressure_Pa", {.highest = 0.0, .highest_excluded = true});

@@ -4,10 +4,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <utility>
 
+#include "io/formatted.h"
 #include "voxel/hollow_voxels.h"
 
 namespace menger::voxel {
@@ -57,21 +57,16 @@ std::optional<double> crossing(const std::vector<Point>& points, double value, s
   return std::nullopt;
 }
 
-std::string shown(const char* format, double value) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
-std::string kilopascals(double pressure_Pa) { return shown("%.3g kPa", 1e-3 * pressure_Pa); }
-std::string percent(double change) { return shown("%+.3g %%", 100.0 * change); }
+std::string kilopascals(double pressure_Pa) { return io::formatted("%.3g kPa", 1e-3 * pressure_Pa); }
+std::string percent(double change) { return io::formatted("%+.3g %%", 100.0 * change); }
 
 std::string swelling_sentence(const VolumeActuation& a, const ActuationAim& aim) {
   if (a.pressure_for_largest_Pa)
     return percent(aim.largest_change) + " of the outer volume takes " + kilopascals(*a.pressure_for_largest_Pa);
   std::string text = percent(aim.largest_change) + " of the outer volume is not reached: " + percent(a.change_at_highest) +
                      " where the curve ends, at " + kilopascals(a.highest_pressure_Pa);
-  if (a.limit_pressure_Pa) text += " (" + shown("%.2g", a.highest_pressure_Pa / *a.limit_pressure_Pa) + " of the limit pressure)";
+  if (a.limit_pressure_Pa)
+    text += " (" + io::formatted("%.2g", a.highest_pressure_Pa / *a.limit_pressure_Pa) + " of the limit pressure)";
   return text;
 }
 
@@ -118,8 +113,8 @@ std::vector<std::string> actuation_sentences(const VolumeActuation& actuation, c
   std::string at_pressure;
   if (actuation.change_at_pressure) {
     at_pressure = kilopascals(aim.pressure_Pa) + " changes its outer volume by " + percent(*actuation.change_at_pressure) + ", " +
-                  shown("%.2g", *actuation.change_at_pressure / aim.largest_change) + " of the " + percent(aim.largest_change) +
-                  " aimed at";
+                  io::formatted("%.2g", *actuation.change_at_pressure / aim.largest_change) + " of the " +
+                  percent(aim.largest_change) + " aimed at";
   } else {
     at_pressure =
         kilopascals(aim.pressure_Pa) + " lies beyond the curve, which ends at " + kilopascals(actuation.highest_pressure_Pa);

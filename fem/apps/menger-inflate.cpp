@@ -2,9 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -17,6 +15,7 @@
 #include "fem/parallel_session.h"
 #include "fem/rank_agreement.h"
 #include "io/exit_code.h"
+#include "io/formatted.h"
 #include "io/interrupt.h"
 #include "io/program.h"
 #include "io/progress.h"
@@ -52,11 +51,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   return io::parse_arguments(app, argc, argv);
 }
 
-std::string shown(double value, const char* format = "%.4g") {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
+std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
 
 /// What is smaller than a nanometre is zero but for the tolerances of the solver.
 std::string millimetres(double length_m) {

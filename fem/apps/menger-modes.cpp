@@ -2,9 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -15,6 +13,7 @@
 #include "fem/modes_run.h"
 #include "fem/parallel_session.h"
 #include "io/exit_code.h"
+#include "io/formatted.h"
 #include "io/input_error.h"
 #include "io/interrupt.h"
 #include "io/program.h"
@@ -55,11 +54,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   return code;
 }
 
-std::string shown(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
+std::string shown(double value) { return io::formatted("%.4g", value); }
 
 void print(const fem::ModesResult& result, const std::filesystem::path& folder) {
   for (const std::string& note : result.notes) std::cout << "  " << note << '\n';

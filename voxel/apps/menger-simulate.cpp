@@ -1,6 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "io/exit_code.h"
+#include "io/formatted.h"
 #include "io/input_error.h"
 #include "io/interrupt.h"
 #include "io/manifest.h"
@@ -70,11 +69,7 @@ void print_kernel_report(const std::vector<std::string>& lines) {
   std::cout << std::flush;
 }
 
-std::string shown(double value, const char* format = "%.4g") {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
+std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
 
 void print_outcome(const voxel::SceneResult& result, const std::filesystem::path& folder) {
   for (const std::string& note : result.notes) std::cout << note << '\n';
