@@ -12,6 +12,7 @@ constexpr const char* reference_level = "the reference's own error";
 constexpr io::Colour level_colour{150, 150, 150};
 constexpr double least_percent = 1e-4;
 constexpr double least_s = 1e-3;
+constexpr double legend_room = 10.0;  // a decade above all points, so that the legend covers none
 
 double drawn_percent(double error, const TradeTable& table) {
   const double least = std::max(least_percent, 10.0 * table.reference_error.value_or(0.0));
@@ -71,6 +72,7 @@ io::ChartPanel trade_panel(const TradeTable& table, const std::string& title) {
   }
   cover_decades(panel.x, seconds);
   cover_decades(panel.y, percents);
+  if (panel.y.highest) *panel.y.highest *= legend_room;
   if (table.reference_error && panel.x.lowest && panel.x.highest) {  // in the legend: written along the line it would hide points
     const double level = drawn_percent(*table.reference_error, table);
     panel.series.push_back({.name = reference_level,

@@ -97,12 +97,12 @@ TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
   io::write_whole(folder_ / "settled.toml",
                   "design = \"bar.toml\"\npressure_Pa = 6000\n[finite_elements]\ndegrees = [1]\nelements_through_wall = [1]\n"
                   "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
-                  "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
+                  "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS
+                  "\", \"" MENGER_REFINED_PARAMETERS "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled", "--no-pictures"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const io::CsvContents table = io::read_csv(folder_ / "settled/tradeoff.csv");
-  ASSERT_EQ(table.row_count(), 2U);
-  ASSERT_EQ(table.text(1, "status"), "completed") << table.text(1, "reason");
+  ASSERT_EQ(table.row_count(), 3U);
 
   materials::LoadCase inflation;
   inflation.name = "bar";
@@ -111,16 +111,20 @@ TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
   inflation.cell_edge_m = 0.01;
   inflation.wall_thickness_m = 0.002;
   inflation.pressures_Pa = {6000.0};
-  const voxel::LoadCaseResponse expected = voxel::respond(voxel::read_surrogate(MENGER_PARAMETERS), inflation);
-  ASSERT_EQ(expected.status, io::RunStatus::completed) << expected.reason;
   const std::vector<std::pair<std::string, std::string>> columns{{"volume_change", "volume_change"},
                                                                  {"extent_x_m", "extent_change_x_m"},
                                                                  {"extent_y_m", "extent_change_y_m"},
                                                                  {"extent_z_m", "extent_change_z_m"}};
-  for (const auto& [of_parameters, of_trade] : columns) {
-    const auto place = std::ranges::find(expected.columns, of_parameters) - expected.columns.begin();
-    const double value = expected.values.at(static_cast<std::size_t>(place)).front();
-    EXPECT_NEAR(table.number(1, of_trade) / value, 1.0, 0.005) << of_trade;
+  for (const std::size_t row : {1U, 2U}) {  // one voxel along the edge of a cell, and two
+    ASSERT_EQ(table.text(row, "status"), "completed") << table.text(row, "reason");
+    const char* const parameters = table.number(row, "voxels_per_cell") == 1.0 ? MENGER_PARAMETERS : MENGER_REFINED_PARAMETERS;
+    const voxel::LoadCaseResponse expected = voxel::respond(voxel::read_surrogate(parameters), inflation);
+    ASSERT_EQ(expected.status, io::RunStatus::completed) << expected.reason;
+    for (const auto& [of_parameters, of_trade] : columns) {
+      const auto place = std::ranges::find(expected.columns, of_parameters) - expected.columns.begin();
+      const double value = expected.values.at(static_cast<std::size_t>(place)).front();
+      EXPECT_NEAR(table.number(row, of_trade) / value, 1.0, 0.005) << of_trade << " in row " << row;
+    }
   }
 }
 
