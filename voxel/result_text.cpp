@@ -70,6 +70,7 @@ std::string result_text(const SceneResult& result) {
     text += "]\n";
   }
   if (result.divergence) add_divergence(text, *result.divergence);
+  if (result.step_check) text += "\n" + step_check_text(*result.step_check, result.body_length_m);
   return text;
 }
 

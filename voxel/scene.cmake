@@ -10,6 +10,6 @@ menger_layer(voxel_vtk
   LINK menger::voxel_scene menger::picture menger::vtk_file
   PRIVATE_LINK ${VTK_LIBRARIES})
 
-menger_layer(voxel_run SOURCES result_text.cpp simulation_run.cpp LINK menger::voxel_scene menger::voxel_vtk)
+menger_layer(voxel_run SOURCES result_text.cpp simulation_run.cpp sliced_run.cpp step_check.cpp LINK menger::voxel_scene menger::voxel_vtk)
 
 menger_program(menger-simulate SOURCES apps/menger-simulate.cpp LINK menger::voxel_run CLI11::CLI11)

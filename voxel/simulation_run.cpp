@@ -1,6 +1,5 @@
 #include "voxel/simulation_run.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -19,9 +18,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double slice_seconds = 0.1;         ///< wall time between two reports of progress
-constexpr double largest_slice_growth = 8.0;  ///< so that one clock reading near zero does not make the next slice endless
-
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// One scene on its way through its records.
@@ -33,6 +29,7 @@ class SceneRun {
         options_(options),
         body_(meshes::fractal(scene.design.body, scene.level, machine_memory_bytes())),
         simulation_(body_, scene.design.cell_edge_m, physics_of(scene), {}, kernel_options(scene, options)),
+        steps_(simulation_, scene.duration_s, options.stop, options.progress),
         frames_(folder) {
     result_.body_length_m = body_length_m(scene.design, scene.level);
     result_.time_step_s = simulation_.time_step_s();
@@ -53,9 +50,9 @@ class SceneRun {
     result_.status = io::RunStatus::completed;
     for (std::uint64_t i = 1; i <= intervals && result_.status == io::RunStatus::completed; ++i) {
       const double until_s = i == intervals ? scene_.duration_s : static_cast<double>(i) * scene_.record_interval_s;
-      result_.status = advance_to(until_s);
+      result_.status = steps_.advance_to(until_s);
       if (result_.status == io::RunStatus::completed) record(i == intervals);
-      report_progress();
+      steps_.report();
     }
     finish();
     return std::move(result_);
@@ -75,23 +72,6 @@ class SceneRun {
     return physics;
   }
 
-  /// Simulation::advance_to in slices, between which progress is reported. The steps are the same.
-  io::RunStatus advance_to(double until_s) {
-    io::RunStatus status = io::RunStatus::completed;
-    while (status == io::RunStatus::completed && simulation_.time_s() < until_s) {
-      const Clock::time_point start = Clock::now();
-      const std::uint64_t steps_before = simulation_.steps();
-      // The quotient may be off by a rounding: only advance_to knows the last step.
-      const double steps_left = (until_s - simulation_.time_s()) / simulation_.time_step_s();
-      status = steps_left > slice_steps_ + 1.0 ? simulation_.advance(static_cast<std::uint64_t>(slice_steps_), options_.stop)
-                                               : simulation_.advance_to(until_s, options_.stop);
-      const double steps_per_second = static_cast<double>(simulation_.steps() - steps_before) / seconds_since(start);
-      slice_steps_ = std::max(1.0, std::min(largest_slice_growth * slice_steps_, slice_seconds * steps_per_second));
-      if (status == io::RunStatus::completed && simulation_.time_s() < until_s) report_progress();
-    }
-    return status;
-  }
-
   void record(bool is_last) {
     const double time_s = simulation_.time_s();
     const std::size_t index = result_.trajectory.size();
@@ -105,14 +85,6 @@ class SceneRun {
     if (index == 0 || is_shown || (is_last && last_frame_.time_s != time_s)) last_frame_ = simulation_.frame();
     if (is_due && output.frames) frames_.add(last_frame_);
     if (index == 0) result_.recorded_frames.push_back(last_frame_);
-  }
-
-  void report_progress() {
-    if (!options_.progress) return;
-    const double elapsed_s = seconds_since(start_);
-    const double rate = elapsed_s > 0.0 ? simulation_.time_s() / elapsed_s : 0.0;
-    const double remaining_s = rate > 0.0 ? std::max(0.0, scene_.duration_s - simulation_.time_s()) / rate : 0.0;
-    options_.progress({simulation_.time_s(), scene_.duration_s, rate, remaining_s});
   }
 
   void explain_status() {
@@ -165,9 +137,9 @@ class SceneRun {
   Clock::time_point start_ = Clock::now();
   meshes::Polycube body_;
   Simulation simulation_;
+  SlicedRun steps_;
   FrameSeries frames_;
   Frame last_frame_;
-  double slice_steps_ = 1.0;
   SceneResult result_;
 };
 
@@ -184,7 +156,7 @@ SceneResult run_scene(const Scene& scene, const std::filesystem::path& folder, c
     throw io::InputError(scene_name + ": cannot be simulated: " + fault.what());
   }
   // From here on no file of an earlier run may pass for one of this run, also if this one is killed.
-  for (const char* name : {"result.toml", "manifest.json", "trajectory.csv", "robot.png", "trajectory.png"}) {
+  for (const char* name : {"result.toml", "manifest.json", "trajectory.csv", "check_dt.csv", "robot.png", "trajectory.png"}) {
     remove_if_there(folder / name);
   }
   FrameSeries(folder).remove_earlier();

@@ -15,17 +15,11 @@
 #include "voxel/kernel_choice.h"
 #include "voxel/scene.h"
 #include "voxel/simulation.h"
+#include "voxel/sliced_run.h"
+#include "voxel/step_check.h"
 #include "voxel/trajectory.h"
 
 namespace menger::voxel {
-
-/// How far a run is.
-struct RunProgress {
-  double time_s = 0.0;                  ///< simulated so far
-  double duration_s = 0.0;              ///< to be simulated
-  double simulated_s_per_second = 0.0;  ///< simulated time per wall time
-  double remaining_s = 0.0;             ///< expected wall time to the end
-};
 
 /// How a scene is run, never what comes out of it.
 struct RunOptions {
@@ -57,7 +51,8 @@ struct SceneResult {
   std::vector<Frame>
       recorded_frames;             ///< at the start, and at the end or, of a run cut short, the last that was built for output
   std::vector<std::string> notes;  ///< what the user should know: a body in pieces, pictures that could not be made
-  double seconds = 0.0;            ///< wall time
+  std::optional<StepCheck> step_check;  ///< if it was asked for, see add_step_check
+  double seconds = 0.0;                 ///< wall time, without the check
 };
 
 /// Runs a scene and writes into `folder`: trajectory.csv, frames.pvd with frames/frame_0000.vtu ..., robot.png and

@@ -143,6 +143,19 @@ TEST_F(Simulate, LevelAndEnergyComeFromTheCommandLine) {
   EXPECT_TRUE(io::read_csv(folder_ / "result/trajectory.csv").has("energy_residual_J"));
 }
 
+TEST_F(Simulate, ChecksItsStepOnRequest) {
+  write_scene(small_scene);
+  const Outcome outcome = run({"scene.toml", "-o", "result", "--no-pictures", "--check-dt"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("half the step"), std::string::npos) << outcome.out;
+  const io::TomlTable check = io::read_toml(folder_ / "result/result.toml").table("check_dt");
+  EXPECT_EQ(check.text("status"), "completed");
+  EXPECT_EQ(io::read_csv(folder_ / "result/check_dt.csv").row_count(), 4U);
+  ASSERT_EQ(run({"scene.toml", "-o", "result", "--no-pictures"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "result/check_dt.csv"));
+  EXPECT_FALSE(io::read_toml(folder_ / "result/result.toml").has("check_dt"));
+}
+
 TEST_F(Simulate, DrawsPicturesOrSaysWhatIsMissing) {
   write_scene(small_scene);
   const Outcome outcome = run({"scene.toml", "-o", "result"}, {{"DISPLAY", ":987"}});

@@ -30,6 +30,7 @@ struct Arguments {
   std::optional<int> level;
   bool no_pictures = false;
   bool energy = false;
+  bool check_dt = false;
   std::string instruction_set = "best";
   voxel::KernelOptions kernel;
 };
@@ -51,6 +52,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "Example:\n  menger simulate voxel/scenes/menger.toml -o walk\n"
       "writes walk/result.toml, trajectory.csv, frames.pvd (open it in ParaView), robot.png, trajectory.png and "
       "manifest.json.\n"
+      "With --check-dt the scene runs a second time with half the time step; result.toml and check_dt.csv then say what that "
+      "changes.\n"
       "A silicone body that air drives, with calibrated parameters: voxel/scenes/silicone.toml.\n"
       "Exit codes: 0 completed, 2 wrong input, 3 diverged, 130 interrupted.");
   app.add_option("scene", arguments.scene, "scene file (TOML)")->required();
@@ -58,6 +61,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_option("--level", arguments.level, "level of the fractal, instead of the scene's");
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
   app.add_flag("--energy", arguments.energy, "keep the energy balance (slow)");
+  app.add_flag("--check-dt", arguments.check_dt,
+               "run again with half the time step and report the difference (three times the work)");
   app.add_flag("--every-term", arguments.kernel.every_term, "leave no term out of the step; gives the same bytes, slower");
   app.add_option("--instruction-set", arguments.instruction_set, "kernels to use; all give the same bytes")
       ->check(CLI::IsMember(instruction_sets()));
@@ -71,6 +76,20 @@ void print_kernel_report(const std::vector<std::string>& lines) {
 
 std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
 
+void print_check(const voxel::StepCheck& check, double body_length_m) {
+  std::cout << "half the step, " << shown(check.time_step_s) << " s: " << io::to_string(check.status);
+  if (check.displacement_m) {
+    const double distance_m = materials::horizontal_displacement(*check.displacement_m);
+    std::cout << ", " << io::duration_text(check.seconds) << "; moved " << shown(distance_m)
+              << " m = " << shown(distance_m / body_length_m) << " body lengths";
+  } else {
+    std::cout << ", " << check.reason;
+  }
+  if (check.horizontal_change_m) std::cout << ", " << shown(*check.horizontal_change_m, "%+.3g") << " m";
+  std::cout << "; the centre of mass was up to " << shown(check.largest_distance_m, "%.3g") << " m away, at "
+            << shown(check.largest_distance_time_s) << " s\n";
+}
+
 void print_outcome(const voxel::SceneResult& result, const std::filesystem::path& folder) {
   for (const std::string& note : result.notes) std::cout << note << '\n';
   std::cout << io::to_string(result.status) << ": " << shown(result.time_s) << " s in " << result.steps << " steps of "
@@ -81,12 +100,18 @@ void print_outcome(const voxel::SceneResult& result, const std::filesystem::path
   } else {
     std::cout << "; " << result.reason;
   }
-  std::cout << "\nresults in " << folder.string() << '\n';
+  std::cout << '\n';
+  if (result.step_check) print_check(*result.step_check, result.body_length_m);
+  std::cout << "results in " << folder.string() << '\n';
 }
 
-int exit_code_of(io::RunStatus status) {
-  if (status == io::RunStatus::completed) return io::exit_code::done;
-  return status == io::RunStatus::stopped ? io::exit_code::interrupted : io::exit_code::numerical;
+/// A run and its check: what is worse of both, the interruption first.
+int exit_code_of(const voxel::SceneResult& result) {
+  const auto has = [&](io::RunStatus status) {
+    return result.status == status || (result.step_check && result.step_check->status == status);
+  };
+  if (has(io::RunStatus::stopped)) return io::exit_code::interrupted;
+  return has(io::RunStatus::diverged) ? io::exit_code::numerical : io::exit_code::done;
 }
 
 /// The inputs are hashed here, right after they were read: they may be edited while the simulation runs.
@@ -104,6 +129,19 @@ void choose_kernels(Arguments& arguments) {
   } catch (const std::invalid_argument& error) {
     throw io::InputError("--instruction-set " + arguments.instruction_set + ": " + error.what());
   }
+}
+
+/// Runs the scene again with half the step. What the run left stays as it is until the check is done.
+void check_step(const voxel::Scene& scene, const std::filesystem::path& folder, voxel::RunOptions options,
+                voxel::SceneResult& result, io::Manifest& manifest) {
+  io::Progress progress(scene.design.name + ", half the step", scene.duration_s);
+  options.progress = [&](const voxel::RunProgress& now) {
+    progress.update(now.time_s, shown(now.simulated_s_per_second, "%.3g") + " simulated s/s");
+  };
+  voxel::add_step_check(scene, folder, options, result);
+  if (!result.step_check) return;
+  manifest.seconds += result.step_check->seconds;
+  io::write_manifest(folder, manifest);
 }
 
 int run(int argc, const char* const* argv) {
@@ -130,12 +168,13 @@ int run(int argc, const char* const* argv) {
   options.progress = [&](const voxel::RunProgress& now) {
     progress.update(now.time_s, shown(now.simulated_s_per_second, "%.3g") + " simulated s/s");
   };
-  const voxel::SceneResult result = voxel::run_scene(scene, arguments.folder, options);
+  voxel::SceneResult result = voxel::run_scene(scene, arguments.folder, options);
   manifest.seconds = result.seconds;
   io::write_manifest(arguments.folder, manifest);
   progress.clear();
+  if (arguments.check_dt) check_step(scene, arguments.folder, options, result, manifest);
   print_outcome(result, arguments.folder);
-  return exit_code_of(result.status);
+  return exit_code_of(result);
 }
 
 }  // namespace
