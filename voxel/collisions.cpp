@@ -57,6 +57,14 @@ void VerletList::build(const Real* positions, std::size_t stride) {
     for (std::size_t axis = 0; axis < 3; ++axis) built_at_[3 * i + axis] = static_cast<double>(from[axis]);
   }
   find_pairs();
+  first_.clear();
+  second_.clear();
+  for (const auto& [first, second] : pairs_) {
+    first_.push_back(first);
+    second_.push_back(second);
+  }
+  first_.resize(pairs_.size() + widest_pack<float>, 0);
+  second_.resize(pairs_.size() + widest_pack<float>, 0);
   bound_m_ = 0.0;
   built_ = true;
 }
@@ -168,7 +176,8 @@ void VerletList::find_pairs() {
 }
 
 template <class Real>
-void add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d) {
+void add_collision_loads(std::span<const std::int32_t> touching, const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs,
+                         const StepData<Real>& d) {
   const auto line = [](auto* lines, std::int32_t voxel) { return lines + static_cast<std::ptrdiff_t>(voxel) * line_length; };
   const auto end = [&](std::int32_t voxel) {
     const Real* coefficients = line(d.voxel_table, d.voxel_class[voxel]);
@@ -177,32 +186,22 @@ void add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>
     return ContactEnd<Real>{coefficients[class_slot::inverse_mass] * momentum, coefficients[class_slot::contact_stiffness],
                             coefficients[class_slot::contact_damping]};
   };
-  for (const auto& [first, second] : pairs) {
-    const Real* pose1 = line(d.pose, first);
-    const Real* pose2 = line(d.pose, second);
-    const Vector3<Real> apart = {pose2[slot::x] - pose1[slot::x], pose2[slot::y] - pose1[slot::y],
-                                 pose2[slot::z] - pose1[slot::z]};
-    const Real reach = static_cast<Real>(collision_radius_fraction) * (collision_size_m(d, static_cast<std::size_t>(first)) +
-                                                                       collision_size_m(d, static_cast<std::size_t>(second)));
-    const Real distance2 = dot(apart, apart);
-    if (!spheres_overlap(distance2, reach)) continue;
-    const Vector3<Real> force = contact_force(apart, distance2, reach, end(first), end(second));
-    Real* load1 = line(d.load, first);
-    Real* load2 = line(d.load, second);
-    load1[slot::fx] -= force.x;
-    load1[slot::fy] -= force.y;
-    load1[slot::fz] -= force.z;
-    load2[slot::fx] += force.x;
-    load2[slot::fy] += force.y;
-    load2[slot::fz] += force.z;
-  }
+  const auto add = [&](std::int32_t voxel, const Vector3<Real>& force) {
+    Real* load = line(d.load, voxel);
+    load[slot::fx] += force.x;
+    load[slot::fy] += force.y;
+    load[slot::fz] += force.z;
+  };
+  add_contact_loads(touching, pairs, d, end, add);
 }
 
 template void VerletList::build<double>(const double*, std::size_t);
 template void VerletList::build<float>(const float*, std::size_t);
 template bool VerletList::refresh<double>(const double*, std::size_t);
 template bool VerletList::refresh<float>(const float*, std::size_t);
-template void add_collision_loads<double>(const std::vector<std::pair<std::int32_t, std::int32_t>>&, const StepData<double>&);
-template void add_collision_loads<float>(const std::vector<std::pair<std::int32_t, std::int32_t>>&, const StepData<float>&);
+template void add_collision_loads<double>(std::span<const std::int32_t>,
+                                          const std::vector<std::pair<std::int32_t, std::int32_t>>&, const StepData<double>&);
+template void add_collision_loads<float>(std::span<const std::int32_t>, const std::vector<std::pair<std::int32_t, std::int32_t>>&,
+                                         const StepData<float>&);
 
 }  // namespace menger::voxel

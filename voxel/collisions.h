@@ -65,6 +65,10 @@ class VerletList {
   /// Close pairs, ordered by first, then second voxel, first < second.
   [[nodiscard]] const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs() const { return pairs_; }
 
+  /// The first and the second voxels of the pairs, each followed by as many zeros as a register may read beyond them.
+  [[nodiscard]] const std::vector<std::int32_t>& first() const { return first_; }
+  [[nodiscard]] const std::vector<std::int32_t>& second() const { return second_; }
+
   /// Whether no allowed pair can touch now: the nearest one was farther apart than two voxels can have moved since the list was
   /// made. Valid after refresh.
   [[nodiscard]] bool contact_ruled_out() const { return smallest_gap_m_ > 2.0 * bound_m_ + 1e-6 * reach_m_; }  // margin: rounding
@@ -81,11 +85,32 @@ class VerletList {
   bool built_ = false;
   std::vector<double> built_at_;  ///< positions of the surface voxels then
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;
+  std::vector<std::int32_t> first_, second_;
 };
 
-/// Adds the contact forces of all pairs whose spheres overlap to the load lines, pair after pair: -f on the first, +f on the
-/// second voxel, see contact_force.
+/// Adds the contact forces of pairs whose spheres overlap, one after the other: -f on the first, +f on the second voxel, see
+/// contact_force.
+/// @param touching positions in `pairs` @param end gives the ContactEnd of a voxel @param add takes a voxel and the force on it
+template <class Real, class End, class Add>
+void add_contact_loads(std::span<const std::int32_t> touching, const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs,
+                       const StepData<Real>& d, const End& end, const Add& add) {
+  for (const std::int32_t position : touching) {
+    const auto [first, second] = pairs[static_cast<std::size_t>(position)];
+    const auto pose = [&](std::int32_t voxel) { return d.pose + static_cast<std::ptrdiff_t>(voxel) * line_length; };
+    const Real* from = pose(first);
+    const Real* to = pose(second);
+    const Vector3<Real> apart = {to[slot::x] - from[slot::x], to[slot::y] - from[slot::y], to[slot::z] - from[slot::z]};
+    const Real reach = static_cast<Real>(collision_radius_fraction) * (collision_size_m(d, static_cast<std::size_t>(first)) +
+                                                                       collision_size_m(d, static_cast<std::size_t>(second)));
+    const Vector3<Real> force = contact_force(apart, dot(apart, apart), reach, end(first), end(second));
+    add(first, -force);
+    add(second, force);
+  }
+}
+
+/// The same for a body in lines.
 template <class Real>
-void add_collision_loads(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const StepData<Real>& d);
+void add_collision_loads(std::span<const std::int32_t> touching, const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs,
+                         const StepData<Real>& d);
 
 }  // namespace menger::voxel

@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "voxel/actuation.h"
+#include "voxel/block_lanes.h"
 #include "voxel/instruction_sets.h"
+#include "voxel/lane_packing.h"
 #include "voxel/time_step.h"
 
 namespace menger::voxel {
@@ -18,6 +20,9 @@ constexpr double list_skin_edges =
     0.4;  ///< of the Verlet list, in voxel edges: the flat optimum between long lists and frequent rebuilds
 
 constexpr auto line_size = static_cast<std::size_t>(line_length);
+
+/// Putting a body's blocks into lanes and taking them out again costs about a step.
+constexpr std::uint64_t fewest_steps_in_blocks = 16;
 
 /// Fastest wave of the stiffest and lightest material of a body of solid voxels.
 double wave_speed_m_s(const Lattice& lattice, const Physics& physics) {
@@ -89,7 +94,11 @@ EngineOf<Real>::EngineOf(const meshes::Polycube& body, double edge_m, const Phys
   } else if (options.energy_ledger) {
     throw std::invalid_argument("the energy ledger needs float64");
   }
+  prepare_blocks(options);
 }
+
+template <class Real>
+EngineOf<Real>::~EngineOf() = default;
 
 template <class Real>
 void EngineOf<Real>::prepare_drive() {
@@ -117,10 +126,11 @@ void EngineOf<Real>::drive_to(double time_s) {
 template <class Real>
 void EngineOf<Real>::choose_kernels(const KernelOptions& options) {
   every_term_ = options.every_term;
-  floor_ = physics.floor || every_term_;
-  gravity_ = physics.gravity_m_s2 != 0.0 || every_term_;
+  kept_ = every_term_ ? all_terms : options.kept;
+  floor_ = physics.floor || kept_.floor;
+  gravity_ = physics.gravity_m_s2 != 0.0 || kept_.gravity;
   const bool is_sine = is_driven(physics.actuation) && !is_shaped(physics.actuation) && !hollow_;
-  actuated_ = is_sine || every_term_;
+  actuated_ = is_sine || kept_.actuation;
   // A floor that is kept in the loop where the scene has none lies infinitely deep.
   if (!physics.floor) {
     floor_depth_m_ = std::numeric_limits<double>::infinity();
@@ -129,7 +139,9 @@ void EngineOf<Real>::choose_kernels(const KernelOptions& options) {
 
   const InstructionSet set = resolve(options.instruction_set);
   const StepKernels<Real>& kernels = kernels_for<Real>(set);
-  const bool uniform = state_->uniform() && !every_term_;
+  set_ = set;
+  kernels_ = &kernels;
+  const bool uniform = state_->uniform() && !kept_.coefficients;
   beams_ = kernels.beams[physics.integration.damping == DampingMode::velocity][static_cast<std::size_t>(variety(uniform))];
   voxels_ = kernels.voxels[uniform][floor_][gravity_][actuated_];
 
@@ -142,7 +154,7 @@ void EngineOf<Real>::choose_kernels(const KernelOptions& options) {
     report_.push_back("calibrated body: " + std::to_string(classes_.voxel.size()) + " classes of voxels, " +
                       std::to_string(classes_.beam.size()) + " of beams, " + std::to_string(hollow_->chamber_count) +
                       " chambers");
-  } else if (!is_driven(physics.actuation) && !every_term_) {
+  } else if (!is_driven(physics.actuation) && !actuated_) {
     report_.push_back("actuation left out: no size changes");
   }
   if (effective_coupling(physics) == 0.0) report_.push_back("lateral coupling left out: it is zero");
@@ -156,7 +168,7 @@ void EngineOf<Real>::prepare_collisions(const VoxelLoads& loads) {
     return;
   }
   CollisionRule rule(*lattice, *physics.collisions.exclusion_depth);
-  if (rule.excludes_every_pair() && !every_term_) {
+  if (rule.excludes_every_pair() && !kept_.collisions) {
     report_.push_back("collisions left out: every pair of surface voxels is within " +
                       std::to_string(*physics.collisions.exclusion_depth) + " beams of each other");
     return;
@@ -171,9 +183,9 @@ void EngineOf<Real>::prepare_collisions(const VoxelLoads& loads) {
   report_.push_back("collisions: work is skipped while a bound on the displacements rules contact out");
 }
 
+/// Renews the list of close pairs where it must be. @return whether any of them may touch
 template <class Real>
-void EngineOf<Real>::add_collisions() {
-  if (!close_pairs_) return;
+bool EngineOf<Real>::looks_at_pairs() {
   const Real* pose = state_->data.pose;
   if (every_term_) {
     close_pairs_->build(pose, line_size);
@@ -182,17 +194,45 @@ void EngineOf<Real>::add_collisions() {
     ++collision_counts.list_rebuilds;
   }
   collision_counts.pairs_in_list = close_pairs_->pairs().size();
-  if (close_pairs_->contact_ruled_out() && !every_term_) {
+  if (close_pairs_->contact_ruled_out() && !kept_.collisions) {
     ++collision_counts.steps_skipped;
-    return;
+    return false;
   }
   ++collision_counts.steps_with_pairs;
-  add_collision_loads(close_pairs_->pairs(), state_->data);
+  return true;
+}
+
+/// Positions of the close pairs whose spheres overlap.
+template <class Real>
+std::span<const std::int32_t> EngineOf<Real>::touching_pairs() {
+  const std::size_t count = close_pairs_->pairs().size();
+  if (touching_.size() < close_pairs_->first().size()) touching_.resize(close_pairs_->first().size());
+  const std::size_t found =
+      kernels_->touching(state_->data, close_pairs_->first().data(), close_pairs_->second().data(), count, touching_.data());
+  return std::span(touching_).first(found);
+}
+
+template <class Real>
+void EngineOf<Real>::add_collisions() {
+  if (close_pairs_ && looks_at_pairs()) add_collision_loads(touching_pairs(), close_pairs_->pairs(), state_->data);
+}
+
+/// Puts an aggregate's blocks into lanes where that is faster.
+template <class Real>
+void EngineOf<Real>::prepare_blocks(const KernelOptions& options) {
+  if (!options.blocks_in_lanes || !runs_in_lanes() || !state_->uniform()) return;
+  std::optional<BlockBody> body = blocks_of(*lattice);
+  if (!body) return;
+  const LaneKernels<Real>* kernels = kernels_for_blocks<Real>(set_, body->count);
+  if (kernels == nullptr) return;
+  report_.push_back("blocks of the aggregate in lanes: " + std::to_string(body->count) + " in registers of " +
+                    std::to_string(kernels->lanes));
+  blocks_ = std::make_unique<BlockLanes<Real>>(*this, std::move(*body), *kernels, options.threads);
 }
 
 template <class Real>
 bool EngineOf<Real>::runs_in_lanes() const {
-  return !hollow_ && !coupling_ && !books_ && !shaped_ && !every_term_ && !divergence && state_->data.external_load == nullptr;
+  return voxel::runs_in_lanes(physics) && !books_ && kept_ == KeptTerms{} && !divergence && state_->data.external_load == nullptr;
 }
 
 /// Whether a step of this displacement makes the way since the origin was last looked at long enough to look again. Only where
@@ -248,6 +288,12 @@ bool EngineOf<Real>::step() {
 template <class Real>
 io::RunStatus EngineOf<Real>::advance(std::uint64_t count, const std::atomic<bool>* stop) {
   if (divergence) return io::RunStatus::diverged;
+  if (blocks_ && count >= fewest_steps_in_blocks) {
+    const std::uint64_t end = steps + count;
+    blocks_->advance(count, stop);
+    if (divergence) return io::RunStatus::diverged;
+    return steps == end ? io::RunStatus::completed : io::RunStatus::stopped;
+  }
   for (std::uint64_t i = 0; i < count; ++i) {
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) return io::RunStatus::stopped;
     if (!step()) return io::RunStatus::diverged;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,12 +57,18 @@ class Simulation::Engine {
 /// Number of the first step that ends at or after a time (s). @throws std::invalid_argument for more than 1e18 steps
 std::uint64_t steps_until(double time_s, double time_step_s);
 
+template <class Real>
+class BlockLanes;
+
 /// The engine for one number type.
 template <class Real>
 class EngineOf final : public Simulation::Engine {
  public:
   EngineOf(const meshes::Polycube& body, double edge_m, const Physics& given, const VoxelLoads& loads,
            const KernelOptions& options);
+  ~EngineOf() override;
+  EngineOf(const EngineOf&) = delete;
+  EngineOf& operator=(const EngineOf&) = delete;
 
   io::RunStatus advance(std::uint64_t count, const std::atomic<bool>* stop) override;
   VoxelView view(std::size_t voxel) const override;
@@ -77,6 +84,8 @@ class EngineOf final : public Simulation::Engine {
  private:
   template <class>
   friend class LaneGroup;
+  template <class>
+  friend class BlockLanes;
 
   /// @param uniform whether coefficients are left out of beams without rest lengths of their own
   [[nodiscard]] BeamVariety variety(bool uniform) const {
@@ -88,6 +97,9 @@ class EngineOf final : public Simulation::Engine {
   void drive_to(double time_s);
   void check_validity();
   void add_collisions();
+  [[nodiscard]] bool looks_at_pairs();
+  [[nodiscard]] std::span<const std::int32_t> touching_pairs();
+  void prepare_blocks(const KernelOptions& options);
   bool step();
   [[nodiscard]] bool looks_at_origin_after(double displacement_m) const;
   void stay_near_origin(double largest_displacement_m);
@@ -104,7 +116,12 @@ class EngineOf final : public Simulation::Engine {
   std::unique_ptr<EnergyBooks> books_;  ///< double only
   typename StepKernels<Real>::BeamSweep beams_ = nullptr;
   typename StepKernels<Real>::VoxelSweepFunction voxels_ = nullptr;
+  const StepKernels<Real>* kernels_ = nullptr;
+  InstructionSet set_ = InstructionSet::scalar;  ///< that the kernels are of
+  std::unique_ptr<BlockLanes<Real>> blocks_;     ///< of a body whose blocks go in lanes
+  std::vector<std::int32_t> touching_;           ///< positions of pairs
   bool floor_ = true, gravity_ = true, every_term_ = false;
+  KeptTerms kept_;
   bool actuated_ = true;  ///< by the kernels
   bool shaped_ = false;   ///< sizes are set between the steps, because the drive is more than a sine
   double speed_limit_m_s_ = 0.0;

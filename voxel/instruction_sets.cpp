@@ -100,6 +100,23 @@ const LaneKernels<Real>& lane_kernels_for(InstructionSet set, std::size_t robots
   return found == all.end() ? *all.back() : **found;
 }
 
+std::size_t most_lanes_of(NumberType number, InstructionSet requested) {
+  const InstructionSet set = resolve(requested);
+  const bool is_double = number == NumberType::float64;
+  return static_cast<std::size_t>(is_double ? lane_kernels_up_to<double>(set).back()->lanes
+                                            : lane_kernels_up_to<float>(set).back()->lanes);
+}
+
+template <class Real>
+const LaneKernels<Real>* kernels_for_blocks(InstructionSet set, std::size_t blocks) {
+  constexpr double least_filled = 0.6;  // below it empty lanes cost what sorting voxels into registers does
+  const LaneKernels<Real>* widest = lane_kernels_up_to<Real>(set).back();
+  const auto lanes = static_cast<std::size_t>(widest->lanes);
+  const std::size_t slots = (blocks + lanes - 1) / lanes * lanes;
+  const bool fills = static_cast<double>(blocks) >= least_filled * static_cast<double>(slots);
+  return lanes > 1 && fills ? widest : nullptr;
+}
+
 std::string_view to_string(InstructionSet set) {
   switch (set) {
     case InstructionSet::best:
@@ -118,5 +135,7 @@ std::string_view to_string(InstructionSet set) {
 
 template const LaneKernels<double>& lane_kernels_for<double>(InstructionSet, std::size_t);
 template const LaneKernels<float>& lane_kernels_for<float>(InstructionSet, std::size_t);
+template const LaneKernels<double>* kernels_for_blocks<double>(InstructionSet, std::size_t);
+template const LaneKernels<float>* kernels_for_blocks<float>(InstructionSet, std::size_t);
 
 }  // namespace menger::voxel

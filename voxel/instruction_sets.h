@@ -22,6 +22,14 @@ const StepKernels<Real>& kernels_for(InstructionSet set);
 template <class Real>
 const LaneKernels<Real>& lane_kernels_for(InstructionSet set, std::size_t robots);
 
+/// Lanes of the widest kernels for robots in lanes of a machine. @throws std::invalid_argument as resolve does
+std::size_t most_lanes_of(NumberType number, InstructionSet requested);
+
+/// The widest kernels, for so many equal blocks of a body in lanes; null where blocks leave too many lanes empty, so that
+/// stepping voxel by voxel is as fast. @param set resolved
+template <class Real>
+const LaneKernels<Real>* kernels_for_blocks(InstructionSet set, std::size_t blocks);
+
 std::string_view to_string(InstructionSet set);
 
 }  // namespace menger::voxel

@@ -58,7 +58,11 @@ struct LaneData : StepConstants<Real> {
   alignas(64) Real displacement_limit2[most_lanes] = {};
 };
 
-/// The sweeps over robots in lanes of one instruction set and number type. Gravity, floor and drive are always in the loop.
+template <class Real>
+struct BlockData;
+
+/// The sweeps over robots, or over the blocks of one, in lanes of one instruction set and number type. Gravity, floor and drive
+/// are always in the loop.
 template <class Real>
 struct LaneKernels {
   int lanes;
@@ -72,6 +76,15 @@ struct LaneKernels {
   BeamSweep beams[2][2][2];         ///< [damping from velocities][uniform][all robots have all beams]
   VoxelSweepFunction voxels[2][2];  ///< [uniform][all robots have all voxels]
   PairSweep pairs[2];               ///< [uniform]
+
+  /// The sweeps over blocks of a uniform body, see block_sweep.h.
+  using InBlocks = bool (*)(const LaneData<Real>& group, int lanes);
+  using Joints = bool (*)(const BlockData<Real>&, std::size_t first_face, std::size_t last_face);
+  using KeptLoads = void (*)(const BlockData<Real>&, std::size_t axis, std::size_t first_face, std::size_t last_face);
+  InBlocks in_blocks[2][3];  ///< [damping from velocities][axis]
+  Joints joints[2][3];       ///< [damping from velocities][axis]
+  KeptLoads add_kept;
+  void (*put_spheres)(const LaneData<Real>& group, const std::int32_t* voxel, Real* lines);
 };
 
 const LaneKernels<double>& scalar_lane_kernels_double();

@@ -1,4 +1,4 @@
-#include "voxel/lane_sweep.h"
+#include "voxel/lane_kernels.h"
 
 namespace menger::voxel {
 

@@ -94,38 +94,47 @@ inline EndInertias<T> lane_end_inertias(const LaneData<RealOf<T>>& d, std::size_
   }
 }
 
-/// One beam of every robot, from its ends to their loads in the world (permuted axes); sets `in_range` by its strain.
-template <int Axis, bool Velocity, bool Uniform, bool Complete, class T>
-inline BeamLoads<T> lane_beam_loads(const LaneData<RealOf<T>>& d, const LaneBeams<RealOf<T>>& beams, std::size_t i,
-                                    BeamCoefficients<T> c, MaskOf<T>& in_range) {
+/// A beam per lane, from its ends to their loads in the world (permuted axes); sets `in_range` by its strain.
+/// @param rates gives the BeamEndRates, asked only for damping from velocities @param remembered history_values packs
+template <bool Velocity, class T, class Rates>
+inline BeamLoads<T> pack_beam_loads(const StepConstants<RealOf<T>>& d, const BeamCoefficients<T>& c, BeamEnds<T> ends,
+                                    const Rates& rates, RealOf<T>* remembered, MaskOf<T>& in_range) {
   using std::abs;
-  const auto lower = static_cast<std::size_t>(beams.lower[i]);
-  const auto upper = static_cast<std::size_t>(beams.upper[i]);
-  const std::size_t stride = pack_stride<T>(line_length);
-  BeamEnds<T> ends = beam_ends<Axis>(load_packs<T>(d.pose + lower * stride), load_packs<T>(d.pose + upper * stride));
   if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
-  if constexpr (!Complete) {
-    const MaskOf<T> present = load_values<T>(beams.present + i * pack_stride<T>(1)) > constant<T>(0.5);
-    straighten(present, ends);
-    // The ends of a beam that is not there still move.
-    c.damping_lower = select(present, c.damping_lower, constant<T>(0.0));
-    c.damping_upper = select(present, c.damping_upper, constant<T>(0.0));
-  }
-  RealOf<T>* remembered = beams.history + i * pack_stride<T>(history_values);
   const BeamHistory<T> history = load_history<T>(remembered, pack_stride<T>(1));
   const BeamState<T> state = beam_state(ends, history.small);
   BeamLoads<T> loads = beam_elastic_loads<false>(c, state.deformation, ends.rest_length);
   if constexpr (Velocity) {
-    const BeamEndRates<T> rates =
-        beam_end_rates<Axis>(lane_end_inertias<Uniform, T>(d, lower, upper), load_packs<T>(d.motion + lower * stride),
-                             load_packs<T>(d.motion + upper * stride));
-    loads = loads + beam_damping<false>(c, rate_from_velocities(state, ends, rates));
+    loads = loads + beam_damping<false>(c, rate_from_velocities(state, ends, rates()));
   } else {
     loads = loads + beam_damping<false>(c, rate_from_increments(state, history.deformation, T(d.rate_scale)));
   }
   store_history<Velocity>(remembered, pack_stride<T>(1), state);
   in_range = abs(state.deformation.displacement.x) <= T(d.strain_limit) * ends.rest_length;
   return to_world(state.frame, loads);
+}
+
+/// One beam of every robot.
+template <int Axis, bool Velocity, bool Uniform, bool Complete, class T>
+inline BeamLoads<T> lane_beam_loads(const LaneData<RealOf<T>>& d, const LaneBeams<RealOf<T>>& beams, std::size_t i,
+                                    BeamCoefficients<T> c, MaskOf<T>& in_range) {
+  const auto lower = static_cast<std::size_t>(beams.lower[i]);
+  const auto upper = static_cast<std::size_t>(beams.upper[i]);
+  const std::size_t stride = pack_stride<T>(line_length);
+  BeamEnds<T> ends = beam_ends<Axis>(load_packs<T>(d.pose + lower * stride), load_packs<T>(d.pose + upper * stride));
+  if constexpr (!Complete) {
+    const MaskOf<T> present = load_values<T>(beams.present + i * pack_stride<T>(1)) > constant<T>(0.5);
+    if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
+    straighten(present, ends);
+    // The ends of a beam that is not there still move.
+    c.damping_lower = select(present, c.damping_lower, constant<T>(0.0));
+    c.damping_upper = select(present, c.damping_upper, constant<T>(0.0));
+  }
+  const auto rates = [&] {
+    return beam_end_rates<Axis>(lane_end_inertias<Uniform, T>(d, lower, upper), load_packs<T>(d.motion + lower * stride),
+                                load_packs<T>(d.motion + upper * stride));
+  };
+  return pack_beam_loads<Velocity, T>(d, c, ends, rates, beams.history + i * pack_stride<T>(history_values), in_range);
 }
 
 template <int Axis, bool Velocity, bool Uniform, bool Complete, class T>
@@ -243,21 +252,6 @@ MENGER_INLINED_WHOLE void sweep_lane_pairs(const LaneData<RealOf<T>>& d) {
     add_packs<T>(d.load + first * stride, slot::fx, -force);
     add_packs<T>(d.load + second * stride, slot::fx, force);
   }
-}
-
-/// All sweeps for one number or pack type.
-template <class T>
-const LaneKernels<RealOf<T>>& lane_kernels_of() {
-  static constexpr LaneKernels<RealOf<T>> kernels = {
-      NumberTraits<T>::width,
-      {{{sweep_lane_beams<false, false, false, T>, sweep_lane_beams<false, false, true, T>},
-        {sweep_lane_beams<false, true, false, T>, sweep_lane_beams<false, true, true, T>}},
-       {{sweep_lane_beams<true, false, false, T>, sweep_lane_beams<true, false, true, T>},
-        {sweep_lane_beams<true, true, false, T>, sweep_lane_beams<true, true, true, T>}}},
-      {{sweep_lane_voxels<false, false, T>, sweep_lane_voxels<false, true, T>},
-       {sweep_lane_voxels<true, false, T>, sweep_lane_voxels<true, true, T>}},
-      {sweep_lane_pairs<false, T>, sweep_lane_pairs<true, T>}};
-  return kernels;
 }
 
 }  // namespace menger::voxel

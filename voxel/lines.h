@@ -27,22 +27,22 @@ inline Register zip_high(Register a, Register b, std::index_sequence<I...>) {
   return __builtin_shufflevector(a, b, (I % 2 == 0 ? (sizeof...(I) + I) / 2 : sizeof...(I) + (sizeof...(I) + I) / 2)...);
 }
 
-/// One stage of the perfect shuffle of eight registers of W numbers. With the address of a number written as (register, lane) in
-/// bits, a stage turns the address left by one bit; log2(W) stages turn W lines of eight numbers into eight packs, three more
-/// turn them back.
-template <int W, class Register>
-inline void shuffle_stage(Register (&r)[line_length]) {
+/// One stage of the perfect shuffle of eight (or four) registers of W numbers. With the address of a number written as (register,
+/// lane) in bits, a stage turns the address left by one bit; log2(W) stages turn W lines of eight (four) numbers into as many
+/// packs, three (two) more turn them back.
+template <int W, class Register, std::size_t Count>
+inline void shuffle_stage(Register (&r)[Count]) {
   constexpr auto lanes = std::make_index_sequence<static_cast<std::size_t>(W)>{};
-  Register out[line_length];
-  for (int i = 0; i < 4; ++i) {
-    out[2 * i] = zip_low(r[i], r[i + 4], lanes);
-    out[2 * i + 1] = zip_high(r[i], r[i + 4], lanes);
+  Register out[Count];
+  for (std::size_t i = 0; i < Count / 2; ++i) {
+    out[2 * i] = zip_low(r[i], r[i + Count / 2], lanes);
+    out[2 * i + 1] = zip_high(r[i], r[i + Count / 2], lanes);
   }
-  for (int i = 0; i < line_length; ++i) r[i] = out[i];
+  for (std::size_t i = 0; i < Count; ++i) r[i] = out[i];
 }
 
-template <int W, class Register>
-inline void lines_to_packs(Register (&r)[line_length]) {
+template <int W, class Register, std::size_t Count>
+inline void lines_to_packs(Register (&r)[Count]) {
   for (int lanes = 1; lanes < W; lanes *= 2) shuffle_stage<W>(r);
 }
 
@@ -113,6 +113,61 @@ inline Lines<T> load_lines(const RealOf<T>* base, const std::int32_t* index) {
     for (int k = 0; k < line_length; ++k) out.value[k] = T(r[k]);
   }
   return out;
+}
+
+namespace detail {
+
+/// The first halves of the lines index[0] to index[Halves - 1], one after the other. Of a pack type, so that instruction sets
+/// share no code.
+template <class T, std::size_t Halves>
+struct HalfLines {
+  using Register [[gnu::vector_size(Halves * 4 * sizeof(RealOf<T>)), gnu::may_alias]] = RealOf<T>;
+
+  template <std::size_t... I>
+  static Register joined(typename HalfLines<T, Halves / 2>::Register low, typename HalfLines<T, Halves / 2>::Register high,
+                         std::index_sequence<I...>) {
+    return __builtin_shufflevector(low, high, I...);
+  }
+
+  static Register load(const RealOf<T>* base, const std::int32_t* index) {
+    return joined(HalfLines<T, Halves / 2>::load(base, index), HalfLines<T, Halves / 2>::load(base, index + Halves / 2),
+                  std::make_index_sequence<4 * Halves>{});
+  }
+};
+
+template <class T>
+struct HalfLines<T, 1> {
+  using Register [[gnu::vector_size(4 * sizeof(RealOf<T>)), gnu::may_alias]] = RealOf<T>;
+
+  static Register load(const RealOf<T>* base, const std::int32_t* index) {
+    return *reinterpret_cast<const Register*>(base + static_cast<std::ptrdiff_t>(*index) * line_length);
+  }
+};
+
+}  // namespace detail
+
+/// The first four numbers of the lines base[index[lane]] of all lanes.
+template <class T>
+inline void load_half_lines(const RealOf<T>* base, const std::int32_t* index, T (&values)[4]) {
+  constexpr int width = NumberTraits<T>::width;
+  const auto line = [&](int lane) { return base + static_cast<std::ptrdiff_t>(index[lane]) * line_length; };
+  if constexpr (width == 1) {
+    for (int k = 0; k < 4; ++k) values[k] = line(0)[k];
+  } else {
+    using Register = typename T::register_type;
+    Register r[4];
+    for (int k = 0; k < 4; ++k) {
+      if constexpr (width >= 4) {
+        constexpr int halves = width / 4;
+        r[k] = detail::HalfLines<T, static_cast<std::size_t>(halves)>::load(base, index + k * halves);
+      } else {
+        constexpr int parts = 4 / width;
+        r[k] = T::load_aligned(line(k / parts) + (k % parts) * width);
+      }
+    }
+    detail::lines_to_packs<width>(r);
+    for (int k = 0; k < 4; ++k) values[k] = T(r[k]);
+  }
 }
 
 /// The lines that stand one after the other at `first`.

@@ -34,6 +34,8 @@ struct VoxelLoads {
   std::vector<bool> fixed;          ///< held in all six degrees of freedom
 };
 
+enum class LaneUse;
+
 /// Where and how a run left the range of the model.
 struct Divergence {
   std::size_t voxel = 0;        ///< index in grid order
@@ -125,7 +127,8 @@ class Simulation {
   class Engine;  ///< the implementation for one number type
 
  private:
-  friend std::vector<io::RunStatus> advance_together_to(std::span<Simulation>, double, const std::atomic<bool>*, InstructionSet);
+  friend std::vector<io::RunStatus> advance_together_to(std::span<Simulation>, double, const std::atomic<bool>*, InstructionSet,
+                                                        LaneUse);
 
   std::unique_ptr<Engine> engine_;
 };

@@ -133,6 +133,11 @@ struct StepKernels {
   using VoxelSweepFunction = VoxelSweep (*)(const StepData<Real>&);  ///< moves all voxels and clears their loads
   BeamSweep beams[2][3];                                             ///< [damping from velocities][BeamVariety]
   VoxelSweepFunction voxels[2][2][2][2];                             ///< [uniform][floor][gravity][actuated]
+
+  /// Puts the positions, in ascending order, of the pairs (first, second) of voxels whose spheres overlap into `touching`, which
+  /// has room for `count` and a register's width more. `first` and `second` are padded to that width. @return how many
+  std::size_t (*touching)(const StepData<Real>&, const std::int32_t* first, const std::int32_t* second, std::size_t count,
+                          std::int32_t* touching);
 };
 
 /// The sweeps of one instruction set; the pack ones exist only where the compiler can make them (x86-64).

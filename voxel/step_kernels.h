@@ -4,6 +4,7 @@
 // its own.
 
 #include "voxel/beam_sweep.h"
+#include "voxel/pair_sweep.h"
 #include "voxel/voxel_sweep.h"
 
 namespace menger::voxel {
@@ -23,7 +24,8 @@ const StepKernels<RealOf<T>>& kernels_of() {
        {{{sweep_voxels<true, false, false, false, T>, sweep_voxels<true, false, false, true, T>},
          {sweep_voxels<true, false, true, false, T>, sweep_voxels<true, false, true, true, T>}},
         {{sweep_voxels<true, true, false, false, T>, sweep_voxels<true, true, false, true, T>},
-         {sweep_voxels<true, true, true, false, T>, sweep_voxels<true, true, true, true, T>}}}}};
+         {sweep_voxels<true, true, true, false, T>, sweep_voxels<true, true, true, true, T>}}}},
+      find_touching<T>};
   return kernels;
 }
 

@@ -1,5 +1,6 @@
-// Voxel-steps per second of the engine under the paper's physics, one thread: Menger sponges at three scales, one robot at a time
-// and robots in SIMD lanes, and different bodies in lanes. Of bodies in lanes only voxels that exist are counted.
+// Voxel-steps per second of the engine under the paper's physics: Menger sponges at three scales, one robot at a time (its blocks
+// in lanes, voxel by voxel, and by two threads) and robots in SIMD lanes, and different bodies in lanes. Of bodies in lanes only
+// voxels that exist are counted.
 
 #include <benchmark/benchmark.h>
 
@@ -23,6 +24,8 @@ struct Case {
   menger::voxel::NumberType number;
   bool collisions;
   InstructionSet instruction_set;
+  bool blocks_in_lanes = true;
+  int threads = 1;
 };
 
 menger::meshes::Polycube two_material_sponge() {
@@ -43,12 +46,14 @@ constexpr double start_s = 0.05;
 
 void voxel_steps(benchmark::State& state, const Case& c) {
   const menger::meshes::Polycube body = menger::meshes::fractal(two_material_sponge(), c.level);
-  menger::voxel::Simulation simulation(body, 0.01, physics_of(c), {}, {.instruction_set = c.instruction_set});
+  menger::voxel::Simulation simulation(
+      body, 0.01, physics_of(c), {},
+      {.instruction_set = c.instruction_set, .blocks_in_lanes = c.blocks_in_lanes, .threads = c.threads});
   if (simulation.advance_to(start_s) != menger::io::RunStatus::completed) {
     state.SkipWithError("diverged");
     return;
   }
-  const std::uint64_t batch = 400000 / simulation.voxel_count() + 1;
+  const std::uint64_t batch = 2000000 / simulation.voxel_count() + 1;
   std::uint64_t steps = 0;
   for (auto unused : state) {
     (void)unused;
@@ -129,9 +134,9 @@ void register_lanes(const std::string& name, const Case& c, std::vector<menger::
 }
 
 void register_case(const std::string& name, const Case& c) {
-  benchmark::RegisterBenchmark(name.c_str(), [c](benchmark::State& state) {
-    voxel_steps(state, c);
-  })->Unit(benchmark::kMillisecond);
+  auto* one = benchmark::RegisterBenchmark(name.c_str(), [c](benchmark::State& state) { voxel_steps(state, c); });
+  one->Unit(benchmark::kMillisecond);
+  if (c.threads > 1) one->UseRealTime();
 }
 
 }  // namespace
@@ -147,7 +152,11 @@ int main(int argc, char** argv) {
         std::string name = sizes[level - 1];
         name.append(type);
         register_case(name + suffix, {level, number, false, set});
-        register_case(name.append("/collisions").append(suffix), {level, number, true, set});
+        register_case(name + "/collisions" + suffix, {level, number, true, set});
+        if (set == InstructionSet::scalar || level == 1) continue;
+        register_case(name + "/voxel-by-voxel", {level, number, false, set, false});
+        register_case(name + "/collisions/voxel-by-voxel", {level, number, true, set, false});
+        register_case(name + "/two-threads", {level, number, false, set, true, 2});
       }
     }
   }

@@ -89,8 +89,8 @@ void expect_same_as_alone(const std::vector<meshes::Polycube>& bodies, const Phy
   for (Simulation& simulation : alone) expected.push_back(simulation.advance_to(time_s));
   for (const InstructionSet set : sets_of_this_machine()) {
     std::vector<Simulation> together = simulations_of(bodies, physics);
-    static_cast<void>(advance_together_to(together, 0.4 * time_s, nullptr, set));
-    EXPECT_EQ(advance_together_to(together, time_s, nullptr, set), expected);
+    static_cast<void>(advance_together_to(together, 0.4 * time_s, nullptr, set, LaneUse::always));
+    EXPECT_EQ(advance_together_to(together, time_s, nullptr, set, LaneUse::always), expected);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       EXPECT_TRUE(same_bytes(numbers_of(together[i]), numbers_of(alone[i]))) << i << " of set " << static_cast<int>(set);
       const auto text = [](const Simulation& one) { return one.divergence() ? divergence_text(*one.divergence()) : ""; };
@@ -153,7 +153,7 @@ TEST(Lanes, FollowRobotsThatWalkFarInSinglePrecision) {
   std::vector<Simulation> alone = thrown();
   for (Simulation& simulation : alone) ASSERT_EQ(simulation.advance_to(0.3), io::RunStatus::completed);
   std::vector<Simulation> together = thrown();
-  static_cast<void>(advance_together_to(together, 0.3));
+  static_cast<void>(advance_together_to(together, 0.3, nullptr, InstructionSet::best, LaneUse::always));
   for (std::size_t i = 0; i < alone.size(); ++i) {
     EXPECT_GT(alone[i].centre_of_mass_m()[0], 0.25);
     EXPECT_TRUE(same_bytes(numbers_of(together[i]), numbers_of(alone[i]))) << i;
@@ -164,9 +164,9 @@ TEST(Lanes, DoNotCareWhoStandsBeside) {
   for (const Physics& physics : modes()) {
     const std::vector<meshes::Polycube> bodies = random_bodies(12);
     std::vector<Simulation> all = simulations_of(bodies, physics);
-    static_cast<void>(advance_together_to(all, 0.03));
+    static_cast<void>(advance_together_to(all, 0.03, nullptr, InstructionSet::best, LaneUse::always));
     std::vector<Simulation> few = simulations_of({bodies[7], bodies[2], bodies[10]}, physics);
-    static_cast<void>(advance_together_to(few, 0.03));
+    static_cast<void>(advance_together_to(few, 0.03, nullptr, InstructionSet::best, LaneUse::always));
     EXPECT_TRUE(same_bytes(numbers_of(few[0]), numbers_of(all[7])));
     EXPECT_TRUE(same_bytes(numbers_of(few[1]), numbers_of(all[2])));
     EXPECT_TRUE(same_bytes(numbers_of(few[2]), numbers_of(all[10])));
@@ -218,8 +218,20 @@ TEST(Lanes, TakeSimulationsOfSeveralKinds) {
   std::vector<Simulation> alone = mixed();
   for (Simulation& simulation : alone) static_cast<void>(simulation.advance_to(0.02));
   std::vector<Simulation> together = mixed();
-  static_cast<void>(advance_together_to(together, 0.02));
+  static_cast<void>(advance_together_to(together, 0.02, nullptr, InstructionSet::best, LaneUse::always));
   for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_TRUE(same_bytes(numbers_of(together[i]), numbers_of(alone[i]))) << i;
+}
+
+TEST(Lanes, AreUsedWhereTheyPayWithoutChangingAnything) {
+  for (const Physics& physics : modes()) {
+    std::vector<meshes::Polycube> bodies = random_bodies(9, sponge);
+    for (const meshes::Polycube& body : random_bodies(9)) bodies.push_back(body);
+    std::vector<Simulation> always = simulations_of(bodies, physics);
+    static_cast<void>(advance_together_to(always, 0.02, nullptr, InstructionSet::best, LaneUse::always));
+    std::vector<Simulation> faster = simulations_of(bodies, physics);
+    static_cast<void>(advance_together_to(faster, 0.02));
+    for (std::size_t i = 0; i < bodies.size(); ++i) EXPECT_TRUE(same_bytes(numbers_of(faster[i]), numbers_of(always[i]))) << i;
+  }
 }
 
 TEST(Lanes, StopWhenAskedAndGoOn) {

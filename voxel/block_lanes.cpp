@@ -1,0 +1,409 @@
+#include "voxel/block_lanes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "voxel/actuation.h"
+#include "voxel/voxel_contact.h"
+
+namespace menger::voxel {
+
+namespace {
+
+constexpr auto line_size = static_cast<std::size_t>(line_length);
+constexpr auto history_size = static_cast<std::size_t>(history_values);
+constexpr auto drive_size = static_cast<std::size_t>(drive_values);
+
+/// How the lanes of a pack come from blocks. @param blocks one per lane, ascending @param used lanes that give something back
+template <class Real>
+LaneMoves<Real> moves_of(const std::vector<std::int32_t>& blocks, std::size_t used) {
+  const std::size_t lanes = blocks.size();
+  LaneMoves<Real> moves;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const auto group = static_cast<std::int32_t>(static_cast<std::size_t>(blocks[lane]) / lanes);
+    if (moves.sources == 0 || moves.group[moves.sources - 1] != group) moves.group[moves.sources++] = group;
+    const auto source = static_cast<std::size_t>(moves.sources - 1);
+    const std::size_t within = static_cast<std::size_t>(blocks[lane]) % lanes;
+    using Index = typename LaneMoves<Real>::Index;
+    moves.from[source / 2][lane] = static_cast<Index>(within + (source % 2) * lanes);
+    moves.comes[source / 2][lane] = Real(1);
+    if (lane >= used) continue;
+    moves.to[source][within] = static_cast<Index>(lane);
+    moves.takes[source][within] = Real(1);
+  }
+  if (moves.sources % 2 == 1) moves.group[moves.sources] = moves.group[moves.sources - 1];
+  return moves;
+}
+
+}  // namespace
+
+template <class Real>
+BlockLanes<Real>::BlockLanes(EngineOf<Real>& engine, BlockBody body, const LaneKernels<Real>& kernels, int threads)
+    : engine_(engine),
+      body_(std::move(body)),
+      block_(body_.block),
+      kernels_(kernels),
+      lanes_(static_cast<std::size_t>(kernels.lanes)),
+      places_(body_.places()),
+      slots_((body_.count + lanes_ - 1) / lanes_ * lanes_),
+      parts_(static_cast<std::size_t>(threads)),
+      barrier_(threads) {
+  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].number = i;
+  allocate();
+  for (std::size_t axis = 0; axis < 3; ++axis) join(axis);
+}
+
+template <class Real>
+void BlockLanes<Real>::allocate() {
+  const std::size_t voxels = slots_ * places_;
+  pose_.assign(line_size * voxels, Real(0));
+  motion_.assign(line_size * voxels, Real(0));
+  load_.assign(line_size * voxels, Real(0));
+  residual_.assign(3 * voxels, Real(0));
+  drive_.assign(drive_size * voxels, Real(0));
+  voxel_of_.assign(voxels, -1);
+  for (std::size_t block = 0; block < body_.count; ++block) {
+    for (std::size_t place = 0; place < places_; ++place)
+      voxel_of_[at(block, place, 1, 0)] = body_.voxel[block * places_ + place];
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    history_[axis].assign(history_size * block_.beams[axis].lower.size() * slots_, Real(0));
+
+  groups_.resize(slots_ / lanes_);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    LaneData<Real>& group = groups_[g];
+    const std::size_t first = g * lanes_ * places_;
+    group.voxels = places_;
+    group.pose = pose_.data() + line_size * first;
+    group.motion = motion_.data() + line_size * first;
+    group.load = load_.data() + line_size * first;
+    group.position_residual = residual_.data() + 3 * first;
+    group.drive = drive_.data() + drive_size * first;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const AxisBeams& beams = block_.beams[axis];
+      group.axis[axis] = {.count = beams.lower.size(),
+                          .lower = beams.lower.data(),
+                          .upper = beams.upper.data(),
+                          .history = history_[axis].data() + history_size * beams.lower.size() * lanes_ * g};
+    }
+  }
+  data_.groups = groups_.data();
+  data_.group_stride = line_size * places_ * lanes_;
+}
+
+/// Lays out the beams between blocks along an axis.
+template <class Real>
+void BlockLanes<Real>::join(std::size_t axis) {
+  const auto& pairs = body_.neighbours[axis];
+  for (std::size_t first = 0; first < pairs.size(); first += lanes_) {
+    std::vector<std::int32_t> lower;
+    std::vector<std::int32_t> upper;
+    for (std::size_t lane = 0; lane < lanes_; ++lane) {
+      const auto& pair = pairs[std::min(first + lane, pairs.size() - 1)];
+      lower.push_back(pair.first);
+      upper.push_back(pair.second);
+    }
+    const std::size_t used = std::min(lanes_, pairs.size() - first);
+    lower_blocks_[axis].push_back(moves_of<Real>(lower, used));
+    upper_blocks_[axis].push_back(moves_of<Real>(upper, used));
+  }
+  for (const auto& [lower, upper] : body_.faces[axis]) {
+    face_lower_[axis].push_back(lower);
+    face_upper_[axis].push_back(upper);
+  }
+  const std::size_t packs = lower_blocks_[axis].size();
+  const std::size_t beams = body_.faces[axis].size() * packs;
+  joint_history_[axis].assign(history_size * beams * lanes_, Real(0));
+  kept_[axis].assign(6 * beams * lanes_, Real(0));
+  data_.axis[axis] = {.faces = body_.faces[axis].size(),
+                      .lower = face_lower_[axis].data(),
+                      .upper = face_upper_[axis].data(),
+                      .packs = packs,
+                      .lower_block = lower_blocks_[axis].data(),
+                      .upper_block = upper_blocks_[axis].data(),
+                      .history = joint_history_[axis].data(),
+                      .kept = kept_[axis].data()};
+  find_histories(axis);
+}
+
+/// Finds where the histories of the engine's beams stand in lanes.
+template <class Real>
+void BlockLanes<Real>::find_histories(std::size_t axis) {
+  const AxisBeams& inside = block_.beams[axis];
+  const auto& pairs = body_.neighbours[axis];
+  const auto& faces = body_.faces[axis];
+  const AxisBeams& beams = engine_.lattice->beams[axis];
+  for (std::size_t i = 0; i < beams.lower.size(); ++i) {
+    const auto lower = static_cast<std::size_t>(beams.lower[i]);
+    const auto upper = static_cast<std::size_t>(beams.upper[i]);
+    const auto block = static_cast<std::size_t>(body_.block_of[lower]);
+    if (body_.block_of[lower] == body_.block_of[upper]) {
+      const auto found = std::lower_bound(inside.lower.begin(), inside.lower.end(), body_.place[lower]);
+      const auto beam = static_cast<std::size_t>(found - inside.lower.begin());
+      const std::size_t pack = block / lanes_ * inside.lower.size() + beam;
+      remembered_[axis].push_back(history_[axis].data() + history_size * lanes_ * pack + block % lanes_);
+      continue;
+    }
+    const auto pair = static_cast<std::size_t>(
+        std::lower_bound(pairs.begin(), pairs.end(), std::pair(body_.block_of[lower], body_.block_of[upper])) - pairs.begin());
+    const auto face = static_cast<std::size_t>(
+        std::find(faces.begin(), faces.end(), std::pair(body_.place[lower], body_.place[upper])) - faces.begin());
+    const std::size_t pack = face * data_.axis[axis].packs + pair / lanes_;
+    Real* history = joint_history_[axis].data() + history_size * lanes_ * pack + pair % lanes_;
+    remembered_[axis].push_back(history);
+    if (pair + 1 != pairs.size()) continue;
+    for (std::size_t lane = pair % lanes_ + 1; lane < lanes_; ++lane)
+      repeated_[axis].emplace_back(history - pair % lanes_ + lane, history);
+  }
+}
+
+/// The number of lanes of a group that have a block.
+template <class Real>
+std::size_t BlockLanes<Real>::lanes_used(std::size_t group) const {
+  return std::min(lanes_, body_.count - group * lanes_);
+}
+
+template <class Real>
+void BlockLanes<Real>::put() {
+  const EngineOf<Real>& engine = engine_;
+  const StepData<Real>& d = engine.state_->data;
+  std::fill(load_.begin(), load_.end(), Real(0));
+  for (std::size_t slot = 0; slot < slots_; ++slot) {
+    const std::size_t block = slot < body_.count ? slot : 0;
+    for (std::size_t place = 0; place < places_; ++place) {
+      const auto voxel = static_cast<std::size_t>(body_.voxel[block * places_ + place]);
+      for (std::size_t k = 0; k < line_size; ++k) {
+        pose_[at(slot, place, line_size, k)] = d.pose[line_size * voxel + k];
+        motion_[at(slot, place, line_size, k)] = d.motion[line_size * voxel + k];
+      }
+      for (std::size_t k = 0; k < 3; ++k) residual_[at(slot, place, 3, k)] = d.position_residual[line_size * voxel + k];
+      drive_[at(slot, place, drive_size, 0)] = d.size_base[voxel];
+      drive_[at(slot, place, drive_size, 1)] = d.size_sine_part[voxel];
+      drive_[at(slot, place, drive_size, 2)] = d.size_cosine_part[voxel];
+    }
+  }
+  put_histories();
+  for (LaneData<Real>& group : groups_) {
+    static_cast<StepConstants<Real>&>(group) = d;
+    group.voxel = d.voxel;
+    group.beam = d.beam;
+    for (std::size_t lane = 0; lane < lanes_; ++lane) {
+      group.floor_depth[lane] = d.floor_depth;
+      group.displacement_limit2[lane] = d.displacement_limit2;
+    }
+  }
+}
+
+template <class Real>
+void BlockLanes<Real>::put_histories() {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const BeamAxisData<Real>& beams = engine_.state_->data.axis[axis];
+    for (std::size_t i = 0; i < remembered_[axis].size(); ++i) {
+      for (std::size_t k = 0; k < history_size; ++k) remembered_[axis][i][k * lanes_] = beams.history[k * beams.count + i];
+    }
+    for (const auto& [copy, original] : repeated_[axis]) {
+      for (std::size_t k = 0; k < history_size; ++k) copy[k * lanes_] = original[k * lanes_];
+    }
+    const std::size_t packs = history_size * block_.beams[axis].lower.size();
+    for (std::size_t slot = body_.count; slot < slots_; ++slot) {
+      for (std::size_t pack = 0; pack < packs; ++pack)
+        history_[axis][(slot / lanes_ * packs + pack) * lanes_ + slot % lanes_] = history_[axis][pack * lanes_];
+    }
+  }
+}
+
+/// Puts positions again whose origin has moved.
+template <class Real>
+void BlockLanes<Real>::put_positions() {
+  const StepData<Real>& d = engine_.state_->data;
+  for (std::size_t block = 0; block < body_.count; ++block) {
+    for (std::size_t place = 0; place < places_; ++place) {
+      const auto voxel = static_cast<std::size_t>(body_.voxel[block * places_ + place]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        pose_[at(block, place, line_size, k)] = d.pose[line_size * voxel + k];
+        residual_[at(block, place, 3, k)] = d.position_residual[line_size * voxel + k];
+      }
+    }
+  }
+  for (LaneData<Real>& group : groups_) std::fill_n(group.floor_depth, lanes_, d.floor_depth);
+}
+
+template <class Real>
+void BlockLanes<Real>::take_poses() {
+  const StepData<Real>& d = engine_.state_->data;
+  for (std::size_t block = 0; block < body_.count; ++block) {
+    for (std::size_t place = 0; place < places_; ++place) {
+      const auto voxel = static_cast<std::size_t>(body_.voxel[block * places_ + place]);
+      for (std::size_t k = 0; k < line_size; ++k) d.pose[line_size * voxel + k] = pose_[at(block, place, line_size, k)];
+      for (std::size_t k = 0; k < 3; ++k) d.position_residual[line_size * voxel + k] = residual_[at(block, place, 3, k)];
+    }
+  }
+}
+
+template <class Real>
+void BlockLanes<Real>::take() {
+  take_poses();
+  StepData<Real>& d = engine_.state_->data;
+  for (std::size_t block = 0; block < body_.count; ++block) {
+    for (std::size_t place = 0; place < places_; ++place) {
+      const auto voxel = static_cast<std::size_t>(body_.voxel[block * places_ + place]);
+      for (std::size_t k = 0; k < line_size; ++k) d.motion[line_size * voxel + k] = motion_[at(block, place, line_size, k)];
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const BeamAxisData<Real>& beams = d.axis[axis];
+    for (std::size_t i = 0; i < remembered_[axis].size(); ++i) {
+      for (std::size_t k = 0; k < history_size; ++k) beams.history[k * beams.count + i] = remembered_[axis][i][k * lanes_];
+    }
+  }
+  d.rate_scale = groups_.front().rate_scale;
+}
+
+/// Beams in the order in which a voxel gets the loads of its own: along x, y, z, each by the lower end.
+///
+/// A voxel on the lower face of its block is the upper end of a beam between blocks before it is the lower end of one inside, and
+/// one on the upper face the other way round. Threads share faces, whose voxels are different ones, and groups.
+template <class Real>
+void BlockLanes<Real>::add_beams(Part& part) {
+  const bool velocity = engine_.physics.integration.damping == DampingMode::velocity;
+  part.strained = false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [first_face, last_face] = share(data_.axis[axis].faces, part);
+    if (kernels_.joints[velocity][axis](data_, first_face, last_face)) part.strained = true;
+    barrier_.meet();
+    const auto [first, last] = share(groups_.size(), part);
+    for (std::size_t g = first; g < last; ++g) {
+      if (kernels_.in_blocks[velocity][axis](groups_[g], static_cast<int>(lanes_used(g)))) part.strained = true;
+    }
+    barrier_.meet();
+    kernels_.add_kept(data_, axis, first_face, last_face);
+    barrier_.meet();
+  }
+}
+
+template <class Real>
+void BlockLanes<Real>::add_contacts() {
+  EngineOf<Real>& engine = engine_;
+  VerletList& list = *engine.close_pairs_;
+  StepData<Real>& d = engine.state_->data;
+  if (list.bound_used_up()) take_poses();
+  if (!engine.looks_at_pairs()) return;
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    kernels_.put_spheres(groups_[g], voxel_of_.data() + g * places_ * lanes_, d.pose);
+  const auto load_of = [&](std::int32_t voxel) {
+    const auto i = static_cast<std::size_t>(voxel);
+    return load_.data() + at(static_cast<std::size_t>(body_.block_of[i]), static_cast<std::size_t>(body_.place[i]), line_size, 0);
+  };
+  const std::size_t stride = lanes_;
+  const auto end = [&](std::int32_t voxel) {
+    const auto i = static_cast<std::size_t>(voxel);
+    const Real* motion =
+        motion_.data() + at(static_cast<std::size_t>(body_.block_of[i]), static_cast<std::size_t>(body_.place[i]), line_size, 0);
+    const Vector3<Real> momentum{motion[slot::px * stride], motion[slot::py * stride], motion[slot::pz * stride]};
+    return ContactEnd<Real>{d.voxel.inverse_mass * momentum, d.voxel.floor.stiffness, d.voxel.floor.damping};
+  };
+  const auto add = [&](std::int32_t voxel, const Vector3<Real>& force) {
+    Real* load = load_of(voxel);
+    load[slot::fx * stride] += force.x;
+    load[slot::fy * stride] += force.y;
+    load[slot::fz * stride] += force.z;
+  };
+  add_contact_loads(engine.touching_pairs(), list.pairs(), d, end, add);
+}
+
+template <class Real>
+void BlockLanes<Real>::move_voxels(Part& part) {
+  part.too_fast = false;
+  part.largest_displacement2 = 0.0;
+  const auto [first, last] = share(groups_.size(), part);
+  for (std::size_t g = first; g < last; ++g) {
+    alignas(64) Real largest2[most_lanes] = {};
+    const std::uint32_t bits = kernels_.voxels[true][true](groups_[g], largest2);
+    for (std::size_t lane = 0; lane < lanes_used(g); ++lane) {
+      if (((bits >> lane) & 1U) != 0) part.too_fast = true;
+      const auto one = static_cast<double>(largest2[lane]);
+      if (one > part.largest_displacement2) part.largest_displacement2 = one;
+    }
+  }
+}
+
+/// Sets what all groups have in common in the next step, or that there is none.
+template <class Real>
+void BlockLanes<Real>::begin_step() {
+  const EngineOf<Real>& engine = engine_;
+  done_ = engine.steps == last_step_ || engine.divergence || (stop_ != nullptr && stop_->load(std::memory_order_relaxed));
+  if (done_ || !engine.actuated_) return;
+  const DriveAngle next =
+      drive_angle(static_cast<double>(engine.steps + 1) * engine.time_step_s, engine.physics.actuation.period_s);
+  for (LaneData<Real>& group : groups_) {
+    group.next_sine = static_cast<Real>(next.sine);
+    group.next_cosine = static_cast<Real>(next.cosine);
+  }
+}
+
+/// What the engine does at the end of its own step.
+template <class Real>
+void BlockLanes<Real>::end_step() {
+  EngineOf<Real>& engine = engine_;
+  bool too_fast = false;
+  double largest2 = 0.0;
+  for (const Part& part : parts_) {
+    too_fast = too_fast || part.too_fast;
+    largest2 = std::max(largest2, part.largest_displacement2);
+  }
+  const double largest_displacement_m = std::sqrt(largest2);
+  for (LaneData<Real>& group : groups_) group.rate_scale = static_cast<Real>(1.0 / engine.time_step_s);
+  ++engine.steps;
+  if (engine.close_pairs_) engine.close_pairs_->moved(largest_displacement_m);
+  if (too_fast) {
+    take();
+    engine.note_speed();
+  } else {
+    const bool looks = engine.looks_at_origin_after(largest_displacement_m);
+    if (looks) take_poses();
+    engine.stay_near_origin(largest_displacement_m);
+    if (looks) put_positions();
+  }
+  if (engine.divergence) engine.divergence->time_s = static_cast<double>(engine.steps) * engine.time_step_s;
+}
+
+/// A thread's share of all steps; what is not shared is done by the first.
+template <class Real>
+void BlockLanes<Real>::do_part(Part& part) {
+  const bool is_first = part.number == 0;
+  while (true) {
+    if (is_first) begin_step();
+    barrier_.meet();
+    if (done_) return;
+    add_beams(part);
+    if (is_first) {
+      if (std::any_of(parts_.begin(), parts_.end(), [](const Part& one) { return one.strained; })) {
+        take();
+        engine_.note_strain();
+      }
+      if (engine_.close_pairs_) add_contacts();
+    }
+    barrier_.meet();
+    move_voxels(part);
+    barrier_.meet();
+    if (is_first) end_step();
+  }
+}
+
+template <class Real>
+void BlockLanes<Real>::advance(std::uint64_t count, const std::atomic<bool>* stop) {
+  put();
+  last_step_ = engine_.steps + count;
+  stop_ = stop;
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < parts_.size(); ++i) others.emplace_back([this, i] { do_part(parts_[i]); });
+  do_part(parts_.front());
+  for (std::thread& thread : others) thread.join();
+  take();
+}
+
+template class BlockLanes<double>;
+template class BlockLanes<float>;
+
+}  // namespace menger::voxel

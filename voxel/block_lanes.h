@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "voxel/block_data.h"
+#include "voxel/blocks.h"
+#include "voxel/engine.h"
+#include "voxel/spin_barrier.h"
+#include "voxel/voxel_state.h"
+
+namespace menger::voxel {
+
+/// Steps an aggregate with its blocks in SIMD lanes, to the same bytes as voxel by voxel.
+///
+/// Copies of a block have the same beams in the same order, so that a pack is the same voxel or beam of several blocks and
+/// nothing has to be sorted into registers but the ends of beams between blocks. For uniform bodies that run in lanes.
+template <class Real>
+class BlockLanes {
+ public:
+  /// @param engine outlives this @param kernels with more than one lane @param threads that share every step, >= 1
+  BlockLanes(EngineOf<Real>& engine, BlockBody body, const LaneKernels<Real>& kernels, int threads);
+  BlockLanes(const BlockLanes&) = delete;
+  BlockLanes& operator=(const BlockLanes&) = delete;
+
+  /// Takes `count` steps unless the robot diverges or `stop` becomes true, and puts what it came to into the engine.
+  void advance(std::uint64_t count, const std::atomic<bool>* stop);
+
+ private:
+  /// A thread's share of the steps, and what it saw in the last one.
+  struct alignas(64) Part {
+    std::size_t number = 0;
+    bool strained = false;
+    bool too_fast = false;
+    double largest_displacement2 = 0.0;
+  };
+
+  /// Of `count` things, the first of a part's share and the first of the next part's.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> share(std::size_t count, const Part& part) const {
+    return {count * part.number / parts_.size(), count * (part.number + 1) / parts_.size()};
+  }
+
+  void allocate();
+  void join(std::size_t axis);
+  void find_histories(std::size_t axis);
+  void put();
+  void put_positions();
+  void put_histories();
+  void take_poses();
+  void take();
+  void begin_step();
+  void add_beams(Part& part);
+  void add_contacts();
+  void move_voxels(Part& part);
+  void end_step();
+  void do_part(Part& part);
+
+  /// Where a number of a voxel stands in an array of so many packs per voxel.
+  [[nodiscard]] std::size_t at(std::size_t slot, std::size_t place, std::size_t packs, std::size_t pack) const {
+    return ((slot / lanes_ * places_ + place) * packs + pack) * lanes_ + slot % lanes_;
+  }
+  [[nodiscard]] std::size_t lanes_used(std::size_t group) const;
+
+  EngineOf<Real>& engine_;
+  BlockBody body_;
+  Lattice block_;
+  const LaneKernels<Real>& kernels_;
+  std::size_t lanes_, places_, slots_;  ///< slots: blocks, and lanes left over, which go on as copies of the first block
+  AlignedArray<Real> pose_, motion_, load_, residual_, drive_;
+  std::vector<std::int32_t> voxel_of_;  ///< per place of a group and lane, -1 where no block is
+  std::array<AlignedArray<Real>, 3> history_, joint_history_, kept_;
+  std::array<std::vector<std::int32_t>, 3> face_lower_, face_upper_;
+  std::array<std::vector<LaneMoves<Real>, xsimd::aligned_allocator<LaneMoves<Real>, 64>>, 3> lower_blocks_, upper_blocks_;
+  std::vector<LaneData<Real>, xsimd::aligned_allocator<LaneData<Real>, 64>> groups_;
+  BlockData<Real> data_;
+
+  std::vector<Part, xsimd::aligned_allocator<Part, 64>> parts_;  ///< one per thread
+  SpinBarrier barrier_;
+  bool done_ = false;  ///< no further step
+  std::uint64_t last_step_ = 0;
+  const std::atomic<bool>* stop_ = nullptr;
+
+  /// Per axis and beam of the engine: where its history stands, a pack from one remembered value to the next.
+  std::array<std::vector<Real*>, 3> remembered_;
+  std::array<std::vector<std::pair<Real*, Real*>>, 3> repeated_;  ///< histories of left over lanes, and those that they repeat
+};
+
+}  // namespace menger::voxel

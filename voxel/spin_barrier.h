@@ -1,0 +1,36 @@
+#pragma once
+
+#include <atomic>
+#include <thread>
+
+namespace menger::voxel {
+
+/// A meeting point of threads that share the work of one step: they meet every few microseconds, so that whoever waits looks
+/// again and again before it lets another thread have the core.
+class SpinBarrier {
+ public:
+  /// @param threads >= 1
+  explicit SpinBarrier(int threads) : threads_(threads) {}
+
+  /// Returns once all threads have come. What they wrote before is seen by all after.
+  void meet() {
+    if (threads_ == 1) return;
+    const unsigned round = round_.load(std::memory_order_relaxed);
+    if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads_) {
+      arrived_.store(0, std::memory_order_relaxed);
+      round_.store(round + 1, std::memory_order_release);
+      return;
+    }
+    constexpr int patience = 2000;  // looks, some 20 microseconds
+    for (int looks = 0; round_.load(std::memory_order_acquire) == round; ++looks) {
+      if (looks >= patience) std::this_thread::yield();
+    }
+  }
+
+ private:
+  int threads_;
+  alignas(64) std::atomic<int> arrived_{0};
+  alignas(64) std::atomic<unsigned> round_{0};
+};
+
+}  // namespace menger::voxel
