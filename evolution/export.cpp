@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "evolution/judgement_table.h"
+#include "evolution/step_check_table.h"
 #include "evolution/study_file.h"
 #include "evolution/study_view.h"
 #include "io/content_hash.h"
@@ -42,6 +43,7 @@ class Exporter {
       judgement_table(run_).write(folder_ / "judgements.csv");
       correction_table(run_).write(folder_ / "corrections.csv");
     }
+    if (study_.search.step_checks) step_check_table(run_).write(folder_ / "check_dt.csv");
     if (result_.champion) write_champion();
     return std::move(result_);
   }

@@ -40,7 +40,8 @@ struct ExportResult {
 
 /// Writes the tables and the champion of an archive into a folder:
 /// - generations.csv and lineage.csv (see generations_table, lineage_table), costs.csv (cost_table); where a judge took part
-///   judgements.csv and corrections.csv (judgement_table, correction_table),
+///   judgements.csv and corrections.csv (judgement_table, correction_table), where the step was checked check_dt.csv
+///   (step_check_table),
 /// - champion.toml, the basal body; where arrangements are evolved too, champion_level_<n>.toml with the whole bodies,
 /// - level_<n>/ with scene.toml and what voxel::run_scene writes, champion.png with all levels side by side.
 ///

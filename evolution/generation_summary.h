@@ -44,6 +44,7 @@ struct RunView {
   const RunArchive* archive = nullptr;
   SearchPlan plan;
   std::string physics;              ///< DesignEvaluator::physics()
+  std::string half_step_physics{};  ///< the same of the evaluator with half the time step
   Distinction distinction{};        ///< between robots, where a judge took part
   std::size_t voxels_per_cell = 1;  ///< in a whole cell, for costs
 };

@@ -114,7 +114,8 @@ struct GenerationRecord {
 
 /// The archive of one search in an SQLite database: everything to continue it, to tell its history and to judge its designs.
 ///
-/// Displacements that were left out and judgements have tables of their own, which only searches have that know such.
+/// Displacements that were left out, judgements and checks of the time step have tables of their own, which only searches have
+/// that know such.
 ///
 /// Every change is one transaction, which outlives the process once the call returns (write-ahead log). Rows have natural keys
 /// only, so that two runs of a study hold the same content, apart from the columns named `seconds`. One process writes, any
@@ -170,6 +171,12 @@ class RunArchive {
 
   /// Adds judgements and their re-evaluations in one transaction. Precondition: there is none of their generations and places.
   void add_judgements(std::span<const Judgement> judgements);
+
+  /// A result with half the time step, beside that of the search.
+  [[nodiscard]] std::optional<ArchivedEvaluation> step_check(const EvaluationKey& key) const;
+
+  /// Precondition: there is no check under this key, and its status is not `stopped`.
+  void add_step_check(const EvaluationKey& key, const ArchivedEvaluation& evaluation);
 
   /// Precondition: there is no result under this key, and its status is not `stopped`.
   void add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation);

@@ -11,6 +11,7 @@
 
 #include "evolution/pool_judge.h"
 #include "evolution/random_stream.h"
+#include "evolution/step_checking.h"
 #include "io/content_hash.h"
 #include "io/input_error.h"
 
@@ -29,7 +30,7 @@ struct Survivor {
 class Search {
  public:
   Search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
-         DesignJudge* judge)
+         DesignJudge* judge, const DesignEvaluator* half_step)
       : plan_(plan),
         evaluator_(evaluator),
         archive_(archive),
@@ -38,7 +39,9 @@ class Search {
         variation_(plan.seed, "variation"),
         selection_(plan.seed, "selection") {
     assert(plan.judging.has_value() == (judge != nullptr));
+    assert(plan.step_checks.has_value() == (half_step != nullptr));
     if (judge != nullptr) judging_.emplace(plan, *judge, archive);
+    if (half_step != nullptr) checking_.emplace(plan, *half_step, archive);
   }
 
   io::RunStatus run() {
@@ -87,8 +90,7 @@ class Search {
     const bool lazily = plan_.pruning && next_generation_ > 0;
     const io::RunStatus status = lazily ? judge.judge_lazily() : judge.judge_in_full();
     if (status != io::RunStatus::completed) return status;
-    commit(judge, born, std::chrono::duration<double>(Clock::now() - start).count());
-    return status;
+    return commit(judge, born, start);
   }
 
   /// Holds a round of judging if one is due, and scores the survivors by what is known now. @return false if it was stopped
@@ -168,7 +170,16 @@ class Search {
     return all;
   }
 
-  void commit(const PoolJudge& judge, const std::vector<Individual>& born, double seconds) {
+  /// Checks the time step on the elites of a generation that is due. @return false if it was stopped
+  bool check_steps(const std::vector<Survivor>& survivors) {
+    if (!checking_ || !checking_->is_due(next_generation_)) return true;
+    std::vector<RankedSurvivor> ranked;
+    ranked.reserve(survivors.size());
+    for (const Survivor& survivor : survivors) ranked.push_back({survivor.contender, &survivor.individual.phenotype});
+    return checking_->check(next_generation_, ranked, options_, &commits_);
+  }
+
+  io::RunStatus commit(const PoolJudge& judge, const std::vector<Individual>& born, Clock::time_point start) {
     const std::vector<std::uint64_t> selected = select(judge);
     std::vector<Contender> contenders = judge.contenders();
     std::vector<Survivor> survivors;
@@ -177,6 +188,9 @@ class Search {
       found->survivor_rank = rank;
       survivors.push_back({individual_of(selected[rank], born), *found});
     }
+    // Before the generation counts as finished: what is stopped here is made up for when it is done again.
+    if (!check_steps(survivors)) return io::RunStatus::stopped;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const JudgeCounts counts = judge.counts();
     const GenerationRecord record{next_generation_, counts.evaluations,   counts.cached,       counts.pruned,
                                   seconds,          variation_.to_text(), selection_.to_text()};
@@ -185,6 +199,7 @@ class Search {
     ++commits_;
     if (options_.generation_done) options_.generation_done(record);
     if (options_.after_commit) options_.after_commit(commits_);
+    return io::RunStatus::completed;
   }
 
   [[nodiscard]] const Individual& individual_of(std::uint64_t id, const std::vector<Individual>& born) const {
@@ -198,6 +213,7 @@ class Search {
   RunArchive& archive_;
   const SearchOptions& options_;
   std::optional<SearchJudging> judging_;
+  std::optional<StepChecking> checking_;
   std::string physics_hash_;
   RandomStream variation_;
   RandomStream selection_;
@@ -211,8 +227,8 @@ class Search {
 }  // namespace
 
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
-                         const SearchOptions& options, DesignJudge* judge) {
-  return Search(plan, evaluator, archive, options, judge).run();
+                         const SearchOptions& options, DesignJudge* judge, const DesignEvaluator* half_step) {
+  return Search(plan, evaluator, archive, options, judge, half_step).run();
 }
 
 }  // namespace menger::evolution

@@ -50,10 +50,14 @@ struct SearchOptions {
 /// Pruning needs no change: with the one level that judging allows, a score is either unknown, without a bound, or final, and
 /// corrected as soon as it is known; outlook() never sees a bound that a correction could lift.
 ///
+/// With plan.step_checks the elites of every generation that is due are evaluated again with half the time step before the
+/// generation is finished (StepChecking). What is found changes nothing else.
+///
 /// @param archive of this plan and evaluator @param judge exactly with plan.judging, whose protocol is the judge's
+/// @param half_step exactly with plan.step_checks: the evaluator with half its time step
 /// @return completed, or stopped
 /// @throws io::InputError if the constraints of the plan cannot be met or the archive cannot be written
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
-                         const SearchOptions& options, DesignJudge* judge = nullptr);
+                         const SearchOptions& options, DesignJudge* judge = nullptr, const DesignEvaluator* half_step = nullptr);
 
 }  // namespace menger::evolution

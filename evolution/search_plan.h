@@ -8,6 +8,7 @@
 
 #include "evolution/judging_plan.h"
 #include "evolution/offspring.h"
+#include "evolution/step_check_plan.h"
 
 namespace menger::evolution {
 
@@ -48,6 +49,9 @@ struct SearchPlan {
 
   /// A dearer judge that corrects the fitness on the way; none: the evaluator alone decides.
   std::optional<JudgingPlan> judging{};
+
+  /// Checks of the time step on the best designs; none: no checks.
+  std::optional<StepCheckPlan> step_checks{};
 
   bool operator==(const SearchPlan&) const = default;
 

@@ -57,6 +57,12 @@ void add_judging(std::string& text, const JudgingPlan& judging) {
   add_number(text, "voxel_steps_per_element_step", judging.voxel_steps_per_element_step);
 }
 
+void add_step_checks(std::string& text, const StepCheckPlan& checks) {
+  text += "[check_dt]\n";
+  add_line(text, "every", std::to_string(checks.every));
+  add_count(text, "designs", checks.designs);
+}
+
 /// The physics with poissons_ratio in its table [materials], which TOML may open only once.
 std::string physics_text_with_poissons_ratio(const voxel::Physics& physics) {
   constexpr std::string_view header = "[materials]\n";
@@ -123,6 +129,7 @@ std::string identity_text(const Study& study) {
   add_word(text, "duplicates", to_string(plan.duplicates));
   add_line(text, "pruning", plan.pruning ? "true" : "false");
   if (plan.judging) add_judging(text, *plan.judging);
+  if (plan.step_checks) add_step_checks(text, *plan.step_checks);
   return text + physics_text_with_poissons_ratio(study.physics);
 }
 

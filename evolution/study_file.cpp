@@ -101,6 +101,13 @@ void read_judging(const io::TomlTable& table, Study& study) {
   study.search.judging = judging;
 }
 
+void read_step_checks(const io::TomlTable& table, SearchPlan& plan) {
+  StepCheckPlan checks;
+  checks.every = table.integer_or("every", checks.every, io::at_least(1));
+  checks.designs = table.integer_or("designs", checks.designs, io::within(1, largest_population));
+  plan.step_checks = checks;
+}
+
 void read_poissons_ratio(const io::TomlTable& table) {
   if (table.number_or("poissons_ratio", 0.0) == 0.0) return;
   throw table.error("poissons_ratio",
@@ -118,6 +125,7 @@ Study read_tables(const io::TomlTable& table, Study study) {
   if (const auto body = table.optional_table("body")) read_body(*body, plan);
   if (const auto evaluation = table.optional_table("evaluation")) read_evaluation(*evaluation, study);
   if (const auto judge = table.optional_table("judge")) read_judging(*judge, study);
+  if (const auto checks = table.optional_table("check_dt")) read_step_checks(*checks, plan);
   if (const auto materials = table.optional_table("materials")) read_poissons_ratio(*materials);
   study.physics = voxel::read_physics(table, study.physics);
   return study;

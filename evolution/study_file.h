@@ -34,6 +34,8 @@ struct StudyOverrides {
 /// - `[judge]` study (a study of re-evaluation, see read_reevaluation_study), every, designs, budget_element_steps,
 ///   voxel_steps_per_element_step: finite elements judge survivors and correct the fitness (see run_search); for one level only.
 ///   In the text of an archive the hash `protocol` stands in place of `study`
+/// - `[check_dt]` every, designs: the best survivors of every so many generations are evaluated again with half the time step,
+///   which changes nothing in the search (see StepChecking)
 /// - `[materials]` poissons_ratio (only 0) and the tables of voxel::read_physics; with `[surrogate]` bodies are hollow cells with
 ///   calibrated parameters, whose chambers must be able to follow the drive; with outside_range = "refuse" only what no body of
 ///   the search could be inside of is wrong input (outside_validity_of_all), bodies are judged one by one

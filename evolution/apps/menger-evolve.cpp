@@ -16,6 +16,7 @@
 #include "evolution/run_archive.h"
 #include "evolution/search.h"
 #include "evolution/silicone_judge.h"
+#include "evolution/step_check_table.h"
 #include "evolution/study_file.h"
 #include "evolution/study_view.h"
 #include "io/child_program.h"
@@ -78,7 +79,13 @@ class Log {
     const double remaining_s = elapsed_s / ++done_ * (goal_ - record.number);
     std::string time = io::duration_text(record.seconds);
     if (record.number < goal_) time += ", " + io::duration_text(remaining_s) + " to go";
-    std::cout << summary_line(run_, summarise_generation(run_, record.number), time) << std::endl;
+    std::cout << summary_line(run_, summarise_generation(run_, record.number), time) << "\n";
+    if (const auto& checks = run_.plan.step_checks; checks && record.number % checks->every == 0) {
+      std::cout << step_check_text(
+          run_.plan, record.number,
+          checked_designs(run_.plan, *run_.archive, record.number, run_.physics, run_.half_step_physics));
+    }
+    std::cout << std::flush;
   }
 
   void progress(const SearchProgress& progress) {
@@ -161,6 +168,7 @@ int evolve(const Arguments& arguments) {
   Study study = read_study(arguments.study, arguments.overrides);
   require_memory(study, arguments.threads);
   const VoxelEvaluator evaluator = evaluator_of(study);
+  const VoxelEvaluator half_step = half_step_evaluator_of(study);
   Log* listener = nullptr;
   SiliconeJudgeOptions judging{.programs = arguments.programs, .runs = fs::path(arguments.archive).replace_extension(".judge")};
   judging.progress = [&](std::size_t done, std::size_t total, const std::string& name) {
@@ -198,7 +206,7 @@ int evolve(const Arguments& arguments) {
     options.progress = [&](const SearchProgress& progress) { log.progress(progress); };
     options.judged = [&](const JudgingRound& round, const Discrepancy& learnt) { log.judged(round, learnt); };
     const auto start = Clock::now();
-    status = run_search(study.search, evaluator, archive, options, judge.get());
+    status = run_search(study.search, evaluator, archive, options, judge.get(), study.search.step_checks ? &half_step : nullptr);
     log.close();
     listener = nullptr;
     manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();

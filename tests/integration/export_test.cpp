@@ -97,6 +97,27 @@ TEST_F(Export, WritesTablesDesignAndSimulationsOfTheChampion) {
   EXPECT_EQ(lineage.text(lineage.row_count() - 1, "phenotype"), phenotype_key(champion.phenotype));
 }
 
+TEST_F(Export, HoldsTheChecksOfTheTimeStep) {
+  io::write_whole(folder_ / "study.toml",
+                  "preset = \"paper\"\ngenerations = 2\n[population]\nsurvivors = 3\nmutants = 3\n[body]\nlevels = [1, 2]\n"
+                  "[evaluation]\nduration_s = 0.05\n[check_dt]\nevery = 2\n");
+  const Outcome search = run("menger-evolve", {"study.toml", "-o", "run.sqlite"});
+  ASSERT_EQ(search.code, 0) << search.err;
+  for (const char* line : {"half the time step, generation 0, individual ", "half the time step, generation 2, individual "})
+    EXPECT_NE(search.out.find(line), std::string::npos) << search.out;
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
+  const io::CsvContents checks = io::read_csv(folder_ / "out/check_dt.csv");
+  ASSERT_EQ(checks.row_count(), 4U);
+  const io::CsvContents generations = io::read_csv(folder_ / "out/generations.csv");
+  for (std::size_t row = 0; row < 4; ++row) {
+    const auto generation = static_cast<std::size_t>(checks.number(row, "generation"));
+    EXPECT_EQ(checks.number(row, "individual"), generations.number(generation, "champion"));
+    EXPECT_EQ(checks.number(row, "score_body_lengths"), generations.number(generation, "best_fitness_body_lengths"));
+    EXPECT_EQ(checks.text(row, "half_step_status"), "completed");
+    EXPECT_NE(checks.number(row, "change"), 0.0);
+  }
+}
+
 TEST_F(Export, BestFitnessNeverFalls) {
   evolve("run.sqlite");
   ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "evolution/study_file.h"
+#include "evolution/study_view.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
 
@@ -180,6 +181,19 @@ TEST_F(StudyFile, RefusesWhatDoesNotFitWithPlaceKeyAndValue) {
   expect_refused(head + "[materials]\npoissons_ratio = 0.5\n", {place + "3", "poissons_ratio = 0.5", "must be 0"});
   expect_refused(head + "[genome]\nencoding = \"nonfractal\"\n[body]\nlevels = [4]\n", {place + "5", "nonfractal", "at most 3"});
   expect_refused(head + "[body]\nlevels = [1, 9]\n", {place + "3", "levels", "memory"});
+}
+
+TEST_F(StudyFile, ChecksOfTheTimeStepBelongToTheIdentityOfAStudyThatHasThem) {
+  const Study study = read("preset = \"paper\"\n[check_dt]\nevery = 10\n");
+  EXPECT_EQ(study.search.step_checks, (StepCheckPlan{.every = 10, .designs = 1}));
+  EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
+  const std::string usual = identity_text(read("preset = \"paper\"\n"));
+  EXPECT_EQ(usual.find("check_dt"), std::string::npos);
+  EXPECT_NE(identity_text(study), usual);
+  EXPECT_NE(half_step_evaluator_of(study).physics().find("time_step_fraction = 0.45\n"), std::string::npos);
+  expect_refused("preset = \"paper\"\n[check_dt]\nevery = 0\n", {"study.toml:3", "check_dt.every = 0"});
+  expect_refused("preset = \"paper\"\n[check_dt]\ndesigns = 0\n", {"study.toml:3", "check_dt.designs = 0"});
+  expect_refused("preset = \"paper\"\n[check_dt]\nfraction = 0.5\n", {"study.toml:3", "check_dt.fraction", "unknown key"});
 }
 
 const std::string judged_study =
