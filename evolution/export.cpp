@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "evolution/evaluated_tasks.h"
 #include "evolution/judgement_table.h"
 #include "evolution/step_check_table.h"
 #include "evolution/study_file.h"
@@ -42,6 +43,10 @@ class Exporter {
     if (study_.search.judging) {
       judgement_table(run_).write(folder_ / "judgements.csv");
       correction_table(run_).write(folder_ / "corrections.csv");
+    }
+    if (options_.timings) {
+      timing_table(run_).write(folder_ / "timings.csv");
+      schedule_table(run_, options_.workers).write(folder_ / "schedule.csv");
     }
     if (study_.search.step_checks) step_check_table(run_).write(folder_ / "check_dt.csv");
     if (result_.champion) write_champion();

@@ -19,6 +19,8 @@ struct ExportOptions {
   double record_interval_s = 0.02;   ///< > 0; of the duration at most
   bool frames = true;                ///< VTK
   bool pictures = true;              ///< PNG
+  bool timings = false;              ///< timings.csv and schedule.csv, whose content depends on how fast the machine was
+  std::vector<std::size_t> workers{2, 8, 64};  ///< of schedule.csv, each >= 1
   const std::atomic<bool>* stop = nullptr;
   std::function<void(int level, const voxel::RunProgress&)> progress;
 };
@@ -43,9 +45,10 @@ struct ExportResult {
 ///   judgements.csv and corrections.csv (judgement_table, correction_table), where the step was checked check_dt.csv
 ///   (step_check_table),
 /// - champion.toml, the basal body; where arrangements are evolved too, champion_level_<n>.toml with the whole bodies,
-/// - level_<n>/ with scene.toml and what voxel::run_scene writes, champion.png with all levels side by side.
+/// - level_<n>/ with scene.toml and what voxel::run_scene writes, champion.png with all levels side by side,
+/// - with timings timings.csv and schedule.csv (timing_table, schedule_table).
 ///
-/// Everything but manifest and pictures depends on the archive's content alone.
+/// Everything but manifest, pictures and timings depends on the archive's content alone.
 /// @throws io::InputError if the archive holds no finished generation, the champion has no such level or one that would not fit
 /// the memory, or the folder cannot be written
 ExportResult export_run(const RunArchive& archive, const std::filesystem::path& folder, const ExportOptions& options = {});

@@ -47,6 +47,11 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--record-interval", arguments.options.record_interval_s, "Simulated seconds between two frames")
       ->capture_default_str();
+  app.add_flag("--timings", arguments.options.timings,
+               "Write what every evaluation took (timings.csv), and how so many workers would share that (schedule.csv)");
+  app.add_option("--workers", arguments.options.workers, "Numbers of workers in schedule.csv")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
   app.add_flag("--no-frames", no_frames, "No VTK files");
   app.add_flag("--no-pictures", no_pictures, "No PNG files");
   const auto code = io::parse_arguments(app, argc, argv);

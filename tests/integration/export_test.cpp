@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,19 @@ TEST_F(Export, HoldsTheChecksOfTheTimeStep) {
     EXPECT_EQ(checks.text(row, "half_step_status"), "completed");
     EXPECT_NE(checks.number(row, "change"), 0.0);
   }
+}
+
+TEST_F(Export, TellsWhatEvaluationsTookOnRequest) {
+  evolve("run.sqlite");
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/timings.csv"));
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1", "--timings", "--workers", "1", "3"}).code, 0);
+  const io::CsvContents timings = io::read_csv(folder_ / "out/timings.csv");
+  const std::vector<double> evaluations = io::read_csv(folder_ / "out/generations.csv").numbers("evaluations");
+  EXPECT_EQ(static_cast<double>(timings.row_count()), std::accumulate(evaluations.begin(), evaluations.end(), 0.0));
+  for (const double seconds : timings.numbers("seconds")) EXPECT_GT(seconds, 0.0);
+  EXPECT_EQ(io::read_csv(folder_ / "out/schedule.csv").row_count(), 2U * evaluations.size());
+  EXPECT_EQ(export_run("run.sqlite", "out", {"--workers", "0"}).code, 2);
 }
 
 TEST_F(Export, BestFitnessNeverFalls) {
