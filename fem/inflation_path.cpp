@@ -30,16 +30,6 @@ constexpr int limit_point_passes = 3;
 /// cent.
 constexpr double close_to_limit = 5e-4;
 
-/// Linear interpolation between knots 0, 1, 2, ...
-double value_at(const std::vector<double>& knots, double s) {
-  const double clamped = std::clamp(s, 0.0, static_cast<double>(knots.size() - 1));
-  const auto leg = std::min(static_cast<std::size_t>(clamped), knots.size() < 2 ? 0 : knots.size() - 2);
-  const double part = clamped - static_cast<double>(leg);
-  return part == 0.0 ? knots[leg] : (1.0 - part) * knots[leg] + part * knots[leg + 1];
-}
-
-bool is_knot(double s) { return std::abs(s - std::round(s)) < 1e-12; }
-
 class PathFollower {
  public:
   PathFollower(Equilibrium& equilibrium, const PathDrives& drives, const PathOptions& options, const PathObserver& observer,
@@ -50,12 +40,6 @@ class PathFollower {
  private:
   enum class StepOutcome { accepted, rejected, ended };
 
-  [[nodiscard]] std::vector<PlenumControl> controls_at(double s) const;
-  [[nodiscard]] double dead_load_factor_at(double s) const;
-  void move_plates(double s);
-  [[nodiscard]] bool is_driven(std::size_t plenum, double s) const;
-  [[nodiscard]] bool all_given_pressures() const;
-  [[nodiscard]] double next_station(double s) const;
   void begin();
   void take_up(const PathRestart& restart);
   StepOutcome try_step(double s);
@@ -71,13 +55,11 @@ class PathFollower {
   [[nodiscard]] bool is_barrier_ahead() const;
   bool shorten_step(double target);
   void end_at_smallest_step();
-  [[nodiscard]] std::size_t fastest_plenum(double s) const;
   void end(io::RunStatus status, std::string reason);
 
   Equilibrium& equilibrium_;
-  const std::vector<PlenumDrive>& drives_;
-  const std::vector<PlateDrive>& plate_drives_;
-  const std::vector<double>& dead_load_factors_;
+  const PathDrives& drives_;
+  PathSchedule schedule_;
   const PathOptions& options_;
   const PathObserver& observer_;
   const std::atomic<bool>* stop_;
@@ -85,7 +67,6 @@ class PathFollower {
   StatePredictor history_;
   std::vector<double> rest_volumes_m3_;  ///< of the plena
   std::vector<double> rest_chamber_volumes_m3_;
-  double end_s_ = 0.0;
   double step_ = 0.0;
   double failed_s_ = std::numeric_limits<double>::max();  ///< the least s that could not be reached
   std::optional<double> last_gap_m_;
@@ -98,86 +79,28 @@ class PathFollower {
 PathFollower::PathFollower(Equilibrium& equilibrium, const PathDrives& drives, const PathOptions& options,
                            const PathObserver& observer, const std::atomic<bool>* stop)
     : equilibrium_(equilibrium),
-      drives_(drives.plena),
-      plate_drives_(drives.plates),
-      dead_load_factors_(drives.dead_load_factors),
+      drives_(drives),
+      schedule_(drives),
       options_(options),
       observer_(observer),
       stop_(stop),
       gaps_(equilibrium.space(), equilibrium.body()),
       history_(options.predictor_order),
       step_(options.first_step) {
-  assert(drives_.size() == equilibrium.body().plenum_count);
-  assert(plate_drives_.empty() || plate_drives_.size() == equilibrium.body().plates.size());
-  const auto reach = [&](std::size_t knots) { end_s_ = std::max(end_s_, static_cast<double>(knots) - 1.0); };
-  for (const PlenumDrive& drive : drives_) reach(drive.values.size());
-  for (const PlateDrive& drive : plate_drives_) reach(drive.values.size());
-  reach(dead_load_factors_.size());
+  assert(drives.plena.size() == equilibrium.body().plenum_count);
+  assert(drives.plates.empty() || drives.plates.size() == equilibrium.body().plates.size());
   const BodyTotals at_rest = equilibrium.totals(equilibrium.rest(), 0.0);
   rest_volumes_m3_ = equilibrium.plenum_volumes(at_rest);
   rest_chamber_volumes_m3_ = at_rest.chamber_volumes_m3;
 }
 
-std::vector<PlenumControl> PathFollower::controls_at(double s) const {
-  std::vector<PlenumControl> controls;
-  for (std::size_t p = 0; p < drives_.size(); ++p) {
-    const PlenumDrive& drive = drives_[p];
-    const double value = value_at(drive.values, s);
-    switch (drive.kind) {
-      case DriveKind::pressure:
-        controls.emplace_back(PressureControl{value});
-        break;
-      case DriveKind::volume:
-        controls.emplace_back(VolumeControl{value * rest_volumes_m3_[p]});
-        break;
-      case DriveKind::gas:
-        controls.emplace_back(GasLaw{drive.gas_exponent, drive.ambient_pressure_Pa, 0.0, rest_volumes_m3_[p], value});
-        break;
-    }
-  }
-  return controls;
-}
-
-double PathFollower::dead_load_factor_at(double s) const {
-  if (!dead_load_factors_.empty()) return value_at(dead_load_factors_, s);
-  return s < 0.0 ? 1.0 + s : 1.0;
-}
-
-void PathFollower::move_plates(double s) {
-  std::vector<PlateMotion> motions(equilibrium_.body().plates.size());
-  for (std::size_t p = 0; p < plate_drives_.size(); ++p) motions[p] = motion_at(plate_drives_[p], s);
-  equilibrium_.move_plates(motions);
-}
-
-/// Whether the drive of a plenum changes on the leg that leads on from s: at a knot the one that begins there.
-bool PathFollower::is_driven(std::size_t plenum, double s) const {
-  const std::vector<double>& values = drives_[plenum].values;
-  for (std::size_t leg = 0; leg + 1 < values.size(); ++leg) {
-    const auto start = static_cast<double>(leg);
-    if (start <= s && s < start + 1.0 && values[leg] != values[leg + 1]) return true;
-  }
-  return false;
-}
-
-bool PathFollower::all_given_pressures() const {
-  return std::all_of(drives_.begin(), drives_.end(), [](const PlenumDrive& drive) { return drive.kind == DriveKind::pressure; });
-}
-
-/// The next value of s that must be met: a knot or a station.
-double PathFollower::next_station(double s) const {
-  double next = std::min(end_s_, std::floor(s + 1e-12) + 1.0);
-  for (const double station : options_.stations)
-    if (station > s + 1e-12) next = std::min(next, station);
-  return next;
-}
-
 EquilibriumReport PathFollower::solve_at(double s, BodyState& state, int order) {
   state = history_.at(s, order);
-  const std::vector<PlenumControl> controls = controls_at(s);
-  move_plates(s);
+  const std::vector<PlenumControl> controls = schedule_.controls_at(s, rest_volumes_m3_);
+  equilibrium_.move_plates(schedule_.plate_motions_at(s, equilibrium_.body().plates.size()));
   // with nothing extrapolated the body still balances the old pressures
   const std::vector<double> old = history_.last().plenum_pressures_Pa;
-  EquilibriumReport report = equilibrium_.solve(state, controls, dead_load_factor_at(s),
+  EquilibriumReport report = equilibrium_.solve(state, controls, schedule_.dead_load_factor_at(s),
                                                 order == 0 ? std::span<const double>(old) : std::span<const double>(), stop_);
   report_.iterations += report.iterations;
   report_.factorisations += report.factorisations;
@@ -188,7 +111,7 @@ EquilibriumReport PathFollower::solve_at(double s, BodyState& state, int order) 
 /// the state are confirmed with one of the state itself.
 bool PathFollower::is_unstable(const BodyState& state, double s, EquilibriumReport& report) {
   if (report.negative_pivots.value_or(0) == 0) return false;
-  report.negative_pivots = equilibrium_.count_negative_pivots(state, dead_load_factor_at(s));
+  report.negative_pivots = equilibrium_.count_negative_pivots(state, schedule_.dead_load_factor_at(s));
   return report.negative_pivots.value_or(0) > 0;
 }
 
@@ -233,7 +156,7 @@ PathFollower::StepOutcome PathFollower::try_step(double s) {
   if (report.status != io::RunStatus::completed) {
     return reject(report.status, report.reason);
   }
-  if (all_given_pressures() && is_unstable(state, s, report)) {
+  if (schedule_.all_given_pressures() && is_unstable(state, s, report)) {
     return reject(io::RunStatus::limit_point, "the equilibrium is unstable");
   }
   std::optional<WallGap> gap;
@@ -270,7 +193,7 @@ bool PathFollower::accept(double s, const BodyState& state, const EquilibriumRep
   if (!report_.points.empty()) {
     const PathPoint& before = report_.points.back();
     point.work_J = before.work_J;
-    for (std::size_t p = 0; p < drives_.size(); ++p) {
+    for (std::size_t p = 0; p < drives_.plena.size(); ++p) {
       point.work_J +=
           0.5 * (before.pressures_Pa[p] + point.pressures_Pa[p]) * (point.plenum_volumes_m3[p] - before.plenum_volumes_m3[p]);
     }
@@ -308,8 +231,8 @@ void PathFollower::note_limit_points() {
   const std::size_t count = report_.points.size();
   // at a knot and under growing dead loads pressures turn for reasons of their own
   if (count < 3 || report_.points[count - 3].s < 0.0 || is_knot(report_.points[count - 2].s)) return;
-  for (std::size_t p = 0; p < drives_.size(); ++p) {
-    if (drives_[p].kind == DriveKind::pressure || !is_driven(p, report_.points[count - 2].s)) continue;
+  for (std::size_t p = 0; p < drives_.plena.size(); ++p) {
+    if (schedule_.is_given_pressure(p) || !schedule_.is_driven(p, report_.points[count - 2].s)) continue;
     const std::array<PathPoint, 3> around{report_.points[count - 3], report_.points[count - 2], report_.points[count - 1]};
     const auto extremum = pressure_extremum(around[0], around[1], around[2], p);
     if (extremum) report_.limit_points.push_back(refined(*extremum, around));
@@ -358,12 +281,12 @@ void PathFollower::end(io::RunStatus status, std::string reason) {
 /// The limit point that the last three states approach under control by pressure, of the plenum that is nearest to its own.
 std::optional<LimitPoint> PathFollower::nearest_limit() const {
   const std::size_t count = report_.points.size();
-  if (count < 3 || !all_given_pressures()) return std::nullopt;
+  if (count < 3 || !schedule_.all_given_pressures()) return std::nullopt;
   std::optional<LimitPoint> nearest;
   double least = 0.0;
-  for (std::size_t p = 0; p < drives_.size(); ++p) {
+  for (std::size_t p = 0; p < drives_.plena.size(); ++p) {
     // what the states of a leg on which its pressure rested tell is not of this curve
-    if (!is_driven(p, report_.points[count - 3].s) || !is_driven(p, report_.points.back().s)) continue;
+    if (!schedule_.is_driven(p, report_.points[count - 3].s) || !schedule_.is_driven(p, report_.points.back().s)) continue;
     const auto limit = extrapolated_limit(report_.points[count - 3], report_.points[count - 2], report_.points[count - 1], p);
     if (!limit) continue;
     const double ahead = std::abs(limit->pressure_Pa / report_.points.back().pressures_Pa[p] - 1.0);
@@ -391,7 +314,7 @@ bool PathFollower::shorten_step(double target) {
   failed_s_ = target;
   if (const auto limit = nearest_limit()) {
     const double pressure = last.pressures_Pa[limit->plenum];
-    const double wanted = value_at(drives_[limit->plenum].values, target);
+    const double wanted = schedule_.value_at(limit->plenum, target);
     if (std::abs(wanted - pressure) < close_to_limit * std::abs(pressure)) return false;
     const double part = (limit->pressure_Pa - pressure) / (wanted - pressure);
     step_ = std::clamp(0.7 * part, 0.1, 0.5) * length;
@@ -421,17 +344,12 @@ void PathFollower::end_at_smallest_step() {
                                               : ""));
     return;
   }
-  const bool any_driven = [&] {
-    for (std::size_t p = 0; p < drives_.size(); ++p)
-      if (is_driven(p, last.s)) return true;
-    return false;
-  }();
-  if (!any_driven) {
+  if (!schedule_.any_is_driven(last.s)) {
     end(io::RunStatus::limit_point, "no stable equilibrium beyond this state of plates and dead loads (" + failure_ + ")");
     return;
   }
   if (!limit) {
-    const std::size_t plenum = fastest_plenum(last.s);
+    const std::size_t plenum = schedule_.fastest_plenum(last.s, options_.smallest_step);
     limit = LimitPoint{plenum, last.pressures_Pa[plenum], last.plenum_volumes_m3[plenum], false};
   }
   report_.limit_points.push_back(*limit);
@@ -439,27 +357,12 @@ void PathFollower::end_at_smallest_step() {
       "no stable equilibrium beyond this pressure (" + failure_ + "); control by volume passes such a point");
 }
 
-/// The plenum whose given pressure changes most at s.
-std::size_t PathFollower::fastest_plenum(double s) const {
-  std::size_t fastest = 0;
-  double most = -1.0;
-  for (std::size_t p = 0; p < drives_.size(); ++p) {
-    const double change =
-        std::abs(value_at(drives_[p].values, std::min(end_s_, s + options_.smallest_step)) - value_at(drives_[p].values, s));
-    if (drives_[p].kind == DriveKind::pressure && change > most) {
-      fastest = p;
-      most = change;
-    }
-  }
-  return fastest;
-}
-
 void PathFollower::begin() {
   const Body& body = equilibrium_.body();
   bool has_dead_loads = !body.tractions.empty();
   for (const double component : body.gravity_m_per_s2) has_dead_loads = has_dead_loads || component != 0.0;
   // on the ground the whole weight at once: without it nothing holds the body down
-  const double start = has_dead_loads && !body.ground && dead_load_factors_.empty() ? -1.0 : 0.0;
+  const double start = has_dead_loads && !body.ground && drives_.dead_load_factors.empty() ? -1.0 : 0.0;
   BodyState state = equilibrium_.rest();
   history_.add(start, state);
   const EquilibriumReport report = solve_at(start, state, 0);
@@ -489,13 +392,13 @@ PathReport PathFollower::follow(const PathRestart* restart) {
     begin();
     if (report_.points.empty()) return report_;
   }
-  while (report_.points.back().s < end_s_ - 1e-12) {
+  while (report_.points.back().s < schedule_.end() - 1e-12) {
     if (stop_ != nullptr && stop_->load()) {
       end(io::RunStatus::stopped, "stopped by the user");
       return report_;
     }
     const double s = report_.points.back().s;
-    const double station = next_station(s);
+    const double station = schedule_.next_station(s, options_.stations);
     double length = std::min(step_, station - s);
     if (!is_barrier_ahead()) failed_s_ = std::numeric_limits<double>::max();
     if (s + length > failed_s_ - 1e-12) {  // a step to there or beyond has failed before

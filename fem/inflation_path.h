@@ -8,30 +8,9 @@
 #include <vector>
 
 #include "fem/equilibrium.h"
+#include "fem/path_drives.h"
 
 namespace menger::fem {
-
-/// What drives a plenum along a path.
-enum class DriveKind {
-  pressure,  ///< values: gauge pressure, Pa
-  volume,    ///< values: volume of its air by that at rest
-  gas        ///< values: amount of gas by that at rest and ambient pressure
-};
-
-/// How a plenum is driven: its value at every knot of the path, linear between them.
-struct PlenumDrive {
-  DriveKind kind = DriveKind::pressure;
-  std::vector<double> values;  ///< one per knot of the path; the first at its start
-  double gas_exponent = 1.0;
-  double ambient_pressure_Pa = standard_atmosphere_Pa;
-};
-
-/// All that is prescribed along a path.
-struct PathDrives {
-  std::vector<PlenumDrive> plena{};         ///< one per plenum
-  std::vector<PlateDrive> plates{};         ///< one per plate of the body, or none: they stay where they are
-  std::vector<double> dead_load_factors{};  ///< on gravity and tractions at the knots; none: 1, and they grow before the path
-};
 
 /// A state on the path, given to the observer and kept in the report.
 struct PathPoint {
