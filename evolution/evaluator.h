@@ -2,9 +2,12 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "io/run_status.h"
 #include "meshes/polycube.h"
@@ -32,6 +35,12 @@ struct Evaluation {
   double seconds = 0.0;     ///< wall time; never compared
 };
 
+/// A body to be judged at a level.
+struct EvaluationTask {
+  meshes::Polycube body;  ///< the whole aggregate
+  int level = 1;
+};
+
 /// Judges bodies. The search knows nothing else of the physics behind it.
 ///
 /// Implementations must be pure: the same body and level give the same result apart from `seconds`, from any thread, any number
@@ -43,6 +52,15 @@ class DesignEvaluator {
   /// Judges a body of level `level` (3^level cells per side; `body` is the whole aggregate, its cells are voxels of equal size).
   /// Thread-safe. @param stop when set, the evaluation returns soon with status `stopped`
   [[nodiscard]] virtual Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const = 0;
+
+  /// Judges several bodies at a time: every result is the one of evaluate, `seconds` apart. Thread-safe; one after the other
+  /// unless an implementation knows better.
+  [[nodiscard]] virtual std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
+                                                                  const std::atomic<bool>& stop) const;
+
+  /// Which tasks are best judged at a time by so many workers: groups of positions, each position in one of them. Every task
+  /// alone unless an implementation knows better. @param workers >= 1
+  [[nodiscard]] virtual std::vector<std::vector<std::size_t>> groups(std::span<const EvaluationTask> tasks, int workers) const;
 
   /// All that decides a result beside the body and the level, as canonical text: equal text means equal results.
   [[nodiscard]] virtual std::string physics() const = 0;

@@ -3,12 +3,14 @@
 #include <array>
 #include <cassert>
 #include <chrono>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/joined_text.h"
 #include "io/number_text.h"
+#include "voxel/lane_packing.h"
+#include "voxel/lanes.h"
 #include "voxel/physics_file.h"
 #include "voxel/simulation.h"
 
@@ -20,6 +22,13 @@ std::array<double, 3> difference(const std::array<double, 3>& to, const std::arr
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
+std::vector<std::array<double, 3>> centres_of_mass_m(std::span<const voxel::Simulation> simulations) {
+  std::vector<std::array<double, 3>> centres;
+  centres.reserve(simulations.size());
+  for (const voxel::Simulation& simulation : simulations) centres.push_back(simulation.centre_of_mass_m());
+  return centres;
+}
+
 }  // namespace
 
 VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s)
@@ -28,34 +37,75 @@ VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m
 }
 
 Evaluation VoxelEvaluator::evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const {
+  const EvaluationTask task{body, level};
+  const EvaluationTask* const alone[] = {&task};
+  return evaluate_together(alone, stop).front();
+}
+
+std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const EvaluationTask* const> tasks,
+                                                          const std::atomic<bool>& stop) const {
   const auto start = std::chrono::steady_clock::now();
-  voxel::Physics physics = physics_;
-  Evaluation evaluation;
-  if (physics.surrogate) physics.surrogate->level = level;
-  std::optional<voxel::Simulation> built;
-  try {
-    built.emplace(body, cell_edge_m_, physics);
-  } catch (const voxel::OutsideValidity& outside) {
-    // Of one body among many that is no wrong input, but a body without a result.
-    evaluation.status = io::RunStatus::diverged;
-    evaluation.outside_validity = outside.what();
-    evaluation.reason = "outside the range of validity: " + evaluation.outside_validity;
-    return evaluation;
+  std::vector<Evaluation> evaluations(tasks.size());
+  std::vector<voxel::Simulation> simulations;
+  std::vector<Evaluation*> results;  // per simulation
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    voxel::Physics physics = physics_;
+    if (physics.surrogate) physics.surrogate->level = tasks[i]->level;
+    try {
+      simulations.emplace_back(tasks[i]->body, cell_edge_m_, physics);
+      results.push_back(&evaluations[i]);
+    } catch (const voxel::OutsideValidity& outside) {
+      // Of one body among many that is no wrong input, but a body without a result.
+      evaluations[i].status = io::RunStatus::diverged;
+      evaluations[i].outside_validity = outside.what();
+      evaluations[i].reason = "outside the range of validity: " + evaluations[i].outside_validity;
+    }
   }
-  voxel::Simulation& simulation = *built;
-  const auto start_m = simulation.centre_of_mass_m();
-  evaluation.status = simulation.advance_to(measure_from_s_, &stop);
-  const auto from_m = simulation.centre_of_mass_m();
-  if (evaluation.status == io::RunStatus::completed) evaluation.status = simulation.advance_to(duration_s_, &stop);
-  if (evaluation.status == io::RunStatus::completed) {
-    evaluation.displacement_m = difference(simulation.centre_of_mass_m(), from_m);
-    if (measure_from_s_ > 0.0) evaluation.left_out_m = difference(from_m, start_m);
+  walk(simulations, results, stop);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (Evaluation& evaluation : evaluations) evaluation.seconds = seconds / static_cast<double>(tasks.size());
+  return evaluations;
+}
+
+/// Steps the simulations to the end and puts how they went into the results.
+void VoxelEvaluator::walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results,
+                          const std::atomic<bool>& stop) const {
+  const std::vector<std::array<double, 3>> start_m = centres_of_mass_m(simulations);
+  // Those that have diverged or stopped by then stay so.
+  static_cast<void>(voxel::advance_together_to(simulations, measure_from_s_, &stop));
+  const std::vector<std::array<double, 3>> from_m = centres_of_mass_m(simulations);
+  const std::vector<io::RunStatus> statuses = voxel::advance_together_to(simulations, duration_s_, &stop);
+  for (std::size_t i = 0; i < simulations.size(); ++i) {
+    const voxel::Simulation& simulation = simulations[i];
+    Evaluation& result = *results[i];
+    result.status = statuses[i];
+    if (result.status == io::RunStatus::completed) {
+      result.displacement_m = difference(simulation.centre_of_mass_m(), from_m[i]);
+      if (measure_from_s_ > 0.0) result.left_out_m = difference(from_m[i], start_m[i]);
+    }
+    if (const auto& divergence = simulation.divergence()) result.reason = voxel::divergence_text(*divergence);
+    result.outside_validity = io::joined(simulation.outside_validity(), "; ");
+    result.steps = simulation.steps();
   }
-  if (const auto& divergence = simulation.divergence()) evaluation.reason = voxel::divergence_text(*divergence);
-  evaluation.outside_validity = io::joined(simulation.outside_validity(), "; ");
-  evaluation.steps = simulation.steps();
-  evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return evaluation;
+}
+
+std::vector<std::vector<std::size_t>> VoxelEvaluator::groups(std::span<const EvaluationTask> tasks, int workers) const {
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<std::size_t> modules;
+  std::vector<const meshes::Polycube*> bodies;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (tasks[i].level > 1) {
+      groups.push_back({i});
+    } else {
+      modules.push_back(i);
+      bodies.push_back(&tasks[i].body);
+    }
+  }
+  for (std::vector<std::size_t>& group : voxel::lane_groups(bodies, cell_edge_m_, physics_, workers)) {
+    for (std::size_t& position : group) position = modules[position];
+    groups.push_back(std::move(group));
+  }
+  return groups;
 }
 
 std::string VoxelEvaluator::physics() const {

@@ -9,20 +9,40 @@
 #include <cassert>
 #include <mutex>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace menger::evolution {
 
 namespace {
 
-/// Positions of the tasks, the costliest first.
-std::vector<std::size_t> costliest_first(std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator) {
+/// Tasks that a worker judges at a time.
+using Group = std::vector<std::size_t>;
+
+/// The groups of the evaluator, the costliest first.
+std::vector<Group> costliest_first(std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator, int workers) {
+  std::vector<Group> groups = evaluator.groups(tasks, workers);
   std::vector<double> costs;
-  for (const EvaluationTask& task : tasks) costs.push_back(evaluator.cost(task.body, task.level));
-  std::vector<std::size_t> order(tasks.size());
+  for (const Group& group : groups) {
+    double cost = 0.0;
+    for (const std::size_t task : group) cost += evaluator.cost(tasks[task].body, tasks[task].level);
+    costs.push_back(cost);
+  }
+  std::vector<std::size_t> order(groups.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
-  return order;
+  std::vector<Group> ordered;
+  ordered.reserve(groups.size());
+  for (const std::size_t i : order) ordered.push_back(std::move(groups[i]));
+  return ordered;
+}
+
+std::vector<Evaluation> judged(const Group& group, std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator,
+                               const std::atomic<bool>& stop) {
+  std::vector<const EvaluationTask*> together;
+  together.reserve(group.size());
+  for (const std::size_t task : group) together.push_back(&tasks[task]);
+  return evaluator.evaluate_together(together, stop);
 }
 
 }  // namespace
@@ -33,22 +53,23 @@ WorkerPool::WorkerPool(const DesignEvaluator& evaluator, int threads) : evaluato
 
 io::RunStatus WorkerPool::run(std::span<const EvaluationTask> tasks, const std::atomic<bool>& stop,
                               const Finished& finished) const {
-  const std::vector<std::size_t> order = costliest_first(tasks, *evaluator_);
+  const std::vector<Group> groups = costliest_first(tasks, *evaluator_, threads_);
   std::atomic<std::size_t> next{0};
   std::atomic<std::size_t> done{0};
   std::atomic<bool> failed{false};
   std::mutex finishing;
-  // Each worker takes the next task from the list, which keeps the order that a division into ranges would lose.
+  // Each worker takes the next group from the list, which keeps the order that a division into ranges would lose.
   const auto work = [&](int) {
     try {
-      for (std::size_t i = next++; i < order.size() && !stop && !failed; i = next++) {
-        const std::size_t task = order[i];
-        const Evaluation result = evaluator_->evaluate(tasks[task].body, tasks[task].level, stop);
-        if (result.status == io::RunStatus::stopped) continue;
+      for (std::size_t i = next++; i < groups.size() && !stop && !failed; i = next++) {
+        const std::vector<Evaluation> results = judged(groups[i], tasks, *evaluator_, stop);
         const std::lock_guard guard(finishing);
-        if (failed) return;
-        finished(task, result);
-        ++done;
+        for (std::size_t k = 0; k < results.size(); ++k) {
+          if (results[k].status == io::RunStatus::stopped) continue;
+          if (failed) return;
+          finished(groups[i][k], results[k]);
+          ++done;
+        }
       }
     } catch (...) {
       failed = true;

@@ -7,15 +7,8 @@
 
 #include "evolution/evaluator.h"
 #include "io/run_status.h"
-#include "meshes/polycube.h"
 
 namespace menger::evolution {
-
-/// A body to be judged at a level.
-struct EvaluationTask {
-  meshes::Polycube body;  ///< the whole aggregate
-  int level = 1;
-};
 
 /// Workers that judge bodies side by side.
 ///
@@ -29,8 +22,8 @@ class WorkerPool {
   /// Takes the position of a task and its result.
   using Finished = std::function<void(std::size_t task, const Evaluation& result)>;
 
-  /// Judges all tasks, the costliest first, and hands every result that is not `stopped` to `finished`, one at a time, in the
-  /// order in which they come.
+  /// Judges all tasks in the evaluator's groups, the costliest group first, and hands every result that is not `stopped` to
+  /// `finished`, one at a time, in the order in which they come.
   /// @return completed, or stopped if `stop` was set before all were done. What an evaluation or `finished` throws ends the rest
   /// and is thrown again.
   [[nodiscard]] io::RunStatus run(std::span<const EvaluationTask> tasks, const std::atomic<bool>& stop,

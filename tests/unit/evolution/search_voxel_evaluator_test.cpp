@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
 
 #include "evolution/voxel_evaluator.h"
 #include "meshes/fractal.h"
@@ -96,6 +101,99 @@ TEST(VoxelEvaluator, OneThatDivergesBeforeItCountsHasNothingLeftOut) {
   EXPECT_EQ(result.status, io::RunStatus::diverged);
   EXPECT_FALSE(result.displacement_m);
   EXPECT_FALSE(result.left_out_m);
+}
+
+/// Bodies on one grid, some alike and some not, as a generation has them.
+std::vector<EvaluationTask> generation() {
+  std::vector<EvaluationTask> tasks;
+  std::mt19937 random(11);
+  for (int i = 0; i < 21; ++i) {
+    std::string digits(27, '0');
+    for (char& digit : digits) digit = static_cast<char>('0' + random() % 3);
+    // Two thirds are the quadruped with other materials.
+    meshes::Polycube body = i % 3 == 0 ? meshes::Polycube::from_digits(3, 3, 3, digits) : quadruped();
+    for (const meshes::CellIndex& cell : body.occupied()) body.set(cell, static_cast<meshes::Material>(1 + random() % 2));
+    tasks.push_back({body, 1});
+  }
+  tasks.push_back({meshes::fractal(quadruped(), 2), 2});
+  return tasks;
+}
+
+std::vector<const EvaluationTask*> pointers_to(const std::vector<EvaluationTask>& tasks) {
+  std::vector<const EvaluationTask*> pointers;
+  for (const EvaluationTask& task : tasks) pointers.push_back(&task);
+  return pointers;
+}
+
+void expect_same_as_alone(const VoxelEvaluator& evaluator) {
+  const std::vector<EvaluationTask> tasks = generation();
+  const std::vector<Evaluation> together = evaluator.evaluate_together(pointers_to(tasks), never);
+  ASSERT_EQ(together.size(), tasks.size());
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const Evaluation alone = evaluator.evaluate(tasks[i].body, tasks[i].level, never);
+    EXPECT_EQ(together[i].status, alone.status) << i;
+    EXPECT_EQ(together[i].displacement_m, alone.displacement_m) << i;
+    EXPECT_EQ(together[i].left_out_m, alone.left_out_m) << i;
+    EXPECT_EQ(together[i].reason, alone.reason) << i;
+    EXPECT_EQ(together[i].steps, alone.steps) << i;
+    EXPECT_EQ(together[i].outside_validity, alone.outside_validity) << i;
+  }
+}
+
+TEST(VoxelEvaluator, GivesTogetherWhatItGivesAlone) {
+  voxel::Physics physics;
+  expect_same_as_alone(VoxelEvaluator(physics, 0.01, 0.03));
+  expect_same_as_alone(VoxelEvaluator(physics, 0.01, 0.03, 0.01));
+  physics.integration.damping = voxel::DampingMode::velocity;
+  physics.integration.number = voxel::NumberType::float32;
+  physics.materials[1].youngs_modulus_Pa = 3e4;  // bodies of one material have another time step
+  expect_same_as_alone(VoxelEvaluator(physics, 0.01, 0.03));
+}
+
+TEST(VoxelEvaluator, GivesTogetherWhatItGivesAloneWhereSomeDiverge) {
+  voxel::Physics physics;
+  physics.integration.time_step_fraction = 1.5;
+  const VoxelEvaluator evaluator(physics, 0.01, 0.2, 0.05);
+  std::size_t diverged = 0;
+  for (const Evaluation& result : evaluator.evaluate_together(pointers_to(generation()), never)) {
+    if (result.status == io::RunStatus::diverged) ++diverged;
+  }
+  EXPECT_GT(diverged, 0U);
+  EXPECT_LT(diverged, generation().size());
+  expect_same_as_alone(evaluator);
+}
+
+TEST(VoxelEvaluator, StopsTogetherWhenAsked) {
+  const std::atomic<bool> stop{true};
+  const std::vector<EvaluationTask> tasks = generation();
+  for (const Evaluation& result : VoxelEvaluator({}, 0.01, 1000.0).evaluate_together(pointers_to(tasks), stop)) {
+    EXPECT_EQ(result.status, io::RunStatus::stopped);
+    EXPECT_FALSE(result.displacement_m);
+  }
+}
+
+TEST(VoxelEvaluator, GroupsModulesAndKeepsAllWorkersBusy) {
+  std::vector<EvaluationTask> tasks(32, {quadruped(), 1});
+  tasks.push_back({meshes::fractal(quadruped(), 2), 2});
+  const auto groups_of = [&](const voxel::Physics& physics, int workers) {
+    std::vector<std::vector<std::size_t>> groups = VoxelEvaluator(physics, 0.01, 1.0).groups(tasks, workers);
+    std::vector<std::size_t> all;
+    for (const std::vector<std::size_t>& group : groups) all.insert(all.end(), group.begin(), group.end());
+    std::ranges::sort(all);
+    std::vector<std::size_t> expected(tasks.size());
+    std::iota(expected.begin(), expected.end(), std::size_t{0});
+    EXPECT_EQ(all, expected) << "every task once";
+    return groups;
+  };
+  const voxel::Physics physics;
+  EXPECT_LT(groups_of(physics, 1).size(), tasks.size());
+  const auto of_three = groups_of(physics, 3);
+  EXPECT_EQ((of_three.size() - 1) % 3, 0U) << "aggregates apart, a share for every worker";
+  const auto alone = std::ranges::find(of_three, std::vector<std::size_t>{32});
+  EXPECT_NE(alone, of_three.end());
+  voxel::Physics coupled;
+  coupled.lateral_coupling = 0.2;
+  EXPECT_EQ(groups_of(coupled, 2).size(), tasks.size());
 }
 
 TEST(VoxelEvaluator, LargerBodiesCostMore) {

@@ -3,7 +3,9 @@
 #include <atomic>
 #include <barrier>
 #include <chrono>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -77,6 +79,57 @@ TEST(WorkerPool, PassesOnWhatAnEvaluationThrows) {
   const FakeEvaluator evaluator(options);
   EXPECT_THROW((void)WorkerPool(evaluator, 2).run(bars(100), never, [](std::size_t, const Evaluation&) {}), std::runtime_error);
   EXPECT_LT(evaluator.calls(), 100U);
+}
+
+/// Judges bars of even and of odd length together.
+class GroupingEvaluator final : public DesignEvaluator {
+ public:
+  [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override {
+    return fake_.evaluate(body, level, stop);
+  }
+  [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
+                                                          const std::atomic<bool>& stop) const override {
+    ++calls_;
+    if (tasks.size() != 3) return DesignEvaluator::evaluate_together(tasks, stop);
+    std::vector<Evaluation> results = DesignEvaluator::evaluate_together(tasks, stop);
+    results[1] = Evaluation{};  // stopped
+    return results;
+  }
+  [[nodiscard]] std::vector<std::vector<std::size_t>> groups(std::span<const EvaluationTask> tasks,
+                                                             int /*workers*/) const override {
+    std::vector<std::vector<std::size_t>> parity(2);
+    for (std::size_t i = 0; i < tasks.size(); ++i) parity[tasks[i].body.count() % 2].push_back(i);
+    return parity;
+  }
+  [[nodiscard]] std::string physics() const override { return fake_.physics(); }
+  [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override { return fake_.cost(body, level); }
+  [[nodiscard]] int calls() const { return calls_; }
+
+ private:
+  FakeEvaluator fake_;
+  mutable std::atomic<int> calls_{0};
+};
+
+TEST(WorkerPool, JudgesAGroupAtATimeAndHandsOverEachResultUnderItsTask) {
+  const GroupingEvaluator evaluator;
+  const std::vector<EvaluationTask> tasks = bars(9);
+  std::vector<std::size_t> order;
+  const auto status = WorkerPool(evaluator, 1).run(tasks, never, [&](std::size_t task, const Evaluation& result) {
+    order.push_back(task);
+    EXPECT_EQ(result.displacement_m, evaluator.evaluate(tasks[task].body, 1, never).displacement_m);
+  });
+  EXPECT_EQ(status, io::RunStatus::completed);
+  EXPECT_EQ(evaluator.calls(), 2);
+  EXPECT_EQ(order, (std::vector<std::size_t>{0, 2, 4, 6, 8, 1, 3, 5, 7})) << "25 cells before 20";
+}
+
+TEST(WorkerPool, HandsOverWhatOfAGroupWasDoneWhenItStopped) {
+  const GroupingEvaluator evaluator;
+  std::vector<std::size_t> done;
+  const auto status =
+      WorkerPool(evaluator, 1).run(bars(5), never, [&](std::size_t task, const Evaluation&) { done.push_back(task); });
+  EXPECT_EQ(status, io::RunStatus::stopped);
+  EXPECT_EQ(done, (std::vector<std::size_t>{0, 4, 1, 3}));
 }
 
 TEST(WorkerPool, IsDoneAtOnceWithoutTasks) {
