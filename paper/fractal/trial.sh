@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Runs a whole trial of study.toml, exports its champion and says what it cost. Made for nights: with a number of hours it stops
+# then, keeps what is done, and the next call goes on from there.
+#   paper/fractal/trial.sh [folder of the results] [folder of the programs] [hours] [options of menger evolve, such as --seed 2]
+# Another trial needs another folder.
+set -euo pipefail
+study=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/study.toml
+out=${1:-trial}
+programs=${2:-$(dirname "$study")/../../build/release/bin}
+hours=${3:-}
+menger=$(cd "$programs" && pwd)/menger
+archive=$out/trial.sqlite
+mkdir -p "$out"
+
+search=("$menger" evolve "$study" -o "$archive" "${@:4}")
+code=0
+if [ -n "$hours" ]; then
+  timeout --foreground --signal=INT "${hours}h" "${search[@]}" || code=$?
+else
+  "${search[@]}" || code=$?
+fi
+# 124 is the clock's word for a search that was stopped in time, 130 the search's own.
+case $code in
+  0 | 124 | 130) ;;
+  *) exit "$code" ;;
+esac
+"$menger" export "$archive" -o "$out" --timings --no-frames --no-pictures --levels 1
+
+# What it took so far: evaluations, pruned and cached ones, and the seconds of the workers, which the archive keeps per evaluation.
+awk -F, '
+  NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+  NR == FNR { ++generations; made += $column["evaluations"]; cached += $column["cached"]; pruned += $column["pruned"]; next }
+  FNR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
+  { seconds += $at["seconds"]; voxel_steps += $at["voxels"] * $at["steps"]; voxels[$at["level"]] += $at["voxels"]; ++tasks[$at["level"]]
+    of[$at["generation"]] += $at["seconds"] }
+  END {
+    asked = made + cached + pruned
+    printf "%d generations: %d evaluations made (%.1f %%), %d cached (%.1f %%), %d pruned (%.1f %%)\n", generations, made,
+           100 * made / asked, cached, 100 * cached / asked, pruned, 100 * pruned / asked
+    for (level = 1; level <= 9; ++level)
+      if (tasks[level]) printf "level %d: %d evaluations of %.1f voxels\n", level, tasks[level], voxels[level] / tasks[level]
+    printf "%.4g voxel-steps in %.0f s of the workers: %.3g million a second\n", voxel_steps, seconds, voxel_steps / seconds / 1e6
+    if (generations > 1) {
+      later = (seconds - of[0]) / (generations - 1)
+      printf "%.1f s a generation after generation 0 (%.1f s); 325 of them on two workers take %.1f h at least\n", later, of[0],
+             (of[0] + 325 * later) / 2 / 3600
+    }
+  }' "$out/generations.csv" "$out/timings.csv"
+[ "$code" -eq 0 ] || exit 130
