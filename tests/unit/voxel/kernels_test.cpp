@@ -90,6 +90,34 @@ TEST(Kernels, GiveTheSameBytesWithEveryTermKeptInTheLoop) {
   }
 }
 
+TEST(Kernels, GiveTheSameBytesWithAnySingleTermKeptInTheLoop) {
+  Physics physics;
+  physics.floor = false;
+  physics.gravity_m_s2 = 0.0;
+  physics.actuation.mode = ActuationMode::none;
+  VoxelLoads loads;
+  loads.initial_velocity_m_s.assign(walker().count(), {0.0, 0.0, 0.0});
+  loads.initial_velocity_m_s[3] = {0.01, -0.02, 0.03};  // all that moves it
+  const std::vector<double> lean = state_after(walker(), physics, {}, 500, loads);
+  const std::vector<KeptTerms> single{
+      {.coefficients = true}, {.floor = true}, {.gravity = true}, {.actuation = true}, {.collisions = true}};
+  for (const KeptTerms& kept : single)
+    EXPECT_TRUE(same_bytes(lean, state_after(walker(), physics, {.kept = kept}, 500, loads))) << &kept - single.data();
+}
+
+TEST(Kernels, KeepCollisionWorkOnRequest) {
+  // A full cube at rest: no pair can touch, so that pairs are looked at only where that is asked for.
+  Physics physics;
+  physics.actuation.mode = ActuationMode::none;
+  Simulation lean(meshes::full_cube(3), 0.01, physics);
+  Simulation kept(meshes::full_cube(3), 0.01, physics, {}, {.kept = {.collisions = true}});
+  ASSERT_EQ(lean.advance(100), io::RunStatus::completed);
+  ASSERT_EQ(kept.advance(100), io::RunStatus::completed);
+  EXPECT_EQ(lean.collision_counts().steps_with_pairs, 0U);
+  EXPECT_EQ(kept.collision_counts().steps_with_pairs, 100U);
+  EXPECT_EQ(kept.collision_counts().list_rebuilds, lean.collision_counts().list_rebuilds) << "the list is still kept";
+}
+
 TEST(Kernels, GiveTheSameBytesForMixedFixedAndLoadedVoxels) {
   const meshes::Polycube body = walker();
   VoxelLoads loads;
