@@ -70,6 +70,7 @@ std::string protocol_text(const ReevaluationStudy& study, const LocomotionOption
   shown.threads = 1;  // results are the same for any number
   std::string text = locomotion_text(study, shown, false);
   if (study.measure_from_s > 0.0) text += "# measured\n" + number("measure_from_s", study.measure_from_s);
+  text += "# a body that has gone through itself has not completed\n";
   return text + "# silicone.toml\n" + io::read_whole(study.silicone_file);
 }
 

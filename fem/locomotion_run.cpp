@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fem/body_overlap.h"
 #include "fem/locomotion_checkpoint.h"
 #include "fem/locomotion_frames.h"
 #include "fem/locomotion_picture.h"
@@ -42,6 +43,7 @@ class LocomotionRun {
         folder_(folder),
         options_(options),
         dynamics_(options.make(study, options.stop)),
+        overlaps_(study.mesh),
         times_s_(record_times_s(study)),
         frames_(folder) {
     result_.elements = study.mesh.elements.size();
@@ -81,7 +83,7 @@ class LocomotionRun {
       dynamics_->set_state(std::move(earlier_->state));
       result_.records = std::move(earlier_->records);
       earlier_seconds_ = earlier_->seconds;
-      outcome_ = std::move(earlier_->outcome);
+      if (earlier_->outcome) outcome_ = judged(std::move(*earlier_->outcome));
       result_.seconds = earlier_seconds_;
       for (std::size_t r = 0; r < result_.records.size(); ++r) {
         // The end of a run has a frame of its own.
@@ -105,7 +107,7 @@ class LocomotionRun {
     LocomotionOutcome outcome;
     while (outcome.status == io::RunStatus::completed && result_.records.size() <= times_s_.size()) {
       make_restart_point();
-      outcome = dynamics_->advance_to(times_s_[result_.records.size() - 1]);
+      outcome = judged(dynamics_->advance_to(times_s_[result_.records.size() - 1]));
       if (outcome.status == io::RunStatus::stopped) break;
       const bool is_last = outcome.status != io::RunStatus::completed || result_.records.size() == times_s_.size();
       // What was reached by a run that failed may be a record that is there already, without the frame of an end.
@@ -119,6 +121,14 @@ class LocomotionRun {
     conclude(outcome);
     if (outcome.status != io::RunStatus::stopped) outcome_ = outcome;
     result_.seconds = write_checkpoint();
+  }
+
+  /// A body that has gone through itself is no robot, however far it comes.
+  [[nodiscard]] LocomotionOutcome judged(LocomotionOutcome outcome) const {
+    if (outcome.status != io::RunStatus::completed) return outcome;
+    const std::optional<BodyOverlap> overlap = overlaps_.find(dynamics_->displacements_m());
+    if (!overlap) return outcome;
+    return {io::RunStatus::diverged, overlaps_.text_of(*overlap) + " at " + io::number_text(dynamics_->time_s()) + " s"};
   }
 
   void record(bool is_last = false) {
@@ -204,6 +214,7 @@ class LocomotionRun {
   std::unique_ptr<LocomotionDynamics> dynamics_;
   std::optional<LocomotionState> restart_;  ///< of the last restart point, where there are such
   std::size_t restart_records_ = 0;         ///< up to it
+  BodyOverlapSearch overlaps_;
   std::vector<double> times_s_;
   LocomotionFrames frames_;
   std::string identity_;

@@ -27,7 +27,8 @@ struct LocomotionRunOptions {
 /// not at all, and before the first step those of an earlier run are removed. A run that was stopped, or killed after a
 /// checkpoint, is taken up where it was, and its files but for `seconds` are those of a run that was not interrupted; one that
 /// has ended is not computed again. A run that failed leaves what it did, and its status says so; a picture that cannot be made
-/// is a note.
+/// is a note. At every record it is looked whether the body has gone through itself (see BodyOverlapSearch): that ends the run as
+/// `diverged`, with the time of the record.
 /// @throws io::InputError if the folder cannot be written, its checkpoint is of another study, or the dynamics refuse the study
 /// (schedules that the step cannot resolve), before anything is removed
 LocomotionResult run_locomotion(const LocomotionStudy& study, const std::filesystem::path& folder,

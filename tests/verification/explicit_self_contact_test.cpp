@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "../unit/fem/contact_samples.h"
+#include "fem/body_overlap.h"
 #include "fem/wall_contact.h"
 
 namespace menger::fem {
@@ -162,6 +163,8 @@ TEST(ExplicitSelfContact, VacuumShutsAChamberAndComesToRest) {
   const std::optional<WallGap> gap = wall_gap(cube.mesh, dynamics.positions_m());
   ASSERT_TRUE(gap);
   EXPECT_GT(gap->gap_m, -0.1 * edge);  // edges between nodes cross a little deeper than nodes
+  const std::optional<BodyOverlap> overlap = BodyOverlapSearch(cube.mesh).find(dynamics.state().displacements_m, 0.05);
+  EXPECT_LT(overlap ? overlap->share : 0.0, 0.6 * failed_contact_share) << "in its folds";
   EXPECT_GT(dynamics.chamber_volumes_m3()[0], 0.05 * volume);
   EXPECT_LT(books.kinetic_J, 1e-7 * std::abs(books.work.pressure_J));
   EXPECT_NEAR(books.work.self_contact_J, -stored_J(dynamics), 1e-5 * std::abs(books.work.pressure_J));
@@ -252,6 +255,7 @@ TEST(ExplicitSelfContact, ModulesThatMeetAlongAnEdgeBearPressure) {
   ExplicitOptions options;
   options.schedules.assign(hollow.mesh.plenum_names.size(), {ConstantPressure{6e3}, 0.01});
   ExplicitDynamics dynamics(hollow.mesh, body, options);
+  const BodyOverlapSearch overlaps(hollow.mesh);
   std::size_t touches = 0;
   double largest_work = 0.0;
   double worst = 0.0;
@@ -259,6 +263,7 @@ TEST(ExplicitSelfContact, ModulesThatMeetAlongAnEdgeBearPressure) {
     const ExplicitReport& report = dynamics.advance_to(1e-3 * n);
     ASSERT_EQ(report.status, io::RunStatus::completed) << report.reason;
     touches = std::max(touches, dynamics.self_touches().size());
+    EXPECT_FALSE(overlaps.find(dynamics.state().displacements_m, 0.15)) << n;
     const ExplicitEnergies books = dynamics.energies();
     largest_work = std::max(largest_work, books.work.self_contact_J);
     worst = std::max(worst, std::abs(books.imbalance_J()));
@@ -440,6 +445,33 @@ TEST(ExplicitSelfContact, ContactThatIsTooSoftIsAStatus) {
   EXPECT_EQ(report.status, io::RunStatus::diverged);
   EXPECT_NE(report.reason.find("deep in each other"), std::string::npos) << report.reason;
   EXPECT_GT(air_m(mesh, dynamics), -0.75 * edge);
+}
+
+// Thrown at each other without contact the legs are found in each other once they are deeper than contact would let them be:
+// their tips lean, so that the air between them tells it to a quarter of an edge. With contact they never are.
+TEST(ExplicitSelfContact, LegsInEachOtherAreFoundUnlessContactHoldsThem) {
+  const meshes::HexahedralMesh mesh = u_body();
+  const ExplicitBody body(mesh, silicone_options(mesh));
+  const BodyOverlapSearch search(mesh);
+  for (const bool has_contact : {false, true}) {
+    ExplicitOptions options;
+    if (!has_contact) options.self_contact.reset();
+    ExplicitDynamics dynamics(mesh, body, options);
+    dynamics.set_state(legs_thrown(mesh, dynamics, 1.0));
+    std::optional<double> air_when_found;
+    for (int n = 1; n <= 200 && !air_when_found; ++n) {
+      ASSERT_EQ(dynamics.advance_to(5e-5 * n).status, io::RunStatus::completed);
+      const std::vector<double>& u = dynamics.state().displacements_m;
+      if (search.find(u)) air_when_found = air_m(mesh, dynamics);
+      if (has_contact) {
+        EXPECT_FALSE(search.find(u, 0.15)) << n;
+      }
+    }
+    EXPECT_EQ(air_when_found.has_value(), !has_contact);
+    if (air_when_found) {
+      EXPECT_NEAR(*air_when_found, -failed_contact_share * edge, 0.25 * edge);
+    }
+  }
 }
 
 // Legs as fast as a third of the speed of sound: either contact holds them or the run says what went wrong.

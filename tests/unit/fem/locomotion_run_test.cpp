@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/csv_table.h"
+#include "io/number_text.h"
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
 #include "tests/unit/fem/locomotion_samples.h"
@@ -211,6 +212,28 @@ TEST_F(LocomotionRun, EndsBeyondTheLimitPressureWithAStatus) {
   const io::CsvContents csv = io::read_csv(folder_ / "out/trajectory.csv");
   for (std::size_t row = 0; row < csv.row_count(); ++row)
     for (const std::string& column : csv.columns()) EXPECT_TRUE(std::isfinite(csv.number(row, column))) << column;
+}
+
+// A roof falls on its floor under six times the weight that it has. Without contact it goes on into the floor: what comes of that
+// is no travel, is told with its time, and stays so when the folder is looked at again. Contact holds it.
+TEST_F(LocomotionRun, ABodyThatGoesThroughItselfHasNotCompleted) {
+  const std::string study =
+      "[design]\nname = \"roof\"\ncells = [3, 1, 3]\ndigits = \"111100111\"\ncell_edge_m = 0.01\n"
+      "wall_thickness_m = 0.002\nlargest_element_m = 0.006\ngrowth = 4\n" +
+      silicone + ground + "[loads]\ngravity_m_per_s2 = 60\n[drive]\nmode = \"none\"\npressure_Pa = [0, 1]\nperiod_s = 1\n" +
+      "[time]\nduration_s = 0.05\nrecord_interval_s = 0.005\n" + no_pictures;
+  const LocomotionResult held = run(study, "held");
+  EXPECT_EQ(held.status, io::RunStatus::completed) << held.reason;
+  for (int look = 1; look <= 2; ++look) {
+    const LocomotionResult lost = run(study + "[dynamics]\nself_contact = false\n", "lost");
+    EXPECT_EQ(lost.status, io::RunStatus::diverged);
+    EXPECT_TRUE(lost.reason.starts_with("walls went through each other: ")) << lost.reason;
+    EXPECT_TRUE(lost.reason.ends_with(" at " + io::number_text(lost.time_s) + " s")) << lost.reason;
+    EXPECT_LT(lost.time_s, 0.05);
+    EXPECT_EQ(lost.records.back().time_s, lost.time_s);
+    EXPECT_FALSE(travel_of(lost));
+    EXPECT_NE(io::read_whole(folder_ / "lost/locomotion.toml").find("status = \"diverged\""), std::string::npos);
+  }
 }
 
 // The steps that failed end at a record here, which is not the fourth and has no frame until it is the end.
