@@ -6,26 +6,6 @@
 
 namespace menger::fem {
 
-namespace {
-
-/// Values of all ranks, one after the other, on the first rank.
-template <class Value>
-std::vector<Value> gather_on_first(MPI_Comm communicator, MPI_Datatype type, const std::vector<Value>& own,
-                                   std::vector<int>& counts, std::vector<int>& offsets) {
-  int ranks = 1;
-  MPI_Comm_size(communicator, &ranks);
-  const int count = static_cast<int>(own.size());
-  counts.assign(static_cast<std::size_t>(ranks), 0);
-  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, communicator);
-  offsets.assign(counts.size(), 0);
-  for (std::size_t r = 1; r < counts.size(); ++r) offsets[r] = offsets[r - 1] + counts[r - 1];
-  std::vector<Value> all(static_cast<std::size_t>(offsets.back() + counts.back()));
-  MPI_Gatherv(own.data(), count, type, all.data(), counts.data(), offsets.data(), type, 0, communicator);
-  return all;
-}
-
-}  // namespace
-
 ChamberGaps::ChamberGaps(const Space& space, const Body& body) : space_(space) {
   const std::size_t n = space.nodes_per_face();
   std::vector<int> chambers;
@@ -41,8 +21,8 @@ ChamberGaps::ChamberGaps(const Space& space, const Body& body) : space_(space) {
       }
     }
   }
-  const std::vector<int> all_chambers = gather_on_first(space.communicator, MPI_INT, chambers, counts_, offsets_);
-  const std::vector<Index> all_global = gather_on_first(space.communicator, MPI_INT, global, counts_, offsets_);
+  const std::vector<int> all_chambers = gather_on_first(space.communicator, MPI_INT, chambers, shares_);
+  const std::vector<Index> all_global = gather_on_first(space.communicator, MPI_INT, global, shares_);
   std::map<Index, std::size_t> first;
   first_of_.resize(all_global.size());
   for (std::size_t g = 0; g < all_global.size(); ++g) first_of_[g] = first.try_emplace(all_global[g], g).first->second;
@@ -52,9 +32,9 @@ ChamberGaps::ChamberGaps(const Space& space, const Body& body) : space_(space) {
     for (std::size_t a = 0; a < n; ++a) face[a] = first_of_[f * n + a];
     faces_[static_cast<std::size_t>(all_chambers[f])].push_back(face);
   }
-  for (std::size_t r = 0; r < counts_.size(); ++r) {
-    counts_[r] *= 3;
-    offsets_[r] *= 3;
+  for (std::size_t r = 0; r < shares_.counts.size(); ++r) {
+    shares_.counts[r] *= 3;
+    shares_.offsets[r] *= 3;
   }
 
   const std::vector<Point> nodes = gather(std::vector<double>(3 * space.positions.size(), 0.0));
@@ -90,8 +70,8 @@ std::vector<Point> ChamberGaps::gather(std::span<const double> displacements) co
     for (std::size_t i = 0; i < 3; ++i) own.push_back(space_.positions[at][i] + displacements[3 * at + i]);
   }
   std::vector<double> all(3 * first_of_.size());
-  MPI_Gatherv(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, all.data(), counts_.data(), offsets_.data(), MPI_DOUBLE, 0,
-              space_.communicator);
+  MPI_Gatherv(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, all.data(), shares_.counts.data(), shares_.offsets.data(),
+              MPI_DOUBLE, 0, space_.communicator);
   std::vector<Point> nodes(first_of_.size());
   for (std::size_t g = 0; g < nodes.size(); ++g) nodes[g] = {all[3 * g], all[3 * g + 1], all[3 * g + 2]};
   return nodes;

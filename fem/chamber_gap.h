@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fem/body.h"
+#include "fem/rank_gather.h"
 #include "fem/space.h"
 #include "fem/wall_contact.h"
 
@@ -32,9 +33,8 @@ class ChamberGaps {
   [[nodiscard]] std::optional<WallGap> smallest_of(const std::vector<Point>& nodes) const;
 
   const Space& space_;
-  std::vector<Index> own_nodes_;  ///< local nodes of this rank's faces, as sent
-  std::vector<int> counts_;       ///< of components, per rank; first rank only
-  std::vector<int> offsets_;
+  std::vector<Index> own_nodes_;                                ///< local nodes of this rank's faces, as sent
+  RankShares shares_;                                           ///< of components; first rank only
   std::vector<std::vector<std::array<std::size_t, 9>>> faces_;  ///< per chamber, indices into the gathered nodes; first rank only
   std::vector<std::size_t> first_of_;                           ///< gathered node -> the first one of the same global number
   double size_m_ = 0.0;

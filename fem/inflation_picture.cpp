@@ -16,25 +16,10 @@
 #include <limits>
 
 #include "fem/picture_parts.h"
+#include "fem/rank_gather.h"
 
 namespace menger::fem {
 namespace {
-
-/// Values of the nodes of all ranks in the order of their global numbers, on the first rank.
-std::vector<double> gather_nodes(const Space& space, const std::vector<double>& owned) {
-  int rank = 0;
-  int ranks = 1;
-  MPI_Comm_rank(space.communicator, &rank);
-  MPI_Comm_size(space.communicator, &ranks);
-  const auto count = static_cast<int>(owned.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks));
-  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, space.communicator);
-  std::vector<int> starts(counts.size(), 0);
-  for (std::size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
-  std::vector<double> all(rank == 0 ? static_cast<std::size_t>(starts.back() + counts.back()) : 0);
-  MPI_Gatherv(owned.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, 0, space.communicator);
-  return all;
-}
 
 /// The body in linear hexahedra, eight for each of degree 2, with scalars "stress" (kPa) and "depth" (reference y, m).
 vtkSmartPointer<vtkUnstructuredGrid> linear_grid(const DeformedBody& body, bool deformed) {
@@ -110,10 +95,10 @@ DeformedBody gather_deformed_body(const Space& space, std::span<const double> di
     for (std::size_t i = 0; i < 3; ++i) owned.push_back(displacements[3 * n + i]);
     owned.push_back(von_mises_stress(fields.cauchy_stress[n]));
   }
-  const std::vector<double> nodes = gather_nodes(space, owned);
+  const std::vector<double> nodes = gather_on_first(space.communicator, owned);
   std::vector<double> elements;  // as doubles, which hold every index exactly
   for (const Index node : space.element_nodes) elements.push_back(space.global_node(node));
-  elements = gather_nodes(space, elements);
+  elements = gather_on_first(space.communicator, elements);
 
   DeformedBody body{space.degree, {}, {}, {}, {}};
   for (std::size_t n = 0; n < nodes.size(); n += numbers) {

@@ -39,7 +39,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "Example:\n  menger locomote fem/studies/locomotion.toml -o walk\n"
       "writes walk/locomotion.toml, trajectory.csv, frames.pvd (open it in ParaView), robot.png, trajectory.png and "
       "manifest.json;\na study with a table [sweep] writes one such folder for each value, sweep.csv and sweep.png.\n"
-      "Ctrl-C keeps what is done, and the same command goes on from there.\n"
+      "Ctrl-C keeps what is done, and the same command goes on from there. Large bodies by implicit dynamics on several cores: "
+      "mpirun -n 2 menger-locomote ...\n"
       "Exit codes: 0 completed, 2 wrong input, 3 the run ended early (locomotion.toml says why), 130 interrupted.");
   app.add_option("study", arguments.study, "study file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
@@ -135,17 +136,28 @@ int run_all(const LocomotionStudy& study, const Arguments& arguments, Locomotion
   return exit_code_of(run_sweep(study, arguments.folder, options, ran));
 }
 
+/// What one process does alone.
+void refuse_processes(const LocomotionStudy& study, int process_count) {
+  if (process_count == 1) return;
+  const std::string file = study.file.string();
+  const std::string started = ", and " + std::to_string(process_count) + " were started";
+  if (!study.implicit) throw io::InputError(file + ": explicit dynamics runs in one process" + started + ": it has --threads");
+  if (study.sweep) throw io::InputError(file + ": sweep: its cases run one after the other in one process" + started);
+}
+
 }  // namespace
 
 int locomotion_program(int argc, const char* const* argv, const LocomotionMethod& method) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
-  LocomotionStudy study = read_locomotion_study(arguments.study);
+  LocomotionStudy study;
+  method.on_every_process([&] { study = read_locomotion_study(arguments.study); });
   if (study.implicit.has_value() != method.is_implicit) return method.pass_on(arguments.study);
   if (arguments.threads) {
     if (study.implicit) throw io::InputError("--threads: " + study.file.string() + ": implicit dynamics has none");
     study.threads = *arguments.threads;
   }
+  refuse_processes(study, method.process_count);
   if (arguments.no_pictures) study.output.pictures = false;
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
   if (!arguments.quiet) {
@@ -153,6 +165,10 @@ int locomotion_program(int argc, const char* const* argv, const LocomotionMethod
     std::cout << std::flush;
   }
   io::catch_interrupts();
+  if (method.help) {
+    method.help(study);
+    return io::exit_code::done;
+  }
   const LocomotionRunOptions options{.restart = arguments.restart, .stop = &io::interrupted(), .make = method.make};
   const int code = study.sweep ? run_all(study, arguments, options) : run_one(study, arguments, options);
   if (!arguments.quiet) std::cout << "results in " << arguments.folder.string() << '\n' << std::flush;

@@ -12,6 +12,7 @@
 
 #include "fem/inflation_convergence.h"
 #include "fem/inflation_study_file.h"
+#include "fem/parallel_program.h"
 #include "fem/parallel_session.h"
 #include "fem/rank_agreement.h"
 #include "io/exit_code.h"
@@ -126,27 +127,5 @@ int run(int argc, const char* const* argv, bool speaks) {
 int main(int argc, char** argv) {
   // before the arguments are read: those for MPI are taken out of them
   const menger::fem::ParallelSession session(argc, argv);
-  int rank = 0;
-  int rank_count = 1;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
-  if (rank > 0) {  // what the ranks have to say is the same
-    std::cout.setstate(std::ios::failbit);
-    std::cerr.setstate(std::ios::failbit);
-  }
-  bool is_agreed = true;
-  const int code = io::run_program("menger-inflate", [&] {
-    try {
-      return run(argc, argv, rank == 0);
-    } catch (const fem::Agreed&) {
-      throw;
-    } catch (...) {
-      is_agreed = false;
-      std::cerr.clear();  // the first rank may know nothing of it
-      throw;
-    }
-  });
-  // the other ranks would wait for this one
-  if (!is_agreed && rank_count > 1) MPI_Abort(MPI_COMM_WORLD, code);
-  return code;
+  return menger::fem::run_parallel_program("menger-inflate", [&](int rank, int) { return run(argc, argv, rank == 0); });
 }

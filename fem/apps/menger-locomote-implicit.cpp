@@ -3,9 +3,11 @@
 
 #include "fem/implicit_locomotion.h"
 #include "fem/locomotion_program.h"
+#include "fem/parallel_program.h"
 #include "fem/parallel_session.h"
+#include "fem/rank_agreement.h"
 #include "io/input_error.h"
-#include "io/program.h"
+#include "io/interrupt.h"
 
 int main(int argc, char** argv) {
   using namespace menger;
@@ -13,7 +15,17 @@ int main(int argc, char** argv) {
   const auto refuse = [](const std::filesystem::path& study) -> int {
     throw io::InputError(study.string() + ": dynamics.method is not \"implicit\": run menger-locomote");
   };
-  return io::run_program("menger-locomote", [&] {
-    return fem::locomotion_program(argc, argv, {.is_implicit = true, .make = fem::make_implicit_locomotion, .pass_on = refuse});
+  return fem::run_parallel_program("menger-locomote", [&](int rank, int rank_count) {
+    fem::LocomotionMethod method{.is_implicit = true, .make = fem::make_implicit_locomotion, .pass_on = refuse};
+    method.process_count = rank_count;
+    method.on_every_process = [](const auto& action) { fem::on_every_rank(MPI_COMM_WORLD, action); };
+    if (rank > 0)
+      method.help = [](const fem::LocomotionStudy& study) { fem::help_implicit_locomotion(study, &io::interrupted()); };
+    try {
+      return fem::locomotion_program(argc, argv, method);
+    } catch (const io::InputError& error) {
+      // All processes have found it, or the first one alone, whose body is gone then, so that the others have ended.
+      throw fem::AgreedInputError(error.what());
+    }
   });
 }

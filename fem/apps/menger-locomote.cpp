@@ -1,7 +1,9 @@
 // `menger locomote study.toml`. Studies of implicit dynamics go to a program of their own, whose libraries take long to load.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -10,6 +12,16 @@
 #include "io/child_program.h"
 #include "io/input_error.h"
 #include "io/program.h"
+
+namespace {
+
+/// By what Open MPI's mpirun leaves in the environment: this program does without MPI.
+int processes_started_together() {
+  const char* count = std::getenv("OMPI_COMM_WORLD_SIZE");
+  return count == nullptr ? 1 : std::max(1, std::atoi(count));
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace menger;
@@ -20,7 +32,8 @@ int main(int argc, char** argv) {
                          " cannot be started: " + std::generic_category().message(errno));
   };
   return io::run_program("menger-locomote", [&] {
-    return fem::locomotion_program(argc, argv,
-                                   {.is_implicit = false, .make = fem::make_explicit_locomotion, .pass_on = become_implicit});
+    fem::LocomotionMethod method{.is_implicit = false, .make = fem::make_explicit_locomotion, .pass_on = become_implicit};
+    method.process_count = processes_started_together();
+    return fem::locomotion_program(argc, argv, method);
   });
 }

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace menger::fem {
+
+/// How many values each rank gave, and where they begin among those of all; on the first rank.
+struct RankShares {
+  std::vector<int> counts;
+  std::vector<int> offsets;
+};
+
+/// Values of all ranks, one rank after the other, on the first; nothing elsewhere. Collective. @param type of a value
+template <class Value>
+std::vector<Value> gather_on_first(MPI_Comm communicator, MPI_Datatype type, const std::vector<Value>& own, RankShares& shares) {
+  int ranks = 1;
+  MPI_Comm_size(communicator, &ranks);
+  const int count = static_cast<int>(own.size());
+  shares.counts.assign(static_cast<std::size_t>(ranks), 0);
+  MPI_Gather(&count, 1, MPI_INT, shares.counts.data(), 1, MPI_INT, 0, communicator);
+  shares.offsets.assign(shares.counts.size(), 0);
+  for (std::size_t r = 1; r < shares.counts.size(); ++r) shares.offsets[r] = shares.offsets[r - 1] + shares.counts[r - 1];
+  std::vector<Value> all(static_cast<std::size_t>(shares.offsets.back() + shares.counts.back()));
+  MPI_Gatherv(own.data(), count, type, all.data(), shares.counts.data(), shares.offsets.data(), type, 0, communicator);
+  return all;
+}
+
+inline std::vector<double> gather_on_first(MPI_Comm communicator, const std::vector<double>& own) {
+  RankShares shares;
+  return gather_on_first(communicator, MPI_DOUBLE, own, shares);
+}
+
+/// The other way: the part of this rank, which is as long as `own`, of what the first rank holds. Collective.
+inline void scatter_from_first(MPI_Comm communicator, const std::vector<double>& all, std::vector<double>& own) {
+  RankShares shares;
+  gather_on_first(communicator, MPI_DOUBLE, own, shares);
+  MPI_Scatterv(all.data(), shares.counts.data(), shares.offsets.data(), MPI_DOUBLE, own.data(), static_cast<int>(own.size()),
+               MPI_DOUBLE, 0, communicator);
+}
+
+}  // namespace menger::fem
