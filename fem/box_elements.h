@@ -61,8 +61,21 @@ class BoxElements {
     dilatation_ = sum * Pack(0.125);
   }
 
+  /// Lets the branches go a share of the way to rest. @param tensors of this batch, changed @return means of before and after
+  const double* relax(const BranchTask& branch, double* tensors) {
+    BranchSums<Pack> sums;
+    for (std::size_t q = 0; q < 8; ++q) {
+      const std::size_t first = 6 * Pack::size * q;
+      relax_point(Pack(branch.share), tensor_at(gradient_, q), points_[q], tensors + first, mean_tensors_.data() + first, sums);
+    }
+    const Pack fall = xsimd::log(sums.determinants / sums.determinants_before) - sums.contractions;
+    relaxed_ = fall * volume_ * Pack(branch.shear_modulus_Pa / 16.0);  // m/2 and 1/8 of the volume
+    return mean_tensors_.data();
+  }
+
+  /// @param tensors of the branches of this batch, or nullptr
   template <class Stress>
-  void compute_forces(const Stress& stress, const ExplicitTask& task) {
+  void compute_forces(const Stress& stress, const ExplicitTask& task, const double* tensors) {
     const Pack pressure = volume_derivative(task.volume, dilatation_);
     const Pack twice_viscosity(2.0 * task.viscosity_Pa_s);
     const bool viscous = task.viscosity_Pa_s > 0.0 && task.motion.velocities_m_per_s != nullptr;
@@ -75,7 +88,8 @@ class BoxElements {
     dissipation_ = Pack(0.0);
     for (std::size_t q = 0; q < 8; ++q) {
       std::array<Pack, 9> P = tensor_at(gradient_, q);
-      const Pack inverse_ratio = stress(points_[q], pressure, P, answered);
+      const double* tensor = tensors == nullptr ? nullptr : tensors + 6 * Pack::size * q;
+      const Pack inverse_ratio = stress(points_[q], tensor, pressure, P, answered);
       if (viscous) {
         const Pack power = add_viscous_stress(twice_viscosity, points_[q], inverse_ratio, tensor_at(rate_, q), P);
         dissipation_ = dissipation_ + power;
@@ -93,8 +107,8 @@ class BoxElements {
     for (std::size_t n = 0; n < 24; ++n) f[n].store_aligned(forces + n * Pack::size);
   }
 
-  /// Strain energy; marks elements in which the law has no answer.
-  [[nodiscard]] Pack energy(const ExplicitTask& task) {
+  /// Strain energy; marks elements in which the law has no answer. @param tensors as above
+  [[nodiscard]] Pack energy(const ExplicitTask& task, const double* tensors) {
     static constexpr auto laws = PackTables<materials::HyperelasticLaw>::template isochoric<Pack>();
     static constexpr auto volume_laws = PackTables<VolumetricLaw>::template volumetric<Pack>();
     Pack answered(1.0);
@@ -107,24 +121,36 @@ class BoxElements {
       sum = sum + density;
     }
     smallest_ratio_ = xsimd::select(answered > Pack(0.0), smallest_ratio_, Pack(-1.0));
+    if (tensors != nullptr) {
+      BranchSums<Pack> branch;
+      for (std::size_t q = 0; q < 8; ++q)
+        add_branch_point(tensor_at(gradient_, q), points_[q], tensors + 6 * Pack::size * q, branch);
+      sum = xsimd::fma(branch.contractions - xsimd::log(branch.determinants), Pack(0.5 * task.branch.shear_modulus_Pa), sum);
+    }
     return volume_ * xsimd::fma(sum, Pack(0.125), volume_laws[task.volume.index](task.volume.parameters, dilatation_).energy);
   }
 
-  void store_bounds(const ExplicitTask& task, const ElementBounds& bounds, std::size_t batch) {
+  void store_bounds(const ExplicitTask& task, const double* tensors, const ElementBounds& bounds, std::size_t batch) {
     static constexpr auto volume_laws = PackTables<VolumetricLaw>::template volumetric<Pack>();
     Pack largest(0.0);
+    Pack largest_of_branch(0.0);
     for (std::size_t q = 0; q < 8; ++q) {
       add_stress(points_[q].cofactor, q);
       largest = xsimd::max(largest, largest_deviatoric_square(q));
+      if (tensors == nullptr) continue;
+      const Pack of_branch = branch_square(tensor_at(gradient_, q), points_[q], tensors + 6 * Pack::size * q);
+      largest_of_branch = xsimd::max(largest_of_branch, of_branch);
     }
     store_forces(bounds.volume_gradients_m2 + 24 * Pack::size * batch);
     const auto response = volume_laws[task.volume.index](task.volume.parameters, dilatation_);
     response.second_derivative.store_aligned(bounds.bulk_moduli_Pa + Pack::size * batch);
     largest.store_aligned(bounds.deviatoric_squares + Pack::size * batch);
+    largest_of_branch.store_aligned(bounds.branch_squares + Pack::size * batch);
   }
 
   [[nodiscard]] const Pack& smallest_ratio() const { return smallest_ratio_; }
   [[nodiscard]] const Pack& dissipation() const { return dissipation_; }
+  [[nodiscard]] const Pack& relaxed() const { return relaxed_; }
 
  private:
   static std::array<Pack, 9> tensor_at(const BoxGradient<Pack>& gradient, std::size_t q) {
@@ -170,10 +196,12 @@ class BoxElements {
   Pack dilatation_;
   Pack smallest_ratio_;
   Pack dissipation_;
+  Pack relaxed_ = Pack(0.0);
   std::array<PointVolume<Pack>, 8> points_;
   BoxGradient<Pack> gradient_;
   BoxGradient<Pack> rate_;
   BoxGradient<Pack> stress_sums_;
+  alignas(64) std::array<double, 48 * Pack::size> mean_tensors_;
 };
 
 }  // namespace menger::fem::detail

@@ -15,8 +15,8 @@ constexpr std::size_t least_steps_to_bound = 10;
 
 }  // namespace
 
-double ExplicitDynamics::stable_step_at(std::span<const double> displacements_m) const {
-  EigenvalueBounds bounds = eigenvalue_bounds(body_, displacements_m, loop_);
+double ExplicitDynamics::stable_step_at(std::span<const double> displacements_m, std::span<const double> branch) const {
+  EigenvalueBounds bounds = eigenvalue_bounds(body_, displacements_m, branch, loop_);
   if (options_.loads.ground) {
     double largest = 0.0;
     for (std::size_t node = 0; node < areas_.size(); ++node) largest = std::max(largest, areas_[node] / body_.masses_kg()[node]);
@@ -94,7 +94,7 @@ std::optional<ExplicitReport> ExplicitDynamics::judge() {
     return failure(io::RunStatus::diverged, "the energy books are open by " + io::number_text(imbalance) + " J of " +
                                                 io::number_text(state_.turnover_J) + " J");
   if (std::optional<ExplicitReport> objection = judge_contact()) return objection;
-  stable_step_ = stable_step_at(state_.displacements_m);
+  stable_step_ = stable_step_at(state_.displacements_m, state_.branches->tensors);
   if (!(stable_step_ >= state_.last_step_s))
     return failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(stable_step_) + " s");
   return std::nullopt;

@@ -29,6 +29,12 @@ void check(const meshes::HexahedralMesh& mesh, const ExplicitBodyOptions& option
       throw io::InputError(name + "density_kg_per_m3 = " + std::to_string(region.density_kg_per_m3) + ": must be > 0");
     if (!(region.material.viscosity_Pa_s >= 0.0))
       throw io::InputError(name + "viscosity_Pa_s = " + std::to_string(region.material.viscosity_Pa_s) + ": must be >= 0");
+    const MaxwellBranch& branch = region.material.branch;
+    if (!(branch.shear_modulus_Pa >= 0.0))
+      throw io::InputError(name + "shear_modulus_Pa = " + std::to_string(branch.shear_modulus_Pa) +
+                           " of the branch: must be >= 0");
+    if (branch.is_there() && !(branch.relaxation_time_s > 0.0))
+      throw io::InputError(name + "relaxation_time_s = " + std::to_string(branch.relaxation_time_s) + ": must be > 0");
   }
 }
 
@@ -97,40 +103,66 @@ double ExplicitBody::stiffness_J() const {
   return stiffness;
 }
 
+std::optional<double> ExplicitBody::shortest_relaxation_time_s() const {
+  std::optional<double> shortest;
+  for (const BoxGroup& group : boxes_.groups()) {
+    const MaxwellBranch& branch = regions_[group.region].material.branch;
+    if (branch.is_there()) shortest = std::min(shortest.value_or(branch.relaxation_time_s), branch.relaxation_time_s);
+  }
+  return shortest;
+}
+
+AlignedNumbers ExplicitBody::branches_at_rest(std::span<const double> displacements_m) const {
+  if (!shortest_relaxation_time_s()) return {};
+  const std::size_t width = boxes_.width();
+  AlignedNumbers tensors(branch_position(boxes_.batch_count()), 0.0);
+  for (std::size_t n = 0; n < tensors.size(); ++n)
+    if (n / width % 6 < 3) tensors[n] = 1.0;  // any that is positive, to go all of the way from
+  AlignedNumbers slots(24 * width * boxes_.batch_count());
+  element_forces({displacements_m.data()}, 0, boxes_.batch_count(), slots.data(),
+                 {tensors.data(), std::numeric_limits<double>::infinity()});
+  return tensors;
+}
+
 ElementsOutcome ExplicitBody::element_forces(const NodalMotion& motion, std::size_t first_batch, std::size_t batch_count,
-                                             double* slots_N) const {
+                                             double* slots_N, const BranchTensors& branch) const {
   ElementsOutcome outcome;
   for (const BoxGroup& group : boxes_.groups()) {
     const std::size_t first = std::max(first_batch, group.first_batch);
     const std::size_t end = std::min(first_batch + batch_count, group.first_batch + group.batch_count);
     if (first >= end) continue;
-    const ElementsOutcome part = kernels_.forces(regions_[group.region].material, boxes_.batches(first, end - first), motion,
+    BranchTensors own = branch;
+    if (own.values != nullptr) own.values += branch_position(first);
+    const ElementsOutcome part = kernels_.forces(regions_[group.region].material, boxes_.batches(first, end - first), motion, own,
                                                  slots_N + 24 * boxes_.width() * first);
     outcome.smallest_ratio = std::min(outcome.smallest_ratio, part.smallest_ratio);
     outcome.dissipated_W += part.dissipated_W;
+    outcome.relaxed_J += part.relaxed_J;
   }
   return outcome;
 }
 
-ExplicitBody::ElementEnergies ExplicitBody::element_energies(std::span<const double> displacements_m) const {
+ExplicitBody::ElementEnergies ExplicitBody::element_energies(std::span<const double> displacements_m,
+                                                             std::span<const double> branch) const {
   ElementEnergies result;
   result.energies_J.resize(boxes_.batch_count() * boxes_.width());
   result.smallest_ratios.resize(result.energies_J.size());
   for (const BoxGroup& group : boxes_.groups()) {
     const std::size_t first = group.first_batch * boxes_.width();
     kernels_.energies(regions_[group.region].material, boxes_.batches(group.first_batch, group.batch_count),
-                      {displacements_m.data()}, result.energies_J.data() + first, result.smallest_ratios.data() + first);
+                      {displacements_m.data()}, branch.empty() ? nullptr : branch.data() + branch_position(group.first_batch),
+                      result.energies_J.data() + first, result.smallest_ratios.data() + first);
   }
   return result;
 }
 
-double ExplicitBody::strain_energy_J(std::span<const double> displacements_m) const {
-  const ElementEnergies elements = element_energies(displacements_m);
+double ExplicitBody::strain_energy_J(std::span<const double> displacements_m, std::span<const double> branch) const {
+  const ElementEnergies elements = element_energies(displacements_m, branch);
   return std::accumulate(elements.energies_J.begin(), elements.energies_J.end(), 0.0);
 }
 
 std::optional<FailedElement> ExplicitBody::failed_element(std::span<const double> displacements_m) const {
-  const AlignedNumbers ratios = element_energies(displacements_m).smallest_ratios;
+  const AlignedNumbers ratios = element_energies(displacements_m, {}).smallest_ratios;
   for (std::size_t lane = 0; lane < ratios.size(); ++lane) {
     if (ratios[lane] > 0.0) continue;
     FailedElement failed{boxes_.element(lane), {}, true};

@@ -37,7 +37,7 @@ struct FailedElement {
 class ExplicitBody {
  public:
   /// @throws io::InputError for elements that are no boxes, regions of elements or options that the mesh has not, nodes without
-  /// an element, densities that are not positive, and negative viscosities
+  /// an element, densities that are not positive, negative viscosities and moduli of branches, and branches that never relax
   ExplicitBody(const meshes::HexahedralMesh& mesh, ExplicitBodyOptions options,
                const ExplicitKernels& kernels = best_explicit_kernels());
 
@@ -52,12 +52,19 @@ class ExplicitBody {
   [[nodiscard]] double mass_kg() const;
   [[nodiscard]] double stiffness_J() const;  ///< shear modulus at rest over the volume, a measure of the body's energies
 
-  /// Forces of some batches, to their slots in an array of 24 width numbers per batch (see ExplicitKernels::forces).
-  ElementsOutcome element_forces(const NodalMotion& motion, std::size_t first_batch, std::size_t batch_count,
-                                 double* slots_N) const;
+  /// The shortest relaxation time of all branches; nothing: there are none.
+  [[nodiscard]] std::optional<double> shortest_relaxation_time_s() const;
+  /// Tensors of all batches (see BranchTensors) whose branches are at rest at the displacements, no element of which has failed;
+  /// empty without branches.
+  [[nodiscard]] AlignedNumbers branches_at_rest(std::span<const double> displacements_m) const;
 
-  /// @param displacements_m 3 node_count
-  [[nodiscard]] double strain_energy_J(std::span<const double> displacements_m) const;
+  /// Forces of some batches, to their slots in an array of 24 width numbers per batch (see ExplicitKernels::forces).
+  /// @param branch of all batches
+  ElementsOutcome element_forces(const NodalMotion& motion, std::size_t first_batch, std::size_t batch_count, double* slots_N,
+                                 const BranchTensors& branch = {}) const;
+
+  /// @param displacements_m 3 node_count @param branch tensors of all batches; empty: without what branches store
+  [[nodiscard]] double strain_energy_J(std::span<const double> displacements_m, std::span<const double> branch = {}) const;
 
   /// The first element that has failed, if any.
   [[nodiscard]] std::optional<FailedElement> failed_element(std::span<const double> displacements_m) const;
@@ -67,9 +74,11 @@ class ExplicitBody {
     AlignedNumbers energies_J;  ///< per lane
     AlignedNumbers smallest_ratios;
   };
-  [[nodiscard]] ElementEnergies element_energies(std::span<const double> displacements_m) const;
+  [[nodiscard]] ElementEnergies element_energies(std::span<const double> displacements_m, std::span<const double> branch) const;
   void hold(const meshes::HexahedralMesh& mesh, const ExplicitBodyOptions& options);
   void hold_node(std::size_t node, const std::array<bool, 3>& held);
+
+  [[nodiscard]] std::size_t branch_position(std::size_t batch) const { return 48 * boxes_.width() * batch; }
 
   ExplicitKernels kernels_;
   std::vector<ExplicitRegion> regions_;

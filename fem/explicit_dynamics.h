@@ -37,6 +37,14 @@ struct ExplicitOptions {
   const std::atomic<bool>* stop = nullptr;                        ///< ends a run as `stopped` when it becomes true
 };
 
+/// Where the branches of a body's materials are.
+struct BranchState {
+  AlignedNumbers tensors;  ///< of all batches, see BranchTensors; empty without branches
+  double age_s = 0.0;      ///< since they relaxed
+
+  bool operator==(const BranchState&) const = default;
+};
+
 /// Where a body is and how it moves; component i of node a at 3 a + i.
 struct ExplicitState {
   double time_s = 0.0;
@@ -53,6 +61,7 @@ struct ExplicitState {
   /// Of contact of the body with itself, before the last step; nothing: what touches in this state is pressed by all of its
   /// depth.
   std::optional<std::vector<ContactMemory>> contact{};
+  std::optional<BranchState> branches{};  ///< nothing: they are at rest in this state
 };
 
 /// How far a run came.
@@ -63,6 +72,11 @@ struct ExplicitReport {
 };
 
 /// Central differences with lumped masses. Bytes of all results are the same for any number of threads.
+///
+/// Maxwell branches relax by themselves, at a held deformation and by the exact exponential, every few steps: whenever a
+/// twenty-fifth of the shortest relaxation time has passed. In between they are springs. What they lose is what their energy
+/// falls by, never negative, so that the books close as well as those of an elastic body. Motion that is slow against the time
+/// between gets its branches to second order in it (their tensors stand for the middle of that time).
 ///
 /// Time goes on in intervals of equal steps, at most `steps_per_bound`. At the end of each the state is judged: the stable step
 /// there must not be below the step that was taken, the energy books must close, and parts of the surface must not have been
@@ -90,8 +104,8 @@ class ExplicitDynamics {
 
   /// Another start: a state from before, to go on from as if nothing had happened, or one that was changed; then its
   /// `at_start_J` must be empty, or the books stay open by the change, and so must be `pneumatics` where time or chambers'
-  /// volumes changed, and `contact` where displacements or velocities did. Velocities of what is held become zero. Sizes must fit
-  /// (asserts).
+  /// volumes changed, and `contact` where displacements or velocities did; `branches` may be. Velocities of what is held become
+  /// zero. Sizes must fit (asserts).
   /// @throws io::InputError naming an element that is inside out there or not finite
   void set_state(ExplicitState state);
   [[nodiscard]] const ExplicitState& state() const { return state_; }
@@ -117,7 +131,8 @@ class ExplicitDynamics {
     ExplicitWork work;
   };
   void check(const meshes::HexahedralMesh& mesh) const;
-  [[nodiscard]] double stable_step_at(std::span<const double> displacements_m) const;  ///< with the touches found last
+  /// With the touches found last. @param branch tensors of all batches
+  [[nodiscard]] double stable_step_at(std::span<const double> displacements_m, std::span<const double> branch) const;
   void pass_interval(double time_s);
   std::optional<ExplicitReport> take_steps(double step_s, std::size_t count, double end_s);
   std::optional<ExplicitReport> judge();
@@ -127,7 +142,8 @@ class ExplicitDynamics {
   void look_at_chambers();
   bool take_step(double step_s);
   [[nodiscard]] bool supply_air();
-  double compute_forces();
+  [[nodiscard]] double due_relaxation_s(double step_s) const;
+  double compute_forces(double relaxed_s = 0.0);
   void find_touches();
   void set_current_positions();
   NodesOutcome move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities);
@@ -149,7 +165,8 @@ class ExplicitDynamics {
   double rest_stable_step_ = 0.0;
   double stable_step_ = 0.0;   ///< at the start of an interval
   double energy_noise_ = 0.0;  ///< J, of no meaning in the books
-  Point common_velocity_{};    ///< of the centre of mass at the start of an interval
+  std::optional<double> relaxation_interval_s_;
+  Point common_velocity_{};  ///< of the centre of mass at the start of an interval
   std::vector<double> first_volumes_;
   std::vector<double> current_positions_;
   AlignedNumbers element_slots_;

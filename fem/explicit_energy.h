@@ -12,7 +12,7 @@ struct ExplicitWork {
   double contact_J = 0.0;       ///< of the ground's springs on the body: minus what is stored in them
   double self_contact_J = 0.0;  ///< of those between parts of the surface: minus what is stored or was lost in them
   double friction_J = 0.0;      ///< lost, or stored in springs along the surface where parts of it stick to each other
-  double viscous_J = 0.0;       ///< lost in the material; to first order in the step
+  double viscous_J = 0.0;       ///< lost in the material: by its viscosity to first order in the step, by its branches exactly
   double mass_damping_J = 0.0;  ///< lost
 
   ExplicitWork& operator+=(const ExplicitWork& other) {
@@ -30,11 +30,11 @@ struct ExplicitWork {
 /// The books of a body at one time, J.
 struct ExplicitEnergies {
   double kinetic_J = 0.0;
-  double strain_J = 0.0;
+  double strain_J = 0.0;  ///< with what branches store
   ExplicitWork work;
   double at_start_J = 0.0;  ///< what makes the books balance in the state that the body was set to
 
-  /// What is there minus what should be there: zero but for errors of second order in the step (first in viscous losses).
+  /// What is there minus what should be there: zero but for errors of second order in the step (first in losses by viscosity).
   [[nodiscard]] double imbalance_J() const {
     const double put_in = work.pressure_J + work.gravity_J + work.contact_J + work.self_contact_J;
     const double lost = work.friction_J + work.viscous_J + work.mass_damping_J;

@@ -1,5 +1,6 @@
 #include "fem/explicit_kernel.h"
 
+#include <cmath>
 #include <vector>
 
 #include "fem/explicit_kernel_table.h"
@@ -8,12 +9,27 @@ namespace menger::fem {
 
 namespace {
 
+using detail::BranchTask;
 using detail::ExplicitKernelTable;
 using detail::ExplicitTask;
 using detail::reference_to;
 
-ExplicitTask task_of(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion) {
-  return {reference_to(material.law), reference_to(material.volume), material.viscosity_Pa_s, batches, motion};
+/// Branches as they are.
+BranchTask resting(const MaxwellBranch& branch, const double* tensors) {
+  return {branch.shear_modulus_Pa, 0.0, branch.is_there() ? tensors : nullptr, nullptr};
+}
+
+BranchTask relaxing(const MaxwellBranch& branch, const BranchTensors& tensors) {
+  BranchTask task = resting(branch, tensors.values);
+  if (task.tensors == nullptr || !(tensors.relaxed_s > 0.0)) return task;
+  task.share = -std::expm1(-tensors.relaxed_s / branch.relaxation_time_s);
+  task.relaxing = tensors.values;
+  return task;
+}
+
+ExplicitTask task_of(const ExplicitMaterial& material, const BranchTask& branch, const BoxBatches& batches,
+                     const NodalMotion& motion) {
+  return {reference_to(material.law), reference_to(material.volume), material.viscosity_Pa_s, branch, batches, motion};
 }
 
 /// All kernels this machine can run, the widest last.
@@ -38,18 +54,18 @@ ExplicitKernels::ExplicitKernels(const ExplicitKernelTable& table)
     : instruction_set(table.instruction_set), width(table.width), table_(&table) {}
 
 ElementsOutcome ExplicitKernels::forces(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
-                                        double* forces_N) const {
-  return table_->forces(task_of(material, batches, motion), forces_N);
+                                        const BranchTensors& branch, double* forces_N) const {
+  return table_->forces(task_of(material, relaxing(material.branch, branch), batches, motion), forces_N);
 }
 
 void ExplicitKernels::energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
-                               double* energies_J, double* smallest_ratios) const {
-  table_->energies(task_of(material, batches, motion), energies_J, smallest_ratios);
+                               const double* branch, double* energies_J, double* smallest_ratios) const {
+  table_->energies(task_of(material, resting(material.branch, branch), batches, motion), energies_J, smallest_ratios);
 }
 
 void ExplicitKernels::bounds(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
-                             const ElementBounds& bounds) const {
-  table_->bounds(task_of(material, batches, motion), bounds);
+                             const double* branch, const ElementBounds& bounds) const {
+  table_->bounds(task_of(material, resting(material.branch, branch), batches, motion), bounds);
 }
 
 std::vector<ExplicitKernels> available_explicit_kernels() {

@@ -5,13 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "fem/maxwell_branch.h"
 #include "fem/volumetric_law.h"
 #include "materials/hyperelastic_law.h"
 
 namespace menger::fem {
 
-/// What elements of explicit dynamics are made of: P = d psi/dF of the law with the mean dilatation of the element, plus a
-/// viscous stress.
+/// What elements of explicit dynamics are made of: P = d psi/dF of the law with the mean dilatation of the element, plus the
+/// stress of a Maxwell branch, plus a viscous stress.
 ///
 /// The viscous Kirchhoff stress is 2 eta dev(d), d the rate of deformation: objective, without pressure, and never a source of
 /// energy.
@@ -19,6 +20,7 @@ struct ExplicitMaterial {
   materials::HyperelasticLaw law;
   VolumetricLaw volume;
   double viscosity_Pa_s = 0.0;  ///< eta >= 0; 0: none
+  MaxwellBranch branch{};
 };
 
 /// Batches of trilinear elements of equal material that are boxes along the axes in the reference configuration. Lanes without an
@@ -38,10 +40,20 @@ struct NodalMotion {
   const double* velocities_m_per_s = nullptr;  ///< read where there is a viscosity; nullptr: no viscous force
 };
 
+/// Tensors A of the branches (see MaxwellBranch) of batches: per batch 48 width numbers, component c (xx, yy, zz, yz, xz, xy) of
+/// point q of lane l at (6 q + c) width + l; aligned to 64 bytes.
+struct BranchTensors {
+  double* values = nullptr;  ///< nullptr: no branch acts
+  /// >= 0, the time by which they relax at the deformation that is given; forces are those of the mean of before and after, as
+  /// central differences want them at the end of one spring and the beginning of another.
+  double relaxed_s = 0.0;
+};
+
 /// What elements say besides their forces.
 struct ElementsOutcome {
   double smallest_ratio = 1.0;  ///< of the volume, over all points and elements; not positive where the law has no answer
   double dissipated_W = 0.0;    ///< by the viscous stress, >= 0
+  double relaxed_J = 0.0;       ///< what the branches' energy fell by while they relaxed, >= 0 up to rounding
 };
 
 /// What bounds of the eigenvalues need of elements. Arrays hold numbers per batch and are aligned to 64 bytes.
@@ -49,6 +61,9 @@ struct ElementBounds {
   double* volume_gradients_m2;  ///< 24 width: d(volume)/du, in the order of the forces
   double* bulk_moduli_Pa;       ///< width: U'' at the mean dilatation
   double* deviatoric_squares;   ///< width: largest |dev sym(G F^-1)|^2 over |G| = 1 and the points; 1 at rest
+  /// width: not less than half the largest second derivative of the branch's energy over its modulus, over |G| = 1 and the
+  /// points; 1 at rest, 0 without a branch
+  double* branch_squares;
 };
 
 namespace detail {
@@ -66,16 +81,19 @@ class ExplicitKernels {
   std::string_view instruction_set;  ///< "baseline", "avx2", "avx512"
   std::size_t width;                 ///< lanes: elements computed at once
 
-  /// @param forces_N per batch 24 width numbers, aligned to 64 bytes: d(energy)/du plus the viscous force, component i of corner
-  /// c of lane l at (3 c + i) width + l; to be subtracted from what accelerates the nodes
+  /// @param branch changed where they relax @param forces_N per batch 24 width numbers, aligned to 64 bytes: d(energy)/du plus
+  /// the viscous force, component i of corner c of lane l at (3 c + i) width + l; to be subtracted from what accelerates the
+  /// nodes
   ElementsOutcome forces(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
-                         double* forces_N) const;
+                         const BranchTensors& branch, double* forces_N) const;
 
-  /// Strain energy of each lane of each batch, J, and its smallest volume ratio, as above; both aligned to 64 bytes.
-  void energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion, double* energies_J,
-                double* smallest_ratios) const;
+  /// Strain energy of each lane of each batch, J, with that of its branches, and its smallest volume ratio, as above; both
+  /// aligned to 64 bytes. @param branch values as of BranchTensors, nullptr: without them
+  void energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion, const double* branch,
+                double* energies_J, double* smallest_ratios) const;
 
-  void bounds(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
+  /// @param branch as above
+  void bounds(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion, const double* branch,
               const ElementBounds& bounds) const;
 
  private:

@@ -5,11 +5,20 @@
 
 namespace menger::fem::detail {
 
+/// Branches of elements.
+struct BranchTask {
+  double shear_modulus_Pa;
+  double share;           ///< of the way to rest that they go before they act, in [0, 1]
+  const double* tensors;  ///< nullptr: none
+  double* relaxing;       ///< the same where they go a part of it
+};
+
 /// Elements and their laws; laws by index and address, so that files of one instruction set need not visit variants.
 struct ExplicitTask {
   LawReference law;
   LawReference volume;
   double viscosity_Pa_s;
+  BranchTask branch;
   BoxBatches batches;
   NodalMotion motion;
 };

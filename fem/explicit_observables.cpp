@@ -37,7 +37,7 @@ ExplicitEnergies ExplicitDynamics::energies() {
   ExplicitEnergies result;
   for (std::size_t n = 0; n < half.velocities.size(); ++n)
     result.kinetic_J += 0.5 * body_.masses_kg()[n / 3] * half.velocities[n] * half.velocities[n];
-  result.strain_J = body_.strain_energy_J(state_.displacements_m);
+  result.strain_J = body_.strain_energy_J(state_.displacements_m, state_.branches->tensors);
   result.work = state_.work;
   result.work += half.work;
   result.at_start_J = state_.at_start_J.value_or(0.0);

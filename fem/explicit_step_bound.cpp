@@ -14,6 +14,7 @@ struct AllBounds {
   AlignedNumbers gradients;
   AlignedNumbers bulk_moduli;
   AlignedNumbers deviatoric_squares;
+  AlignedNumbers branch_squares;
 };
 
 constexpr std::size_t batches_per_block = 16;
@@ -29,17 +30,19 @@ void for_each_part(const BoxMesh& boxes, std::size_t begin, std::size_t end, con
   }
 }
 
-AllBounds element_bounds(const ExplicitBody& body, std::span<const double> displacements, const BlockLoop& loop) {
+AllBounds element_bounds(const ExplicitBody& body, std::span<const double> displacements, std::span<const double> branch,
+                         const BlockLoop& loop) {
   const BoxMesh& boxes = body.boxes();
   const std::size_t width = boxes.width();
-  AllBounds all{AlignedNumbers(24 * width * boxes.batch_count()), AlignedNumbers(width * boxes.batch_count()),
-                AlignedNumbers(width * boxes.batch_count())};
+  const std::size_t lanes = width * boxes.batch_count();
+  AllBounds all{AlignedNumbers(24 * lanes), AlignedNumbers(lanes), AlignedNumbers(lanes), AlignedNumbers(lanes)};
   loop.run(boxes.batch_count(), batches_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
     for_each_part(boxes, begin, end, [&](const BoxGroup& group, std::size_t first, std::size_t last) {
       const std::size_t lane = first * width;
-      body.kernels().bounds(
-          body.region(group.region).material, boxes.batches(first, last - first), {displacements.data()},
-          {all.gradients.data() + 24 * lane, all.bulk_moduli.data() + lane, all.deviatoric_squares.data() + lane});
+      body.kernels().bounds(body.region(group.region).material, boxes.batches(first, last - first), {displacements.data()},
+                            branch.empty() ? nullptr : branch.data() + 48 * lane,
+                            {all.gradients.data() + 24 * lane, all.bulk_moduli.data() + lane,
+                             all.deviatoric_squares.data() + lane, all.branch_squares.data() + lane});
     });
   });
   return all;
@@ -187,12 +190,16 @@ NodeShares node_shares(const ExplicitBody& body, std::span<const double> displac
   loop.run(boxes.batch_count(), batches_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
     RestStiffness rest(body);
     for_each_part(boxes, begin, end, [&](const BoxGroup& group, std::size_t first, std::size_t last) {
-      const double viscosity = body.region(group.region).material.viscosity_Pa_s;
+      const ExplicitMaterial& material = body.region(group.region).material;
       for (std::size_t batch = first; batch < last; ++batch)
         rest.set_norms(group, batch, displacements, elements, shares.stiffness_N_per_m);
       for (std::size_t lane = first * boxes.width(); lane < last * boxes.width(); ++lane) {
         const double edge = boxes.shortest_edge_m(lane);
-        shares.damping_kg_per_s[lane] = viscosity * elements.deviatoric_squares[lane] * boxes.volume_m3(lane) / (edge * edge);
+        const auto share = [&](double modulus, double square) {
+          return modulus * square * boxes.volume_m3(lane) / (edge * edge);
+        };
+        shares.damping_kg_per_s[lane] = share(material.viscosity_Pa_s, elements.deviatoric_squares[lane]);
+        shares.stiffness_N_per_m[lane] += share(material.branch.shear_modulus_Pa, elements.branch_squares[lane]);
       }
     });
   });
@@ -228,8 +235,9 @@ EigenvalueBounds bounds_of_elements(const ExplicitBody& body, std::span<const do
 
 }  // namespace
 
-EigenvalueBounds eigenvalue_bounds(const ExplicitBody& body, std::span<const double> displacements_m, const BlockLoop& loop) {
-  const AllBounds elements = element_bounds(body, displacements_m, loop);
+EigenvalueBounds eigenvalue_bounds(const ExplicitBody& body, std::span<const double> displacements_m,
+                                   std::span<const double> branch, const BlockLoop& loop) {
+  const AllBounds elements = element_bounds(body, displacements_m, branch, loop);
   EigenvalueBounds result = bounds_of_elements(body, displacements_m, elements, loop);
   result.stiffness_per_s2 += bulk_bound(body, elements, loop);
   return result;

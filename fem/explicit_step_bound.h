@@ -24,12 +24,14 @@ struct EigenvalueBounds {
 /// assembled nodes, so that a wall of one element gets its longer step. K_rest is at most the Frobenius norm of each element's
 /// part at each of its nodes, C at most eta n V / h^2 with the shortest edge h and the largest n = |dev sym(G F^-1)|^2 of any
 /// gradient G with |G| = 1 at a point: 2 eta n |G|^2 is what the point dissipates, and gradients of node velocities v have a mean
-/// square of at most 4 / h^2 times that of v. The largest sum of a node's shares over its mass bounds the eigenvalues.
+/// square of at most 4 / h^2 times that of v. A Maxwell branch, whose tensors stay as they are for a step, adds m n V / h^2 to K
+/// with its modulus m and its own n (see ElementBounds). The largest sum of a node's shares over its mass bounds the eigenvalues.
 ///
 /// The stiffness of follower pressure, smaller by about pressure over bulk modulus, is not in it.
+/// @param branch tensors of all batches; empty: without branches
 /// @param loop does the work on elements; the result does not depend on its threads
 EigenvalueBounds eigenvalue_bounds(const ExplicitBody& body, std::span<const double> displacements_m,
-                                   const BlockLoop& loop = BlockLoop(1));
+                                   std::span<const double> branch = {}, const BlockLoop& loop = BlockLoop(1));
 
 /// The largest step at which central differences with the damping force of the last half step stay stable: dt^2 k / 4 + dt c / 2
 /// = 1 for the bounds k and c.

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
+#include "fem/explicit_branch.h"
+#include "fem/explicit_kernel_table.h"
 #include "fem/inverse_cube_root.h"
 #include "fem/pack_laws.h"
 
@@ -28,23 +30,17 @@ Pack volume_derivative(const LawReference& volume, const Pack& ratio) {
   return laws[volume.index](volume.parameters, ratio);
 }
 
-/// A point of the element: cofactor of F, J = det F.
-template <class Pack>
-struct PointVolume {
-  std::array<Pack, 9> cofactor;
-  Pack ratio;
-};
-
 /// Neo-Hookean isochoric stress plus p cof F. P = mu J^(-2/3) (F - tr(C)/3 F^-T) with J^(-1/3) from one series: neither root nor
 /// division. For packs and laws of any other kind see GeneralStress.
 template <class Pack>
 class NeoHookeanStress {
  public:
-  explicit NeoHookeanStress(const LawReference& law)
-      : shear_modulus_(static_cast<const materials::NeoHookean*>(law.parameters)->shear_modulus_Pa) {}
+  explicit NeoHookeanStress(const ExplicitTask& task)
+      : shear_modulus_(static_cast<const materials::NeoHookean*>(task.law.parameters)->shear_modulus_Pa) {}
 
   /// @param F turned into P @return 1 / J; `answered` is left alone: the law always has an answer where J > 0
-  Pack operator()(const PointVolume<Pack>& point, const Pack& pressure, std::array<Pack, 9>& F, Pack& answered) const {
+  Pack operator()(const PointVolume<Pack>& point, const double* /*tensor*/, const Pack& pressure, std::array<Pack, 9>& F,
+                  Pack& answered) const {
     static_cast<void>(answered);
     const Pack root = inverse_cube_root(point.ratio);
     const Pack root_square = root * root;
@@ -61,14 +57,38 @@ class NeoHookeanStress {
   Pack shear_modulus_;
 };
 
+/// The same with a branch: both energies are linear in C, so that mu I + m A carries both.
+template <class Pack>
+class BranchedNeoHookeanStress {
+ public:
+  explicit BranchedNeoHookeanStress(const ExplicitTask& task)
+      : shear_modulus_(static_cast<const materials::NeoHookean*>(task.law.parameters)->shear_modulus_Pa),
+        branch_modulus_(task.branch.shear_modulus_Pa) {}
+
+  /// @param tensor A of the branch
+  Pack operator()(const PointVolume<Pack>& point, const double* tensor, const Pack& pressure, std::array<Pack, 9>& F,
+                  Pack& answered) const {
+    static_cast<void>(answered);
+    Symmetric<Pack> both = load_symmetric<Pack>(tensor);
+    for (std::size_t c = 0; c < 3; ++c) both[c] = xsimd::fma(branch_modulus_, both[c], shear_modulus_);
+    for (std::size_t c = 3; c < 6; ++c) both[c] = branch_modulus_ * both[c];
+    return carried_stress(both, point, pressure, F);
+  }
+
+ private:
+  Pack shear_modulus_;
+  Pack branch_modulus_;
+};
+
 /// Any law, through the functions that the implicit elements use.
 template <class Pack>
 class GeneralStress {
  public:
-  explicit GeneralStress(const LawReference& law) : law_(law) {}
+  explicit GeneralStress(const ExplicitTask& task) : law_(task.law) {}
 
   /// @param F turned into P @param answered not positive in lanes without an answer @return 1 / J
-  Pack operator()(const PointVolume<Pack>& point, const Pack& pressure, std::array<Pack, 9>& F, Pack& answered) const {
+  Pack operator()(const PointVolume<Pack>& point, const double* /*tensor*/, const Pack& pressure, std::array<Pack, 9>& F,
+                  Pack& answered) const {
     static constexpr auto laws = PackTables<materials::HyperelasticLaw>::template isochoric<Pack>();
     Tensor<Pack> stress;
     Pack energy;
@@ -79,6 +99,27 @@ class GeneralStress {
 
  private:
   LawReference law_;
+};
+
+template <class Pack>
+class BranchedGeneralStress {
+ public:
+  explicit BranchedGeneralStress(const ExplicitTask& task) : law_(task), branch_modulus_(task.branch.shear_modulus_Pa) {}
+
+  Pack operator()(const PointVolume<Pack>& point, const double* tensor, const Pack& pressure, std::array<Pack, 9>& F,
+                  Pack& answered) const {
+    std::array<Pack, 9> carried = F;
+    Symmetric<Pack> branch = load_symmetric<Pack>(tensor);
+    for (Pack& component : branch) component = branch_modulus_ * component;
+    carried_stress(branch, point, Pack(0.0), carried);
+    const Pack inverse_ratio = law_(point, tensor, pressure, F, answered);
+    for (std::size_t n = 0; n < 9; ++n) F[n] = F[n] + carried[n];
+    return inverse_ratio;
+  }
+
+ private:
+  GeneralStress<Pack> law_;
+  Pack branch_modulus_;
 };
 
 /// Adds the viscous stress 2 eta dev(d) F^-T, d = sym(dF/dt F^-1), to P; returns 2 eta |dev d|^2.

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view title = "menger locomotion checkpoint 2\n";
+constexpr std::string_view title = "menger locomotion checkpoint 3\n";
 constexpr std::size_t hash_length = 64;
 
 // Bindings name all members of a struct, so that one that is added does not compile until it is kept here, too.
@@ -75,9 +75,22 @@ Json to_json(const std::vector<ContactMemory>& memories) {
   return list;
 }
 
+Json to_json(const BranchState& branches) {
+  const auto& [tensors, age] = branches;
+  return {tensors, age};
+}
+
+BranchState branches_from(const Json& json) {
+  BranchState branches;
+  auto& [tensors, age] = branches;
+  json.at(0).get_to(tensors);
+  json.at(1).get_to(age);
+  return branches;
+}
+
 Json to_json(const ExplicitState& state) {
   const auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air,
-               contact] = state;
+               contact, branches] = state;
   return {time,
           displacements,
           velocities,
@@ -89,13 +102,14 @@ Json to_json(const ExplicitState& state) {
           turnover,
           at_start ? Json(*at_start) : Json(),
           air ? to_json(*air) : Json(),
-          contact ? to_json(*contact) : Json()};
+          contact ? to_json(*contact) : Json(),
+          branches ? to_json(*branches) : Json()};
 }
 
 ExplicitState explicit_state_from(const Json& json) {
   ExplicitState state;
-  auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air, contact] =
-      state;
+  auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air, contact,
+         branches] = state;
   json.at(0).get_to(time);
   json.at(1).get_to(displacements);
   json.at(2).get_to(velocities);
@@ -107,9 +121,11 @@ ExplicitState explicit_state_from(const Json& json) {
   json.at(8).get_to(turnover);
   if (!json.at(9).is_null()) at_start = json.at(9).get<double>();
   if (!json.at(10).is_null()) air = air_from(json.at(10));
-  if (json.at(11).is_null()) return state;
-  contact.emplace();
-  for (const Json& memory : json.at(11)) contact->push_back(memory_from(memory));
+  if (!json.at(11).is_null()) {
+    contact.emplace();
+    for (const Json& memory : json.at(11)) contact->push_back(memory_from(memory));
+  }
+  if (!json.at(12).is_null()) branches = branches_from(json.at(12));
   return state;
 }
 

@@ -3,7 +3,6 @@
 #include <optional>
 #include <string_view>
 
-#include "fem/material_damping.h"
 #include "io/number_text.h"
 #include "materials/law_file.h"
 #include "materials/law_parameters.h"
@@ -32,6 +31,27 @@ std::optional<materials::LossData> read_loss(const io::TomlTable& table) {
                              .frequency_Hz = table.number("loss_frequency_Hz", io::positive())};
 }
 
+/// Branch or viscosity of a material that has its law, and how well they are known.
+void read_damping(const io::TomlTable& table, DampingModel usual, const std::optional<materials::LossData>& recorded,
+                  LocomotionMaterial& material, std::vector<std::string>& notes) {
+  const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law);
+  const std::optional<materials::LossData> stated = read_loss(table);
+  material.is_damping_measured = !stated && recorded;
+  material.loss = stated ? *stated : recorded.value_or(assumed_silicone_loss());
+  material.damping_model = table.word_or<DampingModel>(
+      "damping_model", usual, {{"maxwell", DampingModel::maxwell}, {"kelvin_voigt", DampingModel::kelvin_voigt}});
+  if (material.damping_model == DampingModel::maxwell)
+    material.branch = maxwell_branch(shear_modulus_Pa, material.loss);
+  else
+    material.viscosity_Pa_s = viscosity_Pa_s(shear_modulus_Pa, material.loss);
+  if (material.is_damping_measured) return;
+  notes.push_back("material: damping is not measured; loss factor " + io::number_text(material.loss.tan_delta) + " at " +
+                  io::number_text(material.loss.frequency_Hz) + " Hz, " +
+                  (stated ? "stated by the study" : std::string(material.loss.source)) +
+                  (material.damping_model == DampingModel::maxwell ? "; a Maxwell branch damps most there"
+                                                                   : "; of a viscosity, which damps more the faster the motion"));
+}
+
 }  // namespace
 
 materials::HyperelasticLaw stiffened(const materials::HyperelasticLaw& law, double factor) {
@@ -41,7 +61,7 @@ materials::HyperelasticLaw stiffened(const materials::HyperelasticLaw& law, doub
   return materials::with_parameters(law, values);
 }
 
-LocomotionMaterial read_locomotion_material(const io::TomlTable& table,
+LocomotionMaterial read_locomotion_material(const io::TomlTable& table, DampingModel usual,
                                             const std::function<void(const std::filesystem::path&)>& read_input,
                                             std::vector<std::string>& notes) {
   LocomotionMaterial material;
@@ -65,16 +85,7 @@ LocomotionMaterial read_locomotion_material(const io::TomlTable& table,
   material.bulk_modulus_Pa = shear_modulus_Pa * table.number_or("bulk_modulus_ratio", default_bulk_ratio, io::at_least(1.0));
   if (!table.has("bulk_modulus_ratio"))
     notes.push_back("material: bulk_modulus_ratio = " + io::number_text(default_bulk_ratio) + " is assumed");
-
-  const std::optional<materials::LossData> stated = read_loss(table);
-  material.is_damping_measured = !stated && recorded;
-  material.loss = stated ? *stated : recorded.value_or(assumed_silicone_loss());
-  material.viscosity_Pa_s = viscosity_Pa_s(shear_modulus_Pa, material.loss);
-  if (!material.is_damping_measured) {
-    notes.push_back("material: damping is not measured; loss factor " + io::number_text(material.loss.tan_delta) + " at " +
-                    io::number_text(material.loss.frequency_Hz) + " Hz, " +
-                    (stated ? "stated by the study" : std::string(material.loss.source)));
-  }
+  read_damping(table, usual, recorded, material, notes);
   return material;
 }
 

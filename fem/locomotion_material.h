@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fem/material_damping.h"
 #include "io/toml_document.h"
 #include "materials/hyperelastic_law.h"
 #include "materials/silicone_record.h"
@@ -14,10 +15,12 @@ namespace menger::fem {
 /// The silicone of a body that moves.
 struct LocomotionMaterial {
   materials::HyperelasticLaw law;
-  double bulk_modulus_Pa = 0.0;      ///< of the energy of Simo and Taylor
-  double density_kg_per_m3 = 0.0;    ///< > 0
-  double viscosity_Pa_s = 0.0;       ///< see viscosity_Pa_s of material_damping.h
-  materials::LossData loss;          ///< what the viscosity comes from
+  double bulk_modulus_Pa = 0.0;    ///< of the energy of Simo and Taylor
+  double density_kg_per_m3 = 0.0;  ///< > 0
+  DampingModel damping_model = DampingModel::maxwell;
+  MaxwellBranch branch;              ///< see maxwell_branch; none by the model of Kelvin and Voigt
+  double viscosity_Pa_s = 0.0;       ///< see viscosity_Pa_s of material_damping.h; 0 by Maxwell's model
+  materials::LossData loss;          ///< what either comes from
   bool is_damping_measured = false;  ///< false: assumed_silicone_loss
   std::string name;                  ///< for messages: of the record and the law
 };
@@ -28,10 +31,11 @@ materials::HyperelasticLaw stiffened(const materials::HyperelasticLaw& law, doub
 /// Reads a silicone: `record` with `law` ("recommended", or one of the others of the record, `law_variant` if it has several), or
 /// a table `law` (see materials::read_law) and `density_kg_per_m3`; `modulus_factor` or `youngs_modulus_Pa` (three times the
 /// shear modulus at rest) to stiffen it; `bulk_modulus_ratio` (50) of bulk by shear modulus; `density_kg_per_m3` in place of the
-/// record's; `loss_factor` and `loss_frequency_Hz` in place of the record's damping.
-/// @param read_input is called with the file of the record @param notes what was assumed is added to it
+/// record's; `loss_factor` and `loss_frequency_Hz` in place of the record's damping; `damping_model` ("maxwell", "kelvin_voigt").
+/// @param usual model where none is named @param read_input is called with the file of the record @param notes what was assumed
+/// is added to it
 /// @throws io::InputError with file, key and value
-LocomotionMaterial read_locomotion_material(const io::TomlTable& table,
+LocomotionMaterial read_locomotion_material(const io::TomlTable& table, DampingModel usual,
                                             const std::function<void(const std::filesystem::path&)>& read_input,
                                             std::vector<std::string>& notes);
 

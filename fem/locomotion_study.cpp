@@ -124,7 +124,14 @@ void add_material(SettingsText& text, const LocomotionMaterial& material) {
   text.number("density_kg_per_m3", material.density_kg_per_m3);
   text.number("bulk_modulus_Pa", material.bulk_modulus_Pa);
   text.word("volumetric", "simo_taylor");
-  text.number("viscosity_Pa_s", material.viscosity_Pa_s);
+  if (material.damping_model == DampingModel::maxwell) {
+    text.word("damping_model", "maxwell");
+    text.number("branch_modulus_Pa", material.branch.shear_modulus_Pa);
+    text.number("relaxation_time_s", material.branch.relaxation_time_s);
+  } else {
+    text.word("damping_model", "kelvin_voigt");
+    text.number("viscosity_Pa_s", material.viscosity_Pa_s);
+  }
   text.word("loss_source", material.loss.source);
   text.number("loss_factor", material.loss.tan_delta);
   text.number("loss_frequency_Hz", material.loss.frequency_Hz);
@@ -201,7 +208,8 @@ std::string locomotion_text(const LocomotionStudy& study) {
 ExplicitBodyOptions body_options(const LocomotionStudy& study) {
   ExplicitBodyOptions options;
   const LocomotionMaterial& material = study.material;
-  const ExplicitMaterial elements{material.law, materials::SimoTaylorVolume{material.bulk_modulus_Pa}, material.viscosity_Pa_s};
+  const ExplicitMaterial elements{material.law, materials::SimoTaylorVolume{material.bulk_modulus_Pa}, material.viscosity_Pa_s,
+                                  material.branch};
   options.regions.assign(study.mesh.region_names.size(), {elements, material.density_kg_per_m3});
   return options;
 }

@@ -76,6 +76,12 @@ void read_ground_table(const io::TomlTable& table, LocomotionStudy& study) {
     throw table.error("height_m", "is above the body's lowest point, which is at " + io::number_text(lowest));
 }
 
+/// Branches, too, are moved by explicit dynamics alone.
+void refuse_branch(const io::TomlTable& top, const LocomotionStudy& study) {
+  if (study.implicit && study.material.damping_model == DampingModel::maxwell)
+    throw top.table("material").error("damping_model", "dynamics.method = \"implicit\" has \"kelvin_voigt\" alone");
+}
+
 /// Air through lines is moved by explicit dynamics alone.
 void refuse_lines(const io::TomlTable& top, const LocomotionStudy& study) {
   if (!study.implicit || !study.supply->has_lines()) return;
@@ -137,9 +143,12 @@ SurfaceFriction read_self_friction(const io::TomlTable& table, const Friction& g
   return friction;
 }
 
-void read_dynamics(const io::TomlTable& table, LocomotionStudy& study) {
-  const Method method = table.word_or<Method>("method", Method::explicit_dynamics,
-                                              {{"explicit", Method::explicit_dynamics}, {"implicit", Method::implicit_dynamics}});
+Method read_method(const io::TomlTable& table) {
+  return table.word_or<Method>("method", Method::explicit_dynamics,
+                               {{"explicit", Method::explicit_dynamics}, {"implicit", Method::implicit_dynamics}});
+}
+
+void read_dynamics(const io::TomlTable& table, Method method, LocomotionStudy& study) {
   study.largest_step_s = table.optional_number("largest_step_s", io::positive());
   if (method == Method::implicit_dynamics) {
     read_implicit(table, study);
@@ -181,14 +190,18 @@ LocomotionStudy parse_locomotion_study(std::string_view text, const fs::path& fi
   (void)top.integer_or("schema_version", schema_version, io::within(schema_version, schema_version));
   read_design_table(top.table("design"), study);
   const auto read_input = [&](const fs::path& input) { study.inputs[input.string()] = io::file_hash(input); };
-  study.material = read_locomotion_material(top.table("material"), read_input, study.notes);
+  const io::TomlTable dynamics = table_or_empty(top, "dynamics");
+  const Method method = read_method(dynamics);
+  const DampingModel damping = method == Method::implicit_dynamics ? DampingModel::kelvin_voigt : DampingModel::maxwell;
+  study.material = read_locomotion_material(top.table("material"), damping, read_input, study.notes);
   read_ground_table(top.table("ground"), study);
   const io::TomlTable loads = table_or_empty(top, "loads");
   study.gravity_m_per_s2 = loads.number_or("gravity_m_per_s2", study.gravity_m_per_s2, io::non_negative());
   study.mass_damping_per_s = loads.number_or("mass_damping_per_s", study.mass_damping_per_s, io::non_negative());
   read_pressures(top, study);
   read_time(top.table("time"), study);
-  read_dynamics(table_or_empty(top, "dynamics"), study);
+  read_dynamics(dynamics, method, study);
+  refuse_branch(top, study);
   refuse_lines(top, study);
   const io::TomlTable output = table_or_empty(top, "output");
   study.output.frames = output.boolean_or("frames", study.output.frames);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fem/material_damping.h"
 #include "meshes/hollow_polycube.h"
 
 namespace fem = menger::fem;
@@ -42,10 +43,24 @@ std::vector<Subject> subjects() {
   return {{"cube20", meshes::hollow_polycube(meshes::hollow_cube_design(20e-3), options).mesh}, stand18("stand18", 1)};
 }
 
-fem::ExplicitBody silicone_body(const meshes::HexahedralMesh& mesh, double viscosity_Pa_s, const fem::ExplicitKernels& kernels) {
+/// How the silicone damps, all with a loss factor of about a tenth at 30 Hz.
+struct Damping {
+  const char* name;
+  double viscosity_Pa_s = 0.0;
+  fem::MaxwellBranch branch{};
+};
+
+std::vector<Damping> dampings() {
+  return {{"elastic"},
+          {"viscous", 10.0},
+          {"branch", 0.0, fem::maxwell_branch(50e3, {.source = "assumed", .tan_delta = 0.1, .frequency_Hz = 30.0})}};
+}
+
+fem::ExplicitBody silicone_body(const meshes::HexahedralMesh& mesh, const Damping& damping, const fem::ExplicitKernels& kernels) {
+  const fem::ExplicitMaterial material{materials::NeoHookean{50e3}, materials::SimoTaylorVolume{2.5e6}, damping.viscosity_Pa_s,
+                                       damping.branch};
   fem::ExplicitBodyOptions options;
-  options.regions.assign(mesh.region_names.size(),
-                         {{materials::NeoHookean{50e3}, materials::SimoTaylorVolume{2.5e6}, viscosity_Pa_s}, 1070.0});
+  options.regions.assign(mesh.region_names.size(), {material, 1070.0});
   return {mesh, options, kernels};
 }
 
@@ -60,8 +75,10 @@ fem::ExplicitOptions on_ground(std::size_t plena) {
   return options;
 }
 
-void element_forces(benchmark::State& state, const Subject& subject, const fem::ExplicitKernels& kernels, double viscosity_Pa_s) {
-  const fem::ExplicitBody body = silicone_body(subject.mesh, viscosity_Pa_s, kernels);
+/// @param relaxed_s by which branches relax in each update; 0: they are springs
+void element_forces(benchmark::State& state, const Subject& subject, const fem::ExplicitKernels& kernels, const Damping& damping,
+                    double relaxed_s) {
+  const fem::ExplicitBody body = silicone_body(subject.mesh, damping, kernels);
   std::vector<double> displacements;
   std::vector<double> velocities;
   for (const meshes::Point& X : subject.mesh.points) {
@@ -71,10 +88,12 @@ void element_forces(benchmark::State& state, const Subject& subject, const fem::
     }
   }
   fem::AlignedNumbers slots(24 * kernels.width * body.boxes().batch_count());
+  fem::AlignedNumbers tensors = body.branches_at_rest(std::vector<double>(displacements.size(), 0.0));
+  const fem::BranchTensors branch{tensors.empty() ? nullptr : tensors.data(), relaxed_s};
   for (auto unused : state) {
     (void)unused;
     const fem::ElementsOutcome outcome =
-        body.element_forces({displacements.data(), velocities.data()}, 0, body.boxes().batch_count(), slots.data());
+        body.element_forces({displacements.data(), velocities.data()}, 0, body.boxes().batch_count(), slots.data(), branch);
     if (!(outcome.smallest_ratio > 0.0)) state.SkipWithError("an element has no answer");
     benchmark::ClobberMemory();
   }
@@ -85,13 +104,13 @@ void element_forces(benchmark::State& state, const Subject& subject, const fem::
 /// What differs between runs.
 struct Run {
   double time_s;
-  double viscosity_Pa_s;
+  Damping damping;
   bool has_self_contact = true;
   int threads = 1;
 };
 
 void run(benchmark::State& state, const Subject& subject, const Run& how) {
-  const fem::ExplicitBody body = silicone_body(subject.mesh, how.viscosity_Pa_s, fem::best_explicit_kernels());
+  const fem::ExplicitBody body = silicone_body(subject.mesh, how.damping, fem::best_explicit_kernels());
   std::size_t steps = 0;
   for (auto unused : state) {
     (void)unused;
@@ -125,24 +144,29 @@ int main(int argc, char** argv) {
   const std::vector<Subject> bodies = subjects();
   for (const Subject& subject : bodies) {
     for (const fem::ExplicitKernels& kernels : fem::available_explicit_kernels()) {
-      for (const double viscosity : {0.0, 10.0}) {
-        std::string name = "ElementForces/" + subject.name;
-        name.append("/").append(kernels.instruction_set).append(viscosity > 0.0 ? "/viscous" : "/elastic");
-        benchmark::RegisterBenchmark(name.c_str(), [&subject, kernels, viscosity](benchmark::State& state) {
-          element_forces(state, subject, kernels, viscosity);
-        })->Unit(benchmark::kMicrosecond);
+      for (const Damping& damping : dampings()) {
+        for (const double relaxed_s : {0.0, 1e-4}) {
+          if (relaxed_s > 0.0 && !damping.branch.is_there()) continue;
+          std::string name = "ElementForces/" + subject.name;
+          name.append("/").append(kernels.instruction_set).append("/").append(damping.name);
+          if (relaxed_s > 0.0) name.append("/relaxing");
+          benchmark::RegisterBenchmark(name.c_str(), [&subject, kernels, damping, relaxed_s](benchmark::State& state) {
+            element_forces(state, subject, kernels, damping, relaxed_s);
+          })->Unit(benchmark::kMicrosecond);
+        }
       }
     }
     const double time_s = subject.name == "cube20" ? 0.5 : 0.05;
-    for (const double viscosity : {0.0, 10.0})
+    for (const Damping& damping : dampings())
       for (const bool has_self_contact : {true, false})
-        add_run("OnGround/" + subject.name + (viscosity > 0.0 ? "/viscous" : "/elastic") +
-                    (has_self_contact ? "" : "/without_self_contact"),
-                subject, {time_s, viscosity, has_self_contact});
+        add_run("OnGround/" + subject.name + "/" + damping.name + (has_self_contact ? "" : "/without_self_contact"), subject,
+                {time_s, damping, has_self_contact});
   }
   const Subject aggregate = stand18("aggregate of stand18", 2);
-  for (const int threads : {1, 2})
-    add_run("OnGround/aggregate18/viscous/threads" + std::to_string(threads), aggregate, {2e-3, 10.0, true, threads});
+  for (const Damping& damping : {dampings()[1], dampings()[2]})
+    for (const int threads : {1, 2})
+      add_run(std::string("OnGround/aggregate18/") + damping.name + "/threads" + std::to_string(threads), aggregate,
+              {2e-3, damping, true, threads});
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -42,9 +42,10 @@ inline std::vector<double> random_numbers(std::size_t count, double amplitude, u
 }
 
 /// Internal force on each component of each node, N.
-inline std::vector<double> internal_forces(const ExplicitBody& body, const NodalMotion& motion) {
+inline std::vector<double> internal_forces(const ExplicitBody& body, const NodalMotion& motion,
+                                           const BranchTensors& branch = {}) {
   AlignedNumbers slots(24 * body.boxes().width() * body.boxes().batch_count());
-  body.element_forces(motion, 0, body.boxes().batch_count(), slots.data());
+  body.element_forces(motion, 0, body.boxes().batch_count(), slots.data(), branch);
   std::vector<double> forces(3 * body.node_count(), 0.0);
   const NodeSlots& of_nodes = body.boxes().slots();
   for (std::size_t node = 0; node < body.node_count(); ++node)

@@ -10,8 +10,9 @@ namespace menger::fem {
 namespace {
 
 /// Largest eigenvalue of M^-1 K (or, with a viscosity, of M^-1 C for the rate of forces by velocities) by power iteration; forces
-/// are differentiated along the iterate. From below, and within 1e-3 after the iterations.
-double largest_eigenvalue(const ExplicitBody& body, const std::vector<double>& displacements, bool of_damping) {
+/// are differentiated along the iterate. From below, and within 1e-3 after the iterations. @param branch of the body's branches
+double largest_eigenvalue(const ExplicitBody& body, const std::vector<double>& displacements, bool of_damping,
+                          const BranchTensors& branch = {}) {
   std::vector<double> mode = random_numbers(displacements.size(), 1.0, 7);
   double eigenvalue = 0.0;
   for (int iteration = 0; iteration < 400; ++iteration) {
@@ -29,7 +30,7 @@ double largest_eigenvalue(const ExplicitBody& body, const std::vector<double>& d
       behind[n] -= step * mode[n];
     }
     const auto force = [&](const std::vector<double>& at) {
-      return of_damping ? internal_forces(body, {displacements.data(), at.data()}) : internal_forces(body, {at.data()});
+      return of_damping ? internal_forces(body, {displacements.data(), at.data()}) : internal_forces(body, {at.data()}, branch);
     };
     const std::vector<double> high = force(ahead);
     const std::vector<double> low = force(behind);
@@ -91,12 +92,35 @@ TEST(StepBound, HoldsForSupportsAndStiffeningLaws) {
   }
 }
 
+// A branch ten times as stiff as usual, as it is after slow motion (at rest in each state), after a jump (at rest at first), and
+// on the way back from where the material was stretched.
+TEST(StepBound, CountsBranches) {
+  for (const double bulk_modulus_Pa : {2.5e6, 1e5}) {  // soft enough for shear to decide, too
+    const meshes::HexahedralMesh mesh = meshes::box({8e-3, 4e-3, 4e-3}, {4, 2, 2});
+    ExplicitBodyOptions options = silicone_options(mesh);
+    options.regions[0].material.volume = materials::SimoTaylorVolume{bulk_modulus_Pa};
+    options.regions[0].material.branch = {.shear_modulus_Pa = 100e3, .relaxation_time_s = 1e-3};
+    const ExplicitBody body(mesh, options);
+    const std::vector<std::vector<double>> all = states(mesh, 2e-3);
+    for (const std::vector<double>& past : all) {
+      AlignedNumbers tensors = body.branches_at_rest(past);
+      for (const std::vector<double>& displacements : all) {
+        const double stiffness = largest_eigenvalue(body, displacements, false, {tensors.data(), 0.0});
+        const double bound = eigenvalue_bounds(body, displacements, tensors).stiffness_per_s2;
+        EXPECT_GE(bound, stiffness);
+        EXPECT_LE(bound, 6.0 * stiffness);
+        EXPECT_GT(bound, eigenvalue_bounds(body, displacements).stiffness_per_s2);
+      }
+    }
+  }
+}
+
 TEST(StepBound, DoesNotDependOnThreads) {
   const meshes::HexahedralMesh mesh = hollow_cube();
   const ExplicitBody body(mesh, silicone_options(mesh, 5.0));
   const std::vector<double> displacements = states(mesh, 2e-3)[2];
   const EigenvalueBounds alone = eigenvalue_bounds(body, displacements);
-  const EigenvalueBounds three = eigenvalue_bounds(body, displacements, BlockLoop(3));
+  const EigenvalueBounds three = eigenvalue_bounds(body, displacements, {}, BlockLoop(3));
   EXPECT_EQ(alone.stiffness_per_s2, three.stiffness_per_s2);
   EXPECT_EQ(alone.damping_per_s, three.damping_per_s);
 }

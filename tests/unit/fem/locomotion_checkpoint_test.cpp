@@ -43,6 +43,7 @@ LocomotionProgress awkward_progress() {
   state.contact = std::vector<ContactMemory>{
       {.node = 7, .face = 9, .depth_m = 1e-5 / 3.0, .pressed_m = 1e-6 / 3.0, .paid_m2 = 1e-12 / 7.0, .slip_m = {-0.0, 1e-9, 0.1}},
       {.node = 8, .is_sliding = true}};
+  state.branches = BranchState{.tensors = {1.0 / 3.0, -0.0, 1.0 + 1e-16, 5e-324}, .age_s = 1e-5 / 3.0};
   LocomotionRecord record{
       .time_s = 0.1, .centre_of_mass_m = {0.1, 0.2, 0.3}, .plenum_pressures_Pa = {5.0}, .ground_force_N = 1.1};
   record.chamber_volumes_m3 = {1e-6};
@@ -75,6 +76,8 @@ TEST(LocomotionCheckpoint, GivesEveryBitBack) {
   EXPECT_EQ(found.turnover_J, state.turnover_J);
   ASSERT_TRUE(found.contact);
   EXPECT_EQ(*found.contact, *state.contact);
+  EXPECT_EQ(found.branches, state.branches);
+  EXPECT_TRUE(std::signbit(found.branches->tensors[1]));
   ASSERT_TRUE(found.pneumatics);
   EXPECT_EQ(found.pneumatics->source_air_m3, state.pneumatics->source_air_m3);
   EXPECT_EQ(found.pneumatics->work.line_J, 0.4);
@@ -92,6 +95,7 @@ TEST(LocomotionCheckpoint, KeepsHowARunEndedAndWhatIsNotThere) {
   auto& state = std::get<ExplicitState>(written.state);
   state.at_start_J.reset();
   state.pneumatics.reset();
+  state.branches.reset();
   written.outcome = {io::RunStatus::diverged, "at 1 s: \"away\""};
   write_locomotion_checkpoint(checkpoint_file(), "study", written);
   const auto read = read_locomotion_checkpoint(checkpoint_file(), "study");
@@ -100,6 +104,7 @@ TEST(LocomotionCheckpoint, KeepsHowARunEndedAndWhatIsNotThere) {
   EXPECT_EQ(read->outcome->reason, "at 1 s: \"away\"");
   EXPECT_FALSE(std::get<ExplicitState>(read->state).at_start_J);
   EXPECT_FALSE(std::get<ExplicitState>(read->state).pneumatics);
+  EXPECT_FALSE(std::get<ExplicitState>(read->state).branches);
 }
 
 TEST(LocomotionCheckpoint, KeepsStatesOfImplicitDynamics) {

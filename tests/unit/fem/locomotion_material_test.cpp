@@ -20,10 +20,10 @@ struct Read {
   std::vector<std::string> files;
 };
 
-Read read(const std::string& keys) {
+Read read(const std::string& keys, DampingModel usual = DampingModel::maxwell) {
   Read result;
   result.material = read_locomotion_material(
-      io::parse_toml(keys, "material.toml"),
+      io::parse_toml(keys, "material.toml"), usual,
       [&](const std::filesystem::path& file) { result.files.push_back(file.filename().string()); }, result.notes);
   return result;
 }
@@ -62,14 +62,22 @@ TEST(LocomotionMaterial, SaysThatDampingIsNotMeasured) {
 }
 
 TEST(LocomotionMaterial, DampsAsTheStudyStates) {
-  const Read damped = read(
+  const std::string keys =
       "law = {name = \"neo_hookean\", shear_modulus_Pa = 6e4}\ndensity_kg_per_m3 = 1000\n"
-      "loss_factor = 0.2\nloss_frequency_Hz = 5\n");
-  EXPECT_NEAR(damped.material.viscosity_Pa_s, 6e4 * 0.2 / (2.0 * std::numbers::pi * 5.0), 1e-9);
+      "loss_factor = 0.2\nloss_frequency_Hz = 5\n";
+  const Read viscous = read(keys + "damping_model = \"kelvin_voigt\"\n");
+  EXPECT_NEAR(viscous.material.viscosity_Pa_s, 6e4 * 0.2 / (2.0 * std::numbers::pi * 5.0), 1e-9);
+  EXPECT_FALSE(viscous.material.branch.is_there());
+  const Read branched = read(keys + "damping_model = \"maxwell\"\n");
+  EXPECT_EQ(branched.material.branch.shear_modulus_Pa, maxwell_branch(6e4, branched.material.loss).shear_modulus_Pa);
+  EXPECT_EQ(branched.material.viscosity_Pa_s, 0.0);
+  EXPECT_EQ(read(keys, DampingModel::maxwell).material.damping_model, DampingModel::maxwell);
+  EXPECT_EQ(read(keys, DampingModel::kelvin_voigt).material.damping_model, DampingModel::kelvin_voigt);
   const Read elastic = read(
       "law = {name = \"neo_hookean\", shear_modulus_Pa = 6e4}\ndensity_kg_per_m3 = 1000\n"
       "loss_factor = 0\nloss_frequency_Hz = 5\n");
   EXPECT_EQ(elastic.material.viscosity_Pa_s, 0.0);
+  EXPECT_FALSE(elastic.material.branch.is_there());
 }
 
 TEST(LocomotionMaterial, RefusesWhatIsNoSilicone) {
@@ -80,6 +88,7 @@ TEST(LocomotionMaterial, RefusesWhatIsNoSilicone) {
   EXPECT_NE(message(record + "law_variant = 2\n").find("one recommended law"), std::string::npos);
   EXPECT_NE(message(record + "modulus_factor = 2\nyoungs_modulus_Pa = 1e5\n").find("keep one"), std::string::npos);
   EXPECT_NE(message(record + "loss_factor = 0.1\n").find("loss_frequency_Hz is missing"), std::string::npos);
+  EXPECT_NE(message(record + "damping_model = \"rubber\"\n").find("damping_model = \"rubber\""), std::string::npos);
   EXPECT_NE(message(record + "bulk_modulus_ratio = 0.5\n").find("bulk_modulus_ratio = 0.5"), std::string::npos);
   EXPECT_NE(message("law = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n").find("density_kg_per_m3 is missing"),
             std::string::npos);

@@ -83,6 +83,17 @@ TEST(LocomotionStudy, RecordsAtTheIntervalAndAtTheEnd) {
   EXPECT_EQ(record_times_s(study), (std::vector<double>{0.1, 0.2, 0.3}));
 }
 
+TEST(LocomotionStudy, DampsByABranchUnlessStated) {
+  const LocomotionStudy branched = sample_study(cube + rubber + ground + drive + time + no_pictures);
+  const ExplicitMaterial material = body_options(branched).regions[0].material;
+  EXPECT_TRUE(material.branch.is_there());
+  EXPECT_EQ(material.viscosity_Pa_s, 0.0);
+  const LocomotionStudy viscous = sample_study(cube_study);
+  EXPECT_FALSE(body_options(viscous).regions[0].material.branch.is_there());
+  EXPECT_GT(body_options(viscous).regions[0].material.viscosity_Pa_s, 0.0);
+  EXPECT_NE(locomotion_text(branched), locomotion_text(viscous));
+}
+
 // Whatever changes the records changes the text, and threads do not.
 TEST(LocomotionStudy, IsTheSameRunIfItsTextIsTheSame) {
   const std::string text = locomotion_text(sample_study(cube_study));
@@ -141,10 +152,14 @@ TEST(LocomotionStudy, ReadsWhatMovesItImplicitly) {
   EXPECT_FALSE(study.self_contact);
   EXPECT_NE(locomotion_text(study), locomotion_text(sample_study(implicit)));
   EXPECT_NE(locomotion_text(sample_study(cube_study)), locomotion_text(sample_study(implicit)));
+  EXPECT_EQ(study.material.damping_model, DampingModel::kelvin_voigt);
+  EXPECT_GT(study.material.viscosity_Pa_s, 0.0);
 }
 
 TEST(LocomotionStudy, RefusesWhatImplicitDynamicsHasNot) {
   const std::string implicit = "[dynamics]\nmethod = \"implicit\"\n";
+  expect_refused(cube + rubber + "damping_model = \"maxwell\"\n" + ground + drive + time + implicit,
+                 {"study.toml:", "material.damping_model = \"maxwell\"", "\"kelvin_voigt\" alone"});
   expect_refused(cube_study + implicit + "self_contact = true\n", {"study.toml:", "dynamics.self_contact = true"});
   expect_refused(cube_study + implicit + "step_safety = 0.5\n", {"dynamics.step_safety = 0.5", "method = \"explicit\""});
   expect_refused(cube_study + implicit + "threads = 2\n", {"dynamics.threads = 2"});

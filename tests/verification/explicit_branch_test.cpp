@@ -1,0 +1,169 @@
+// Vibrations of bodies with a Maxwell branch, against the standard linear solid.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "../unit/fem/explicit_samples.h"
+#include "fem/material_damping.h"
+
+namespace menger::fem {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double pi = std::numbers::pi;
+constexpr double density = 1070.0;
+constexpr double modulus = 50e3;
+
+/// A column that shears: all nodes move along x alone, by the same amount at the same height. Its lowest mode is u = cos(pi y /
+/// L); of `count` elements it has the wave number K, K^2 = 4 / h^2 sin^2(pi h / (2 L)), for lumped masses.
+struct Column {
+  static constexpr double length = 20e-3;
+  static constexpr std::size_t count = 20;
+  meshes::HexahedralMesh mesh = meshes::box({1e-3, length, 1e-3}, {1, count, 1});
+  ExplicitBody body;
+
+  explicit Column(const MaxwellBranch& branch) : body(mesh, options_of(mesh, branch)) {}
+
+  static ExplicitBodyOptions options_of(const meshes::HexahedralMesh& mesh, const MaxwellBranch& branch) {
+    ExplicitBodyOptions options = silicone_options(mesh);
+    options.regions[0].material.branch = branch;
+    for (const char* label : {"x min", "x max"})
+      options.supports.push_back({meshes::label_index(mesh, label), {false, true, true}});
+    return options;
+  }
+
+  static double wave_number_square() {
+    const double h = length / count;
+    const double half = std::sin(0.5 * pi * h / length) / h;
+    return 4.0 * half * half;
+  }
+};
+
+/// The amplitude of a mode that is let go with its branch at rest: density s^2 + K^2 G(s) = 0 with G = mu + m s tau / (1 + s tau)
+/// has three roots, and the motion is the sum of their exponentials that begins with 1, no velocity, and no force of the branch.
+class FreeDecay {
+ public:
+  explicit FreeDecay(const MaxwellBranch& branch) {
+    const double tau = branch.relaxation_time_s;
+    const double soft = Column::wave_number_square() * modulus / density;
+    const double hard = Column::wave_number_square() * (modulus + branch.shear_modulus_Pa) / density;
+    // tau s^3 + s^2 + hard tau s + soft, for hard tau = (mu + m) tau K^2 / density; Newton's method from the undamped root
+    Complex s(0.0, std::sqrt(soft));
+    for (int n = 0; n < 50; ++n) s -= (((tau * s + 1.0) * s + hard * tau) * s + soft) / ((3.0 * tau * s + 2.0) * s + hard * tau);
+    roots_ = {s, std::conj(s), -1.0 / tau - 2.0 * s.real()};  // their sum is -1 / tau
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Complex a = roots_[(k + 1) % 3];
+      const Complex b = roots_[(k + 2) % 3];
+      shares_[k] = (-soft + a * b) / ((roots_[k] - a) * (roots_[k] - b));
+    }
+  }
+
+  [[nodiscard]] double at(double time_s) const {
+    Complex sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) sum += shares_[k] * std::exp(roots_[k] * time_s);
+    return sum.real();
+  }
+  [[nodiscard]] double period_s() const { return 2.0 * pi / roots_[0].imag(); }
+  [[nodiscard]] double decay_per_s() const { return -roots_[0].real(); }
+
+ private:
+  std::array<Complex, 3> roots_{};
+  std::array<Complex, 3> shares_{};
+};
+
+// Simple shear is linear in both laws, so that the motion is that of three exponentials at any amplitude. Branches that answer
+// faster than, as fast as, and slower than the mode, over five of its periods: 171 Hz, steps of some 10 us. Tensors that relax
+// every twenty-fifth of their time, for the middle of it, move the decay by its square and the frequency by half a step: below
+// 5e-4 of the amplitude here.
+TEST(MaxwellBranch, ShearModeDecaysAsTheStandardLinearSolid) {
+  const double angular_frequency = std::sqrt(Column::wave_number_square() * modulus / density);
+  for (const double number : {0.2, 1.0, 5.0}) {
+    const MaxwellBranch branch{.shear_modulus_Pa = 15e3, .relaxation_time_s = number / angular_frequency};
+    const FreeDecay wanted(branch);
+    const Column column(branch);
+    ExplicitDynamics dynamics(column.mesh, column.body, {});
+    ExplicitState state = dynamics.state();
+    state.at_start_J.reset();
+    state.branches.reset();
+    constexpr double amplitude = 2e-3;
+    for (std::size_t n = 0; n < column.mesh.points.size(); ++n)
+      state.displacements_m[3 * n] = amplitude * std::cos(pi * column.mesh.points[n][1] / Column::length);
+    dynamics.set_state(state);
+    const std::size_t end = 3 * node_at(column.mesh, {0.0, 0.0, 0.0});
+    double worst = 0.0;
+    double worst_books = 0.0;
+    for (int n = 1; n <= 100; ++n) {
+      const double time = 0.05 * n * wanted.period_s();
+      ASSERT_EQ(dynamics.advance_to(time).status, io::RunStatus::completed);
+      worst = std::max(worst, std::abs(dynamics.state().displacements_m[end] / amplitude - wanted.at(time)));
+      const ExplicitEnergies books = dynamics.energies();
+      worst_books = std::max(worst_books, std::abs(books.imbalance_J()) / books.at_start_J);
+    }
+    EXPECT_LT(worst, 1e-3) << number;
+    EXPECT_LT(worst_books, 1e-3) << number;
+    EXPECT_LT(wanted.at(5.0 * wanted.period_s()), 0.9) << "it does decay";
+  }
+}
+
+// The hollow cube breathes under a pressure of 20 Hz, as its elastic and viscous kin do: books close to a thousandth of the
+// largest work, and what the branch lost is a part of it.
+TEST(MaxwellBranch, EnergyIsBalancedOverACycle) {
+  const meshes::HexahedralMesh mesh = hollow_cube();
+  ExplicitBodyOptions of_body = silicone_options(mesh);
+  for (ExplicitRegion& region : of_body.regions)
+    region.material.branch = maxwell_branch(modulus, {.source = "test", .tan_delta = 0.1, .frequency_Hz = 30.0});
+  of_body.supports = {{meshes::label_index(mesh, "ground"), {false, false, true}}};
+  of_body.point_supports = {{{0.0, 0.0, 0.0}, {true, true, false}}, {{20e-3, 0.0, 0.0}, {false, true, false}}};
+  const ExplicitBody body(mesh, of_body);
+  ExplicitOptions options;
+  options.schedules = {{SinePressure{.low_Pa = 0.0, .high_Pa = 4e3, .frequency_Hz = 20.0}, 0.0}};
+  ExplicitDynamics dynamics(mesh, body, options);
+  double largest = 0.0;
+  double worst = 0.0;
+  double lost = 0.0;
+  for (int n = 1; n <= 20; ++n) {
+    ASSERT_EQ(dynamics.advance_to(0.0025 * n).status, io::RunStatus::completed);
+    const ExplicitEnergies energies = dynamics.energies();
+    largest = std::max(largest, energies.work.pressure_J);
+    worst = std::max(worst, std::abs(energies.imbalance_J()));
+    EXPECT_GE(energies.work.viscous_J, lost);
+    lost = energies.work.viscous_J;
+  }
+  EXPECT_GT(largest, 1e-3);
+  EXPECT_LT(worst, 1e-3 * largest);
+  EXPECT_GT(lost, 0.01 * largest);
+}
+
+// A tumbling body that has come to rest in its shape loses nothing any more, but momentum is kept all the time.
+TEST(MaxwellBranch, FreeFlightKeepsMomentum) {
+  const meshes::HexahedralMesh mesh = hollow_cube();
+  ExplicitBodyOptions of_body = silicone_options(mesh);
+  for (ExplicitRegion& region : of_body.regions) region.material.branch = {.shear_modulus_Pa = 50e3, .relaxation_time_s = 2e-3};
+  const ExplicitBody body(mesh, of_body);
+  ExplicitDynamics dynamics(mesh, body, {});
+  ExplicitState state = dynamics.state();
+  state.at_start_J.reset();
+  for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+    const Point arm = difference(mesh.points[n], {0.01, 0.01, 0.01});
+    const Point v = sum(Point{0.5, -0.2, 0.1}, sum(cross({20.0, -10.0, 30.0}, arm), Point{15.0 * arm[0], -20.0 * arm[1], 0.0}));
+    for (std::size_t i = 0; i < 3; ++i) state.velocities_m_per_s[3 * n + i] = v[i];
+  }
+  dynamics.set_state(state);
+  const Motion before = motion_of(dynamics);
+  ASSERT_EQ(dynamics.advance_to(0.05).status, io::RunStatus::completed);
+  const Motion after = motion_of(dynamics);
+  EXPECT_LT(norm(difference(after.momentum, before.momentum)), 1e-11 * before.size);  // rounding, as without a branch
+  EXPECT_LT(norm(difference(after.angular, before.angular)), 1e-5 * norm(before.angular));
+  const double lost = dynamics.energies().work.viscous_J;
+  EXPECT_GT(lost, 0.0);
+  ASSERT_EQ(dynamics.advance_to(0.1).status, io::RunStatus::completed);
+  EXPECT_LT(dynamics.energies().work.viscous_J - lost, 0.1 * lost);
+}
+
+}  // namespace
+}  // namespace menger::fem
