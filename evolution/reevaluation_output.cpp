@@ -24,11 +24,7 @@ void remove_earlier(const fs::path& folder) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with("rank_") && entry.path().extension() == ".csv") files.push_back(entry.path());
   }
-  for (const fs::path& file : files) {
-    std::error_code error;
-    fs::remove(file, error);
-    if (error) throw io::InputError(file.string() + ": cannot be removed: " + error.message());
-  }
+  for (const fs::path& file : files) io::remove_if_there(file);
 }
 
 std::string rank_file(std::size_t rank) {

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "evolution/reevaluation_strip.h"
+#include "io/whole_file.h"
 #include "voxel/picture_view.h"
 #include "voxel/vtk_output.h"
 
@@ -24,14 +25,14 @@ std::string voxel_file(std::size_t number) {
 }
 
 void remove_earlier(const fs::path& folder) {
-  for (const char* name : {"both.pvd", "strip.png"}) voxel::remove_if_there(folder / name);
+  for (const char* name : {"both.pvd", "strip.png"}) io::remove_if_there(folder / name);
   std::vector<fs::path> files;
   std::error_code no_such_folder;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, no_such_folder)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with("voxels_") && entry.path().extension() == ".vtu") files.push_back(entry.path());
   }
-  for (const fs::path& file : files) voxel::remove_if_there(file);
+  for (const fs::path& file : files) io::remove_if_there(file);
 }
 
 /// The surrogate counts from the centre of its first voxel, finite elements from the corner of the first cell.

@@ -1,10 +1,9 @@
 #include "evolution/study_file.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string>
 
+#include "io/formatted.h"
 #include "io/number_text.h"
 #include "io/toml_document.h"
 #include "voxel/calibrated_body_file.h"
@@ -145,11 +144,7 @@ void apply(const StudyOverrides& values, Study& study) {
   study = read_tables(io::parse_toml(text, "command line"), study);
 }
 
-std::string gibibytes(std::size_t bytes) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g GiB", static_cast<double>(bytes) / 1073741824.0);
-  return text.data();
-}
+std::string gibibytes(std::size_t bytes) { return io::formatted("%.3g GiB", static_cast<double>(bytes) / 1073741824.0); }
 
 /// Demands that involve several keys.
 void check_whole(const io::TomlTable& table, const Study& study, std::size_t memory_bytes) {

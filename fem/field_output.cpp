@@ -9,7 +9,6 @@
 
 #include "fem/field_grid.h"
 #include "fem/rank_agreement.h"
-#include "io/input_error.h"
 #include "io/number_text.h"
 #include "io/vtk_file.h"
 #include "io/whole_file.h"
@@ -28,12 +27,6 @@ bool is_step_file(const std::string& name) {
   const bool is_fields = name.ends_with(".vtu") || name.ends_with(".pvtu");
   return is_fields && name.starts_with(file_start) &&
          name.substr(file_start.size(), name.find('.') - file_start.size()).find_first_not_of("0123456789_") == std::string::npos;
-}
-
-void delete_file(const fs::path& file) {
-  std::error_code error;
-  fs::remove(file, error);
-  if (error) throw io::InputError(file.string() + ": cannot be removed: " + error.message());
 }
 
 std::string numbered(int step) {
@@ -81,10 +74,10 @@ void FieldSeries::keep_only(const std::vector<FieldStep>& steps) {
     });
     // before the files go, so that the collection never names one that is not there
     if (entries_.empty())
-      delete_file(folder_ / collection_name);
+      io::remove_if_there(folder_ / collection_name);
     else
       write_collection();
-    for (const fs::path& file : surplus) delete_file(file);
+    for (const fs::path& file : surplus) io::remove_if_there(file);
   });
 }
 

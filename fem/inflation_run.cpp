@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "fem/body_ends.h"
@@ -157,11 +156,7 @@ class InflationRun {
     fields_.keep_only(kept);
   }
 
-  void remove(std::string_view name) const {
-    std::error_code error;
-    fs::remove(folder_ / name, error);
-    if (error) throw io::InputError((folder_ / name).string() + ": cannot be removed: " + error.message());
-  }
+  void remove(std::string_view name) const { io::remove_if_there(folder_ / name); }
 
   void follow() {
     const PathObserver observer = [this](const PathPoint& point, const BodyState& state, const PathRestart& restart) {

@@ -15,7 +15,6 @@
 #include <optional>
 #include <system_error>
 
-#include "io/input_error.h"
 #include "io/number_text.h"
 #include "io/vtk_file.h"
 #include "io/whole_file.h"
@@ -32,12 +31,6 @@ fs::path frame_file(std::size_t number) {
   std::array<char, 40> name{};
   std::snprintf(name.data(), name.size(), "frame_%04zu.vtu", number);
   return fs::path("frames") / name.data();
-}
-
-void remove_file(const fs::path& file) {
-  std::error_code error;
-  fs::remove(file, error);
-  if (error) throw io::InputError(file.string() + ": cannot be removed: " + error.message());
 }
 
 bool is_there(const fs::path& file) {
@@ -143,7 +136,7 @@ void LocomotionFrames::keep_only(const std::vector<double>& times_s) {
   times_s_.resize(kept);
   // Before the files go, so that the collection never names one that is not there.
   if (times_s_.empty())
-    remove_file(folder_ / collection_name);
+    io::remove_if_there(folder_ / collection_name);
   else
     write_collection();
   std::vector<fs::path> surplus;
@@ -155,7 +148,7 @@ void LocomotionFrames::keep_only(const std::vector<double>& times_s) {
     for (std::size_t n = 0; n < times_s_.size() && !stays; ++n) stays = name == frame_file(n).filename();
     if (is_frame && !stays) surplus.push_back(entry.path());
   }
-  for (const fs::path& file : surplus) remove_file(file);
+  for (const fs::path& file : surplus) io::remove_if_there(file);
 }
 
 void LocomotionFrames::add(const meshes::HexahedralMesh& mesh, const MovedBody& body) {

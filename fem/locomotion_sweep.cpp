@@ -4,11 +4,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <optional>
-#include <system_error>
 
 #include "fem/locomotion_study_file.h"
 #include "io/chart.h"
-#include "io/input_error.h"
 #include "io/number_text.h"
 #include "io/toml_substitution.h"
 #include "io/whole_file.h"
@@ -24,12 +22,6 @@ fs::path case_folder(std::size_t number) {
   std::array<char, 32> name{};
   std::snprintf(name.data(), name.size(), "case_%02zu", number);
   return name.data();
-}
-
-void remove_file(const fs::path& file) {
-  std::error_code error;
-  fs::remove(file, error);
-  if (error) throw io::InputError(file.string() + ": cannot be removed: " + error.message());
 }
 
 /// Paths from above.
@@ -90,7 +82,7 @@ std::vector<SweepCase> run_sweep(const LocomotionStudy& study, const fs::path& f
   // A case that cannot begin is found before hours of others, and before anything of an earlier sweep is removed.
   for (std::size_t n = 0; n < studies.size(); ++n) check_locomotion(studies[n], folder / case_folder(n + 1), options);
   io::require_writable_folder(folder);
-  for (const char* name : {"sweep.csv", "sweep.png"}) remove_file(folder / name);
+  for (const char* name : {"sweep.csv", "sweep.png"}) io::remove_if_there(folder / name);
   std::vector<SweepCase> cases;
   for (std::size_t n = 0; n < studies.size(); ++n) {
     cases.push_back({study.sweep->values[n], run_locomotion(studies[n], folder / case_folder(n + 1), options)});

@@ -15,10 +15,10 @@
 #include "fem/field_grid.h"
 #include "fem/inflation_tables.h"
 #include "io/chart.h"
-#include "io/input_error.h"
 #include "io/number_text.h"
 #include "io/toml_document.h"
 #include "io/vtk_file.h"
+#include "io/whole_file.h"
 
 namespace menger::fem {
 namespace {
@@ -161,10 +161,7 @@ void remove_mode_shapes(const fs::path& folder) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with(shape_prefix) && name.ends_with(".vtu")) shapes.push_back(entry.path());
   }
-  for (const fs::path& shape : shapes) {
-    fs::remove(shape, error);
-    if (error) throw io::InputError(shape.string() + ": cannot be removed: " + error.message());
-  }
+  for (const fs::path& shape : shapes) io::remove_if_there(shape);
 }
 
 }  // namespace menger::fem

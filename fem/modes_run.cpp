@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 #include "fem/inflation_problem.h"
@@ -105,11 +104,8 @@ class ModesRun {
   }
 
   void remove_earlier_files() const {
-    for (const char* name : {"modes.csv", "frequency_response.csv", "frequency_response.png", "result.toml", "manifest.json"}) {
-      std::error_code error;
-      fs::remove(folder_ / name, error);
-      if (error) throw io::InputError((folder_ / name).string() + ": cannot be removed: " + error.message());
-    }
+    for (const char* name : {"modes.csv", "frequency_response.csv", "frequency_response.png", "result.toml", "manifest.json"})
+      io::remove_if_there(folder_ / name);
     remove_mode_shapes(folder_ / "modes");
   }
 

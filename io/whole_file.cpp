@@ -72,6 +72,12 @@ void write_whole(const fs::path& file, std::string_view content) {
   pending.commit();
 }
 
+void remove_if_there(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw InputError(file.string() + ": cannot be removed: " + error.message());
+}
+
 std::string read_whole(const fs::path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) throw InputError(file.string() + ": cannot be read: it is a folder");

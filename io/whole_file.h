@@ -34,6 +34,9 @@ class PendingFile {
 /// Writes a file whole or not at all. @throws InputError naming path and reason
 void write_whole(const std::filesystem::path& file, std::string_view content);
 
+/// Removes a file, or an empty folder, if it is there. @throws InputError naming path and reason
+void remove_if_there(const std::filesystem::path& file);
+
 /// All bytes of a file. @throws InputError if it is missing, a folder or unreadable
 std::string read_whole(const std::filesystem::path& file);
 

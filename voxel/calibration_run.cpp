@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "io/input_error.h"
 #include "io/manifest.h"
 #include "io/whole_file.h"
 #include "voxel/calibration_chart.h"
@@ -92,10 +91,7 @@ void remove_earlier_results(const fs::path& folder) {
       stale.push_back(entry.path());
   }
   stale.push_back(manifest);
-  for (const fs::path& file : stale) {
-    fs::remove(file, error);
-    if (error) throw io::InputError(file.string() + ": cannot be removed: " + error.message());
-  }
+  for (const fs::path& file : stale) io::remove_if_there(file);
 }
 
 void write_tables(const fs::path& folder, const CalibrationRunResult& result) {

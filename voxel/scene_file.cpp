@@ -1,11 +1,10 @@
 #include "voxel/scene_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "io/formatted.h"
 #include "io/input_error.h"
 #include "io/range.h"
 #include "io/toml_document.h"
@@ -65,11 +64,7 @@ GivenLevel read_level(const io::TomlTable& table, int fallback, std::optional<in
   return {*option, name};
 }
 
-std::string gibibytes(std::size_t bytes) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g GiB", static_cast<double>(bytes) / 1073741824.0);
-  return text.data();
-}
+std::string gibibytes(std::size_t bytes) { return io::formatted("%.3g GiB", static_cast<double>(bytes) / 1073741824.0); }
 
 SceneOutput read_output(const io::TomlTable& table) {
   const SceneOutput defaults;

@@ -157,7 +157,7 @@ SceneResult run_scene(const Scene& scene, const std::filesystem::path& folder, c
   }
   // From here on no file of an earlier run may pass for one of this run, also if this one is killed.
   for (const char* name : {"result.toml", "manifest.json", "trajectory.csv", "check_dt.csv", "robot.png", "trajectory.png"}) {
-    remove_if_there(folder / name);
+    io::remove_if_there(folder / name);
   }
   FrameSeries(folder).remove_earlier();
   return run->run();

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "voxel/validation_summary.h"
+#include "voxel/validation_tables.h"
 
 namespace menger::voxel {
 
@@ -31,12 +31,6 @@ std::optional<double> rms(const std::vector<CurveComparison>& comparisons, bool 
   }
   if (count == 0) return std::nullopt;
   return std::sqrt(sum / static_cast<double>(count));
-}
-
-std::string percent(double fraction) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %%", 100.0 * fraction);
-  return text.data();
 }
 
 /// What to call a part in a sentence.

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "io/vtk_file.h"
+#include "io/whole_file.h"
 #include "voxel/body_boxes.h"
 #include "voxel/kept_fields.h"
 #include "voxel/rigid_part.h"
@@ -86,7 +87,7 @@ std::string numbered(const char* kind, std::size_t row) {
 
 /// Removes the files of an earlier run, and no other.
 void remove_earlier(const fs::path& folder) {
-  for (const char* name : {"worst.pvd", "worst.png"}) remove_if_there(folder / name);
+  for (const char* name : {"worst.pvd", "worst.png"}) io::remove_if_there(folder / name);
   std::vector<fs::path> files;  // collected first: whether a listing goes on over files that vanish is not defined
   std::error_code no_such_folder;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "worst", no_such_folder)) {
@@ -94,7 +95,7 @@ void remove_earlier(const fs::path& folder) {
     const bool is_ours = name.starts_with("elements_") || name.starts_with("voxels_");
     if (is_ours && entry.path().extension() == ".vtu") files.push_back(entry.path());
   }
-  for (const fs::path& file : files) remove_if_there(file);
+  for (const fs::path& file : files) io::remove_if_there(file);
 }
 
 /// The surrogate as boxes, at rest and by row of the curve.

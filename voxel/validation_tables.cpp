@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <tuple>
 
+#include "io/formatted.h"
 #include "io/joined_text.h"
 
 namespace menger::voxel {
 
 namespace {
-
-std::string percent(double fraction) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %%", 100.0 * fraction);
-  return text.data();
-}
 
 std::string percent_or_nothing(const std::optional<double>& fraction) { return fraction ? percent(*fraction) : ""; }
 
@@ -67,6 +61,8 @@ std::vector<std::string> aligned(const std::vector<Line>& lines) {
 }
 
 }  // namespace
+
+std::string percent(double fraction) { return io::formatted("%.3g %%", 100.0 * fraction); }
 
 io::CsvTable errors_table(const std::vector<CurveComparison>& comparisons) {
   io::CsvTable table({"case", "body", "kind", "observable", "pressure_Pa", "imposed", "finite_elements", "surrogate", "error",

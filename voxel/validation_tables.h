@@ -9,6 +9,9 @@
 
 namespace menger::voxel {
 
+/// A fraction for people: "6.6 %".
+std::string percent(double fraction);
+
 /// One row per number compared: case, body, kind, observable, pressure_Pa, imposed (in the unit that the case has it in),
 /// finite_elements, surrogate, error (by the scale of the observable), pointwise_error, validity (see Validity).
 io::CsvTable errors_table(const std::vector<CurveComparison>& comparisons);

@@ -16,8 +16,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "io/input_error.h"
 #include "io/vtk_file.h"
+#include "io/whole_file.h"
 #include "voxel/cube.h"
 
 namespace menger::voxel {
@@ -77,12 +77,6 @@ bool is_frame_name(std::string_view name) {
 
 }  // namespace
 
-void remove_if_there(const std::filesystem::path& file) {
-  std::error_code error;
-  std::filesystem::remove(file, error);
-  if (error) throw io::InputError(file.string() + ": cannot be replaced: " + error.message());
-}
-
 void write_frame(const std::filesystem::path& file, const Frame& frame) {
   vtkNew<vtkUnstructuredGrid> grid;
   add_cubes(*grid, frame);
@@ -104,14 +98,14 @@ void write_frame(const std::filesystem::path& file, const Frame& frame) {
 FrameSeries::FrameSeries(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
 
 void FrameSeries::remove_earlier() const {
-  remove_if_there(collection_file());
+  io::remove_if_there(collection_file());
   // Collected first: whether a listing goes on over files that vanish is not defined.
   std::vector<std::filesystem::path> frames;
   std::error_code no_such_folder;
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / name_, no_such_folder)) {
     if (is_frame_name(entry.path().filename().string())) frames.push_back(entry.path());
   }
-  for (const auto& frame : frames) remove_if_there(frame);
+  for (const auto& frame : frames) io::remove_if_there(frame);
 }
 
 void FrameSeries::add(const Frame& frame) {

@@ -17,9 +17,6 @@ namespace menger::voxel {
 /// @throws io::InputError if the place cannot be written
 void write_frame(const std::filesystem::path& file, const Frame& frame);
 
-/// Removes a file of an earlier run; nothing happens if there is none. @throws io::InputError if it stays
-void remove_if_there(const std::filesystem::path& file);
-
 /// A file of a collection and the time it stands for.
 struct CollectionEntry {
   double time_s = 0.0;

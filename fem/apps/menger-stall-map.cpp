@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -15,7 +14,6 @@
 #include "fem/stall_travel.h"
 #include "io/child_program.h"
 #include "io/exit_code.h"
-#include "io/input_error.h"
 #include "io/interrupt.h"
 #include "io/manifest.h"
 #include "io/program.h"
@@ -54,11 +52,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
 }
 
 void remove_earlier_files(const fs::path& folder) {
-  for (const char* name : {"stall_map.csv", "isobars.csv", "travel.csv", "stall_map.png", "manifest.json"}) {
-    std::error_code error;
-    fs::remove(folder / name, error);
-    if (error) throw io::InputError((folder / name).string() + ": cannot be removed: " + error.message());
-  }
+  for (const char* name : {"stall_map.csv", "isobars.csv", "travel.csv", "stall_map.png", "manifest.json"})
+    io::remove_if_there(folder / name);
 }
 
 void print(const fem::StallMapStudy& study, const fem::StallMap& map, double seconds) {

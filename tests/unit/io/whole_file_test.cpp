@@ -54,6 +54,16 @@ TEST_F(WholeFile, ReplacesAnOlderOne) {
   EXPECT_EQ(read_whole(folder_ / "a.txt"), "new");
 }
 
+TEST_F(WholeFile, IsRemovedIfItIsThere) {
+  write_whole(folder_ / "a.txt", "x");
+  remove_if_there(folder_ / "a.txt");
+  EXPECT_EQ(files(), 0U);
+  remove_if_there(folder_ / "a.txt");
+  write_whole(folder_ / "b/a.txt", "x");
+  EXPECT_EQ(message([&] { remove_if_there(folder_ / "b"); }).find((folder_ / "b").string() + ": cannot be removed"), 0U)
+      << "a folder that holds something";
+}
+
 TEST_F(WholeFile, MakesItsFolder) {
   write_whole(folder_ / "b/c/a.txt", "x");
   EXPECT_EQ(read_whole(folder_ / "b/c/a.txt"), "x");
