@@ -98,7 +98,7 @@ Vector3<double> BodyShape::middle_of_top() const {
   const TopMiddle top = top_middle(*body_);
   Vector3<double> sum{0.0, 0.0, 0.0};
   for (const std::size_t voxel : top.voxels) {
-    const double peak_ratio = body_->parameters.bulge_peak_ratio[body_->voxels.wall_class[voxel][2]];
+    const double peak_ratio = body_->parameters.bulge_peak_ratio[body_->voxels.bulge_class[voxel][2]];
     sum = sum + face(voxel, Side::z_max, top.covered ? peak_ratio : 0.0);
   }
   return (1.0 / static_cast<double>(top.voxels.size())) * sum;

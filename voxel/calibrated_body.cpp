@@ -27,8 +27,11 @@ ByWallClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Pol
   ByWallClass<bool> classes{};
   CalibratedBody module = calibrated;  // all modules have the same walls
   module.level = 1;
-  for (const auto& of_voxel : calibrated_voxels(basal_body, module).wall_class) {
-    for (const std::uint8_t c : of_voxel) classes[c] = true;
+  const HollowVoxels voxels = calibrated_voxels(basal_body, module);
+  for (const auto* lists : {&voxels.wall_class, &voxels.bulge_class}) {
+    for (const auto& of_voxel : *lists) {
+      for (const std::uint8_t c : of_voxel) classes[c] = true;
+    }
   }
   return classes;
 }

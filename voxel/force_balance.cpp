@@ -209,8 +209,9 @@ void ForceBalance::add_coupling(const StaticState& state, std::vector<NodeLoad>&
 
 double ForceBalance::ground_force(const StaticState& state, std::size_t voxel) const {
   if (!ground_) return 0.0;
-  const double size =
-      contact_size_m(body_->parameters, body_->voxels.wall_class[voxel][2], sizes_.pressures_Pa[body_->voxels.chamber[voxel]]);
+  const HollowVoxels& voxels = body_->voxels;
+  const double size = contact_size_m(body_->parameters, voxels.wall_class[voxel][2], voxels.bulge_class[voxel][2],
+                                     sizes_.pressures_Pa[voxels.chamber[voxel]]);
   const double penetration = 0.5 * size - state.poses[voxel].position.z;
   return body_->parameters.ground_stiffness_N_per_m * std::max(0.0, penetration);
 }

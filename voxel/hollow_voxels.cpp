@@ -101,23 +101,44 @@ std::array<bool, 6> shared_sides(const meshes::ModularBody& body, const CellInde
   return shared;
 }
 
-/// Position in wall_class_names of a voxel without a wall on some sides.
+/// Class of the bulge of a voxel's faces across an axis: by the squares of four cells that it shares with open neighbours.
+/// @param walled_across sides of the voxel parallel to the axis, in turn @param square whether all of the square between two
+/// sides that follow each other is open; the last lies between the last side and the first
+std::uint8_t plate_class(const std::array<bool, 4>& walled_across, const std::array<bool, 4>& square) {
+  constexpr std::array<std::uint8_t, 5> by_squares{walls::bend, walls::corner, walls::one, walls::none, walls::none};
+  const auto squares = static_cast<std::size_t>(std::ranges::count(square, true));
+  const auto arms = std::ranges::count(walled_across, false);
+  if (squares > 0 || arms > 2) return by_squares.at(squares);
+  if (arms == 2) return walled_across[0] == walled_across[2] ? walls::limb : walls::bend;
+  return arms == 1 ? walls::three : walls::closed;
+}
+
+/// The class of a voxel's walls along an axis, by the sides that carry one, and of the bulge of its faces across it.
+struct AxisClasses {
+  std::uint8_t wall;
+  std::uint8_t bulge;
+};
+
 /// @param is_open whether the air of the voxel reaches another one of the grid
 template <class IsOpen>
-std::array<std::uint8_t, 3> wall_classes(const CellIndex& voxel, const std::array<bool, 6>& walled, const IsOpen& is_open) {
-  const auto open_side = [&walled](std::size_t axis) { return meshes::all_sides.at(walled[2 * axis] ? 2 * axis + 1 : 2 * axis); };
-  const auto along = [&](std::size_t axis) -> std::uint8_t {
-    const std::size_t first = (axis + 1) % 3;
-    const std::size_t second = (axis + 2) % 3;
-    const std::size_t walls_first = std::size_t{walled[2 * first]} + std::size_t{walled[2 * first + 1]};
-    const std::size_t walls_second = std::size_t{walled[2 * second]} + std::size_t{walled[2 * second + 1]};
-    if (walls_first == 1 && walls_second == 1)
-      return is_open(meshes::neighbour(meshes::neighbour(voxel, open_side(first)), open_side(second))) ? walls::corner
-                                                                                                       : walls::bend;
-    constexpr std::array<std::uint8_t, 5> by_count{walls::none, walls::one, walls::limb, walls::three, walls::closed};
-    return by_count.at(walls_first + walls_second);
-  };
-  return {along(0), along(1), along(2)};
+AxisClasses classes_along(std::size_t axis, const CellIndex& voxel, const std::array<bool, 6>& walled, const IsOpen& is_open) {
+  const std::size_t first = (axis + 1) % 3;
+  const std::size_t second = (axis + 2) % 3;
+  const std::array<std::size_t, 4> around{2 * first, 2 * second, 2 * first + 1, 2 * second + 1};
+  std::array<bool, 4> across{};
+  std::array<bool, 4> square{};
+  for (std::size_t n = 0; n < around.size(); ++n) {
+    const std::size_t side = around[n];
+    const std::size_t next = around[(n + 1) % around.size()];
+    across[n] = walled[side];
+    square[n] = !walled[side] && !walled[next] &&
+                is_open(meshes::neighbour(meshes::neighbour(voxel, meshes::all_sides.at(side)), meshes::all_sides.at(next)));
+  }
+  constexpr std::array<std::uint8_t, 5> by_count{walls::none, walls::one, walls::limb, walls::three, walls::closed};
+  const auto count = static_cast<std::size_t>(std::ranges::count(across, true));
+  const std::uint8_t plate = plate_class(across, square);
+  const bool adjacent = count == 2 && across[0] != across[2];
+  return {.wall = adjacent ? plate : by_count.at(count), .bulge = plate};
 }
 
 void check(const HollowOptions& options) {
@@ -145,7 +166,15 @@ HollowVoxels hollow_voxels(const meshes::Polycube& basal_body, const HollowOptio
     const auto is_open = [&](const CellIndex& other) {
       return body.region_of({other.x / parts, other.y / parts, other.z / parts}) == body.region_of(cell);
     };
-    voxels.wall_class.push_back(wall_classes(voxel, voxels.walled.back(), is_open));
+    std::array<std::uint8_t, 3> wall_class{};
+    std::array<std::uint8_t, 3> bulge_class{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const AxisClasses classes = classes_along(axis, voxel, voxels.walled.back(), is_open);
+      wall_class[axis] = classes.wall;
+      bulge_class[axis] = classes.bulge;
+    }
+    voxels.wall_class.push_back(wall_class);
+    voxels.bulge_class.push_back(bulge_class);
     voxels.chamber.push_back(body.region_of(cell).value());
     const WallShape wall = wall_shape(body, cell, slice[static_cast<std::size_t>(part[0])],
                                       slice[static_cast<std::size_t>(part[1])], slice[static_cast<std::size_t>(part[2])]);

@@ -29,7 +29,9 @@ struct HollowVoxels {
   std::vector<std::array<bool, 6>>
       shared;  ///< of those the sides whose wall parts two chambers of a module: half of it lies here
   std::vector<std::array<std::uint8_t, 3>> wall_class;  ///< per axis, see wall_class_names
-  std::vector<std::size_t> chamber;                     ///< air space of the voxel, by module and first cell
+  std::vector<std::array<std::uint8_t, 3>>
+      bulge_class;                   ///< per axis: the class by which its faces across the axis bulge, see surrogate_parameters.h
+  std::vector<std::size_t> chamber;  ///< air space of the voxel, by module and first cell
   std::size_t chamber_count = 0;
   std::vector<double> wall_volume_m3;  ///< silicone in the voxel, from the exact geometry; 0 well inside a chamber
   std::vector<double> inertia_factor;  ///< second moment of the wall about the voxel's centre, mean over the axes, by

@@ -31,6 +31,9 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     const auto v = static_cast<std::size_t>(voxel);
     return wall_class_count * phase_of[v] + voxels.wall_class[v][axis];
   };
+  const auto bulge_answer = [&](std::size_t voxel, std::size_t axis) {
+    return wall_class_count * phase_of[voxel] + voxels.bulge_class[voxel][axis];
+  };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = lattice.beams[axis];
     for (std::size_t i = 0; i < beams.lower.size(); ++i)
@@ -40,6 +43,7 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const auto voxel = static_cast<std::int32_t>(i);
     voxel_answers_.push_back({answer(voxel, 0), answer(voxel, 1), answer(voxel, 2)});
+    bulge_answers_.push_back({bulge_answer(i, 0), bulge_answer(i, 1), bulge_answer(i, 2)});
     bulging_.push_back(voxels.walled[i]);
     for (std::size_t side = 0; side < bulging_[i].size(); ++side) {
       if (lattice.neighbours[i][side] >= 0) bulging_[i][side] = false;
@@ -57,7 +61,7 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     for (std::size_t c = 0; c < wall_class_count; ++c) {
       answers_[wall_class_count * k + c] = {
           half_length_m(parameters_, c, pressure), half_length_rate_m_s(parameters_, c, pressure, rate),
-          contact_size_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure)};
+          foot_bulge_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure)};
     }
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -70,9 +74,10 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     }
   }
   for (std::size_t i = 0; i < voxel_answers_.size(); ++i) {
-    const Answer& answer = answers_[voxel_answers_[i][2]];
-    d.pose[static_cast<std::size_t>(line_length) * i + slot::size] = static_cast<Real>(answer.contact_size_m);
-    collision_sizes_[i] = static_cast<Real>(2.0 * answer.half_length_m);
+    const double length = 2.0 * answers_[voxel_answers_[i][2]].half_length_m;
+    const double foot = 2.0 * answers_[bulge_answers_[i][2]].foot_bulge_m;
+    d.pose[static_cast<std::size_t>(line_length) * i + slot::size] = static_cast<Real>(length + foot);
+    collision_sizes_[i] = static_cast<Real>(length);
   }
 }
 
@@ -80,8 +85,8 @@ template <class Real>
 std::array<double, 6> PressureDrive<Real>::reach_m(std::size_t voxel) const {
   std::array<double, 6> reach{};
   for (std::size_t side = 0; side < reach.size(); ++side) {
-    const Answer& answer = answers_[voxel_answers_[voxel][side / 2]];
-    reach[side] = answer.half_length_m + (bulging_[voxel][side] ? answer.bulge_m : 0.0);
+    reach[side] = answers_[voxel_answers_[voxel][side / 2]].half_length_m;
+    if (bulging_[voxel][side]) reach[side] += answers_[bulge_answers_[voxel][side / 2]].bulge_m;
   }
   return reach;
 }

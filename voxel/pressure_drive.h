@@ -40,7 +40,7 @@ class PressureDrive {
  private:
   /// What the laws give for a phase and a wall class.
   struct Answer {
-    double half_length_m, half_length_rate_m_s, contact_size_m, bulge_m;
+    double half_length_m, half_length_rate_m_s, foot_bulge_m, bulge_m;
   };
 
   SurrogateParameters parameters_;
@@ -49,7 +49,8 @@ class PressureDrive {
   std::vector<std::array<double, 2>> phases_;                            ///< cos and sin of 2 pi phase, of the phases that occur
   std::vector<Answer> answers_;                                          ///< by phase, then wall class
   std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_answers_;  ///< per axis and beam: of its two halves
-  std::vector<std::array<std::size_t, 3>> voxel_answers_;                ///< per voxel: of its classes along x, y, z
+  std::vector<std::array<std::size_t, 3>> voxel_answers_;                ///< per voxel: of its wall classes along x, y, z
+  std::vector<std::array<std::size_t, 3>> bulge_answers_;                ///< the same of its bulge classes
   std::vector<std::array<bool, 6>> bulging_;                             ///< per voxel: sides with a wall and no voxel behind it
   std::vector<Real> collision_sizes_;
   StrainRange strains_;

@@ -11,9 +11,14 @@ constexpr auto line_size = static_cast<std::size_t>(line_length);
 
 }  // namespace
 
-double contact_size_m(const SurrogateParameters& parameters, std::size_t wall_class_z, double pressure_Pa) {
-  const double bulge = parameters.bulge_peak_ratio[wall_class_z] * parameters.bulge[wall_class_z].value(pressure_Pa);
-  return 2.0 * half_length_m(parameters, wall_class_z, pressure_Pa) + 2.0 * parameters.voxel_edge_m() * std::max(0.0, bulge);
+double foot_bulge_m(const SurrogateParameters& parameters, std::size_t bulge_class, double pressure_Pa) {
+  const double bulge = parameters.bulge_peak_ratio[bulge_class] * parameters.bulge[bulge_class].value(pressure_Pa);
+  return parameters.voxel_edge_m() * std::max(0.0, bulge);
+}
+
+double contact_size_m(const SurrogateParameters& parameters, std::size_t wall_class_z, std::size_t bulge_class_z,
+                      double pressure_Pa) {
+  return 2.0 * half_length_m(parameters, wall_class_z, pressure_Pa) + 2.0 * foot_bulge_m(parameters, bulge_class_z, pressure_Pa);
 }
 
 template <class Real>

@@ -21,9 +21,14 @@ inline double half_length_rate_m_s(const SurrogateParameters& parameters, std::s
   return 0.5 * parameters.voxel_edge_m() * parameters.extension[wall_class].derivative(pressure_Pa) * pressure_rate_Pa_s;
 }
 
-/// Size (m) with which a voxel meets the ground, L (1 + extension(p)) + 2 L max(0, bulge_peak_ratio bulge(p)), with the laws of
-/// its class along z: as far as the middle of its bottom wall stands out. A wall drawn in does not lift the rim it stands on.
-double contact_size_m(const SurrogateParameters& parameters, std::size_t wall_class_z, double pressure_Pa);
+/// How far (m) the middle of a wall stands out where it meets the ground, L max(0, bulge_peak_ratio bulge(p)). A wall drawn in
+/// does not lift the rim it stands on.
+double foot_bulge_m(const SurrogateParameters& parameters, std::size_t bulge_class, double pressure_Pa);
+
+/// Size (m) with which a voxel meets the ground, with the laws of its classes along z: L (1 + extension(p)), and twice
+/// foot_bulge_m.
+double contact_size_m(const SurrogateParameters& parameters, std::size_t wall_class_z, std::size_t bulge_class_z,
+                      double pressure_Pa);
 
 /// Lateral coupling: what a body gains in length it loses in width, at no cost of the time step.
 ///

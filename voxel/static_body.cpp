@@ -106,8 +106,10 @@ StaticBody::StaticBody(const SurrogateParameters& body_parameters, HollowVoxels 
       lattice(voxels.body),
       edge_m(parameters.voxel_edge_m()),
       beam_at(lattice.voxel_count()) {
-  for (const auto& of_voxel : voxels.wall_class) {
-    for (const std::uint8_t c : of_voxel) has_class[c] = true;
+  for (const auto* classes : {&voxels.wall_class, &voxels.bulge_class}) {
+    for (const auto& of_voxel : *classes) {
+      for (const std::uint8_t c : of_voxel) has_class[c] = true;
+    }
   }
   add_voxels(*this, cell_box(lattice));
   add_beams(*this);

@@ -59,7 +59,7 @@ struct StaticBody {
   std::vector<Pose> rest;       ///< of all nodes
   std::vector<double> mass_kg;  ///< of voxels
   std::vector<double> inertia_kg_m2;
-  ByWallClass<bool> has_class{};  ///< whether any voxel has the class along any axis
+  ByWallClass<bool> has_class{};  ///< whether any voxel has the class along any axis, of its walls or its bulge
   /// Per voxel and side the beam that leaves it there, if any.
   std::vector<std::array<std::optional<std::size_t>, 6>> beam_at;
 
@@ -77,7 +77,7 @@ struct StaticBody {
   [[nodiscard]] double rest_length(const DrivenSizes& sizes, const StaticBeam& beam) const;
   /// Mean bulge of a wall of a voxel across an axis, m.
   [[nodiscard]] double bulge(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
-    return edge_m * sizes.bulge[voxels.chamber[voxel]][voxels.wall_class[voxel][axis]];
+    return edge_m * sizes.bulge[voxels.chamber[voxel]][voxels.bulge_class[voxel][axis]];
   }
 };
 

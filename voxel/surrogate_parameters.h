@@ -17,6 +17,12 @@ namespace menger::voxel {
 /// one, where the voxel diagonally between the two open sides belongs to the same chamber, or else the bend of a limb, whose
 /// faces span no further than a limb's. Where a cell has several voxels along an edge that voxel is part of the same cell, so
 /// that no voxel is a bend.
+///
+/// How far a face bulges depends on how wide the plate is that it is part of: on the squares of four voxels that its voxel has in
+/// common with open neighbours. An arm, which leads away one voxel wide, does not widen it. So the class of the bulge is that of
+/// a voxel in a wide plate with as many squares, whatever arms there are beside: none with four squares or three, one with two,
+/// corner with one. Without a square it is the class of the half beams, but bend, the nearest that any load case knows, where
+/// three or four arms meet.
 namespace walls {
 enum WallClass : std::uint8_t { none, one, corner, bend, limb, three, closed };
 }

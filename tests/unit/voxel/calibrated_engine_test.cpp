@@ -54,6 +54,18 @@ TEST(Frame, ShowsAHollowCellAsLongAsPressureDrivesIt) {
   EXPECT_NE(frame.reach_m[0][2], 0.5 * frame.size_m[0]) << "the peak of the bulge meets the floor, its mean is drawn";
 }
 
+TEST(Frame, ShowsTheFootOfATeeAsNarrowAsItsArms) {
+  constexpr double pressure_Pa = 1000.0;
+  const Physics physics = held_at(pressure_Pa);
+  const SurrogateParameters& p = physics.surrogate->parameters;
+  const Frame frame = Simulation(meshes::Polycube::from_digits(3, 2, 1, "111010"), 0.01, physics).frame();
+  // Three open sides make the length of the cell in the middle, but none of them lets its wall span more than an arm.
+  const double length = 0.01 * (1.0 + p.extension[walls::one].value(pressure_Pa));
+  const double foot = length + 0.02 * p.bulge_peak_ratio[walls::bend] * p.bulge[walls::bend].value(pressure_Pa);
+  EXPECT_NEAR(frame.size_m[1], foot, 1e-12);
+  EXPECT_NEAR(frame.reach_m[1][4], 0.5 * length + 0.01 * p.bulge[walls::bend].value(pressure_Pa), 1e-12);
+}
+
 TEST(Frame, OfSolidVoxelsHasCubes) { EXPECT_TRUE(Simulation(meshes::bar(2), 0.01, Physics{}).frame().reach_m.empty()); }
 
 TEST(ScaleCheck, RefusesAnyStiffnessThatCannotBeSteppedWith) {

@@ -80,6 +80,46 @@ TEST(HollowVoxels, CountLateralWallsOfEveryVoxel) {
   EXPECT_EQ(names(meshes::full_cube(3), 13), (Names{"0", "0", "0"}));                    // centre
 }
 
+TEST(HollowVoxels, BulgeAsThePlateThatTheyArePartOf) {
+  struct Plate {
+    const char* digits;  // of 3 x 3 cells
+    std::size_t voxel;   // in the middle
+    const char* wall_class;
+    const char* bulge_class;
+  };
+  constexpr std::array plates{Plate{"111010000", 1, "1", "2b"},  // three arms
+                              Plate{"010111010", 2, "0", "2b"},  // four
+                              Plate{"111110000", 1, "1", "2a"},  // an arm beside a square of four cells
+                              Plate{"011111010", 3, "0", "2a"},  // two
+                              Plate{"011111011", 3, "0", "1"},   // an arm beside two squares
+                              Plate{"110111011", 3, "0", "1"},   // two squares that meet in the middle
+                              Plate{"011111111", 3, "0", "0"}};  // three squares
+  for (const Plate& plate : plates) {
+    SCOPED_TRACE(plate.digits);
+    const HollowVoxels voxels = hollow_voxels(Polycube::from_digits(3, 3, 1, plate.digits), options());
+    EXPECT_EQ(wall_class_names.at(voxels.wall_class[plate.voxel][2]), plate.wall_class);
+    EXPECT_EQ(wall_class_names.at(voxels.bulge_class[plate.voxel][2]), plate.bulge_class);
+  }
+}
+
+TEST(HollowVoxels, BulgeByTheirWallsWhereNothingButSquaresAndLimbsMeet) {
+  // The bodies that calibrations see: their parameters do not depend on how arms are told apart.
+  const Polycube slab = Polycube::from_digits(3, 2, 1, "111111");
+  const Polycube elbow = Polycube::from_digits(2, 2, 1, "1110");
+  const Polycube tripod = Polycube::from_digits(2, 2, 2, "11101000");
+  for (const Polycube& body : {meshes::bar(1), meshes::bar(3), meshes::plane(2), slab, elbow, tripod, meshes::full_cube(3)}) {
+    for (const int parts : {1, 2}) {
+      const HollowVoxels voxels = hollow_voxels(body, options(parts));
+      EXPECT_EQ(voxels.bulge_class, voxels.wall_class) << body.digits() << ", " << parts;
+    }
+  }
+  const HollowVoxels modules = hollow_voxels(meshes::bar(2), options(1, 2));
+  EXPECT_EQ(modules.bulge_class, modules.wall_class);
+  // Of cells of several voxels no arm is as narrow as a voxel.
+  const HollowVoxels refined = hollow_voxels(Polycube::from_digits(3, 3, 1, "010111010"), options(2));
+  EXPECT_EQ(refined.bulge_class, refined.wall_class);
+}
+
 TEST(HollowVoxels, SeeWallsBetweenChambersAndModules) {
   const Polycube two_phases = Polycube::from_digits(2, 1, 1, "12");
   const HollowVoxels single = hollow_voxels(two_phases, options());

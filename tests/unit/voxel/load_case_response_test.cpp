@@ -75,6 +75,21 @@ TEST(LoadCaseResponse, OfInflationCountsFacesOfLongBodies) {
   EXPECT_NEAR(value(response, "volume_change", 0), growth / chamber, 1e-11);
 }
 
+TEST(LoadCaseResponse, OfInflationBulgesATeeNoWiderThanItsArms) {
+  SurrogateParameters parameters = sample_parameters();
+  for (std::size_t c = 0; c < wall_class_count; ++c) parameters.bulge[c].slope_per_Pa = 1e-6 * (1.0 + static_cast<double>(c * c));
+  LoadCase of = load_case(LoadCaseKind::inflation, 1, {1000.0});
+  of.cells = {3, 2, 1};
+  of.digits = "111010";
+  const auto b = [&](std::size_t c) { return parameters.bulge[c].value(1000.0); };
+  // Top and bottom, the sides of the arms, their ends, and the side of the cell in the middle.
+  const double faces =
+      2.0 * (3.0 * b(walls::three) + b(walls::bend)) + 6.0 * b(walls::three) + 3.0 * b(walls::closed) + b(walls::limb);
+  const LoadCaseResponse response = respond(parameters, of);
+  const double chamber = 0.006 * 0.006 * (0.026 + 0.01);
+  EXPECT_NEAR(value(response, "volume_change", 0), std::pow(sample_edge, 3) * faces / chamber, 1e-11);
+}
+
 TEST(LoadCaseResponse, TakesTheRimForTheTopOfABodyWithAHole) {
   const SurrogateParameters parameters = driven_parameters();
   LoadCase of = load_case(LoadCaseKind::inflation, 1, {2000.0});
