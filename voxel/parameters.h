@@ -65,6 +65,12 @@ enum class DampingMode {
   velocity     ///< from the velocities of the ends and the rate of the rest length: conserves momentum, carries float
 };
 
+/// When the damping of beams acts on the velocities that it damps; see effective_bond_ratio.
+enum class BondDamping {
+  explicit_,     ///< at the start of the step: bounds the step in full bodies
+  semi_implicit  ///< weakened so that it bounds no step: for steps up to three times as long, at less damping
+};
+
 enum class NumberType { float64, float32 };
 
 /// The time step and how it is taken.
@@ -72,6 +78,7 @@ struct Integration {
   double time_step_fraction = 0.9;  ///< of the recommended step, > 0
   DampingMode damping = DampingMode::increments;
   NumberType number = NumberType::float64;
+  BondDamping bond_damping = BondDamping::explicit_;
 
   /// Round rest lengths to 24 bits, as the public engine keeps them. Damping from increments divides that rounding by the step:
   /// at a tenth of the paper's step it is a force noise of about a percent of a light robot's friction, enough to start a slip
@@ -134,5 +141,6 @@ inline double effective_coupling(const Physics& physics) {
 std::string_view to_string(ActuationMode mode);
 std::string_view to_string(DampingMode mode);
 std::string_view to_string(NumberType number);
+std::string_view to_string(BondDamping treatment);  ///< "explicit" or "semi-implicit"
 
 }  // namespace menger::voxel

@@ -24,6 +24,7 @@ io::Words<Value> words_of(const std::array<Value, count>& values) {
 const std::array actuation_modes{ActuationMode::none, ActuationMode::in_phase, ActuationMode::antiphase, ActuationMode::wave,
                                  ActuationMode::hold};
 const std::array damping_modes{DampingMode::increments, DampingMode::velocity};
+const std::array bond_dampings{BondDamping::explicit_, BondDamping::semi_implicit};
 const std::array number_types{NumberType::float64, NumberType::float32};
 constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
 
@@ -94,10 +95,21 @@ void read_integration(const io::TomlTable& table, Integration& integration) {
   integration.number = table.word_or("number", integration.number, words_of(number_types));
   integration.single_precision_rest_lengths =
       table.boolean_or("single_precision_rest_lengths", integration.single_precision_rest_lengths);
+  integration.bond_damping = table.word_or("bond_damping", integration.bond_damping, words_of(bond_dampings));
   if (integration.number == NumberType::float32 && integration.damping == DampingMode::increments) {
     throw table.error(table.has("number") ? "number" : "damping",
                       "float32 cannot carry damping from increments: use damping = \"velocity\" or number = \"float64\"");
   }
+}
+
+std::string integration_text(const Integration& integration) {
+  TableText table("integration");
+  table.number("time_step_fraction", integration.time_step_fraction)
+      .word("damping", to_string(integration.damping))
+      .word("number", to_string(integration.number))
+      .boolean("single_precision_rest_lengths", integration.single_precision_rest_lengths);
+  if (integration.bond_damping != BondDamping::explicit_) table.word("bond_damping", to_string(integration.bond_damping));
+  return table.text();
 }
 
 std::string material_text(std::string_view name, const VoxelMaterial& material, bool friction_only) {
@@ -137,6 +149,11 @@ Physics read_physics(const io::TomlTable& table, const Physics& defaults) {
     physics.limits.strain = limits->number_or("strain", physics.limits.strain, io::positive());
   }
   read_calibrated_body(table, physics);
+  if (physics.surrogate && physics.integration.bond_damping != BondDamping::explicit_) {
+    const auto integration = table.optional_table("integration");
+    const char* reason = "must be \"explicit\": the damping of a [surrogate] is part of its parameters";
+    throw integration ? integration->error("bond_damping", reason) : table.error("integration.bond_damping", reason);
+  }
   return physics;
 }
 
@@ -158,12 +175,7 @@ std::string physics_text(const Physics& physics) {
              .text() +
          actuation_text(physics.actuation, calibrated) +
          TableText("collisions").add("exclusion_depth", depth ? std::to_string(*depth) : io::toml_quoted("off")).text() +
-         TableText("integration")
-             .number("time_step_fraction", physics.integration.time_step_fraction)
-             .word("damping", to_string(physics.integration.damping))
-             .word("number", to_string(physics.integration.number))
-             .boolean("single_precision_rest_lengths", physics.integration.single_precision_rest_lengths)
-             .text() +
+         integration_text(physics.integration) +
          TableText("limits")
              .number("speed_fraction", physics.limits.speed_fraction)
              .number("strain", physics.limits.strain)

@@ -21,7 +21,7 @@ namespace menger::voxel {
 ///   wave_periods_per_body, wave_over_gaps
 /// - `[collisions]` exclusion_depth (an integer >= 1 or "off")
 /// - `[integration]` time_step_fraction, damping ("increments", "velocity"), number ("float64", "float32"),
-/// single_precision_rest_lengths
+/// single_precision_rest_lengths, bond_damping ("explicit", "semi-implicit"; only of solid voxels)
 /// - `[limits]` speed_fraction, strain
 /// - `[surrogate]` parameters (a file of read_surrogate, or its tables), pressure_Pa (lowest and highest), chambers ("single",
 ///   "per-phase"; those of the fit if not given), outside_range ("refuse", "warn"); wall_thickness_m and silicone, if given, must
@@ -34,7 +34,7 @@ namespace menger::voxel {
 /// if float32 is asked for together with damping from increments
 Physics read_physics(const io::TomlTable& table, const Physics& defaults = {});
 
-/// All values as the TOML that read_physics reads (lateral_coupling, ramp_s and [surrogate] where they are in use), always in the
+/// All values as the TOML that read_physics reads (lateral_coupling, ramp_s, bond_damping and [surrogate] where they are in use), always in the
 /// same order and exact: equal text means equal physics, and reading it gives the same physics back. Serves as the identity of a
 /// physics.
 std::string physics_text(const Physics& physics);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "voxel/bond_damping.h"
 #include "voxel/time_step.h"
 
 namespace menger::voxel {
@@ -23,8 +24,9 @@ BeamCoefficients<double> beam_between(const Physics& physics, std::size_t lower,
   c.bend_root = std::sqrt(c.bend * edge / 2.0);
   c.turn_root = std::sqrt(c.turn * edge2 / 6.0);
   c.twist_root = std::sqrt(c.twist * edge2 / 6.0);
-  c.damping_lower = physics.damping_ratios.bond * std::sqrt(voxel_mass_kg(physics.materials[lower], edge));
-  c.damping_upper = physics.damping_ratios.bond * std::sqrt(voxel_mass_kg(physics.materials[upper], edge));
+  const double ratio = effective_bond_ratio(physics);
+  c.damping_lower = ratio * std::sqrt(voxel_mass_kg(physics.materials[lower], edge));
+  c.damping_upper = ratio * std::sqrt(voxel_mass_kg(physics.materials[upper], edge));
   if (physics.integration.damping == DampingMode::velocity)
     c.damping_lower = c.damping_upper = 0.5 * (c.damping_lower + c.damping_upper);
   return c;
