@@ -20,7 +20,9 @@ std::string_view to_string(ActuationMode mode) {
 
 std::string_view to_string(DampingMode mode) { return mode == DampingMode::increments ? "increments" : "velocity"; }
 
-std::string_view to_string(BondDamping treatment) { return treatment == BondDamping::explicit_ ? "explicit" : "semi-implicit"; }
+std::string_view to_string(BondDamping treatment) {
+  return treatment == BondDamping::explicit_step ? "explicit" : "semi-implicit";
+}
 
 std::string_view to_string(NumberType number) { return number == NumberType::float64 ? "float64" : "float32"; }
 

@@ -67,8 +67,8 @@ enum class DampingMode {
 
 /// When the damping of beams acts on the velocities that it damps; see effective_bond_ratio.
 enum class BondDamping {
-  explicit_,     ///< at the start of the step: bounds the step in full bodies
-  semi_implicit  ///< weakened so that it bounds no step: for steps up to three times as long, at less damping
+  explicit_step,  ///< at the start of the step: bounds the step in full bodies
+  semi_implicit   ///< weakened so that it bounds no step: for steps up to three times as long, at less damping
 };
 
 enum class NumberType { float64, float32 };
@@ -78,7 +78,7 @@ struct Integration {
   double time_step_fraction = 0.9;  ///< of the recommended step, > 0
   DampingMode damping = DampingMode::increments;
   NumberType number = NumberType::float64;
-  BondDamping bond_damping = BondDamping::explicit_;
+  BondDamping bond_damping = BondDamping::explicit_step;
 
   /// Round rest lengths to 24 bits, as the public engine keeps them. Damping from increments divides that rounding by the step:
   /// at a tenth of the paper's step it is a force noise of about a percent of a light robot's friction, enough to start a slip

@@ -24,7 +24,7 @@ io::Words<Value> words_of(const std::array<Value, count>& values) {
 const std::array actuation_modes{ActuationMode::none, ActuationMode::in_phase, ActuationMode::antiphase, ActuationMode::wave,
                                  ActuationMode::hold};
 const std::array damping_modes{DampingMode::increments, DampingMode::velocity};
-const std::array bond_dampings{BondDamping::explicit_, BondDamping::semi_implicit};
+const std::array bond_dampings{BondDamping::explicit_step, BondDamping::semi_implicit};
 const std::array number_types{NumberType::float64, NumberType::float32};
 constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
 
@@ -108,7 +108,7 @@ std::string integration_text(const Integration& integration) {
       .word("damping", to_string(integration.damping))
       .word("number", to_string(integration.number))
       .boolean("single_precision_rest_lengths", integration.single_precision_rest_lengths);
-  if (integration.bond_damping != BondDamping::explicit_) table.word("bond_damping", to_string(integration.bond_damping));
+  if (integration.bond_damping != BondDamping::explicit_step) table.word("bond_damping", to_string(integration.bond_damping));
   return table.text();
 }
 
@@ -149,7 +149,7 @@ Physics read_physics(const io::TomlTable& table, const Physics& defaults) {
     physics.limits.strain = limits->number_or("strain", physics.limits.strain, io::positive());
   }
   read_calibrated_body(table, physics);
-  if (physics.surrogate && physics.integration.bond_damping != BondDamping::explicit_) {
+  if (physics.surrogate && physics.integration.bond_damping != BondDamping::explicit_step) {
     const auto integration = table.optional_table("integration");
     const char* reason = "must be \"explicit\": the damping of a [surrogate] is part of its parameters";
     throw integration ? integration->error("bond_damping", reason) : table.error("integration.bond_damping", reason);

@@ -73,7 +73,7 @@ std::vector<std::string> check(const meshes::Polycube& body, double cell_edge_m,
   require(std::isfinite(physics.actuation.wave_periods_per_body), "wave_periods_per_body must be finite");
   require(physics.integration.number == NumberType::float64 || physics.integration.damping == DampingMode::velocity,
           "float32 cannot carry damping from increments");
-  require(!physics.surrogate || physics.integration.bond_damping == BondDamping::explicit_,
+  require(!physics.surrogate || physics.integration.bond_damping == BondDamping::explicit_step,
           "the damping of a calibrated body is part of its parameters");
   require(positive(physics.limits.speed_fraction) && positive(physics.limits.strain), "divergence limits must be > 0");
   std::size_t voxels = body.count();
@@ -168,7 +168,8 @@ Frame Simulation::frame() const {
     if (engine_->physics.surrogate) frame.reach_m.push_back(voxel.reach_m);
     frame.speed_m_s.push_back(std::hypot(voxel.velocity_m_s[0], voxel.velocity_m_s[1], voxel.velocity_m_s[2]));
     std::uint8_t bits = touching[i] ? contact::other_voxel : contact::none;
-    if (voxel.touches_floor) bits = static_cast<std::uint8_t>(bits | (voxel.is_static ? contact::floor_static : contact::floor_sliding));
+    const bool on_floor = engine_->physics.floor && 0.5 * voxel.size_m - 0.5 * engine_->cell_edge_m - voxel.position_m[2] >= 0.0;
+    if (on_floor) bits = static_cast<std::uint8_t>(bits | (voxel.is_static ? contact::floor_static : contact::floor_sliding));
     frame.contact.push_back(bits);
   }
   return frame;

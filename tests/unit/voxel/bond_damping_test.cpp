@@ -44,7 +44,7 @@ TEST(BondDamping, TreatsNeighboursAgainstEachOtherAsBackwardEulerWould) {
   for (const double ratio : {0.3, 1.0}) {
     for (const double fraction : {0.1, 0.9, 5.0}) {
       const double x = 12.0 * ratio * fraction / (2.0 * std::numbers::pi);
-      for (const BondDamping treatment : {BondDamping::explicit_, BondDamping::semi_implicit}) {
+      for (const BondDamping treatment : {BondDamping::explicit_step, BondDamping::semi_implicit}) {
         VoxelLoads loads;
         std::size_t inner = 0;
         const std::vector<meshes::CellIndex> cells = body.occupied();
@@ -56,7 +56,7 @@ TEST(BondDamping, TreatsNeighboursAgainstEachOtherAsBackwardEulerWould) {
         }
         Simulation simulation(body, edge, floating(treatment, fraction, ratio), loads);
         ASSERT_EQ(simulation.advance(1), io::RunStatus::completed);
-        const double factor = treatment == BondDamping::explicit_ ? 1.0 - x : 1.0 / (1.0 + x);
+        const double factor = treatment == BondDamping::explicit_step ? 1.0 - x : 1.0 / (1.0 + x);
         for (std::size_t axis = 0; axis < 3; ++axis) {
           const double before = loads.initial_velocity_m_s[inner].at(axis);
           EXPECT_NEAR(simulation.velocity_m_s(inner).at(axis) / before, factor, 1e-10);  // rounded positions strain the bonds
@@ -87,13 +87,13 @@ TEST(BondDamping, BoundsTheStepNoLongerThanTheStiffnessDoes) {
   // Eigenvalues of the linear scheme for a full cube of 3 x 3 x 3: stable up to a fraction of 1.17 where the damping is explicit,
   // 3.06 where it is semi-implicit (3.58 without damping); a Menger sponge 1.80 and 3.92.
   const meshes::Polycube cube = meshes::full_cube(3);
-  EXPECT_TRUE(calms_down(cube, BondDamping::explicit_, 1.1));
-  EXPECT_FALSE(calms_down(cube, BondDamping::explicit_, 1.25));
+  EXPECT_TRUE(calms_down(cube, BondDamping::explicit_step, 1.1));
+  EXPECT_FALSE(calms_down(cube, BondDamping::explicit_step, 1.25));
   EXPECT_TRUE(calms_down(cube, BondDamping::semi_implicit, 2.9));
   EXPECT_FALSE(calms_down(cube, BondDamping::semi_implicit, 3.25));
   const meshes::Polycube sponge = meshes::menger_sponge();
-  EXPECT_TRUE(calms_down(sponge, BondDamping::explicit_, 1.7));
-  EXPECT_FALSE(calms_down(sponge, BondDamping::explicit_, 1.95));
+  EXPECT_TRUE(calms_down(sponge, BondDamping::explicit_step, 1.7));
+  EXPECT_FALSE(calms_down(sponge, BondDamping::explicit_step, 1.95));
   EXPECT_TRUE(calms_down(sponge, BondDamping::semi_implicit, 3.7));
   EXPECT_FALSE(calms_down(sponge, BondDamping::semi_implicit, 4.2));
 }
@@ -104,7 +104,7 @@ TEST(BondDamping, BecomesTheExplicitOneWithTheStep) {
   EXPECT_DOUBLE_EQ(effective_bond_ratio(physics), 1.0 / (1.0 + 5.4 / std::numbers::pi));
   physics.integration.time_step_fraction = 1e-6;
   EXPECT_NEAR(effective_bond_ratio(physics), 1.0, 2e-6);
-  physics.integration.bond_damping = BondDamping::explicit_;
+  physics.integration.bond_damping = BondDamping::explicit_step;
   EXPECT_EQ(effective_bond_ratio(physics), 1.0);
   physics.integration.bond_damping = BondDamping::semi_implicit;
   physics.damping_ratios.bond = 0.0;
