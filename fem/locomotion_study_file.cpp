@@ -129,7 +129,8 @@ void read_implicit(const io::TomlTable& table, LocomotionStudy& study) {
   implicit.tolerance = table.number_or("tolerance", implicit.tolerance, io::positive());
   implicit.stick_stiffness = table.number_or("stick_stiffness", implicit.stick_stiffness, io::positive());
   study.implicit = implicit;
-  study.notes.push_back("dynamics: without self-contact: walls that touch end the run, other parts pass through each other");
+  study.notes.push_back(
+      "dynamics: without self-contact: walls that touch end the run, and so do other parts that go through each other");
 }
 
 /// As on the ground where nothing else is stated.
