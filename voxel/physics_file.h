@@ -34,9 +34,9 @@ namespace menger::voxel {
 /// if float32 is asked for together with damping from increments
 Physics read_physics(const io::TomlTable& table, const Physics& defaults = {});
 
-/// All values as the TOML that read_physics reads (lateral_coupling, ramp_s, bond_damping and [surrogate] where they are in use), always in the
-/// same order and exact: equal text means equal physics, and reading it gives the same physics back. Serves as the identity of a
-/// physics.
+/// All values as the TOML that read_physics reads (lateral_coupling, ramp_s, bond_damping and [surrogate] where they are in use),
+/// always in the same order and exact: equal text means equal physics, and reading it gives the same physics back. Serves as the
+/// identity of a physics.
 std::string physics_text(const Physics& physics);
 
 }  // namespace menger::voxel
