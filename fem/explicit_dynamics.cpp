@@ -189,7 +189,7 @@ void ExplicitDynamics::set_current_positions() {
 
 NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
   SlotForces forces{element_slots_, chamber_slots_};
-  if (options_.self_contact) {
+  if (options_.self_contact && !self_contact_.touches().empty()) {
     forces.self_contact_N = self_contact_.forces_N();
     forces.self_friction_N = self_contact_.friction_N();
   }

@@ -28,7 +28,7 @@ struct ExplicitOptions {
   std::optional<PneumaticSupply> supply{};  ///< of all plena, in place of schedules
   double step_safety = 0.9;                 ///< part of the stable step that is used, in (0, 1]
   std::optional<double> largest_step_s{};   ///< > 0; for studies of the step
-  std::size_t steps_per_bound = 200;        ///< at most, after which an interval is judged, >= 1
+  std::size_t steps_per_bound = 500;        ///< at most, after which an interval is judged, >= 1
   double largest_imbalance = 0.2;           ///< > 0, of the largest turnover so far; more and the books are open: diverged
   double largest_volume_ratio = 20.0;       ///< of a chamber to its start; beyond it has run away: diverged
   double smallest_step_ratio = 0.02;        ///< of the stable step to that at rest; below it the body has diverged

@@ -1,6 +1,8 @@
 #include "fem/explicit_nodes.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace menger::fem {
 namespace {
@@ -42,8 +44,8 @@ Kick kick_of(double time_s, double mass_damping_per_s) {
 }
 
 /// Friction acts last, on what all other forces would do. @param after changed @return what is lost, J
-double apply_friction(const Friction& friction, const Kick& kick, double normal_N, double mass, const Point& before,
-                      Point& after) {
+double apply_friction(const Friction& friction, const Kick& kick, double normal_N, double mass, const double* before,
+                      double* after) {
   const double change = kick.time_s * normal_N / mass;
   const auto slid = velocity_after_friction(friction, {before[0], before[1]}, {after[0], after[1]}, change);
   double lost = 0.0;
@@ -55,70 +57,133 @@ double apply_friction(const Friction& friction, const Kick& kick, double normal_
   return lost;
 }
 
+/// Sum of products, in an order that registers do not decide: each place modulo the number of lanes has a sum of its own.
+double product_sum(const double* a, const double* b, std::size_t count) {
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> sums{};
+  const std::size_t whole = count / lanes * lanes;
+  for (std::size_t n = 0; n < whole; n += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane) sums[lane] += a[n + lane] * b[n + lane];
+  for (std::size_t n = whole; n < count; ++n) sums[n - whole] += a[n] * b[n];
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+double largest_speed_square(const double* velocities, std::size_t count, const Point& common_velocity) {
+  double largest = 0.0;
+  for (std::size_t n = 0; n < count; n += 3) {
+    const Point apart = difference({velocities[n], velocities[n + 1], velocities[n + 2]}, common_velocity);
+    largest = std::max(largest, dot(apart, apart));
+  }
+  return largest;
+}
+
+constexpr std::size_t nodes_per_block = 128;
+
 }  // namespace
 
-/// Work of pressure, weight, ground, contact, friction and mass damping is force times the mean of both velocities, as the change
-/// of kinetic energy is. That of the elements is not counted here: the books have their energy and their dissipation instead.
+/// Some nodes on their way through a step, component i of the nth of them at 3 n + i. Loops over whole arrays make use of vector
+/// registers, and give the same numbers in those of any width.
+struct NodeUpdate::Block {
+  std::size_t first = 0;  ///< component of the body
+  std::size_t count = 0;  ///< of components
+  std::array<double, 3 * nodes_per_block> pressure_N;
+  std::array<double, 3 * nodes_per_block> load_N;
+  std::array<double, 3 * nodes_per_block> after_m_per_s;
+  std::array<double, 3 * nodes_per_block> mean_m_per_s;
+  std::size_t standing_count = 0;                     ///< of nodes that the ground pushes
+  std::array<std::size_t, nodes_per_block> standing;  ///< the first component of each
+  std::array<double, nodes_per_block> normal_N;
+};
+
+NodeUpdate::NodeUpdate(const ExplicitBody& body, const ExplicitChambers& chambers, const NodalLoads& loads,
+                       const std::vector<double>& outer_areas_m2)
+    : body_(body), chambers_(chambers), loads_(loads), areas_(outer_areas_m2) {
+  for (const double mass : body.masses_kg()) {
+    masses_.insert(masses_.end(), 3, mass);
+    for (std::size_t i = 0; i < 3; ++i) weights_.push_back(mass * loads.gravity_m_per_s2[i]);
+  }
+}
+
 NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, FaceRange nodes,
                               std::span<double> displacements_m, std::span<double> velocities_m_per_s) const {
   const Kick kick = kick_of(times.kick_s, loads_.mass_damping_per_s);
-  const Point gravity = loads_.gravity_m_per_s2;
-  const RigidGround* ground = loads_.ground ? &*loads_.ground : nullptr;
-  double pressure_power = 0.0;
-  double contact_power = 0.0;
-  double self_contact_power = 0.0;
-  double self_friction_power = 0.0;
-  double damped_power = 0.0;
-  Point momentum{};
   NodesOutcome outcome;
-  ExplicitWork& work = outcome.work;
-  const bool has_self_contact = !forces.self_contact_N.empty();
-  const bool has_self_friction = !forces.self_friction_N.empty();
-  for (std::size_t node = nodes.begin; node < nodes.end; ++node) {
-    double* u = displacements_m.data() + 3 * node;
-    double* v = velocities_m_per_s.data() + 3 * node;
-    const double mass = body_.masses_kg()[node];
-    const double* inverse_masses = body_.inverse_masses_per_kg().data() + 3 * node;
+  Block block;
+  for (std::size_t begin = nodes.begin; begin < nodes.end; begin += nodes_per_block) {
+    block.first = 3 * begin;
+    block.count = 3 * (std::min(begin + nodes_per_block, nodes.end) - begin);
+    sum_forces(forces, displacements_m, block);
+    double* v = velocities_m_per_s.data() + block.first;
+    const double* inverse_masses = body_.inverse_masses_per_kg().data() + block.first;
+    for (std::size_t n = 0; n < block.count; ++n)
+      block.after_m_per_s[n] = kick.kept * v[n] + kick.time_s * inverse_masses[n] * block.load_N[n];
+    ExplicitWork work;
+    for (std::size_t s = 0; s < block.standing_count; ++s) {
+      const std::size_t n = block.standing[s];
+      if (!(inverse_masses[n] > 0.0 && inverse_masses[n + 1] > 0.0)) continue;
+      work.friction_J += apply_friction(loads_.ground->friction, kick, block.normal_N[s], masses_[block.first + n], v + n,
+                                        block.after_m_per_s.data() + n);
+    }
+    for (std::size_t n = 0; n < block.count; ++n) block.mean_m_per_s[n] = 0.5 * (v[n] + block.after_m_per_s[n]);
+    add_work(forces, times.kick_s, block, work);
+    outcome.work += work;
+    double* u = displacements_m.data() + block.first;
+    for (std::size_t n = 0; n < block.count; ++n) {
+      v[n] = block.after_m_per_s[n];
+      u[n] += times.drift_s * block.after_m_per_s[n];
+    }
+    outcome.largest_speed_square_m2_per_s2 =
+        std::max(outcome.largest_speed_square_m2_per_s2, largest_speed_square(v, block.count, times.common_velocity_m_per_s));
+  }
+  return outcome;
+}
+
+/// All forces but friction on the ground.
+void NodeUpdate::sum_forces(const SlotForces& forces, std::span<const double> displacements_m, Block& block) const {
+  for (std::size_t n = 0; n < block.count; n += 3) {
+    const std::size_t node = (block.first + n) / 3;
     const Point inner = sum_of(body_.boxes().slots(), forces.elements_N, node);
     const Point pressure = sum_of(chambers_.slots(), forces.chambers_N, node);
-    double normal = 0.0;
-    if (ground != nullptr) {
-      const double depth = ground->height_m - (body_.reference_positions_m()[3 * node + 2] + u[2]);
-      normal = depth > 0.0 ? ground->stiffness_Pa_per_m * areas_[node] * depth : 0.0;
-    }
-    const Point before{v[0], v[1], v[2]};
-    Point after{};
     for (std::size_t i = 0; i < 3; ++i) {
-      double load = pressure[i] - inner[i] + mass * gravity[i] + (i == 2 ? normal : 0.0);
-      if (has_self_contact) load += forces.self_contact_N[3 * node + i];
-      if (has_self_friction) load += forces.self_friction_N[3 * node + i];
-      after[i] = kick.kept * before[i] + kick.time_s * inverse_masses[i] * load;
+      block.pressure_N[n + i] = pressure[i];
+      block.load_N[n + i] = pressure[i] - inner[i];
     }
-    if (normal > 0.0 && inverse_masses[0] > 0.0 && inverse_masses[1] > 0.0)
-      work.friction_J += apply_friction(ground->friction, kick, normal, mass, before, after);
-    const Point mean = scaled(0.5, sum(before, after));
-    pressure_power += dot(pressure, mean);
-    contact_power += normal * mean[2];
-    if (has_self_contact)
-      for (std::size_t i = 0; i < 3; ++i) self_contact_power += forces.self_contact_N[3 * node + i] * mean[i];
-    if (has_self_friction)
-      for (std::size_t i = 0; i < 3; ++i) self_friction_power += forces.self_friction_N[3 * node + i] * mean[i];
-    damped_power += mass * dot(mean, mean);
-    momentum = sum(momentum, scaled(mass, mean));
-    for (std::size_t i = 0; i < 3; ++i) {
-      v[i] = after[i];
-      u[i] += times.drift_s * after[i];
-    }
-    const Point apart = difference(after, times.common_velocity_m_per_s);
-    outcome.largest_speed_square_m2_per_s2 = std::max(outcome.largest_speed_square_m2_per_s2, dot(apart, apart));
   }
-  work.pressure_J = times.kick_s * pressure_power;
-  work.contact_J = times.kick_s * contact_power;
-  work.self_contact_J = times.kick_s * self_contact_power;
-  work.friction_J -= times.kick_s * self_friction_power;
-  work.gravity_J = times.kick_s * dot(gravity, momentum);
-  work.mass_damping_J = times.kick_s * loads_.mass_damping_per_s * damped_power;
-  return outcome;
+  const double* weights = weights_.data() + block.first;
+  for (std::size_t n = 0; n < block.count; ++n) block.load_N[n] += weights[n];
+  block.standing_count = 0;
+  if (loads_.ground) {
+    const RigidGround& ground = *loads_.ground;
+    for (std::size_t n = 0; n < block.count; n += 3) {
+      const std::size_t z = block.first + n + 2;
+      const double depth = ground.height_m - (body_.reference_positions_m()[z] + displacements_m[z]);
+      if (!(depth > 0.0)) continue;
+      const double normal = ground.stiffness_Pa_per_m * areas_[z / 3] * depth;
+      block.load_N[n + 2] += normal;
+      block.normal_N[block.standing_count] = normal;
+      block.standing[block.standing_count++] = n;
+    }
+  }
+  for (const std::span<const double> more : {forces.self_contact_N, forces.self_friction_N})
+    for (std::size_t n = 0; n < (more.empty() ? 0 : block.count); ++n) block.load_N[n] += more[block.first + n];
+}
+
+/// Work of pressure, weight, ground, contact, friction and mass damping is force times the mean of both velocities, as the change
+/// of kinetic energy is. That of the elements is not counted here: the books have their energy and their dissipation instead.
+void NodeUpdate::add_work(const SlotForces& forces, double time_s, const Block& block, ExplicitWork& work) const {
+  const double* mean = block.mean_m_per_s.data();
+  const auto work_of = [&](const double* force) { return time_s * product_sum(force, mean, block.count); };
+  work.pressure_J += work_of(block.pressure_N.data());
+  work.gravity_J += work_of(weights_.data() + block.first);
+  double contact_power = 0.0;
+  for (std::size_t s = 0; s < block.standing_count; ++s) contact_power += block.normal_N[s] * mean[block.standing[s] + 2];
+  work.contact_J += time_s * contact_power;
+  if (!forces.self_contact_N.empty()) work.self_contact_J += work_of(forces.self_contact_N.data() + block.first);
+  if (!forces.self_friction_N.empty()) work.friction_J -= work_of(forces.self_friction_N.data() + block.first);
+  if (loads_.mass_damping_per_s == 0.0) return;
+  std::array<double, 3 * nodes_per_block> momentum;
+  for (std::size_t n = 0; n < block.count; ++n) momentum[n] = masses_[block.first + n] * mean[n];
+  work.mass_damping_J += loads_.mass_damping_per_s * work_of(momentum.data());
 }
 
 }  // namespace menger::fem

@@ -45,18 +45,23 @@ class NodeUpdate {
  public:
   /// Keeps references. @param outer_areas_m2 per node, read only where there is a ground
   NodeUpdate(const ExplicitBody& body, const ExplicitChambers& chambers, const NodalLoads& loads,
-             const std::vector<double>& outer_areas_m2)
-      : body_(body), chambers_(chambers), loads_(loads), areas_(outer_areas_m2) {}
+             const std::vector<double>& outer_areas_m2);
 
   /// Nodes begin to end. @param displacements_m, velocities_m_per_s 3 per node, changed
   NodesOutcome move(const SlotForces& forces, const StepTimes& times, FaceRange nodes, std::span<double> displacements_m,
                     std::span<double> velocities_m_per_s) const;
 
  private:
+  struct Block;
+  void sum_forces(const SlotForces& forces, std::span<const double> displacements_m, Block& block) const;
+  void add_work(const SlotForces& forces, double time_s, const Block& block, ExplicitWork& work) const;
+
   const ExplicitBody& body_;
   const ExplicitChambers& chambers_;
   const NodalLoads& loads_;
   const std::vector<double>& areas_;
+  std::vector<double> masses_;   ///< per component
+  std::vector<double> weights_;  ///< per component
 };
 
 }  // namespace menger::fem
