@@ -26,12 +26,13 @@ struct EvaluatedTask {
 std::vector<EvaluatedTask> evaluated_tasks(const RunView& run, int generation);
 
 /// A row per evaluation of all finished generations: generation, batch, individual, design, level, voxels, steps, status, and its
-/// wall time in the column `seconds`.
+/// wall time in the column `seconds`, of bodies judged together an equal share.
 io::CsvTable timing_table(const RunView& run);
 
 /// A row per generation and number of workers: how long its evaluations would take, each batch after the other, from their wall
-/// times (see list_schedule): costliest first as the search does, as asked for, at least; if all were one batch; and for how long
-/// some worker has nothing to do.
+/// times (see list_schedule; those of bodies that were judged together are shares of one task, which other numbers of workers
+/// would cut otherwise): costliest first as the search does, as asked for, at least; if all were one batch; and for how long some
+/// worker has nothing to do.
 io::CsvTable schedule_table(const RunView& run, const std::vector<std::size_t>& workers);
 
 }  // namespace menger::evolution

@@ -32,7 +32,7 @@ struct Evaluation {
 
   std::string reason;       ///< empty when completed, otherwise what went wrong, where and when
   std::uint64_t steps = 0;  ///< time steps done
-  double seconds = 0.0;     ///< wall time; never compared
+  double seconds = 0.0;     ///< wall time, of bodies judged together an equal share of it; never compared
 };
 
 /// A body to be judged at a level.

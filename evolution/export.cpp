@@ -38,6 +38,8 @@ class Exporter {
     result_.champion = summarise_generation(run_, *last).champion;
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
+    for (const char* name : {"judgements.csv", "corrections.csv", "timings.csv", "schedule.csv", "check_dt.csv"})
+      io::remove_if_there(folder_ / name);  // those of an earlier export would stand beside the tables of this one
     generations_table(run_).write(folder_ / "generations.csv");
     cost_table(run_).write(folder_ / "costs.csv");
     if (study_.search.judging) {

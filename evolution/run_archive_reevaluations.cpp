@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <map>
 
@@ -13,13 +12,6 @@ namespace {
 
 constexpr std::string_view reading = "cannot be read";
 constexpr std::string_view writing = "cannot be written";
-
-io::RunStatus status_of(const std::string& word) {
-  const auto& words = io::run_status_words();
-  const auto found = std::ranges::find(words, word, &std::pair<std::string_view, io::RunStatus>::first);
-  if (found == words.end()) throw io::InputError("\"" + word + "\" is not a status of a run");
-  return found->second;
-}
 
 void insert(SQLite::Statement& row, const Reevaluation& reevaluation, const std::string& protocol_hash) {
   const Evaluation& result = reevaluation.result;
@@ -50,7 +42,7 @@ Reevaluation read_reevaluation(SQLite::Statement& row, int first_column, const S
   found.variant = column(3).getString();
   found.duration_s = column(4).getDouble();
   found.has_result = !column(5).isNull();
-  if (found.has_result) found.result.status = status_of(column(5).getString());
+  if (found.has_result) found.result.status = io::run_status_of(column(5).getString());
   if (!column(6).isNull()) found.result.displacement_m = {column(6).getDouble(), column(7).getDouble(), column(8).getDouble()};
   found.result.reason = column(9).getString();
   found.result.steps = static_cast<std::uint64_t>(column(10).getInt64());

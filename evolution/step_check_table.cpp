@@ -29,7 +29,7 @@ io::CsvTable step_check_table(const RunView& run) {
   const std::string unit(fitness_unit(plan.objective));
   io::CsvTable table({"generation", "place", "individual", "design", "level", "displacement_body_lengths",
                       "half_step_displacement_body_lengths", "change", "distance_m", "half_step_status", "half_step_reason",
-                      "half_step_steps", "score_" + unit, "half_step_score_" + unit});
+                      "half_step_outside_validity", "half_step_steps", "score_" + unit, "half_step_score_" + unit});
   const int last = run.archive->last_generation().value_or(-1);
   for (int generation = 0; generation <= last; generation += plan.step_checks.value().every) {
     std::uint64_t place = 0;
@@ -39,7 +39,8 @@ io::CsvTable step_check_table(const RunView& run) {
         const auto half = lengths_of(plan, level.half, level.level);
         table.add_row(generation, place, design.elite.individual, design_hash(design.elite.simulated, level.level), level.level,
                       whole, half, change(whole, half), level.distance_m(), io::to_string(level.half.status), level.half.reason,
-                      level.half.steps, whole_step_score(plan, design), half_step_score(plan, design));
+                      level.half.outside_validity, level.half.steps, whole_step_score(plan, design),
+                      half_step_score(plan, design));
       }
       ++place;
     }

@@ -140,7 +140,7 @@ Pack eigenvalue_bound(const Symmetric<Pack>& A) {
 ///
 /// With h = G F^-1, b = J^(-2/3) F A F^T of mean k and deviator b', t = tr h, that is half of
 /// tr(h b h^T) + k tr(h^2) - 2/3 k t^2 - 4/3 t (h : b'). The first is J^(-2/3) tr(G A G^T), at most J^(-2/3) times the largest
-/// eigenvalue of A; |h|^2 is at most the largest eigenvalue s of C^-1; and the last two are largest at t = (h : b') / k, where
+/// eigenvalue of A; |h|^2 is at most the largest eigenvalue s of C^-1; and the last two are largest at t = -(h : b') / k, where
 /// they are 2/3 (h : b')^2 / k, at most 2/3 |b'|^2 s / k. At rest both sides are 1.
 template <class Pack>
 Pack branch_square(const std::array<Pack, 9>& F, const PointVolume<Pack>& point, const double* tensor) {

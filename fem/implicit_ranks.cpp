@@ -43,16 +43,21 @@ struct Common {
 static_assert(std::is_trivially_copyable_v<Common>);
 
 Common common_of(const ImplicitState& state) {
-  return {.time_s = state.time_s,
-          .next_step_s = state.next_step_s,
-          .steps = state.steps,
-          .rejected_steps = state.rejected_steps,
-          .iterations = state.iterations,
-          .work = state.work,
-          .at_start_J = state.at_start_J.value_or(0.0),
-          .has_start = state.at_start_J.has_value(),
-          .has_accelerations = !state.accelerations_m_per_s2.empty(),
-          .has_ground_nodes = !state.ground_nodes.empty()};
+  // All members by name, so that one that is added does not compile until it goes along.
+  const auto& [time_s, displacements_m, velocities_m_per_s, accelerations_m_per_s2, ground_nodes, next_step_s, steps,
+               rejected_steps, iterations, work, at_start_J] = state;
+  static_cast<void>(displacements_m);  // fields are shared out on their own
+  static_cast<void>(velocities_m_per_s);
+  return {.time_s = time_s,
+          .next_step_s = next_step_s,
+          .steps = steps,
+          .rejected_steps = rejected_steps,
+          .iterations = iterations,
+          .work = work,
+          .at_start_J = at_start_J.value_or(0.0),
+          .has_start = at_start_J.has_value(),
+          .has_accelerations = !accelerations_m_per_s2.empty(),
+          .has_ground_nodes = !ground_nodes.empty()};
 }
 
 std::vector<double> own_field(const Space& space, const NodeExchange& exchange, const std::vector<double>& all) {

@@ -1,5 +1,10 @@
 #include "io/run_status_words.h"
 
+#include <algorithm>
+#include <string>
+
+#include "io/input_error.h"
+
 namespace menger::io {
 
 const Words<RunStatus>& run_status_words() {
@@ -11,6 +16,13 @@ const Words<RunStatus>& run_status_words() {
     return all;
   }();
   return words;
+}
+
+RunStatus run_status_of(std::string_view word) {
+  const Words<RunStatus>& words = run_status_words();
+  const auto found = std::ranges::find(words, word, &std::pair<std::string_view, RunStatus>::first);
+  if (found == words.end()) throw InputError("\"" + std::string(word) + "\" is not a status of a run");
+  return found->second;
 }
 
 }  // namespace menger::io

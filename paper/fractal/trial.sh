@@ -24,7 +24,10 @@ case $code in
   0 | 124 | 130) ;;
   *) exit "$code" ;;
 esac
-"$menger" export "$archive" -o "$out" --timings --no-frames --no-pictures --levels 1
+if ! "$menger" export "$archive" -o "$out" --timings --no-frames --no-pictures --levels 1; then
+  [ "$code" -eq 0 ] && exit 1
+  exit 130  # stopped before there was anything to export; the next call goes on
+fi
 
 # What it took so far: evaluations, pruned and cached ones, and the seconds of the workers, which the archive keeps per evaluation.
 awk -F, '

@@ -130,6 +130,9 @@ TEST_F(Export, TellsWhatEvaluationsTookOnRequest) {
   for (const double seconds : timings.numbers("seconds")) EXPECT_GT(seconds, 0.0);
   EXPECT_EQ(io::read_csv(folder_ / "out/schedule.csv").row_count(), 2U * evaluations.size());
   EXPECT_EQ(export_run("run.sqlite", "out", {"--workers", "0"}).code, 2);
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
+  for (const char* name : {"timings.csv", "schedule.csv"})
+    EXPECT_FALSE(fs::exists(folder_ / "out" / name)) << "tables of an earlier export would stand beside newer ones";
 }
 
 TEST_F(Export, BestFitnessNeverFalls) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "io/input_error.h"
+#include "io/run_status_words.h"
+
 namespace menger::io {
 namespace {
 
@@ -13,6 +16,11 @@ TEST(RunStatus, HasOneWordForEachOutcome) {
   EXPECT_EQ(to_string(RunStatus::inverted_element), "inverted_element");
   EXPECT_EQ(to_string(RunStatus::wall_contact), "wall_contact");
   EXPECT_EQ(to_string(RunStatus::stopped), "stopped");
+}
+
+TEST(RunStatus, IsFoundByItsWord) {
+  for (const auto& [word, status] : run_status_words()) EXPECT_EQ(run_status_of(word), status);
+  EXPECT_THROW(run_status_of("done"), InputError);
 }
 
 }  // namespace
