@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "voxel/actuation.h"
-#include "voxel/voxel_contact.h"
+#include "voxel/contact_search.h"
 
 namespace menger::voxel {
 
@@ -15,24 +15,23 @@ constexpr auto line_size = static_cast<std::size_t>(line_length);
 constexpr auto history_size = static_cast<std::size_t>(history_values);
 constexpr auto drive_size = static_cast<std::size_t>(drive_values);
 
-/// How the lanes of a pack come from blocks. @param blocks one per lane, ascending @param used lanes that give something back
+/// Where the lanes of a pack come from, as numbers pack * lanes + lane in ascending order, or a negative number where from
+/// nowhere.
 template <class Real>
-LaneMoves<Real> moves_of(const std::vector<std::int32_t>& blocks, std::size_t used) {
-  const std::size_t lanes = blocks.size();
+LaneMoves<Real> moves_of(const std::vector<std::int32_t>& origins) {
+  const std::size_t lanes = origins.size();
   LaneMoves<Real> moves;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const auto group = static_cast<std::int32_t>(static_cast<std::size_t>(blocks[lane]) / lanes);
-    if (moves.sources == 0 || moves.group[moves.sources - 1] != group) moves.group[moves.sources++] = group;
+    if (origins[lane] < 0) continue;
+    const auto pack = static_cast<std::int32_t>(static_cast<std::size_t>(origins[lane]) / lanes);
+    if (moves.sources == 0 || moves.source[moves.sources - 1] != pack) moves.source[moves.sources++] = pack;
     const auto source = static_cast<std::size_t>(moves.sources - 1);
-    const std::size_t within = static_cast<std::size_t>(blocks[lane]) % lanes;
-    using Index = typename LaneMoves<Real>::Index;
-    moves.from[source / 2][lane] = static_cast<Index>(within + (source % 2) * lanes);
+    const std::size_t within = static_cast<std::size_t>(origins[lane]) % lanes;
+    moves.from[source / 2][lane] = static_cast<typename LaneMoves<Real>::Index>(within + (source % 2) * lanes);
     moves.comes[source / 2][lane] = Real(1);
-    if (lane >= used) continue;
-    moves.to[source][within] = static_cast<Index>(lane);
-    moves.takes[source][within] = Real(1);
+    moves.any[lane] = Real(1);
   }
-  if (moves.sources % 2 == 1) moves.group[moves.sources] = moves.group[moves.sources - 1];
+  if (moves.sources % 2 == 1) moves.source[moves.sources] = moves.source[moves.sources - 1];
   return moves;
 }
 
@@ -62,10 +61,13 @@ void BlockLanes<Real>::allocate() {
   load_.assign(line_size * voxels, Real(0));
   residual_.assign(3 * voxels, Real(0));
   drive_.assign(drive_size * voxels, Real(0));
-  voxel_of_.assign(voxels, -1);
-  for (std::size_t block = 0; block < body_.count; ++block) {
-    for (std::size_t place = 0; place < places_; ++place)
-      voxel_of_[at(block, place, 1, 0)] = body_.voxel[block * places_ + place];
+  spheres_.assign(4 * voxels, Real(0));
+  contacts_.resize(slots_ / lanes_);
+  for (std::size_t i = 0; i < body_.voxel.size(); ++i) {
+    const auto block = static_cast<std::size_t>(body_.block_of[i]);
+    const auto place = static_cast<std::size_t>(body_.place[i]);
+    line_of_.push_back(at(block, place, line_size, 0));
+    sphere_of_.push_back(static_cast<std::int32_t>(at(block, place, 1, 0)));
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
     history_[axis].assign(history_size * block_.beams[axis].lower.size() * slots_, Real(0));
@@ -104,9 +106,20 @@ void BlockLanes<Real>::join(std::size_t axis) {
       lower.push_back(pair.first);
       upper.push_back(pair.second);
     }
-    const std::size_t used = std::min(lanes_, pairs.size() - first);
-    lower_blocks_[axis].push_back(moves_of<Real>(lower, used));
-    upper_blocks_[axis].push_back(moves_of<Real>(upper, used));
+    lower_blocks_[axis].push_back(moves_of<Real>(lower));
+    upper_blocks_[axis].push_back(moves_of<Real>(upper));
+  }
+  std::array<std::vector<std::int32_t>, 2> pair_of;  // per end and block
+  pair_of.fill(std::vector<std::int32_t>(slots_, -1));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pair_of[0][static_cast<std::size_t>(pairs[i].first)] = static_cast<std::int32_t>(i);
+    pair_of[1][static_cast<std::size_t>(pairs[i].second)] = static_cast<std::int32_t>(i);
+  }
+  for (std::size_t end = 0; end < 2; ++end) {
+    for (std::size_t first = 0; first < slots_; first += lanes_) {
+      const auto of_group = pair_of[end].begin() + static_cast<std::ptrdiff_t>(first);
+      to_blocks_[axis][end].push_back(moves_of<Real>({of_group, of_group + static_cast<std::ptrdiff_t>(lanes_)}));
+    }
   }
   for (const auto& [lower, upper] : body_.faces[axis]) {
     face_lower_[axis].push_back(lower);
@@ -115,7 +128,7 @@ void BlockLanes<Real>::join(std::size_t axis) {
   const std::size_t packs = lower_blocks_[axis].size();
   const std::size_t beams = body_.faces[axis].size() * packs;
   joint_history_[axis].assign(history_size * beams * lanes_, Real(0));
-  kept_[axis].assign(6 * beams * lanes_, Real(0));
+  joint_loads_[axis].assign(2 * end_loads * beams * lanes_, Real(0));
   data_.axis[axis] = {.faces = body_.faces[axis].size(),
                       .lower = face_lower_[axis].data(),
                       .upper = face_upper_[axis].data(),
@@ -123,7 +136,8 @@ void BlockLanes<Real>::join(std::size_t axis) {
                       .lower_block = lower_blocks_[axis].data(),
                       .upper_block = upper_blocks_[axis].data(),
                       .history = joint_history_[axis].data(),
-                      .kept = kept_[axis].data()};
+                      .loads = joint_loads_[axis].data()};
+  for (std::size_t end = 0; end < 2; ++end) data_.axis[axis].to_blocks[end] = to_blocks_[axis][end].data();
   find_histories(axis);
 }
 
@@ -260,64 +274,100 @@ void BlockLanes<Real>::take() {
   d.rate_scale = groups_.front().rate_scale;
 }
 
-/// Beams in the order in which a voxel gets the loads of its own: along x, y, z, each by the lower end.
-///
-/// A voxel on the lower face of its block is the upper end of a beam between blocks before it is the lower end of one inside, and
-/// one on the upper face the other way round. Threads share faces, whose voxels are different ones, and groups.
+/// Sets what all groups have in common in the next step, and finds its contacts; or says that there is no next step.
 template <class Real>
-void BlockLanes<Real>::add_beams(Part& part) {
-  const bool velocity = engine_.physics.integration.damping == DampingMode::velocity;
-  part.strained = false;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [first_face, last_face] = share(data_.axis[axis].faces, part);
-    if (kernels_.joints[velocity][axis](data_, first_face, last_face)) part.strained = true;
-    barrier_.meet();
-    const auto [first, last] = share(groups_.size(), part);
-    for (std::size_t g = first; g < last; ++g) {
-      if (kernels_.in_blocks[velocity][axis](groups_[g], static_cast<int>(lanes_used(g)))) part.strained = true;
-    }
-    barrier_.meet();
-    kernels_.add_kept(data_, axis, first_face, last_face);
-    barrier_.meet();
+void BlockLanes<Real>::begin_step() {
+  const EngineOf<Real>& engine = engine_;
+  done_ = engine.steps == last_step_ || engine.divergence || (stop_ != nullptr && stop_->load(std::memory_order_relaxed));
+  if (done_) return;
+  find_contacts();
+  if (!engine.actuated_) return;
+  const DriveAngle next =
+      drive_angle(static_cast<double>(engine.steps + 1) * engine.time_step_s, engine.physics.actuation.period_s);
+  for (LaneData<Real>& group : groups_) {
+    group.next_sine = static_cast<Real>(next.sine);
+    group.next_cosine = static_cast<Real>(next.cosine);
   }
 }
 
 template <class Real>
-void BlockLanes<Real>::add_contacts() {
+void BlockLanes<Real>::find_contacts() {
   EngineOf<Real>& engine = engine_;
+  for (std::vector<Contact>& of_group : contacts_) of_group.clear();
+  if (!engine.close_pairs_) return;
   VerletList& list = *engine.close_pairs_;
-  StepData<Real>& d = engine.state_->data;
   if (list.bound_used_up()) take_poses();
   if (!engine.looks_at_pairs()) return;
-  for (std::size_t g = 0; g < groups_.size(); ++g)
-    kernels_.put_spheres(groups_[g], voxel_of_.data() + g * places_ * lanes_, d.pose);
-  const auto load_of = [&](std::int32_t voxel) {
-    const auto i = static_cast<std::size_t>(voxel);
-    return load_.data() + at(static_cast<std::size_t>(body_.block_of[i]), static_cast<std::size_t>(body_.place[i]), line_size, 0);
+  if (list_of_spheres_ != engine.collision_counts.list_rebuilds) number_spheres();
+  for (std::size_t g = 0; g < groups_.size(); ++g) kernels_.put_spheres(groups_[g], spheres_.data() + 4 * g * places_ * lanes_);
+
+  const auto sphere = [&](std::int32_t voxel) {
+    const Real* values = spheres_.data() + 4 * sphere_of_[static_cast<std::size_t>(voxel)];
+    return std::array<Real, 4>{values[slot::x], values[slot::y], values[slot::z], values[slot::size]};
   };
-  const std::size_t stride = lanes_;
+  const auto line_of = [&](std::int32_t voxel) { return line_of_[static_cast<std::size_t>(voxel)]; };
+  const StepData<Real>& d = engine.state_->data;
   const auto end = [&](std::int32_t voxel) {
-    const auto i = static_cast<std::size_t>(voxel);
-    const Real* motion =
-        motion_.data() + at(static_cast<std::size_t>(body_.block_of[i]), static_cast<std::size_t>(body_.place[i]), line_size, 0);
-    const Vector3<Real> momentum{motion[slot::px * stride], motion[slot::py * stride], motion[slot::pz * stride]};
+    const Real* motion = motion_.data() + line_of(voxel);
+    const Vector3<Real> momentum{motion[slot::px * lanes_], motion[slot::py * lanes_], motion[slot::pz * lanes_]};
     return ContactEnd<Real>{d.voxel.inverse_mass * momentum, d.voxel.floor.stiffness, d.voxel.floor.damping};
   };
   const auto add = [&](std::int32_t voxel, const Vector3<Real>& force) {
-    Real* load = load_of(voxel);
-    load[slot::fx * stride] += force.x;
-    load[slot::fy * stride] += force.y;
-    load[slot::fz * stride] += force.z;
+    const auto group = static_cast<std::size_t>(body_.block_of[static_cast<std::size_t>(voxel)]) / lanes_;
+    contacts_[group].push_back({line_of(voxel), force});
   };
-  add_contact_loads(engine.touching_pairs(), list.pairs(), d, end, add);
+  const std::array<double, 2> sizes = engine.sizes_of_kinds([&](std::int32_t voxel) { return sphere(voxel)[slot::size]; });
+  const Spheres<Real> spheres{spheres_.data(), 4, nullptr};
+  add_contact_loads<Real>(engine.contacts_->touching(list, spheres, first_.data(), second_.data(), sizes), list.pairs(), sphere,
+                          end, add);
+}
+
+/// Names the spheres of the close pairs.
+template <class Real>
+void BlockLanes<Real>::number_spheres() {
+  const VerletList& list = *engine_.close_pairs_;
+  const auto number = [&](const std::vector<std::int32_t>& voxels, std::vector<std::int32_t>& spheres) {
+    spheres.clear();
+    for (const std::int32_t voxel : voxels) spheres.push_back(sphere_of_[static_cast<std::size_t>(voxel)]);
+  };
+  number(list.first(), first_);
+  number(list.second(), second_);
+  list_of_spheres_ = engine_.collision_counts.list_rebuilds;
 }
 
 template <class Real>
-void BlockLanes<Real>::move_voxels(Part& part) {
+void BlockLanes<Real>::find_joint_loads(Part& part) {
+  const bool velocity = engine_.physics.integration.damping == DampingMode::velocity;
+  part.strained = false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [first, last] = share(data_.axis[axis].faces, part);
+    if (kernels_.joints[velocity][axis](data_, first, last)) part.strained = true;
+  }
+}
+
+/// Adds up the loads in the order in which a voxel gets those of its own beams, along x, y, z, each by the lower end, and moves
+/// the voxels, a group at a time, which stays in the cache for that.
+///
+/// A voxel on the lower face of its block is the upper end of a beam between blocks before it is the lower end of one inside, and
+/// one on the upper face the other way round.
+template <class Real>
+void BlockLanes<Real>::move_groups(Part& part) {
+  const bool velocity = engine_.physics.integration.damping == DampingMode::velocity;
   part.too_fast = false;
   part.largest_displacement2 = 0.0;
   const auto [first, last] = share(groups_.size(), part);
   for (std::size_t g = first; g < last; ++g) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      kernels_.add_joint_loads(data_, axis, 1, g);
+      if (kernels_.in_blocks[velocity][axis](groups_[g], static_cast<int>(lanes_used(g)))) part.strained = true;
+      kernels_.add_joint_loads(data_, axis, 0, g);
+    }
+    for (const Contact& contact : contacts_[g]) {
+      Real* load = load_.data() + contact.at;
+      load[slot::fx * lanes_] += contact.force.x;
+      load[slot::fy * lanes_] += contact.force.y;
+      load[slot::fz * lanes_] += contact.force.z;
+    }
     alignas(64) Real largest2[most_lanes] = {};
     const std::uint32_t bits = kernels_.voxels[true][true](groups_[g], largest2);
     for (std::size_t lane = 0; lane < lanes_used(g); ++lane) {
@@ -328,29 +378,27 @@ void BlockLanes<Real>::move_voxels(Part& part) {
   }
 }
 
-/// Sets what all groups have in common in the next step, or that there is none.
-template <class Real>
-void BlockLanes<Real>::begin_step() {
-  const EngineOf<Real>& engine = engine_;
-  done_ = engine.steps == last_step_ || engine.divergence || (stop_ != nullptr && stop_->load(std::memory_order_relaxed));
-  if (done_ || !engine.actuated_) return;
-  const DriveAngle next =
-      drive_angle(static_cast<double>(engine.steps + 1) * engine.time_step_s, engine.physics.actuation.period_s);
-  for (LaneData<Real>& group : groups_) {
-    group.next_sine = static_cast<Real>(next.sine);
-    group.next_cosine = static_cast<Real>(next.cosine);
-  }
-}
-
 /// What the engine does at the end of its own step.
 template <class Real>
 void BlockLanes<Real>::end_step() {
   EngineOf<Real>& engine = engine_;
+  bool strained = false;
   bool too_fast = false;
   double largest2 = 0.0;
   for (const Part& part : parts_) {
+    strained = strained || part.strained;
     too_fast = too_fast || part.too_fast;
     largest2 = std::max(largest2, part.largest_displacement2);
+  }
+  if (strained) {
+    // The engine looks at beams before voxels have got their next sizes.
+    take();
+    if (engine.actuated_) {
+      const DriveAngle start =
+          drive_angle(static_cast<double>(engine.steps) * engine.time_step_s, engine.physics.actuation.period_s);
+      engine.state_->set_sizes(start.sine, start.cosine);
+    }
+    engine.note_strain();
   }
   const double largest_displacement_m = std::sqrt(largest2);
   for (LaneData<Real>& group : groups_) group.rate_scale = static_cast<Real>(1.0 / engine.time_step_s);
@@ -376,16 +424,9 @@ void BlockLanes<Real>::do_part(Part& part) {
     if (is_first) begin_step();
     barrier_.meet();
     if (done_) return;
-    add_beams(part);
-    if (is_first) {
-      if (std::any_of(parts_.begin(), parts_.end(), [](const Part& one) { return one.strained; })) {
-        take();
-        engine_.note_strain();
-      }
-      if (engine_.close_pairs_) add_contacts();
-    }
+    find_joint_loads(part);
     barrier_.meet();
-    move_voxels(part);
+    move_groups(part);
     barrier_.meet();
     if (is_first) end_step();
   }

@@ -53,9 +53,10 @@ class BlockLanes {
   void take_poses();
   void take();
   void begin_step();
-  void add_beams(Part& part);
-  void add_contacts();
-  void move_voxels(Part& part);
+  void find_contacts();
+  void number_spheres();
+  void find_joint_loads(Part& part);
+  void move_groups(Part& part);
   void end_step();
   void do_part(Part& part);
 
@@ -65,18 +66,32 @@ class BlockLanes {
   }
   [[nodiscard]] std::size_t lanes_used(std::size_t group) const;
 
+  /// A contact force on a voxel.
+  struct Contact {
+    std::size_t at = 0;  ///< of the load's x
+    Vector3<Real> force;
+  };
+
   EngineOf<Real>& engine_;
   BlockBody body_;
   Lattice block_;
   const LaneKernels<Real>& kernels_;
   std::size_t lanes_, places_, slots_;  ///< slots: blocks, and lanes left over, which go on as copies of the first block
   AlignedArray<Real> pose_, motion_, load_, residual_, drive_;
-  std::vector<std::int32_t> voxel_of_;  ///< per place of a group and lane, -1 where no block is
-  std::array<AlignedArray<Real>, 3> history_, joint_history_, kept_;
+  std::array<AlignedArray<Real>, 3> history_, joint_history_, joint_loads_;
   std::array<std::vector<std::int32_t>, 3> face_lower_, face_upper_;
-  std::array<std::vector<LaneMoves<Real>, xsimd::aligned_allocator<LaneMoves<Real>, 64>>, 3> lower_blocks_, upper_blocks_;
+  using Moves = std::vector<LaneMoves<Real>, xsimd::aligned_allocator<LaneMoves<Real>, 64>>;
+  std::array<Moves, 3> lower_blocks_, upper_blocks_;
+  std::array<std::array<Moves, 2>, 3> to_blocks_;  ///< per axis and end
   std::vector<LaneData<Real>, xsimd::aligned_allocator<LaneData<Real>, 64>> groups_;
   BlockData<Real> data_;
+
+  std::vector<std::size_t> line_of_;            ///< per voxel, in arrays of line_length packs per voxel
+  std::vector<std::int32_t> sphere_of_;         ///< per voxel
+  AlignedArray<Real> spheres_;                  ///< four numbers each
+  std::vector<std::int32_t> first_, second_;    ///< spheres of the close pairs, in their order
+  std::uint64_t list_of_spheres_ = 0;           ///< that these are of, by the number of lists made
+  std::vector<std::vector<Contact>> contacts_;  ///< of this step, per group
 
   std::vector<Part, xsimd::aligned_allocator<Part, 64>> parts_;  ///< one per thread
   SpinBarrier barrier_;

@@ -57,14 +57,7 @@ void VerletList::build(const Real* positions, std::size_t stride) {
     for (std::size_t axis = 0; axis < 3; ++axis) built_at_[3 * i + axis] = static_cast<double>(from[axis]);
   }
   find_pairs();
-  first_.clear();
-  second_.clear();
-  for (const auto& [first, second] : pairs_) {
-    first_.push_back(first);
-    second_.push_back(second);
-  }
-  first_.resize(pairs_.size() + widest_pack<float>, 0);
-  second_.resize(pairs_.size() + widest_pack<float>, 0);
+  put_in_order();
   bound_m_ = 0.0;
   built_ = true;
 }
@@ -96,6 +89,7 @@ bool VerletList::refresh(const Real* positions, std::size_t stride) {
 
 void VerletList::find_pairs() {
   pairs_.clear();
+  distance_.clear();
   smallest_gap_m_ = skin_m_;
   const std::vector<std::int32_t>& surface = rule_.surface();
   const std::size_t count = surface.size();
@@ -140,45 +134,96 @@ void VerletList::find_pairs() {
   std::vector<std::size_t> next(start.begin(), start.end() - 1);
   for (std::size_t i = 0; i < count; ++i) members[next[cell_of[i]]++] = i;
 
+  std::array<std::vector<double>, 3> sorted;  // positions in the order of the cells, so that neighbours are read one by one
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const std::size_t i : members) sorted[axis].push_back(built_at_[3 * i + axis]);
+  }
+
   std::vector<std::int32_t> candidates;
-  std::vector<std::size_t> near;
+  std::vector<std::pair<std::size_t, double>> near;  // with the square of the distance
+  std::vector<double> distance2(count);
+  std::vector<std::size_t> hits(count + 1);
   for (std::size_t i = 0; i < count; ++i) {
     near.clear();
     const std::array<std::size_t, 3> at{coordinate(i, 0), coordinate(i, 1), coordinate(i, 2)};
+    const std::array<double, 3> here{built_at_[3 * i], built_at_[3 * i + 1], built_at_[3 * i + 2]};
     for (std::size_t z = at[2] - (at[2] > 0); z <= std::min(at[2] + 1, size[2] - 1); ++z) {
       for (std::size_t y = at[1] - (at[1] > 0); y <= std::min(at[1] + 1, size[1] - 1); ++y) {
-        const std::size_t first = cell(at[0] - (at[0] > 0), y, z);
-        const std::size_t last = cell(std::min(at[0] + 1, size[0] - 1), y, z);
-        for (std::size_t k = start[first]; k < start[last + 1]; ++k) {
-          const std::size_t j = members[k];
-          if (j <= i) continue;
-          double distance2 = 0.0;
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double apart = built_at_[3 * i + axis] - built_at_[3 * j + axis];
-            distance2 += apart * apart;
-          }
-          if (distance2 < cutoff * cutoff) near.push_back(j);
+        const std::size_t first = start[cell(at[0] - (at[0] > 0), y, z)];
+        const std::size_t last = start[cell(std::min(at[0] + 1, size[0] - 1), y, z) + 1];
+        for (std::size_t k = first; k < last; ++k) {
+          const double x_apart = here[0] - sorted[0][k];
+          const double y_apart = here[1] - sorted[1][k];
+          const double z_apart = here[2] - sorted[2][k];
+          distance2[k] = x_apart * x_apart + y_apart * y_apart + z_apart * z_apart;
         }
+        // Without a branch, which nobody could predict.
+        std::size_t found = 0;
+        for (std::size_t k = first; k < last; ++k) {
+          hits[found] = k;
+          found += static_cast<std::size_t>(distance2[k] < cutoff * cutoff) & static_cast<std::size_t>(members[k] > i);
+        }
+        for (std::size_t k = 0; k < found; ++k) near.emplace_back(members[hits[k]], distance2[hits[k]]);
       }
     }
     std::sort(near.begin(), near.end());
     candidates.clear();
-    for (const std::size_t j : near) candidates.push_back(surface[j]);
+    for (const auto& [j, squared] : near) candidates.push_back(surface[j]);
     rule_.keep_allowed(surface[i], candidates);
-    for (const std::int32_t other : candidates) pairs_.emplace_back(surface[i], other);
-    for (const std::size_t j : near) {
-      if (!std::binary_search(candidates.begin(), candidates.end(), surface[j])) continue;
-      const double distance = std::hypot(built_at_[3 * i] - built_at_[3 * j], built_at_[3 * i + 1] - built_at_[3 * j + 1],
-                                         built_at_[3 * i + 2] - built_at_[3 * j + 2]);
-      smallest_gap_m_ = std::min(smallest_gap_m_, distance - reach_m_);
+    auto next_near = near.begin();
+    for (const std::int32_t other : candidates) {
+      while (surface[next_near->first] != other) ++next_near;
+      pairs_.emplace_back(surface[i], other);
+      distance_.push_back(std::sqrt(next_near->second));
+      smallest_gap_m_ = std::min(smallest_gap_m_, distance_.back() - reach_m_);
     }
   }
+}
+
+/// Sorts the pairs into bins.
+void VerletList::put_in_order() {
+  std::vector<std::size_t> bin_of;
+  bin_of.reserve(pairs_.size());
+  bin_begin_.assign(3 * bins + 1, 0);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const auto& [first, second] = pairs_[i];
+    const int kinds = kind_.empty() ? 0 : kind_[static_cast<std::size_t>(first)] + kind_[static_cast<std::size_t>(second)];
+    const auto bin = std::min(static_cast<std::size_t>(distance_[i] / bin_width_m()), bins - 1);
+    bin_of.push_back(static_cast<std::size_t>(kinds) * bins + bin);
+    ++bin_begin_[bin_of.back() + 1];
+  }
+  std::partial_sum(bin_begin_.begin(), bin_begin_.end(), bin_begin_.begin());
+  order_.resize(pairs_.size());
+  first_.assign(pairs_.size() + widest_pack<float>, 0);
+  second_.assign(pairs_.size() + widest_pack<float>, 0);
+  std::vector<std::size_t> next(bin_begin_.begin(), bin_begin_.end() - 1);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const std::size_t place = next[bin_of[i]]++;
+    order_[place] = static_cast<std::int32_t>(i);
+    first_[place] = pairs_[i].first;
+    second_[place] = pairs_[i].second;
+  }
+}
+
+std::array<std::pair<std::size_t, std::size_t>, 3> VerletList::candidates(const std::array<double, 2>& size_m) const {
+  std::array<std::pair<std::size_t, std::size_t>, 3> parts;
+  for (std::size_t kinds = 0; kinds < 3; ++kinds) {
+    const double sizes = (kinds < 2 ? size_m[0] : size_m[1]) + (kinds > 0 ? size_m[1] : size_m[0]);
+    const double farthest = collision_radius_fraction * sizes + 2.0 * bound_m_ + 2e-6 * reach_m_;  // margin: rounding
+    const auto bin = std::min(static_cast<std::size_t>(farthest / bin_width_m()), bins - 1);
+    parts[kinds] = {bin_begin_[kinds * bins], bin_begin_[kinds * bins + bin + 1]};
+  }
+  return parts;
 }
 
 template <class Real>
 void add_collision_loads(std::span<const std::int32_t> touching, const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs,
                          const StepData<Real>& d) {
   const auto line = [](auto* lines, std::int32_t voxel) { return lines + static_cast<std::ptrdiff_t>(voxel) * line_length; };
+  const auto sphere = [&](std::int32_t voxel) {
+    const Real* pose = line(d.pose, voxel);
+    return std::array<Real, 4>{pose[slot::x], pose[slot::y], pose[slot::z], collision_size_m(d, static_cast<std::size_t>(voxel))};
+  };
   const auto end = [&](std::int32_t voxel) {
     const Real* coefficients = line(d.voxel_table, d.voxel_class[voxel]);
     const Real* motion = line(d.motion, voxel);
@@ -192,7 +237,7 @@ void add_collision_loads(std::span<const std::int32_t> touching, const std::vect
     load[slot::fy] += force.y;
     load[slot::fz] += force.z;
   };
-  add_contact_loads(touching, pairs, d, end, add);
+  add_contact_loads<Real>(touching, pairs, sphere, end, add);
 }
 
 template void VerletList::build<double>(const double*, std::size_t);

@@ -65,9 +65,19 @@ class VerletList {
   /// Close pairs, ordered by first, then second voxel, first < second.
   [[nodiscard]] const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs() const { return pairs_; }
 
-  /// The first and the second voxels of the pairs, each followed by as many zeros as a register may read beyond them.
+  /// Tells voxels of two kinds of drive apart, so that a pair is looked at only where the sizes of its kinds allow a contact; all
+  /// are of kind 0 before. Takes effect when the list is made. @param kind per voxel of the lattice, 0 or 1
+  void set_kinds(std::vector<std::uint8_t> kind) { kind_ = std::move(kind); }
+
+  /// The pairs in the order in which they are looked at, by kinds and distance: positions in pairs(), and their voxels, followed
+  /// by as many zeros as a register may read beyond them.
+  [[nodiscard]] const std::vector<std::int32_t>& order() const { return order_; }
   [[nodiscard]] const std::vector<std::int32_t>& first() const { return first_; }
   [[nodiscard]] const std::vector<std::int32_t>& second() const { return second_; }
+
+  /// Parts of that order that hold all pairs that may touch now: for both voxels of kind 0, of either, and of kind 1.
+  /// @param size_m of the voxels of kind 0 and of kind 1, at most
+  [[nodiscard]] std::array<std::pair<std::size_t, std::size_t>, 3> candidates(const std::array<double, 2>& size_m) const;
 
   /// Whether no allowed pair can touch now: the nearest one was farther apart than two voxels can have moved since the list was
   /// made. Valid after refresh.
@@ -75,6 +85,10 @@ class VerletList {
 
  private:
   void find_pairs();
+  void put_in_order();
+  [[nodiscard]] double bin_width_m() const { return (reach_m_ + skin_m_) / bins; }
+
+  static constexpr std::size_t bins = 32;  ///< of distance, up to that of the farthest pair in the list
 
   CollisionRule rule_;
   double reach_m_;
@@ -85,30 +99,32 @@ class VerletList {
   bool built_ = false;
   std::vector<double> built_at_;  ///< positions of the surface voxels then
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;
-  std::vector<std::int32_t> first_, second_;
+  std::vector<double> distance_;    ///< per pair, when the list was made
+  std::vector<std::uint8_t> kind_;  ///< per voxel; empty: all of kind 0
+  std::vector<std::int32_t> order_, first_, second_;
+  std::vector<std::size_t> bin_begin_;  ///< in the order, per kinds and bin
 };
 
-/// Adds the contact forces of pairs whose spheres overlap, one after the other: -f on the first, +f on the second voxel, see
+/// Finds the contact forces of pairs whose spheres overlap, one after the other: -f on the first, +f on the second voxel, see
 /// contact_force.
-/// @param touching positions in `pairs` @param end gives the ContactEnd of a voxel @param add takes a voxel and the force on it
-template <class Real, class End, class Add>
+/// @param touching positions in `pairs` @param sphere gives x, y, z and size of a voxel @param end its ContactEnd @param add
+/// takes a voxel and the force on it
+template <class Real, class Sphere, class End, class Add>
 void add_contact_loads(std::span<const std::int32_t> touching, const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs,
-                       const StepData<Real>& d, const End& end, const Add& add) {
+                       const Sphere& sphere, const End& end, const Add& add) {
   for (const std::int32_t position : touching) {
-    const auto [first, second] = pairs[static_cast<std::size_t>(position)];
-    const auto pose = [&](std::int32_t voxel) { return d.pose + static_cast<std::ptrdiff_t>(voxel) * line_length; };
-    const Real* from = pose(first);
-    const Real* to = pose(second);
+    const auto& [first, second] = pairs[static_cast<std::size_t>(position)];
+    const std::array<Real, 4> from = sphere(first);
+    const std::array<Real, 4> to = sphere(second);
     const Vector3<Real> apart = {to[slot::x] - from[slot::x], to[slot::y] - from[slot::y], to[slot::z] - from[slot::z]};
-    const Real reach = static_cast<Real>(collision_radius_fraction) * (collision_size_m(d, static_cast<std::size_t>(first)) +
-                                                                       collision_size_m(d, static_cast<std::size_t>(second)));
+    const Real reach = static_cast<Real>(collision_radius_fraction) * (from[slot::size] + to[slot::size]);
     const Vector3<Real> force = contact_force(apart, dot(apart, apart), reach, end(first), end(second));
     add(first, -force);
     add(second, force);
   }
 }
 
-/// The same for a body in lines.
+/// The same for a body in lines, whose loads they are added to.
 template <class Real>
 void add_collision_loads(std::span<const std::int32_t> touching, const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs,
                          const StepData<Real>& d);

@@ -180,6 +180,9 @@ void EngineOf<Real>::prepare_collisions(const VoxelLoads& loads) {
       hollow_ ? largest_collision_size_m(*hollow_, *physics.surrogate) : cell_edge_m * largest_factor * (1.0 + amplitude);
   close_pairs_ = std::make_unique<VerletList>(std::move(rule), 2.0 * collision_radius_fraction * largest_size,
                                               list_skin_edges * cell_edge_m);
+  largest_size_m_ = largest_size;
+  contacts_ = std::make_unique<ContactSearch<Real>>(*kernels_);
+  find_kinds();
   report_.push_back("collisions: work is skipped while a bound on the displacements rules contact out");
 }
 
@@ -202,19 +205,36 @@ bool EngineOf<Real>::looks_at_pairs() {
   return true;
 }
 
-/// Positions of the close pairs whose spheres overlap.
-template <class Real>
-std::span<const std::int32_t> EngineOf<Real>::touching_pairs() {
-  const std::size_t count = close_pairs_->pairs().size();
-  if (touching_.size() < close_pairs_->first().size()) touching_.resize(close_pairs_->first().size());
-  const std::size_t found =
-      kernels_->touching(state_->data, close_pairs_->first().data(), close_pairs_->second().data(), count, touching_.data());
-  return std::span(touching_).first(found);
-}
-
 template <class Real>
 void EngineOf<Real>::add_collisions() {
-  if (close_pairs_ && looks_at_pairs()) add_collision_loads(touching_pairs(), close_pairs_->pairs(), state_->data);
+  if (!close_pairs_ || !looks_at_pairs()) return;
+  const StepData<Real>& d = state_->data;
+  const std::array<double, 2> sizes =
+      sizes_of_kinds([&](std::int32_t voxel) { return collision_size_m(d, static_cast<std::size_t>(voxel)); });
+  const VerletList& list = *close_pairs_;
+  add_collision_loads(contacts_->touching(list, spheres_of(d), list.first().data(), list.second().data(), sizes), list.pairs(),
+                      d);
+}
+
+/// Tells voxels of two drives apart for the list of close pairs.
+template <class Real>
+void EngineOf<Real>::find_kinds() {
+  if (hollow_) return;
+  const StepData<Real>& d = state_->data;
+  const auto same = [&](std::size_t a, std::size_t b) {
+    return d.size_base[a] == d.size_base[b] && d.size_sine_part[a] == d.size_sine_part[b] &&
+           d.size_cosine_part[a] == d.size_cosine_part[b];
+  };
+  std::vector<std::uint8_t> kind(d.voxels, 0);
+  std::size_t other = 0;
+  for (std::size_t i = 1; i < d.voxels; ++i) {
+    if (same(i, 0)) continue;
+    if (other == 0) other = i;
+    if (!same(i, other)) return;
+    kind[i] = 1;
+  }
+  of_kind_ = {0, static_cast<std::int32_t>(other)};
+  close_pairs_->set_kinds(std::move(kind));
 }
 
 /// Puts an aggregate's blocks into lanes where that is faster.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "voxel/collisions.h"
+#include "voxel/contact_search.h"
 #include "voxel/energy_books.h"
 #include "voxel/pressure_drive.h"
 #include "voxel/rest_lengths.h"
@@ -98,7 +99,9 @@ class EngineOf final : public Simulation::Engine {
   void check_validity();
   void add_collisions();
   [[nodiscard]] bool looks_at_pairs();
-  [[nodiscard]] std::span<const std::int32_t> touching_pairs();
+  void find_kinds();
+  template <class SizeOf>
+  [[nodiscard]] std::array<double, 2> sizes_of_kinds(const SizeOf& size_of) const;
   void prepare_blocks(const KernelOptions& options);
   bool step();
   [[nodiscard]] bool looks_at_origin_after(double displacement_m) const;
@@ -119,7 +122,11 @@ class EngineOf final : public Simulation::Engine {
   const StepKernels<Real>* kernels_ = nullptr;
   InstructionSet set_ = InstructionSet::scalar;  ///< that the kernels are of
   std::unique_ptr<BlockLanes<Real>> blocks_;     ///< of a body whose blocks go in lanes
-  std::vector<std::int32_t> touching_;           ///< positions of pairs
+  std::unique_ptr<ContactSearch<Real>> contacts_;
+
+  /// Voxels of the kinds of drive that close pairs tell apart; none where there are more than two.
+  std::optional<std::array<std::int32_t, 2>> of_kind_;
+  double largest_size_m_ = 0.0;  ///< of any voxel against others
   bool floor_ = true, gravity_ = true, every_term_ = false;
   KeptTerms kept_;
   bool actuated_ = true;  ///< by the kernels
@@ -129,5 +136,14 @@ class EngineOf final : public Simulation::Engine {
   double way_m_ = 0.0;          ///< bound on how far any voxel went since the origin was last looked at
   std::vector<std::string> report_;
 };
+
+/// Sizes (m) of the kinds of voxels that close pairs tell apart, or the largest there may be. @param size_of gives that of a
+/// voxel
+template <class Real>
+template <class SizeOf>
+std::array<double, 2> EngineOf<Real>::sizes_of_kinds(const SizeOf& size_of) const {
+  if (!of_kind_) return {largest_size_m_, largest_size_m_};
+  return {static_cast<double>(size_of((*of_kind_)[0])), static_cast<double>(size_of((*of_kind_)[1]))};
+}
 
 }  // namespace menger::voxel

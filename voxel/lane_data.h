@@ -80,11 +80,11 @@ struct LaneKernels {
   /// The sweeps over blocks of a uniform body, see block_sweep.h.
   using InBlocks = bool (*)(const LaneData<Real>& group, int lanes);
   using Joints = bool (*)(const BlockData<Real>&, std::size_t first_face, std::size_t last_face);
-  using KeptLoads = void (*)(const BlockData<Real>&, std::size_t axis, std::size_t first_face, std::size_t last_face);
+  using JointLoads = void (*)(const BlockData<Real>&, std::size_t axis, std::size_t end, std::size_t group);
   InBlocks in_blocks[2][3];  ///< [damping from velocities][axis]
   Joints joints[2][3];       ///< [damping from velocities][axis]
-  KeptLoads add_kept;
-  void (*put_spheres)(const LaneData<Real>& group, const std::int32_t* voxel, Real* lines);
+  JointLoads add_joint_loads;
+  void (*put_spheres)(const LaneData<Real>& group, Real* spheres);
 };
 
 const LaneKernels<double>& scalar_lane_kernels_double();

@@ -24,7 +24,7 @@ const LaneKernels<RealOf<T>>& lane_kernels_of() {
        {sweep_in_blocks<0, true, T>, sweep_in_blocks<1, true, T>, sweep_in_blocks<2, true, T>}},
       {{sweep_joints<0, false, T>, sweep_joints<1, false, T>, sweep_joints<2, false, T>},
        {sweep_joints<0, true, T>, sweep_joints<1, true, T>, sweep_joints<2, true, T>}},
-      add_kept_loads<T>,
+      add_joint_loads<T>,
       put_spheres<T>};
   return kernels;
 }

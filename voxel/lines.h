@@ -117,8 +117,8 @@ inline Lines<T> load_lines(const RealOf<T>* base, const std::int32_t* index) {
 
 namespace detail {
 
-/// The first halves of the lines index[0] to index[Halves - 1], one after the other. Of a pack type, so that instruction sets
-/// share no code.
+/// Four numbers each from base[stride * index[0]] to base[stride * index[Halves - 1]] on, one after the other. Of a pack type, so
+/// that instruction sets share no code.
 template <class T, std::size_t Halves>
 struct HalfLines {
   using Register [[gnu::vector_size(Halves * 4 * sizeof(RealOf<T>)), gnu::may_alias]] = RealOf<T>;
@@ -129,9 +129,9 @@ struct HalfLines {
     return __builtin_shufflevector(low, high, I...);
   }
 
-  static Register load(const RealOf<T>* base, const std::int32_t* index) {
-    return joined(HalfLines<T, Halves / 2>::load(base, index), HalfLines<T, Halves / 2>::load(base, index + Halves / 2),
-                  std::make_index_sequence<4 * Halves>{});
+  static Register load(const RealOf<T>* base, std::ptrdiff_t stride, const std::int32_t* index) {
+    return joined(HalfLines<T, Halves / 2>::load(base, stride, index),
+                  HalfLines<T, Halves / 2>::load(base, stride, index + Halves / 2), std::make_index_sequence<4 * Halves>{});
   }
 };
 
@@ -139,18 +139,18 @@ template <class T>
 struct HalfLines<T, 1> {
   using Register [[gnu::vector_size(4 * sizeof(RealOf<T>)), gnu::may_alias]] = RealOf<T>;
 
-  static Register load(const RealOf<T>* base, const std::int32_t* index) {
-    return *reinterpret_cast<const Register*>(base + static_cast<std::ptrdiff_t>(*index) * line_length);
+  static Register load(const RealOf<T>* base, std::ptrdiff_t stride, const std::int32_t* index) {
+    return *reinterpret_cast<const Register*>(base + *index * stride);
   }
 };
 
 }  // namespace detail
 
-/// The first four numbers of the lines base[index[lane]] of all lanes.
+/// The four numbers from base[stride * index[lane]] on of all lanes. @param stride a multiple of four
 template <class T>
-inline void load_half_lines(const RealOf<T>* base, const std::int32_t* index, T (&values)[4]) {
+inline void load_half_lines(const RealOf<T>* base, std::ptrdiff_t stride, const std::int32_t* index, T (&values)[4]) {
   constexpr int width = NumberTraits<T>::width;
-  const auto line = [&](int lane) { return base + static_cast<std::ptrdiff_t>(index[lane]) * line_length; };
+  const auto line = [&](int lane) { return base + index[lane] * stride; };
   if constexpr (width == 1) {
     for (int k = 0; k < 4; ++k) values[k] = line(0)[k];
   } else {
@@ -159,7 +159,7 @@ inline void load_half_lines(const RealOf<T>* base, const std::int32_t* index, T 
     for (int k = 0; k < 4; ++k) {
       if constexpr (width >= 4) {
         constexpr int halves = width / 4;
-        r[k] = detail::HalfLines<T, static_cast<std::size_t>(halves)>::load(base, index + k * halves);
+        r[k] = detail::HalfLines<T, static_cast<std::size_t>(halves)>::load(base, stride, index + k * halves);
       } else {
         constexpr int parts = 4 / width;
         r[k] = T::load_aligned(line(k / parts) + (k % parts) * width);

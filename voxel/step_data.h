@@ -111,6 +111,20 @@ struct VoxelSweep {
   double largest_displacement2 = 0.0;  ///< m^2 in this step
 };
 
+/// Where voxels are and how large they are against each other.
+template <class Real>
+struct Spheres {
+  const Real* values = nullptr;  ///< of voxel i from values[stride * i] on: x, y, z, size; m
+  std::ptrdiff_t stride = line_length;
+  const Real* size = nullptr;  ///< instead of those in `values`, or null
+};
+
+/// The spheres of a body in lines.
+template <class Real>
+inline Spheres<Real> spheres_of(const StepData<Real>& d) {
+  return {d.pose, line_length, d.collision_size};
+}
+
 /// Size (m) of a voxel against other voxels in this step.
 template <class Real>
 inline Real collision_size_m(const StepData<Real>& d, std::size_t voxel) {
@@ -134,9 +148,9 @@ struct StepKernels {
   BeamSweep beams[2][3];                                             ///< [damping from velocities][BeamVariety]
   VoxelSweepFunction voxels[2][2][2][2];                             ///< [uniform][floor][gravity][actuated]
 
-  /// Puts the positions, in ascending order, of the pairs (first, second) of voxels whose spheres overlap into `touching`, which
-  /// has room for `count` and a register's width more. `first` and `second` are padded to that width. @return how many
-  std::size_t (*touching)(const StepData<Real>&, const std::int32_t* first, const std::int32_t* second, std::size_t count,
+  /// Puts the positions, in ascending order, of the pairs (first, second) whose spheres overlap into `touching`, which has room
+  /// for `count` and a register's width more; `first` and `second` can be read so far, too. @return how many
+  std::size_t (*touching)(const Spheres<Real>&, const std::int32_t* first, const std::int32_t* second, std::size_t count,
                           std::int32_t* touching);
 };
 
