@@ -58,11 +58,6 @@ std::size_t rounded_up(std::size_t count, std::size_t share) { return (count + s
 
 double registers(std::size_t numbers, std::size_t lanes) { return static_cast<double>(rounded_up(numbers, lanes)); }
 
-/// Registers for so many robots, a multiple of the workers where that leaves each of them enough.
-std::size_t registers_for(std::size_t robots, std::size_t lanes, std::size_t workers) {
-  return rounded_up(rounded_up(robots, lanes), workers) * workers;
-}
-
 // Times measured with AVX-512, in those of a beam of a register of robots. They rank the two ways; nothing else depends on them.
 constexpr double lane_voxel = 0.4;
 constexpr double beam_register = 1.8;  ///< of one robot, whose beams are sorted into the register first
@@ -81,6 +76,17 @@ std::vector<bool> cells_of(const std::array<int, 3>& grid, const std::vector<mes
   std::vector<bool> has(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz), false);
   for (const meshes::CellIndex& cell : cells) has[static_cast<std::size_t>(cell.x + nx * (cell.y + ny * cell.z))] = true;
   return has;
+}
+
+std::vector<std::size_t> register_shares(std::size_t robots, std::size_t lanes, std::size_t workers) {
+  const std::size_t rounds = rounded_up(rounded_up(robots, lanes), workers);
+  const std::size_t count = std::min(robots, rounds * workers);
+  std::vector<std::size_t> shares;
+  for (std::size_t left = robots, n = count; n > 0; --n) {
+    shares.push_back(rounded_up(left, n));
+    left -= shares.back();
+  }
+  return shares;
 }
 
 std::vector<std::size_t> take_similar(std::span<const std::vector<bool>> cells, std::vector<std::size_t>& left,
@@ -139,9 +145,7 @@ std::vector<std::vector<std::size_t>> lane_groups(std::span<const meshes::Polycu
   }
   const std::size_t lanes = most_lanes_of(physics.integration.number, InstructionSet::best);
   for (auto& [kind, left] : kinds) {
-    const std::size_t shares = registers_for(left.size(), lanes, static_cast<std::size_t>(workers));
-    const std::size_t share = (left.size() + shares - 1) / shares;
-    while (!left.empty()) {
+    for (const std::size_t share : register_shares(left.size(), lanes, static_cast<std::size_t>(workers))) {
       std::vector<std::size_t> group = take_similar(cells, left, share);
       std::vector<std::vector<bool>> of_group;
       for (const std::size_t i : group) of_group.push_back(cells[i]);

@@ -17,6 +17,10 @@ bool runs_in_lanes(const Physics& physics);
 /// Which cells of a grid a body has. @param cells those that it has
 std::vector<bool> cells_of(const std::array<int, 3>& grid, const std::vector<meshes::CellIndex>& cells);
 
+/// How many of so many robots go into each register: no more than there are lanes, a multiple of the workers where there are
+/// robots enough, and sizes that differ by one at most.
+std::vector<std::size_t> register_shares(std::size_t robots, std::size_t lanes, std::size_t workers);
+
 /// The next bodies for one register, taken out of those that are left: the largest first, then always the one that adds the
 /// fewest cells to those that the register has, and of these the largest; all on one grid.
 /// @param cells per body @param left positions in `cells`, not empty @return 1 to `count` positions

@@ -19,6 +19,9 @@ bool go_together(const Simulation::Engine& a, const Simulation::Engine& b) {
          a.lattice->grid == b.lattice->grid && a.physics == b.physics;
 }
 
+template <class Real>
+constexpr NumberType number_type_of = std::is_same_v<Real, double> ? NumberType::float64 : NumberType::float32;
+
 /// Steps robots of one kind to the end, a register full at a time, or one after the other where that is faster.
 template <class Real>
 void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t steps, const std::atomic<bool>* stop,
@@ -30,6 +33,7 @@ void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t step
     cells.push_back(cells_of(robot->lattice->grid, robot->lattice->cells));
   }
   const auto lanes = static_cast<std::size_t>(lane_kernels_for<Real>(set, robots.size()).lanes);
+  const std::size_t widest = most_lanes_of(number_type_of<Real>, set);  // which a robot by itself has
   while (!left.empty()) {
     const std::vector<std::size_t> taken = take_similar(cells, left, lanes);
     std::vector<EngineOf<Real>*> together;
@@ -38,7 +42,7 @@ void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t step
       together.push_back(robots[i]);
       of_register.push_back(cells[i]);
     }
-    if (use == LaneUse::always || lanes_pay(of_register, robots.front()->lattice->grid, lanes)) {
+    if (use == LaneUse::always || lanes_pay(of_register, robots.front()->lattice->grid, widest)) {
       LaneGroup<Real>(together, lane_kernels_for<Real>(set, together.size())).advance(steps, stop);
     } else {
       for (EngineOf<Real>* robot : together) static_cast<void>(robot->advance(steps, stop));
@@ -50,10 +54,9 @@ void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t step
 template <class Real>
 void advance_in_lanes(std::span<Simulation::Engine* const> engines, double time_s, const std::atomic<bool>* stop,
                       InstructionSet requested, LaneUse use) {
-  constexpr NumberType number = std::is_same_v<Real, double> ? NumberType::float64 : NumberType::float32;
   std::vector<std::vector<EngineOf<Real>*>> kinds;
   for (Simulation::Engine* engine : engines) {
-    if (engine->physics.integration.number != number) continue;
+    if (engine->physics.integration.number != number_type_of<Real>) continue;
     auto* robot = static_cast<EngineOf<Real>*>(engine);
     if (!robot->runs_in_lanes() || robot->steps >= steps_until(time_s, robot->time_step_s)) continue;
     const auto kind =
