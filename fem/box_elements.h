@@ -201,7 +201,7 @@ class BoxElements {
   BoxGradient<Pack> gradient_;
   BoxGradient<Pack> rate_;
   BoxGradient<Pack> stress_sums_;
-  alignas(64) std::array<double, 48 * Pack::size> mean_tensors_;
+  alignas(64) std::array<double, branch_numbers_per_lane * Pack::size> mean_tensors_;
 };
 
 }  // namespace menger::fem::detail

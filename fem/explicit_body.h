@@ -69,6 +69,9 @@ class ExplicitBody {
   /// The first element that has failed, if any.
   [[nodiscard]] std::optional<FailedElement> failed_element(std::span<const double> displacements_m) const;
 
+  /// Where the tensors of a batch begin among those of all batches.
+  [[nodiscard]] std::size_t branch_position(std::size_t batch) const { return branch_numbers_per_lane * boxes_.width() * batch; }
+
  private:
   struct ElementEnergies {
     AlignedNumbers energies_J;  ///< per lane
@@ -77,8 +80,6 @@ class ExplicitBody {
   [[nodiscard]] ElementEnergies element_energies(std::span<const double> displacements_m, std::span<const double> branch) const;
   void hold(const meshes::HexahedralMesh& mesh, const ExplicitBodyOptions& options);
   void hold_node(std::size_t node, const std::array<bool, 3>& held);
-
-  [[nodiscard]] std::size_t branch_position(std::size_t batch) const { return 48 * boxes_.width() * batch; }
 
   ExplicitKernels kernels_;
   std::vector<ExplicitRegion> regions_;

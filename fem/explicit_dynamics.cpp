@@ -77,8 +77,11 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
   start.branches = BranchState{body.branches_at_rest(start.displacements_m)};
   rest_stable_step_ = stable_step_at(start.displacements_m, start.branches->tensors);
   set_state(std::move(start));
-  options_.supply->check_resolved(
-      mesh.plenum_names, std::min(options_.step_safety * rest_stable_step_, options_.largest_step_s.value_or(rest_stable_step_)));
+  const double step_s = std::min(options_.step_safety * rest_stable_step_, options_.largest_step_s.value_or(rest_stable_step_));
+  if (relaxation_interval_s_)
+    demand(step_s <= *relaxation_interval_s_, "shortest relaxation time of a branch", *body.shortest_relaxation_time_s(),
+           "must be " + io::number_text(1.0 / relaxation_share) + " steps of " + io::number_text(step_s) + " s at least");
+  options_.supply->check_resolved(mesh.plenum_names, step_s);
 }
 
 void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
@@ -131,7 +134,7 @@ void ExplicitDynamics::set_state(ExplicitState state) {
   if (!state_.pneumatics || !options_.supply->has_lines())
     state_.pneumatics = options_.supply->start(state_.time_s, plenum_volumes_m3());
   if (!state_.branches) state_.branches = BranchState{body_.branches_at_rest(state_.displacements_m)};
-  assert(state_.branches->tensors.empty() == !relaxation_interval_s_);
+  assert(state_.branches->tensors.size() == (relaxation_interval_s_ ? body_.branch_position(body_.boxes().batch_count()) : 0));
   set_current_positions();
   self_contact_.forget();
   find_touches();

@@ -39,7 +39,7 @@ struct ExplicitOptions {
 
 /// Where the branches of a body's materials are.
 struct BranchState {
-  AlignedNumbers tensors;  ///< of all batches, see BranchTensors; empty without branches
+  AlignedNumbers tensors;  ///< of all batches, see BranchTensors; empty without branches. Laid out for one width of kernels
   double age_s = 0.0;      ///< since they relaxed
 
   bool operator==(const BranchState&) const = default;
@@ -95,8 +95,8 @@ struct ExplicitReport {
 class ExplicitDynamics {
  public:
   /// The body at rest in its reference configuration. Keeps references to the body.
-  /// @throws io::InputError for options outside their ranges, as many schedules as the mesh has not plena, and schedules that the
-  /// first step cannot resolve
+  /// @throws io::InputError for options outside their ranges, as many schedules as the mesh has not plena, and schedules and
+  /// relaxation times that the first step cannot resolve
   ExplicitDynamics(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, ExplicitOptions options);
 
   ExplicitDynamics(const ExplicitDynamics&) = delete;

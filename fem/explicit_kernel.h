@@ -40,6 +40,9 @@ struct NodalMotion {
   const double* velocities_m_per_s = nullptr;  ///< read where there is a viscosity; nullptr: no viscous force
 };
 
+/// Of the tensors of a lane: six components at eight points.
+inline constexpr std::size_t branch_numbers_per_lane = 48;
+
 /// Tensors A of the branches (see MaxwellBranch) of batches: per batch 48 width numbers, component c (xx, yy, zz, yz, xz, xy) of
 /// point q of lane l at (6 q + c) width + l; aligned to 64 bytes.
 struct BranchTensors {

@@ -40,7 +40,7 @@ AllBounds element_bounds(const ExplicitBody& body, std::span<const double> displ
     for_each_part(boxes, begin, end, [&](const BoxGroup& group, std::size_t first, std::size_t last) {
       const std::size_t lane = first * width;
       body.kernels().bounds(body.region(group.region).material, boxes.batches(first, last - first), {displacements.data()},
-                            branch.empty() ? nullptr : branch.data() + 48 * lane,
+                            branch.empty() ? nullptr : branch.data() + branch_numbers_per_lane * lane,
                             {all.gradients.data() + 24 * lane, all.bulk_moduli.data() + lane,
                              all.deviatoric_squares.data() + lane, all.branch_squares.data() + lane});
     });
