@@ -2,12 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <random>
 #include <set>
+#include <stdexcept>
+#include <vector>
 
 #include "meshes/fractal.h"
 #include "meshes/reference_shapes.h"
+#include "voxel/contact_search.h"
+#include "voxel/instruction_sets.h"
 #include "voxel/simulation.h"
+#include "voxel/voxel_state.h"
 
 namespace menger::voxel {
 namespace {
@@ -93,6 +100,75 @@ TEST(VerletList, IsMadeAnewOnlyWhenDisplacementsCouldMatter) {
   positions[0] += 0.0021;
   list.moved(0.0021);
   EXPECT_TRUE(list.refresh(positions.data(), 3));
+}
+
+/// Positions in `pairs` of those whose spheres overlap, by looking at every one.
+template <class Real>
+std::vector<std::int32_t> overlapping(const Pairs& pairs, const AlignedArray<Real>& spheres) {
+  std::vector<std::int32_t> touching;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Real* a = spheres.data() + 4 * pairs[i].first;
+    const Real* b = spheres.data() + 4 * pairs[i].second;
+    const Vector3<Real> apart = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const Real reach = static_cast<Real>(collision_radius_fraction) * (a[3] + b[3]);
+    if (spheres_overlap(dot(apart, apart), reach)) touching.push_back(static_cast<std::int32_t>(i));
+  }
+  return touching;
+}
+
+/// Voxels of two kinds swell and shrink while they move as far as the list allows; what the search finds is compared with a look
+/// at every pair, for every instruction set of this machine.
+template <class Real>
+void expect_all_touching_pairs(bool two_kinds) {
+  const Lattice lattice(meshes::fractal(meshes::menger_sponge(), 2));
+  const std::vector<double> start = shaken_positions(lattice, 0.002);
+  const double largest_size = 0.0115;
+  VerletList list(CollisionRule(lattice, 1), 2.0 * collision_radius_fraction * largest_size, 0.004);
+  std::vector<std::uint8_t> kind;
+  for (std::size_t i = 0; i < lattice.voxel_count(); ++i) kind.push_back(i % 3 == 0 ? 1 : 0);
+  if (two_kinds) list.set_kinds(kind);
+  list.build(start.data(), 3);
+  std::mt19937 generator(9);
+  std::uniform_real_distribution<double> shift(-1.0, 1.0);
+  std::size_t most = 0;
+  std::size_t fewest = list.pairs().size();
+  std::size_t looked_at = 0;
+  for (int step = 0; step < 20; ++step) {
+    const double bound = 0.0001 * step;  // up to half of the skin
+    if (step > 0) list.moved(0.0001);
+    const double swelling = 0.0015 * std::sin(0.9 * step);
+    const std::array<double, 2> size_m{0.01 + swelling, 0.01 - swelling};
+    AlignedArray<Real> spheres;
+    for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        spheres.push_back(static_cast<Real>(start[3 * i + axis] + bound / std::sqrt(3.0) * shift(generator)));
+      spheres.push_back(static_cast<Real>(size_m[kind[i]]));
+    }
+    const std::vector<std::int32_t> expected = overlapping(list.pairs(), spheres);
+    most = std::max(most, expected.size());
+    fewest = std::min(fewest, expected.size());
+    const std::array<double, 2> told = two_kinds ? size_m : std::array<double, 2>{largest_size, largest_size};
+    for (const auto& [begin, end] : list.candidates(told)) looked_at += end - begin;
+    for (const InstructionSet set :
+         {InstructionSet::scalar, InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
+      try {
+        ContactSearch<Real> search(kernels_for<Real>(resolve(set)));
+        const auto found = search.touching(list, {spheres.data(), 4, nullptr}, list.first().data(), list.second().data(), told);
+        EXPECT_EQ(std::vector<std::int32_t>(found.begin(), found.end()), expected) << step << " " << static_cast<int>(set);
+      } catch (const std::invalid_argument&) {
+      }
+    }
+  }
+  EXPECT_GT(fewest, 0U);
+  EXPECT_GT(most, 2 * fewest) << "sizes matter";
+  EXPECT_LT(looked_at, 20 * list.pairs().size()) << "some pairs are left out";
+}
+
+TEST(ContactSearch, FindsAllPairsThatTouch) {
+  expect_all_touching_pairs<double>(true);
+  expect_all_touching_pairs<double>(false);
+  expect_all_touching_pairs<float>(true);
+  expect_all_touching_pairs<float>(false);
 }
 
 TEST(CollisionRule, KnowsWhenNoPairIsLeft) {
