@@ -65,13 +65,13 @@ void run(benchmark::State& state, int degree, double viscosity_Pa_s, double tole
 
 /// The module on a ground that is less rough backwards, three periods: what it walks, by how its mass is spread and how hard it
 /// sticks. Mean place over the last period and place at its end, see ImplicitDynamics.
-void walk(benchmark::State& state, bool lumped_mass, double stick_stiffness) {
+void walk(benchmark::State& state, bool lumped_mass, double stick_stiffness, double tolerance) {
   const meshes::HexahedralMesh mesh = module_mesh();
   const fem::Body body = silicone_body(mesh);
   const fem::Space space = fem::make_space(mesh, 1, 0, MPI_COMM_SELF);
   for (auto unused : state) {
     (void)unused;
-    fem::ImplicitOptions options = on_ground(body, 10.0, fem::ImplicitOptions{}.tolerance);
+    fem::ImplicitOptions options = on_ground(body, 10.0, tolerance);
     options.ground->friction.directional = fem::DirectionalFriction{.backward_factor = 0.3};
     options.lumped_mass = lumped_mass;
     options.stick_stiffness = stick_stiffness;
@@ -118,10 +118,17 @@ int main(int argc, char** argv) {
     const char* name;
     bool lumped_mass;
     double stick_stiffness;
+    double tolerance = fem::ImplicitOptions{}.tolerance;
   };
-  for (const WalkCase& c : {WalkCase{"walk/consistent", false, 1.0}, WalkCase{"walk/lumped", true, 1.0},
-                            WalkCase{"walk/lumped/stick 3", true, 3.0}, WalkCase{"walk/lumped/stick 10", true, 10.0}}) {
-    benchmark::RegisterBenchmark(c.name, [c](benchmark::State& state) { walk(state, c.lumped_mass, c.stick_stiffness); })
+  constexpr double quarter = 0.25 * fem::ImplicitOptions{}.tolerance;
+  for (const WalkCase& c :
+       {WalkCase{"walk/consistent", false, 1.0}, WalkCase{"walk/lumped", true, 1.0}, WalkCase{"walk/lumped/stick 3", true, 3.0},
+        WalkCase{"walk/lumped/stick 10", true, 10.0}, WalkCase{"walk/lumped/stick 30", true, 30.0},
+        WalkCase{"walk/lumped/quarter", true, 1.0, quarter}, WalkCase{"walk/lumped/stick 10/quarter", true, 10.0, quarter},
+        WalkCase{"walk/lumped/stick 30/quarter", true, 30.0, quarter},
+        WalkCase{"walk/lumped/stick 30/sixteenth", true, 30.0, 0.25 * quarter}}) {
+    benchmark::RegisterBenchmark(c.name,
+                                 [c](benchmark::State& state) { walk(state, c.lumped_mass, c.stick_stiffness, c.tolerance); })
         ->Unit(benchmark::kSecond)
         ->MeasureProcessCPUTime()
         ->Iterations(1);
