@@ -64,11 +64,11 @@ struct ImplicitReport {
 ///   tolerance 2e-5   232 165 11  238 167 16  250 174 27  239 166 67  239 165 188
 ///   tolerance 5e-6   233 158 13              252 168 33  248 164 66
 ///   tolerance 1.25e-6                                    256 160 68
-/// and 188 and 133 um with consistent masses. From springs of 30 on the way does not change any more, as if nodes stuck exactly; from
-/// there it goes to that of explicit dynamics with shorter steps: 20, 11 and 3 um are missing. All of this is less than what the
-/// model of friction leaves open: explicit dynamics itself, whose nodes do stick exactly, changes by no more than 1 um if
-/// friction changes by 0.1 % or the start by 0.1 ms, but to 276 um with friction regularised at 0.1 mm/s, and to 267 and 192 um on
-/// a ground of half and double the stiffness. What decides is how masses and compliances are spread over the nodes that touch.
+/// and 188 and 133 um with consistent masses. From springs of 30 on the way does not change any more, as if nodes stuck exactly;
+/// from there it goes to that of explicit dynamics with shorter steps: 20, 11 and 3 um are missing. All of this is less than what
+/// the model of friction leaves open: explicit dynamics itself, whose nodes do stick exactly, changes by no more than 1 um if
+/// friction changes by 0.1 % or the start by 0.1 ms, but to 276 um with friction regularised at 0.1 mm/s, and to 267 and 192 um
+/// on a ground of half and double the stiffness. What decides is how masses and compliances are spread over the nodes that touch.
 /// Hence the defaults, springs of 1 and a tolerance of 2e-5, 10 % from explicit dynamics at the least cost. The mean place in the
 /// third period is 153 um by explicit dynamics, that in the second 53, here 45 to 52; the place at the end holds the phase of a
 /// sway of 20 um at 43 Hz, too. The highest place agrees to 0.1 %.
