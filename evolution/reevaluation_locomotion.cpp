@@ -22,7 +22,7 @@ std::string pair(std::string key, const std::array<double, 2>& values) {
 std::string material_text(const LocomotionOptions& options) {
   std::string text = "[material]\nrecord = \"silicone.toml\"\n" + number("bulk_modulus_ratio", options.bulk_modulus_ratio);
   if (options.youngs_modulus_Pa) text += number("youngs_modulus_Pa", *options.youngs_modulus_Pa);
-  return text;
+  return text + line("damping_model", io::toml_quoted(options.damping_model));
 }
 
 std::string ground_text(const voxel::VoxelMaterial& material) {

@@ -54,6 +54,8 @@ LocomotionOptions read_elements(const io::TomlTable& table) {
   options.step_safety =
       table.number_or("step_safety", options.step_safety, {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
   options.youngs_modulus_Pa = table.optional_number("youngs_modulus_Pa", io::positive());
+  options.damping_model = table.word_or<std::string>("damping_model", options.damping_model,
+                                                     {{"maxwell", "maxwell"}, {"kelvin_voigt", "kelvin_voigt"}});
   options.threads = table.integer_or("threads", options.threads, io::within(1, 1024));
   return options;
 }
@@ -183,7 +185,7 @@ std::string resolved_text(const ReevaluationStudy& study) {
                      line("silicone", io::toml_quoted(study.silicone_file.string()));
   text += "[elements]\n" + line("elements_through_wall", std::to_string(own.elements_through_wall)) +
           number("bulk_modulus_ratio", own.bulk_modulus_ratio) + number("step_safety", own.step_safety) +
-          line("threads", std::to_string(own.threads));
+          line("damping_model", io::toml_quoted(own.damping_model)) + line("threads", std::to_string(own.threads));
   if (own.youngs_modulus_Pa) text += number("youngs_modulus_Pa", *own.youngs_modulus_Pa);
   const voxel::VoxelMaterial& ground = study.search.physics.materials[0];
   text += "[ground]\n" + number("static_friction", ground.static_friction) + number("kinetic_friction", ground.kinetic_friction);

@@ -19,6 +19,7 @@ struct LocomotionOptions {
   double bulk_modulus_ratio = 50.0;           ///< bulk by shear modulus at rest
   double step_safety = 0.9;                   ///< of the stable step
   std::optional<double> youngs_modulus_Pa{};  ///< at rest; none: that of the record
+  std::string damping_model = "maxwell";      ///< as studies of `menger locomote` name it
   int threads = 1;                            ///< of one run
 
   bool operator==(const LocomotionOptions&) const = default;
@@ -69,7 +70,8 @@ struct ReevaluationRequest {
 ///
 /// - level (the only one of the search if not given), duration_s and measure_from_s (the search's), record_interval_s,
 ///   frame_interval_s, silicone (a record of menger by its name, or a file), sample_seed, least_body_lengths, time_limit_s
-/// - `[elements]` elements_through_wall, bulk_modulus_ratio, step_safety, youngs_modulus_Pa, threads
+/// - `[elements]` elements_through_wall, bulk_modulus_ratio, step_safety, youngs_modulus_Pa, damping_model ("maxwell",
+///   "kelvin_voigt"), threads
 /// - `[ground]` static_friction, kinetic_friction: of both models, instead of the search's
 /// - `[judge]` designs, elements_through_wall, bulk_modulus_factor, step_factor, youngs_moduli_Pa; a factor of 1, the same number
 ///   of elements and an empty list leave a variant out; youngs_moduli_Pa must be given for any silicone but the usual one
