@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <stdexcept>
 
 #include "static_samples.h"
 #include "voxel/body_shape.h"
+#include "voxel/surrogate_file.h"
 
 namespace menger::voxel {
 namespace {
@@ -88,6 +91,28 @@ TEST(LoadCaseResponse, OfInflationBulgesATeeNoWiderThanItsArms) {
   const LoadCaseResponse response = respond(parameters, of);
   const double chamber = 0.006 * 0.006 * (0.026 + 0.01);
   EXPECT_NEAR(value(response, "volume_change", 0), std::pow(sample_edge, 3) * faces / chamber, 1e-11);
+}
+
+// Volumes at 6 kPa by finite elements (Q2/P1, one through the wall, Dragon Skin 10) of bodies in which arms and squares of cells
+// meet, none of which a calibration has seen. They are known to 5 %, as all curves of the fit; where four arms meet a wall spans
+// more than in the bend that stands in for it.
+TEST(LoadCaseResponse, OfFeetHasTheVolumeThatFiniteElementsFind) {
+  struct Foot {
+    const char* digits;
+    double volume_change;
+    double tolerance;
+  };
+  constexpr std::array feet{Foot{"111010000", 0.2240, 0.07}, Foot{"010111010", 0.2433, 0.25}, Foot{"111110000", 0.4244, 0.05},
+                            Foot{"011111011", 0.5962, 0.05}, Foot{"110111011", 0.5330, 0.05}};
+  const SurrogateParameters parameters =
+      read_surrogate(std::filesystem::path(MENGER_SOURCE_DIR) / "voxel/parameters/dragon_skin_10_1cm.toml");
+  for (const Foot& foot : feet) {
+    LoadCase of = load_case(LoadCaseKind::inflation, 1, {6000.0});
+    of.cells = {3, 3, 1};
+    of.digits = foot.digits;
+    const double found = value(respond(parameters, of), "volume_change", 0);
+    EXPECT_NEAR(found, foot.volume_change, foot.tolerance * foot.volume_change) << foot.digits;
+  }
 }
 
 TEST(LoadCaseResponse, TakesTheRimForTheTopOfABodyWithAHole) {
