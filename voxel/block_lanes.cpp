@@ -14,6 +14,7 @@ namespace {
 constexpr auto line_size = static_cast<std::size_t>(line_length);
 constexpr auto history_size = static_cast<std::size_t>(history_values);
 constexpr auto drive_size = static_cast<std::size_t>(drive_values);
+constexpr auto end_size = static_cast<std::size_t>(end_loads);
 
 /// Where the lanes of a pack come from, as numbers pack * lanes + lane in ascending order, or a negative number where from
 /// nowhere.
@@ -128,7 +129,7 @@ void BlockLanes<Real>::join(std::size_t axis) {
   const std::size_t packs = lower_blocks_[axis].size();
   const std::size_t beams = body_.faces[axis].size() * packs;
   joint_history_[axis].assign(history_size * beams * lanes_, Real(0));
-  joint_loads_[axis].assign(2 * end_loads * beams * lanes_, Real(0));
+  joint_loads_[axis].assign(2 * end_size * beams * lanes_, Real(0));
   data_.axis[axis] = {.faces = body_.faces[axis].size(),
                       .lower = face_lower_[axis].data(),
                       .upper = face_upper_[axis].data(),
@@ -199,7 +200,8 @@ void BlockLanes<Real>::put() {
   }
   put_histories();
   for (LaneData<Real>& group : groups_) {
-    static_cast<StepConstants<Real>&>(group) = d;
+    const StepConstants<Real>& constants = d;
+    static_cast<StepConstants<Real>&>(group) = constants;
     group.voxel = d.voxel;
     group.beam = d.beam;
     for (std::size_t lane = 0; lane < lanes_; ++lane) {

@@ -30,7 +30,7 @@ bool place_voxels(const Lattice& lattice, BlockBody& body, std::map<int, std::in
   const std::size_t places = body.block.count();
   if (lattice.voxel_count() != body.count * places) return false;
 
-  std::array<std::int32_t, side * side * side> place_of{};
+  std::array<std::int32_t, std::size_t{side} * side * side> place_of{};
   std::int32_t place = 0;
   for (const meshes::CellIndex& cell : body.block.occupied()) place_of[static_cast<std::size_t>(cell_place(cell))] = place++;
   body.voxel.assign(lattice.voxel_count(), 0);

@@ -46,7 +46,8 @@ BodyCount counted(const std::vector<bool>& cells, const std::array<int, 3>& grid
         ++body.voxels;
         const std::array<bool, 3> inside{x + 1 < nx, y + 1 < ny, z + 1 < nz};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          if (inside[axis] && cells[static_cast<std::size_t>(i + stride[axis])]) ++body.beams[axis];
+          const int next = i + stride[axis];
+          if (inside[axis] && cells[static_cast<std::size_t>(next)]) ++body.beams[axis];
         }
       }
     }
@@ -74,7 +75,10 @@ bool runs_in_lanes(const Physics& physics) {
 std::vector<bool> cells_of(const std::array<int, 3>& grid, const std::vector<meshes::CellIndex>& cells) {
   const auto [nx, ny, nz] = grid;
   std::vector<bool> has(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz), false);
-  for (const meshes::CellIndex& cell : cells) has[static_cast<std::size_t>(cell.x + nx * (cell.y + ny * cell.z))] = true;
+  for (const meshes::CellIndex& cell : cells) {
+    const int place = cell.x + nx * (cell.y + ny * cell.z);
+    has[static_cast<std::size_t>(place)] = true;
+  }
   return has;
 }
 
@@ -148,6 +152,7 @@ std::vector<std::vector<std::size_t>> lane_groups(std::span<const meshes::Polycu
     for (const std::size_t share : register_shares(left.size(), lanes, static_cast<std::size_t>(workers))) {
       std::vector<std::size_t> group = take_similar(cells, left, share);
       std::vector<std::vector<bool>> of_group;
+      of_group.reserve(group.size());
       for (const std::size_t i : group) of_group.push_back(cells[i]);
       if (lanes_pay(of_group, kind.first, lanes)) {
         groups.push_back(std::move(group));

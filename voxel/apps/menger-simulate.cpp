@@ -64,6 +64,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_flag("--check-dt", arguments.check_dt,
                "run again with half the time step and report the difference (three times the work)");
   app.add_flag("--every-term", arguments.kernel.every_term, "leave no term out of the step; gives the same bytes, slower");
+  app.add_option("--threads", arguments.kernel.threads,
+                 "threads that share every step of an aggregate, whose copies go in lanes; any number gives the same bytes")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
   app.add_option("--instruction-set", arguments.instruction_set, "kernels to use; all give the same bytes")
       ->check(CLI::IsMember(instruction_sets()));
   return io::parse_arguments(app, argc, argv);
