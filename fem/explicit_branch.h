@@ -77,11 +77,11 @@ template <class Pack>
   const Pack root = inverse_cube_root(point.ratio);
   const Pack root_square = root * root;
   const Pack inverse_ratio = root_square * root;
-  const std::array<Pack, 9> FB = times_symmetric(F, B);
-  Pack trace = FB[0] * F[0];
-  for (std::size_t n = 1; n < 9; ++n) trace = xsimd::fma(FB[n], F[n], trace);
+  const std::array<Pack, 9> carried = times_symmetric(F, B);
+  Pack trace = carried[0] * F[0];
+  for (std::size_t n = 1; n < 9; ++n) trace = xsimd::fma(carried[n], F[n], trace);
   const Pack by_cofactor = xsimd::fma(root_square * inverse_ratio, trace * Pack(-1.0 / 3.0), pressure);
-  for (std::size_t n = 0; n < 9; ++n) F[n] = xsimd::fma(root_square, FB[n], by_cofactor * point.cofactor[n]);
+  for (std::size_t n = 0; n < 9; ++n) F[n] = xsimd::fma(root_square, carried[n], by_cofactor * point.cofactor[n]);
   return inverse_ratio;
 }
 
@@ -147,13 +147,13 @@ Pack branch_square(const std::array<Pack, 9>& F, const PointVolume<Pack>& point,
   const Pack root = inverse_cube_root(point.ratio);
   const Pack root_square = root * root;
   const Symmetric<Pack> A = load_symmetric<Pack>(tensor);
-  const std::array<Pack, 9> FA = times_symmetric(F, A);
+  const std::array<Pack, 9> product = times_symmetric(F, A);
   Pack trace(0.0);
   Pack square(0.0);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const Pack b =
-          root_square * xsimd::fma(FA[3 * i], F[3 * j], xsimd::fma(FA[3 * i + 1], F[3 * j + 1], FA[3 * i + 2] * F[3 * j + 2]));
+      const Pack b = root_square * xsimd::fma(product[3 * i], F[3 * j],
+                                              xsimd::fma(product[3 * i + 1], F[3 * j + 1], product[3 * i + 2] * F[3 * j + 2]));
       square = xsimd::fma(b, b, square);
       if (i == j) trace = trace + b;
     }
