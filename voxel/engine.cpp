@@ -24,6 +24,10 @@ constexpr auto line_size = static_cast<std::size_t>(line_length);
 /// Putting a body's blocks into lanes and taking them out again costs about a step.
 constexpr std::uint64_t fewest_steps_in_blocks = 16;
 
+/// Above it, as measured with AVX-512, blocks are no faster in double precision for one thread: waiting for memory is what takes
+/// the time.
+constexpr std::size_t most_voxels_in_blocks = 10000;
+
 /// Fastest wave of the stiffest and lightest material of a body of solid voxels.
 double wave_speed_m_s(const Lattice& lattice, const Physics& physics) {
   double fastest = 0.0;
@@ -241,6 +245,7 @@ void EngineOf<Real>::find_kinds() {
 template <class Real>
 void EngineOf<Real>::prepare_blocks(const KernelOptions& options) {
   if (!options.blocks_in_lanes || !runs_in_lanes() || !state_->uniform()) return;
+  if (std::is_same_v<Real, double> && options.threads == 1 && lattice->voxel_count() > most_voxels_in_blocks) return;
   std::optional<BlockBody> body = blocks_of(*lattice);
   if (!body) return;
   const LaneKernels<Real>* kernels = kernels_for_blocks<Real>(set_, body->count);
