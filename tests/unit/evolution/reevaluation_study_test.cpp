@@ -63,13 +63,13 @@ TEST_F(ReevaluationStudyTest, ReadsEveryKeyAndItsTextIsReadBackTheSame) {
       "level = 1\nduration_s = 0.6\nrecord_interval_s = 0.01\nframe_interval_s = 0.05\nsilicone = \"dragon_skin_10\"\n"
       "sample_seed = 9\nleast_body_lengths = 0.01\ntime_limit_s = 60\n"
       "[elements]\nelements_through_wall = 2\nbulk_modulus_ratio = 100\nstep_safety = 0.8\nyoungs_modulus_Pa = 2e5\n"
-      "damping_model = \"kelvin_voigt\"\nthreads = 2\n"
+      "damping_model = \"maxwell\"\nthreads = 2\n"
       "[ground]\nstatic_friction = 0.7\nkinetic_friction = 0.6\n"
       "[judge]\ndesigns = 4\nelements_through_wall = 3\nbulk_modulus_factor = 3\nstep_factor = 0.25\nyoungs_moduli_Pa = [1e5]\n");
   EXPECT_EQ(study.duration_s, 0.6);
   EXPECT_EQ(study.elements.elements_through_wall, 2);
   EXPECT_EQ(study.elements.youngs_modulus_Pa, 2e5);
-  EXPECT_EQ(study.elements.damping_model, "kelvin_voigt");
+  EXPECT_EQ(study.elements.damping_model, "maxwell");
   for (const voxel::VoxelMaterial& material : study.search.physics.materials) {
     EXPECT_EQ(material.static_friction, 0.7);
     EXPECT_EQ(material.kinetic_friction, 0.6);
@@ -105,7 +105,7 @@ TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheS
   const io::TomlTable table = io::parse_toml(job.study, "study.toml");
   EXPECT_EQ(table.table("design").number("wall_thickness_m"), 0.002);
   EXPECT_EQ(table.table("design").text("chambers"), "single");
-  EXPECT_EQ(table.table("material").text("damping_model"), "maxwell");
+  EXPECT_EQ(table.table("material").text("damping_model"), "kelvin_voigt");
   EXPECT_EQ(table.table("ground").number("static_coefficient"), 1.0);
   EXPECT_EQ(table.table("ground").number("kinetic_coefficient"), 0.25);
   EXPECT_EQ(table.table("drive").numbers("pressure_Pa"), (std::vector<double>{0.0, 6000.0}));
@@ -124,7 +124,7 @@ TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheS
   other.step_safety = 0.45;
   EXPECT_NE(protocol_text(study, other), protocol_text(study, study.elements));
   other.step_safety = study.elements.step_safety;
-  other.damping_model = "kelvin_voigt";
+  other.damping_model = "maxwell";
   EXPECT_NE(protocol_text(study, other), protocol_text(study, study.elements));
 }
 
