@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 #include "voxel/actuation.h"
 #include "voxel/contact_search.h"
@@ -418,19 +419,31 @@ void BlockLanes<Real>::end_step() {
   if (engine.divergence) engine.divergence->time_s = static_cast<double>(engine.steps) * engine.time_step_s;
 }
 
+/// What is not shared of a step. Where it throws, the others must be told, or they would wait for ever.
+template <class Real>
+void BlockLanes<Real>::do_alone(void (BlockLanes::*work)()) {
+  if (failure_) return;
+  try {
+    (this->*work)();
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+  done_ = done_ || failure_;
+}
+
 /// A thread's share of all steps; what is not shared is done by the first.
 template <class Real>
 void BlockLanes<Real>::do_part(Part& part) {
   const bool is_first = part.number == 0;
   while (true) {
-    if (is_first) begin_step();
+    if (is_first) do_alone(&BlockLanes::begin_step);
     barrier_.meet();
     if (done_) return;
     find_joint_loads(part);
     barrier_.meet();
     move_groups(part);
     barrier_.meet();
-    if (is_first) end_step();
+    if (is_first) do_alone(&BlockLanes::end_step);
   }
 }
 
@@ -439,10 +452,28 @@ void BlockLanes<Real>::advance(std::uint64_t count, const std::atomic<bool>* sto
   put();
   last_step_ = engine_.steps + count;
   stop_ = stop;
-  std::vector<std::thread> others;
-  for (std::size_t i = 1; i < parts_.size(); ++i) others.emplace_back([this, i] { do_part(parts_[i]); });
+  enum class Start { not_yet, now, never };
+  std::atomic<Start> start{Start::not_yet};
+  const auto begin = [&start](Start when) {
+    start = when;
+    start.notify_all();
+  };
+  std::vector<std::jthread> others;
+  try {
+    for (std::size_t i = 1; i < parts_.size(); ++i) {
+      others.emplace_back([this, &start, i] {
+        start.wait(Start::not_yet);
+        if (start == Start::now) do_part(parts_[i]);
+      });
+    }
+  } catch (...) {  // no more threads: those that are there would wait for the others for ever
+    begin(Start::never);
+    throw;
+  }
+  begin(Start::now);
   do_part(parts_.front());
-  for (std::thread& thread : others) thread.join();
+  others.clear();  // joins them
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   take();
 }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,7 @@ class BlockLanes {
   void find_joint_loads(Part& part);
   void move_groups(Part& part);
   void end_step();
+  void do_alone(void (BlockLanes::*work)());
   void do_part(Part& part);
 
   /// Where a number of a voxel stands in an array of so many packs per voxel.
@@ -76,7 +78,8 @@ class BlockLanes {
   BlockBody body_;
   Lattice block_;
   const LaneKernels<Real>& kernels_;
-  std::size_t lanes_, places_, slots_;  ///< slots: blocks, and lanes left over, which go on as copies of the first block
+  std::size_t lanes_, places_,
+      slots_;  ///< slots: blocks, and lanes left over, which start as copies of the first block and then mean nothing
   AlignedArray<Real> pose_, motion_, load_, residual_, drive_;
   std::array<AlignedArray<Real>, 3> history_, joint_history_, joint_loads_;
   std::array<std::vector<std::int32_t>, 3> face_lower_, face_upper_;
@@ -95,7 +98,8 @@ class BlockLanes {
 
   std::vector<Part, xsimd::aligned_allocator<Part, 64>> parts_;  ///< one per thread
   SpinBarrier barrier_;
-  bool done_ = false;  ///< no further step
+  bool done_ = false;           ///< no further step
+  std::exception_ptr failure_;  ///< of what one thread does alone
   std::uint64_t last_step_ = 0;
   const std::atomic<bool>* stop_ = nullptr;
 

@@ -99,6 +99,7 @@ EngineOf<Real>::EngineOf(const meshes::Polycube& body, double edge_m, const Phys
     throw std::invalid_argument("the energy ledger needs float64");
   }
   prepare_blocks(options);
+  report_left_out_terms();
 }
 
 template <class Real>
@@ -152,14 +153,10 @@ void EngineOf<Real>::choose_kernels(const KernelOptions& options) {
   report_.push_back("kernels: " + std::string(to_string(set)) + ", " + std::string(to_string(physics.integration.number)) +
                     ", damping from " + std::string(to_string(physics.integration.damping)));
   if (uniform) report_.push_back("coefficients per voxel and beam left out: all voxels are of one material and free");
-  if (!floor_) report_.push_back("floor left out: the scene has none");
-  if (!gravity_) report_.push_back("gravity left out: it is zero");
   if (hollow_) {
     report_.push_back("calibrated body: " + std::to_string(classes_.voxel.size()) + " classes of voxels, " +
                       std::to_string(classes_.beam.size()) + " of beams, " + std::to_string(hollow_->chamber_count) +
                       " chambers");
-  } else if (!is_driven(physics.actuation) && !actuated_) {
-    report_.push_back("actuation left out: no size changes");
   }
   if (effective_coupling(physics) == 0.0) report_.push_back("lateral coupling left out: it is zero");
   if (every_term_) report_.push_back("every term kept in the loop on request");
@@ -239,6 +236,15 @@ void EngineOf<Real>::find_kinds() {
   }
   of_kind_ = {0, static_cast<std::int32_t>(other)};
   close_pairs_->set_kinds(std::move(kind));
+}
+
+/// Terms whose kernels are others without them. Blocks in lanes have but one kernel.
+template <class Real>
+void EngineOf<Real>::report_left_out_terms() {
+  if (blocks_) return;
+  if (!floor_) report_.push_back("floor left out: the scene has none");
+  if (!gravity_) report_.push_back("gravity left out: it is zero");
+  if (!hollow_ && !is_driven(physics.actuation) && !actuated_) report_.push_back("actuation left out: no size changes");
 }
 
 /// Puts an aggregate's blocks into lanes where that is faster.

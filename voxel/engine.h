@@ -102,6 +102,7 @@ class EngineOf final : public Simulation::Engine {
   void find_kinds();
   template <class SizeOf>
   [[nodiscard]] std::array<double, 2> sizes_of_kinds(const SizeOf& size_of) const;
+  void report_left_out_terms();
   void prepare_blocks(const KernelOptions& options);
   bool step();
   [[nodiscard]] bool looks_at_origin_after(double displacement_m) const;

@@ -12,7 +12,8 @@ namespace menger::voxel {
 /// addition.
 enum class InstructionSet { best, scalar, sse2, avx2, avx512 };
 
-/// Terms that stay in the loop where they cannot matter, to see what leaving them out saves.
+/// Terms that stay in the loop where they cannot matter, to see what leaving them out saves. Any of them keeps blocks out of
+/// lanes: to be compared with `blocks_in_lanes = false`.
 struct KeptTerms {
   bool coefficients = false;  ///< of every voxel and beam, also where all are the same
   bool floor = false;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@
 #include "meshes/fractal.h"
 #include "meshes/reference_shapes.h"
 #include "voxel/blocks.h"
+#include "voxel/instruction_sets.h"
 #include "voxel/simulation.h"
 
 namespace menger::voxel {
@@ -54,6 +56,15 @@ std::vector<Physics> modes() {
   return all;
 }
 
+/// Whether the blocks of a uniform aggregate fill six tenths of their registers at least, from which on they go into lanes.
+bool fill_registers(const meshes::Polycube& body, const Physics& physics, InstructionSet set) {
+  const std::optional<BlockBody> blocks = blocks_of(Lattice(body));
+  if (!blocks) return false;
+  const std::size_t lanes = most_lanes_of(physics.integration.number, set);
+  const std::size_t registers = (blocks->count + lanes - 1) / lanes;
+  return lanes > 1 && 10 * blocks->count >= 6 * registers * lanes;
+}
+
 /// A body steps voxel by voxel in scalar arithmetic, and by every instruction set of this machine in parts, among them single
 /// steps.
 void expect_same_as_voxel_by_voxel(const meshes::Polycube& body, const Physics& physics, std::uint64_t steps = 600) {
@@ -63,6 +74,7 @@ void expect_same_as_voxel_by_voxel(const meshes::Polycube& body, const Physics& 
   for (const InstructionSet set : {InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
     try {
       Simulation blocks(body, 0.01, physics, {}, {.instruction_set = set});
+      EXPECT_EQ(goes_in_blocks(blocks), fill_registers(body, physics, set)) << static_cast<int>(set);
       static_cast<void>(blocks.advance(steps / 3));
       static_cast<void>(blocks.advance(1));
       EXPECT_EQ(blocks.advance(steps - steps / 3 - 1), expected);
@@ -184,6 +196,7 @@ TEST(BlockLanes, FollowARobotThatFliesFarInSinglePrecision) {
   loads.initial_velocity_m_s.assign(body.count(), {2.0, 0.5, 0.0});
   Simulation scalar(body, 0.01, physics, loads, {.instruction_set = InstructionSet::scalar});
   Simulation blocks(body, 0.01, physics, loads);
+  EXPECT_EQ(goes_in_blocks(blocks), fill_registers(body, physics, InstructionSet::best));
   ASSERT_EQ(scalar.advance_to(0.1), io::RunStatus::completed);
   ASSERT_EQ(blocks.advance_to(0.1), io::RunStatus::completed);
   EXPECT_GT(scalar.centre_of_mass_m()[0], 0.19);

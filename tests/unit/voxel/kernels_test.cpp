@@ -18,9 +18,10 @@ namespace {
 
 meshes::Polycube walker() { return meshes::fractal(meshes::Polycube::from_digits(3, 3, 3, "211201211201000201211201211"), 2); }
 
-/// Positions and orientations of all voxels after `steps` steps.
-std::vector<double> state_after(const meshes::Polycube& body, const Physics& physics, const KernelOptions& options,
+/// Positions and orientations of all voxels after `steps` steps, voxel by voxel.
+std::vector<double> state_after(const meshes::Polycube& body, const Physics& physics, KernelOptions options,
                                 std::uint64_t steps = 2000, const VoxelLoads& loads = {}) {
+  options.blocks_in_lanes = false;  // which have kernels of their own
   Simulation simulation(body, 0.01, physics, loads, options);
   EXPECT_EQ(simulation.advance(steps), io::RunStatus::completed);
   std::vector<double> numbers;
