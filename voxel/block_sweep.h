@@ -75,7 +75,7 @@ inline void store_end_loads(RealOf<T>* packs, const Vector3<T>& force, const Vec
   }
 }
 
-/// Finds the loads of the beams between blocks along an axis. Faces from `first` on, before `last`.
+/// Finds the loads of the beams between blocks along an axis. Packs of pairs of blocks from `first` on, before `last`.
 /// @return whether a strain is out of range or not finite
 template <int Axis, bool Velocity, class T>
 MENGER_INLINED_WHOLE bool sweep_joints(const BlockData<RealOf<T>>& b, std::size_t first, std::size_t last) {
@@ -86,10 +86,10 @@ MENGER_INLINED_WHOLE bool sweep_joints(const BlockData<RealOf<T>>& b, std::size_
   const EndInertias<T> inverse = {T(d.voxel.inverse_mass), T(d.voxel.inverse_mass), T(d.voxel.inverse_inertia),
                                   T(d.voxel.inverse_inertia)};
   MaskOf<T> out_of_range = nowhere<T>();
-  for (std::size_t face = first; face < last; ++face) {
+  for (std::size_t face = 0; face < joints.faces; ++face) {
     const std::size_t lower = static_cast<std::size_t>(joints.lower[face]) * pack_stride<T>(line_length);
     const std::size_t upper = static_cast<std::size_t>(joints.upper[face]) * pack_stride<T>(line_length);
-    for (std::size_t pack = 0; pack < joints.packs; ++pack) {
+    for (std::size_t pack = first; pack < last; ++pack) {
       const LaneMoves<Real>& at_lower = joints.lower_block[pack];
       const LaneMoves<Real>& at_upper = joints.upper_block[pack];
       const BeamEnds<T> ends = beam_ends<Axis>(gather_line<T>(d.pose + lower, b.group_stride, at_lower),
