@@ -158,8 +158,8 @@ inline void load_half_lines(const RealOf<T>* base, std::ptrdiff_t stride, const 
     Register r[4];
     for (int k = 0; k < 4; ++k) {
       if constexpr (width >= 4) {
-        constexpr int halves = width / 4;
-        r[k] = detail::HalfLines<T, static_cast<std::size_t>(halves)>::load(base, stride, index + k * halves);
+        constexpr std::size_t halves = width / 4;
+        r[k] = detail::HalfLines<T, halves>::load(base, stride, index + static_cast<std::size_t>(k) * halves);
       } else {
         constexpr int parts = 4 / width;
         r[k] = T::load_aligned(line(k / parts) + (k % parts) * width);
