@@ -9,7 +9,7 @@ namespace menger::fem::detail {
 
 /// Numbers of a batch's branches: six for each of eight points and each lane.
 template <class Pack>
-constexpr std::size_t branch_numbers = Pack::size * branch_numbers_per_lane;
+constexpr std::size_t branch_numbers = std::size_t{Pack::size} * branch_numbers_per_lane;
 
 /// Tensors of one batch, if there are any.
 template <class Pack, class Number>
