@@ -166,28 +166,33 @@ std::uint64_t RunArchive::evaluations_outside_validity(int generation) const {
   });
 }
 
+std::optional<ArchivedEvaluation> find_evaluation(const SQLite::Database& connection, const std::string& table,
+                                                  const EvaluationKey& key) {
+  SQLite::Statement query(connection,
+                          "SELECT generation, status, dx_m, dy_m, dz_m, reason, outside_validity, steps, seconds FROM " + table +
+                              " WHERE design_hash = ? AND level = ? AND physics_hash = ?");
+  query.bind(1, key.design_hash);
+  query.bind(2, key.level);
+  query.bind(3, key.physics_hash);
+  if (!query.executeStep()) return std::nullopt;
+  ArchivedEvaluation found;
+  found.generation = query.getColumn(0).getInt();
+  found.result.status = from_word(statuses, query.getColumn(1).getString());
+  if (!query.getColumn(2).isNull()) {
+    found.result.displacement_m = {query.getColumn(2).getDouble(), query.getColumn(3).getDouble(),
+                                   query.getColumn(4).getDouble()};
+  }
+  found.result.reason = query.getColumn(5).getString();
+  found.result.outside_validity = query.getColumn(6).getString();
+  found.result.steps = static_cast<std::uint64_t>(query.getColumn(7).getInt64());
+  found.result.seconds = query.getColumn(8).getDouble();
+  return found;
+}
+
 std::optional<ArchivedEvaluation> RunArchive::evaluation(const EvaluationKey& key) const {
-  return database_->guarded(reading, [&]() -> std::optional<ArchivedEvaluation> {
-    SQLite::Statement query(
-        database_->connection,
-        "SELECT generation, status, dx_m, dy_m, dz_m, reason, outside_validity, steps, seconds FROM evaluation "
-        "WHERE design_hash = ? AND level = ? AND physics_hash = ?");
-    query.bind(1, key.design_hash);
-    query.bind(2, key.level);
-    query.bind(3, key.physics_hash);
-    if (!query.executeStep()) return std::nullopt;
-    ArchivedEvaluation found;
-    found.generation = query.getColumn(0).getInt();
-    found.result.status = from_word(statuses, query.getColumn(1).getString());
-    if (!query.getColumn(2).isNull()) {
-      found.result.displacement_m = {query.getColumn(2).getDouble(), query.getColumn(3).getDouble(),
-                                     query.getColumn(4).getDouble()};
-    }
-    found.result.reason = query.getColumn(5).getString();
-    found.result.outside_validity = query.getColumn(6).getString();
-    found.result.steps = static_cast<std::uint64_t>(query.getColumn(7).getInt64());
-    found.result.seconds = query.getColumn(8).getDouble();
-    found.result.left_out_m = left_out_m(database_->connection, key);
+  return database_->guarded(reading, [&] {
+    std::optional<ArchivedEvaluation> found = find_evaluation(database_->connection, "evaluation", key);
+    if (found) found->result.left_out_m = left_out_m(database_->connection, key);
     return found;
   });
 }

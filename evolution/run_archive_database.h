@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "evolution/archive_lock.h"
@@ -43,6 +44,12 @@ bool has_table(const SQLite::Database& connection, const char* name);
 /// what decides it beside the body.
 void insert_left_out(SQLite::Database& connection, const EvaluationKey& key, const std::array<double, 3>& left_out_m);
 std::optional<std::array<double, 3>> left_out_m(const SQLite::Database& connection, const EvaluationKey& key);
+
+/// An evaluation in a table that has the columns of `evaluation`; without what was left out.
+std::optional<ArchivedEvaluation> find_evaluation(const SQLite::Database& connection, const std::string& table,
+                                                  const EvaluationKey& key);
+void insert_evaluation(SQLite::Database& connection, const std::string& table, const EvaluationKey& key,
+                       const ArchivedEvaluation& evaluation);
 
 /// Adds re-evaluations with their protocols, without a transaction.
 void insert_reevaluations(SQLite::Database& connection, std::span<const Reevaluation> reevaluations);

@@ -52,26 +52,31 @@ void insert_generation(SQLite::Statement insert, const GenerationRecord& record)
 
 }  // namespace
 
+void insert_evaluation(SQLite::Database& connection, const std::string& table, const EvaluationKey& key,
+                       const ArchivedEvaluation& evaluation) {
+  const Evaluation& result = evaluation.result;
+  SQLite::Statement insert(connection, "INSERT INTO " + table + " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  insert.bind(1, key.design_hash);
+  insert.bind(2, key.level);
+  insert.bind(3, key.physics_hash);
+  insert.bind(4, evaluation.generation);
+  insert.bind(5, std::string(io::to_string(result.status)));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto part = result.displacement_m ? std::optional((*result.displacement_m)[axis]) : std::nullopt;
+    bind_optional(insert, 6 + static_cast<int>(axis), part);
+  }
+  insert.bind(9, result.reason);
+  insert.bind(10, result.outside_validity);
+  insert.bind(11, signed_number(result.steps));
+  insert.bind(12, result.seconds);
+  insert.exec();
+}
+
 void RunArchive::add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation) {
   database_->guarded(writing, [&] {
-    const Evaluation& result = evaluation.result;
     SQLite::Transaction transaction(database_->connection);
-    SQLite::Statement insert(database_->connection, "INSERT INTO evaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    insert.bind(1, key.design_hash);
-    insert.bind(2, key.level);
-    insert.bind(3, key.physics_hash);
-    insert.bind(4, evaluation.generation);
-    insert.bind(5, std::string(io::to_string(result.status)));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto part = result.displacement_m ? std::optional((*result.displacement_m)[axis]) : std::nullopt;
-      bind_optional(insert, 6 + static_cast<int>(axis), part);
-    }
-    insert.bind(9, result.reason);
-    insert.bind(10, result.outside_validity);
-    insert.bind(11, signed_number(result.steps));
-    insert.bind(12, result.seconds);
-    insert.exec();
-    if (result.left_out_m) insert_left_out(database_->connection, key, *result.left_out_m);
+    insert_evaluation(database_->connection, "evaluation", key, evaluation);
+    if (evaluation.result.left_out_m) insert_left_out(database_->connection, key, *evaluation.result.left_out_m);
     transaction.commit();
   });
 }

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -96,11 +95,7 @@ class LocomotionRun {
     frames_.keep_only(frame_times_s);
   }
 
-  void remove(std::string_view name) const {
-    std::error_code error;
-    fs::remove(folder_ / name, error);
-    if (error) throw io::InputError((folder_ / name).string() + ": cannot be removed: " + error.message());
-  }
+  void remove(std::string_view name) const { io::remove_if_there(folder_ / name); }
 
   void follow() {
     if (options_.started) options_.started(dynamics_->time_s());

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -14,29 +13,13 @@
 #include "meshes/connectivity.h"
 #include "meshes/fractal.h"
 #include "meshes/reference_shapes.h"
+#include "tests/unit/voxel/robot_numbers.h"
 #include "voxel/blocks.h"
 #include "voxel/instruction_sets.h"
 #include "voxel/simulation.h"
 
 namespace menger::voxel {
 namespace {
-
-std::vector<double> numbers_of(const Simulation& simulation) {
-  std::vector<double> numbers{static_cast<double>(simulation.steps())};
-  for (std::size_t i = 0; i < simulation.voxel_count(); ++i) {
-    for (const double value : simulation.position_m(i)) numbers.push_back(value);
-    for (const double value : simulation.orientation(i)) numbers.push_back(value);
-    for (const double value : simulation.velocity_m_s(i)) numbers.push_back(value);
-    for (const double value : simulation.angular_velocity_rad_s(i)) numbers.push_back(value);
-    numbers.push_back(simulation.is_in_static_friction(i) ? 1.0 : 0.0);
-  }
-  for (const double strain : simulation.frame().strain) numbers.push_back(strain);
-  return numbers;
-}
-
-bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
 
 std::string said_of(const Simulation& simulation) {
   return simulation.divergence() ? divergence_text(*simulation.divergence()) : std::string();
