@@ -3,7 +3,7 @@
 namespace menger::evolution {
 
 std::vector<Evaluation> DesignEvaluator::evaluate_together(std::span<const EvaluationTask* const> tasks,
-                                                           const std::atomic<bool>& stop) const {
+                                                           const std::atomic<bool>& stop, const ThreadsNow& /*threads*/) const {
   std::vector<Evaluation> results;
   results.reserve(tasks.size());
   for (const EvaluationTask* task : tasks) results.push_back(evaluate(task->body, task->level, stop));

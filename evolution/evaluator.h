@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +42,10 @@ struct EvaluationTask {
   int level = 1;
 };
 
+/// How many threads may work on what a worker judges, now: its own, and its part of those that have run out of work. Asked again
+/// and again, since that changes. >= 1
+using ThreadsNow = std::function<int()>;
+
 /// Judges bodies. The search knows nothing else of the physics behind it.
 ///
 /// Implementations must be pure: the same body and level give the same result apart from `seconds`, from any thread, any number
@@ -54,9 +59,9 @@ class DesignEvaluator {
   [[nodiscard]] virtual Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const = 0;
 
   /// Judges several bodies at a time: every result is the one of evaluate, `seconds` apart. Thread-safe; one after the other
-  /// unless an implementation knows better.
+  /// unless an implementation knows better, and by one thread unless it can use more. No result depends on the threads.
   [[nodiscard]] virtual std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
-                                                                  const std::atomic<bool>& stop) const;
+                                                                  const std::atomic<bool>& stop, const ThreadsNow& threads) const;
 
   /// Which tasks are best judged at a time by so many workers: groups of positions, each position in one of them. Every task
   /// alone unless an implementation knows better. @param workers >= 1

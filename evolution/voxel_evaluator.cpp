@@ -1,8 +1,10 @@
 #include "evolution/voxel_evaluator.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +20,12 @@ namespace menger::evolution {
 
 namespace {
 
+/// A smaller share of a step is not worth the meetings of the threads.
+constexpr double fewest_voxels_per_thread = 1000.0;
+
+/// Some tenths of a second of one thread, against which what it takes to share anew counts for nothing.
+constexpr double voxel_steps_per_piece = 5e6;
+
 std::array<double, 3> difference(const std::array<double, 3>& to, const std::array<double, 3>& from) {
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
@@ -27,6 +35,28 @@ std::vector<std::array<double, 3>> centres_of_mass_m(std::span<const voxel::Simu
   centres.reserve(simulations.size());
   for (const voxel::Simulation& simulation : simulations) centres.push_back(simulation.centre_of_mass_m());
   return centres;
+}
+
+/// Steps a body by as many threads as there are for it.
+io::RunStatus advance_shared(voxel::Simulation& simulation, double time_s, const std::atomic<bool>& stop,
+                             const ThreadsNow& threads) {
+  const auto voxels = static_cast<double>(simulation.voxel_count());
+  const int most_threads = std::max(1, static_cast<int>(voxels / fewest_voxels_per_thread));
+  const double piece_s = std::ceil(voxel_steps_per_piece / voxels) * simulation.time_step_s();
+  io::RunStatus status = io::RunStatus::completed;
+  while (status == io::RunStatus::completed && simulation.time_s() < time_s) {
+    simulation.set_threads(std::clamp(threads(), 1, most_threads));
+    status = simulation.advance_to(std::min(time_s, simulation.time_s() + piece_s), &stop);
+  }
+  return status;
+}
+
+std::vector<io::RunStatus> advance(std::span<voxel::Simulation> simulations, double time_s, const std::atomic<bool>& stop,
+                                   const ThreadsNow& threads) {
+  const bool is_large =
+      simulations.size() == 1 && static_cast<double>(simulations.front().voxel_count()) >= 2 * fewest_voxels_per_thread;
+  if (is_large) return {advance_shared(simulations.front(), time_s, stop, threads)};
+  return voxel::advance_together_to(simulations, time_s, &stop);
 }
 
 }  // namespace
@@ -39,11 +69,11 @@ VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m
 Evaluation VoxelEvaluator::evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const {
   const EvaluationTask task{body, level};
   const EvaluationTask* const alone[] = {&task};
-  return evaluate_together(alone, stop).front();
+  return evaluate_together(alone, stop, [] { return 1; }).front();
 }
 
 std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const EvaluationTask* const> tasks,
-                                                          const std::atomic<bool>& stop) const {
+                                                          const std::atomic<bool>& stop, const ThreadsNow& threads) const {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Evaluation> evaluations(tasks.size());
   std::vector<voxel::Simulation> simulations;
@@ -61,7 +91,7 @@ std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const Evalua
       evaluations[i].reason = "outside the range of validity: " + evaluations[i].outside_validity;
     }
   }
-  walk(simulations, results, stop);
+  walk(simulations, results, stop, threads);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (Evaluation& evaluation : evaluations) evaluation.seconds = seconds / static_cast<double>(tasks.size());
   return evaluations;
@@ -69,12 +99,12 @@ std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const Evalua
 
 /// Steps the simulations to the end and puts how they went into the results.
 void VoxelEvaluator::walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results,
-                          const std::atomic<bool>& stop) const {
+                          const std::atomic<bool>& stop, const ThreadsNow& threads) const {
   const std::vector<std::array<double, 3>> start_m = centres_of_mass_m(simulations);
   // Those that have diverged or stopped by then stay so.
-  static_cast<void>(voxel::advance_together_to(simulations, measure_from_s_, &stop));
+  static_cast<void>(advance(simulations, measure_from_s_, stop, threads));
   const std::vector<std::array<double, 3>> from_m = centres_of_mass_m(simulations);
-  const std::vector<io::RunStatus> statuses = voxel::advance_together_to(simulations, duration_s_, &stop);
+  const std::vector<io::RunStatus> statuses = advance(simulations, duration_s_, stop, threads);
   for (std::size_t i = 0; i < simulations.size(); ++i) {
     const voxel::Simulation& simulation = simulations[i];
     Evaluation& result = *results[i];

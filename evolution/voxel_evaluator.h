@@ -13,7 +13,8 @@ namespace menger::evolution {
 /// Judges bodies by how far they move on the voxel engine; single modules in SIMD lanes, several at a time.
 ///
 /// Together go bodies of level 1, as voxel::lane_groups finds them: aggregates fill registers by themselves, and what does not
-/// run in lanes, such as a calibrated body, is judged alone.
+/// run in lanes, such as a calibrated body, is judged alone. A large aggregate takes on threads that have run out of work, and
+/// hands them back, every few tenths of a second.
 ///
 /// Of calibrated bodies it says where they left the range of validity. With OutsideRange::refuse a body that leaves it has
 /// diverged, before the first step if its walls and its drive are enough to know.
@@ -25,7 +26,8 @@ class VoxelEvaluator final : public DesignEvaluator {
 
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
   [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
-                                                          const std::atomic<bool>& stop) const override;
+                                                          const std::atomic<bool>& stop,
+                                                          const ThreadsNow& threads) const override;
   [[nodiscard]] std::vector<std::vector<std::size_t>> groups(std::span<const EvaluationTask> tasks, int workers) const override;
   [[nodiscard]] std::string physics() const override;
 
@@ -33,7 +35,8 @@ class VoxelEvaluator final : public DesignEvaluator {
   [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
 
  private:
-  void walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results, const std::atomic<bool>& stop) const;
+  void walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results, const std::atomic<bool>& stop,
+            const ThreadsNow& threads) const;
 
   voxel::Physics physics_;
   double cell_edge_m_;

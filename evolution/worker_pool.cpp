@@ -1,6 +1,7 @@
 #include "evolution/worker_pool.h"
 
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
@@ -38,11 +39,11 @@ std::vector<Group> costliest_first(std::span<const EvaluationTask> tasks, const 
 }
 
 std::vector<Evaluation> judged(const Group& group, std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator,
-                               const std::atomic<bool>& stop) {
+                               const std::atomic<bool>& stop, const ThreadsNow& threads) {
   std::vector<const EvaluationTask*> together;
   together.reserve(group.size());
   for (const std::size_t task : group) together.push_back(&tasks[task]);
-  return evaluator.evaluate_together(together, stop);
+  return evaluator.evaluate_together(together, stop, threads);
 }
 
 }  // namespace
@@ -58,11 +59,15 @@ io::RunStatus WorkerPool::run(std::span<const EvaluationTask> tasks, const std::
   std::atomic<std::size_t> done{0};
   std::atomic<bool> failed{false};
   std::mutex finishing;
+  std::atomic<int> busy{threads_};
+  // Workers that still have a group share the threads of those that found none left.
+  const int threads_that_run = std::min(threads_, oneapi::tbb::info::default_concurrency());
+  const ThreadsNow threads = [&] { return std::max(1, threads_that_run / busy); };
   // Each worker takes the next group from the list, which keeps the order that a division into ranges would lose.
   const auto work = [&](int) {
     try {
       for (std::size_t i = next++; i < groups.size() && !stop && !failed; i = next++) {
-        const std::vector<Evaluation> results = judged(groups[i], tasks, *evaluator_, stop);
+        const std::vector<Evaluation> results = judged(groups[i], tasks, *evaluator_, stop, threads);
         const std::lock_guard guard(finishing);
         for (std::size_t k = 0; k < results.size(); ++k) {
           if (results[k].status == io::RunStatus::stopped) continue;
@@ -71,6 +76,7 @@ io::RunStatus WorkerPool::run(std::span<const EvaluationTask> tasks, const std::
           ++done;
         }
       }
+      --busy;
     } catch (...) {
       failed = true;
       throw;

@@ -48,11 +48,17 @@ BlockLanes<Real>::BlockLanes(EngineOf<Real>& engine, BlockBody body, const LaneK
       lanes_(static_cast<std::size_t>(kernels.lanes)),
       places_(body_.places()),
       slots_((body_.count + lanes_ - 1) / lanes_ * lanes_),
-      parts_(static_cast<std::size_t>(threads)),
       barrier_(threads) {
-  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].number = i;
+  set_threads(threads);
   allocate();
   for (std::size_t axis = 0; axis < 3; ++axis) join(axis);
+}
+
+template <class Real>
+void BlockLanes<Real>::set_threads(int threads) {
+  barrier_.set_threads(threads);
+  parts_.resize(static_cast<std::size_t>(threads));
+  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].number = i;
 }
 
 template <class Real>

@@ -28,6 +28,9 @@ class BlockLanes {
   BlockLanes(const BlockLanes&) = delete;
   BlockLanes& operator=(const BlockLanes&) = delete;
 
+  /// So many threads share the steps from now on. @param threads >= 1
+  void set_threads(int threads);
+
   /// Takes `count` steps unless the robot diverges or `stop` becomes true, and puts what it came to into the engine.
   void advance(std::uint64_t count, const std::atomic<bool>* stop);
 

@@ -98,7 +98,9 @@ EngineOf<Real>::EngineOf(const meshes::Polycube& body, double edge_m, const Phys
   } else if (options.energy_ledger) {
     throw std::invalid_argument("the energy ledger needs float64");
   }
-  prepare_blocks(options);
+  blocks_in_lanes_ = options.blocks_in_lanes;
+  threads_ = options.threads;
+  prepare_blocks();
   report_left_out_terms();
 }
 
@@ -247,18 +249,23 @@ void EngineOf<Real>::report_left_out_terms() {
   if (!hollow_ && !is_driven(physics.actuation) && !actuated_) report_.push_back("actuation left out: no size changes");
 }
 
+/// Whether blocks in lanes are faster than voxel by voxel on as many threads as there are now.
+template <class Real>
+bool EngineOf<Real>::blocks_pay() const {
+  return std::is_same_v<Real, float> || threads_ > 1 || lattice->voxel_count() <= most_voxels_in_blocks;
+}
+
 /// Puts an aggregate's blocks into lanes where that is faster.
 template <class Real>
-void EngineOf<Real>::prepare_blocks(const KernelOptions& options) {
-  if (!options.blocks_in_lanes || !runs_in_lanes() || !state_->uniform()) return;
-  if (std::is_same_v<Real, double> && options.threads == 1 && lattice->voxel_count() > most_voxels_in_blocks) return;
+void EngineOf<Real>::prepare_blocks() {
+  if (blocks_ || !blocks_in_lanes_ || !blocks_pay() || !runs_in_lanes() || !state_->uniform()) return;
   std::optional<BlockBody> body = blocks_of(*lattice);
   if (!body) return;
   const LaneKernels<Real>* kernels = kernels_for_blocks<Real>(set_, body->count);
   if (kernels == nullptr) return;
   report_.push_back("blocks of the aggregate in lanes: " + std::to_string(body->count) + " in registers of " +
                     std::to_string(kernels->lanes));
-  blocks_ = std::make_unique<BlockLanes<Real>>(*this, std::move(*body), *kernels, options.threads);
+  blocks_ = std::make_unique<BlockLanes<Real>>(*this, std::move(*body), *kernels, threads_);
 }
 
 template <class Real>
@@ -317,9 +324,16 @@ bool EngineOf<Real>::step() {
 }
 
 template <class Real>
+void EngineOf<Real>::set_threads(int threads) {
+  threads_ = threads;
+  prepare_blocks();
+  if (blocks_) blocks_->set_threads(threads);
+}
+
+template <class Real>
 io::RunStatus EngineOf<Real>::advance(std::uint64_t count, const std::atomic<bool>* stop) {
   if (divergence) return io::RunStatus::diverged;
-  if (blocks_ && count >= fewest_steps_in_blocks) {
+  if (blocks_ && blocks_pay() && count >= fewest_steps_in_blocks) {
     const std::uint64_t end = steps + count;
     blocks_->advance(count, stop);
     if (divergence) return io::RunStatus::diverged;

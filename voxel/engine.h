@@ -23,6 +23,7 @@ class Simulation::Engine {
   virtual ~Engine() = default;
 
   [[nodiscard]] virtual io::RunStatus advance(std::uint64_t steps, const std::atomic<bool>* stop) = 0;
+  virtual void set_threads(int threads) = 0;
 
   /// A voxel in SI units and double.
   struct VoxelView {
@@ -72,6 +73,7 @@ class EngineOf final : public Simulation::Engine {
   EngineOf& operator=(const EngineOf&) = delete;
 
   io::RunStatus advance(std::uint64_t count, const std::atomic<bool>* stop) override;
+  void set_threads(int threads) override;
   VoxelView view(std::size_t voxel) const override;
   std::vector<double> strains() const override;
   std::size_t large_angle_beams() const override;
@@ -103,7 +105,8 @@ class EngineOf final : public Simulation::Engine {
   template <class SizeOf>
   [[nodiscard]] std::array<double, 2> sizes_of_kinds(const SizeOf& size_of) const;
   void report_left_out_terms();
-  void prepare_blocks(const KernelOptions& options);
+  void prepare_blocks();
+  [[nodiscard]] bool blocks_pay() const;
   bool step();
   [[nodiscard]] bool looks_at_origin_after(double displacement_m) const;
   void stay_near_origin(double largest_displacement_m);
@@ -129,6 +132,8 @@ class EngineOf final : public Simulation::Engine {
   std::optional<std::array<std::int32_t, 2>> of_kind_;
   double largest_size_m_ = 0.0;  ///< of any voxel against others
   bool floor_ = true, gravity_ = true, every_term_ = false;
+  bool blocks_in_lanes_ = true;  ///< on request
+  int threads_ = 1;
   KeptTerms kept_;
   bool actuated_ = true;  ///< by the kernels
   bool shaped_ = false;   ///< sizes are set between the steps, because the drive is more than a sine

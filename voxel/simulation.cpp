@@ -138,6 +138,8 @@ io::RunStatus Simulation::advance_to(double time, const std::atomic<bool>* stop)
   return engine_->advance(needed > engine_->steps ? needed - engine_->steps : 0, stop);
 }
 
+void Simulation::set_threads(int threads) { engine_->set_threads(threads); }
+
 double Simulation::time_s() const { return static_cast<double>(engine_->steps) * engine_->time_step_s; }
 std::uint64_t Simulation::steps() const { return engine_->steps; }
 double Simulation::time_step_s() const { return engine_->time_step_s; }

@@ -83,6 +83,9 @@ class Simulation {
   /// Takes `steps` steps unless the run diverges or `stop` becomes true.
   [[nodiscard]] io::RunStatus advance(std::uint64_t steps, const std::atomic<bool>* stop = nullptr);
 
+  /// From now on so many threads share every step where KernelOptions::threads would. @param threads >= 1
+  void set_threads(int threads);
+
   [[nodiscard]] double time_s() const;  ///< steps() * time_step_s()
   [[nodiscard]] std::uint64_t steps() const;
   [[nodiscard]] double time_step_s() const;

@@ -12,6 +12,9 @@ class SpinBarrier {
   /// @param threads >= 1
   explicit SpinBarrier(int threads) : threads_(threads) {}
 
+  /// So many threads meet from now on. Precondition: none is on its way. @param threads >= 1
+  void set_threads(int threads) { threads_ = threads; }
+
   /// Returns once all threads have come. What they wrote before is seen by all after.
   void meet() {
     if (threads_ == 1) return;

@@ -16,6 +16,7 @@ namespace menger::evolution {
 namespace {
 
 const std::atomic<bool> never{false};
+const ThreadsNow one_thread = [] { return 1; };
 
 meshes::Polycube quadruped() { return meshes::Polycube::from_digits(3, 3, 3, "102000201111211112000000000"); }
 
@@ -127,7 +128,7 @@ std::vector<const EvaluationTask*> pointers_to(const std::vector<EvaluationTask>
 
 void expect_same_as_alone(const VoxelEvaluator& evaluator) {
   const std::vector<EvaluationTask> tasks = generation();
-  const std::vector<Evaluation> together = evaluator.evaluate_together(pointers_to(tasks), never);
+  const std::vector<Evaluation> together = evaluator.evaluate_together(pointers_to(tasks), never, one_thread);
   ASSERT_EQ(together.size(), tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const Evaluation alone = evaluator.evaluate(tasks[i].body, tasks[i].level, never);
@@ -155,7 +156,7 @@ TEST(VoxelEvaluator, GivesTogetherWhatItGivesAloneWhereSomeDiverge) {
   physics.integration.time_step_fraction = 1.5;
   const VoxelEvaluator evaluator(physics, 0.01, 0.2, 0.05);
   std::size_t diverged = 0;
-  for (const Evaluation& result : evaluator.evaluate_together(pointers_to(generation()), never)) {
+  for (const Evaluation& result : evaluator.evaluate_together(pointers_to(generation()), never, one_thread)) {
     if (result.status == io::RunStatus::diverged) ++diverged;
   }
   EXPECT_GT(diverged, 0U);
@@ -166,10 +167,27 @@ TEST(VoxelEvaluator, GivesTogetherWhatItGivesAloneWhereSomeDiverge) {
 TEST(VoxelEvaluator, StopsTogetherWhenAsked) {
   const std::atomic<bool> stop{true};
   const std::vector<EvaluationTask> tasks = generation();
-  for (const Evaluation& result : VoxelEvaluator({}, 0.01, 1000.0).evaluate_together(pointers_to(tasks), stop)) {
+  for (const Evaluation& result : VoxelEvaluator({}, 0.01, 1000.0).evaluate_together(pointers_to(tasks), stop, one_thread)) {
     EXPECT_EQ(result.status, io::RunStatus::stopped);
     EXPECT_FALSE(result.displacement_m);
   }
+}
+
+TEST(VoxelEvaluator, GivesTheSameOfALargeBodyWhileThreadsComeAndGo) {
+  const VoxelEvaluator evaluator({}, 0.01, 0.5, 0.1);
+  const EvaluationTask task{meshes::fractal(quadruped(), 3), 3};
+  ASSERT_GE(task.body.count(), 2000U) << "as many as two threads are worth";
+  const EvaluationTask* const alone[] = {&task};
+  int asked = 0;
+  const ThreadsNow changing = [&] { return 1 + asked++ % 3; };
+  const Evaluation shared = evaluator.evaluate_together(alone, never, changing).front();
+  EXPECT_GE(asked, 3) << "and once more to hand a thread back";
+  const Evaluation result = evaluator.evaluate(task.body, task.level, never);
+  ASSERT_EQ(result.status, io::RunStatus::completed);
+  EXPECT_EQ(shared.status, result.status);
+  EXPECT_EQ(shared.displacement_m, result.displacement_m);
+  EXPECT_EQ(shared.left_out_m, result.left_out_m);
+  EXPECT_EQ(shared.steps, result.steps);
 }
 
 TEST(VoxelEvaluator, GroupsModulesAndKeepsAllWorkersBusy) {

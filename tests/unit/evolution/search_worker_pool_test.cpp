@@ -88,10 +88,11 @@ class GroupingEvaluator final : public DesignEvaluator {
     return fake_.evaluate(body, level, stop);
   }
   [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
-                                                          const std::atomic<bool>& stop) const override {
+                                                          const std::atomic<bool>& stop,
+                                                          const ThreadsNow& threads) const override {
     ++calls_;
-    if (tasks.size() != 3) return DesignEvaluator::evaluate_together(tasks, stop);
-    std::vector<Evaluation> results = DesignEvaluator::evaluate_together(tasks, stop);
+    if (tasks.size() != 3) return DesignEvaluator::evaluate_together(tasks, stop, threads);
+    std::vector<Evaluation> results = DesignEvaluator::evaluate_together(tasks, stop, threads);
     results[1] = Evaluation{};  // stopped
     return results;
   }
@@ -130,6 +131,42 @@ TEST(WorkerPool, HandsOverWhatOfAGroupWasDoneWhenItStopped) {
       WorkerPool(evaluator, 1).run(bars(5), never, [&](std::size_t task, const Evaluation&) { done.push_back(task); });
   EXPECT_EQ(status, io::RunStatus::stopped);
   EXPECT_EQ(done, (std::vector<std::size_t>{0, 4, 1, 3}));
+}
+
+/// Asks for threads until there are so many, or for ten seconds.
+class PatientEvaluator final : public DesignEvaluator {
+ public:
+  explicit PatientEvaluator(int threads) : wanted_(threads) {}
+  [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override {
+    return fake_.evaluate(body, level, stop);
+  }
+  [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
+                                                          const std::atomic<bool>& stop,
+                                                          const ThreadsNow& threads) const override {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (threads() < wanted_ && std::chrono::steady_clock::now() < end)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    given_ = threads();
+    return DesignEvaluator::evaluate_together(tasks, stop, threads);
+  }
+  [[nodiscard]] std::string physics() const override { return fake_.physics(); }
+  [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override { return fake_.cost(body, level); }
+  [[nodiscard]] int given() const { return given_; }
+
+ private:
+  FakeEvaluator fake_;
+  int wanted_;
+  mutable std::atomic<int> given_{0};
+};
+
+TEST(WorkerPool, GivesThreadsWithoutWorkToTheLastTask) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one core";
+  const PatientEvaluator evaluator(2);
+  ASSERT_EQ(WorkerPool(evaluator, 2).run(bars(1), never, [](std::size_t, const Evaluation&) {}), io::RunStatus::completed);
+  EXPECT_EQ(evaluator.given(), 2);
+  const PatientEvaluator alone(1);
+  ASSERT_EQ(WorkerPool(alone, 1).run(bars(3), never, [](std::size_t, const Evaluation&) {}), io::RunStatus::completed);
+  EXPECT_EQ(alone.given(), 1);
 }
 
 TEST(WorkerPool, IsDoneAtOnceWithoutTasks) {

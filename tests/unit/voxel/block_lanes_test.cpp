@@ -200,6 +200,34 @@ TEST(BlockLanes, GiveTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
+TEST(BlockLanes, GiveTheSameBytesWhileThreadsComeAndGo) {
+  for (const Physics& physics : modes()) {
+    const meshes::Polycube body = meshes::fractal(sponge(), 2);
+    Simulation one(body, 0.01, physics);
+    ASSERT_EQ(one.advance(400), io::RunStatus::completed);
+    Simulation several(body, 0.01, physics);
+    for (const int threads : {1, 3, 2, 1}) {
+      several.set_threads(threads);
+      ASSERT_EQ(several.advance(100), io::RunStatus::completed);
+    }
+    EXPECT_TRUE(same_bytes(numbers_of(several), numbers_of(one)));
+  }
+}
+
+TEST(BlockLanes, GiveTheSameBytesOfABodyThatPutsItsBlocksInLanesForTwoThreadsOnly) {
+  const meshes::Polycube body = meshes::fractal(meshes::Polycube::from_digits(3, 3, 3, std::string(27, '1')), 3);
+  Simulation one(body, 0.01, {});
+  ASSERT_EQ(one.advance(120), io::RunStatus::completed);
+  Simulation several(body, 0.01, {});
+  EXPECT_FALSE(goes_in_blocks(several));
+  for (const int threads : {1, 2, 1}) {
+    several.set_threads(threads);
+    ASSERT_EQ(several.advance(40), io::RunStatus::completed);
+  }
+  EXPECT_EQ(goes_in_blocks(several), fill_registers(body, {}, InstructionSet::best));
+  EXPECT_TRUE(same_bytes(numbers_of(several), numbers_of(one)));
+}
+
 TEST(BlockLanes, StopWhenAskedAndGoOn) {
   Simulation simulation(meshes::fractal(sponge(), 2), 0.01, Physics{});
   const std::atomic<bool> stop{true};
