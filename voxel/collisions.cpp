@@ -60,6 +60,7 @@ void VerletList::build(const Real* positions, std::size_t stride) {
   put_in_order();
   bound_m_ = 0.0;
   built_ = true;
+  ++number_;
 }
 
 template <class Real>
@@ -194,22 +195,30 @@ void VerletList::put_in_order() {
   }
   std::partial_sum(bin_begin_.begin(), bin_begin_.end(), bin_begin_.begin());
   order_.resize(pairs_.size());
+  place_.resize(pairs_.size());
   first_.assign(pairs_.size() + widest_pack<float>, 0);
   second_.assign(pairs_.size() + widest_pack<float>, 0);
   std::vector<std::size_t> next(bin_begin_.begin(), bin_begin_.end() - 1);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const std::size_t place = next[bin_of[i]]++;
     order_[place] = static_cast<std::int32_t>(i);
+    place_[i] = static_cast<std::int32_t>(place);
     first_[place] = pairs_[i].first;
     second_[place] = pairs_[i].second;
   }
 }
 
-std::array<std::pair<std::size_t, std::size_t>, 3> VerletList::candidates(const std::array<double, 2>& size_m) const {
+std::array<double, 3> VerletList::reaches_m(const std::array<double, 2>& size_m) {
+  return {collision_radius_fraction * (2.0 * size_m[0]), collision_radius_fraction * (size_m[0] + size_m[1]),
+          collision_radius_fraction * (2.0 * size_m[1])};
+}
+
+std::array<std::pair<std::size_t, std::size_t>, 3> VerletList::candidates(const std::array<double, 2>& size_m,
+                                                                          double further_m) const {
+  const std::array<double, 3> reaches = reaches_m(size_m);
   std::array<std::pair<std::size_t, std::size_t>, 3> parts;
   for (std::size_t kinds = 0; kinds < 3; ++kinds) {
-    const double sizes = (kinds < 2 ? size_m[0] : size_m[1]) + (kinds > 0 ? size_m[1] : size_m[0]);
-    const double farthest = collision_radius_fraction * sizes + 2.0 * bound_m_ + 2e-6 * reach_m_;  // margin: rounding
+    const double farthest = reaches[kinds] + further_m + 2.0 * bound_m_ + 2e-6 * reach_m_;  // margin: rounding
     const auto bin = std::min(static_cast<std::size_t>(farthest / bin_width_m()), bins - 1);
     parts[kinds] = {bin_begin_[kinds * bins], bin_begin_[kinds * bins + bin + 1]};
   }

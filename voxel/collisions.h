@@ -51,7 +51,16 @@ class VerletList {
   void build(const Real* positions, std::size_t stride);
 
   /// Notes that no voxel moved farther than `displacement_m` in a step.
-  void moved(double displacement_m) { bound_m_ += displacement_m; }
+  void moved(double displacement_m) {
+    bound_m_ += displacement_m;
+    way_m_ += displacement_m;
+  }
+
+  /// The sum of all these displacements.
+  [[nodiscard]] double way_m() const { return way_m_; }
+
+  /// How often the list was made.
+  [[nodiscard]] std::uint64_t number() const { return number_; }
 
   /// Whether refresh would look at positions.
   [[nodiscard]] bool bound_used_up() const { return !built_ || bound_m_ > 0.5 * skin_m_; }
@@ -70,14 +79,22 @@ class VerletList {
   void set_kinds(std::vector<std::uint8_t> kind) { kind_ = std::move(kind); }
 
   /// The pairs in the order in which they are looked at, by kinds and distance: positions in pairs(), and their voxels, followed
-  /// by as many zeros as a register may read beyond them.
+  /// by as many zeros as a register may read beyond them; place() is where a pair stands in that order.
   [[nodiscard]] const std::vector<std::int32_t>& order() const { return order_; }
   [[nodiscard]] const std::vector<std::int32_t>& first() const { return first_; }
   [[nodiscard]] const std::vector<std::int32_t>& second() const { return second_; }
+  [[nodiscard]] const std::vector<std::int32_t>& place() const { return place_; }
 
-  /// Parts of that order that hold all pairs that may touch now: for both voxels of kind 0, of either, and of kind 1.
-  /// @param size_m of the voxels of kind 0 and of kind 1, at most
-  [[nodiscard]] std::array<std::pair<std::size_t, std::size_t>, 3> candidates(const std::array<double, 2>& size_m) const;
+  /// Parts of that order that hold all pairs that may touch now, or whose centres may be closer than that and `further_m`: for
+  /// both voxels of kind 0, of either, and of kind 1. @param size_m of the voxels of kind 0 and of kind 1, at most
+  [[nodiscard]] std::array<std::pair<std::size_t, std::size_t>, 3> candidates(const std::array<double, 2>& size_m,
+                                                                              double further_m = 0.0) const;
+
+  /// Sums of the radii (m) at most, for both voxels of kind 0, of either, and of kind 1.
+  [[nodiscard]] static std::array<double, 3> reaches_m(const std::array<double, 2>& size_m);
+
+  /// Of the list, see the constructor.
+  [[nodiscard]] double skin_m() const { return skin_m_; }
 
   /// Whether no allowed pair can touch now: the nearest one was farther apart than two voxels can have moved since the list was
   /// made. Valid after refresh.
@@ -97,11 +114,13 @@ class VerletList {
   double smallest_gap_m_ =
       0.0;  ///< smallest distance minus reach of an allowed pair when the list was made; the skin where that is larger
   bool built_ = false;
+  double way_m_ = 0.0;
+  std::uint64_t number_ = 0;
   std::vector<double> built_at_;  ///< positions of the surface voxels then
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;
   std::vector<double> distance_;    ///< per pair, when the list was made
   std::vector<std::uint8_t> kind_;  ///< per voxel; empty: all of kind 0
-  std::vector<std::int32_t> order_, first_, second_;
+  std::vector<std::int32_t> order_, first_, second_, place_;
   std::vector<std::size_t> bin_begin_;  ///< in the order, per kinds and bin
 };
 

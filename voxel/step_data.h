@@ -148,10 +148,14 @@ struct StepKernels {
   BeamSweep beams[2][3];                                             ///< [damping from velocities][BeamVariety]
   VoxelSweepFunction voxels[2][2][2][2];                             ///< [uniform][floor][gravity][actuated]
 
-  /// Puts the positions, in ascending order, of the pairs (first, second) whose spheres overlap into `touching`, which has room
+  /// Puts the positions, in ascending order, of the pairs (first, second) whose spheres overlap into `positions`, which has room
   /// for `count` and a register's width more; `first` and `second` can be read so far, too. @return how many
   std::size_t (*touching)(const Spheres<Real>&, const std::int32_t* first, const std::int32_t* second, std::size_t count,
-                          std::int32_t* touching);
+                          std::int32_t* positions);
+
+  /// The same for pairs whose centres are closer than `limit` (m).
+  std::size_t (*closer)(const Spheres<Real>&, const std::int32_t* first, const std::int32_t* second, std::size_t count,
+                        Real limit, std::int32_t* positions);
 };
 
 /// The sweeps of one instruction set; the pack ones exist only where the compiler can make them (x86-64).

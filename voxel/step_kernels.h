@@ -25,7 +25,8 @@ const StepKernels<RealOf<T>>& kernels_of() {
          {sweep_voxels<true, false, true, false, T>, sweep_voxels<true, false, true, true, T>}},
         {{sweep_voxels<true, true, false, false, T>, sweep_voxels<true, true, false, true, T>},
          {sweep_voxels<true, true, true, false, T>, sweep_voxels<true, true, true, true, T>}}}},
-      find_touching<T>};
+      find_touching<T>,
+      find_closer<T>};
   return kernels;
 }
 
