@@ -17,6 +17,7 @@
 #include "fem/pneumatic_supply.h"
 #include "fem/pressure_schedule.h"
 #include "fem/self_contact.h"
+#include "io/input_error.h"
 #include "io/run_status.h"
 
 namespace menger::fem {
@@ -71,6 +72,11 @@ struct ExplicitReport {
   std::optional<std::size_t> failed_element{};  ///< of the mesh
 };
 
+/// A branch of the material relaxes faster than steps of the body can follow.
+class UnresolvedRelaxation : public io::InputError {
+  using io::InputError::InputError;
+};
+
 /// Central differences with lumped masses. Bytes of all results are the same for any number of threads.
 ///
 /// Maxwell branches relax by themselves, at a held deformation and by the exact exponential, every few steps: whenever a
@@ -95,8 +101,8 @@ struct ExplicitReport {
 class ExplicitDynamics {
  public:
   /// The body at rest in its reference configuration. Keeps references to the body.
-  /// @throws io::InputError for options outside their ranges, as many schedules as the mesh has not plena, and schedules and
-  /// relaxation times that the first step cannot resolve
+  /// @throws io::InputError for options outside their ranges, as many schedules as the mesh has not plena, and schedules that the
+  /// first step cannot resolve; UnresolvedRelaxation
   ExplicitDynamics(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, ExplicitOptions options);
 
   ExplicitDynamics(const ExplicitDynamics&) = delete;

@@ -223,6 +223,10 @@ void begin(std::optional<LocomotionRun>& run, const LocomotionStudy& study, cons
            const LocomotionRunOptions& options) {
   try {
     run.emplace(study, folder, options);
+  } catch (const UnresolvedRelaxation& error) {
+    throw io::InputError(study.file.string() +
+                         ": material.loss_frequency_Hz = " + io::number_text(study.material.loss.frequency_Hz) + ": " +
+                         error.what() + "; damping_model = \"kelvin_voigt\" has no relaxation");
   } catch (const io::InputError& error) {
     throw io::InputError(study.file.string() + ": " + error.what());
   }

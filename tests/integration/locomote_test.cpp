@@ -49,11 +49,21 @@ class LocomoteProgram : public testing::Test {
   [[nodiscard]] Outcome run(std::vector<std::string> arguments) const { return start(std::move(arguments)).wait(); }
 
   /// The same on two processes.
-  [[nodiscard]] Outcome run_parallel(std::vector<std::string> arguments) const {
+  [[nodiscard]] ProgramRun start_parallel(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"mpirun", "--oversubscribe", "-n", "2", MENGER_PROGRAM_DIR "/menger-locomote"});
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    return ProgramRun(folder_, "/usr/bin/env", std::move(arguments)).wait();
+    return {folder_, "/usr/bin/env", std::move(arguments)};
+  }
+  [[nodiscard]] Outcome run_parallel(std::vector<std::string> arguments) const {
+    return start_parallel(std::move(arguments)).wait();
+  }
+
+  /// Ctrl-C once a file is there.
+  [[nodiscard]] Outcome interrupted_after(const ProgramRun& program, const std::string& file) const {
+    for (int n = 0; n < 6000 && !fs::exists(folder_ / file); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    program.send(SIGINT);
+    return program.wait();
   }
 
   const fs::path folder_ =
@@ -91,12 +101,8 @@ TEST_F(LocomoteProgram, IsQuietIfToldTo) {
 TEST_F(LocomoteProgram, GoesOnAfterCtrlC) {
   write_study("long.toml", "0.4", "[output]\npictures = false\n");
   ASSERT_EQ(run({"long.toml", "-o", "whole"}).code, 0);
-  const ProgramRun interrupted = start({"long.toml", "-o", "parts"});
   // The run takes about a second; its first frame says that it is on its way.
-  for (int n = 0; n < 1000 && !fs::exists(folder_ / "parts/frames/frame_0001.vtu"); ++n)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  interrupted.send(SIGINT);
-  const Outcome outcome = interrupted.wait();
+  const Outcome outcome = interrupted_after(start({"long.toml", "-o", "parts"}), "parts/frames/frame_0001.vtu");
   ASSERT_EQ(outcome.code, 130) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("stopped"), std::string::npos) << outcome.out;
   EXPECT_EQ(io::read_toml(folder_ / "parts/locomotion.toml").text("status"), "stopped");
@@ -115,11 +121,7 @@ TEST_F(LocomoteProgram, MovesBodiesImplicitly) {
   EXPECT_EQ(io::read_csv(folder_ / "whole/trajectory.csv").row_count(), 21U);
   EXPECT_TRUE(fs::exists(folder_ / "whole/manifest.json"));
 
-  const ProgramRun interrupted = start({"implicit.toml", "-o", "parts"});
-  for (int n = 0; n < 6000 && !fs::exists(folder_ / "parts/frames/frame_0001.vtu"); ++n)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  interrupted.send(SIGINT);
-  const Outcome outcome = interrupted.wait();
+  const Outcome outcome = interrupted_after(start({"implicit.toml", "-o", "parts"}), "parts/frames/frame_0001.vtu");
   ASSERT_EQ(outcome.code, 130) << outcome.out << outcome.err;
   EXPECT_EQ(io::read_toml(folder_ / "parts/locomotion.toml").text("status"), "stopped");
   ASSERT_EQ(run({"implicit.toml", "-o", "parts"}).code, 0);
@@ -155,6 +157,26 @@ TEST_F(LocomoteProgram, MovesABodyOnTwoProcessesAsOnOne) {
   EXPECT_EQ(alone.code, 2);
   EXPECT_NE(alone.err.find("belongs to another study"), std::string::npos) << alone.err;
   EXPECT_TRUE(fs::exists(folder_ / "two/trajectory.csv"));
+}
+
+// mpirun takes a second or two to pass Ctrl-C on, and leaves with a code of its own.
+TEST_F(LocomoteProgram, StopsOnTwoProcessesAndGoesOn) {
+  write_study("implicit.toml", "1000",
+              "record_interval_s = 0.005\n[dynamics]\nmethod = \"implicit\"\n[output]\npictures = false\n");
+  const auto reached_s = [&] {
+    const io::TomlTable result = io::read_toml(folder_ / "parts/locomotion.toml");
+    EXPECT_EQ(result.text("status"), "stopped");
+    return result.number("time_s");
+  };
+  const auto frame = [](int number) { return "frames/frame_" + std::to_string(10000 + number).substr(1) + ".vtu"; };
+  EXPECT_NE(interrupted_after(start_parallel({"implicit.toml", "-o", "parts"}), "parts/" + frame(1)).code, 0);
+  const double first_s = reached_s();
+  EXPECT_GE(first_s, 0.005);
+  const std::string kept = io::read_whole(folder_ / "parts" / frame(1));
+  const int next = static_cast<int>(std::floor(first_s / 0.005)) + 1;
+  EXPECT_NE(interrupted_after(start_parallel({"implicit.toml", "-o", "parts"}), "parts/" + frame(next)).code, 0);
+  EXPECT_GT(reached_s(), first_s);
+  EXPECT_EQ(io::read_whole(folder_ / "parts" / frame(1)), kept);
 }
 
 TEST_F(LocomoteProgram, RefusesWhatSeveralProcessesCannotShare) {
@@ -217,6 +239,18 @@ TEST_F(LocomoteProgram, RefusesWrongInputAndTouchesNothing) {
   EXPECT_FALSE(fs::exists(folder_ / "out"));
   EXPECT_EQ(run({"no_such.toml"}).code, 2);
   EXPECT_EQ(run({"study.toml", "--threads", "0"}).code, 2);
+}
+
+TEST_F(LocomoteProgram, NamesTheDampingThatStepsCannotFollow) {
+  std::string text = io::read_whole(folder_ / "study.toml");
+  const std::string record = "record = \"dragon_skin_10\"\n";
+  text.insert(text.find(record) + record.size(), "loss_factor = 0.1\nloss_frequency_Hz = 1e6\n");
+  io::write_whole(folder_ / "fast.toml", text);
+  const Outcome outcome = run({"fast.toml", "-o", "out"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("fast.toml: material.loss_frequency_Hz = 1e+06: a Maxwell branch relaxes within"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 TEST_F(LocomoteProgram, ExplainsItselfWithAnExample) {
