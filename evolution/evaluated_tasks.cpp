@@ -139,10 +139,11 @@ io::CsvTable timing_table(const RunView& run) {
 
 io::CsvTable schedule_table(const RunView& run, const std::vector<std::size_t>& workers) {
   io::CsvTable table({"generation", "workers", "evaluations", "batches", "busy_seconds", "seconds", "as_asked_seconds",
-                      "least_seconds", "in_one_batch_seconds", "straggling_seconds"});
+                      "least_seconds", "in_one_batch_seconds", "straggling_seconds", "took_seconds"});
   const int last = run.archive->last_generation().value_or(-1);
   for (int generation = 0; generation <= last; ++generation) {
     const std::vector<EvaluatedTask> tasks = evaluated_tasks(run, generation);
+    const double took_s = run.archive->generation(generation).seconds;
     const auto batches = timed_batches(tasks, false);
     const auto one_batch = timed_batches(tasks, true);
     for (const std::size_t count : workers) {
@@ -151,7 +152,7 @@ io::CsvTable schedule_table(const RunView& run, const std::vector<std::size_t>& 
       for (const std::vector<TimedTask>& batch : batches) least_s += least_makespan_s(batch, count);
       table.add_row(generation, std::uint64_t{count}, std::uint64_t{tasks.size()}, std::uint64_t{batches.size()}, schedule.busy_s,
                     schedule.makespan_s, in_sequence(batches, count, TaskOrder::as_asked).makespan_s, least_s,
-                    in_sequence(one_batch, count, TaskOrder::costliest_first).makespan_s, schedule.straggling_s);
+                    in_sequence(one_batch, count, TaskOrder::costliest_first).makespan_s, schedule.straggling_s, took_s);
     }
   }
   return table;

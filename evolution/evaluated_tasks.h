@@ -31,8 +31,9 @@ io::CsvTable timing_table(const RunView& run);
 
 /// A row per generation and number of workers: how long its evaluations would take, each batch after the other, from their wall
 /// times (see list_schedule; those of bodies that were judged together are shares of one task, which other numbers of workers
-/// would cut otherwise): costliest first as the search does, as asked for, at least; if all were one batch; and for how long some
-/// worker has nothing to do.
+/// would cut otherwise; those of bodies that several threads shared are shorter than one worker's): costliest first as the search
+/// does, as asked for, at least; if all were one batch; and for how long some worker has nothing to do. The last column is what
+/// the generation took where it was made, since it was begun for the last time.
 io::CsvTable schedule_table(const RunView& run, const std::vector<std::size_t>& workers);
 
 }  // namespace menger::evolution

@@ -29,24 +29,24 @@ if ! "$menger" export "$archive" -o "$out" --timings --no-frames --no-pictures -
   exit 130  # stopped before there was anything to export; the next call goes on
 fi
 
-# What it took so far: evaluations, pruned and cached ones, and the seconds of the workers, which the archive keeps per evaluation.
+# What it took so far: evaluations, pruned and cached ones, the time of every generation, and from it that of a trial.
 awk -F, '
-  NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
-  NR == FNR { ++generations; made += $column["evaluations"]; cached += $column["cached"]; pruned += $column["pruned"]; next }
-  FNR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
-  { seconds += $at["seconds"]; voxel_steps += $at["voxels"] * $at["steps"]; voxels[$at["level"]] += $at["voxels"]; ++tasks[$at["level"]]
-    of[$at["generation"]] += $at["seconds"] }
+  FNR == 1 { ++file; for (i = 1; i <= NF; ++i) at[file, $i] = i; next }
+  function value(name) { return $at[file, name] }
+  file == 1 { ++generations; made += value("evaluations"); cached += value("cached"); pruned += value("pruned") }
+  file == 2 { seconds += value("seconds"); voxel_steps += value("voxels") * value("steps"); voxels[value("level")] += value("voxels"); ++tasks[value("level")] }
+  file == 3 { took[value("generation")] = value("took_seconds") }
   END {
     asked = made + cached + pruned
     printf "%d generations: %d evaluations made (%.1f %%), %d cached (%.1f %%), %d pruned (%.1f %%)\n", generations, made,
            100 * made / asked, cached, 100 * cached / asked, pruned, 100 * pruned / asked
     for (level = 1; level <= 9; ++level)
       if (tasks[level]) printf "level %d: %d evaluations of %.1f voxels\n", level, tasks[level], voxels[level] / tasks[level]
-    printf "%.4g voxel-steps in %.0f s of the workers: %.3g million a second\n", voxel_steps, seconds, voxel_steps / seconds / 1e6
+    for (n = 0; n < generations; ++n) all += took[n]
+    printf "%.4g voxel-steps in %.0f s: %.3g million a second\n", voxel_steps, all, voxel_steps / all / 1e6
     if (generations > 1) {
-      later = (seconds - of[0]) / (generations - 1)
-      printf "%.1f s a generation after generation 0 (%.1f s); 325 of them on two workers take %.1f h at least\n", later, of[0],
-             (of[0] + 325 * later) / 2 / 3600
+      later = (all - took[0]) / (generations - 1)
+      printf "%.1f s a generation after generation 0 (%.1f s); 325 of them take %.1f h\n", later, took[0], (took[0] + 325 * later) / 3600
     }
-  }' "$out/generations.csv" "$out/timings.csv"
+  }' "$out/generations.csv" "$out/timings.csv" "$out/schedule.csv"
 [ "$code" -eq 0 ] || exit 130

@@ -115,6 +115,8 @@ TEST_F(EvaluatedTasks, TablesAddUp) {
     }
     EXPECT_EQ(schedule.number(row, "evaluations"), static_cast<double>(count));
     const double seconds = schedule.number(row, "seconds");
+    EXPECT_EQ(schedule.number(row, "took_seconds"),
+              run.archive->generation(static_cast<int>(schedule.number(row, "generation"))).seconds);
     EXPECT_NEAR(schedule.number(row, "busy_seconds"), sum, 1e-12 * sum);
     // A single worker is always busy; three cannot be more than three times as fast.
     if (schedule.number(row, "workers") == 1.0) {
