@@ -168,12 +168,19 @@ inline Quaternion<T> rotation_onto_x(const Vector3<T>& d) {
   const T zero = constant<T>(0.0);
   const T across2 = d.y * d.y + d.z * d.z;
   const T length = sqrt(d.x * d.x + across2);
-  // |d| + d_x loses all digits for d_x < 0; across2 / (|d| - d_x) is the same number without the cancellation.
-  const T w = select(d.x >= zero, length + d.x, across2 / (length - d.x));
+  const T w = length + d.x;
   const T norm2 = w * w + across2;
-  const MaskOf<T> opposite = norm2 <= zero;
-  const T scale = constant<T>(1.0) / sqrt(select(opposite, constant<T>(1.0), norm2));
-  return {select(opposite, zero, w * scale), zero, select(opposite, constant<T>(1.0), d.z * scale),
+  const MaskOf<T> is_plain = (d.x > zero) && (norm2 > zero);
+  if (!any(!is_plain)) {
+    const T scale = constant<T>(1.0) / sqrt(norm2);
+    return {w * scale, zero, d.z * scale, -(d.y * scale)};
+  }
+  // |d| + d_x loses all digits for d_x < 0; across2 / (|d| - d_x) is the same number without the cancellation.
+  const T exact_w = select(d.x >= zero, w, across2 / (length - d.x));
+  const T exact_norm2 = exact_w * exact_w + across2;
+  const MaskOf<T> opposite = exact_norm2 <= zero;
+  const T scale = constant<T>(1.0) / sqrt(select(opposite, constant<T>(1.0), exact_norm2));
+  return {select(opposite, zero, exact_w * scale), zero, select(opposite, constant<T>(1.0), d.z * scale),
           select(opposite, zero, -(d.y * scale))};
 }
 
