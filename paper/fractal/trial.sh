@@ -1,12 +1,17 @@
 #!/usr/bin/env bash
-# Runs a whole trial of study.toml, exports its champion and says what it cost. Made for nights: with a number of hours it stops
-# then, keeps what is done, and the next call goes on from there.
-#   paper/fractal/trial.sh [folder of the results] [folder of the programs] [hours] [options of menger evolve, such as --seed 2]
+# Runs a whole trial of study.toml, or of the study named first, exports its champion and says what it cost. Made for nights: with
+# a number of hours it stops then, keeps what is done, and the next call goes on from there.
+#   paper/fractal/trial.sh [study.toml] [folder of the results] [folder of the programs] [hours] [options of menger evolve, such as --seed 2]
 # Another trial needs another folder.
 set -euo pipefail
-study=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/study.toml
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+study=$here/study.toml
+if [[ ${1:-} == *.toml ]]; then
+  study=$1
+  shift
+fi
 out=${1:-trial}
-programs=${2:-$(dirname "$study")/../../build/release/bin}
+programs=${2:-$here/../../build/release/bin}
 hours=${3:-}
 menger=$(cd "$programs" && pwd)/menger
 archive=$out/trial.sqlite
