@@ -100,7 +100,7 @@ inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, const Rotation<T>& lo
   state.frame = lower_frame;
   state.small = small;
   state.state_changed = nowhere<T>();
-  const Quaternion<T> relative = conjugate(ends.lower) * ends.upper;
+  const Quaternion<T> relative = seen_from(ends.lower, ends.upper);
   state.deformation.displacement = {d.x - ends.rest_length, d.y, d.z};
   state.deformation.lower_angle_y = zero;
   state.deformation.lower_angle_z = zero;
@@ -109,13 +109,13 @@ inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, const Rotation<T>& lo
   if (any(large)) {
     const Quaternion<T> turn = rotation_onto_x(d);
     const Vector3<T> angle = rotation_vector(turn);
-    upper = select<T>(large, turn * relative, relative);
+    upper = select<T>(large, turn_times(turn, relative), relative);
     state.deformation.lower_angle_y = select(large, angle.y, zero);
     state.deformation.lower_angle_z = select(large, angle.z, zero);
     const T length = sqrt(dot(d, d));
     state.deformation.displacement =
         select<T>(large, Vector3<T>{length - ends.rest_length, zero, zero}, state.deformation.displacement);
-    const Rotation<T> turned = matrix(ends.lower * conjugate(turn));
+    const Rotation<T> turned = matrix(times_inverse_turn(ends.lower, turn));
     state.frame = {select<T>(large, turned.row_x, state.frame.row_x), select<T>(large, turned.row_y, state.frame.row_y),
                    select<T>(large, turned.row_z, state.frame.row_z)};
   }
@@ -191,7 +191,7 @@ inline T beam_energy(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, 
 /// as for beam_elastic_loads
 template <bool Shears = true, class T>
 inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeformation<T>& rate) {
-  const T half = constant<T>(0.5);
+  const T minus_half = constant<T>(-0.5);
   const T sum_y = rate.lower_angle_y + rate.upper_angle.y;
   const T sum_z = rate.lower_angle_z + rate.upper_angle.z;
   const Vector3<T> pull = {c.axial_root * rate.displacement.x, c.shear_root * rate.displacement.y - c.bend_root * sum_z,
@@ -212,8 +212,8 @@ inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeforma
     lower = lower - Vector3<T>{constant<T>(0.0), difference_y, difference_z};
     upper = upper + Vector3<T>{constant<T>(0.0), difference_y, difference_z};
   }
-  loads.lower_moment = -((half * c.damping_lower) * lower);
-  loads.upper_moment = -((half * c.damping_upper) * upper);
+  loads.lower_moment = (minus_half * c.damping_lower) * lower;
+  loads.upper_moment = (minus_half * c.damping_upper) * upper;
   return loads;
 }
 

@@ -31,13 +31,22 @@ inline void store_packs(RealOf<T>* packs, const Lines<T>& line) {
   for (int k = 0; k < line_length; ++k) store_values<T>(packs + pack_stride<T>(k), line.value[k]);
 }
 
-/// Adds three values to the packs from `first` on.
+/// Adds three values to the packs from `first` on, or subtracts them.
 template <class T>
 inline void add_packs(RealOf<T>* packs, int first, const Vector3<T>& v) {
   const T values[3] = {v.x, v.y, v.z};
   for (int k = 0; k < 3; ++k) {
     RealOf<T>* at = packs + pack_stride<T>(first + k);
     store_values<T>(at, load_values<T>(at) + values[k]);
+  }
+}
+
+template <class T>
+inline void subtract_packs(RealOf<T>* packs, int first, const Vector3<T>& v) {
+  const T values[3] = {v.x, v.y, v.z};
+  for (int k = 0; k < 3; ++k) {
+    RealOf<T>* at = packs + pack_stride<T>(first + k);
+    store_values<T>(at, load_values<T>(at) - values[k]);
   }
 }
 
@@ -152,18 +161,18 @@ MENGER_INLINED_WHOLE MaskOf<T> sweep_lane_axis(const LaneData<RealOf<T>>& d) {
     Lines<T> upper;
     unpermute<Axis>(loads.lower_force, lower, slot::fx);
     unpermute<Axis>(loads.lower_moment, lower, slot::mx);
-    if constexpr (Uniform) {
-      unpermute<Axis>(-loads.lower_force, upper, slot::fx);
-    } else {
-      unpermute<Axis>(loads.upper_force, upper, slot::fx);
-    }
+    if constexpr (!Uniform) unpermute<Axis>(loads.upper_force, upper, slot::fx);
     unpermute<Axis>(loads.upper_moment, upper, slot::mx);
     RealOf<T>* at_lower = d.load + static_cast<std::size_t>(beams.lower[i]) * stride;
     RealOf<T>* at_upper = d.load + static_cast<std::size_t>(beams.upper[i]) * stride;
     // Adding zeros of either sign changes no load: a sum that starts from +0 is never -0.
     add_packs<T>(at_lower, slot::fx, {lower.value[slot::fx], lower.value[slot::fy], lower.value[slot::fz]});
     add_packs<T>(at_lower, slot::mx, {lower.value[slot::mx], lower.value[slot::my], lower.value[slot::mz]});
-    add_packs<T>(at_upper, slot::fx, {upper.value[slot::fx], upper.value[slot::fy], upper.value[slot::fz]});
+    if constexpr (Uniform) {
+      subtract_packs<T>(at_upper, slot::fx, {lower.value[slot::fx], lower.value[slot::fy], lower.value[slot::fz]});
+    } else {
+      add_packs<T>(at_upper, slot::fx, {upper.value[slot::fx], upper.value[slot::fy], upper.value[slot::fz]});
+    }
     add_packs<T>(at_upper, slot::mx, {upper.value[slot::mx], upper.value[slot::my], upper.value[slot::mz]});
   }
   return out_of_range;

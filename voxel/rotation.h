@@ -49,16 +49,32 @@ struct Quaternion {
   T w, x, y, z;
 };
 
-template <class T>
-inline Quaternion<T> conjugate(const Quaternion<T>& q) {
-  return {q.w, -q.x, -q.y, -q.z};
-}
-
 /// Product a b: the rotation b followed by a.
 template <class T>
 inline Quaternion<T> operator*(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+}
+
+/// conj(a) b: b as seen from a.
+template <class T>
+inline Quaternion<T> seen_from(const Quaternion<T>& a, const Quaternion<T>& b) {
+  return {a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z, a.w * b.x - a.x * b.w - a.y * b.z + a.z * b.y,
+          a.w * b.y + a.x * b.z - a.y * b.w - a.z * b.x, a.w * b.z - a.x * b.y + a.y * b.x - a.z * b.w};
+}
+
+/// Product of a turn about an axis across x, as rotation_onto_x gives it, and b.
+template <class T>
+inline Quaternion<T> turn_times(const Quaternion<T>& turn, const Quaternion<T>& b) {
+  return {turn.w * b.w - turn.y * b.y - turn.z * b.z, turn.w * b.x + turn.y * b.z - turn.z * b.y,
+          turn.w * b.y + turn.y * b.w + turn.z * b.x, turn.w * b.z - turn.y * b.x + turn.z * b.w};
+}
+
+/// Product of a and the inverse of such a turn.
+template <class T>
+inline Quaternion<T> times_inverse_turn(const Quaternion<T>& a, const Quaternion<T>& turn) {
+  return {a.w * turn.w + a.y * turn.y + a.z * turn.z, a.x * turn.w - a.y * turn.z + a.z * turn.y,
+          a.x * turn.z - a.w * turn.y + a.y * turn.w, a.z * turn.w - (a.w * turn.z + a.x * turn.y)};
 }
 
 template <class T>

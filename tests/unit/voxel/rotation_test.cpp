@@ -27,6 +27,22 @@ TEST(RotationVector, OfAQuaternionJustBeyondUnitLengthIsFinite) {
   EXPECT_NEAR(v.x, 2e-9, 1e-20);
 }
 
+TEST(QuaternionProduct, OfConjugatesAndTurnsIsThatOfAnyTwo) {
+  const auto inverse = [](const Quaternion<double>& q) { return Quaternion<double>{q.w, -q.x, -q.y, -q.z}; };
+  const auto expect_same = [](const Quaternion<double>& a, const Quaternion<double>& b) {
+    EXPECT_EQ(a.w, b.w);
+    EXPECT_EQ(a.x, b.x);
+    EXPECT_EQ(a.y, b.y);
+    EXPECT_EQ(a.z, b.z);
+  };
+  const Quaternion<double> a = about({0.3, -1.0, 2.0}, 0.7);
+  const Quaternion<double> b = about({-1.1, 0.4, 0.2}, -1.3);
+  const Quaternion<double> turn = rotation_onto_x(Vector3<double>{0.8, -0.3, 0.5});
+  expect_same(seen_from(a, b), inverse(a) * b);
+  expect_same(turn_times(turn, b), turn * b);
+  expect_same(times_inverse_turn(a, turn), a * inverse(turn));
+}
+
 TEST(QuaternionOfRotationVector, InvertsTheRotationVector) {
   for (const double angle : {1e-12, 1e-3, 0.19, 0.21, 2.0}) {
     const Vector3<double> back =
