@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "voxel/actuation.h"
-#include "voxel/contact_search.h"
 
 namespace menger::voxel {
 
@@ -58,7 +57,10 @@ template <class Real>
 void BlockLanes<Real>::set_threads(int threads) {
   barrier_.set_threads(threads);
   parts_.resize(static_cast<std::size_t>(threads));
-  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].number = i;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    parts_[i].number = i;
+    parts_[i].contacts.resize(slots_ / lanes_);
+  }
 }
 
 template <class Real>
@@ -70,7 +72,6 @@ void BlockLanes<Real>::allocate() {
   residual_.assign(3 * voxels, Real(0));
   drive_.assign(drive_size * voxels, Real(0));
   spheres_.assign(4 * voxels, Real(0));
-  contacts_.resize(slots_ / lanes_);
   for (std::size_t i = 0; i < body_.voxel.size(); ++i) {
     const auto block = static_cast<std::size_t>(body_.block_of[i]);
     const auto place = static_cast<std::size_t>(body_.place[i]);
@@ -216,6 +217,9 @@ void BlockLanes<Real>::put() {
       group.displacement_limit2[lane] = d.displacement_limit2;
     }
   }
+  next_sine_ = d.next_sine;
+  next_cosine_ = d.next_cosine;
+  for (std::size_t g = 0; g < groups_.size(); ++g) put_spheres(g);
 }
 
 template <class Real>
@@ -250,6 +254,7 @@ void BlockLanes<Real>::put_positions() {
     }
   }
   for (LaneData<Real>& group : groups_) std::fill_n(group.floor_depth, lanes_, d.floor_depth);
+  for (std::size_t g = 0; g < groups_.size(); ++g) put_spheres(g);
 }
 
 template <class Real>
@@ -289,59 +294,12 @@ void BlockLanes<Real>::begin_step() {
   const EngineOf<Real>& engine = engine_;
   done_ = engine.steps == last_step_ || engine.divergence || (stop_ != nullptr && stop_->load(std::memory_order_relaxed));
   if (done_) return;
-  find_contacts();
+  may_touch_ = prepare_contacts();
   if (!engine.actuated_) return;
   const DriveAngle next =
       drive_angle(static_cast<double>(engine.steps + 1) * engine.time_step_s, engine.physics.actuation.period_s);
-  for (LaneData<Real>& group : groups_) {
-    group.next_sine = static_cast<Real>(next.sine);
-    group.next_cosine = static_cast<Real>(next.cosine);
-  }
-}
-
-template <class Real>
-void BlockLanes<Real>::find_contacts() {
-  EngineOf<Real>& engine = engine_;
-  for (std::vector<Contact>& of_group : contacts_) of_group.clear();
-  if (!engine.close_pairs_) return;
-  VerletList& list = *engine.close_pairs_;
-  if (list.bound_used_up()) take_poses();
-  if (!engine.looks_at_pairs()) return;
-  if (list_of_spheres_ != engine.collision_counts.list_rebuilds) number_spheres();
-  for (std::size_t g = 0; g < groups_.size(); ++g) kernels_.put_spheres(groups_[g], spheres_.data() + 4 * g * places_ * lanes_);
-
-  const auto sphere = [&](std::int32_t voxel) {
-    const Real* values = spheres_.data() + 4 * sphere_of_[static_cast<std::size_t>(voxel)];
-    return std::array<Real, 4>{values[slot::x], values[slot::y], values[slot::z], values[slot::size]};
-  };
-  const auto line_of = [&](std::int32_t voxel) { return line_of_[static_cast<std::size_t>(voxel)]; };
-  const StepData<Real>& d = engine.state_->data;
-  const auto end = [&](std::int32_t voxel) {
-    const Real* motion = motion_.data() + line_of(voxel);
-    const Vector3<Real> momentum{motion[slot::px * lanes_], motion[slot::py * lanes_], motion[slot::pz * lanes_]};
-    return ContactEnd<Real>{d.voxel.inverse_mass * momentum, d.voxel.floor.stiffness, d.voxel.floor.damping};
-  };
-  const auto add = [&](std::int32_t voxel, const Vector3<Real>& force) {
-    const auto group = static_cast<std::size_t>(body_.block_of[static_cast<std::size_t>(voxel)]) / lanes_;
-    contacts_[group].push_back({line_of(voxel), force});
-  };
-  const std::array<double, 2> sizes = engine.sizes_of_kinds([&](std::int32_t voxel) { return sphere(voxel)[slot::size]; });
-  const Spheres<Real> spheres{spheres_.data(), 4, nullptr};
-  add_contact_loads<Real>(engine.contacts_->touching(list, spheres, first_.data(), second_.data(), sizes), list.pairs(), sphere,
-                          end, add);
-}
-
-/// Names the spheres of the close pairs.
-template <class Real>
-void BlockLanes<Real>::number_spheres() {
-  const VerletList& list = *engine_.close_pairs_;
-  const auto number = [&](const std::vector<std::int32_t>& voxels, std::vector<std::int32_t>& spheres) {
-    spheres.clear();
-    for (const std::int32_t voxel : voxels) spheres.push_back(sphere_of_[static_cast<std::size_t>(voxel)]);
-  };
-  number(list.first(), first_);
-  number(list.second(), second_);
-  list_of_spheres_ = engine_.collision_counts.list_rebuilds;
+  next_sine_ = static_cast<Real>(next.sine);
+  next_cosine_ = static_cast<Real>(next.cosine);
 }
 
 template <class Real>
@@ -372,12 +330,9 @@ void BlockLanes<Real>::move_groups(Part& part) {
       if (kernels_.in_blocks[velocity][axis](groups_[g], static_cast<int>(lanes_used(g)))) part.strained = true;
       kernels_.add_joint_loads(data_, axis, 0, g);
     }
-    for (const Contact& contact : contacts_[g]) {
-      Real* load = load_.data() + contact.at;
-      load[slot::fx * lanes_] += contact.force.x;
-      load[slot::fy * lanes_] += contact.force.y;
-      load[slot::fz * lanes_] += contact.force.z;
-    }
+    add_contacts(g);
+    groups_[g].next_sine = next_sine_;
+    groups_[g].next_cosine = next_cosine_;
     alignas(64) Real largest2[most_lanes] = {};
     const std::uint32_t bits = kernels_.voxels[true][true](groups_[g], largest2);
     for (std::size_t lane = 0; lane < lanes_used(g); ++lane) {
@@ -385,6 +340,7 @@ void BlockLanes<Real>::move_groups(Part& part) {
       const auto one = static_cast<double>(largest2[lane]);
       if (one > part.largest_displacement2) part.largest_displacement2 = one;
     }
+    put_spheres(g);
   }
 }
 
@@ -392,6 +348,11 @@ void BlockLanes<Real>::move_groups(Part& part) {
 template <class Real>
 void BlockLanes<Real>::end_step() {
   EngineOf<Real>& engine = engine_;
+  std::exception_ptr failure;
+  for (Part& part : parts_) {
+    if (part.failure) failure = std::exchange(part.failure, nullptr);
+  }
+  if (failure) std::rethrow_exception(failure);
   bool strained = false;
   bool too_fast = false;
   double largest2 = 0.0;
@@ -411,7 +372,10 @@ void BlockLanes<Real>::end_step() {
     engine.note_strain();
   }
   const double largest_displacement_m = std::sqrt(largest2);
-  for (LaneData<Real>& group : groups_) group.rate_scale = static_cast<Real>(1.0 / engine.time_step_s);
+  const auto rate_scale = static_cast<Real>(1.0 / engine.time_step_s);
+  if (groups_.front().rate_scale != rate_scale) {  // what all threads read is left alone
+    for (LaneData<Real>& group : groups_) group.rate_scale = rate_scale;
+  }
   ++engine.steps;
   if (engine.close_pairs_) engine.close_pairs_->moved(largest_displacement_m);
   if (too_fast) {
@@ -438,19 +402,23 @@ void BlockLanes<Real>::do_alone(void (BlockLanes::*work)()) {
   done_ = done_ || failure_;
 }
 
-/// A thread's share of all steps; what is not shared is done by the first.
+/// A thread's share of all steps; what is not shared does whoever comes last.
 template <class Real>
 void BlockLanes<Real>::do_part(Part& part) {
-  const bool is_first = part.number == 0;
-  while (true) {
-    if (is_first) do_alone(&BlockLanes::begin_step);
-    barrier_.meet();
-    if (done_) return;
+  barrier_.meet([this] { do_alone(&BlockLanes::begin_step); });
+  while (!done_) {
+    try {
+      find_contacts(part);
+    } catch (...) {
+      part.failure = std::current_exception();
+    }
     find_joint_loads(part);
     barrier_.meet();
     move_groups(part);
-    barrier_.meet();
-    if (is_first) do_alone(&BlockLanes::end_step);
+    barrier_.meet([this] {
+      do_alone(&BlockLanes::end_step);
+      do_alone(&BlockLanes::begin_step);
+    });
   }
 }
 

@@ -35,12 +35,21 @@ class BlockLanes {
   void advance(std::uint64_t count, const std::atomic<bool>* stop);
 
  private:
+  /// A contact force on a voxel.
+  struct Contact {
+    std::size_t at = 0;  ///< of the load's x
+    Vector3<Real> force;
+  };
+
   /// A thread's share of the steps, and what it saw in the last one.
   struct alignas(64) Part {
     std::size_t number = 0;
     bool strained = false;
     bool too_fast = false;
     double largest_displacement2 = 0.0;
+    std::vector<std::vector<Contact>> contacts;  ///< that it found, per group, in the order of their pairs
+    std::vector<std::int32_t> touching;          ///< room for finding them
+    std::exception_ptr failure;
   };
 
   /// Of `count` things, the first of a part's share and the first of the next part's.
@@ -57,8 +66,12 @@ class BlockLanes {
   void take_poses();
   void take();
   void begin_step();
-  void find_contacts();
+  bool prepare_contacts();
+  void take_positions();
   void number_spheres();
+  void put_spheres(std::size_t group);
+  void find_contacts(Part& part);
+  void add_contacts(std::size_t group);
   void find_joint_loads(Part& part);
   void move_groups(Part& part);
   void end_step();
@@ -70,12 +83,7 @@ class BlockLanes {
     return ((slot / lanes_ * places_ + place) * packs + pack) * lanes_ + slot % lanes_;
   }
   [[nodiscard]] std::size_t lanes_used(std::size_t group) const;
-
-  /// A contact force on a voxel.
-  struct Contact {
-    std::size_t at = 0;  ///< of the load's x
-    Vector3<Real> force;
-  };
+  [[nodiscard]] Spheres<Real> spheres() const { return {spheres_.data(), 4, nullptr}; }
 
   EngineOf<Real>& engine_;
   BlockBody body_;
@@ -92,12 +100,13 @@ class BlockLanes {
   std::vector<LaneData<Real>, xsimd::aligned_allocator<LaneData<Real>, 64>> groups_;
   BlockData<Real> data_;
 
-  std::vector<std::size_t> line_of_;            ///< per voxel, in arrays of line_length packs per voxel
-  std::vector<std::int32_t> sphere_of_;         ///< per voxel
-  AlignedArray<Real> spheres_;                  ///< four numbers each
-  std::vector<std::int32_t> first_, second_;    ///< spheres of the close pairs, in their order
-  std::uint64_t list_of_spheres_ = 0;           ///< that these are of, by the number of lists made
-  std::vector<std::vector<Contact>> contacts_;  ///< of this step, per group
+  std::vector<std::size_t> line_of_;          ///< per voxel, in arrays of line_length packs per voxel
+  std::vector<std::int32_t> sphere_of_;       ///< per voxel
+  AlignedArray<Real> spheres_;                ///< four numbers each, as after the last step
+  std::vector<std::int32_t> first_, second_;  ///< spheres of the close pairs, in their order
+  std::uint64_t list_of_spheres_ = 0;         ///< that these are of, by the number of lists made
+  bool may_touch_ = false;                    ///< any pair, in this step
+  Real next_sine_ = 0, next_cosine_ = 0;      ///< at the end of this step
 
   std::vector<Part, xsimd::aligned_allocator<Part, 64>> parts_;  ///< one per thread
   SpinBarrier barrier_;

@@ -86,12 +86,12 @@ MENGER_INLINED_WHOLE bool sweep_joints(const BlockData<RealOf<T>>& b, std::size_
   const EndInertias<T> inverse = {T(d.voxel.inverse_mass), T(d.voxel.inverse_mass), T(d.voxel.inverse_inertia),
                                   T(d.voxel.inverse_inertia)};
   MaskOf<T> out_of_range = nowhere<T>();
-  for (std::size_t face = 0; face < joints.faces; ++face) {
-    const std::size_t lower = static_cast<std::size_t>(joints.lower[face]) * pack_stride<T>(line_length);
-    const std::size_t upper = static_cast<std::size_t>(joints.upper[face]) * pack_stride<T>(line_length);
-    for (std::size_t pack = first; pack < last; ++pack) {
-      const LaneMoves<Real>& at_lower = joints.lower_block[pack];
-      const LaneMoves<Real>& at_upper = joints.upper_block[pack];
+  for (std::size_t pack = first; pack < last; ++pack) {
+    const LaneMoves<Real>& at_lower = joints.lower_block[pack];
+    const LaneMoves<Real>& at_upper = joints.upper_block[pack];
+    for (std::size_t face = 0; face < joints.faces; ++face) {
+      const std::size_t lower = static_cast<std::size_t>(joints.lower[face]) * pack_stride<T>(line_length);
+      const std::size_t upper = static_cast<std::size_t>(joints.upper[face]) * pack_stride<T>(line_length);
       const BeamEnds<T> ends = beam_ends<Axis>(gather_line<T>(d.pose + lower, b.group_stride, at_lower),
                                                gather_line<T>(d.pose + upper, b.group_stride, at_upper));
       const auto rates = [&] {

@@ -10,6 +10,32 @@
 
 namespace menger::voxel {
 
+namespace {
+
+constexpr double kept_share = 0.8;  ///< of the bound, up to which a list is kept
+
+/// Puts into every cell of a grid the largest of its own and its neighbours' values, edges and corners included.
+void take_from_around(std::vector<double>& values, const std::array<std::size_t, 3>& size) {
+  std::size_t step = 1;
+  for (const std::size_t count : size) {
+    for (std::size_t first = 0; first < values.size(); first += step * count) {
+      for (std::size_t i = first; i < first + step; ++i) {
+        const std::size_t end = i + step * count;
+        double before = values[i];
+        for (std::size_t at = i; at < end; at += step) {
+          const double here = values[at];
+          const double after = at + step < end ? values[at + step] : here;
+          values[at] = std::max(std::max(before, here), after);
+          before = here;
+        }
+      }
+    }
+    step *= count;
+  }
+}
+
+}  // namespace
+
 CollisionRule::CollisionRule(const Lattice& lattice, int exclusion_depth)
     : neighbours_(&lattice.neighbours),
       exclusion_depth_(exclusion_depth),
@@ -63,24 +89,71 @@ void VerletList::build(const Real* positions, std::size_t stride) {
   ++number_;
 }
 
+/// What bound_m_ is at these positions, infinite where pairs that were far apart could be too close.
+template <class Real>
+double VerletList::true_bound_m(const Real* positions, std::size_t stride) {
+  double largest2 = 0.0;
+  for (std::size_t i = 0; i < rule_.surface().size(); ++i) {
+    const Real* now = positions + stride * static_cast<std::size_t>(rule_.surface()[i]);
+    double distance2 = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double moved = static_cast<double>(now[axis]) - built_at_[3 * i + axis];
+      distance2 += moved * moved;
+    }
+    largest2 = std::max(largest2, distance2);
+  }
+  const double largest = std::sqrt(largest2);
+  if (largest <= kept_share * (0.5 * skin_m_)) return largest;
+  // Voxels whose cells were three apart had two cells between them. Until the next look they come closer by a skin at most.
+  const Shift moved = shift(positions, stride);
+  if (2.0 * cell_width_m_ - moved.far_m < reach_m_ + skin_m_) return std::numeric_limits<double>::infinity();
+  return std::min(largest, 0.5 * moved.near_m);
+}
+
+/// Of every cell the box of its voxels' displacements, widened to those of the cells around it: voxels whose cells are one or two
+/// apart are both around some cell.
+template <class Real>
+VerletList::Shift VerletList::shift(const Real* positions, std::size_t stride) {
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  for (std::vector<double>& of_cells : moves_) of_cells.assign(cells_[0] * cells_[1] * cells_[2], none);
+  std::array<double, 6> all;
+  all.fill(none);
+  for (std::size_t i = 0; i < cell_of_.size(); ++i) {
+    const Real* now = positions + stride * static_cast<std::size_t>(rule_.surface()[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double moved = static_cast<double>(now[axis]) - built_at_[3 * i + axis];
+      for (const auto& [side, along] : {std::pair(axis, moved), std::pair(axis + 3, -moved)}) {
+        double& of_cell = moves_[side][cell_of_[i]];
+        of_cell = std::max(of_cell, along);
+        all[side] = std::max(all[side], along);
+      }
+    }
+  }
+  for (std::vector<double>& of_cells : moves_) take_from_around(of_cells, cells_);
+  const auto across2 = [](const auto& largest) {
+    double sum = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double along = largest(axis) + largest(axis + 3);
+      sum += along * along;
+    }
+    return sum;
+  };
+  double near2 = 0.0;
+  for (std::size_t cell = 0; cell < moves_[0].size(); ++cell) {
+    if (moves_[0][cell] == none) continue;  // no voxel in or around it
+    near2 = std::max(near2, across2([&](std::size_t side) { return moves_[side][cell]; }));
+  }
+  return {std::sqrt(near2), std::sqrt(across2([&](std::size_t side) { return all[side]; }))};
+}
+
 template <class Real>
 bool VerletList::refresh(const Real* positions, std::size_t stride) {
   if (!bound_used_up()) return false;
   if (built_) {
-    double largest2 = 0.0;
-    for (std::size_t i = 0; i < rule_.surface().size(); ++i) {
-      const Real* now = positions + stride * static_cast<std::size_t>(rule_.surface()[i]);
-      double distance2 = 0.0;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double moved = static_cast<double>(now[axis]) - built_at_[3 * i + axis];
-        distance2 += moved * moved;
-      }
-      largest2 = std::max(largest2, distance2);
-    }
-    const double largest = std::sqrt(largest2);
-    // Below half of the bound the list is good for many steps more; above it a new one is as cheap as looking again soon.
-    if (largest <= 0.25 * skin_m_) {
-      bound_m_ = largest;
+    // Below that share of the bound the list is good for many steps more; above it a new one is as cheap as looking again soon.
+    const double bound = true_bound_m(positions, stride);
+    if (bound <= kept_share * (0.5 * skin_m_)) {
+      bound_m_ = bound;
       return false;
     }
   }
@@ -94,6 +167,9 @@ void VerletList::find_pairs() {
   smallest_gap_m_ = skin_m_;
   const std::vector<std::int32_t>& surface = rule_.surface();
   const std::size_t count = surface.size();
+  cell_width_m_ = reach_m_ + skin_m_;
+  cells_ = {1, 1, 1};
+  cell_of_.assign(count, 0);
   if (count < 2) return;
 
   std::array<double, 3> low{built_at_[0], built_at_[1], built_at_[2]};
@@ -123,17 +199,19 @@ void VerletList::find_pairs() {
   };
   const auto cell = [&](std::size_t x, std::size_t y, std::size_t z) { return x + size[0] * (y + size[1] * z); };
 
+  cell_width_m_ = width;
+  cells_ = size;
+
   // Counting sort of the surface voxels into cells; within a cell they stay in ascending order.
   std::vector<std::size_t> start(size[0] * size[1] * size[2] + 1, 0);
-  std::vector<std::size_t> cell_of(count);
   for (std::size_t i = 0; i < count; ++i) {
-    cell_of[i] = cell(coordinate(i, 0), coordinate(i, 1), coordinate(i, 2));
-    ++start[cell_of[i] + 1];
+    cell_of_[i] = cell(coordinate(i, 0), coordinate(i, 1), coordinate(i, 2));
+    ++start[cell_of_[i] + 1];
   }
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<std::size_t> members(count);
   std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  for (std::size_t i = 0; i < count; ++i) members[next[cell_of[i]]++] = i;
+  for (std::size_t i = 0; i < count; ++i) members[next[cell_of_[i]]++] = i;
 
   std::array<std::vector<double>, 3> sorted;  // positions in the order of the cells, so that neighbours are read one by one
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -40,7 +40,8 @@ class CollisionRule {
 };
 
 /// Verlet list: all pairs that may collide and are closer than reach + skin, found on a uniform grid and kept until the
-/// displacements since then could have brought another pair into reach.
+/// displacements since then could have brought another pair into reach. A part of a body may go anywhere with all that is near
+/// it.
 class VerletList {
  public:
   /// @param reach_m largest distance of the centres at which two voxels can overlap; @param skin_m > 0
@@ -66,8 +67,8 @@ class VerletList {
   [[nodiscard]] bool bound_used_up() const { return !built_ || bound_m_ > 0.5 * skin_m_; }
 
   /// Makes the list valid for these positions. The sum of the largest displacements of each step is a cheap bound; when it is
-  /// used up, the true displacements since the list was made replace it, and only if those are used up too is the list made anew.
-  /// Returns whether it was.
+  /// used up, the true displacements since the list was made replace it, or those of voxels against others near them, and only if
+  /// these are used up too is the list made anew. Returns whether it was.
   template <class Real>
   bool refresh(const Real* positions, std::size_t stride);
 
@@ -101,6 +102,15 @@ class VerletList {
   [[nodiscard]] bool contact_ruled_out() const { return smallest_gap_m_ > 2.0 * bound_m_ + 1e-6 * reach_m_; }  // margin: rounding
 
  private:
+  /// How far voxels have moved against each other since the list was made, at most, m.
+  struct Shift {
+    double near_m = 0.0;  ///< those whose cells of the grid are no more than two apart along any axis
+    double far_m = 0.0;   ///< any
+  };
+  template <class Real>
+  [[nodiscard]] Shift shift(const Real* positions, std::size_t stride);
+  template <class Real>
+  [[nodiscard]] double true_bound_m(const Real* positions, std::size_t stride);
   void find_pairs();
   void put_in_order();
   [[nodiscard]] double bin_width_m() const { return (reach_m_ + skin_m_) / bins; }
@@ -110,13 +120,19 @@ class VerletList {
   CollisionRule rule_;
   double reach_m_;
   double skin_m_;
-  double bound_m_ = 0.0;  ///< no voxel is farther than this from where it was when the list was made
+  double bound_m_ =
+      0.0;  ///< since the list was made, no two voxels near each other moved against each other by more than twice this
   double smallest_gap_m_ =
       0.0;  ///< smallest distance minus reach of an allowed pair when the list was made; the skin where that is larger
   bool built_ = false;
   double way_m_ = 0.0;
   std::uint64_t number_ = 0;
   std::vector<double> built_at_;  ///< positions of the surface voxels then
+
+  double cell_width_m_ = 0.0;                 ///< of the grid, at least reach + skin
+  std::array<std::size_t, 3> cells_{};        ///< of the grid along each axis
+  std::vector<std::size_t> cell_of_;          ///< per surface voxel
+  std::array<std::vector<double>, 6> moves_;  ///< per cell: largest displacements along and against each axis, see shift
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;
   std::vector<double> distance_;    ///< per pair, when the list was made
   std::vector<std::uint8_t> kind_;  ///< per voxel; empty: all of kind 0

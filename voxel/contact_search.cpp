@@ -67,14 +67,18 @@ void ContactSearch<Real>::find_near(const VerletList& list, const Spheres<Real>&
 }
 
 template <class Real>
-std::span<const std::int32_t> ContactSearch<Real>::touching(const VerletList& list, const Spheres<Real>& spheres,
-                                                            const std::int32_t* first, const std::int32_t* second,
-                                                            const std::array<double, 2>& size_m) {
+void ContactSearch<Real>::prepare(const VerletList& list, const Spheres<Real>& spheres, const std::int32_t* first,
+                                  const std::int32_t* second, const std::array<double, 2>& size_m) {
   if (!holds_all_near(list, first, size_m)) find_near(list, spheres, first, second, size_m);
-  const std::size_t count = kernels_.touching(spheres, first_.data(), second_.data(), near_.size(), found_.data());
-  touching_.clear();
-  for (std::size_t i = 0; i < count; ++i) touching_.push_back(near_[static_cast<std::size_t>(found_[i])]);
-  return touching_;
+}
+
+template <class Real>
+std::span<const std::int32_t> ContactSearch<Real>::touching(const Spheres<Real>& spheres, std::size_t begin, std::size_t end,
+                                                            std::vector<std::int32_t>& room) const {
+  if (room.size() < end - begin + widest_pack<float>) room.resize(end - begin + widest_pack<float>);
+  const std::size_t count = kernels_.touching(spheres, first_.data() + begin, second_.data() + begin, end - begin, room.data());
+  for (std::size_t i = 0; i < count; ++i) room[i] = near_[begin + static_cast<std::size_t>(room[i])];
+  return {room.data(), count};
 }
 
 template class ContactSearch<double>;

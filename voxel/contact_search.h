@@ -19,12 +19,18 @@ class ContactSearch {
  public:
   explicit ContactSearch(const StepKernels<Real>& kernels) : kernels_(kernels) {}
 
-  /// Positions in list.pairs(), ascending, valid until the next call. Of one list, which is told of all displacements (see
-  /// VerletList::moved).
+  /// Makes the near pairs hold all that may touch now. Of one list, which is told of all displacements (see VerletList::moved).
   /// @param first, second voxels of the list's pairs in its order, as they are numbered in `spheres` @param size_m see
   /// VerletList::candidates
-  std::span<const std::int32_t> touching(const VerletList& list, const Spheres<Real>& spheres, const std::int32_t* first,
-                                         const std::int32_t* second, const std::array<double, 2>& size_m);
+  void prepare(const VerletList& list, const Spheres<Real>& spheres, const std::int32_t* first, const std::int32_t* second,
+               const std::array<double, 2>& size_m);
+
+  [[nodiscard]] std::size_t near_count() const { return near_.size(); }
+
+  /// Those of the near pairs from `begin` on, before `end`, whose spheres overlap: positions in list.pairs(), ascending, in
+  /// `room`. Threads may look at parts of their own.
+  std::span<const std::int32_t> touching(const Spheres<Real>& spheres, std::size_t begin, std::size_t end,
+                                         std::vector<std::int32_t>& room) const;
 
  private:
   [[nodiscard]] bool holds_all_near(const VerletList& list, const std::int32_t* first, const std::array<double, 2>& size_m) const;
@@ -32,7 +38,7 @@ class ContactSearch {
                  const std::array<double, 2>& size_m);
 
   const StepKernels<Real>& kernels_;
-  std::vector<std::int32_t> found_, touching_;
+  std::vector<std::int32_t> found_;
   std::vector<std::uint64_t> marks_;  ///< a bit per pair, which sorts those found
 
   std::vector<std::int32_t> near_;             ///< positions in the list's pairs, ascending

@@ -215,8 +215,8 @@ void EngineOf<Real>::add_collisions() {
   const std::array<double, 2> sizes =
       sizes_of_kinds([&](std::int32_t voxel) { return collision_size_m(d, static_cast<std::size_t>(voxel)); });
   const VerletList& list = *close_pairs_;
-  add_collision_loads(contacts_->touching(list, spheres_of(d), list.first().data(), list.second().data(), sizes), list.pairs(),
-                      d);
+  contacts_->prepare(list, spheres_of(d), list.first().data(), list.second().data(), sizes);
+  add_collision_loads(contacts_->touching(spheres_of(d), 0, contacts_->near_count(), touching_), list.pairs(), d);
 }
 
 /// Tells voxels of two drives apart for the list of close pairs.

@@ -127,6 +127,7 @@ class EngineOf final : public Simulation::Engine {
   InstructionSet set_ = InstructionSet::scalar;  ///< that the kernels are of
   std::unique_ptr<BlockLanes<Real>> blocks_;     ///< of a body whose blocks go in lanes
   std::unique_ptr<ContactSearch<Real>> contacts_;
+  std::vector<std::int32_t> touching_;  ///< room for what it finds
 
   /// Voxels of the kinds of drive that close pairs tell apart; none where there are more than two.
   std::optional<std::array<std::int32_t, 2>> of_kind_;

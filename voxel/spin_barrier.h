@@ -17,9 +17,19 @@ class SpinBarrier {
 
   /// Returns once all threads have come. What they wrote before is seen by all after.
   void meet() {
-    if (threads_ == 1) return;
+    meet([] {});
+  }
+
+  /// The same, and before any thread returns the last to come does some work.
+  template <class Work>
+  void meet(const Work& work) {
+    if (threads_ == 1) {
+      work();
+      return;
+    }
     const unsigned round = round_.load(std::memory_order_relaxed);
     if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads_) {
+      work();
       arrived_.store(0, std::memory_order_relaxed);
       round_.store(round + 1, std::memory_order_release);
       return;

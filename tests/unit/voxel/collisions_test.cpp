@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -48,8 +49,9 @@ Pairs all_close_pairs(const Lattice& lattice, const std::vector<double>& positio
             positions[3 * static_cast<std::size_t>(i) + axis] - positions[3 * static_cast<std::size_t>(j) + axis];
         distance2 += apart * apart;
       }
+      if (distance2 >= cutoff * cutoff) continue;
       const int between = beams_between(lattice, i, j);
-      if (distance2 < cutoff * cutoff && (between < 0 || between > depth)) pairs.emplace_back(i, j);
+      if (between < 0 || between > depth) pairs.emplace_back(i, j);
     }
   }
   return pairs;
@@ -97,9 +99,56 @@ TEST(VerletList, IsMadeAnewOnlyWhenDisplacementsCouldMatter) {
     list.moved(0.0005);
     EXPECT_FALSE(list.refresh(positions.data(), 3)) << i;
   }
-  positions[0] += 0.0021;
-  list.moved(0.0021);
+  positions[0] += 0.003;
+  list.moved(0.003);
+  EXPECT_FALSE(list.refresh(positions.data(), 3))
+      << "nothing else moved: no pair came closer by more than three quarters of a skin";
+  positions[0] += 0.0011;
+  list.moved(0.0011);
   EXPECT_TRUE(list.refresh(positions.data(), 3));
+}
+
+/// How often a list is made while a body goes from where it stands along a way, per position and share of the way; at all times
+/// it must hold every pair that may touch.
+template <class Way>
+std::uint64_t lists_made_on(const Lattice& lattice, const Way& way) {
+  constexpr int steps = 300;
+  constexpr double reach = 0.0143;
+  VerletList list(CollisionRule(lattice, 1), reach, 0.004);
+  const std::vector<double> start = shaken_positions(lattice, 0.001);
+  std::vector<double> before = start;
+  for (int step = 0; step <= steps; ++step) {
+    std::vector<double> now = start;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
+      way(static_cast<double>(step) / steps, now.data() + 3 * i);
+      largest = std::max(largest, std::hypot(now[3 * i] - before[3 * i], now[3 * i + 1] - before[3 * i + 1],
+                                             now[3 * i + 2] - before[3 * i + 2]));
+    }
+    list.moved(largest);
+    static_cast<void>(list.refresh(now.data(), 3));
+    if (step % 10 == 0) {
+      const Pairs close = all_close_pairs(lattice, now, reach, 1);
+      EXPECT_TRUE(std::includes(list.pairs().begin(), list.pairs().end(), close.begin(), close.end())) << step;
+    }
+    before = now;
+  }
+  return list.number();
+}
+
+TEST(VerletList, IsKeptWhileAPartGoesWithAllThatIsNearIt) {
+  const Lattice lattice(meshes::fractal(meshes::Polycube::from_digits(3, 3, 3, "102000201111211112000000000"), 2));
+  const auto walks = [](double share, double* at) {
+    at[0] += 0.1 * share;  // 25 skins, which alone would make 50 lists
+    at[1] += 0.001 * std::sin(6.28 * share) * at[2] / 0.1;
+  };
+  EXPECT_EQ(lists_made_on(lattice, walks), 1U);
+  const auto is_squashed = [](double share, double* at) { at[2] *= 1.0 - 0.6 * share; };
+  EXPECT_GT(lists_made_on(lattice, is_squashed), 4U);
+  const auto is_folded = [](double share, double* at) {  // one half moves onto the other
+    if (at[0] > 0.05) at[0] -= 0.05 * share;
+  };
+  EXPECT_GT(lists_made_on(lattice, is_folded), 4U);
 }
 
 /// Positions in `pairs` of those whose spheres overlap, by looking at every one.
@@ -167,8 +216,16 @@ void expect_all_touching_pairs(bool two_kinds) {
     const std::array<double, 2> told = two_kinds ? size_m : std::array<double, 2>{largest_size, largest_size};
     for (const auto& [begin, end] : list.candidates(told)) looked_at += end - begin;
     const auto expect_found_by = [&](ContactSearch<Real>& search) {
-      const auto found = search.touching(list, {spheres.data(), 4, nullptr}, list.first().data(), list.second().data(), told);
-      EXPECT_EQ(std::vector<std::int32_t>(found.begin(), found.end()), expected) << step;
+      const Spheres<Real> now{spheres.data(), 4, nullptr};
+      search.prepare(list, now, list.first().data(), list.second().data(), told);
+      std::vector<std::int32_t> in_parts;
+      std::vector<std::int32_t> room;
+      const std::size_t half = search.near_count() / 2;
+      for (const auto& [begin, end] : {std::pair(std::size_t{0}, half), std::pair(half, search.near_count())}) {
+        const auto found = search.touching(now, begin, end, room);
+        in_parts.insert(in_parts.end(), found.begin(), found.end());
+      }
+      EXPECT_EQ(in_parts, expected) << step;
     };
     for (ContactSearch<Real>& search : all) expect_found_by(search);
     ContactSearch<Real> forgetful(kernels_for<Real>(InstructionSet::scalar));
