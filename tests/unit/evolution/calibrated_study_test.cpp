@@ -99,6 +99,17 @@ voxel::SurrogateParameters fitted_on_limbs() {
   return parameters;
 }
 
+TEST_F(CalibratedStudy, SaysThatWalksWouldDependOnTheStep) {
+  io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(fitted_on_limbs()));
+  const auto says = [&](const std::string& environment) {
+    const std::vector<std::string> notes = study_notes(read(head + in_phase + environment));
+    return std::ranges::any_of(
+        notes, [](const std::string& note) { return note.starts_with("environment.stop_rotation_in_static_friction"); });
+  };
+  EXPECT_TRUE(says("")) << "the preset's value";
+  EXPECT_FALSE(says("[environment]\nstop_rotation_in_static_friction = false\n"));
+}
+
 TEST_F(CalibratedStudy, LeavesWallsThatBodiesNeedNotHaveToTheirJudgement) {
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(fitted_on_limbs()));
   const Study study = read(head + in_phase);
