@@ -78,10 +78,11 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
   rest_stable_step_ = stable_step_at(start.displacements_m, start.branches->tensors);
   set_state(std::move(start));
   const double step_s = std::min(options_.step_safety * rest_stable_step_, options_.largest_step_s.value_or(rest_stable_step_));
-  if (relaxation_interval_s_ && step_s > *relaxation_interval_s_)
+  if (relaxation_interval_s_ && step_s > *relaxation_interval_s_) {
     throw UnresolvedRelaxation("a Maxwell branch relaxes within " + io::number_text(*body.shortest_relaxation_time_s()) +
                                " s, which must be " + io::number_text(1.0 / relaxation_share) + " steps of " +
                                io::number_text(step_s) + " s at least");
+  }
   options_.supply->check_resolved(mesh.plenum_names, step_s);
 }
 
