@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -41,12 +42,17 @@ std::vector<std::array<double, 3>> centres_of_mass_m(std::span<const voxel::Simu
 io::RunStatus advance_shared(voxel::Simulation& simulation, double time_s, const std::atomic<bool>& stop,
                              const ThreadsNow& threads) {
   const auto voxels = static_cast<double>(simulation.voxel_count());
-  const int most_threads = std::max(1, static_cast<int>(voxels / fewest_voxels_per_thread));
+  int most_threads = std::max(1, static_cast<int>(voxels / fewest_voxels_per_thread));
   const double piece_s = std::ceil(voxel_steps_per_piece / voxels) * simulation.time_step_s();
   io::RunStatus status = io::RunStatus::completed;
   while (status == io::RunStatus::completed && simulation.time_s() < time_s) {
     simulation.set_threads(std::clamp(threads(), 1, most_threads));
-    status = simulation.advance_to(std::min(time_s, simulation.time_s() + piece_s), &stop);
+    try {
+      status = simulation.advance_to(std::min(time_s, simulation.time_s() + piece_s), &stop);
+    } catch (const std::system_error&) {  // no thread could be started, and no step was taken: one does as well
+      if (most_threads == 1) throw;
+      most_threads = 1;
+    }
   }
   return status;
 }

@@ -10,10 +10,11 @@
 
 namespace menger::evolution {
 
-/// Workers that judge bodies side by side.
+/// Workers that judge bodies side by side. One that finds no group left lends its thread to those that have one, as ThreadsNow
+/// tells them, but no more threads work than the machine has cores.
 ///
 /// Tasks and results are plain data, so that workers need not share memory with the caller: other processes could stand behind
-/// the same interface.
+/// the same interface, with threads of their own.
 class WorkerPool {
  public:
   /// @param evaluator outlives the pool @param threads >= 1, more than the machine has cores if so asked

@@ -20,7 +20,8 @@ class SpinBarrier {
     meet([] {});
   }
 
-  /// The same, and before any thread returns the last to come does some work.
+  /// The same, and before any thread returns the last to come does some work, which must not throw: the others would wait for
+  /// ever.
   template <class Work>
   void meet(const Work& work) {
     if (threads_ == 1) {

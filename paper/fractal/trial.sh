@@ -34,12 +34,13 @@ if ! "$menger" export "$archive" -o "$out" --timings --no-frames --no-pictures -
   exit 130  # stopped before there was anything to export; the next call goes on
 fi
 
-# What it took so far: evaluations, pruned and cached ones, the time of every generation, and from it that of a trial.
+# What it took so far: evaluations, pruned and cached ones, the time of every generation, and from it that of a trial. A generation
+# that was interrupted counts from when it was begun again, so that a night ends with one that is too short.
 awk -F, '
   FNR == 1 { ++file; for (i = 1; i <= NF; ++i) at[file, $i] = i; next }
   function value(name) { return $at[file, name] }
   file == 1 { ++generations; made += value("evaluations"); cached += value("cached"); pruned += value("pruned") }
-  file == 2 { seconds += value("seconds"); voxel_steps += value("voxels") * value("steps"); voxels[value("level")] += value("voxels"); ++tasks[value("level")] }
+  file == 2 { voxel_steps += value("voxels") * value("steps"); voxels[value("level")] += value("voxels"); ++tasks[value("level")] }
   file == 3 { took[value("generation")] = value("took_seconds") }
   END {
     asked = made + cached + pruned

@@ -151,6 +151,19 @@ TEST(VerletList, IsKeptWhileAPartGoesWithAllThatIsNearIt) {
   EXPECT_GT(lists_made_on(lattice, is_folded), 4U);
 }
 
+// Neither piece moves against what is near it: what makes the list anew is how far they moved against each other.
+TEST(VerletList, IsMadeAnewWherePiecesMeetThatWereFarApart) {
+  std::string digits;
+  for (int row = 0; row < 9; ++row) digits += "111000000000111";
+  const Lattice lattice(meshes::Polycube::from_digits(15, 3, 3, digits));
+  const auto meet = [](double share, double* at) {
+    if (at[0] > 0.06) at[0] -= 0.1 * share;
+  };
+  const std::uint64_t lists = lists_made_on(lattice, meet);
+  EXPECT_GT(lists, 1U);
+  EXPECT_LT(lists, 20U) << "of 300 steps";
+}
+
 /// Positions in `pairs` of those whose spheres overlap, by looking at every one.
 template <class Real>
 std::vector<std::int32_t> overlapping(const Pairs& pairs, const AlignedArray<Real>& spheres) {
