@@ -83,7 +83,7 @@ class BlockLanes {
     return ((slot / lanes_ * places_ + place) * packs + pack) * lanes_ + slot % lanes_;
   }
   [[nodiscard]] std::size_t lanes_used(std::size_t group) const;
-  [[nodiscard]] Spheres<Real> spheres() const { return {spheres_.data(), 4, nullptr}; }
+  [[nodiscard]] Spheres<Real> spheres() const { return {spheres_.data(), 4}; }
 
   EngineOf<Real>& engine_;
   BlockBody body_;

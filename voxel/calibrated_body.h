@@ -20,7 +20,8 @@ enum class OutsideRange {
 /// Hollow cells driven by the pressure in their chambers, in place of solid voxels driven by their size.
 ///
 /// With the phase of a chamber (Actuation) its pressure is mean + amplitude sin(2 pi (t / period + phase)) between the two
-/// pressures; with ActuationMode::hold the higher one, always; with none zero; each times the ramp of the drive.
+/// pressures; with ActuationMode::hold the higher one, always; with none zero; each times the ramp of the drive. It stands on the
+/// feet of its walls (FootContact); Physics::stop_rotation_in_static_friction is without effect.
 struct CalibratedBody {
   SurrogateParameters parameters;
   std::array<double, 2> pressure_Pa{0.0, 0.0};  ///< lowest and highest, gauge

@@ -80,8 +80,8 @@ struct Search {
     return plan.choice || best.status != io::RunStatus::completed || fit.aic < best.aic - plan.aic_margin;
   }
 
-  /// Fits a detail joined with those kept: first from where it has its usual effect. That may lie where equilibria are few; since
-  /// the fit before is a special case of this one, which then must be as good, it else begins there.
+  /// Fits a detail joined with those kept: first from where it has its usual effect, the best of all starts. That may lie where
+  /// equilibria are few; since the fit before is a special case of this one, which then must be as good, it else begins there.
   [[nodiscard]] CalibrationFit fit_with(CalibrationDetail detail, const DetailSet& details) const {
     const auto parameters = fitted_parameters(details, calibration.classes, problem.bounds, problem.start);
     const auto fit_from = [&](const SurrogateParameters& start) {
@@ -89,7 +89,13 @@ struct Search {
     };
     const bool has_before = !calibration.steps.empty() && calibration.fit().parameter_count > 0;
     const SurrogateParameters& before = has_before ? calibration.fit().parameters : problem.start;
-    CalibrationFit fit = fit_from(with_detail(before, detail, problem.start, pressure_range_Pa(problem.curves).highest));
+    const auto starts = starts_with_detail(before, detail, problem.start, pressure_range_Pa(problem.curves).highest);
+    CalibrationFit fit = fit_from(starts.front());
+    for (std::size_t n = 1; n < starts.size() && fit.status != io::RunStatus::stopped; ++n) {
+      CalibrationFit other = fit_from(starts[n]);
+      const bool is_better = other.status == io::RunStatus::completed && (fit.status != other.status || other.aic < fit.aic);
+      if (is_better || other.status == io::RunStatus::stopped) fit = std::move(other);
+    }
     if (!has_before || detail == CalibrationDetail::sections || fit.status == io::RunStatus::stopped) return fit;
     if (is_as_good(fit, calibration.fit())) return fit;
     CalibrationFit again = fit_from(before);

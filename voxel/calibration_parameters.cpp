@@ -189,4 +189,15 @@ SurrogateParameters with_detail(const SurrogateParameters& fitted, CalibrationDe
   return p;
 }
 
+std::vector<SurrogateParameters> starts_with_detail(const SurrogateParameters& fitted, CalibrationDetail detail,
+                                                    const SurrogateParameters& rough, double highest_pressure_Pa) {
+  std::vector<SurrogateParameters> starts{with_detail(fitted, detail, rough, highest_pressure_Pa)};
+  if (detail != CalibrationDetail::fading) return starts;
+  for (const double faster : {10.0 / 3.0, 10.0}) {
+    starts.push_back(starts.front());
+    for (PressureLaw& law : starts.back().bulge) law.fading_per_Pa *= faster;
+  }
+  return starts;
+}
+
 }  // namespace menger::voxel

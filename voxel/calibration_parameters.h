@@ -50,4 +50,10 @@ std::vector<FittedParameter> fitted_parameters(const DetailSet& details, const D
 SurrogateParameters with_detail(const SurrogateParameters& fitted, CalibrationDetail detail, const SurrogateParameters& rough,
                                 double highest_pressure_Pa);
 
+/// All places from which such a fit is searched for, that of with_detail first. Wide walls stop bending at pressures that are a
+/// small part of what narrow ones bear, so that bulges that fade have more than one minimum: from rates three, ten and thirty
+/// times the inverse of the highest pressure.
+std::vector<SurrogateParameters> starts_with_detail(const SurrogateParameters& fitted, CalibrationDetail detail,
+                                                    const SurrogateParameters& rough, double highest_pressure_Pa);
+
 }  // namespace menger::voxel

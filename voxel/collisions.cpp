@@ -309,7 +309,7 @@ void add_collision_loads(std::span<const std::int32_t> touching, const std::vect
   const auto line = [](auto* lines, std::int32_t voxel) { return lines + static_cast<std::ptrdiff_t>(voxel) * line_length; };
   const auto sphere = [&](std::int32_t voxel) {
     const Real* pose = line(d.pose, voxel);
-    return std::array<Real, 4>{pose[slot::x], pose[slot::y], pose[slot::z], collision_size_m(d, static_cast<std::size_t>(voxel))};
+    return std::array<Real, 4>{pose[slot::x], pose[slot::y], pose[slot::z], size_m(d, static_cast<std::size_t>(voxel))};
   };
   const auto end = [&](std::int32_t voxel) {
     const Real* coefficients = line(d.voxel_table, d.voxel_class[voxel]);

@@ -164,7 +164,8 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
     }
     book.load[global_damping] = {-(c.global_damping * step.velocity), -(c.global_rotation_damping * step.spin)};
     book.load[floor_normal].force = {0.0, 0.0, step.floor.normal_force};
-    if constexpr (Floor) {
+    if (feet_ != nullptr) book_feet(book, i);
+    if (Floor && feet_ == nullptr) {
       // Friction is what the momentum lost beyond all other forces: stops by static friction included.
       const double weight = Gravity ? c.weight : 0.0;
       const Vector3<double> others =
@@ -197,6 +198,15 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
       std::max({ledger_.largest_energy_J, ledger_.kinetic_J + ledger_.elastic_J, std::abs(ledger_.gravitational_J)});
   first_ = false;
   return sweep(d);
+}
+
+/// What feet added to the loads of a voxel is no work of collisions.
+void EnergyBooks::book_feet(VoxelBook& book, std::size_t voxel) {
+  const FootContact<double>::Load& pressing = feet_->pressing(voxel);
+  const FootContact<double>::Load& held = feet_->friction(voxel);
+  book.load[floor_normal] = {pressing.force, pressing.moment};
+  book.load[friction] = {held.force, held.moment};
+  book.load[collision].force = book.load[collision].force - (pressing.force + held.force);
 }
 
 void EnergyBooks::book_work(VoxelBook& book) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "voxel/energy_ledger.h"
+#include "voxel/foot_contact.h"
 #include "voxel/rest_lengths.h"
 #include "voxel/rotation.h"
 #include "voxel/step_data.h"
@@ -19,6 +20,9 @@ class EnergyBooks {
   /// @param variety, velocity, floor, gravity, actuated: the terms of the step, as for the kernels @param coupling or null
   EnergyBooks(const StepData<double>& data, BeamVariety variety, bool velocity, bool floor, bool gravity, bool actuated,
               LateralCoupling<double>* coupling);
+
+  /// Books the loads of feet, which are added with the contacts, apart from them. @param feet or null; must outlive this
+  void watch(const FootContact<double>* feet) { feet_ = feet; }
 
   /// Adds the loads of all beams and of their coupling; true if a strain is out of range or not finite.
   bool add_beam_loads();
@@ -52,12 +56,14 @@ class EnergyBooks {
   void book_actuation();
   template <bool Floor, bool Gravity>
   VoxelSweep move(VoxelSweep (*sweep)(const StepData<double>&));
+  void book_feet(VoxelBook& book, std::size_t voxel);
   void book_work(VoxelBook& book);
 
   const StepData<double>* data_;
   BeamVariety variety_;
   bool velocity_, floor_, gravity_, actuated_;
   LateralCoupling<double>* coupling_;
+  const FootContact<double>* feet_ = nullptr;
   bool first_ = true;
   std::vector<VoxelBook> books_;
   std::vector<double> rest_length_, last_rest_length_;              ///< per beam, axis after axis

@@ -64,8 +64,9 @@ EngineOf<Real>::EngineOf(const meshes::Polycube& body, double edge_m, const Phys
   phases = state_->phases();
   mass_kg = classes_.mass_kg;
   const double coupling = effective_coupling(physics);
-  time_step_s = physics.integration.time_step_fraction * (hollow_ ? recommended_time_step_s(*lattice, classes_, coupling)
-                                                                  : recommended_time_step_s(*lattice, cell_edge_m, physics));
+  time_step_s =
+      physics.integration.time_step_fraction * (hollow_ ? recommended_time_step_s(*lattice, classes_, cell_edge_m, physics)
+                                                        : recommended_time_step_s(*lattice, cell_edge_m, physics));
   speed_limit_m_s_ = physics.limits.speed_fraction * (hollow_ ? wave_speed_m_s(*hollow_, classes_, physics.surrogate->parameters)
                                                               : wave_speed_m_s(*lattice, physics));
 
@@ -93,6 +94,7 @@ EngineOf<Real>::EngineOf(const meshes::Polycube& body, double edge_m, const Phys
     if (options.energy_ledger) {
       books_ = std::make_unique<EnergyBooks>(d, variety(state_->uniform()), physics.integration.damping == DampingMode::velocity,
                                              floor_, gravity_, actuated_, coupling_.get());
+      books_->watch(feet_.get());
       energy.emplace();
     }
   } else if (options.energy_ledger) {
@@ -112,9 +114,9 @@ void EngineOf<Real>::prepare_drive() {
   shaped_ = is_shaped(physics.actuation) && is_driven(physics.actuation) && !hollow_;
   if (hollow_) {
     pressures_ = std::make_unique<PressureDrive<Real>>(*lattice, *hollow_, *physics.surrogate, physics.actuation, phases);
-    state_->data.collision_size = pressures_->collision_sizes().data();
     strain_range.emplace();
   }
+  if (hollow_ && physics.floor) feet_ = std::make_unique<FootContact<Real>>(*lattice, *hollow_, classes_, -0.5 * cell_edge_m);
   if (pressures_ || shaped_) {
     drive_to(0.0);
   } else {
@@ -134,12 +136,14 @@ template <class Real>
 void EngineOf<Real>::choose_kernels(const KernelOptions& options) {
   every_term_ = options.every_term;
   kept_ = every_term_ ? all_terms : options.kept;
-  floor_ = physics.floor || kept_.floor;
+  // The feet of a calibrated body find the floor themselves; see FootContact.
+  const bool seen_by_kernels = physics.floor && !hollow_;
+  floor_ = seen_by_kernels || kept_.floor;
   gravity_ = physics.gravity_m_s2 != 0.0 || kept_.gravity;
   const bool is_sine = is_driven(physics.actuation) && !is_shaped(physics.actuation) && !hollow_;
   actuated_ = is_sine || kept_.actuation;
-  // A floor that is kept in the loop where the scene has none lies infinitely deep.
-  if (!physics.floor) {
+  // A floor that is kept in the loop where there is none for it lies infinitely deep.
+  if (!seen_by_kernels) {
     floor_depth_m_ = std::numeric_limits<double>::infinity();
     state_->data.floor_depth = std::numeric_limits<Real>::infinity();
   }
@@ -213,7 +217,7 @@ void EngineOf<Real>::add_collisions() {
   if (!close_pairs_ || !looks_at_pairs()) return;
   const StepData<Real>& d = state_->data;
   const std::array<double, 2> sizes =
-      sizes_of_kinds([&](std::int32_t voxel) { return collision_size_m(d, static_cast<std::size_t>(voxel)); });
+      sizes_of_kinds([&](std::int32_t voxel) { return size_m(d, static_cast<std::size_t>(voxel)); });
   const VerletList& list = *close_pairs_;
   contacts_->prepare(list, spheres_of(d), list.first().data(), list.second().data(), sizes);
   add_collision_loads(contacts_->touching(spheres_of(d), 0, contacts_->near_count(), touching_), list.pairs(), d);
@@ -244,7 +248,7 @@ void EngineOf<Real>::find_kinds() {
 template <class Real>
 void EngineOf<Real>::report_left_out_terms() {
   if (blocks_) return;
-  if (!floor_) report_.push_back("floor left out: the scene has none");
+  if (!physics.floor && !floor_) report_.push_back("floor left out: the scene has none");
   if (!gravity_) report_.push_back("gravity left out: it is zero");
   if (!hollow_ && !is_driven(physics.actuation) && !actuated_) report_.push_back("actuation left out: no size changes");
 }
@@ -310,6 +314,7 @@ bool EngineOf<Real>::step() {
   if (pressures_) check_validity();
   if (coupling_ && !books_) coupling_->add_loads(d);
   add_collisions();
+  if (feet_) feet_->add_loads(d, state_->origin_m(), *pressures_);
   const VoxelSweep seen = books_ ? books_->move_voxels() : voxels_(d);
   if (books_) energy = books_->ledger();
   const double largest_displacement_m = std::sqrt(seen.largest_displacement2);

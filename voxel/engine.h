@@ -10,6 +10,7 @@
 #include "voxel/collisions.h"
 #include "voxel/contact_search.h"
 #include "voxel/energy_books.h"
+#include "voxel/foot_contact.h"
 #include "voxel/pressure_drive.h"
 #include "voxel/rest_lengths.h"
 #include "voxel/simulation.h"
@@ -32,6 +33,7 @@ class Simulation::Engine {
     double size_m;                  ///< against the floor
     std::array<double, 6> reach_m;  ///< see Frame
     bool is_static;
+    bool touches_floor;
   };
   [[nodiscard]] virtual VoxelView view(std::size_t voxel) const = 0;
   [[nodiscard]] virtual std::vector<double> strains() const = 0;
@@ -119,6 +121,7 @@ class EngineOf final : public Simulation::Engine {
   std::unique_ptr<VoxelState<Real>> state_;
   std::unique_ptr<PressureDrive<Real>> pressures_;
   std::unique_ptr<LateralCoupling<Real>> coupling_;
+  std::unique_ptr<FootContact<Real>> feet_;  ///< of a calibrated body on a floor, in place of the kernels' floor
   std::unique_ptr<VerletList> close_pairs_;
   std::unique_ptr<EnergyBooks> books_;  ///< double only
   typename StepKernels<Real>::BeamSweep beams_ = nullptr;

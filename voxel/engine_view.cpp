@@ -42,7 +42,10 @@ Simulation::Engine::VoxelView EngineOf<Real>::view(std::size_t voxel) const {
   v.size_m = number(pose[slot::size]);
   v.reach_m.fill(0.5 * v.size_m);
   if (pressures_) v.reach_m = pressures_->reach_m(voxel);
-  v.is_static = motion[slot::is_static] > Real(0.5);
+  const bool on_feet = feet_ && steps > 0;  // which have not been asked for before
+  v.is_static = on_feet ? feet_->sticks(voxel) : motion[slot::is_static] > Real(0.5);
+  v.touches_floor =
+      on_feet ? feet_->touches(voxel) : physics.floor && 0.5 * v.size_m - 0.5 * cell_edge_m - v.position_m[2] >= 0.0;
   return v;
 }
 
@@ -86,8 +89,8 @@ std::vector<bool> EngineOf<Real>::in_contact_with_others() const {
     const double distance =
         std::hypot(a.position_m[0] - b.position_m[0], a.position_m[1] - b.position_m[1], a.position_m[2] - b.position_m[2]);
     const StepData<Real>& d = state_->data;
-    const double sizes = static_cast<double>(collision_size_m(d, static_cast<std::size_t>(first))) +
-                         static_cast<double>(collision_size_m(d, static_cast<std::size_t>(second)));
+    const double sizes = static_cast<double>(size_m(d, static_cast<std::size_t>(first))) +
+                         static_cast<double>(size_m(d, static_cast<std::size_t>(second)));
     if (distance >= collision_radius_fraction * sizes) continue;
     touching[static_cast<std::size_t>(first)] = true;
     touching[static_cast<std::size_t>(second)] = true;

@@ -32,7 +32,6 @@ NodeLoad joined(const Vector3<double>& force, const Vector3<double>& moment) {
 
 ForceBalance::ForceBalance(const StaticBody& body, const Supports& supports)
     : body_(&body),
-      ground_(supports.ground),
       force_scale_(*std::max_element(body.parameters.axial_Pa.begin(), body.parameters.axial_Pa.end()) * body.edge_m *
                    body.edge_m),
       free_(free_positions(body, supports)),
@@ -40,6 +39,8 @@ ForceBalance::ForceBalance(const StaticBody& body, const Supports& supports)
   for (std::size_t node = 0; node < free_.size(); ++node) {
     if (free_[node]) free_nodes_.push_back(node);
   }
+  for (std::size_t voxel = 0; supports.ground && voxel < body.voxel_count(); ++voxel)
+    feet_.push_back(wall_feet(body.lattice, body.voxels, voxel));
 }
 
 void ForceBalance::lay_down_stiffness() {
@@ -207,23 +208,53 @@ void ForceBalance::add_coupling(const StaticState& state, std::vector<NodeLoad>&
   }
 }
 
-double ForceBalance::ground_force(const StaticState& state, std::size_t voxel) const {
-  if (!ground_) return 0.0;
+std::vector<ForceBalance::PressedFoot> ForceBalance::pressed_feet(const StaticState& state, std::size_t voxel) const {
+  if (feet_.empty()) return {};
   const HollowVoxels& voxels = body_->voxels;
-  const double size = contact_size_m(body_->parameters, voxels.wall_class[voxel][2], voxels.bulge_class[voxel][2],
-                                     sizes_.pressures_Pa[voxels.chamber[voxel]]);
-  const double penetration = 0.5 * size - state.poses[voxel].position.z;
-  return body_->parameters.ground_stiffness_N_per_m * std::max(0.0, penetration);
+  const std::array<double, 3> half_lengths_m{body_->half_length(sizes_, voxel, 0), body_->half_length(sizes_, voxel, 1),
+                                             body_->half_length(sizes_, voxel, 2)};
+  const auto bulge_of = [&](std::size_t other, std::size_t axis) {
+    const double peak =
+        foot_bulge_m(body_->parameters, voxels.bulge_class[other][axis], sizes_.pressures_Pa[voxels.chamber[other]]);
+    return WallBulge{.mean = std::max(0.0, body_->bulge(sizes_, other, axis)), .peak = peak};
+  };
+  const Pose& pose = state.poses[voxel];
+  const Rotation<double> turn = matrix(pose.orientation);
+  std::vector<PressedFoot> pressed;
+  for (const WallFoot& foot : feet_[voxel]) {
+    const Vector3<double> arm = rotate(turn, place_of(foot, half_lengths_m, stands_out_m(foot, voxels, bulge_of)));
+    const double depth = -(pose.position.z + arm.z);
+    const double stiffness = foot.share * body_->parameters.ground_stiffness_N_per_m;
+    if (depth > 0.0) pressed.push_back({arm, stiffness, stiffness * depth});
+  }
+  return pressed;
+}
+
+double ForceBalance::ground_force(const StaticState& state, std::size_t voxel) const {
+  double sum = 0.0;
+  for (const PressedFoot& foot : pressed_feet(state, voxel)) sum += foot.push;
+  return sum;
 }
 
 void ForceBalance::add_weight_and_ground(const StaticState& state, std::vector<NodeLoad>& loads, BlockMatrix* stiffness) const {
   constexpr Eigen::Index z = 2;
-  const Eigen::Matrix<double, 1, 1> ground_stiffness{body_->parameters.ground_stiffness_N_per_m * body_->edge_m / force_scale_};
+  const double edge = body_->edge_m;
   for (std::size_t voxel = 0; voxel < body_->voxel_count(); ++voxel) {
-    const double push = ground_force(state, voxel);
-    loads[voxel][z] += push - body_->mass_kg[voxel] * loads_.gravity_m_s2;
-    if (stiffness != nullptr && push > 0.0 && free_[voxel])
-      stiffness->add(stiffness->place(*free_[voxel], *free_[voxel]), z, z, ground_stiffness);
+    loads[voxel][z] -= body_->mass_kg[voxel] * loads_.gravity_m_s2;
+    for (const auto& [arm, foot_stiffness, push] : pressed_feet(state, voxel)) {
+      // How the foot rises with the displacement along z and the turns about x, y and z.
+      const Eigen::Vector4d rise{1.0, arm.y, -arm.x, 0.0};
+      loads[voxel].tail<4>() += push * rise;
+      if (stiffness == nullptr || !free_[voxel]) continue;
+      Eigen::Matrix4d k = foot_stiffness * rise * rise.transpose();
+      k(1, 1) += push * arm.z;
+      k(2, 2) += push * arm.z;
+      k(1, 3) -= push * arm.x;
+      k(2, 3) -= push * arm.y;
+      const Eigen::Vector4d scale{edge, 1.0, 1.0, 1.0};
+      const Eigen::Matrix4d scaled_k = scale.asDiagonal() * k * scale.asDiagonal() / (force_scale_ * edge);
+      stiffness->add(stiffness->place(*free_[voxel], *free_[voxel]), z, z, scaled_k);
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "voxel/block_matrix.h"
 #include "voxel/static_body.h"
+#include "voxel/wall_feet.h"
 
 namespace menger::voxel {
 
@@ -76,7 +77,7 @@ class ForceBalance {
   /// Loads on all nodes; those on places on a plate are what the body does to the plate.
   [[nodiscard]] std::vector<NodeLoad> node_loads(const StaticState& state) const { return sum_loads(state, nullptr); }
 
-  /// Force of the ground on a voxel, N, upwards.
+  /// Force of the ground on a voxel, N, upwards: the sum over its feet, which turn with it (see FootContact).
   [[nodiscard]] double ground_force(const StaticState& state, std::size_t voxel) const;
 
   /// Scaled residual of the unknowns.
@@ -108,11 +109,17 @@ class ForceBalance {
   [[nodiscard]] std::vector<NodeLoad> sum_loads(const StaticState& state, BlockMatrix* stiffness) const;
   void add_beam(const StaticState& state, std::size_t index, std::vector<NodeLoad>& loads, BlockMatrix* stiffness) const;
   void add_coupling(const StaticState& state, std::vector<NodeLoad>& loads, BlockMatrix* stiffness) const;
+  struct PressedFoot {
+    Vector3<double> arm;  ///< from the centre of its voxel, m
+    double stiffness;     ///< of the ground, N/m
+    double push;          ///< of the ground, N, >= 0
+  };
+  [[nodiscard]] std::vector<PressedFoot> pressed_feet(const StaticState& state, std::size_t voxel) const;
   void add_weight_and_ground(const StaticState& state, std::vector<NodeLoad>& loads, BlockMatrix* stiffness) const;
   [[nodiscard]] Eigen::VectorXd scaled(const std::vector<NodeLoad>& loads) const;
 
   const StaticBody* body_;
-  bool ground_;
+  std::vector<std::vector<WallFoot>> feet_;  ///< by voxel, of a body on the ground
   double force_scale_;
   std::vector<std::optional<std::size_t>> free_;  ///< by node: its position among the voxels that are not fixed
   std::vector<std::size_t> free_nodes_;

@@ -20,7 +20,7 @@ struct Frame {
   double time_s = 0.0;
   std::vector<std::array<double, 3>> position_m;   ///< centres; z = 0 is the centre of the lowest layer at rest
   std::vector<std::array<double, 4>> orientation;  ///< unit quaternions (w, x, y, z), body to world
-  std::vector<double> size_m;                      ///< driven edge length s; of a hollow voxel that with which it meets the floor
+  std::vector<double> size_m;                      ///< driven edge length s; of a hollow voxel along z, without its bulge
 
   /// Of hollow voxels, for drawing: from the centre to the sides -x, +x, -y, +y, -z, +z of the turned voxel, m, as far as
   /// pressure drives them; a wall with nothing behind it stands at its mean bulge. Empty for solid voxels, which are cubes of

@@ -13,10 +13,6 @@ namespace menger::voxel {
 template <class T>
 inline void load_spheres(const Spheres<RealOf<T>>& spheres, const std::int32_t* index, T (&sphere)[4]) {
   load_half_lines<T>(spheres.values, spheres.stride, index, sphere);
-  if (spheres.size == nullptr) return;
-  alignas(64) RealOf<T> sizes[NumberTraits<T>::width];
-  for (int lane = 0; lane < NumberTraits<T>::width; ++lane) sizes[lane] = spheres.size[index[lane]];
-  sphere[slot::size] = load_values<T>(sizes);
 }
 
 /// Finds the pairs whose spheres meet a condition, see StepKernels. @param meets takes the square of the distance and the sum of

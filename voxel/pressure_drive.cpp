@@ -39,7 +39,6 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     for (std::size_t i = 0; i < beams.lower.size(); ++i)
       beam_answers_[axis].push_back({answer(beams.lower[i], axis), answer(beams.upper[i], axis)});
   }
-  collision_sizes_.resize(phases.size());
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const auto voxel = static_cast<std::int32_t>(i);
     voxel_answers_.push_back({answer(voxel, 0), answer(voxel, 1), answer(voxel, 2)});
@@ -64,6 +63,13 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
           foot_bulge_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure)};
     }
   }
+  double longest = 0.0;
+  double farthest = 0.0;
+  for (const Answer& answer : answers_) {
+    longest = std::max(longest, answer.half_length_m);
+    farthest = std::max(farthest, answer.foot_bulge_m);
+  }
+  largest_foot_reach_m_ = std::sqrt(3.0) * longest + farthest;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
       const Answer& lower = answers_[beam_answers_[axis][i][0]];
@@ -74,10 +80,8 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     }
   }
   for (std::size_t i = 0; i < voxel_answers_.size(); ++i) {
-    const double length = 2.0 * answers_[voxel_answers_[i][2]].half_length_m;
-    const double foot = 2.0 * answers_[bulge_answers_[i][2]].foot_bulge_m;
-    d.pose[static_cast<std::size_t>(line_length) * i + slot::size] = static_cast<Real>(length + foot);
-    collision_sizes_[i] = static_cast<Real>(length);
+    d.pose[static_cast<std::size_t>(line_length) * i + slot::size] =
+        static_cast<Real>(2.0 * answers_[voxel_answers_[i][2]].half_length_m);
   }
 }
 

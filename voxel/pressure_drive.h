@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -8,10 +9,14 @@
 #include "voxel/calibrated_body.h"
 #include "voxel/step_data.h"
 #include "voxel/strain_range.h"
+#include "voxel/wall_feet.h"
 
 namespace menger::voxel {
 
-/// Puts the pressures of the chambers into the rest lengths of beams and the contact sizes of voxels of a calibrated body.
+/// Puts the pressures of the chambers into the rest lengths of beams and the sizes of voxels of a calibrated body.
+///
+/// The size of a voxel, by which it meets others, is L (1 + extension) with the laws along z: without the bulge, which would make
+/// voxels touch that are joined across a corner.
 ///
 /// The laws are evaluated once per step for every phase and wall class that occur, not for every beam.
 template <class Real>
@@ -21,16 +26,25 @@ class PressureDrive {
   PressureDrive(const Lattice& lattice, const HollowVoxels& voxels, const CalibratedBody& calibrated, const Actuation& actuation,
                 const std::vector<double>& phases);
 
-  /// Sets rest lengths, their rates and contact sizes for a time.
+  /// Sets rest lengths, their rates and sizes for a time.
   void set(double time_s, const StepData<Real>& d);
-
-  /// Sizes (m) of voxels against each other, L (1 + extension) with the laws along z: without the bulge, which would make voxels
-  /// touch that are joined across a corner.
-  [[nodiscard]] const std::vector<Real>& collision_sizes() const { return collision_sizes_; }
 
   /// From the centre of a voxel to its sides -x, +x, -y, +y, -z, +z, m, as they were last set: half its driven lengths, plus the
   /// mean bulge of walls behind which no voxel lies.
   [[nodiscard]] std::array<double, 6> reach_m(std::size_t voxel) const;
+
+  /// Of a voxel along x, y, z, m.
+  [[nodiscard]] std::array<double, 3> half_lengths_m(std::size_t voxel) const {
+    const std::array<std::size_t, 3>& answers = voxel_answers_[voxel];
+    return {answers_[answers[0]].half_length_m, answers_[answers[1]].half_length_m, answers_[answers[2]].half_length_m};
+  }
+  /// Of its walls across an axis.
+  [[nodiscard]] WallBulge wall_bulge(std::size_t voxel, std::size_t axis) const {
+    const Answer& answer = answers_[bulge_answers_[voxel][axis]];
+    return {.mean = std::max(0.0, answer.bulge_m), .peak = answer.foot_bulge_m};
+  }
+  /// A bound on how far from the centre of its voxel any part of a wall lies, m.
+  [[nodiscard]] double largest_foot_reach_m() const { return largest_foot_reach_m_; }
 
   /// Widens the range of strains by the beams as they were in the last step; to be called before the next set.
   void note_strains(const StepData<Real>& d);
@@ -52,7 +66,7 @@ class PressureDrive {
   std::vector<std::array<std::size_t, 3>> voxel_answers_;                ///< per voxel: of its wall classes along x, y, z
   std::vector<std::array<std::size_t, 3>> bulge_answers_;                ///< the same of its bulge classes
   std::vector<std::array<bool, 6>> bulging_;                             ///< per voxel: sides with a wall and no voxel behind it
-  std::vector<Real> collision_sizes_;
+  double largest_foot_reach_m_ = 0.0;
   StrainRange strains_;
 };
 

@@ -16,11 +16,6 @@ double foot_bulge_m(const SurrogateParameters& parameters, std::size_t bulge_cla
   return parameters.voxel_edge_m() * std::max(0.0, bulge);
 }
 
-double contact_size_m(const SurrogateParameters& parameters, std::size_t wall_class_z, std::size_t bulge_class_z,
-                      double pressure_Pa) {
-  return 2.0 * half_length_m(parameters, wall_class_z, pressure_Pa) + 2.0 * foot_bulge_m(parameters, bulge_class_z, pressure_Pa);
-}
-
 template <class Real>
 LateralCoupling<Real>::LateralCoupling(const Lattice& lattice, double coupling, const std::array<std::vector<double>, 3>& axial_N)
     : half_coupling_(static_cast<Real>(0.5 * coupling)), sums_(lattice.voxel_count()) {

@@ -25,11 +25,6 @@ inline double half_length_rate_m_s(const SurrogateParameters& parameters, std::s
 /// does not lift the rim it stands on.
 double foot_bulge_m(const SurrogateParameters& parameters, std::size_t bulge_class, double pressure_Pa);
 
-/// Size (m) with which a voxel meets the ground, with the laws of its classes along z: L (1 + extension(p)), and twice
-/// foot_bulge_m.
-double contact_size_m(const SurrogateParameters& parameters, std::size_t wall_class_z, std::size_t bulge_class_z,
-                      double pressure_Pa);
-
 /// Lateral coupling: what a body gains in length it loses in width, at no cost of the time step.
 ///
 /// A beam i of rest length l_i, length d_i and section stiffness EA_i has the spring stiffness k_i = EA_i / l_i and stores e_i^2

@@ -9,6 +9,7 @@
 
 #include "io/number_text.h"
 #include "voxel/surrogate_beams.h"
+#include "voxel/time_step.h"
 #include "voxel/voxel_classes.h"
 
 namespace menger::voxel {
@@ -93,7 +94,8 @@ struct Stiffest {
 Stiffest stiffest_of(const SurrogateParameters& parameters, double mass_kg, double inertia_kg_m2) {
   Stiffest stiffest;
   const double ground = parameters.ground_stiffness_N_per_m;
-  stiffest.consider(0.5 * ground / mass_kg, "ground.stiffness_N_per_m", ground);
+  const FloorCoefficients<double> foot{ground, 0.0, 0.0, 0.0};
+  stiffest.consider(standing_rate(foot, mass_kg, inertia_kg_m2, parameters.voxel_edge_m()), "ground.stiffness_N_per_m", ground);
   for (std::size_t c = 0; c < wall_class_count; ++c) {
     for (const bool crosses_joint : {false, true}) {
       const BeamCoefficients<double> beam =

@@ -170,8 +170,8 @@ Frame Simulation::frame() const {
     if (engine_->physics.surrogate) frame.reach_m.push_back(voxel.reach_m);
     frame.speed_m_s.push_back(std::hypot(voxel.velocity_m_s[0], voxel.velocity_m_s[1], voxel.velocity_m_s[2]));
     std::uint8_t bits = touching[i] ? contact::other_voxel : contact::none;
-    const bool on_floor = engine_->physics.floor && 0.5 * voxel.size_m - 0.5 * engine_->cell_edge_m - voxel.position_m[2] >= 0.0;
-    if (on_floor) bits = static_cast<std::uint8_t>(bits | (voxel.is_static ? contact::floor_static : contact::floor_sliding));
+    if (voxel.touches_floor)
+      bits = static_cast<std::uint8_t>(bits | (voxel.is_static ? contact::floor_static : contact::floor_sliding));
     frame.contact.push_back(bits);
   }
   return frame;
@@ -208,7 +208,8 @@ double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m,
   if (!physics.surrogate) return recommended_time_step_s(Lattice(body), cell_edge_m, physics);
   const HollowVoxels voxels = calibrated_voxels(body, *physics.surrogate);
   const Lattice lattice(voxels.body);
-  return recommended_time_step_s(lattice, calibrated_classes(lattice, voxels, physics, {}), effective_coupling(physics));
+  return recommended_time_step_s(lattice, calibrated_classes(lattice, voxels, physics, {}),
+                                 physics.surrogate->parameters.voxel_edge_m(), physics);
 }
 
 }  // namespace menger::voxel

@@ -84,7 +84,6 @@ struct StepData : StepConstants<Real> {
   const Real* size_base = nullptr;      ///< size = base + sine part * sin(2 pi t/T) + cosine part * cos(2 pi t/T), m
   const Real* size_sine_part = nullptr;
   const Real* size_cosine_part = nullptr;
-  const Real* collision_size = nullptr;       ///< sizes (m) against other voxels, or null: the same as against the floor
   const std::int32_t* voxel_class = nullptr;  ///< row pair in the voxel table
   const Real* voxel_table = nullptr;          ///< class_values numbers per class
   const Real* beam_table = nullptr;
@@ -116,20 +115,18 @@ template <class Real>
 struct Spheres {
   const Real* values = nullptr;  ///< of voxel i from values[stride * i] on: x, y, z, size; m
   std::ptrdiff_t stride = line_length;
-  const Real* size = nullptr;  ///< instead of those in `values`, or null
 };
 
 /// The spheres of a body in lines.
 template <class Real>
 inline Spheres<Real> spheres_of(const StepData<Real>& d) {
-  return {d.pose, line_length, d.collision_size};
+  return {d.pose, line_length};
 }
 
-/// Size (m) of a voxel against other voxels in this step.
+/// Size (m) of a voxel in this step.
 template <class Real>
-inline Real collision_size_m(const StepData<Real>& d, std::size_t voxel) {
-  return d.collision_size != nullptr ? d.collision_size[voxel]
-                                     : d.pose[static_cast<std::size_t>(line_length) * voxel + slot::size];
+inline Real size_m(const StepData<Real>& d, std::size_t voxel) {
+  return d.pose[static_cast<std::size_t>(line_length) * voxel + slot::size];
 }
 
 /// What beams differ in; a kernel reads no more than that.

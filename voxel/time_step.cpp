@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "voxel/wall_feet.h"
+
 namespace menger::voxel {
 
 double voxel_mass_kg(const VoxelMaterial& material, double cell_edge_m) {
@@ -39,7 +41,25 @@ double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const
   return 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
 }
 
-double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classes, double coupling) {
+double standing_rate(const FloorCoefficients<double>& floor, double mass_kg, double inertia_kg_m2, double edge_m) {
+  // Middle and corners of a wall, and four crowns of a quarter each, all of them half an edge below the centre.
+  constexpr double feet = feet_of_a_wall + 1.0;
+  constexpr double feet_beside = 5.0;  // half an edge to the side
+  const double below = 0.5 * edge_m;
+  // A shift and the turn about the axis across it, coupled by the friction at the feet.
+  const double shift = feet / mass_kg;
+  const double turn = (feet + feet_beside) * below * below / inertia_kg_m2;
+  const double coupled = feet * below / std::sqrt(mass_kg * inertia_kg_m2);
+  const double stiffest = 0.5 * (shift + turn) + std::hypot(0.5 * (shift - turn), coupled);
+  // Steps that take the damping from the last velocity bear k dt^2 + 2 c dt < 4.
+  const double k = floor.stiffness * stiffest;
+  const double c = floor.damping * stiffest;
+  const double limit_s = (std::sqrt(c * c + 4.0 * k) - c) / k;
+  const double recommended_s = 0.5 * limit_s;
+  return std::pow(2.0 * std::numbers::pi * recommended_s, -2.0);
+}
+
+double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classes, double edge_m, const Physics& physics) {
   double largest = 0.0;
   double damping = 0.0;  // ratio of beams, each end's to its own mass
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -50,7 +70,7 @@ double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classe
       const BeamCoefficients<double>& beam = classes.beam[classes.beam_class[axis][i]];
       const double mass = std::min(classes.mass_kg[lower], classes.mass_kg[upper]);
       const double inertia = std::min(classes.inertia_kg_m2[lower], classes.inertia_kg_m2[upper]);
-      const double stretch = (1.0 + 2.0 * coupling) * beam.axial_root * beam.axial_root;
+      const double stretch = (1.0 + 2.0 * effective_coupling(physics)) * beam.axial_root * beam.axial_root;
       // Shear takes from the turn of one end against both, but not from the curvature between them.
       const double turn = beam.turn + beam.turn_difference;
       largest = std::max({largest, stretch / mass, beam.shear / mass, turn / inertia, beam.twist / inertia});
@@ -58,13 +78,14 @@ double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classe
                           beam.damping_upper / std::sqrt(classes.mass_kg[upper])});
     }
   }
-  for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
-    const double ground = classes.voxel[classes.voxel_class[i]].floor.stiffness;
-    largest = std::max(largest, 0.5 * ground / classes.mass_kg[i]);
-  }
   // The damping is explicit: from twice the paper's on it limits the step in proportion.
   constexpr double undamped = 2.0;
-  return 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest) * std::max(1.0, damping / undamped));
+  largest *= std::pow(std::max(1.0, damping / undamped), 2.0);
+  for (std::size_t i = 0; physics.floor && i < lattice.voxel_count(); ++i) {
+    const FloorCoefficients<double>& floor = classes.voxel[classes.voxel_class[i]].floor;
+    largest = std::max(largest, standing_rate(floor, classes.mass_kg[i], classes.inertia_kg_m2[i], edge_m));
+  }
+  return 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
 }
 
 }  // namespace menger::voxel

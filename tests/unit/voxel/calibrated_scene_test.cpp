@@ -192,7 +192,8 @@ TEST_F(CalibratedScene, RefusesWhatLeavesTheRangeOfValidityUnlessToldToWarn) {
 
 TEST_F(CalibratedScene, StatesThatStrainsLeftTheRange) {
   SurrogateParameters parameters = tests::surrogate_example();
-  parameters.validity.largest_strain = 1e-5;
+  parameters.validity.smallest_strain = -1e-6;
+  parameters.validity.largest_strain = 1e-6;
   write(parameters);
   Scene scene = load(bar + use + "outside_range = \"warn\"\n" + in_phase).scene;
   scene.duration_s = 0.1;

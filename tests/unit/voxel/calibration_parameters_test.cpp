@@ -140,6 +140,11 @@ TEST(CalibrationParameters, WhatHasNoEffectAtZeroBeginsAwayFromIt) {
     EXPECT_NEAR(shear.shear_compliance_per_Pa[c] * rough.axial_Pa[c], 5.0, 1e-12);
   }
   EXPECT_EQ(with_detail(rough, CalibrationDetail::lateral, rough, 1e4).lateral_coupling, 0.2);
+  EXPECT_EQ(starts_with_detail(rough, CalibrationDetail::lateral, rough, 1e4).size(), 1U);
+  const std::vector<SurrogateParameters> starts = starts_with_detail(rough, CalibrationDetail::fading, rough, 1e4);
+  ASSERT_EQ(starts.size(), 3U);
+  EXPECT_EQ(starts[0], fading);
+  for (std::size_t c = 0; c < wall_class_count; ++c) EXPECT_NEAR(starts[2].bulge[c].fading_per_Pa * 1e4, 30.0, 1e-11);
 }
 
 TEST(CalibrationParameters, SofteningByClassBeginsWithNone) {

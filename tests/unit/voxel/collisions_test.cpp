@@ -229,7 +229,7 @@ void expect_all_touching_pairs(bool two_kinds) {
     const std::array<double, 2> told = two_kinds ? size_m : std::array<double, 2>{largest_size, largest_size};
     for (const auto& [begin, end] : list.candidates(told)) looked_at += end - begin;
     const auto expect_found_by = [&](ContactSearch<Real>& search) {
-      const Spheres<Real> now{spheres.data(), 4, nullptr};
+      const Spheres<Real> now{spheres.data(), 4};
       search.prepare(list, now, list.first().data(), list.second().data(), told);
       std::vector<std::int32_t> in_parts;
       std::vector<std::int32_t> room;

@@ -220,13 +220,39 @@ TEST(Equilibrium, BalancesPlatesWeightAndGround) {
   EXPECT_NEAR(sum.z + equilibrium.ground_force_N(), weight, 1e-9 * sample_axial());
 }
 
+TEST(ForceBalance, OfABodyThatLeansOnTheGroundHasTheDerivativeOfItsForces) {
+  const StaticBody body = sample_body(meshes::Polycube::from_digits(2, 2, 2, "11101000"), {}, driven_parameters());
+  ForceBalance balance(body, {.fixed_voxels = {}, .ground = true});
+  ASSERT_TRUE(balance.set_loads(under_pressure(2000.0)));
+  StaticState state = balance.state_at_rest();
+  // Feet as deep as a tenth of an edge, turned by 0.3 about axes of their own.
+  Eigen::VectorXd lean(balance.unknown_count());
+  for (Eigen::Index i = 0; i < lean.size(); ++i) lean[i] = i % 6 == 2 ? -0.2 : 0.3 * std::sin(static_cast<double>(3 * i + 1));
+  balance.move(state, lean);
+  static_cast<void>(balance.linearise(state));
+  const Eigen::MatrixXd stiffness(balance.stiffness());
+  double pushed = 0.0;
+  for (std::size_t voxel = 0; voxel < body.voxel_count(); ++voxel) pushed += balance.ground_force(state, voxel);
+  ASSERT_GT(pushed, 0.1);
+  constexpr double step = 1e-6;
+  for (Eigen::Index column = 0; column < lean.size(); ++column) {
+    const auto moved = [&](double by) {
+      StaticState other = state;
+      balance.move(other, by * Eigen::VectorXd::Unit(lean.size(), column));
+      return balance.residual(other);
+    };
+    const Eigen::VectorXd slope = (moved(-step) - moved(step)) / (2.0 * step);
+    EXPECT_LT((slope - stiffness.col(column)).norm(), 1e-7 * stiffness.norm()) << column;
+  }
+}
+
 TEST(Equilibrium, StandsOnAGroundThatOnlyPushes) {
   const StaticBody body = sample_body(meshes::bar(1), {Side::z_max});
   Equilibrium equilibrium(body, {.fixed_voxels = {}, .ground = true});
   StaticLoads loads = under_pressure(0.0);
   loads.plates = {{{0.0, 0.0, -0.001}, {}}};
   ASSERT_EQ(equilibrium.load(loads), io::RunStatus::completed);
-  const double compliance = 1.0 / 500.0 + 0.5 * sample_edge / sample_axial();
+  const double compliance = 1.0 / (feet_of_a_wall * 500.0) + 0.5 * sample_edge / sample_axial();
   EXPECT_NEAR(equilibrium.ground_force_N(), 0.001 / compliance, 1e-8 * sample_axial());
   EXPECT_NEAR(equilibrium.plate_load(0).force.z, -0.001 / compliance, 1e-8 * sample_axial());
   loads.plates = {{{0.0, 0.0, 0.001}, {}}};
