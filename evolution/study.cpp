@@ -164,11 +164,6 @@ std::vector<std::string> study_notes(const Study& study) {
   if (study.physics.surrogate) {
     for (const std::string& fault : voxel::sizeless_walls(*study.physics.surrogate))
       notes.push_back(fault + ": bodies with such walls get no result");
-    if (study.physics.floor && study.physics.stop_rotation_in_static_friction) {
-      notes.emplace_back(
-          "environment.stop_rotation_in_static_friction = true: walks of calibrated bodies then depend on the time step, and "
-          "without it those on one voxel topple");
-    }
   }
   if (study.search.offspring.constraints.disconnected == DisconnectedPolicy::allow) {
     notes.emplace_back("bodies that fall apart at some level are simulated in pieces");

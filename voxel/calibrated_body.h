@@ -21,7 +21,7 @@ enum class OutsideRange {
 ///
 /// With the phase of a chamber (Actuation) its pressure is mean + amplitude sin(2 pi (t / period + phase)) between the two
 /// pressures; with ActuationMode::hold the higher one, always; with none zero; each times the ramp of the drive. It stands on the
-/// feet of its walls (FootContact); Physics::stop_rotation_in_static_friction is without effect.
+/// feet of its walls (FootContact), whose friction needs no stop of rotations.
 struct CalibratedBody {
   SurrogateParameters parameters;
   std::array<double, 2> pressure_Pa{0.0, 0.0};  ///< lowest and highest, gauge

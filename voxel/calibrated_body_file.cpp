@@ -38,6 +38,9 @@ void refuse_contradictions(const io::TomlTable& table) {
   }
   refuse(table.optional_table("damping"), {"bond"});
   refuse(table.optional_table("actuation"), {"amplitude"});
+  constexpr std::string_view stop = "stop_rotation_in_static_friction";
+  if (const auto environment = table.optional_table("environment"); environment && environment->has(stop))
+    throw environment->error(stop, "means nothing beside [surrogate], whose bodies stand on the feet of their walls");
 }
 
 /// Parameters from a file, or from the tables that physics_text writes.
@@ -89,6 +92,7 @@ void read_calibrated_body(const io::TomlTable& table, Physics& physics) {
   physics.lateral_coupling = 0.0;
   physics.damping_ratios.bond = DampingRatios{}.bond;
   physics.actuation.amplitude = Actuation{}.amplitude;
+  physics.stop_rotation_in_static_friction = false;
 }
 
 std::optional<std::filesystem::path> parameters_file(const io::TomlTable& table) {

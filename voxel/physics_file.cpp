@@ -163,16 +163,14 @@ std::string physics_text(const Physics& physics) {
   TableText damping("damping");
   if (!calibrated) damping.number("bond", physics.damping_ratios.bond);
   damping.number("collision", physics.damping_ratios.collision).number("global", physics.damping_ratios.global);
+  TableText environment("environment");
+  environment.number("gravity_m_s2", physics.gravity_m_s2).boolean("floor", physics.floor);
+  if (!calibrated) environment.boolean("stop_rotation_in_static_friction", physics.stop_rotation_in_static_friction);
   std::string coupling;
   if (physics.lateral_coupling != 0.0)
     coupling = TableText("materials").number("lateral_coupling", physics.lateral_coupling).text();
   return coupling + material_text("materials.material_1", physics.materials[0], calibrated) +
-         material_text("materials.material_2", physics.materials[1], calibrated) + damping.text() +
-         TableText("environment")
-             .number("gravity_m_s2", physics.gravity_m_s2)
-             .boolean("floor", physics.floor)
-             .boolean("stop_rotation_in_static_friction", physics.stop_rotation_in_static_friction)
-             .text() +
+         material_text("materials.material_2", physics.materials[1], calibrated) + damping.text() + environment.text() +
          actuation_text(physics.actuation, calibrated) +
          TableText("collisions").add("exclusion_depth", depth ? std::to_string(*depth) : io::toml_quoted("off")).text() +
          integration_text(physics.integration) +

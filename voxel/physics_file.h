@@ -27,7 +27,7 @@ namespace menger::voxel {
 ///   "per-phase"; those of the fit if not given), outside_range ("refuse", "warn"); wall_thickness_m and silicone, if given, must
 ///   be those of the parameters. With it ramp_s is period_s if not given, since a step of pressure makes a body ring;
 ///   youngs_modulus_Pa, density_kg_m3, lateral_coupling, damping.bond and amplitude are refused, because the parameters decide
-///   them.
+///   them, and stop_rotation_in_static_friction, because such bodies stand on the feet of their walls.
 ///
 /// Other keys of `table` are left to the caller, who ends with table.finish().
 /// @throws io::InputError with file, key and value if a value is out of the range that its declaration in parameters.h states, or

@@ -99,15 +99,17 @@ voxel::SurrogateParameters fitted_on_limbs() {
   return parameters;
 }
 
-TEST_F(CalibratedStudy, SaysThatWalksWouldDependOnTheStep) {
+TEST_F(CalibratedStudy, StandsOnFeetWhateverThePresetSaysOfRotations) {
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(fitted_on_limbs()));
-  const auto says = [&](const std::string& environment) {
-    const std::vector<std::string> notes = study_notes(read(head + in_phase + environment));
-    return std::ranges::any_of(
-        notes, [](const std::string& note) { return note.starts_with("environment.stop_rotation_in_static_friction"); });
-  };
-  EXPECT_TRUE(says("")) << "the preset's value";
-  EXPECT_FALSE(says("[environment]\nstop_rotation_in_static_friction = false\n"));
+  EXPECT_FALSE(read(head + in_phase).physics.stop_rotation_in_static_friction) << "the preset's value is true";
+  try {
+    static_cast<void>(read(head + in_phase + "[environment]\nstop_rotation_in_static_friction = true\n"));
+    FAIL() << "accepted";
+  } catch (const io::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("stop_rotation_in_static_friction = true: means nothing beside [surrogate]"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(CalibratedStudy, LeavesWallsThatBodiesNeedNotHaveToTheirJudgement) {
