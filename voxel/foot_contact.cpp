@@ -36,7 +36,7 @@ void FootContact<Real>::press(Foot& foot, State& state, const Body& body, const 
   const Vector3<double> place = body.place + arm;
   const double depth = height_m_ - place.z;
   if (depth < 0.0) {
-    foot.touches = foot.slides = false;
+    foot.lift();
     return;
   }
   const Vector3<double> velocity = body.velocity + cross(body.spin, arm);
@@ -47,7 +47,7 @@ void FootContact<Real>::press(Foot& foot, State& state, const Body& body, const 
   const Vector3<double> spring{stiffness * (foot.anchor[0] - place.x), stiffness * (foot.anchor[1] - place.y), 0.0};
   const Vector3<double> drag = damping * Vector3<double>{velocity.x, velocity.y, 0.0};
   Vector3<double> hold = spring - drag;
-  const double wanted = std::hypot(hold.x, hold.y);
+  const double wanted = std::sqrt(dot(hold, hold));
   // Written so that a force that is not finite breaks the hold instead of vanishing in it.
   foot.slides = !(wanted <= (foot.slides ? floor.kinetic_friction : floor.static_friction) * push.z);
   if (foot.slides) {
@@ -64,14 +64,16 @@ void FootContact<Real>::press(Foot& foot, State& state, const Body& body, const 
 template <class Real>
 void FootContact<Real>::add_loads(const StepData<Real>& d, const std::array<double, 3>& origin_m,
                                   const PressureDrive<Real>& drive) {
-  const double highest = height_m_ + drive.largest_foot_reach_m();
+  const double bulge_m = drive.largest_foot_bulge_m();
+  const double highest = height_m_ + bulge_m + std::sqrt(3.0) * drive.largest_half_length_m();
   const auto bulge_of = [&drive](std::size_t voxel, std::size_t axis) { return drive.wall_bulge(voxel, axis); };
   for (std::size_t i = 0; i < feet_.size(); ++i) {
+    const bool touched = states_[i].touches;
     states_[i] = {};
     const Real* pose = d.pose + line_size * i;
     const Vector3<double> place = vector_at(pose) + vector_at(origin_m.data());
     if (place.z > highest) {
-      for (Foot& foot : feet_[i]) foot.touches = foot.slides = false;
+      for (std::size_t n = 0; touched && n < feet_[i].size(); ++n) feet_[i][n].lift();
       continue;
     }
     const Real* motion = d.motion + line_size * i;
@@ -83,7 +85,16 @@ void FootContact<Real>::add_loads(const StepData<Real>& d, const std::array<doub
                     .spin = c.inverse_inertia * vector_at(motion + slot::hx),
                     .turn = matrix(orientation)};
     const std::array<double, 3> half_lengths_m = drive.half_lengths_m(i);
+    // Most feet are far above the ground whatever their wall does.
+    const std::array<double, 3> heights_m{body.turn.row_z.x * half_lengths_m[0], body.turn.row_z.y * half_lengths_m[1],
+                                          body.turn.row_z.z * half_lengths_m[2]};
+    const double clearance_m = height_m_ + bulge_m - place.z;
     for (Foot& foot : feet_[i]) {
+      const std::array<double, 3>& signs = foot.of_wall.signs;
+      if (signs[0] * heights_m[0] + signs[1] * heights_m[1] + signs[2] * heights_m[2] > clearance_m) {
+        foot.lift();
+        continue;
+      }
       const double out = stands_out_m(foot.of_wall, *voxels_, bulge_of);
       press(foot, states_[i], body, c.floor, rotate(body.turn, place_of(foot.of_wall, half_lengths_m, out)));
     }

@@ -51,6 +51,8 @@ class FootContact {
     bool touches = false;
     bool slides = false;
     std::array<double, 2> anchor{};  ///< m, in the world
+
+    void lift() { touches = slides = false; }
   };
   struct State {
     Load pressing, friction;

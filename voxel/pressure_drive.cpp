@@ -63,13 +63,12 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
           foot_bulge_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure)};
     }
   }
-  double longest = 0.0;
-  double farthest = 0.0;
+  largest_half_length_m_ = 0.0;
+  largest_foot_bulge_m_ = 0.0;
   for (const Answer& answer : answers_) {
-    longest = std::max(longest, answer.half_length_m);
-    farthest = std::max(farthest, answer.foot_bulge_m);
+    largest_half_length_m_ = std::max(largest_half_length_m_, answer.half_length_m);
+    largest_foot_bulge_m_ = std::max(largest_foot_bulge_m_, answer.foot_bulge_m);
   }
-  largest_foot_reach_m_ = std::sqrt(3.0) * longest + farthest;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
       const Answer& lower = answers_[beam_answers_[axis][i][0]];

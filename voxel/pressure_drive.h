@@ -43,8 +43,9 @@ class PressureDrive {
     const Answer& answer = answers_[bulge_answers_[voxel][axis]];
     return {.mean = std::max(0.0, answer.bulge_m), .peak = answer.foot_bulge_m};
   }
-  /// A bound on how far from the centre of its voxel any part of a wall lies, m.
-  [[nodiscard]] double largest_foot_reach_m() const { return largest_foot_reach_m_; }
+  /// The largest of any voxel, m.
+  [[nodiscard]] double largest_half_length_m() const { return largest_half_length_m_; }
+  [[nodiscard]] double largest_foot_bulge_m() const { return largest_foot_bulge_m_; }
 
   /// Widens the range of strains by the beams as they were in the last step; to be called before the next set.
   void note_strains(const StepData<Real>& d);
@@ -66,7 +67,8 @@ class PressureDrive {
   std::vector<std::array<std::size_t, 3>> voxel_answers_;                ///< per voxel: of its wall classes along x, y, z
   std::vector<std::array<std::size_t, 3>> bulge_answers_;                ///< the same of its bulge classes
   std::vector<std::array<bool, 6>> bulging_;                             ///< per voxel: sides with a wall and no voxel behind it
-  double largest_foot_reach_m_ = 0.0;
+  double largest_half_length_m_ = 0.0;
+  double largest_foot_bulge_m_ = 0.0;
   StrainRange strains_;
 };
 

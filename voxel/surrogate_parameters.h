@@ -97,8 +97,8 @@ struct ValidityRange {
 /// chambers, but not the shear compliance, which comes from the side walls over the whole length of the beam. The rest
 /// length of a half is (L / 2)(1 + extension[c](p)), with p of its chamber. Lateral coupling shortens the rest length of a beam
 /// by L c (e_b + e_d), e_b the mean over both ends of the voxel's strain across the axis; see rest_lengths.h. A face with a wall
-/// lies (L / 2)(1 + extension) + L bulge[c](p) from the centre in the mean over its area, L bulge_peak_ratio[c] bulge[c](p) at
-/// its middle, where it meets the ground first.
+/// lies (L / 2)(1 + extension) + L bulge[c](p) from the centre in the mean over its area, L bulge_peak_ratio[c] bulge[c](p)
+/// where it stands out most; with that, its corners and its middle it meets the ground (see WallFoot).
 struct SurrogateParameters {
   // what they hold for
   std::string silicone;                                            ///< name of the record
@@ -119,8 +119,8 @@ struct SurrogateParameters {
   double lateral_coupling = 0.0;  ///< c, 0 <= c < 1; a wide body contracts by c / (1 + c) of its strain
   ByWallClass<PressureLaw> extension{};
   ByWallClass<PressureLaw> bulge{};
-  ByWallClass<double> bulge_peak_ratio = all_classes(1.0);  ///< bulge at the middle of a face by its mean, >= 1
-  double ground_stiffness_N_per_m = 0.0;                    ///< > 0, of one voxel pressed on the ground
+  ByWallClass<double> bulge_peak_ratio = all_classes(1.0);  ///< largest bulge of a face by its mean, >= 1
+  double ground_stiffness_N_per_m = 0.0;                    ///< > 0, of every foot
   double bond_damping_ratio = 1.0;                          ///< zeta, of beams, >= 0
   bool damping_measured = false;                            ///< false: the ratio is an assumption, no loss was measured
 

@@ -89,11 +89,4 @@ std::vector<WallFoot> wall_feet(const Lattice& lattice, const HollowVoxels& voxe
   return feet;
 }
 
-Vector3<double> place_of(const WallFoot& foot, const std::array<double, 3>& half_lengths_m, double out_m) {
-  std::array<double, 3> place{};
-  for (std::size_t k = 0; k < 3; ++k) place[k] = foot.signs[k] * half_lengths_m[k];
-  if (foot.kind != WallFoot::Kind::corner) place[foot.axis] += foot.signs[foot.axis] * out_m;
-  return {place[0], place[1], place[2]};
-}
-
 }  // namespace menger::voxel

@@ -65,6 +65,11 @@ double stands_out_m(const WallFoot& foot, const HollowVoxels& voxels, const Bulg
 
 /// From the centre of a voxel that is not turned to a foot, m.
 /// @param half_lengths_m of the voxel along x, y, z @param out_m see stands_out_m
-Vector3<double> place_of(const WallFoot& foot, const std::array<double, 3>& half_lengths_m, double out_m);
+inline Vector3<double> place_of(const WallFoot& foot, const std::array<double, 3>& half_lengths_m, double out_m) {
+  std::array<double, 3> place{};
+  for (std::size_t k = 0; k < 3; ++k) place[k] = foot.signs[k] * half_lengths_m[k];
+  if (foot.kind != WallFoot::Kind::corner) place[foot.axis] += foot.signs[foot.axis] * out_m;
+  return {place[0], place[1], place[2]};
+}
 
 }  // namespace menger::voxel

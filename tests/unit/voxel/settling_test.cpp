@@ -104,5 +104,11 @@ TEST(Settling, EndsInTheEquilibriumOnTheGround) {
   EXPECT_LT(largest_distance(parameters, corner, {.pressure_Pa = 800.0, .ground = true, .tip_force_N = {0.0, 0.0, -0.02}}), 1e-7);
 }
 
+TEST(Settling, EndsInTheEquilibriumOnTheCrownOfAPlate) {
+  const meshes::Polycube plate = meshes::Polycube::from_digits(3, 2, 2, "111110100000");
+  const SurrogateParameters parameters = tests::surrogate_example();
+  EXPECT_LT(largest_distance(parameters, plate, {.pressure_Pa = 800.0, .ground = true, .tip_force_N = {0.0, 0.0, -0.02}}), 1e-7);
+}
+
 }  // namespace
 }  // namespace menger::voxel
