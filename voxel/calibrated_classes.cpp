@@ -4,7 +4,6 @@
 
 #include "voxel/surrogate_beams.h"
 #include "voxel/voxel_classes.h"
-#include "voxel/wall_feet.h"
 
 namespace menger::voxel {
 namespace {
@@ -29,7 +28,7 @@ VoxelCoefficients<double> voxel_row(const Physics& physics, const VoxelKey& key)
           .weight = mass * physics.gravity_m_s2,
           .global_damping = 2.0 * ratios.global * std::sqrt(mass * spring),
           .global_rotation_damping = 2.0 * ratios.global * std::sqrt(inertia * spring * edge * edge),
-          .floor = {ground, 2.0 * ratios.collision * std::sqrt(mass * ground / (2.0 * feet_of_a_wall)), friction.static_friction,
+          .floor = {ground, 2.0 * ratios.collision * std::sqrt(mass * ground / 2.0), friction.static_friction,
                     friction.kinetic_friction}};
 }
 

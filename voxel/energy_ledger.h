@@ -16,11 +16,12 @@ struct EnergyLedger {
 
   double bond_damping_work_J = 0.0;
   double global_damping_work_J = 0.0;
-  double actuation_work_J = 0.0;     ///< done by the change of the rest lengths
-  double floor_normal_work_J = 0.0;  ///< elastic and damping part of the floor's normal force
-  double friction_work_J = 0.0;      ///< kinetic friction and the stops by static friction
-  double collision_work_J = 0.0;     ///< between voxels
-  double load_work_J = 0.0;          ///< of constant external loads
+  double actuation_work_J = 0.0;  ///< done by the change of the rest lengths
+  double floor_normal_work_J =
+      0.0;                        ///< of the floor's normal force; of a calibrated body also that of walls that bulge against it
+  double friction_work_J = 0.0;   ///< kinetic friction and the stops by static friction; with feet also their springs
+  double collision_work_J = 0.0;  ///< between voxels
+  double load_work_J = 0.0;       ///< of constant external loads
 
   /// Scale of the residual: largest so far of kinetic + elastic and of the magnitude of gravitational. 0 only if nothing ever
   /// moved.

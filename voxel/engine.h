@@ -30,7 +30,7 @@ class Simulation::Engine {
   struct VoxelView {
     std::array<double, 3> position_m, velocity_m_s, angular_velocity_rad_s;
     std::array<double, 4> orientation;
-    double size_m;                  ///< against the floor
+    double size_m;                  ///< see Frame
     std::array<double, 6> reach_m;  ///< see Frame
     bool is_static;
     bool touches_floor;

@@ -18,11 +18,7 @@ Vector3<double> vector_at(const Real* values) {
 
 template <class Real>
 FootContact<Real>::FootContact(const Lattice& lattice, const HollowVoxels& voxels, const BodyClasses& classes, double height_m)
-    : voxels_(&voxels),
-      height_m_(height_m),
-      coefficients_(classes.voxel),
-      class_of_(classes.voxel_class),
-      feet_(lattice.voxel_count()) {
+    : height_m_(height_m), coefficients_(classes.voxel), class_of_(classes.voxel_class), feet_(lattice.voxel_count()) {
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     for (const WallFoot& foot : wall_feet(lattice, voxels, i)) feet_[i].push_back({.of_wall = foot});
   }
@@ -40,15 +36,15 @@ void FootContact<Real>::press(Foot& foot, State& state, const Body& body, const 
     return;
   }
   const Vector3<double> velocity = body.velocity + cross(body.spin, arm);
-  const double stiffness = foot.of_wall.share * floor.stiffness;
-  const double damping = foot.of_wall.share * floor.damping;
-  const Vector3<double> push{0.0, 0.0, std::max(0.0, stiffness * depth - damping * velocity.z)};
+  const double stiffness = foot.of_wall.share / feet_of_a_wall * floor.stiffness;
+  const double damping = foot.of_wall.share / feet_of_a_wall * floor.damping;
+  const Vector3<double> push{0.0, 0.0, std::max(stiffness * depth - damping * velocity.z, 0.0)};
   if (!foot.touches) foot.anchor = {place.x, place.y};
   const Vector3<double> spring{stiffness * (foot.anchor[0] - place.x), stiffness * (foot.anchor[1] - place.y), 0.0};
   const Vector3<double> drag = damping * Vector3<double>{velocity.x, velocity.y, 0.0};
   Vector3<double> hold = spring - drag;
   const double wanted = std::sqrt(dot(hold, hold));
-  // Written so that a force that is not finite breaks the hold instead of vanishing in it.
+  // Written, as the push, so that a force that is not finite is handed on instead of vanishing.
   foot.slides = !(wanted <= (foot.slides ? floor.kinetic_friction : floor.static_friction) * push.z);
   if (foot.slides) {
     hold = (wanted > 0.0 ? floor.kinetic_friction * push.z / wanted : 0.0) * hold;
@@ -95,7 +91,7 @@ void FootContact<Real>::add_loads(const StepData<Real>& d, const std::array<doub
         foot.lift();
         continue;
       }
-      const double out = stands_out_m(foot.of_wall, *voxels_, bulge_of);
+      const double out = stands_out_m(foot.of_wall, bulge_of);
       press(foot, states_[i], body, c.floor, rotate(body.turn, place_of(foot.of_wall, half_lengths_m, out)));
     }
     const Vector3<double> force = states_[i].pressing.force + states_[i].friction.force;

@@ -17,17 +17,17 @@ namespace menger::voxel {
 /// They lie r = R d from the centre of their voxel, with R its orientation and d made of its half lengths and of how far the wall
 /// stands out there. The corners are the rim that a wall stands on while it does not bulge, and what keeps a body from rolling
 /// over one that does; a wide wall bulges as one dome, whose top the crowns are. A foot that is p deep in the ground is pushed up
-/// by N = max(0, k p - c v_z) with its share of the ground's stiffness k and of c = 2 zeta_c sqrt(m k / 2), and v the velocity of
-/// the foot. Friction acts there, too, not at the centre of the voxel: that is what makes a body tip over its feet and lets it
-/// step. A foot holds on by -k (x - a) - c v with x its horizontal place and a where that was when it touched, until that takes
-/// more than mu_s N; then it slides with mu_k N in the direction in which it held, and drags a along, until it needs no more than
-/// that. So friction never exceeds mu_s N. Bulges enter v only as what they do to the voxel.
+/// by N = max(0, k p - c v_z) with its share, a fifth for a corner and a middle, of the ground's stiffness k and of c = 2 zeta_c
+/// sqrt(m k / 2), and v the velocity of the foot. Friction acts there, too, not at the centre of the voxel: that is what makes a
+/// body tip over its feet and lets it step. A foot holds on by -k (x - a) - c v with x its horizontal place and a where that was
+/// when it touched, until that takes more than mu_s N; then it slides with mu_k N in the direction in which it held, and drags a
+/// along, until it needs no more than that. So friction never exceeds mu_s N. Bulges enter v only as what they do to the voxel.
 ///
 /// In double for both number types, and the same for every instruction set.
 template <class Real>
 class FootContact {
  public:
-  /// @param voxels must outlive this @param height_m of the ground in the world
+  /// @param height_m of the ground in the world
   FootContact(const Lattice& lattice, const HollowVoxels& voxels, const BodyClasses& classes, double height_m);
 
   /// Force (N) and moment (N m) on a voxel.
@@ -68,7 +68,6 @@ class FootContact {
   void press(Foot& foot, State& state, const Body& body, const FloorCoefficients<double>& floor,
              const Vector3<double>& arm) const;
 
-  const HollowVoxels* voxels_;
   double height_m_;
   std::vector<VoxelCoefficients<double>> coefficients_;  ///< per class
   std::vector<std::size_t> class_of_;                    ///< per voxel

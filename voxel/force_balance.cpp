@@ -214,17 +214,16 @@ std::vector<ForceBalance::PressedFoot> ForceBalance::pressed_feet(const StaticSt
   const std::array<double, 3> half_lengths_m{body_->half_length(sizes_, voxel, 0), body_->half_length(sizes_, voxel, 1),
                                              body_->half_length(sizes_, voxel, 2)};
   const auto bulge_of = [&](std::size_t other, std::size_t axis) {
-    const double peak =
-        foot_bulge_m(body_->parameters, voxels.bulge_class[other][axis], sizes_.pressures_Pa[voxels.chamber[other]]);
-    return WallBulge{.mean = std::max(0.0, body_->bulge(sizes_, other, axis)), .peak = peak};
+    const double mean = body_->bulge(sizes_, other, axis);
+    return WallBulge{.mean = mean, .peak = mean * body_->parameters.bulge_peak_ratio[voxels.bulge_class[other][axis]]};
   };
   const Pose& pose = state.poses[voxel];
   const Rotation<double> turn = matrix(pose.orientation);
   std::vector<PressedFoot> pressed;
   for (const WallFoot& foot : feet_[voxel]) {
-    const Vector3<double> arm = rotate(turn, place_of(foot, half_lengths_m, stands_out_m(foot, voxels, bulge_of)));
+    const Vector3<double> arm = rotate(turn, place_of(foot, half_lengths_m, stands_out_m(foot, bulge_of)));
     const double depth = -(pose.position.z + arm.z);
-    const double stiffness = foot.share * body_->parameters.ground_stiffness_N_per_m;
+    const double stiffness = foot.share / feet_of_a_wall * body_->parameters.ground_stiffness_N_per_m;
     if (depth > 0.0) pressed.push_back({arm, stiffness, stiffness * depth});
   }
   return pressed;

@@ -43,6 +43,8 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     const auto voxel = static_cast<std::int32_t>(i);
     voxel_answers_.push_back({answer(voxel, 0), answer(voxel, 1), answer(voxel, 2)});
     bulge_answers_.push_back({bulge_answer(i, 0), bulge_answer(i, 1), bulge_answer(i, 2)});
+    lengths_in_use_.insert(voxel_answers_.back().begin(), voxel_answers_.back().end());
+    bulges_in_use_.insert(bulge_answers_.back().begin(), bulge_answers_.back().end());
     bulging_.push_back(voxels.walled[i]);
     for (std::size_t side = 0; side < bulging_[i].size(); ++side) {
       if (lattice.neighbours[i][side] >= 0) bulging_[i][side] = false;
@@ -60,15 +62,14 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     for (std::size_t c = 0; c < wall_class_count; ++c) {
       answers_[wall_class_count * k + c] = {
           half_length_m(parameters_, c, pressure), half_length_rate_m_s(parameters_, c, pressure, rate),
-          foot_bulge_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure)};
+          bulge_peak_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure)};
     }
   }
-  largest_half_length_m_ = 0.0;
-  largest_foot_bulge_m_ = 0.0;
-  for (const Answer& answer : answers_) {
-    largest_half_length_m_ = std::max(largest_half_length_m_, answer.half_length_m);
-    largest_foot_bulge_m_ = std::max(largest_foot_bulge_m_, answer.foot_bulge_m);
-  }
+  largest_half_length_m_ = largest_foot_bulge_m_ = 0.0;
+  for (const std::size_t length : lengths_in_use_)
+    largest_half_length_m_ = std::max(largest_half_length_m_, answers_[length].half_length_m);
+  for (const std::size_t bulge : bulges_in_use_)
+    largest_foot_bulge_m_ = std::max(largest_foot_bulge_m_, answers_[bulge].bulge_peak_m);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
       const Answer& lower = answers_[beam_answers_[axis][i][0]];

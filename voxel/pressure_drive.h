@@ -1,8 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include "voxel/actuation.h"
@@ -41,9 +41,9 @@ class PressureDrive {
   /// Of its walls across an axis.
   [[nodiscard]] WallBulge wall_bulge(std::size_t voxel, std::size_t axis) const {
     const Answer& answer = answers_[bulge_answers_[voxel][axis]];
-    return {.mean = std::max(0.0, answer.bulge_m), .peak = answer.foot_bulge_m};
+    return {.mean = answer.bulge_m, .peak = answer.bulge_peak_m};
   }
-  /// The largest of any voxel, m.
+  /// The largest of any voxel, m; of bulges 0 at least.
   [[nodiscard]] double largest_half_length_m() const { return largest_half_length_m_; }
   [[nodiscard]] double largest_foot_bulge_m() const { return largest_foot_bulge_m_; }
 
@@ -55,7 +55,7 @@ class PressureDrive {
  private:
   /// What the laws give for a phase and a wall class.
   struct Answer {
-    double half_length_m, half_length_rate_m_s, foot_bulge_m, bulge_m;
+    double half_length_m, half_length_rate_m_s, bulge_peak_m, bulge_m;
   };
 
   SurrogateParameters parameters_;
@@ -67,6 +67,7 @@ class PressureDrive {
   std::vector<std::array<std::size_t, 3>> voxel_answers_;                ///< per voxel: of its wall classes along x, y, z
   std::vector<std::array<std::size_t, 3>> bulge_answers_;                ///< the same of its bulge classes
   std::vector<std::array<bool, 6>> bulging_;                             ///< per voxel: sides with a wall and no voxel behind it
+  std::set<std::size_t> lengths_in_use_, bulges_in_use_;                 ///< answers
   double largest_half_length_m_ = 0.0;
   double largest_foot_bulge_m_ = 0.0;
   StrainRange strains_;

@@ -11,9 +11,8 @@ constexpr auto line_size = static_cast<std::size_t>(line_length);
 
 }  // namespace
 
-double foot_bulge_m(const SurrogateParameters& parameters, std::size_t bulge_class, double pressure_Pa) {
-  const double bulge = parameters.bulge_peak_ratio[bulge_class] * parameters.bulge[bulge_class].value(pressure_Pa);
-  return parameters.voxel_edge_m() * std::max(0.0, bulge);
+double bulge_peak_m(const SurrogateParameters& parameters, std::size_t bulge_class, double pressure_Pa) {
+  return parameters.voxel_edge_m() * parameters.bulge_peak_ratio[bulge_class] * parameters.bulge[bulge_class].value(pressure_Pa);
 }
 
 template <class Real>

@@ -21,9 +21,8 @@ inline double half_length_rate_m_s(const SurrogateParameters& parameters, std::s
   return 0.5 * parameters.voxel_edge_m() * parameters.extension[wall_class].derivative(pressure_Pa) * pressure_rate_Pa_s;
 }
 
-/// How far (m) a wall stands out where it does most, L max(0, bulge_peak_ratio bulge(p)): on the ground a wall drawn in does not
-/// lift the rim it stands on.
-double foot_bulge_m(const SurrogateParameters& parameters, std::size_t bulge_class, double pressure_Pa);
+/// How far (m) a wall stands out where it does most, L bulge_peak_ratio bulge(p); negative where it is drawn in.
+double bulge_peak_m(const SurrogateParameters& parameters, std::size_t bulge_class, double pressure_Pa);
 
 /// Lateral coupling: what a body gains in length it loses in width, at no cost of the time step.
 ///

@@ -91,11 +91,17 @@ struct Stiffest {
   }
 };
 
-Stiffest stiffest_of(const SurrogateParameters& parameters, double mass_kg, double inertia_kg_m2) {
+Stiffest stiffest_of(const Physics& physics, double mass_kg, double inertia_kg_m2) {
+  const SurrogateParameters& parameters = physics.surrogate->parameters;
   Stiffest stiffest;
   const double ground = parameters.ground_stiffness_N_per_m;
-  const FloorCoefficients<double> foot{ground, 0.0, 0.0, 0.0};
-  stiffest.consider(standing_rate(foot, mass_kg, inertia_kg_m2, parameters.voxel_edge_m()), "ground.stiffness_N_per_m", ground);
+  stiffest.consider(0.5 * ground / mass_kg, "ground.stiffness_N_per_m", ground);
+  if (physics.floor) {
+    const double damping = 2.0 * physics.damping_ratios.collision * std::sqrt(0.5 * mass_kg * ground);
+    const double step_s =
+        0.5 * largest_standing_step_s({ground, damping, 0.0, 0.0}, mass_kg, inertia_kg_m2, parameters.voxel_edge_m());
+    stiffest.consider(std::pow(2.0 * std::numbers::pi * step_s, -2.0), "ground.stiffness_N_per_m", ground);
+  }
   for (std::size_t c = 0; c < wall_class_count; ++c) {
     for (const bool crosses_joint : {false, true}) {
       const BeamCoefficients<double> beam =
@@ -174,7 +180,7 @@ std::string unusable_calibrated_scales(const Physics& physics, double duration_s
     if (std::string problem = unusable_beams(parameters, c, number); !problem.empty()) return problem;
   }
   if (std::string problem = unusable_growth(*physics.surrogate); !problem.empty()) return problem;
-  Stiffest limit = stiffest_of(parameters, mass, inertia);
+  Stiffest limit = stiffest_of(physics, mass, inertia);
   const double undamped_step_s = physics.integration.time_step_fraction / (2.0 * std::numbers::pi * std::sqrt(limit.rate));
   const double slower = std::max(1.0, 0.5 * parameters.bond_damping_ratio);  // see recommended_time_step_s
   const double step_s = undamped_step_s / slower;

@@ -120,7 +120,7 @@ struct SurrogateParameters {
   ByWallClass<PressureLaw> extension{};
   ByWallClass<PressureLaw> bulge{};
   ByWallClass<double> bulge_peak_ratio = all_classes(1.0);  ///< largest bulge of a face by its mean, >= 1
-  double ground_stiffness_N_per_m = 0.0;                    ///< > 0, of every foot
+  double ground_stiffness_N_per_m = 0.0;                    ///< > 0, of one voxel that stands on all feet of a wall
   double bond_damping_ratio = 1.0;                          ///< zeta, of beams, >= 0
   bool damping_measured = false;                            ///< false: the ratio is an assumption, no loss was measured
 

@@ -41,7 +41,7 @@ double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const
   return 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
 }
 
-double standing_rate(const FloorCoefficients<double>& floor, double mass_kg, double inertia_kg_m2, double edge_m) {
+double largest_standing_step_s(const FloorCoefficients<double>& floor, double mass_kg, double inertia_kg_m2, double edge_m) {
   // Middle and corners of a wall, and four crowns of a quarter each, all of them half an edge below the centre.
   constexpr double feet = feet_of_a_wall + 1.0;
   constexpr double feet_beside = 5.0;  // half an edge to the side
@@ -52,11 +52,9 @@ double standing_rate(const FloorCoefficients<double>& floor, double mass_kg, dou
   const double coupled = feet * below / std::sqrt(mass_kg * inertia_kg_m2);
   const double stiffest = 0.5 * (shift + turn) + std::hypot(0.5 * (shift - turn), coupled);
   // Steps that take the damping from the last velocity bear k dt^2 + 2 c dt < 4.
-  const double k = floor.stiffness * stiffest;
-  const double c = floor.damping * stiffest;
-  const double limit_s = (std::sqrt(c * c + 4.0 * k) - c) / k;
-  const double recommended_s = 0.5 * limit_s;
-  return std::pow(2.0 * std::numbers::pi * recommended_s, -2.0);
+  const double k = floor.stiffness / feet_of_a_wall * stiffest;
+  const double c = floor.damping / feet_of_a_wall * stiffest;
+  return 4.0 / (c + std::sqrt(c * c + 4.0 * k));
 }
 
 double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classes, double edge_m, const Physics& physics) {
@@ -81,11 +79,17 @@ double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classe
   // The damping is explicit: from twice the paper's on it limits the step in proportion.
   constexpr double undamped = 2.0;
   largest *= std::pow(std::max(1.0, damping / undamped), 2.0);
-  for (std::size_t i = 0; physics.floor && i < lattice.voxel_count(); ++i) {
+  double recommended_s = 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
+  for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
+    // What presses on the ground presses on other voxels, too.
     const FloorCoefficients<double>& floor = classes.voxel[classes.voxel_class[i]].floor;
-    largest = std::max(largest, standing_rate(floor, classes.mass_kg[i], classes.inertia_kg_m2[i], edge_m));
+    const double pressed = 0.5 * floor.stiffness / classes.mass_kg[i];
+    recommended_s = std::min(recommended_s, 1.0 / (2.0 * std::numbers::pi * std::sqrt(pressed)));
+    if (!physics.floor) continue;
+    const double standing_s = largest_standing_step_s(floor, classes.mass_kg[i], classes.inertia_kg_m2[i], edge_m);
+    recommended_s = std::min(recommended_s, 0.5 * standing_s);
   }
-  return 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
+  return recommended_s;
 }
 
 }  // namespace menger::voxel

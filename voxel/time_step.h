@@ -18,13 +18,13 @@ double beam_modulus_Pa(const VoxelMaterial& a, const VoxelMaterial& b);
 double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const Physics& physics);
 
 /// The same for the classes of a calibrated body: k/m is the largest of (1 + 2 c) EA / L and 12 EI / (L^3 (1 + Phi)) over the
-/// lighter end, (2 + Phi) EI / (L (1 + Phi)) and GJ / L over the smaller moment of inertia of every beam, and the standing_rate
-/// of every voxel; of solid voxels the first three but the torsion are E L / m. Phi is that of the beam's shear, 0 if it does not
-/// shear; see beam_coefficients.
+/// lighter end, (2 + Phi) EI / (L (1 + Phi)) and GJ / L over the smaller moment of inertia of every beam, and half the ground's
+/// stiffness over the mass of every voxel; of solid voxels all but the torsion are E L / m. Phi is that of the beam's shear, 0 if
+/// it does not shear; see beam_coefficients. Where there is a floor the step is at most half of the largest_standing_step_s.
 double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classes, double edge_m, const Physics& physics);
 
-/// k/m of a voxel that stands on all feet of a wall (FootContact) and rocks on them without sliding, 1/s^2: the step that it
-/// recommends, 1 / (2 pi sqrt(k/m)), is half of the largest that is stable. @param floor of one foot @param edge_m of the voxel
-double standing_rate(const FloorCoefficients<double>& floor, double mass_kg, double inertia_kg_m2, double edge_m);
+/// Largest stable step, s, of a voxel that stands on all feet of a wall (FootContact) and rocks on them without sliding.
+/// @param edge_m of the voxel
+double largest_standing_step_s(const FloorCoefficients<double>& floor, double mass_kg, double inertia_kg_m2, double edge_m);
 
 }  // namespace menger::voxel

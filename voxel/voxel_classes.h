@@ -40,9 +40,9 @@ BodyClasses solid_classes(const Lattice& lattice, double cell_edge_m, const Phys
 
 /// Classes of a calibrated body (physics.surrogate), by what its walls make of each voxel and beam.
 ///
-/// A voxel has the mass of its walls and m L^2 / 6 times their inertia factor. The floor presses back on each of its feet with
-/// the ground stiffness k_g and with 2 zeta_c sqrt(m k_g / (2 n)), so that it is damped like a solid voxel, for which n = 1 and
-/// k_g = 2 E L, where it stands on the n = 5 feet of a wall; its mean EA / L over the axes takes the place of E L in the damping
+/// A voxel has the mass of its walls and m L^2 / 6 times their inertia factor. The floor presses back on the five feet of a wall
+/// (FootContact), and other voxels on the whole, with ground_stiffness k_g and 2 zeta_c sqrt(m k_g / 2), which are 2 E L and
+/// 2 zeta_c sqrt(m E L) of a solid voxel where k_g = 2 E L; its mean EA / L over the axes takes the place of E L in the damping
 /// against the world.
 BodyClasses calibrated_classes(const Lattice& lattice, const HollowVoxels& voxels, const Physics& physics,
                                const std::vector<bool>& fixed);

@@ -192,6 +192,7 @@ TEST_F(CalibratedScene, RefusesWhatLeavesTheRangeOfValidityUnlessToldToWarn) {
 
 TEST_F(CalibratedScene, StatesThatStrainsLeftTheRange) {
   SurrogateParameters parameters = tests::surrogate_example();
+  // Less than the bar is strained by while it rubs on the ground.
   parameters.validity.smallest_strain = -1e-6;
   parameters.validity.largest_strain = 1e-6;
   write(parameters);

@@ -221,7 +221,7 @@ TEST(Equilibrium, BalancesPlatesWeightAndGround) {
 }
 
 TEST(ForceBalance, OfABodyThatLeansOnTheGroundHasTheDerivativeOfItsForces) {
-  const StaticBody body = sample_body(meshes::Polycube::from_digits(2, 2, 2, "11101000"), {}, driven_parameters());
+  const StaticBody body = sample_body(meshes::Polycube::from_digits(2, 2, 2, "11111000"), {}, driven_parameters());
   ForceBalance balance(body, {.fixed_voxels = {}, .ground = true});
   ASSERT_TRUE(balance.set_loads(under_pressure(2000.0)));
   StaticState state = balance.state_at_rest();
@@ -252,7 +252,7 @@ TEST(Equilibrium, StandsOnAGroundThatOnlyPushes) {
   StaticLoads loads = under_pressure(0.0);
   loads.plates = {{{0.0, 0.0, -0.001}, {}}};
   ASSERT_EQ(equilibrium.load(loads), io::RunStatus::completed);
-  const double compliance = 1.0 / (feet_of_a_wall * 500.0) + 0.5 * sample_edge / sample_axial();
+  const double compliance = 1.0 / 500.0 + 0.5 * sample_edge / sample_axial();
   EXPECT_NEAR(equilibrium.ground_force_N(), 0.001 / compliance, 1e-8 * sample_axial());
   EXPECT_NEAR(equilibrium.plate_load(0).force.z, -0.001 / compliance, 1e-8 * sample_axial());
   loads.plates = {{{0.0, 0.0, 0.001}, {}}};

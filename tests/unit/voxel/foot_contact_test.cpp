@@ -19,7 +19,7 @@ constexpr double gravity = 9.81;
 Physics standing() {
   Physics physics;
   physics.surrogate = CalibratedBody{.parameters = tests::plain_surrogate_example()};
-  physics.surrogate->parameters.ground_stiffness_N_per_m = 4000.0;
+  physics.surrogate->parameters.ground_stiffness_N_per_m = 20e3;
   physics.actuation.mode = ActuationMode::none;
   physics.damping_ratios.global = 0.0;
   physics.collisions.exclusion_depth.reset();
@@ -31,7 +31,7 @@ HollowVoxels voxels_of(const meshes::Polycube& body) { return hollow_voxels(body
 
 /// Depth at which the middle of a wall and its four corners bear a voxel.
 double depth_of(double mass_kg, const Physics& physics) {
-  return mass_kg * gravity / (5.0 * physics.surrogate->parameters.ground_stiffness_N_per_m);
+  return mass_kg * gravity / physics.surrogate->parameters.ground_stiffness_N_per_m;
 }
 
 /// Loads under which every voxel begins as deep in the ground as its weight presses it.
@@ -50,6 +50,22 @@ TEST(FootContact, BearsTheWeightOfEveryVoxel) {
   const double depth = depth_of(voxel_masses(voxels_of(body), physics.surrogate->parameters.density_kg_m3).front(), physics);
   EXPECT_NEAR(simulation.position_m(0)[2], -depth, 1e-6 * depth);
   EXPECT_EQ(simulation.frame().contact.front(), contact::floor_static);
+}
+
+TEST(FootContact, StandsOnTheRimOfAWallThatIsDrawnIn) {
+  const meshes::Polycube body = meshes::bar(1);
+  Physics physics = standing();
+  constexpr double pressure_Pa = -4000.0;
+  physics.surrogate->pressure_Pa = {pressure_Pa, pressure_Pa};
+  physics.actuation.mode = ActuationMode::hold;
+  Simulation simulation(body, edge, physics, sunk(body, physics));
+  ASSERT_EQ(simulation.advance_to(0.5), io::RunStatus::completed);
+  const SurrogateParameters& p = physics.surrogate->parameters;
+  // Four corners of five feet bear it.
+  const double depth = depth_of(voxel_masses(voxels_of(body), p.density_kg_m3).front(), physics) * 5.0 / 4.0;
+  const double shorter = 0.5 * edge * p.extension[walls::closed].value(pressure_Pa);
+  EXPECT_LT(shorter, 0.0);
+  EXPECT_NEAR(simulation.position_m(0)[2], shorter - depth, 1e-6 * depth);
 }
 
 TEST(FootContact, StandsOnTheEdgesOfItsWalls) {
@@ -119,7 +135,7 @@ TEST(FootContact, TipsOverABulgingWallLikeAPendulum) {
   const double arm =
       0.5 * edge * (1.0 + p.extension[walls::closed].value(pressure_Pa)) + edge * p.bulge[walls::closed].value(pressure_Pa);
   const double rate = std::sqrt(gravity * arm / (voxels.inertia_factor[0] * edge * edge / 6.0 + arm * arm));
-  const double depth = voxel_masses(voxels, p.density_kg_m3)[0] * gravity / p.ground_stiffness_N_per_m;
+  const double depth = voxel_masses(voxels, p.density_kg_m3)[0] * gravity / (p.ground_stiffness_N_per_m / feet_of_a_wall);
   constexpr double turn = 0.05;  // rad/s
   VoxelLoads loads;
   loads.initial_displacement_m = {{0.0, 0.0, arm - 0.5 * edge - depth}};
@@ -167,7 +183,7 @@ TEST(FootContact, KeepsTheEnergyBooks) {
 TEST(FootContact, RocksStablyUpToTwiceTheRecommendedStep) {
   // Ground so stiff that it, not the beams, decides the step.
   Physics physics = standing();
-  physics.surrogate->parameters.ground_stiffness_N_per_m = 1e6;
+  physics.surrogate->parameters.ground_stiffness_N_per_m = 5e6;
   const auto speed_after = [&](const std::string& digits, double fraction) {
     const meshes::Polycube plate = meshes::Polycube::from_digits(3, 3, 1, digits);
     Physics stepped = physics;

@@ -164,9 +164,9 @@ TEST(LoadCaseResponse, OfShearBendingAndTorsionIsThatOfABar) {
   EXPECT_NEAR(torque, sample_bending() * small / length, 1e-5 * torque);
 }
 
-TEST(LoadCaseResponse, OfPressIsTheGroundUnderFiveFeetBehindTheHalfBeam) {
+TEST(LoadCaseResponse, OfPressIsTheGroundBehindTheHalfBeam) {
   const LoadCaseResponse response = respond(sample_parameters(), load_case(LoadCaseKind::press, 2, {0.0}, {0.0, 0.0005, 0.001}));
-  const double compliance = 1.0 / (5.0 * 500.0) + 0.5 * sample_edge / sample_axial();
+  const double compliance = 1.0 / 500.0 + 0.5 * sample_edge / sample_axial();
   for (std::size_t row = 0; row < 3; ++row)
     EXPECT_NEAR(value(response, "force_N", row), 2.0 * response.values[1][row] / compliance, 1e-8 * sample_axial());
 }

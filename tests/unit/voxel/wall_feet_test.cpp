@@ -46,9 +46,9 @@ TEST(WallFeet, LieOnFreeWallsOnly) {
   EXPECT_EQ(row.count(1, Kind::crown), 0U);
   const Feet cube(meshes::full_cube(3));
   EXPECT_TRUE(cube.of[13].empty());
-  // The middle of a face of the cube has one wall, with four corners, and each of them lies between four cells.
+  // The middle of a face of the cube has one wall, whose corners lie inside the plate and not in its rim.
   EXPECT_EQ(cube.count(4, Kind::middle), 1U);
-  EXPECT_EQ(cube.count(4, Kind::corner), 4U);
+  EXPECT_EQ(cube.count(4, Kind::corner), 0U);
   EXPECT_EQ(cube.count(4, Kind::crown), 4U);
 }
 
@@ -59,6 +59,8 @@ TEST(WallFeet, MakeAWidePlateOneDome) {
   std::map<std::set<std::size_t>, double> shares;
   for (std::size_t i = 0; i < crowns.size(); ++i) {
     EXPECT_EQ(feet.count(i, Kind::crown), crowns[i]) << i;
+    EXPECT_EQ(feet.count(i, Kind::corner), 8U - crowns[i]) << i;
+    EXPECT_EQ(feet.count(i, Kind::slope), 2U) << "below and above";
     for (const WallFoot& foot : feet.of[i]) {
       if (foot.kind == Kind::crown && foot.signs[2] < 0.0) shares[{foot.bulging.begin(), foot.bulging.end()}] += foot.share;
     }
@@ -70,6 +72,8 @@ TEST(WallFeet, OfFourVoxelsOfACellHaveTheirCrownInItsMiddle) {
   const Feet feet(meshes::bar(1), meshes::ChamberLayout::single, 2);
   for (std::size_t i = 0; i < 8; ++i) {
     EXPECT_EQ(feet.count(i, Kind::crown), 3U) << "on three free sides";
+    // Its own corner of the cell, three in the middles of the cell's edges.
+    EXPECT_EQ(feet.count(i, Kind::corner), 4U);
     for (const WallFoot& foot : feet.of[i]) {
       if (foot.kind != Kind::crown) continue;
       // Towards the inside of the cell but for the side that it lies on.
@@ -95,17 +99,20 @@ TEST(WallFeet, StandOutByThePeakOfTheirDome) {
   };
   const auto out_of = [&](const Feet& feet, std::size_t voxel, Kind kind) {
     const auto foot = std::ranges::find(feet.of[voxel], kind, &WallFoot::kind);
-    return stands_out_m(*foot, feet.voxels, bulge_of);
+    return stands_out_m(*foot, bulge_of);
   };
   const Feet row(meshes::bar(3));
   EXPECT_EQ(out_of(row, 1, Kind::corner), 0.0);
   EXPECT_DOUBLE_EQ(out_of(row, 1, Kind::middle), 6e-3);
   const Feet plate(meshes::Polycube::from_digits(2, 2, 1, "1111"));
   EXPECT_DOUBLE_EQ(out_of(plate, 1, Kind::crown), 3.0 * 2.5e-3) << "the mean of four";
-  // The first wall of a cell of the plate is its narrow side, which is no corner of a plate.
+  EXPECT_DOUBLE_EQ(out_of(plate, 1, Kind::slope), 2e-3) << "below the crown";
+  // Where three walls of a square are free and one is not there is no crown, and a corner of the plate keeps its peak.
+  const Feet footed(meshes::Polycube::from_digits(2, 2, 2, "10001111"));
+  EXPECT_EQ(footed.count(2, Kind::crown), 1U) << "above alone";
   const auto below =
-      std::ranges::find_if(plate.of[1], [](const WallFoot& foot) { return foot.kind == Kind::middle && foot.axis == 2; });
-  EXPECT_DOUBLE_EQ(stands_out_m(*below, plate.voxels, bulge_of), 2e-3) << "the slope of the dome";
+      std::ranges::find_if(footed.of[2], [](const WallFoot& foot) { return foot.axis == 2 && foot.signs[2] < 0.0; });
+  EXPECT_EQ(below->kind, Kind::middle);
 }
 
 TEST(WallFeet, LieAtHalfLengthsFromTheCentre) {
