@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
 
 #include "voxel/rest_lengths.h"
+#include "voxel/wall_openings.h"
 
 namespace menger::voxel {
 
@@ -34,11 +36,21 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
   const auto bulge_answer = [&](std::size_t voxel, std::size_t axis) {
     return wall_class_count * phase_of[voxel] + voxels.bulge_class[voxel][axis];
   };
+  openings_ = wall_openings(lattice, voxels);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = lattice.beams[axis];
-    for (std::size_t i = 0; i < beams.lower.size(); ++i)
+    for (std::size_t i = 0; i < beams.lower.size(); ++i) {
       beam_answers_[axis].push_back({answer(beams.lower[i], axis), answer(beams.upper[i], axis)});
+      const auto lower = static_cast<std::size_t>(beams.lower[i]);
+      const auto upper = static_cast<std::size_t>(beams.upper[i]);
+      const std::array<Neck, 2> ends{Neck{i, bulge_answer(lower, axis), openings_[lower][2 * axis + 1]},
+                                     Neck{i, bulge_answer(upper, axis), openings_[upper][2 * axis]}};
+      std::ranges::copy_if(ends, std::back_inserter(necks_[axis]), [](const Neck& neck) { return neck.share > 0.0; });
+    }
   }
+  const auto most = std::ranges::max(beam_answers_, {}, [](const auto& beams) { return beams.size(); }).size();
+  lengths_m_.resize(most);
+  rates_m_s_.resize(most);
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const auto voxel = static_cast<std::int32_t>(i);
     voxel_answers_.push_back({answer(voxel, 0), answer(voxel, 1), answer(voxel, 2)});
@@ -62,7 +74,8 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     for (std::size_t c = 0; c < wall_class_count; ++c) {
       answers_[wall_class_count * k + c] = {
           half_length_m(parameters_, c, pressure), half_length_rate_m_s(parameters_, c, pressure, rate),
-          bulge_peak_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure)};
+          bulge_peak_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure),
+          parameters_.voxel_edge_m() * parameters_.bulge[c].derivative(pressure) * rate};
     }
   }
   largest_half_length_m_ = largest_foot_bulge_m_ = 0.0;
@@ -74,9 +87,17 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
       const Answer& lower = answers_[beam_answers_[axis][i][0]];
       const Answer& upper = answers_[beam_answers_[axis][i][1]];
-      const auto length = static_cast<Real>(lower.half_length_m + upper.half_length_m);
+      lengths_m_[i] = lower.half_length_m + upper.half_length_m;
+      rates_m_s_[i] = lower.half_length_rate_m_s + upper.half_length_rate_m_s;
+    }
+    for (const Neck& neck : necks_[axis]) {
+      lengths_m_[neck.beam] += neck.share * answers_[neck.bulge].bulge_m;
+      rates_m_s_[neck.beam] += neck.share * answers_[neck.bulge].bulge_rate_m_s;
+    }
+    for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
+      const auto length = static_cast<Real>(lengths_m_[i]);
       d.axis[axis].rest_length[i] = d.single_precision_rest_lengths ? rounded_to_single(length) : length;
-      d.axis[axis].rest_length_rate[i] = static_cast<Real>(lower.half_length_rate_m_s + upper.half_length_rate_m_s);
+      d.axis[axis].rest_length_rate[i] = static_cast<Real>(rates_m_s_[i]);
     }
   }
   for (std::size_t i = 0; i < voxel_answers_.size(); ++i) {
@@ -90,7 +111,8 @@ std::array<double, 6> PressureDrive<Real>::reach_m(std::size_t voxel) const {
   std::array<double, 6> reach{};
   for (std::size_t side = 0; side < reach.size(); ++side) {
     reach[side] = answers_[voxel_answers_[voxel][side / 2]].half_length_m;
-    if (bulging_[voxel][side]) reach[side] += answers_[bulge_answers_[voxel][side / 2]].bulge_m;
+    const double share = bulging_[voxel][side] ? 1.0 : openings_[voxel][side];
+    if (share > 0.0) reach[side] += share * answers_[bulge_answers_[voxel][side / 2]].bulge_m;
   }
   return reach;
 }

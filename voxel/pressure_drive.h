@@ -30,7 +30,7 @@ class PressureDrive {
   void set(double time_s, const StepData<Real>& d);
 
   /// From the centre of a voxel to its sides -x, +x, -y, +y, -z, +z, m, as they were last set: half its driven lengths, plus the
-  /// mean bulge of walls behind which no voxel lies.
+  /// mean bulge of walls behind which no voxel lies, or what a neck rides on.
   [[nodiscard]] std::array<double, 6> reach_m(std::size_t voxel) const;
 
   /// Of a voxel along x, y, z, m.
@@ -55,7 +55,12 @@ class PressureDrive {
  private:
   /// What the laws give for a phase and a wall class.
   struct Answer {
-    double half_length_m, half_length_rate_m_s, bulge_peak_m, bulge_m;
+    double half_length_m, half_length_rate_m_s, bulge_peak_m, bulge_m, bulge_rate_m_s;
+  };
+  /// A half beam that leaves a plate, see wall_openings.
+  struct Neck {
+    std::size_t beam, bulge;  ///< its answer
+    double share;
   };
 
   SurrogateParameters parameters_;
@@ -66,6 +71,9 @@ class PressureDrive {
   std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_answers_;  ///< per axis and beam: of its two halves
   std::vector<std::array<std::size_t, 3>> voxel_answers_;                ///< per voxel: of its wall classes along x, y, z
   std::vector<std::array<std::size_t, 3>> bulge_answers_;                ///< the same of its bulge classes
+  std::vector<std::array<double, 6>> openings_;                          ///< per voxel and side
+  std::array<std::vector<Neck>, 3> necks_;                               ///< per axis
+  std::vector<double> lengths_m_, rates_m_s_;                            ///< of the beams of an axis, while they are set
   std::vector<std::array<bool, 6>> bulging_;                             ///< per voxel: sides with a wall and no voxel behind it
   std::set<std::size_t> lengths_in_use_, bulges_in_use_;                 ///< answers
   double largest_half_length_m_ = 0.0;

@@ -6,6 +6,7 @@
 
 #include "voxel/rest_lengths.h"
 #include "voxel/surrogate_beams.h"
+#include "voxel/wall_openings.h"
 
 namespace menger::voxel {
 namespace {
@@ -105,6 +106,7 @@ StaticBody::StaticBody(const SurrogateParameters& body_parameters, HollowVoxels 
       voxels(std::move(hollow)),
       lattice(voxels.body),
       edge_m(parameters.voxel_edge_m()),
+      openings(wall_openings(lattice, voxels)),
       beam_at(lattice.voxel_count()) {
   for (const auto* classes : {&voxels.wall_class, &voxels.bulge_class}) {
     for (const auto& of_voxel : *classes) {
@@ -128,7 +130,10 @@ std::vector<std::size_t> StaticBody::end_voxels(Side side) const {
 double StaticBody::rest_length(const DrivenSizes& sizes, const StaticBeam& beam) const {
   double length = 0.0;
   for (const std::size_t node : {beam.lower, beam.upper}) {
-    if (is_voxel(node)) length += half_length(sizes, node, static_cast<std::size_t>(beam.axis));
+    if (!is_voxel(node)) continue;
+    const auto axis = static_cast<std::size_t>(beam.axis);
+    const std::size_t side = 2 * axis + (node == beam.lower ? 1 : 0);
+    length += half_length(sizes, node, axis) + openings[node][side] * bulge(sizes, node, axis);
   }
   return length;
 }

@@ -59,7 +59,8 @@ struct StaticBody {
   std::vector<Pose> rest;       ///< of all nodes
   std::vector<double> mass_kg;  ///< of voxels
   std::vector<double> inertia_kg_m2;
-  ByWallClass<bool> has_class{};  ///< whether any voxel has the class along any axis, of its walls or its bulge
+  ByWallClass<bool> has_class{};                ///< whether any voxel has the class along any axis, of its walls or its bulge
+  std::vector<std::array<double, 6>> openings;  ///< see wall_openings
   /// Per voxel and side the beam that leaves it there, if any.
   std::vector<std::array<std::optional<std::size_t>, 6>> beam_at;
 

@@ -95,10 +95,11 @@ struct ValidityRange {
 /// / L^2 (Timoshenko; at 0 sections stay normal to the axis, Euler-Bernoulli). The halves act in series: harmonic means of the
 /// stiffnesses, the mean of the compliances. The joint factors multiply the stiffnesses where n and p belong to different
 /// chambers, but not the shear compliance, which comes from the side walls over the whole length of the beam. The rest
-/// length of a half is (L / 2)(1 + extension[c](p)), with p of its chamber. Lateral coupling shortens the rest length of a beam
-/// by L c (e_b + e_d), e_b the mean over both ends of the voxel's strain across the axis; see rest_lengths.h. A face with a wall
-/// lies (L / 2)(1 + extension) + L bulge[c](p) from the centre in the mean over its area, L bulge_peak_ratio[c] bulge[c](p)
-/// where it stands out most; with that, its corners and its middle it meets the ground (see WallFoot).
+/// length of a half is (L / 2)(1 + extension[c](p)), with p of its chamber, and longer where it leaves a plate (wall_openings).
+/// Lateral coupling shortens the rest length of a beam by L c (e_b + e_d), e_b the mean over both ends of the voxel's strain
+/// across the axis; see rest_lengths.h. A face with a wall lies (L / 2)(1 + extension) + L bulge[c](p) from the centre in the
+/// mean over its area, L bulge_peak_ratio[c] bulge[c](p) where it stands out most; with that, its corners and its middle it meets
+/// the ground (see WallFoot).
 struct SurrogateParameters {
   // what they hold for
   std::string silicone;                                            ///< name of the record

@@ -101,6 +101,12 @@ TEST(Settling, EndsInTheEquilibriumUnderWeightAndForce) {
       1e-7);
 }
 
+TEST(Settling, EndsInTheEquilibriumOfANeckOnAPlate) {
+  const meshes::Polycube post = meshes::Polycube::from_digits(3, 3, 2, "111111111000100000");
+  const SurrogateParameters parameters = tests::surrogate_example();
+  for (const double pressure : {-800.0, 1200.0}) EXPECT_LT(largest_distance(parameters, post, {.pressure_Pa = pressure}), 1e-7);
+}
+
 TEST(Settling, EndsInTheEquilibriumOnTheGround) {
   // On what bulges, on all feet of walls that are flat, on the rim of those drawn in.
   const SurrogateParameters parameters = tests::surrogate_example();
