@@ -104,6 +104,27 @@ TEST(FootContact, SlidesUntilKineticFrictionHasUsedUpItsEnergy) {
   }
 }
 
+TEST(FootContact, SlidesAsFarInSinglePrecision) {
+  // Past many edges, so that positions are counted from another origin at its end than at its start.
+  const meshes::Polycube body = meshes::bar(3);
+  Physics physics = standing();
+  physics.materials.fill({.static_friction = 0.8, .kinetic_friction = 0.4});
+  physics.integration.damping = DampingMode::velocity;
+  const auto way = [&](NumberType number) {
+    physics.integration.number = number;
+    VoxelLoads loads = sunk(body, physics);
+    loads.initial_velocity_m_s.assign(3, {1.0, 0.0, 0.0});
+    Simulation simulation(body, edge, physics, loads);
+    const double start = simulation.centre_of_mass_m()[0];
+    EXPECT_EQ(simulation.advance_to(0.5), io::RunStatus::completed);
+    return simulation.centre_of_mass_m()[0] - start;
+  };
+  const double exact = way(NumberType::float64);
+  EXPECT_GT(exact, 10.0 * edge);
+  // Rounding of 24 bits in some ten thousand steps, of which contacts amplify the last that decide when a foot lets go.
+  EXPECT_NEAR(way(NumberType::float32), exact, 1e-3 * exact);
+}
+
 TEST(FootContact, HoldsBelowKineticFrictionAndSlidesBeyondStatic) {
   const meshes::Polycube body = meshes::bar(3);
   Physics physics = standing();
