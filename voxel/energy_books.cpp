@@ -9,7 +9,7 @@
 namespace menger::voxel {
 
 EnergyBooks::EnergyBooks(const StepData<double>& data, BeamVariety variety, bool velocity, bool floor, bool gravity,
-                         bool actuated, LateralCoupling<double>* coupling)
+                         bool actuated, LateralCoupling<double>* coupling, const FootContact<double>* feet)
     : data_(&data),
       variety_(variety),
       velocity_(velocity),
@@ -17,6 +17,7 @@ EnergyBooks::EnergyBooks(const StepData<double>& data, BeamVariety variety, bool
       gravity_(gravity),
       actuated_(actuated),
       coupling_(coupling),
+      feet_(feet),
       books_(data.padded_voxels + 4) {
   std::size_t beams = 0;
   for (const BeamAxisData<double>& axis : data.axis) beams += axis.count;

@@ -18,11 +18,9 @@ namespace menger::voxel {
 class EnergyBooks {
  public:
   /// @param variety, velocity, floor, gravity, actuated: the terms of the step, as for the kernels @param coupling or null
+  /// @param feet or null; their loads are added with the contacts, and booked apart from them
   EnergyBooks(const StepData<double>& data, BeamVariety variety, bool velocity, bool floor, bool gravity, bool actuated,
-              LateralCoupling<double>* coupling);
-
-  /// Books the loads of feet, which are added with the contacts, apart from them. @param feet or null; must outlive this
-  void watch(const FootContact<double>* feet) { feet_ = feet; }
+              LateralCoupling<double>* coupling, const FootContact<double>* feet);
 
   /// Adds the loads of all beams and of their coupling; true if a strain is out of range or not finite.
   bool add_beam_loads();
@@ -63,7 +61,7 @@ class EnergyBooks {
   BeamVariety variety_;
   bool velocity_, floor_, gravity_, actuated_;
   LateralCoupling<double>* coupling_;
-  const FootContact<double>* feet_ = nullptr;
+  const FootContact<double>* feet_;
   bool first_ = true;
   std::vector<VoxelBook> books_;
   std::vector<double> rest_length_, last_rest_length_;              ///< per beam, axis after axis

@@ -93,8 +93,7 @@ EngineOf<Real>::EngineOf(const meshes::Polycube& body, double edge_m, const Phys
   if constexpr (std::is_same_v<Real, double>) {
     if (options.energy_ledger) {
       books_ = std::make_unique<EnergyBooks>(d, variety(state_->uniform()), physics.integration.damping == DampingMode::velocity,
-                                             floor_, gravity_, actuated_, coupling_.get());
-      books_->watch(feet_.get());
+                                             floor_, gravity_, actuated_, coupling_.get(), feet_.get());
       energy.emplace();
     }
   } else if (options.energy_ledger) {

@@ -9,6 +9,7 @@
 
 #include "voxel/rest_lengths.h"
 #include "voxel/wall_openings.h"
+#include "voxel/wall_squares.h"
 
 namespace menger::voxel {
 
@@ -57,10 +58,8 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     bulge_answers_.push_back({bulge_answer(i, 0), bulge_answer(i, 1), bulge_answer(i, 2)});
     lengths_in_use_.insert(voxel_answers_.back().begin(), voxel_answers_.back().end());
     bulges_in_use_.insert(bulge_answers_.back().begin(), bulge_answers_.back().end());
-    bulging_.push_back(voxels.walled[i]);
-    for (std::size_t side = 0; side < bulging_[i].size(); ++side) {
-      if (lattice.neighbours[i][side] >= 0) bulging_[i][side] = false;
-    }
+    std::array<bool, 6>& bulging = bulging_.emplace_back();
+    for (std::size_t side = 0; side < bulging.size(); ++side) bulging[side] = has_free_wall(lattice, voxels, i, side);
   }
 }
 
@@ -72,10 +71,13 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     const double pressure = mean_Pa_ * moment.ramp + amplitude_Pa_ * (moment.sine * cosine + moment.cosine * sine);
     const double rate = mean_Pa_ * moment.ramp_rate + amplitude_Pa_ * (moment.sine_rate * cosine + moment.cosine_rate * sine);
     for (std::size_t c = 0; c < wall_class_count; ++c) {
-      answers_[wall_class_count * k + c] = {
-          half_length_m(parameters_, c, pressure), half_length_rate_m_s(parameters_, c, pressure, rate),
-          bulge_peak_m(parameters_, c, pressure), parameters_.voxel_edge_m() * parameters_.bulge[c].value(pressure),
-          parameters_.voxel_edge_m() * parameters_.bulge[c].derivative(pressure) * rate};
+      const double edge = parameters_.voxel_edge_m();
+      const double bulge = parameters_.bulge[c].value(pressure);
+      answers_[wall_class_count * k + c] = {.half_length_m = half_length_m(parameters_, c, pressure),
+                                            .half_length_rate_m_s = half_length_rate_m_s(parameters_, c, pressure, rate),
+                                            .bulge_peak_m = edge * parameters_.bulge_peak_ratio[c] * bulge,
+                                            .bulge_m = edge * bulge,
+                                            .bulge_rate_m_s = edge * parameters_.bulge[c].derivative(pressure) * rate};
     }
   }
   largest_half_length_m_ = largest_foot_bulge_m_ = 0.0;

@@ -11,10 +11,6 @@ constexpr auto line_size = static_cast<std::size_t>(line_length);
 
 }  // namespace
 
-double bulge_peak_m(const SurrogateParameters& parameters, std::size_t bulge_class, double pressure_Pa) {
-  return parameters.voxel_edge_m() * parameters.bulge_peak_ratio[bulge_class] * parameters.bulge[bulge_class].value(pressure_Pa);
-}
-
 template <class Real>
 LateralCoupling<Real>::LateralCoupling(const Lattice& lattice, double coupling, const std::array<std::vector<double>, 3>& axial_N)
     : half_coupling_(static_cast<Real>(0.5 * coupling)), sums_(lattice.voxel_count()) {

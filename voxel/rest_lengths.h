@@ -21,9 +21,6 @@ inline double half_length_rate_m_s(const SurrogateParameters& parameters, std::s
   return 0.5 * parameters.voxel_edge_m() * parameters.extension[wall_class].derivative(pressure_Pa) * pressure_rate_Pa_s;
 }
 
-/// How far (m) a wall stands out where it does most, L bulge_peak_ratio bulge(p); negative where it is drawn in.
-double bulge_peak_m(const SurrogateParameters& parameters, std::size_t bulge_class, double pressure_Pa);
-
 /// Lateral coupling: what a body gains in length it loses in width, at no cost of the time step.
 ///
 /// A beam i of rest length l_i, length d_i and section stiffness EA_i has the spring stiffness k_i = EA_i / l_i and stores e_i^2

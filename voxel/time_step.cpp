@@ -58,6 +58,7 @@ double largest_standing_step_s(const FloorCoefficients<double>& floor, double ma
 }
 
 double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classes, double edge_m, const Physics& physics) {
+  const double coupling = effective_coupling(physics);
   double largest = 0.0;
   double damping = 0.0;  // ratio of beams, each end's to its own mass
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -68,7 +69,7 @@ double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classe
       const BeamCoefficients<double>& beam = classes.beam[classes.beam_class[axis][i]];
       const double mass = std::min(classes.mass_kg[lower], classes.mass_kg[upper]);
       const double inertia = std::min(classes.inertia_kg_m2[lower], classes.inertia_kg_m2[upper]);
-      const double stretch = (1.0 + 2.0 * effective_coupling(physics)) * beam.axial_root * beam.axial_root;
+      const double stretch = (1.0 + 2.0 * coupling) * beam.axial_root * beam.axial_root;
       // Shear takes from the turn of one end against both, but not from the curvature between them.
       const double turn = beam.turn + beam.turn_difference;
       largest = std::max({largest, stretch / mass, beam.shear / mass, turn / inertia, beam.twist / inertia});
@@ -78,8 +79,7 @@ double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classe
   }
   // The damping is explicit: from twice the paper's on it limits the step in proportion.
   constexpr double undamped = 2.0;
-  largest *= std::pow(std::max(1.0, damping / undamped), 2.0);
-  double recommended_s = 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
+  double recommended_s = 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest) * std::max(1.0, damping / undamped));
   for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
     // What presses on the ground presses on other voxels, too.
     const FloorCoefficients<double>& floor = classes.voxel[classes.voxel_class[i]].floor;

@@ -1,10 +1,10 @@
 #include "voxel/wall_feet.h"
 
-#include <algorithm>
 #include <iterator>
-#include <optional>
 #include <set>
 #include <utility>
+
+#include "voxel/wall_squares.h"
 
 namespace menger::voxel {
 
@@ -14,31 +14,6 @@ namespace {
 std::size_t side_of(std::size_t axis, bool upper) { return 2 * axis + (upper ? 1 : 0); }
 
 double sign(bool upper) { return upper ? 1.0 : -1.0; }
-
-bool is_free(const Lattice& lattice, const HollowVoxels& voxels, std::size_t voxel, std::size_t side) {
-  return voxels.walled[voxel][side] && lattice.neighbours[voxel][side] < 0;
-}
-
-std::optional<std::size_t> neighbour(const Lattice& lattice, std::size_t voxel, std::size_t side) {
-  const std::int32_t other = lattice.neighbours[voxel][side];
-  return other < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(other));
-}
-
-/// The four voxels of one chamber around an edge along `axis` if all of them have a free wall on `side`, else none.
-std::vector<std::size_t> plate_around(const Lattice& lattice, const HollowVoxels& voxels, std::size_t voxel, std::size_t side,
-                                      std::size_t beside, std::size_t behind) {
-  const auto first = neighbour(lattice, voxel, beside);
-  const auto second = neighbour(lattice, voxel, behind);
-  if (!first || !second) return {};
-  const auto across = neighbour(lattice, *first, behind);
-  if (!across) return {};
-  std::vector<std::size_t> plate{voxel, *first, *second, *across};
-  const bool is_one = std::ranges::all_of(plate, [&](std::size_t part) {
-    return voxels.chamber[part] == voxels.chamber[voxel] && is_free(lattice, voxels, part, side);
-  });
-  if (!is_one) plate.clear();
-  return plate;
-}
 
 /// One that a plate has where four of its voxels meet.
 WallFoot crown_of(std::vector<std::size_t> plate, std::size_t axis, const std::array<double, 3>& signs) {
@@ -67,12 +42,11 @@ SideFeet side_feet(const Lattice& lattice, const HollowVoxels& voxels, std::size
       signs[axis] = sign(upper);
       signs[u] = sign(upper_u);
       signs[v] = sign(upper_v);
-      std::vector<std::size_t> plate =
-          plate_around(lattice, voxels, voxel, side_of(axis, upper), side_of(u, upper_u), side_of(v, upper_v));
-      if (plate.empty()) {
-        feet.rim.push_back(signs);
+      const auto plate = plate_beside(lattice, voxels, voxel, side_of(axis, upper), side_of(u, upper_u), side_of(v, upper_v));
+      if (plate) {
+        feet.crowns.push_back(crown_of({voxel, (*plate)[0], (*plate)[1], (*plate)[2]}, axis, signs));
       } else {
-        feet.crowns.push_back(crown_of(std::move(plate), axis, signs));
+        feet.rim.push_back(signs);
       }
     }
   }
@@ -95,7 +69,7 @@ std::vector<WallFoot> wall_feet(const Lattice& lattice, const HollowVoxels& voxe
   std::vector<WallFoot> crowns;
   std::set<std::array<double, 3>> corners;  // those of two walls once
   for (std::size_t side = 0; side < 6; ++side) {
-    if (!is_free(lattice, voxels, voxel, side)) continue;
+    if (!has_free_wall(lattice, voxels, voxel, side)) continue;
     const std::size_t axis = side / 2;
     SideFeet on_side = side_feet(lattice, voxels, voxel, axis, side % 2 != 0);
     const std::uint8_t of_class = voxels.bulge_class[voxel][axis];
