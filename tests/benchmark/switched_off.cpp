@@ -19,6 +19,7 @@
 #include "io/program.h"
 #include "meshes/fractal.h"
 #include "meshes/reference_shapes.h"
+#include "tests/support/temporary_folder.h"
 #include "voxel/scene_file.h"
 #include "voxel/simulation.h"
 #include "voxel/vtk_output.h"
@@ -126,14 +127,13 @@ std::string state_of(const Term& term, const voxel::Simulation& simulation, cons
 /// A record every 20 ms with the frame for ParaView, as a scene is run, against none, as a search runs it.
 Job recording(double duration_s) {
   return [=](voxel::Simulation& simulation) {
-    const fs::path folder = fs::temp_directory_path() / "menger_switched_off";
-    voxel::FrameSeries frames(folder);
+    const tests::TemporaryFolder folder("menger-switched-off");
+    voxel::FrameSeries frames(folder.path());
     for (double time_s = 0.0; time_s < duration_s; time_s += 0.02) {
       frames.add(simulation.frame());
       static_cast<void>(simulation.advance_to(std::min(duration_s, time_s + 0.02)));
     }
     frames.finish();
-    fs::remove_all(folder);
   };
 }
 

@@ -1,15 +1,13 @@
 // Curves that must not be fitted to.
 
-#include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 
 #include "io/content_hash.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "tests/extremes/calibration_rows.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/voxel/calibration_samples.h"
 #include "voxel/calibration_study.h"
 
@@ -23,20 +21,11 @@ namespace fs = std::filesystem;
 class StudyFolder {
  public:
   StudyFolder() {
-    std::string path = (fs::temp_directory_path() / "menger-extremes-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) throw std::runtime_error(path + ": cannot be made");
-    folder_ = path;
     materials::LoadCase load_case = voxel::samples::load_cases().front();
     load_case.name = "tube";
     materials::write_response_curve(folder_ / "curves", voxel::samples::curve_of(load_case, calibration_truth()));
     write_study("", "0.002");
   }
-  ~StudyFolder() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  StudyFolder(const StudyFolder&) = delete;
-  StudyFolder& operator=(const StudyFolder&) = delete;
 
   /// @param keys lines at the top level
   void write_study(const std::string& keys, const std::string& wall_thickness_m) const {
@@ -66,7 +55,7 @@ class StudyFolder {
       outcome.expect(false, "the study was accepted");
     } catch (const io::InputError& error) {
       std::string text = error.what();
-      const std::string path = folder_.string() + "/";  // another one each time
+      const std::string path = folder_.path().string() + "/";  // another one each time
       for (std::size_t place = text.find(path); place != std::string::npos; place = text.find(path))
         text.erase(place, path.size());
       outcome.note(text);
@@ -76,7 +65,7 @@ class StudyFolder {
   }
 
  private:
-  fs::path folder_;
+  const tests::TemporaryFolder folder_{"menger-extremes"};
 };
 
 /// A text with the first occurrence of a part replaced.

@@ -15,6 +15,7 @@
 #include "io/whole_file.h"
 #include "tests/extremes/table.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::extremes {
 namespace {
@@ -62,10 +63,8 @@ TEST(Row, ThatThrowsOrLooksAtNothingIsNotAsExpected) {
 
 class Table : public testing::Test {
  protected:
-  Table() { fs::remove_all(folder_); }
-
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "extremes_table" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
 };
 
 Row row(const std::string& name, bool holds, bool is_slow) {

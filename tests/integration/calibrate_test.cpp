@@ -10,6 +10,7 @@
 #include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "materials/response_curve.h"
+#include "tests/support/test_folder.h"
 #include "voxel/calibration_start.h"
 #include "voxel/load_case_response.h"
 #include "voxel/surrogate_file.h"
@@ -29,8 +30,6 @@ constexpr const char* study_text =
 class CalibrateProgram : public testing::Test {
  protected:
   CalibrateProgram() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     truth_ = voxel::rough_parameters(provenance(), 1);
     truth_.axial_Pa.fill(150e3);
     truth_.bending_Pa.fill(230e3);
@@ -79,7 +78,7 @@ class CalibrateProgram : public testing::Test {
   /// The exit code; what it printed goes to the files out and err.
   [[nodiscard]] int run(const std::string& arguments) const {
     const std::string command =
-        "cd '" + folder_.string() + "' && '" MENGER_PROGRAM_DIR "/menger-calibrate' " + arguments + " >out 2>err";
+        "cd '" + folder_.path().string() + "' && '" MENGER_PROGRAM_DIR "/menger-calibrate' " + arguments + " >out 2>err";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -95,8 +94,7 @@ class CalibrateProgram : public testing::Test {
   }
 
   voxel::SurrogateParameters truth_;
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_calibrate" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(CalibrateProgram, FindsTheParametersThatMadeTheCurves) {

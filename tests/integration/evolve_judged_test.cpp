@@ -14,6 +14,7 @@
 #include "io/whole_file.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -27,8 +28,6 @@ using test_support::ProgramRun;
 class EvolveJudged : public testing::Test {
  protected:
   EvolveJudged() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     write_study("every = 1\ndesigns = 2\nbudget_element_steps = 1e8\n");
     io::write_whole(folder_ / "judge.toml", "record_interval_s = 0.005\n");
   }
@@ -52,8 +51,7 @@ class EvolveJudged : public testing::Test {
     return start(program, std::move(arguments)).wait();
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "evolve_judged" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(EvolveJudged, FiniteElementsJudgeSurvivorsAndCorrectTheFitness) {

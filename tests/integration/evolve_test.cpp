@@ -14,6 +14,7 @@
 #include "tests/support/archive_content.h"
 #include "tests/support/program_run.h"
 #include "tests/support/surrogate_example.h"
+#include "tests/support/test_folder.h"
 #include "voxel/surrogate_file.h"
 
 namespace menger {
@@ -38,11 +39,7 @@ duration_s = 0.05
 /// The program in a folder of its own, with a small study in it.
 class Evolve : public testing::Test {
  protected:
-  Evolve() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    io::write_whole(study_, small_study);
-  }
+  Evolve() { io::write_whole(study_, small_study); }
 
   [[nodiscard]] ProgramRun start(std::vector<std::string> arguments) const {
     return {folder_, fs::path(MENGER_PROGRAM_DIR) / "menger-evolve", std::move(arguments)};
@@ -72,8 +69,7 @@ class Evolve : public testing::Test {
     io::write_whole(study_, text);
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_evolve" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   fs::path study_ = folder_ / "study.toml";
   fs::path archive_ = folder_ / "run.sqlite";
 };

@@ -14,6 +14,7 @@
 #include "io/whole_file.h"
 #include "meshes/design_file.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -25,11 +26,6 @@ using test_support::ProgramRun;
 /// Programs in a folder of their own, with a small study in it.
 class Export : public testing::Test {
  protected:
-  Export() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] Outcome run(const std::string& program, std::vector<std::string> arguments) const {
     return ProgramRun(folder_, fs::path(MENGER_PROGRAM_DIR) / program, std::move(arguments)).wait();
   }
@@ -60,8 +56,7 @@ class Export : public testing::Test {
     return files;
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_export" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(Export, WritesTablesDesignAndSimulationsOfTheChampion) {

@@ -11,6 +11,7 @@
 #include "io/whole_file.h"
 #include "materials/homogeneous_deformations.h"
 #include "materials/law_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -20,15 +21,10 @@ namespace fs = std::filesystem;
 /// The program in a folder of its own.
 class FitProgram : public testing::Test {
  protected:
-  FitProgram() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   /// The exit code; what it printed goes to the files out and err.
   [[nodiscard]] int run(const std::string& arguments) const {
     const std::string command =
-        "cd '" + folder_.string() + "' && '" MENGER_PROGRAM_DIR "/menger-fit' " + arguments + " >out 2>err";
+        "cd '" + folder_.path().string() + "' && '" MENGER_PROGRAM_DIR "/menger-fit' " + arguments + " >out 2>err";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -47,8 +43,7 @@ class FitProgram : public testing::Test {
     io::write_whole(folder_ / "test.csv", csv);
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_fit" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(FitProgram, WritesRankingCurvesAndManifest) {

@@ -22,6 +22,7 @@
 #include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -33,11 +34,7 @@ using test_support::ProgramRun;
 /// The program in a folder of its own, with studies of a hollow cube of 98 linear elements.
 class InflateProgram : public testing::Test {
  protected:
-  InflateProgram() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    io::write_whole(folder_ / "cube_design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
-  }
+  InflateProgram() { io::write_whole(folder_ / "cube_design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n"); }
 
   /// Writes a study. @param path the table [path] @param more further tables
   void write_study(const std::string& path, const std::string& more = "", int degree = 1) const {
@@ -72,8 +69,7 @@ class InflateProgram : public testing::Test {
 
   [[nodiscard]] bool has(const std::string& name) const { return fs::exists(folder_ / name); }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_inflate" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 double last(const io::CsvContents& table, const std::string& column) { return table.number(table.row_count() - 1, column); }

@@ -8,6 +8,7 @@
 #include "evolution/run_archive.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -22,8 +23,6 @@ constexpr int last_generation = 4;
 class KilledSearch : public testing::TestWithParam<int> {
  protected:
   KilledSearch() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     const Outcome whole = run("whole.sqlite", 0, 0);
     commits_ = std::stoul(whole.out);
     expected_ = archive_content(folder_ / "whole.sqlite");
@@ -42,8 +41,7 @@ class KilledSearch : public testing::TestWithParam<int> {
     return evolution::RunArchive::open_to_read(folder_ / archive).last_generation();
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "menger_killed_search" / std::to_string(GetParam()) /
-                     testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   std::size_t commits_ = 0;
   std::string expected_;
 };

@@ -11,6 +11,7 @@
 #include "io/whole_file.h"
 #include "materials/response_curve.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -22,11 +23,6 @@ using test_support::ProgramRun;
 /// The program in a folder of its own, with sets of cases of a cell in 26 linear elements.
 class LoadCasesProgram : public testing::Test {
  protected:
-  LoadCasesProgram() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   void write_set(const std::string& cases) const {
     io::write_whole(folder_ / "set.toml",
                     "[material]\nrecord = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n"
@@ -43,8 +39,7 @@ class LoadCasesProgram : public testing::Test {
     return ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-load-cases", std::move(arguments)).wait();
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_load_cases" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 const std::string stretch = "pressures_Pa = [0, 2000]\ndisplacement_m = [0.0005, 0.001]\n";

@@ -15,6 +15,7 @@
 #include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -27,8 +28,6 @@ using test_support::ProgramRun;
 class LocomoteProgram : public testing::Test {
  protected:
   LocomoteProgram() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     io::write_whole(folder_ / "design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
     write_study("study.toml", "0.05", "");
   }
@@ -66,8 +65,7 @@ class LocomoteProgram : public testing::Test {
     return program.wait();
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_locomote" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(LocomoteProgram, WritesWhatItPromises) {

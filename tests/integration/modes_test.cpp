@@ -7,6 +7,7 @@
 #include "io/csv_table.h"
 #include "io/whole_file.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -19,8 +20,6 @@ using test_support::ProgramRun;
 class ModesProgram : public testing::Test {
  protected:
   ModesProgram() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     io::write_whole(folder_ / "cube_design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
     io::write_whole(folder_ / "study.toml",
                     "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.004\n"
@@ -33,8 +32,7 @@ class ModesProgram : public testing::Test {
     return ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-modes", std::move(arguments)).wait();
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_modes" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(ModesProgram, WritesFrequenciesAtTheKnotsOfThePathAndTheResponse) {

@@ -11,6 +11,7 @@
 #include "io/whole_file.h"
 #include "tests/support/judged_archive.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -23,8 +24,6 @@ using test_support::ProgramRun;
 class ReevaluateProgram : public testing::Test {
  protected:
   ReevaluateProgram() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     tests::make_archive(folder_ / "run.sqlite", tests::silicone_study(),
                         {"111100000100000000000000000", "111000000000000000000000000"});
   }
@@ -33,8 +32,7 @@ class ReevaluateProgram : public testing::Test {
     return ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-reevaluate", std::move(arguments)).wait();
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "reevaluate_program" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(ReevaluateProgram, JudgesDesignsByTheLocomotionOfFiniteElements) {

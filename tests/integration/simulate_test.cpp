@@ -20,6 +20,7 @@
 #include "io/csv_table.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 #include "voxel/vtk_output.h"
 
 namespace menger {
@@ -47,11 +48,6 @@ digits = "12"
 /// The program in a folder of its own.
 class Simulate : public testing::Test {
  protected:
-  Simulate() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   void write_scene(const std::string& text) const { io::write_whole(folder_ / "scene.toml", text); }
 
   /// Starts the program in the folder; its output goes to the files out and err there.
@@ -64,7 +60,7 @@ class Simulate : public testing::Test {
     words.push_back(nullptr);
     const pid_t child = fork();
     if (child == 0) {
-      if (chdir(folder_.c_str()) != 0) _exit(126);
+      if (chdir(folder_.path().c_str()) != 0) _exit(126);
       for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
       dup2(open("out", O_CREAT | O_TRUNC | O_WRONLY, 0644), STDOUT_FILENO);
       dup2(open("err", O_CREAT | O_TRUNC | O_WRONLY, 0644), STDERR_FILENO);
@@ -94,7 +90,7 @@ class Simulate : public testing::Test {
     return reader->GetOutput()->GetNumberOfCells();
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "simulate" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(Simulate, FilesAgreeWithOneAnother) {

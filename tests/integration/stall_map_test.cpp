@@ -10,6 +10,7 @@
 #include "io/csv_table.h"
 #include "io/whole_file.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
@@ -22,8 +23,6 @@ using test_support::ProgramRun;
 class StallMapProgram : public testing::Test {
  protected:
   StallMapProgram() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     io::write_whole(folder_ / "curve.csv", "pressure_Pa,volume_m3\n0,5e-6\n1000,6e-6\n5000,9e-6\n");
     write_study("");
   }
@@ -41,8 +40,7 @@ class StallMapProgram : public testing::Test {
     return ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-stall-map", std::move(arguments)).wait();
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_stall_map" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(StallMapProgram, WritesTheMapAndItsIsobars) {

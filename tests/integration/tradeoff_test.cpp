@@ -12,6 +12,7 @@
 #include "io/whole_file.h"
 #include "materials/load_case.h"
 #include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
 #include "voxel/load_case_response.h"
 #include "voxel/surrogate_file.h"
 
@@ -26,8 +27,6 @@ using test_support::ProgramRun;
 class TradeoffProgram : public testing::Test {
  protected:
   TradeoffProgram() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     io::write_whole(folder_ / "cube.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
     io::write_whole(folder_ / "study.toml",
                     "design = \"cube.toml\"\nwall_thickness_m = 0.004\npressure_Pa = 3000\n"
@@ -38,8 +37,7 @@ class TradeoffProgram : public testing::Test {
     return ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-tradeoff", std::move(arguments)).wait();
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "tradeoff_program" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(TradeoffProgram, ComparesTwoFidelitiesOfACubeAndRepeatsNothing) {
@@ -147,7 +145,7 @@ TEST_F(TradeoffProgram, WrongInputEndsWithTwoAndNamesIt) {
   const Outcome searchless = run({"--search", "study.toml"});
   EXPECT_EQ(searchless.code, 2);
   EXPECT_NE(searchless.err.find("[search]"), std::string::npos);
-  const Outcome alone = run({"study.toml", "--programs", folder_.string()});
+  const Outcome alone = run({"study.toml", "--programs", folder_.path().string()});
   EXPECT_EQ(alone.code, 2);
   EXPECT_NE(alone.err.find("menger-inflate"), std::string::npos);
   EXPECT_EQ(run({"--help"}).code, 0);

@@ -10,6 +10,7 @@
 #include "materials/response_curve.h"
 #include "tests/support/program_run.h"
 #include "tests/support/surrogate_example.h"
+#include "tests/support/test_folder.h"
 #include "voxel/load_case_response.h"
 #include "voxel/surrogate_file.h"
 
@@ -29,7 +30,6 @@ voxel::SurrogateParameters truth() {
 class ValidateProgram : public testing::Test {
  protected:
   ValidateProgram() {
-    fs::remove_all(folder_);
     write_curve("curves", "bar_inflation", LoadCaseKind::inflation, {-2e3, 0.0, 3e3, 6e3}, {});
     write_curve("curves", "bar_stretch", LoadCaseKind::stretch, {0.0, 4e3}, {0.0, 5e-4, 1e-3});
     write_curve("curves", "bar_modes", LoadCaseKind::modes, {0.0, 4e3}, {});
@@ -69,8 +69,7 @@ class ValidateProgram : public testing::Test {
     return test_support::ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-validate", std::move(arguments)).wait();
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_validate" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(ValidateProgram, FindsNoErrorInAModelOfItself) {

@@ -7,6 +7,7 @@
 #include "evolution/run_archive.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -37,11 +38,6 @@ Reevaluation completed_run(const std::string& design, const std::string& protoco
 /// A folder of its own.
 class ArchiveReevaluations : public testing::Test {
  protected:
-  ArchiveReevaluations() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] RunArchive open() const { return RunArchive::open(file_, study, 3); }
 
   /// Makes the archive what version 2 wrote.
@@ -58,8 +54,7 @@ class ArchiveReevaluations : public testing::Test {
     return database.execAndGet("PRAGMA user_version").getInt();
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "archive_reevaluations" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   fs::path file_ = folder_ / "run.sqlite";
 };
 

@@ -9,6 +9,7 @@
 #include "evolution/run_archive.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -28,11 +29,6 @@ Individual some_individual(std::uint64_t id, BodyPlan plan = BodyPlan::fractal) 
 /// A folder of its own.
 class Archive : public testing::Test {
  protected:
-  Archive() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] RunArchive open(int generations = 3) const { return RunArchive::open(file_, study, generations); }
 
   /// An archive with enough rows for several pages.
@@ -63,8 +59,7 @@ class Archive : public testing::Test {
     }
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_archive" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   fs::path file_ = folder_ / "run.sqlite";
 };
 

@@ -17,6 +17,7 @@
 #include "meshes/fractal.h"
 #include "meshes/weak_contacts.h"
 #include "tests/support/surrogate_example.h"
+#include "tests/support/test_folder.h"
 #include "voxel/surrogate_file.h"
 
 namespace menger::evolution {
@@ -31,11 +32,7 @@ const std::string in_phase = "[actuation]\nmode = \"in_phase\"\n";
 
 class CalibratedStudy : public testing::Test {
  protected:
-  CalibratedStudy() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(tests::surrogate_example()));
-  }
+  CalibratedStudy() { io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(tests::surrogate_example())); }
   [[nodiscard]] Study read(const std::string& text) const {
     io::write_whole(folder_ / "study.toml", text);
     return read_study(folder_ / "study.toml");
@@ -51,8 +48,7 @@ class CalibratedStudy : public testing::Test {
     EXPECT_NE(message.find("study.toml"), std::string::npos) << message;
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "calibrated_study" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(CalibratedStudy, IsReadBackFromItsTextWithoutTheParametersFile) {

@@ -12,6 +12,7 @@
 #include "evolution/search.h"
 #include "io/csv_table.h"
 #include "tests/support/fake_evaluator.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -31,11 +32,6 @@ SearchPlan small_plan(std::uint64_t seed = 3) {
 /// A finished search in a folder of its own, with the requests as they were made.
 class EvaluatedTasks : public testing::Test {
  protected:
-  EvaluatedTasks() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   /// Runs a search on one thread. @return how many evaluations were known to be needed when each batch was asked for, by
   /// generation
   std::map<int, std::vector<std::size_t>> search(const SearchPlan& plan, const std::string& name = "run") {
@@ -54,8 +50,7 @@ class EvaluatedTasks : public testing::Test {
     return {.archive = &*archive_, .plan = plan, .physics = evaluator_.physics()};
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "evaluated_tasks" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   FakeEvaluator evaluator_;
   std::optional<RunArchive> archive_;
 };

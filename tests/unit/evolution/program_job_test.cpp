@@ -4,6 +4,7 @@
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -13,11 +14,7 @@ namespace fs = std::filesystem;
 /// A folder with a shell script that notes its calls in the file `calls`.
 class ProgramJobTest : public testing::Test {
  protected:
-  ProgramJobTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    options_.runs = folder_ / "runs";
-  }
+  ProgramJobTest() { options_.runs = folder_ / "runs"; }
 
   [[nodiscard]] ProgramJob script(const std::string& lines) const {
     const fs::path file = folder_ / "script";
@@ -33,7 +30,7 @@ class ProgramJobTest : public testing::Test {
 
   [[nodiscard]] std::size_t calls() const { return io::read_whole(folder_ / "calls").size() / 5; }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "program_job" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   ProgramJobOptions options_;
 };
 

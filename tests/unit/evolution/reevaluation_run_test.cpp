@@ -11,6 +11,7 @@
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/judged_archive.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -48,7 +49,6 @@ const std::string weak = "100010000000000000000000000";
 class ReevaluationRun : public testing::Test {
  protected:
   ReevaluationRun() {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "bin");
     add_program(fake_locomote());
     tests::make_archive(archive_, tests::silicone_study(), {bar_3, weak, bar_2, plate_4, cell, plate_6});
@@ -77,8 +77,7 @@ class ReevaluationRun : public testing::Test {
   }
   [[nodiscard]] io::CsvContents table(const char* name) const { return io::read_csv(folder_ / "out" / name); }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "reevaluation_run" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   fs::path archive_ = folder_ / "run.sqlite";
   ReevaluationOptions options_;
   std::string least_ = "0.001";  ///< body lengths that make a direction
@@ -321,8 +320,7 @@ TEST_F(ReevaluationRun, EqualVariantsAndASecondProcessAreRefused) {
 }
 
 TEST(Locomotions, EqualJobsAreRunOnceForAll) {
-  const fs::path folder = fs::path(testing::TempDir()) / "equal_jobs";
-  fs::remove_all(folder);
+  const tests::TestFolder folder;
   io::write_whole(folder / "program", "#!/bin/sh\nset -e\necho call >>'" + (folder / "calls").string() + "'\n" + fake_locomote());
   fs::permissions(folder / "program", fs::perms::owner_all);
   const LocomotionJob job{.name = "one", .study = "elements_through_wall = 1\n", .design = "layers\n111\n", .silicone = ""};

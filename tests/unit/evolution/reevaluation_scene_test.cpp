@@ -12,6 +12,7 @@
 
 #include "io/vtk_file.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 #include "voxel/vtk_output.h"
 
 namespace menger::evolution {
@@ -54,8 +55,6 @@ voxel::Frame frame_at(double time_s, double x_m) {
 class ReevaluationScene : public testing::Test {
  protected:
   ReevaluationScene() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     design_.elements.folder = folder_ / "runs/a/result";
     std::vector<voxel::CollectionEntry> entries;
     for (int n = 0; n < 3; ++n) {
@@ -67,8 +66,7 @@ class ReevaluationScene : public testing::Test {
     voxel::write_collection(design_.elements.folder / "frames.pvd", entries);
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "reevaluation_scene" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   JudgedDesign design_;
 };
 

@@ -13,6 +13,7 @@
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/judged_archive.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -24,11 +25,6 @@ const std::string bar = "111000000000000000000000000";
 
 class ReevaluationStudyTest : public testing::Test {
  protected:
-  ReevaluationStudyTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] ReevaluationStudy read(const std::string& text, const Study& search = tests::silicone_study(),
                                        std::size_t top = 1) const {
     const fs::path archive = folder_ / "run.sqlite";
@@ -44,8 +40,7 @@ class ReevaluationStudyTest : public testing::Test {
     return message_of([&] { (void)read(text, search); });
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "reevaluation_study" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(ReevaluationStudyTest, WithoutKeysItJudgesAsTheSearchDid) {

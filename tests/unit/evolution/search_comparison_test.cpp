@@ -5,6 +5,7 @@
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -15,7 +16,6 @@ namespace fs = std::filesystem;
 class SearchComparison : public testing::Test {
  protected:
   SearchComparison() {
-    fs::remove_all(folder_);
     io::write_whole(folder_ / "corrected_1/costs.csv",
                     "generation,voxel_steps,element_steps,total_voxel_steps_so_far\n0,1000,0,1000\n1,500,0,1500\n"
                     "2,500,300,2600\n3,100,100,2900\n");
@@ -33,8 +33,7 @@ class SearchComparison : public testing::Test {
     return read_compared_search(folder_ / name, options);
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "search_comparison" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(SearchComparison, TheOutcomeIsTheBestByFiniteElements) {

@@ -15,6 +15,7 @@
 #include "tests/support/archive_content.h"
 #include "tests/support/fake_evaluator.h"
 #include "tests/support/fake_judge.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -38,11 +39,6 @@ SearchPlan judged_plan() {
 
 class JudgedSearch : public testing::Test {
  protected:
-  JudgedSearch() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / (name + ".sqlite"); }
   [[nodiscard]] RunArchive open(const std::string& name) const { return RunArchive::open(file(name), "a study", 1); }
 
@@ -72,8 +68,7 @@ class JudgedSearch : public testing::Test {
             .voxels_per_cell = 1};
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "judged_search" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   FakeEvaluator evaluator_{{.failing = 0.1, .coarse = false, .cell_edge_m = 0.01, .before_result = {}}};
   FakeJudge judge_;
 };

@@ -15,6 +15,7 @@
 #include "io/content_hash.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/fake_evaluator.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -45,11 +46,6 @@ SearchPlan released_plan(std::uint64_t seed = 3) {
 /// Archives in a folder of their own.
 class SearchRun : public testing::Test {
  protected:
-  SearchRun() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / (name + ".sqlite"); }
 
   [[nodiscard]] RunArchive open(const std::string& name) const { return RunArchive::open(file(name), "a study", 1); }
@@ -69,8 +65,7 @@ class SearchRun : public testing::Test {
     return archive.evaluation({design_hash(phenotype, level), level, io::content_hash(evaluator_.physics())});
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_search" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   FakeEvaluator evaluator_;
 };
 

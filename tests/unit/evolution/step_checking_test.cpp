@@ -17,6 +17,7 @@
 #include "io/content_hash.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/fake_evaluator.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -39,10 +40,7 @@ SearchPlan checked_plan() {
 /// Archives in a folder of their own; with "half the step" robots go whole tenths of body lengths, and more of them diverge.
 class CheckedSearch : public testing::Test {
  protected:
-  CheckedSearch() : half_({.failing = 0.3, .coarse = true, .cell_edge_m = 0.01, .before_result = {}}) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
+  CheckedSearch() : half_({.failing = 0.3, .coarse = true, .cell_edge_m = 0.01, .before_result = {}}) {}
 
   [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / (name + ".sqlite"); }
   [[nodiscard]] RunArchive open(const std::string& name) const { return RunArchive::open(file(name), "a study", 1); }
@@ -61,8 +59,7 @@ class CheckedSearch : public testing::Test {
     return {.archive = &archive, .plan = plan, .physics = evaluator_.physics(), .half_step_physics = half_.physics()};
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "step_checking" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   FakeEvaluator evaluator_;
   FakeEvaluator half_;
 };

@@ -12,6 +12,7 @@
 #include "evolution/study_view.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -34,11 +35,6 @@ std::vector<std::string> bare_lines(const std::string& text) {
 
 class StudyFile : public testing::Test {
  protected:
-  StudyFile() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] Study read(const std::string& text, const StudyOverrides& overrides = {}) const {
     io::write_whole(folder_ / "study.toml", text);
     return read_study(folder_ / "study.toml", overrides);
@@ -56,8 +52,7 @@ class StudyFile : public testing::Test {
     }
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_study" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(StudyFile, PresetFilesSpellEveryOptionOut) {

@@ -10,6 +10,7 @@
 #include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "tests/support/surrogate_example.h"
+#include "tests/support/test_folder.h"
 #include "voxel/surrogate_file.h"
 
 namespace menger::evolution {
@@ -42,7 +43,6 @@ awk "BEGIN { print \"horizontal_displacement_m = \" 1 + $step }" >>result/result
 class TradeRunTest : public testing::Test {
  protected:
   TradeRunTest() {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "bin");
     io::write_whole(folder_ / "design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
     add_program("menger-inflate", fake_inflate(""));
@@ -71,8 +71,7 @@ class TradeRunTest : public testing::Test {
     return fs::exists(folder_ / "calls") ? io::read_whole(folder_ / "calls").size() / 5 : 0;
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "trade_off_run" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
   TradeOptions options_;
 };
 

@@ -7,6 +7,7 @@
 #include "io/csv_table.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -74,9 +75,8 @@ TEST(SearchTrade, TableAndPicturesHoldEverySearch) {
 }
 
 TEST(SearchTrade, VoxelStepsAreSummedOverTheArchive) {
-  const fs::path file = fs::path(testing::TempDir()) / "trade_off_search" / "run.sqlite";
-  fs::remove_all(file.parent_path());
-  fs::create_directories(file.parent_path());
+  const tests::TestFolder folder;
+  const fs::path file = folder / "run.sqlite";
   Individual individual;
   individual.phenotype.body = meshes::Polycube::from_digits(3, 3, 3, "111000000000000000000000000");
   OffspringOptions offspring;
@@ -95,8 +95,8 @@ TEST(SearchTrade, VoxelStepsAreSummedOverTheArchive) {
     archive.add_generation({}, std::vector{individual}, std::vector{contender});
   }
   EXPECT_EQ(archived_voxel_steps(file), 100U * 3U + 10U * 9U);
-  io::write_whole(file.parent_path() / "other", "no archive");
-  EXPECT_THROW((void)archived_voxel_steps(file.parent_path() / "other"), io::InputError);
+  io::write_whole(folder / "other", "no archive");
+  EXPECT_THROW((void)archived_voxel_steps(folder / "other"), io::InputError);
 }
 
 }  // namespace

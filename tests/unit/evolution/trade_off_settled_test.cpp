@@ -14,6 +14,7 @@
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "tests/support/surrogate_example.h"
+#include "tests/support/test_folder.h"
 #include "voxel/equilibrium.h"
 #include "voxel/load_case_response.h"
 #include "voxel/surrogate_file.h"
@@ -29,11 +30,6 @@ constexpr double rounding_m = 1e-14;  // of lengths of centimetres, after an ite
 /// Voxels of 10 mm whose half lengths and bulges are known at 1000 Pa.
 class SettledBodyTest : public testing::Test {
  protected:
-  SettledBodyTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   /// Extensions 0.01 and bulges 0.001 for every wall beside, at 1000 Pa. @param softening q of the extension
   [[nodiscard]] static voxel::SurrogateParameters driven(double softening = 0.0) {
     voxel::SurrogateParameters p = tests::surrogate_example();
@@ -87,8 +83,7 @@ class SettledBodyTest : public testing::Test {
     return voxels;
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "trade_off_settled" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 materials::LoadCase inflation_of(const TradeStudy& study, double pressure_Pa) {

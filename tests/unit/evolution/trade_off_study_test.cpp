@@ -10,6 +10,7 @@
 #include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "meshes/hollow_polycube.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
@@ -19,11 +20,7 @@ namespace fs = std::filesystem;
 /// A folder with a design and studies of it.
 class TradeStudyTest : public testing::Test {
  protected:
-  TradeStudyTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    io::write_whole(folder_ / "design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
-  }
+  TradeStudyTest() { io::write_whole(folder_ / "design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n"); }
 
   [[nodiscard]] TradeStudy read(const std::string& text) const {
     io::write_whole(folder_ / "study.toml", "design = \"design.toml\"\n" + text);
@@ -40,8 +37,7 @@ class TradeStudyTest : public testing::Test {
     }
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "trade_off_study" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(TradeStudyTest, ADesignAloneRunsElementsAndAGait) {

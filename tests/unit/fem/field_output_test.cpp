@@ -17,6 +17,7 @@
 #include "hollow_cube_space.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
@@ -27,11 +28,6 @@ Point moved(const Point& X) { return {0.1 * X[0], -0.2 * X[2], 0.3 * X[1]}; }
 
 class FieldOutput : public testing::Test {
  protected:
-  FieldOutput() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   /// A field whose values tell the node.
   static NodalFields numbered(const Space& space) {
     NodalFields fields;
@@ -51,8 +47,7 @@ class FieldOutput : public testing::Test {
     return reader->GetOutput();
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_field_output" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(FieldOutput, ReadsBackEveryNodeCellAndField) {

@@ -11,6 +11,7 @@
 
 #include "fem/locomotion_run.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 #include "tests/unit/fem/locomotion_samples.h"
 
 namespace menger::fem {
@@ -23,19 +24,13 @@ const std::string implicit = "[dynamics]\nmethod = \"implicit\"\n";
 
 class ImplicitLocomotion : public testing::Test {
  protected:
-  ImplicitLocomotion() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   LocomotionResult run(const std::string& study, const std::string& name, LocomotionRunOptions options = {}) const {
     const LocomotionStudy read = sample_study(study);
     if (read.implicit) options.make = make_implicit_locomotion;
     return run_locomotion(read, folder_ / name, options);
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "implicit_locomotion" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 /// Largest volume of the only chamber over the records.

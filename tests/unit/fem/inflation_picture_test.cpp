@@ -10,6 +10,7 @@
 
 #include "fem/inflation_charts.h"
 #include "hollow_cube_space.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
@@ -33,8 +34,7 @@ int red_pixels(const fs::path& file) {
 }
 
 TEST(InflationPicture, ShowsStressInsideThatOnlyTheCutLaysOpen) {
-  const fs::path folder = fs::path(testing::TempDir()) / "menger_inflation_picture";
-  fs::create_directories(folder);
+  const tests::TestFolder folder;
   for (const int degree : {1, 2}) {
     const Space space = hollow_cube_space(degree);
     NodalFields fields;
@@ -57,7 +57,8 @@ TEST(InflationPicture, ShowsStressInsideThatOnlyTheCutLaysOpen) {
 }
 
 TEST(InflationPicture, OfPressureOverVolumeNeedsAPoint) {
-  const fs::path folder = fs::path(testing::TempDir()) / "menger_inflation_picture_of_pressure";
+  const tests::TestFolder scratch;
+  const fs::path folder = scratch / "new";
   EXPECT_FALSE(draw_pressure_volume(folder / "none.png", {}).written);
   InflationResult result;
   result.plenum_names = {"plenum 0"};

@@ -11,6 +11,7 @@
 #include "meshes/reference_shapes.h"
 #include "meshes/verification_shapes.h"
 #include "meshes/vtu_mesh.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
@@ -69,12 +70,12 @@ TEST(InflationProblem, HoldsImagesOfOneAnotherWhereNoNodeLiesInTheMiddle) {
 }
 
 /// A study of a cube of 1 cm as a mesh file, its side "x min" under another label and at another x.
-InflationStudy block_study(const std::string& name, const std::string& label, double shift_m = 0.0) {
+/// @param file where the mesh is written
+InflationStudy block_study(const std::filesystem::path& file, const std::string& label, double shift_m = 0.0) {
   meshes::HexahedralMesh mesh = meshes::box({0.01, 0.01, 0.01}, {1, 1, 1});
   mesh.label_names[0] = label;
   for (Point& point : mesh.points) point[0] += shift_m;
   InflationStudy study = cube_study();
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("menger_block_" + name + ".vtu");
   meshes::write_vtu_mesh(file, mesh);
   study.source = MeshSource{file};
   study.supports.kind = SupportKind::labels;
@@ -82,14 +83,15 @@ InflationStudy block_study(const std::string& name, const std::string& label, do
 }
 
 TEST(InflationProblem, KnowsThreePlanesOfSymmetryThroughTheOrigin) {
+  const tests::TestFolder folder;
   // a block without a chamber is refused in any case: here only where its symmetry is taken
-  EXPECT_NE(refusal(block_study("x", "symmetry x")).find("no chamber"), std::string::npos);
-  const std::string unknown = refusal(block_study("left", "symmetry left"));
+  EXPECT_NE(refusal(block_study(folder / "x.vtu", "symmetry x")).find("no chamber"), std::string::npos);
+  const std::string unknown = refusal(block_study(folder / "left.vtu", "symmetry left"));
   for (const char* part : {"study.toml", "\"symmetry left\"", "\"symmetry x\"", "\"symmetry y\"", "\"symmetry z\""})
     EXPECT_NE(unknown.find(part), std::string::npos) << unknown;
-  const std::string shifted = refusal(block_study("shifted", "symmetry x", 0.25));
+  const std::string shifted = refusal(block_study(folder / "shifted.vtu", "symmetry x", 0.25));
   for (const char* part : {"study.toml", "\"symmetry x\"", "0.25"}) EXPECT_NE(shifted.find(part), std::string::npos) << shifted;
-  const std::string turned = refusal(block_study("turned", "symmetry y"));
+  const std::string turned = refusal(block_study(folder / "turned.vtu", "symmetry y"));
   EXPECT_NE(turned.find("y = 0"), std::string::npos) << turned;
 }
 

@@ -6,6 +6,7 @@
 #include "fem/inflation_study_file.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
@@ -22,10 +23,7 @@ struct StudyText {
 
 class InflationStudyFile : public testing::Test {
  protected:
-  InflationStudyFile() {
-    fs::create_directories(folder_);
-    io::write_whole(folder_ / "cube.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
-  }
+  InflationStudyFile() { io::write_whole(folder_ / "cube.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n"); }
 
   [[nodiscard]] InflationStudy read(const StudyText& text) const {
     io::write_whole(folder_ / "study.toml", text.body + text.material + text.path + text.rest);
@@ -42,8 +40,7 @@ class InflationStudyFile : public testing::Test {
     return "accepted";
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_inflation_study" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(InflationStudyFile, LeavesWhatIsNotNamedAtItsDefault) {

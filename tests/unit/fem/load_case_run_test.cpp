@@ -14,6 +14,7 @@
 #include "io/content_hash.h"
 #include "io/whole_file.h"
 #include "meshes/reference_shapes.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
@@ -112,9 +113,8 @@ TEST(LoadCaseRun, AFreeStudyOfInflateGivesTheVolumeAndExtentsOfALoadCase) {
   study.supports.kind = SupportKind::free;
   study.drives[""] = {.kind = DriveKind::pressure, .values = {0.0, 4000.0}};
   study.output.fields = study.output.pictures = false;
-  const fs::path folder = fs::path(testing::TempDir()) / "menger_free_study";
-  fs::remove_all(folder);
-  const InflationResult result = run_inflation(study, folder);
+  const tests::TestFolder folder;
+  const InflationResult result = run_inflation(study, folder / "new");
   ASSERT_EQ(result.path.status, io::RunStatus::completed) << result.path.reason;
   const double volume_change =
       result.path.points.back().plenum_volumes_m3[0] / result.path.points.front().plenum_volumes_m3[0] - 1.0;
@@ -233,7 +233,6 @@ TEST(PressureRange, SidesWithoutRangeGiveNoPressureTwice) {
 class LoadCaseSet : public testing::Test {
  protected:
   LoadCaseSet() {
-    fs::remove_all(folder_);
     study_.file = "set.toml";
     study_.material = silicone();
     study_.cases = {row_of_cells(LoadCaseKind::stretch, 1, {0.0}, {0.0005})};
@@ -242,8 +241,8 @@ class LoadCaseSet : public testing::Test {
   [[nodiscard]] CaseOutcome run() const { return run_load_case_set(study_, folder_, {.pictures = false}).front(); }
 
   LoadCaseStudy study_;
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_load_case_set" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
 };
 
 TEST_F(LoadCaseSet, AnswersAnUnchangedCaseFromTheCache) {

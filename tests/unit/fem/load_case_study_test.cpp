@@ -9,6 +9,7 @@
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "materials/law_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
@@ -23,11 +24,6 @@ const std::string bar = "cells = [3, 1, 1]\ndigits = \"111\"\n";
 
 class LoadCaseStudyFile : public testing::Test {
  protected:
-  LoadCaseStudyFile() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] LoadCaseStudy read(const std::string& text) const {
     io::write_whole(folder_ / "set.toml", text);
     return read_load_case_study(folder_ / "set.toml");
@@ -42,8 +38,7 @@ class LoadCaseStudyFile : public testing::Test {
     return "accepted";
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_load_case_study" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(LoadCaseStudyFile, ReadsCasesWithTheDefaultsOfTheSet) {

@@ -9,16 +9,13 @@
 
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
 
 namespace fs = std::filesystem;
 using tests::message_of;
-
-fs::path checkpoint_file() {
-  return fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name() / "run.checkpoint";
-}
 
 /// Numbers that shorter representations would lose.
 LocomotionProgress awkward_progress() {
@@ -57,8 +54,10 @@ LocomotionProgress awkward_progress() {
 
 TEST(LocomotionCheckpoint, GivesEveryBitBack) {
   const LocomotionProgress written = awkward_progress();
-  write_locomotion_checkpoint(checkpoint_file(), "study", written);
-  const auto read = read_locomotion_checkpoint(checkpoint_file(), "study");
+  const tests::TestFolder folder;
+  const fs::path file = folder / "run.checkpoint";
+  write_locomotion_checkpoint(file, "study", written);
+  const auto read = read_locomotion_checkpoint(file, "study");
   ASSERT_TRUE(read && std::holds_alternative<ExplicitState>(read->state));
   const auto& found = std::get<ExplicitState>(read->state);
   const auto& state = std::get<ExplicitState>(written.state);
@@ -97,8 +96,10 @@ TEST(LocomotionCheckpoint, KeepsHowARunEndedAndWhatIsNotThere) {
   state.pneumatics.reset();
   state.branches.reset();
   written.outcome = {io::RunStatus::diverged, "at 1 s: \"away\""};
-  write_locomotion_checkpoint(checkpoint_file(), "study", written);
-  const auto read = read_locomotion_checkpoint(checkpoint_file(), "study");
+  const tests::TestFolder folder;
+  const fs::path file = folder / "run.checkpoint";
+  write_locomotion_checkpoint(file, "study", written);
+  const auto read = read_locomotion_checkpoint(file, "study");
   ASSERT_TRUE(read && read->outcome);
   EXPECT_EQ(read->outcome->status, io::RunStatus::diverged);
   EXPECT_EQ(read->outcome->reason, "at 1 s: \"away\"");
@@ -122,8 +123,10 @@ TEST(LocomotionCheckpoint, KeepsStatesOfImplicitDynamics) {
   state.work.friction_J = 0.3;
   state.at_start_J = 1e-17;
   written.state = state;
-  write_locomotion_checkpoint(checkpoint_file(), "study", written);
-  const auto read = read_locomotion_checkpoint(checkpoint_file(), "study");
+  const tests::TestFolder folder;
+  const fs::path file = folder / "run.checkpoint";
+  write_locomotion_checkpoint(file, "study", written);
+  const auto read = read_locomotion_checkpoint(file, "study");
   ASSERT_TRUE(read && std::holds_alternative<ImplicitState>(read->state));
   const auto& found = std::get<ImplicitState>(read->state);
   EXPECT_EQ(found.time_s, state.time_s);
@@ -144,23 +147,26 @@ TEST(LocomotionCheckpoint, KeepsStatesOfImplicitDynamics) {
 }
 
 TEST(LocomotionCheckpoint, IsNothingWithoutAFile) {
-  EXPECT_FALSE(read_locomotion_checkpoint(fs::path(testing::TempDir()) / "no.checkpoint", "study"));
+  const tests::TestFolder folder;
+  EXPECT_FALSE(read_locomotion_checkpoint(folder / "no.checkpoint", "study"));
 }
 
 TEST(LocomotionCheckpoint, RefusesDamageAndOtherStudies) {
-  write_locomotion_checkpoint(checkpoint_file(), "study", awkward_progress());
-  const std::string whole = io::read_whole(checkpoint_file());
-  const auto message = [](const std::string& identity) {
-    return message_of([&] { (void)read_locomotion_checkpoint(checkpoint_file(), identity); });
+  const tests::TestFolder folder;
+  const fs::path file = folder / "run.checkpoint";
+  write_locomotion_checkpoint(file, "study", awkward_progress());
+  const std::string whole = io::read_whole(file);
+  const auto message = [&](const std::string& identity) {
+    return message_of([&] { (void)read_locomotion_checkpoint(file, identity); });
   };
   EXPECT_NE(message("other").find("belongs to another study; --restart"), std::string::npos);
   std::string flipped = whole;
   flipped[flipped.size() - 7] ^= 1;
-  io::write_whole(checkpoint_file(), flipped);
+  io::write_whole(file, flipped);
   EXPECT_NE(message("study").find("is damaged"), std::string::npos);
-  io::write_whole(checkpoint_file(), whole.substr(0, whole.size() / 2));
+  io::write_whole(file, whole.substr(0, whole.size() / 2));
   EXPECT_NE(message("study").find("is damaged"), std::string::npos);
-  io::write_whole(checkpoint_file(), "nonsense");
+  io::write_whole(file, "nonsense");
   EXPECT_NE(message("study").find("is no checkpoint"), std::string::npos);
 }
 

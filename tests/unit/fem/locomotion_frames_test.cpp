@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "tests/support/test_folder.h"
 #include "tests/unit/fem/locomotion_samples.h"
 
 namespace menger::fem {
@@ -78,8 +79,8 @@ TEST(LocomotionFrames, CarryPressureOnTheWallsOfChambers) {
 }
 
 TEST(LocomotionFrames, KeepTheFirstOnesAndGoOn) {
-  const fs::path folder = fs::path(testing::TempDir()) / "locomotion_frames";
-  fs::remove_all(folder);
+  const tests::TestFolder scratch;
+  const fs::path folder = scratch / "new";
   const Moved moved;
   LocomotionFrames frames(folder);
   frames.keep_only({});
@@ -104,8 +105,8 @@ TEST(LocomotionFrames, KeepTheFirstOnesAndGoOn) {
 }
 
 TEST(LocomotionFrames, KeepThoseBeforeOneThatIsMissing) {
-  const fs::path folder = fs::path(testing::TempDir()) / "locomotion_frames_missing";
-  fs::remove_all(folder);
+  const tests::TestFolder scratch;
+  const fs::path folder = scratch / "new";
   const Moved moved;
   LocomotionFrames frames(folder);
   frames.keep_only({});

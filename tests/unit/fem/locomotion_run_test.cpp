@@ -15,6 +15,7 @@
 #include "io/number_text.h"
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
 #include "tests/unit/fem/locomotion_samples.h"
 
 namespace menger::fem {
@@ -26,11 +27,6 @@ using tests::message_of;
 
 class LocomotionRun : public testing::Test {
  protected:
-  LocomotionRun() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   LocomotionResult run(const std::string& study, const std::string& name, const LocomotionRunOptions& options = {}) const {
     return run_locomotion(sample_study(study), folder_ / name, options);
   }
@@ -49,8 +45,7 @@ class LocomotionRun : public testing::Test {
     return text.substr(0, text.find("seconds = "));
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "locomotion_run" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 // Nothing breaks the symmetry of a cube but rounding, which the run of 6000 steps of 1e-5 s could let grow.

@@ -9,6 +9,7 @@
 
 #include "fem/locomotion_sweep.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
 #include "tests/unit/fem/locomotion_samples.h"
 
 namespace menger::fem {
@@ -210,7 +211,8 @@ TEST(LocomotionStudy, RefusesPressuresThatArePossibleNowhere) {
   EXPECT_NE(with_pressure("[[pressure]]\nplenum = \"plenum 7\"\nschedule = \"constant\"\npressure_Pa = 1\n")
                 .find("pressure[1].plenum = \"plenum 7\": the body has \"plenum 0\""),
             std::string::npos);
-  const std::filesystem::path table = std::filesystem::path(testing::TempDir()) / "backwards.csv";
+  const tests::TestFolder folder;
+  const std::filesystem::path table = folder / "backwards.csv";
   io::write_whole(table, "time_s,pressure_Pa\n0,0\n0.2,1000\n0.1,2000\n");
   const std::string message =
       with_pressure("[[pressure]]\nplenum = \"plenum 0\"\nschedule = \"table\"\nfile = \"" + table.string() + "\"\n");

@@ -9,6 +9,7 @@
 #include "io/csv_table.h"
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
 #include "tests/unit/fem/locomotion_samples.h"
 
 namespace menger::fem {
@@ -20,13 +21,6 @@ using tests::message_of;
 
 const std::string two_records = "[time]\nduration_s = 0.02\nrecord_interval_s = 0.01\n";
 const std::string base = cube + silicone + ground + drive + two_records + no_pictures;
-
-fs::path fresh_folder() {
-  const fs::path folder =
-      fs::path(testing::TempDir()) / "locomotion_sweep" / testing::UnitTest::GetInstance()->current_test_info()->name();
-  fs::remove_all(folder);
-  return folder;
-}
 
 TEST(LocomotionSweep, PutsEachValueInPlaceOfTheStudys) {
   const LocomotionStudy study = sample_study(
@@ -55,7 +49,8 @@ TEST(LocomotionSweep, RefusesKeysAndValuesThatTheStudyHasNot) {
 
 // The second case is beyond what the walls bear, the third is not stopped by that.
 TEST(LocomotionSweep, RunsEveryCaseAlsoAfterOneThatFailed) {
-  const fs::path folder = fresh_folder();
+  const tests::TestFolder scratch;
+  const fs::path folder = scratch / "new";
   std::string study = cube + silicone + ground +
                       "[drive]\nmode = \"hold\"\npressure_Pa = [0, 1000]\nperiod_s = 0.02\nramp_s = 0.002\n" + two_records +
                       no_pictures + "[sweep]\nkeys = [\"loads.gravity_m_per_s2\"]\nvalues = [9.81, 2e5, 1.62]\n" +
@@ -73,7 +68,8 @@ TEST(LocomotionSweep, RunsEveryCaseAlsoAfterOneThatFailed) {
 }
 
 TEST(LocomotionSweep, RefusesACaseBeforeItRunsAnother) {
-  const fs::path folder = fresh_folder();
+  const tests::TestFolder scratch;
+  const fs::path folder = scratch / "new";
   io::write_whole(folder / "sweep.csv", "earlier");
   const std::string study = base + "[sweep]\nkeys = [\"drive.period_s\"]\nvalues = [0.05, 5e-5]\n";
   const std::string message = message_of([&] { (void)run_sweep(sample_study(study), folder); });
@@ -83,7 +79,8 @@ TEST(LocomotionSweep, RefusesACaseBeforeItRunsAnother) {
 }
 
 TEST(LocomotionSweep, GoesOnWithTheCaseThatWasStopped) {
-  const fs::path folder = fresh_folder();
+  const tests::TestFolder scratch;
+  const fs::path folder = scratch / "new";
   const LocomotionStudy study = sample_study(base + "[sweep]\nkeys = [\"ground.kinetic_coefficient\"]\nvalues = [0.1, 0.2]\n");
   std::atomic<bool> stop = false;
   const auto stopped = run_sweep(study, folder, {.stop = &stop}, [&](std::size_t, const SweepCase&) { stop = true; });

@@ -7,6 +7,7 @@
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
@@ -15,11 +16,6 @@ namespace fs = std::filesystem;
 
 class PathCheckpoint : public testing::Test {
  protected:
-  PathCheckpoint() {
-    fs::remove_all(file_.parent_path());
-    fs::create_directories(file_.parent_path());
-  }
-
   [[nodiscard]] std::string refusal(const std::string& identity) const {
     try {
       static_cast<void>(read_checkpoint(file_, identity, MPI_COMM_WORLD));
@@ -29,8 +25,8 @@ class PathCheckpoint : public testing::Test {
     return "accepted";
   }
 
-  const fs::path file_ = fs::path(testing::TempDir()) / "menger_path_checkpoint" /
-                         testing::UnitTest::GetInstance()->current_test_info()->name() / "path.checkpoint";
+  const tests::TestFolder folder_;
+  const fs::path file_ = folder_ / "path.checkpoint";
 };
 
 PathProgress some_progress() {

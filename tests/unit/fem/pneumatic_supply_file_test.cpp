@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "tests/support/input_error_message.h"
 
 namespace menger::fem {
@@ -12,7 +10,7 @@ namespace {
 const std::vector<std::string> plena{"plenum 0", "plenum 1", "plenum 2"};
 
 PneumaticSupply read(const std::string& text) {
-  const io::TomlTable table = io::parse_toml(text, std::filesystem::path(testing::TempDir()) / "study.toml");
+  const io::TomlTable table = io::parse_toml(text, "study.toml");
   PneumaticSupply supply = read_pneumatic_supply(table, plena);
   table.finish();
   return supply;

@@ -7,14 +7,16 @@
 
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
 
 const std::vector<std::string> plena{"plenum 0", "plenum 1"};
 
-std::vector<PlenumSchedule> read(const std::string& text) {
-  const io::TomlTable table = io::parse_toml(text, std::filesystem::path(testing::TempDir()) / "study.toml");
+/// @param folder of the study, from which it counts paths
+std::vector<PlenumSchedule> read(const std::string& text, const std::filesystem::path& folder = {}) {
+  const io::TomlTable table = io::parse_toml(text, folder / "study.toml");
   return read_plenum_schedules(table.tables("pressure"), plena);
 }
 
@@ -67,17 +69,18 @@ TEST(PressureSchedule, FilesGiveOneSchedulePerPlenum) {
 }
 
 TEST(PressureSchedule, TablesComeFromCsv) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "menger_schedule.csv";
-  io::write_whole(file, "time_s,pressure_Pa\n0,0\n0.5,4000\n");
-  const auto schedules = read("[[pressure]]\nplenum = 'plenum 0'\nschedule = 'table'\nfile = 'menger_schedule.csv'\n");
+  const tests::TestFolder folder;
+  io::write_whole(folder / "schedule.csv", "time_s,pressure_Pa\n0,0\n0.5,4000\n");
+  const auto schedules = read("[[pressure]]\nplenum = 'plenum 0'\nschedule = 'table'\nfile = 'schedule.csv'\n", folder);
   EXPECT_NEAR(pressure_Pa(schedules[0], 0.25), 2e3, 1e-9);
 }
 
 TEST(PressureSchedule, TimeMustNotRunBackwards) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "menger_backwards.csv";
+  const tests::TestFolder folder;
+  const auto file = folder / "backwards.csv";
   io::write_whole(file, "time_s,pressure_Pa\n0,0\n0.5,4000\n0.4,0\n");
   const std::string message = message_of([&] { read_pressure_table(file); });
-  EXPECT_NE(message.find("menger_backwards.csv:4"), std::string::npos) << message;
+  EXPECT_NE(message.find("backwards.csv:4"), std::string::npos) << message;
   EXPECT_NE(message.find("0.4"), std::string::npos) << message;
   io::write_whole(file, "time_s,pressure_Pa\n");
   EXPECT_NE(message_of([&] { read_pressure_table(file); }), "no error");

@@ -13,6 +13,7 @@
 #include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::fem {
 namespace {
@@ -195,7 +196,7 @@ class StallMapFile : public testing::Test {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "stall_map_file";
+  const tests::TestFolder folder_;
 };
 
 TEST_F(StallMapFile, IsReadWhole) {

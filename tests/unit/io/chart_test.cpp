@@ -12,6 +12,7 @@
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "picture_contents.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
@@ -31,8 +32,6 @@ ChartSeries line_of(const std::string& name, double slope, std::size_t points = 
 
 class ChartPicture : public testing::Test {
  protected:
-  ChartPicture() { fs::remove_all(folder_); }
-
   /// Nothing where there is no display to draw on.
   std::optional<PictureContents> draw(const Chart& chart) {
     const PictureOutcome outcome = write_chart(file_, chart, small_);
@@ -41,7 +40,8 @@ class ChartPicture : public testing::Test {
     return std::optional<PictureContents>(std::in_place, file_);
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "chart" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
   fs::path file_ = folder_ / "chart.png";
   PictureStyle small_{.width_px = 480, .height_px = 300};
 };

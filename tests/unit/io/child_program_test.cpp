@@ -7,6 +7,7 @@
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
@@ -16,19 +17,13 @@ namespace fs = std::filesystem;
 /// A folder with a shell script to run in it.
 class ChildProgramTest : public testing::Test {
  protected:
-  ChildProgramTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] ChildProgram script(const std::string& lines) const {
     write_whole(folder_ / "script", "#!/bin/sh\n" + lines + "\n");
     fs::permissions(folder_ / "script", fs::perms::owner_all);
     return {.program = folder_ / "script", .folder = folder_, .out = folder_ / "out", .err = folder_ / "err"};
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "child_program" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(ChildProgramTest, GivesExitCodeOutputAndFolder) {

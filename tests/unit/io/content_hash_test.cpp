@@ -6,6 +6,7 @@
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
@@ -21,7 +22,8 @@ TEST(ContentHash, IsSha256) {
 TEST(ContentHash, CountsZeroBytes) { EXPECT_NE(content_hash(std::string_view("a\0b", 3)), content_hash("a")); }
 
 TEST(ContentHash, OfAFileIsThatOfItsBytes) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "menger_content_hash.bin";
+  const tests::TestFolder folder;
+  const std::filesystem::path file = folder / "abc.bin";
   write_whole(file, "abc");
   EXPECT_EQ(file_hash(file), content_hash("abc"));
   EXPECT_THROW(file_hash(file / "absent"), InputError);

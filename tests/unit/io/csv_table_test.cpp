@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
@@ -42,7 +43,8 @@ TEST(CsvTable, LeavesCellsEmptyWhereThereIsNoFiniteNumber) {
 }
 
 TEST(CsvTable, ReadsBackWhatItWrote) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "menger_csv_table.csv";
+  const tests::TestFolder folder;
+  const std::filesystem::path file = folder / "table.csv";
   CsvTable table({"x_m", "reason, quoted"});
   table.add_row(0.1 + 0.2, "a \"b\", c\nd");
   table.add_row(-0.0, "");

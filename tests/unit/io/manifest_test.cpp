@@ -9,30 +9,30 @@
 #include "io/input_error.h"
 #include "io/version.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scratch() { return fs::path(testing::TempDir()) / "menger_manifest"; }
-
 TEST(Manifest, HoldsWhatMadeTheResults) {
-  write_whole(scratch() / "scene.toml", "a = 1\n");
+  const tests::TestFolder folder;
+  write_whole(folder / "scene.toml", "a = 1\n");
   Manifest manifest{.program = "menger-simulate",
                     .parameters = "a = 1\nb = \"x\"\n",
                     .seed = 18446744073709551615U,
                     .seconds = 1.5,
                     .inputs = {}};
-  add_input(manifest, scratch() / "scene.toml");
-  write_manifest(scratch(), manifest);
-  const auto json = nlohmann::json::parse(read_whole(scratch() / "manifest.json"));
+  add_input(manifest, folder / "scene.toml");
+  write_manifest(folder, manifest);
+  const auto json = nlohmann::json::parse(read_whole(folder / "manifest.json"));
   EXPECT_EQ(json.at("program"), "menger-simulate");
   EXPECT_EQ(json.at("version"), std::string(version()));
   EXPECT_EQ(json.at("parameters"), "a = 1\nb = \"x\"\n");
   EXPECT_EQ(json.at("seed").get<std::uint64_t>(), 18446744073709551615U);
   EXPECT_EQ(json.at("seconds"), 1.5);
-  EXPECT_EQ(json.at("inputs_sha256").at((scratch() / "scene.toml").string()), content_hash("a = 1\n"));
+  EXPECT_EQ(json.at("inputs_sha256").at((folder / "scene.toml").string()), content_hash("a = 1\n"));
 }
 
 TEST(Manifest, LeavesOutASeedThatDoesNotExist) { EXPECT_FALSE(nlohmann::json::parse(manifest_text({})).contains("seed")); }
@@ -43,8 +43,9 @@ TEST(Manifest, SurvivesBytesThatAreNoUtf8) {
 }
 
 TEST(Manifest, RefusesAMissingInput) {
+  const tests::TestFolder folder;
   Manifest manifest;
-  EXPECT_THROW(add_input(manifest, scratch() / "absent.toml"), InputError);
+  EXPECT_THROW(add_input(manifest, folder / "absent.toml"), InputError);
   EXPECT_TRUE(manifest.inputs.empty());
 }
 

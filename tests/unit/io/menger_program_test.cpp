@@ -8,6 +8,7 @@
 
 #include "io/version.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
@@ -26,7 +27,6 @@ std::string shell_word(const fs::path& path) { return std::string("'").append(pa
 class MengerProgram : public testing::Test {
  protected:
   MengerProgram() {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "bin");
     fs::copy_file(fs::path(MENGER_PROGRAM_DIR) / "menger", folder_ / "bin/menger");
   }
@@ -43,8 +43,7 @@ class MengerProgram : public testing::Test {
     return {WEXITSTATUS(status), read_whole(folder_ / "out"), read_whole(folder_ / "err")};
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_program" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(MengerProgram, RunsTheProgramBesideItWithAllArgumentsAndItsExitCode) {

@@ -14,6 +14,7 @@
 #include "io/offscreen_display.h"
 #include "io/whole_file.h"
 #include "picture_contents.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
@@ -59,9 +60,8 @@ void fill_green(vtkRenderWindow& window) {
 
 class Picture : public testing::Test {
  protected:
-  Picture() { fs::remove_all(folder_); }
-
-  fs::path folder_ = fs::path(testing::TempDir()) / "picture" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
   fs::path file_ = folder_ / "green.png";
   PictureStyle small_{.width_px = 32, .height_px = 20};
 };

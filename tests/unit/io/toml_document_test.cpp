@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
@@ -233,7 +234,8 @@ TEST(TomlFile, NamesAMissingFileAndAFolder) {
 }
 
 TEST(TomlFile, IsReadFromDisk) {
-  const fs::path file = fs::path(testing::TempDir()) / "menger_toml_document.toml";
+  const tests::TestFolder folder;
+  const fs::path file = folder / "study.toml";
   write_whole(file, "a = 1\n");
   const TomlTable table = read_toml(file);
   EXPECT_EQ(table.integer("a"), 1);

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "io/input_error.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
@@ -13,11 +14,6 @@ namespace fs = std::filesystem;
 
 class WholeFile : public testing::Test {
  protected:
-  WholeFile() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
@@ -32,8 +28,7 @@ class WholeFile : public testing::Test {
     return {};
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_whole_file" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(WholeFile, HoldsExactlyTheBytesAndNothingElseIsLeft) {
@@ -72,7 +67,7 @@ TEST_F(WholeFile, MakesItsFolder) {
 TEST_F(WholeFile, AppearsUnderItsNameOnlyOnCommit) {
   write_whole(folder_ / "a.vtu", "old");
   PendingFile pending(folder_ / "a.vtu");
-  EXPECT_EQ(pending.temporary().parent_path(), folder_);
+  EXPECT_EQ(pending.temporary().parent_path(), folder_.path());
   EXPECT_EQ(pending.temporary().extension(), ".vtu");
   std::ofstream(pending.temporary()) << "new";
   EXPECT_EQ(read_whole(folder_ / "a.vtu"), "old");
@@ -135,7 +130,7 @@ TEST_F(WholeFile, FolderIsMadeWithItsParents) {
 TEST_F(WholeFile, ReadingNamesWhatIsMissingOrAFolder) {
   EXPECT_EQ(message([&] { (void)read_whole(folder_ / "absent"); }),
             (folder_ / "absent").string() + ": cannot be read: No such file or directory");
-  EXPECT_EQ(message([&] { (void)read_whole(folder_); }), folder_.string() + ": cannot be read: it is a folder");
+  EXPECT_EQ(message([&] { (void)read_whole(folder_); }), folder_.path().string() + ": cannot be read: it is a folder");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::materials {
 namespace {
@@ -14,16 +15,9 @@ namespace fs = std::filesystem;
 
 class CurveFolder : public testing::Test {
  protected:
-  CurveFolder() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~CurveFolder() override { fs::remove_all(folder_); }
-
   void make(const std::string& name) const { io::write_whole(folder_ / name, ""); }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "curve_folder" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(CurveFolder, HoldsTheProvenanceFilesWithATableInOrder) {

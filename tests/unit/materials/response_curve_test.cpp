@@ -10,6 +10,7 @@
 #include "io/content_hash.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::materials {
 namespace {
@@ -51,11 +52,6 @@ ResponseCurve stretch_curve() {
 
 class ResponseCurveFile : public testing::Test {
  protected:
-  ResponseCurveFile() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   /// The curve's table replaced by another that its provenance knows.
   void replace_table(const std::string& table) const {
     const std::string before = io::read_whole(folder_ / "stretch.csv");
@@ -79,8 +75,7 @@ class ResponseCurveFile : public testing::Test {
     return "accepted";
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_response_curve" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(ResponseCurveFile, ReadsBackExactlyWhatWasWritten) {

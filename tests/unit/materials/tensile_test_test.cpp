@@ -13,6 +13,7 @@
 #include "materials/homogeneous_deformations.h"
 #include "materials/law_file.h"
 #include "materials/tensile_cleaning.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::materials {
 namespace {
@@ -23,22 +24,23 @@ const std::string database_head =
     "PARAMETER;INFO;URL;;\nSpecimen Length (mm);33;;;\nStrain calculation;Derived from the crosshead;;;\n"
     "Material;Rubber;;;\n;;;;\nTime (s);True Strain;True Stress (MPa);Engineering Strain;Engineering Stress (MPa)\n";
 
-fs::path scratch_file() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return fs::path(testing::TempDir()) / "menger_tensile_test" / (std::string(test->name()) + ".csv");
-}
-
+/// What a file "rubber.csv" of this text says.
 TensileTest test_of(const std::string& text) {
-  io::write_whole(scratch_file(), text);
-  return read_tensile_test(scratch_file());
+  const tests::TestFolder folder;
+  const fs::path file = folder / "rubber.csv";
+  io::write_whole(file, text);
+  return read_tensile_test(file);
 }
 
 /// The message with which a file is refused, without the folder.
 std::string refusal(const std::string& text) {
+  const tests::TestFolder folder;
+  const fs::path file = folder / "rubber.csv";
+  io::write_whole(file, text);
   try {
-    (void)test_of(text);
+    (void)read_tensile_test(file);
   } catch (const io::InputError& error) {
-    return std::string(error.what()).substr(scratch_file().string().size());
+    return std::string(error.what()).substr(file.string().size());
   }
   return "accepted";
 }
@@ -75,7 +77,7 @@ TEST(TensileTest, ReadsTwoColumnsInAnyOfTheUnits) {
     EXPECT_NEAR(test.strain[0], 0.1, 1e-15) << text;
     EXPECT_NEAR(test.stress_Pa[1], 8000.0, 1e-5) << text;
     EXPECT_TRUE(test.time_s.empty());
-    EXPECT_EQ(test.material, scratch_file().stem().string());
+    EXPECT_EQ(test.material, "rubber");
   }
 }
 

@@ -10,24 +10,24 @@
 #include "io/whole_file.h"
 #include "meshes/connectivity.h"
 #include "meshes/reference_shapes.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::meshes {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scratch_file() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return fs::path(testing::TempDir()) / "menger_design_file" / (std::string(test->name()) + ".toml");
-}
-
-/// The message with which a design of this text is refused, "" if it is accepted.
+/// The message with which a design of this text is refused, without the folder; "" if it is accepted.
 std::string refusal(const std::string& text) {
-  io::write_whole(scratch_file(), text);
+  const tests::TestFolder folder;
+  const fs::path file = folder / "design.toml";
+  io::write_whole(file, text);
   try {
-    (void)read_design(scratch_file());
+    (void)read_design(file);
   } catch (const io::InputError& error) {
-    return error.what();
+    const std::string message = error.what();
+    const std::string start = folder.path().string() + "/";
+    return message.rfind(start, 0) == 0 ? message.substr(start.size()) : message;
   }
   return {};
 }
@@ -37,12 +37,13 @@ std::string refusal_of_layers(const std::string& layers) {
   return refusal("name = \"a\"\ncell_edge_m = 0.01\nlayers = " + layers + "\n");
 }
 
-std::string place(int line) { return scratch_file().string() + ":" + std::to_string(line) + ": "; }
+std::string place(int line) { return "design.toml:" + std::to_string(line) + ": "; }
 
 TEST(DesignFile, ReadsLayersFromTheGroundUpAndRowsAlongX) {
-  io::write_whole(scratch_file(),
-                  "name = \"corner\"\ncell_edge_m = 0.02\nlayers = [[\"12\", \"00\", \"01\"], [\"00\", \"20\", \"00\"]]\n");
-  const Design design = read_design(scratch_file());
+  const tests::TestFolder folder;
+  const fs::path file = folder / "corner.toml";
+  io::write_whole(file, "name = \"corner\"\ncell_edge_m = 0.02\nlayers = [[\"12\", \"00\", \"01\"], [\"00\", \"20\", \"00\"]]\n");
+  const Design design = read_design(file);
   EXPECT_EQ(design.name, "corner");
   EXPECT_EQ(design.cell_edge_m, 0.02);
   EXPECT_EQ(design.body, Polycube::from_digits(2, 3, 2, "120001002000"));
@@ -51,8 +52,10 @@ TEST(DesignFile, ReadsLayersFromTheGroundUpAndRowsAlongX) {
 TEST(DesignFile, ReadsBackWhatItWrote) {
   const Design design{
       .name = "a \"quoted\" näme \\ \n", .body = Polycube::from_digits(3, 2, 2, "012210100002"), .cell_edge_m = 0.1 / 3};
-  write_design(scratch_file(), design);
-  EXPECT_EQ(read_design(scratch_file()), design);
+  const tests::TestFolder folder;
+  const fs::path file = folder / "design.toml";
+  write_design(file, design);
+  EXPECT_EQ(read_design(file), design);
 }
 
 TEST(DesignFile, WritesExactlyTheReadyDesigns) {
@@ -120,14 +123,17 @@ TEST(DesignFile, RefusesMissingKeysAndWrongTypes) {
 }
 
 TEST(DesignFile, NamesAMissingFile) {
-  EXPECT_THROW((void)read_design(scratch_file().parent_path() / "absent.toml"), io::InputError);
+  const tests::TestFolder folder;
+  EXPECT_THROW((void)read_design(folder / "absent.toml"), io::InputError);
 }
 
 TEST(DesignFile, LeavesTheOldFileWhereAPlaceCannotBeWritten) {
-  io::write_whole(scratch_file(), "old");
+  const tests::TestFolder folder;
+  const fs::path file = folder / "design.toml";
+  io::write_whole(file, "old");
   const Design design{.name = "a", .body = full_cube(1), .cell_edge_m = 0.01};
-  EXPECT_THROW(write_design(scratch_file() / "below_a_file.toml", design), io::InputError);
-  EXPECT_EQ(io::read_whole(scratch_file()), "old");
+  EXPECT_THROW(write_design(file / "below_a_file.toml", design), io::InputError);
+  EXPECT_EQ(io::read_whole(file), "old");
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "meshes/hollow_polycube.h"
 #include "meshes/mesh_quality.h"
 #include "meshes/verification_shapes.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::meshes {
 namespace {
@@ -27,11 +28,6 @@ namespace fs = std::filesystem;
 
 class GmshMesh : public testing::Test {
  protected:
-  GmshMesh() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] std::string refusal(const std::string& text) const {
     io::write_whole(folder_ / "a.msh", text);
     return refusal_of(folder_ / "a.msh");
@@ -46,7 +42,7 @@ class GmshMesh : public testing::Test {
     return "accepted";
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "gmsh_mesh" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 /// A mesh as a file of format 2.2, written from that format's description: points from 1, corners around the bottom, then the

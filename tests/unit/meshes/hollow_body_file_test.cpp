@@ -8,6 +8,7 @@
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "meshes/reference_shapes.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::meshes {
 namespace {
@@ -63,7 +64,7 @@ TEST(HollowBodyFile, NamesKeyAndValueOfWhatItRefuses) {
 }
 
 TEST(MeshStudy, IsADesignOrNamesOne) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "mesh_study";
+  const tests::TestFolder folder;
   const Design design{"bar", bar(2), 0.00667};
   write_design(folder / "designs/bar.toml", design);
   const MeshStudy plain = read_mesh_study(folder / "designs/bar.toml");

@@ -12,6 +12,7 @@
 #include "meshes/design_file.h"
 #include "meshes/reference_shapes.h"
 #include "meshes/vtu_mesh.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::meshes {
 namespace {
@@ -21,23 +22,19 @@ namespace fs = std::filesystem;
 /// The program in a folder of its own, beside the design of a bar of two cells.
 class MeshProgram : public testing::Test {
  protected:
-  MeshProgram() {
-    fs::remove_all(folder_);
-    write_design(folder_ / "bar.toml", {"bar", bar(2), 0.01});
-  }
+  MeshProgram() { write_design(folder_ / "bar.toml", {"bar", bar(2), 0.01}); }
 
   /// The exit code; what it printed goes to the files out and err.
   [[nodiscard]] int run(const std::string& arguments) const {
     const std::string command =
-        "cd '" + folder_.string() + "' && '" MENGER_PROGRAM_DIR "/menger-mesh' " + arguments + " >out 2>err";
+        "cd '" + folder_.path().string() + "' && '" MENGER_PROGRAM_DIR "/menger-mesh' " + arguments + " >out 2>err";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
   [[nodiscard]] std::string text(const char* name) const { return io::read_whole(folder_ / name); }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_mesh" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(MeshProgram, WritesMeshQualityAndManifest) {

@@ -25,6 +25,7 @@
 #include "meshes/reference_shapes.h"
 #include "meshes/verification_shapes.h"
 #include "tests/support/small_disk.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::meshes {
 namespace {
@@ -33,9 +34,8 @@ namespace fs = std::filesystem;
 
 class VtuMesh : public testing::Test {
  protected:
-  VtuMesh() { fs::remove_all(folder_); }
-
-  fs::path folder_ = fs::path(testing::TempDir()) / "vtu_mesh" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
 };
 
 void expect_equal(const HexahedralMesh& a, const HexahedralMesh& b) {

@@ -11,6 +11,7 @@
 #include "io/toml_document.h"
 #include "io/whole_file.h"
 #include "tests/support/surrogate_example.h"
+#include "tests/support/test_folder.h"
 #include "voxel/physics_file.h"
 #include "voxel/scene_file.h"
 #include "voxel/simulation_run.h"
@@ -27,11 +28,7 @@ const std::string in_phase = "[actuation]\nmode = \"in_phase\"\n";
 
 class CalibratedScene : public testing::Test {
  protected:
-  CalibratedScene() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    write(tests::surrogate_example());
-  }
+  CalibratedScene() { write(tests::surrogate_example()); }
 
   void write(const SurrogateParameters& parameters) const { io::write_whole(folder_ / "soft.toml", surrogate_text(parameters)); }
   [[nodiscard]] LoadedScene load(const std::string& text) const {
@@ -49,8 +46,7 @@ class CalibratedScene : public testing::Test {
     EXPECT_NE(message.find("scene.toml"), std::string::npos) << message;
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "calibrated_scene" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(CalibratedScene, TakesItsParametersFromTheirFile) {

@@ -9,6 +9,7 @@
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::voxel {
 namespace {
@@ -60,7 +61,8 @@ TEST(CalibrationFrequency, OneCellAnswersLikeAnOscillator) {
 }
 
 TEST(CalibrationFrequency, ReadsGainsAndComplexAmplitudes) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "menger_calibration_frequency" / "response.csv";
+  const tests::TestFolder folder;
+  const std::filesystem::path file = folder / "response.csv";
   io::write_whole(file, "frequency_Hz,tip_x_real_m_per_Pa,tip_x_imaginary_m_per_Pa\n0.5,3e-8,-4e-8\n1,,\n");
   FrequencyReference reference{.file = file, .column = "tip_x", .body = bar(3)};
   auto gains = read_frequency_gains(reference);

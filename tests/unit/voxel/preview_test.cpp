@@ -10,6 +10,7 @@
 
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::voxel {
 namespace {
@@ -57,9 +58,8 @@ Pixels count_pixels(const fs::path& file) {
 
 class Preview : public testing::Test {
  protected:
-  Preview() { fs::remove_all(folder_); }
-
-  fs::path folder_ = fs::path(testing::TempDir()) / "preview" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
   io::PictureStyle small_{.width_px = 320, .height_px = 200};
 };
 

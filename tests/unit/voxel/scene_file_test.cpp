@@ -12,6 +12,7 @@
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "meshes/reference_shapes.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::voxel {
 namespace {
@@ -23,11 +24,6 @@ constexpr const char* bar = "[design]\ncell_edge_m = 0.02\ncells = [3, 1, 1]\ndi
 /// A folder for the scene of one test.
 class SceneFile : public testing::Test {
  protected:
-  SceneFile() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   [[nodiscard]] Scene read(const std::string& text) const {
     io::write_whole(folder_ / "scene.toml", text);
     return read_scene(folder_ / "scene.toml").scene;
@@ -51,7 +47,7 @@ class SceneFile : public testing::Test {
     EXPECT_NE(message.find(fault), std::string::npos) << "no " << fault << " in: " << message;
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "scene_file" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(SceneFile, OnlyTheDesignMustBeGiven) {

@@ -12,6 +12,7 @@
 #include "io/input_error.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 #include "voxel/vtk_output.h"
 
 namespace menger::voxel {
@@ -22,7 +23,6 @@ namespace fs = std::filesystem;
 class SimulationRun : public testing::Test {
  protected:
   SimulationRun() {
-    fs::remove_all(folder_);
     scene_.design = {.name = "bar", .body = meshes::Polycube::from_digits(3, 1, 1, "112"), .cell_edge_m = 0.01};
     scene_.duration_s = 0.02;
     scene_.record_interval_s = 0.005;
@@ -30,8 +30,8 @@ class SimulationRun : public testing::Test {
   }
 
   Scene scene_;
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / "simulation_run" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
 };
 
 TEST_F(SimulationRun, RecordsTheStartEveryIntervalAndTheEnd) {

@@ -12,6 +12,7 @@
 #include "io/csv_table.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 #include "voxel/simulation_run.h"
 
 namespace menger::voxel {
@@ -23,7 +24,6 @@ namespace fs = std::filesystem;
 class StepCheckOf : public testing::Test {
  protected:
   StepCheckOf() {
-    fs::remove_all(folder_);
     scene_.design = {.name = "voxel", .body = meshes::Polycube::from_digits(1, 1, 1, "1"), .cell_edge_m = 0.01};
     scene_.duration_s = 0.02;
     scene_.record_interval_s = 0.002;
@@ -45,7 +45,7 @@ class StepCheckOf : public testing::Test {
   }
 
   Scene scene_;
-  fs::path folder_ = fs::path(testing::TempDir()) / "step_check" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(StepCheckOf, AFreeFallIsTheSumOfTheScheme) {

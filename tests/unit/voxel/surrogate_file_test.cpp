@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/input_error.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::voxel {
 namespace {
@@ -42,10 +43,6 @@ SurrogateParameters example() {
 
 class SurrogateFile : public testing::Test {
  protected:
-  // A folder for each test: they run at the same time
-  SurrogateFile() { std::filesystem::create_directories(file_.parent_path()); }
-  ~SurrogateFile() override { std::filesystem::remove_all(file_.parent_path()); }
-
   SurrogateParameters read(const std::string& text) {
     std::ofstream(file_) << text;
     return read_surrogate(file_);
@@ -64,8 +61,8 @@ class SurrogateFile : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path file_ = std::filesystem::path(testing::TempDir()) / "surrogate_file" /
-                                testing::UnitTest::GetInstance()->current_test_info()->name() / "surrogate_file_test.toml";
+  const tests::TestFolder folder_;
+  const std::filesystem::path file_ = folder_ / "surrogate.toml";
 };
 
 TEST_F(SurrogateFile, ReadsBackWhatItWrote) { EXPECT_EQ(read(surrogate_text(example())), example()); }

@@ -17,6 +17,7 @@
 
 #include "io/input_error.h"
 #include "io/vtk_file.h"
+#include "tests/support/test_folder.h"
 #include "validation_samples.h"
 #include "voxel/body_boxes.h"
 #include "voxel/body_shape.h"
@@ -52,7 +53,6 @@ TEST(BodyBoxes, HaveTheSizeThatTheExtentsAreMeasuredOn) {
 class SideBySideFiles : public testing::Test {
  protected:
   SideBySideFiles() {
-    fs::remove_all(folder_);
     comparison_.curve = bar_curve("bar_inflation", LoadCaseKind::inflation, {{0.0, 2e3, 4e3}, {}, {}, {}, {}, {}});
     comparison_.body = "bar";
   }
@@ -109,8 +109,8 @@ class SideBySideFiles : public testing::Test {
     return *reader_->GetOutput();
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_side_by_side" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
   CurveComparison comparison_;
   vtkNew<vtkXMLUnstructuredGridReader> reader_;
 };

@@ -5,6 +5,7 @@
 #include "io/content_hash.h"
 #include "io/input_error.h"
 #include "io/whole_file.h"
+#include "tests/support/test_folder.h"
 #include "validation_samples.h"
 
 namespace menger::voxel {
@@ -17,8 +18,6 @@ using samples::validation_parameters;
 
 class ValidationStudyFile : public testing::Test {
  protected:
-  ValidationStudyFile() { fs::remove_all(folder_); }
-
   [[nodiscard]] ValidationStudy study(const std::string& text) const {
     io::write_whole(folder_ / "study.toml", text);
     return read_validation_study(folder_ / "study.toml");
@@ -42,8 +41,7 @@ class ValidationStudyFile : public testing::Test {
     return "";
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / "menger_validation" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder folder_;
 };
 
 TEST_F(ValidationStudyFile, CountsPathsFromItsFolder) {

@@ -19,6 +19,7 @@
 #include "io/input_error.h"
 #include "io/whole_file.h"
 #include "tests/support/small_disk.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::voxel {
 namespace {
@@ -43,15 +44,14 @@ Frame two_voxels(double time_s) {
 
 class VtkOutput : public testing::Test {
  protected:
-  VtkOutput() { fs::remove_all(folder_); }
-
   [[nodiscard]] vtkUnstructuredGrid& read(const fs::path& file) {
     reader_->SetFileName((folder_ / file).c_str());
     reader_->Update();
     return *reader_->GetOutput();
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "vtk_output" / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
   vtkNew<vtkXMLUnstructuredGridReader> reader_;
 };
 

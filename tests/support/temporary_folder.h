@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace menger::tests {
+
+/// A new, empty folder of a program that is no test, below the system's folder for temporary files (TMPDIR); removed in the end.
+/// Tests take TestFolder.
+/// @throws std::runtime_error where it cannot be made
+class TemporaryFolder {
+ public:
+  /// @param name what the folder's name begins with
+  explicit TemporaryFolder(const std::string& name) {
+    std::string path = (std::filesystem::temp_directory_path() / (name + "-XXXXXX")).string();
+    if (mkdtemp(path.data()) == nullptr) throw std::runtime_error(path + ": cannot be made");
+    path_ = path;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace menger::tests
