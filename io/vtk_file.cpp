@@ -32,8 +32,9 @@ void write_vtu(const std::filesystem::path& target, vtkUnstructuredGrid& grid, I
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(&grid);
   writer->SetFileName(pending.temporary().c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
+  // An appended section is no XML. VTK stops its parser right before it, too late for Expat since 2.6 and its backport to Debian
+  // 12 (2.5.0-1+deb12u2): the parser meets the section, and ParaView 5.11 refuses the file.
+  writer->SetDataModeToBinary();
   writer->SetCompressorTypeToZLib();
   writer->SetCompressionLevel(1);
   if (indices == IndexWidth::bits_32) writer->SetIdTypeToInt32();

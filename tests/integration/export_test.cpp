@@ -13,6 +13,7 @@
 #include "io/csv_table.h"
 #include "io/whole_file.h"
 #include "meshes/design_file.h"
+#include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
@@ -69,6 +70,7 @@ TEST_F(Export, WritesTablesDesignAndSimulationsOfTheChampion) {
         "level_1/frames/frame_0002.vtu", "level_2/frames.pvd", "level_2/result.toml", "level_2/scene.toml"}) {
     EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
   }
+  test_support::expect_opens_in_paraview(folder_ / "out");
   EXPECT_TRUE(fs::exists(folder_ / "run.sqlite"));
 
   const auto archive = evolution::RunArchive::open_to_read(folder_ / "run.sqlite");

@@ -21,6 +21,7 @@
 #include "io/csv_table.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
+#include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
@@ -89,6 +90,7 @@ TEST_F(InflateProgram, WritesCurvesFieldsPicturesResultAndManifest) {
   EXPECT_EQ(io::read_toml(folder_ / "out/result.toml").text("status"), "completed");
   for (const char* name : {"manifest.json", "fields.pvd", "path.checkpoint"})
     EXPECT_TRUE(has(std::string("out/") + name)) << name;
+  test_support::expect_opens_in_paraview(folder_ / "out");
   if (outcome.out.find("no pictures") == std::string::npos) {
     for (const char* name : {"chamber.png", "pv_curve.png"})
       EXPECT_EQ(io::read_whole(folder_ / "out" / name).substr(1, 3), "PNG") << name;
@@ -198,6 +200,7 @@ TEST_F(InflateProgram, TwoRanksGiveTheSameAnswer) {
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 98);
   ASSERT_NE(reader->GetOutput()->GetPointData()->GetArray("cauchy_stress_Pa"), nullptr);
+  test_support::expect_opens_in_paraview(folder_ / "two");
 }
 
 TEST_F(InflateProgram, BadInputEndsAllRanks) {

@@ -10,6 +10,7 @@
 
 #include "io/whole_file.h"
 #include "materials/response_curve.h"
+#include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
@@ -122,6 +123,7 @@ TEST_F(LoadCasesProgram, KeepsFieldsOfCachedCasesOnlyWhenAsked) {
     EXPECT_GT(at, earlier) << "in the order of the rows";
     earlier = at;
   }
+  test_support::expect_opens_in_paraview(folder_ / "out");
   for (const std::vector<std::string>& fields : {std::vector<std::string>{}, {"--fields"}}) {
     std::vector<std::string> arguments{"set.toml", "-o", "out", "--no-pictures"};
     arguments.insert(arguments.end(), fields.begin(), fields.end());

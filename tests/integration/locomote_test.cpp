@@ -14,6 +14,7 @@
 #include "io/csv_table.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
+#include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
@@ -75,6 +76,7 @@ TEST_F(LocomoteProgram, WritesWhatItPromises) {
   EXPECT_NE(outcome.out.find("completed: 0.05 s"), std::string::npos) << outcome.out;
   for (const char* name : {"trajectory.csv", "frames.pvd", "frames/frame_0000.vtu", "manifest.json"})
     EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
+  test_support::expect_opens_in_paraview(folder_ / "out");
   const io::TomlTable result = io::read_toml(folder_ / "out/locomotion.toml");
   EXPECT_EQ(result.text("status"), "completed");
   EXPECT_EQ(result.numbers("displacement_m").size(), 3U);
@@ -146,6 +148,7 @@ TEST_F(LocomoteProgram, MovesABodyOnTwoProcessesAsOnOne) {
   EXPECT_GT(std::abs(one.number(one.row_count() - 1, "centre_of_mass_x_m") - one.number(0, "centre_of_mass_x_m")), 1e-5);
   for (const char* name : {"frames.pvd", "frames/frame_0001.vtu", "manifest.json", "locomotion.toml"})
     EXPECT_TRUE(fs::exists(folder_ / "two" / name)) << name;
+  test_support::expect_opens_in_paraview(folder_ / "two");
 
   // What two have done they do not do again, and one does not take it for its own.
   const std::string frame = io::read_whole(folder_ / "two/frames/frame_0001.vtu");

@@ -6,6 +6,7 @@
 
 #include "io/csv_table.h"
 #include "io/whole_file.h"
+#include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
@@ -45,6 +46,7 @@ TEST_F(ModesProgram, WritesFrequenciesAtTheKnotsOfThePathAndTheResponse) {
   EXPECT_EQ(response.number(0, "frequency_Hz"), 0.5);
   EXPECT_TRUE(fs::exists(folder_ / "out/result.toml"));
   EXPECT_TRUE(fs::exists(folder_ / "out/manifest.json"));
+  test_support::expect_opens_in_paraview(folder_ / "out");
 }
 
 // A comparison with nan is false, so that a range alone lets it through.

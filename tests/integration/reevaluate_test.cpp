@@ -10,6 +10,7 @@
 #include "io/csv_table.h"
 #include "io/whole_file.h"
 #include "tests/support/judged_archive.h"
+#include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
@@ -57,6 +58,7 @@ TEST_F(ReevaluateProgram, JudgesDesignsByTheLocomotionOfFiniteElements) {
   EXPECT_NEAR(table.number(1, "surrogate_dx_m"), 0.0, 1e-6);
   for (const char* file : {"winner/both.pvd", "winner/voxels_0002.vtu", "ranking.csv", "manifest.json"})
     EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
+  test_support::expect_opens_in_paraview(folder_ / "out");
   EXPECT_EQ(evolution::RunArchive::open_to_read(folder_ / "run.sqlite").reevaluations().size(), 2U);
 
   const Outcome again = run({"run.sqlite", "--top", "2", "--study", "study.toml", "-o", "out", "--no-pictures"});

@@ -20,6 +20,7 @@
 #include "io/csv_table.h"
 #include "io/toml_document.h"
 #include "io/whole_file.h"
+#include "tests/support/paraview_files.h"
 #include "tests/support/test_folder.h"
 #include "voxel/vtk_output.h"
 
@@ -108,6 +109,7 @@ TEST_F(Simulate, FilesAgreeWithOneAnother) {
     EXPECT_NEAR(frames[i].time_s, 0.01 * static_cast<double>(i), 1e-4);
     EXPECT_EQ(voxels_in(folder_ / "result" / frames[i].file), 4);
   }
+  test_support::expect_opens_in_paraview(folder_ / "result");
 
   const io::TomlTable result = io::read_toml(folder_ / "result/result.toml");
   EXPECT_EQ(result.text("status"), "completed");

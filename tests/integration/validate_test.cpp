@@ -8,6 +8,7 @@
 #include "io/number_text.h"
 #include "io/whole_file.h"
 #include "materials/response_curve.h"
+#include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/surrogate_example.h"
 #include "tests/support/test_folder.h"
@@ -84,6 +85,7 @@ TEST_F(ValidateProgram, FindsNoErrorInAModelOfItself) {
   EXPECT_NE(outcome.out.find("whether these are held out is not known"), std::string::npos);
   EXPECT_EQ(io::read_csv(folder_ / "out/volume_actuation.csv").row_count(), 1U);
   EXPECT_TRUE(fs::exists(folder_ / "out/worst.pvd"));
+  test_support::expect_opens_in_paraview(folder_ / "out");
   EXPECT_TRUE(fs::exists(folder_ / "out/manifest.json"));
 }
 

@@ -12,6 +12,7 @@
 #include "meshes/design_file.h"
 #include "meshes/reference_shapes.h"
 #include "meshes/vtu_mesh.h"
+#include "tests/support/paraview_files.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::meshes {
@@ -40,6 +41,7 @@ class MeshProgram : public testing::Test {
 TEST_F(MeshProgram, WritesMeshQualityAndManifest) {
   ASSERT_EQ(run("bar.toml"), 0) << text("err");
   EXPECT_EQ(read_vtu_mesh(folder_ / "bar.vtu").elements.size(), 10U * 5U * 5U - 8U * 3U * 3U);
+  test_support::expect_opens_in_paraview(folder_);
   const io::CsvContents quality = io::read_csv(folder_ / "bar_quality.csv");
   EXPECT_EQ(quality.columns(), (std::vector<std::string>{"quantity", "value", "closed_form"}));
   EXPECT_EQ(quality.text(1, "quantity"), "elements");
