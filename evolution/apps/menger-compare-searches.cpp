@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "evolution/search_comparison.h"
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/program.h"
-#include "io/whole_file.h"
+#include "evolution/reevaluation/search_comparison.h"
+#include "io/process/exit_code.h"
+#include "io/process/program.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
 
 namespace {
 

@@ -11,22 +11,22 @@
 #include <string>
 #include <thread>
 
-#include "evolution/generation_summary.h"
-#include "evolution/judgement_table.h"
-#include "evolution/run_archive.h"
-#include "evolution/search.h"
-#include "evolution/silicone_judge.h"
-#include "evolution/step_check_table.h"
-#include "evolution/study_file.h"
-#include "evolution/study_view.h"
-#include "io/child_program.h"
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/interrupt.h"
-#include "io/manifest.h"
-#include "io/program.h"
-#include "io/progress.h"
-#include "voxel/scene.h"
+#include "evolution/archive/run_archive.h"
+#include "evolution/reference/silicone_judge.h"
+#include "evolution/report/generation_summary.h"
+#include "evolution/report/judgement_table.h"
+#include "evolution/report/step_check_table.h"
+#include "evolution/report/study_view.h"
+#include "evolution/search/search.h"
+#include "evolution/study/study_file.h"
+#include "io/process/child_program.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/input_error.h"
+#include "io/text/manifest.h"
+#include "voxel/scene/scene.h"
 
 namespace {
 

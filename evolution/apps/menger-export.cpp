@@ -8,15 +8,15 @@
 #include <memory>
 #include <string>
 
-#include "evolution/export.h"
-#include "evolution/run_archive.h"
-#include "evolution/study_file.h"
-#include "io/content_hash.h"
-#include "io/exit_code.h"
-#include "io/interrupt.h"
-#include "io/manifest.h"
-#include "io/program.h"
-#include "io/progress.h"
+#include "evolution/archive/run_archive.h"
+#include "evolution/report/export.h"
+#include "evolution/study/study_file.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/content_hash.h"
+#include "io/text/manifest.h"
 
 namespace {
 

@@ -12,15 +12,15 @@
 #include <thread>
 #include <utility>
 
-#include "evolution/reevaluation_run.h"
-#include "evolution/reevaluation_study.h"
-#include "io/child_program.h"
-#include "io/content_hash.h"
-#include "io/exit_code.h"
-#include "io/interrupt.h"
-#include "io/manifest.h"
-#include "io/program.h"
-#include "io/progress.h"
+#include "evolution/reevaluation/reevaluation_run.h"
+#include "evolution/reference/reevaluation_study.h"
+#include "io/process/child_program.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/content_hash.h"
+#include "io/text/manifest.h"
 
 namespace {
 

@@ -9,15 +9,15 @@
 #include <optional>
 #include <string>
 
-#include "evolution/trade_off_run.h"
-#include "evolution/trade_off_study.h"
-#include "io/child_program.h"
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/interrupt.h"
-#include "io/manifest.h"
-#include "io/program.h"
-#include "io/progress.h"
+#include "evolution/trade_off/trade_off_run.h"
+#include "evolution/trade_off/trade_off_study.h"
+#include "io/process/child_program.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/input_error.h"
+#include "io/text/manifest.h"
 
 namespace {
 

@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "fem/inflation_convergence.h"
-#include "fem/inflation_study_file.h"
-#include "fem/parallel_program.h"
-#include "fem/parallel_session.h"
-#include "fem/rank_agreement.h"
-#include "io/exit_code.h"
-#include "io/formatted.h"
-#include "io/interrupt.h"
-#include "io/program.h"
-#include "io/progress.h"
+#include "fem/inflation/inflation_convergence.h"
+#include "fem/inflation/inflation_study_file.h"
+#include "fem/space/parallel_program.h"
+#include "fem/space/parallel_session.h"
+#include "fem/space/rank_agreement.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/formatted.h"
 
 namespace {
 

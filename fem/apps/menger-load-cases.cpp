@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "fem/load_case_set.h"
-#include "fem/load_case_study_file.h"
-#include "fem/parallel_session.h"
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/interrupt.h"
-#include "io/program.h"
-#include "io/progress.h"
+#include "fem/load_cases/load_case_set.h"
+#include "fem/load_cases/load_case_study_file.h"
+#include "fem/space/parallel_session.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/input_error.h"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // What menger-locomote becomes for studies of implicit dynamics.
 #include <filesystem>
 
-#include "fem/implicit_locomotion.h"
-#include "fem/locomotion_program.h"
-#include "fem/parallel_program.h"
-#include "fem/parallel_session.h"
-#include "fem/rank_agreement.h"
-#include "io/input_error.h"
-#include "io/interrupt.h"
+#include "fem/implicit_locomotion/implicit_locomotion.h"
+#include "fem/locomotion/locomotion_program.h"
+#include "fem/space/parallel_program.h"
+#include "fem/space/parallel_session.h"
+#include "fem/space/rank_agreement.h"
+#include "io/process/interrupt.h"
+#include "io/text/input_error.h"
 
 int main(int argc, char** argv) {
   using namespace menger;

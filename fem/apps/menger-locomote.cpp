@@ -8,10 +8,10 @@
 #include <string>
 #include <system_error>
 
-#include "fem/locomotion_program.h"
-#include "io/child_program.h"
-#include "io/input_error.h"
-#include "io/program.h"
+#include "fem/locomotion/locomotion_program.h"
+#include "io/process/child_program.h"
+#include "io/process/program.h"
+#include "io/text/input_error.h"
 
 namespace {
 

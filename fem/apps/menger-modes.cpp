@@ -9,15 +9,15 @@
 #include <optional>
 #include <string>
 
-#include "fem/inflation_study_file.h"
-#include "fem/modes_run.h"
-#include "fem/parallel_session.h"
-#include "io/exit_code.h"
-#include "io/formatted.h"
-#include "io/input_error.h"
-#include "io/interrupt.h"
-#include "io/program.h"
-#include "io/progress.h"
+#include "fem/inflation/inflation_study_file.h"
+#include "fem/inflation/modes_run.h"
+#include "fem/space/parallel_session.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/formatted.h"
+#include "io/text/input_error.h"
 
 namespace {
 

@@ -9,16 +9,16 @@
 #include <thread>
 #include <vector>
 
-#include "fem/stall_map_file.h"
-#include "fem/stall_map_output.h"
-#include "fem/stall_travel.h"
-#include "io/child_program.h"
-#include "io/exit_code.h"
-#include "io/interrupt.h"
-#include "io/manifest.h"
-#include "io/program.h"
-#include "io/progress.h"
-#include "io/whole_file.h"
+#include "fem/stall_map/stall_map_file.h"
+#include "fem/stall_map/stall_map_output.h"
+#include "fem/stall_map/stall_travel.h"
+#include "io/process/child_program.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/manifest.h"
+#include "io/text/whole_file.h"
 
 namespace {
 

@@ -12,10 +12,10 @@
 #include <system_error>
 #include <vector>
 
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/program.h"
-#include "io/version.h"
+#include "io/process/exit_code.h"
+#include "io/process/program.h"
+#include "io/text/input_error.h"
+#include "io/text/version.h"
 
 namespace {
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <utility>
 
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/manifest.h"
-#include "io/number_text.h"
-#include "io/program.h"
-#include "materials/fit_chart.h"
-#include "materials/tensile_cleaning.h"
+#include "io/process/exit_code.h"
+#include "io/process/program.h"
+#include "io/text/input_error.h"
+#include "io/text/manifest.h"
+#include "io/text/number_text.h"
+#include "materials/fit/fit_chart.h"
+#include "materials/fit/tensile_cleaning.h"
 
 namespace {
 

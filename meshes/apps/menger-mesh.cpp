@@ -6,16 +6,16 @@
 #include <optional>
 #include <string>
 
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/manifest.h"
-#include "io/number_text.h"
-#include "io/program.h"
-#include "meshes/gmsh_mesh.h"
-#include "meshes/hollow_body_file.h"
-#include "meshes/hollow_polycube.h"
-#include "meshes/mesh_quality.h"
-#include "meshes/vtu_mesh.h"
+#include "io/process/exit_code.h"
+#include "io/process/program.h"
+#include "io/text/input_error.h"
+#include "io/text/manifest.h"
+#include "io/text/number_text.h"
+#include "meshes/design/hollow_body_file.h"
+#include "meshes/files/gmsh_mesh.h"
+#include "meshes/files/vtu_mesh.h"
+#include "meshes/hexahedra/hollow_polycube.h"
+#include "meshes/hexahedra/mesh_quality.h"
 
 namespace {
 

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "io/csv_table.h"
-#include "io/formatted.h"
-#include "io/program.h"
-#include "materials/observables.h"
-#include "meshes/fractal.h"
-#include "voxel/simulation.h"
+#include "io/process/program.h"
+#include "io/text/csv_table.h"
+#include "io/text/formatted.h"
+#include "meshes/design/fractal.h"
+#include "meshes/load_cases/observables.h"
+#include "voxel/engine/simulation.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // driven module, and an aggregate on one and two threads. Process CPU time and, beside it, wall time; one thread where nothing
 // else is said.
 
-#include "fem/explicit_dynamics.h"
+#include "fem/explicit/explicit_dynamics.h"
 
 #include <benchmark/benchmark.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "fem/material_damping.h"
-#include "meshes/hollow_polycube.h"
+#include "fem/explicit/material_damping.h"
+#include "meshes/hexahedra/hollow_polycube.h"
 
 namespace fem = menger::fem;
 namespace io = menger::io;

@@ -1,13 +1,13 @@
 // Implicit dynamics: seconds of motion of the driven module on rough ground, at several tolerances. One process, CPU time.
 
-#include "fem/implicit_dynamics.h"
+#include "fem/implicit/implicit_dynamics.h"
 
 #include <benchmark/benchmark.h>
 
 #include <string>
 
-#include "fem/parallel_session.h"
-#include "meshes/hollow_polycube.h"
+#include "fem/space/parallel_session.h"
+#include "meshes/hexahedra/hollow_polycube.h"
 
 namespace fem = menger::fem;
 namespace io = menger::io;

@@ -9,10 +9,10 @@
 #include <vector>
 #include <xsimd/xsimd.hpp>
 
-#include "fem/inflation_path.h"
-#include "fem/parallel_session.h"
-#include "fem/supports.h"
-#include "meshes/hollow_polycube.h"
+#include "fem/space/parallel_session.h"
+#include "fem/statics/inflation_path.h"
+#include "fem/statics/supports.h"
+#include "meshes/hexahedra/hollow_polycube.h"
 
 namespace fem = menger::fem;
 namespace io = menger::io;

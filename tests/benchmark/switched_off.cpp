@@ -13,16 +13,16 @@
 #include <string>
 #include <vector>
 
-#include "evolution/study_file.h"
-#include "io/csv_table.h"
-#include "io/formatted.h"
-#include "io/program.h"
-#include "meshes/fractal.h"
-#include "meshes/reference_shapes.h"
+#include "evolution/study/study_file.h"
+#include "io/process/program.h"
+#include "io/text/csv_table.h"
+#include "io/text/formatted.h"
+#include "meshes/design/fractal.h"
+#include "meshes/design/reference_shapes.h"
 #include "tests/support/temporary_folder.h"
-#include "voxel/scene_file.h"
-#include "voxel/simulation.h"
-#include "voxel/vtk_output.h"
+#include "voxel/engine/simulation.h"
+#include "voxel/picture/vtk_output.h"
+#include "voxel/scene/scene_file.h"
 
 namespace {
 

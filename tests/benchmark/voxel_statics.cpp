@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "voxel/equilibrium.h"
-#include "voxel/load_case_body.h"
-#include "voxel/load_case_response.h"
-#include "voxel/load_case_slopes.h"
-#include "voxel/surrogate_file.h"
-#include "voxel/tangent_factors.h"
+#include "voxel/model/surrogate_file.h"
+#include "voxel/statics/equilibrium.h"
+#include "voxel/statics/load_case_body.h"
+#include "voxel/statics/load_case_response.h"
+#include "voxel/statics/load_case_slopes.h"
+#include "voxel/statics/tangent_factors.h"
 
 namespace materials = menger::materials;
 namespace voxel = menger::voxel;

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "meshes/connectivity.h"
-#include "meshes/fractal.h"
-#include "meshes/reference_shapes.h"
-#include "voxel/lanes.h"
-#include "voxel/simulation.h"
+#include "meshes/design/connectivity.h"
+#include "meshes/design/fractal.h"
+#include "meshes/design/reference_shapes.h"
+#include "voxel/engine/simulation.h"
+#include "voxel/lanes/lanes.h"
 
 namespace {
 

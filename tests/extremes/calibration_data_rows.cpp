@@ -4,8 +4,8 @@
 #include <string>
 
 #include "tests/extremes/calibration_rows.h"
-#include "tests/unit/voxel/calibration_samples.h"
-#include "voxel/calibration_tables.h"
+#include "tests/unit/voxel/calibration/calibration_samples.h"
+#include "voxel/calibration/calibration_tables.h"
 
 namespace menger::extremes {
 

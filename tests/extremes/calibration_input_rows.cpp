@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <string>
 
-#include "io/content_hash.h"
-#include "io/input_error.h"
-#include "io/whole_file.h"
+#include "io/text/content_hash.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
 #include "tests/extremes/calibration_rows.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/unit/voxel/calibration_samples.h"
-#include "voxel/calibration_study.h"
+#include "tests/unit/voxel/calibration/calibration_samples.h"
+#include "voxel/calibration/calibration_study.h"
 
 namespace menger::extremes {
 

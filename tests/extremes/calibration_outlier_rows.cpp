@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/extremes/calibration_rows.h"
-#include "tests/unit/voxel/calibration_samples.h"
+#include "tests/unit/voxel/calibration/calibration_samples.h"
 
 namespace menger::extremes {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "tests/extremes/part.h"
-#include "tests/unit/voxel/calibration_samples.h"
+#include "tests/unit/voxel/calibration/calibration_samples.h"
 
 namespace menger::extremes {
 

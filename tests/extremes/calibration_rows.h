@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/extremes/row.h"
-#include "voxel/calibration.h"
+#include "voxel/calibration/calibration.h"
 
 namespace menger::extremes {
 

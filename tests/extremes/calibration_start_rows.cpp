@@ -1,7 +1,7 @@
 // Starts from which the surrogate has no answer.
 
 #include "tests/extremes/calibration_rows.h"
-#include "tests/unit/voxel/calibration_samples.h"
+#include "tests/unit/voxel/calibration/calibration_samples.h"
 
 namespace menger::extremes {
 

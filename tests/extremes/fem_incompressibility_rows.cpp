@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "meshes/boundary_labels.h"
-#include "meshes/verification_shapes.h"
+#include "meshes/hexahedra/boundary_labels.h"
+#include "meshes/hexahedra/verification_shapes.h"
 #include "tests/extremes/fem_rows.h"
 #include "tests/verification/fem_cooks_membrane.h"
 #include "tests/verification/fem_pressure_vessels.h"

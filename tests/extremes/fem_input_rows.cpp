@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
-#include "fem/supports.h"
-#include "io/input_error.h"
-#include "meshes/boundary_labels.h"
-#include "meshes/chamber_surface.h"
+#include "fem/statics/supports.h"
+#include "io/text/input_error.h"
+#include "meshes/hexahedra/boundary_labels.h"
+#include "meshes/hexahedra/chamber_surface.h"
 #include "tests/extremes/fem_rows.h"
 #include "tests/verification/fem_hollow_cube.h"
 

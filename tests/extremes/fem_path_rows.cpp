@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "meshes/hollow_polycube.h"
+#include "meshes/hexahedra/hollow_polycube.h"
 #include "tests/extremes/fem_rows.h"
 #include "tests/verification/fem_hollow_cube.h"
 #include "tests/verification/fem_pressure_vessels.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "meshes/hollow_polycube.h"
+#include "meshes/hexahedra/hollow_polycube.h"
 #include "tests/extremes/part.h"
 
 namespace menger::extremes {

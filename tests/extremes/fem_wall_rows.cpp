@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "meshes/grid_mesh.h"
-#include "meshes/verification_shapes.h"
+#include "meshes/hexahedra/grid_mesh.h"
+#include "meshes/hexahedra/verification_shapes.h"
 #include "tests/extremes/fem_rows.h"
 
 namespace menger::extremes {

@@ -1,5 +1,5 @@
-#include "fem/parallel_session.h"
-#include "io/program.h"
+#include "fem/space/parallel_session.h"
+#include "io/process/program.h"
 #include "tests/extremes/part.h"
 #include "tests/extremes/table.h"
 

@@ -1,4 +1,4 @@
-#include "io/program.h"
+#include "io/process/program.h"
 #include "tests/extremes/part.h"
 #include "tests/extremes/table.h"
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "io/child_program.h"
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/interrupt.h"
-#include "io/program.h"
-#include "io/progress.h"
-#include "io/whole_file.h"
+#include "io/process/child_program.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
 #include "tests/extremes/table.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/run_status.h"
+#include "io/text/run_status.h"
 
 namespace menger::extremes {
 

@@ -9,10 +9,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "io/csv_table.h"
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/whole_file.h"
+#include "io/process/exit_code.h"
+#include "io/text/csv_table.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
 #include "tests/extremes/table.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"

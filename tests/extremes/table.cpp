@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <iostream>
 
-#include "io/csv_table.h"
-#include "io/exit_code.h"
-#include "io/interrupt.h"
-#include "io/program.h"
-#include "io/progress.h"
-#include "io/whole_file.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/csv_table.h"
+#include "io/text/whole_file.h"
 
 namespace menger::extremes {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "meshes/reference_shapes.h"
+#include "meshes/design/reference_shapes.h"
 #include "tests/extremes/voxel_rows.h"
 
 namespace menger::extremes {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "meshes/reference_shapes.h"
+#include "meshes/design/reference_shapes.h"
 #include "tests/extremes/voxel_rows.h"
 
 namespace menger::extremes {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "meshes/polycube.h"
+#include "meshes/design/polycube.h"
 #include "tests/extremes/row.h"
-#include "voxel/simulation.h"
+#include "voxel/engine/simulation.h"
 
 namespace menger::extremes {
 

@@ -5,9 +5,9 @@
 
 #include "tests/extremes/solid_bar.h"
 #include "tests/extremes/voxel_rows.h"
-#include "voxel/body_shape.h"
-#include "voxel/equilibrium.h"
-#include "voxel/load_case_response.h"
+#include "voxel/statics/body_shape.h"
+#include "voxel/statics/equilibrium.h"
+#include "voxel/statics/load_case_response.h"
 
 namespace menger::extremes {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "meshes/reference_shapes.h"
+#include "meshes/design/reference_shapes.h"
 #include "tests/extremes/voxel_rows.h"
 
 namespace menger::extremes {

@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <string>
 
-#include "io/csv_table.h"
-#include "io/toml_document.h"
-#include "io/whole_file.h"
-#include "materials/response_curve.h"
+#include "io/text/csv_table.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+#include "meshes/load_cases/response_curve.h"
 #include "tests/support/test_folder.h"
-#include "voxel/calibration_start.h"
-#include "voxel/load_case_response.h"
-#include "voxel/surrogate_file.h"
+#include "voxel/calibration/calibration_start.h"
+#include "voxel/model/surrogate_file.h"
+#include "voxel/statics/load_case_response.h"
 
 namespace menger {
 namespace {

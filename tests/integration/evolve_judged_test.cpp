@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "evolution/run_archive.h"
-#include "io/csv_table.h"
-#include "io/whole_file.h"
+#include "evolution/archive/run_archive.h"
+#include "io/text/csv_table.h"
+#include "io/text/whole_file.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"

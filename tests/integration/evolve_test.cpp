@@ -8,14 +8,14 @@
 #include <thread>
 #include <vector>
 
-#include "evolution/run_archive.h"
-#include "io/content_hash.h"
-#include "io/whole_file.h"
+#include "evolution/archive/run_archive.h"
+#include "io/text/content_hash.h"
+#include "io/text/whole_file.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/program_run.h"
 #include "tests/support/surrogate_example.h"
 #include "tests/support/test_folder.h"
-#include "voxel/surrogate_file.h"
+#include "voxel/model/surrogate_file.h"
 
 namespace menger {
 namespace {

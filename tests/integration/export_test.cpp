@@ -1,4 +1,4 @@
-#include "evolution/export.h"
+#include "evolution/report/export.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "evolution/run_archive.h"
-#include "io/csv_table.h"
-#include "io/whole_file.h"
-#include "meshes/design_file.h"
+#include "evolution/archive/run_archive.h"
+#include "io/text/csv_table.h"
+#include "io/text/whole_file.h"
+#include "meshes/design/design_file.h"
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <string>
 
-#include "io/csv_table.h"
-#include "io/number_text.h"
-#include "io/toml_document.h"
-#include "io/whole_file.h"
-#include "materials/homogeneous_deformations.h"
-#include "materials/law_file.h"
+#include "io/text/csv_table.h"
+#include "io/text/number_text.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+#include "materials/laws/homogeneous_deformations.h"
+#include "materials/laws/law_file.h"
 #include "tests/support/test_folder.h"
 
 namespace menger {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "evolution/run_archive.h"
+#include "evolution/archive/run_archive.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"

@@ -71,7 +71,7 @@ const std::map<std::string, std::set<std::string>>& places_of_libraries() {
       {"deal.II/", {"meshes", "fem"}},
       {"petsc", {"fem"}},
       {"slepc", {"fem"}},
-      {"ceres/", {"materials/separable_fit", "voxel/calibration_search"}}};
+      {"ceres/", {"materials/fit/separable_fit", "voxel/calibration/calibration_search"}}};
   return places;
 }
 

@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "io/whole_file.h"
-#include "materials/response_curve.h"
+#include "io/text/whole_file.h"
+#include "meshes/load_cases/response_curve.h"
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"

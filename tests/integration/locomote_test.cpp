@@ -11,9 +11,9 @@
 #include <thread>
 #include <vector>
 
-#include "io/csv_table.h"
-#include "io/toml_document.h"
-#include "io/whole_file.h"
+#include "io/text/csv_table.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"

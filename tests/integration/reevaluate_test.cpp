@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "evolution/run_archive.h"
-#include "io/csv_table.h"
-#include "io/whole_file.h"
+#include "evolution/archive/run_archive.h"
+#include "io/text/csv_table.h"
+#include "io/text/whole_file.h"
 #include "tests/support/judged_archive.h"
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"

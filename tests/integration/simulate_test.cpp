@@ -16,13 +16,13 @@
 #include <utility>
 #include <vector>
 
-#include "io/content_hash.h"
-#include "io/csv_table.h"
-#include "io/toml_document.h"
-#include "io/whole_file.h"
+#include "io/text/content_hash.h"
+#include "io/text/csv_table.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
 #include "tests/support/paraview_files.h"
 #include "tests/support/test_folder.h"
-#include "voxel/vtk_output.h"
+#include "voxel/picture/vtk_output.h"
 
 namespace menger {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/csv_table.h"
-#include "io/whole_file.h"
+#include "io/text/csv_table.h"
+#include "io/text/whole_file.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 

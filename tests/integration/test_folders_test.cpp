@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/whole_file.h"
+#include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::tests {

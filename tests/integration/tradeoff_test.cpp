@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "io/csv_table.h"
-#include "io/toml_document.h"
-#include "io/whole_file.h"
-#include "materials/load_case.h"
+#include "io/text/csv_table.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+#include "meshes/load_cases/load_case.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
-#include "voxel/load_case_response.h"
-#include "voxel/surrogate_file.h"
+#include "voxel/model/surrogate_file.h"
+#include "voxel/statics/load_case_response.h"
 
 namespace menger {
 namespace {

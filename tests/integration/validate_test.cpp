@@ -3,17 +3,17 @@
 #include <filesystem>
 #include <string>
 
-#include "io/content_hash.h"
-#include "io/csv_table.h"
-#include "io/number_text.h"
-#include "io/whole_file.h"
-#include "materials/response_curve.h"
+#include "io/text/content_hash.h"
+#include "io/text/csv_table.h"
+#include "io/text/number_text.h"
+#include "io/text/whole_file.h"
+#include "meshes/load_cases/response_curve.h"
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/surrogate_example.h"
 #include "tests/support/test_folder.h"
-#include "voxel/load_case_response.h"
-#include "voxel/surrogate_file.h"
+#include "voxel/model/surrogate_file.h"
+#include "voxel/statics/load_case_response.h"
 
 namespace menger {
 namespace {

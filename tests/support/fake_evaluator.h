@@ -6,9 +6,9 @@
 #include <functional>
 #include <string>
 
-#include "evolution/evaluator.h"
-#include "io/content_hash.h"
-#include "materials/observables.h"
+#include "evolution/evaluation/evaluator.h"
+#include "io/text/content_hash.h"
+#include "meshes/load_cases/observables.h"
 
 namespace menger::test_support {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "evolution/design_judge.h"
-#include "io/content_hash.h"
+#include "evolution/evaluation/design_judge.h"
+#include "io/text/content_hash.h"
 
 namespace menger::test_support {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "fem/parallel_session.h"
+#include "fem/space/parallel_session.h"
 
 #ifdef __SANITIZE_ADDRESS__
 /// MPI and PETSc keep what they once allocated; errors of memory are still found.

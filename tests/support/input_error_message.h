@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/input_error.h"
+#include "io/text/input_error.h"
 
 namespace menger::tests {
 

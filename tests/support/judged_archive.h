@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "evolution/offspring.h"
-#include "evolution/run_archive.h"
-#include "evolution/study_file.h"
+#include "evolution/archive/run_archive.h"
+#include "evolution/genome/offspring.h"
+#include "evolution/study/study_file.h"
 
 namespace menger::tests {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/whole_file.h"
+#include "io/text/whole_file.h"
 
 namespace menger::test_support {
 

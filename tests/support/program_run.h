@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/whole_file.h"
+#include "io/text/whole_file.h"
 
 namespace menger::test_support {
 

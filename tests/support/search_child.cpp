@@ -5,8 +5,8 @@
 #include <iostream>
 #include <string>
 
-#include "evolution/run_archive.h"
-#include "evolution/search.h"
+#include "evolution/archive/run_archive.h"
+#include "evolution/search/search.h"
 #include "tests/support/fake_evaluator.h"
 #include "tests/support/fake_judge.h"
 

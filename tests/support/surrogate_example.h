@@ -1,6 +1,6 @@
 #pragma once
 
-#include "voxel/surrogate_parameters.h"
+#include "voxel/model/surrogate_parameters.h"
 
 namespace menger::tests {
 

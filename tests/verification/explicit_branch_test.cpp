@@ -8,8 +8,8 @@
 #include <complex>
 #include <numbers>
 
-#include "../unit/fem/explicit_samples.h"
-#include "fem/material_damping.h"
+#include "fem/explicit/material_damping.h"
+#include "tests/unit/fem/explicit/explicit_samples.h"
 
 namespace menger::fem {
 namespace {

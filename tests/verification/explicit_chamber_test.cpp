@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "../unit/fem/explicit_samples.h"
+#include "tests/unit/fem/explicit/explicit_samples.h"
 
 namespace menger::fem {
 namespace {

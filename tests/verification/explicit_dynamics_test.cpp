@@ -1,6 +1,6 @@
 // Explicit dynamics against closed forms.
 
-#include "fem/explicit_dynamics.h"
+#include "fem/explicit/explicit_dynamics.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <optional>
 
-#include "../unit/fem/explicit_samples.h"
-#include "fem/explicit_contact.h"
+#include "fem/explicit/explicit_contact.h"
+#include "tests/unit/fem/explicit/explicit_samples.h"
 
 namespace menger::fem {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "../unit/fem/explicit_samples.h"
-#include "fem/gas_stiffness.h"
+#include "fem/explicit/gas_stiffness.h"
+#include "tests/unit/fem/explicit/explicit_samples.h"
 
 namespace menger::fem {
 namespace {

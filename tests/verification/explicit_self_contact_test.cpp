@@ -6,9 +6,9 @@
 #include <numbers>
 #include <optional>
 
-#include "../unit/fem/contact_samples.h"
-#include "fem/body_overlap.h"
-#include "fem/wall_contact.h"
+#include "fem/contact/body_overlap.h"
+#include "fem/surfaces/wall_contact.h"
+#include "tests/unit/fem/contact/contact_samples.h"
 
 namespace menger::fem {
 namespace {

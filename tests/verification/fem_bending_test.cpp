@@ -9,8 +9,8 @@
 
 #include "fem_cooks_membrane.h"
 #include "fem_table.h"
-#include "meshes/boundary_labels.h"
-#include "meshes/verification_shapes.h"
+#include "meshes/hexahedra/boundary_labels.h"
+#include "meshes/hexahedra/verification_shapes.h"
 
 namespace menger::fem {
 namespace {

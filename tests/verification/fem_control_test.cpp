@@ -9,9 +9,9 @@
 
 #include "fem_hollow_cube.h"
 #include "fem_table.h"
-#include "materials/tensor.h"
-#include "meshes/boundary_labels.h"
-#include "meshes/hollow_polycube.h"
+#include "materials/laws/tensor.h"
+#include "meshes/hexahedra/boundary_labels.h"
+#include "meshes/hexahedra/hollow_polycube.h"
 
 namespace menger::fem {
 namespace {

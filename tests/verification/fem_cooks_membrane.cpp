@@ -1,7 +1,7 @@
 #include "fem_cooks_membrane.h"
 
-#include "meshes/boundary_labels.h"
-#include "meshes/verification_shapes.h"
+#include "meshes/hexahedra/boundary_labels.h"
+#include "meshes/hexahedra/verification_shapes.h"
 
 namespace menger::fem {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem_model.h"
-#include "meshes/verification_shapes.h"
+#include "meshes/hexahedra/verification_shapes.h"
 
 namespace menger::fem {
 

@@ -8,8 +8,8 @@
 
 #include "fem_model.h"
 #include "fem_table.h"
-#include "materials/homogeneous_deformations.h"
-#include "meshes/verification_shapes.h"
+#include "materials/laws/homogeneous_deformations.h"
+#include "meshes/hexahedra/verification_shapes.h"
 
 namespace menger::fem {
 namespace {

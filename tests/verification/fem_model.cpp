@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "fem/supports.h"
-#include "meshes/boundary_labels.h"
+#include "fem/statics/supports.h"
+#include "meshes/hexahedra/boundary_labels.h"
 
 namespace menger::fem {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fem/inflation_path.h"
-#include "meshes/hexahedral_mesh.h"
+#include "fem/statics/inflation_path.h"
+#include "meshes/hexahedra/hexahedral_mesh.h"
 
 namespace menger::fem {
 

@@ -9,10 +9,10 @@
 
 #include "fem_model.h"
 #include "fem_table.h"
-#include "materials/homogeneous_deformations.h"
-#include "meshes/boundary_labels.h"
-#include "meshes/verification_shapes.h"
-#include "tests/unit/materials/law_samples.h"
+#include "materials/laws/homogeneous_deformations.h"
+#include "meshes/hexahedra/boundary_labels.h"
+#include "meshes/hexahedra/verification_shapes.h"
+#include "tests/unit/materials/laws/law_samples.h"
 
 namespace menger::fem {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "meshes/verification_shapes.h"
+#include "meshes/hexahedra/verification_shapes.h"
 
 namespace menger::fem {
 

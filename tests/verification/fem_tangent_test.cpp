@@ -12,10 +12,10 @@
 #include <random>
 
 #include "fem_model.h"
-#include "meshes/boundary_labels.h"
-#include "meshes/hollow_polycube.h"
-#include "meshes/verification_shapes.h"
-#include "tests/unit/materials/law_samples.h"
+#include "meshes/hexahedra/boundary_labels.h"
+#include "meshes/hexahedra/hollow_polycube.h"
+#include "meshes/hexahedra/verification_shapes.h"
+#include "tests/unit/materials/laws/law_samples.h"
 
 namespace menger::fem {
 namespace {

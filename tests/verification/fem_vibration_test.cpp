@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "../unit/fem/body_samples.h"
-#include "fem/vibration.h"
-#include "materials/homogeneous_deformations.h"
-#include "meshes/verification_shapes.h"
+#include "fem/modes/vibration.h"
+#include "materials/laws/homogeneous_deformations.h"
+#include "meshes/hexahedra/verification_shapes.h"
+#include "tests/unit/fem/statics/body_samples.h"
 
 namespace menger::fem {
 namespace {

@@ -1,6 +1,6 @@
 // Implicit dynamics against closed forms, the modes of the linearised body and equilibria.
 
-#include "fem/implicit_dynamics.h"
+#include "fem/implicit/implicit_dynamics.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "../unit/fem/implicit_samples.h"
-#include "fem/vibration.h"
+#include "fem/modes/vibration.h"
+#include "tests/unit/fem/implicit/implicit_samples.h"
 
 namespace menger::fem {
 namespace {

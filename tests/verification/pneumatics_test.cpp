@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "fem/pneumatic_supply.h"
+#include "fem/pneumatics/pneumatic_supply.h"
 
 namespace menger::fem {
 namespace {

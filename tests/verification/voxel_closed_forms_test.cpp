@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "meshes/reference_shapes.h"
-#include "voxel/simulation.h"
+#include "meshes/design/reference_shapes.h"
+#include "voxel/engine/simulation.h"
 
 namespace menger::voxel {
 namespace {

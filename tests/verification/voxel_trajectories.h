@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "meshes/fractal.h"
-#include "voxel/simulation.h"
+#include "meshes/design/fractal.h"
+#include "voxel/engine/simulation.h"
 
 namespace menger::voxel {
 

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "io/exit_code.h"
-#include "io/interrupt.h"
-#include "io/program.h"
-#include "io/progress.h"
-#include "voxel/calibration_report.h"
-#include "voxel/calibration_run.h"
-#include "voxel/calibration_tables.h"
-#include "voxel/load_case_slopes.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "voxel/calibration/calibration_report.h"
+#include "voxel/calibration/calibration_run.h"
+#include "voxel/calibration/calibration_tables.h"
+#include "voxel/statics/load_case_slopes.h"
 
 namespace {
 

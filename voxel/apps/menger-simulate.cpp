@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "io/exit_code.h"
-#include "io/formatted.h"
-#include "io/input_error.h"
-#include "io/interrupt.h"
-#include "io/manifest.h"
-#include "io/program.h"
-#include "io/progress.h"
-#include "materials/observables.h"
-#include "voxel/instruction_sets.h"
-#include "voxel/kernel_choice.h"
-#include "voxel/scene_file.h"
-#include "voxel/simulation_run.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/formatted.h"
+#include "io/text/input_error.h"
+#include "io/text/manifest.h"
+#include "meshes/load_cases/observables.h"
+#include "voxel/kernels/instruction_sets.h"
+#include "voxel/kernels/kernel_choice.h"
+#include "voxel/scene/scene_file.h"
+#include "voxel/simulate/simulation_run.h"
 
 namespace {
 

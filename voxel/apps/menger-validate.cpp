@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "io/child_program.h"
-#include "io/exit_code.h"
-#include "io/input_error.h"
-#include "io/interrupt.h"
-#include "io/manifest.h"
-#include "io/number_text.h"
-#include "io/program.h"
-#include "io/progress.h"
-#include "io/whole_file.h"
-#include "voxel/surrogate_file.h"
-#include "voxel/validation_run.h"
+#include "io/process/child_program.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/program.h"
+#include "io/process/progress.h"
+#include "io/text/input_error.h"
+#include "io/text/manifest.h"
+#include "io/text/number_text.h"
+#include "io/text/whole_file.h"
+#include "voxel/model/surrogate_file.h"
+#include "voxel/validation/validation_run.h"
 
 namespace {
 

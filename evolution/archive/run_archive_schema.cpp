@@ -1,0 +1,161 @@
+#include "evolution/archive/run_archive_schema.h"
+
+#include <string>
+
+#include "evolution/archive/run_archive.h"
+#include "io/text/content_hash.h"
+#include "io/text/input_error.h"
+
+namespace menger::evolution {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Marks SQLite files as archives of menger: "mngr".
+constexpr int application_id = 0x6d6e6772;
+
+constexpr const char* schema = R"sql(
+CREATE TABLE study (
+  row INTEGER PRIMARY KEY CHECK (row = 1),
+  hash TEXT NOT NULL,
+  resolved TEXT NOT NULL,
+  generations INTEGER NOT NULL
+);
+CREATE TABLE evaluation (
+  design_hash TEXT NOT NULL,
+  level INTEGER NOT NULL,
+  physics_hash TEXT NOT NULL,
+  generation INTEGER NOT NULL,
+  status TEXT NOT NULL,
+  dx_m REAL, dy_m REAL, dz_m REAL,
+  reason TEXT NOT NULL,
+  outside_validity TEXT NOT NULL,
+  steps INTEGER NOT NULL,
+  seconds REAL NOT NULL,
+  PRIMARY KEY (design_hash, level, physics_hash)
+) WITHOUT ROWID;
+CREATE TABLE individual (
+  id INTEGER PRIMARY KEY,
+  generation INTEGER NOT NULL,
+  parent INTEGER,
+  age INTEGER NOT NULL,
+  genome TEXT NOT NULL,
+  phenotype TEXT NOT NULL
+);
+CREATE TABLE contender (
+  generation INTEGER NOT NULL,
+  id INTEGER NOT NULL,
+  age INTEGER NOT NULL,
+  knowledge TEXT NOT NULL,
+  fitness REAL,
+  fitness_bound REAL,
+  survivor_rank INTEGER,
+  PRIMARY KEY (generation, id)
+) WITHOUT ROWID;
+CREATE TABLE generation (
+  number INTEGER PRIMARY KEY,
+  evaluations INTEGER NOT NULL,
+  cached INTEGER NOT NULL,
+  pruned INTEGER NOT NULL,
+  seconds REAL NOT NULL,
+  variation_generator TEXT NOT NULL,
+  selection_generator TEXT NOT NULL
+);
+)sql";
+
+/// What version 3 has beyond version 2.
+constexpr const char* reevaluation_schema = R"sql(
+CREATE TABLE protocol (
+  hash TEXT PRIMARY KEY,
+  text TEXT NOT NULL
+) WITHOUT ROWID;
+CREATE TABLE reevaluation (
+  design_hash TEXT NOT NULL,
+  level INTEGER NOT NULL,
+  protocol_hash TEXT NOT NULL,
+  variant TEXT NOT NULL,
+  duration_s REAL NOT NULL,
+  status TEXT,
+  dx_m REAL, dy_m REAL, dz_m REAL,
+  reason TEXT NOT NULL,
+  steps INTEGER NOT NULL,
+  seconds REAL NOT NULL,
+  PRIMARY KEY (design_hash, level, protocol_hash)
+) WITHOUT ROWID;
+)sql";
+constexpr int version_without_reevaluations = 2;
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& reason) { throw io::InputError(file.string() + ": " + reason); }
+
+int version_of(SQLite::Database& connection) { return connection.execAndGet("PRAGMA user_version").getInt(); }
+
+/// What the pages cannot show: rows that contradict each other.
+void require_consistent_rows(const fs::path& file, SQLite::Database& connection) {
+  const auto none = [&](const char* wrong_rows, const char* what) {
+    if (connection.execAndGet(std::string("SELECT COUNT(*) FROM ") + wrong_rows).getInt() > 0)
+      refuse(file, std::string("is damaged: ") + what);
+  };
+  none("evaluation WHERE (status = 'completed') != (dx_m IS NOT NULL AND dy_m IS NOT NULL AND dz_m IS NOT NULL)",
+       "an evaluation has a displacement without being completed, or none although it is");
+  none("individual WHERE parent >= id", "an individual is older than its parent");
+  none(
+      "(SELECT COUNT(survivor_rank) AS held, MAX(survivor_rank) + 1 AS ranks, COUNT(DISTINCT survivor_rank) AS different FROM "
+      "contender "
+      "GROUP BY generation) WHERE held != ranks OR held != different",
+      "the survivors of a generation have gaps");
+  if (version_of(connection) == version_without_reevaluations) return;
+  none("reevaluation WHERE (COALESCE(status, '') = 'completed') != (dx_m IS NOT NULL AND dy_m IS NOT NULL AND dz_m IS NOT NULL)",
+       "a re-evaluation has a displacement without being completed, or none although it is");
+  none("reevaluation WHERE protocol_hash NOT IN (SELECT hash FROM protocol)", "a re-evaluation has no protocol");
+}
+
+}  // namespace
+
+bool is_empty_database(SQLite::Database& connection) {
+  return connection.execAndGet("PRAGMA application_id").getInt() == 0 &&
+         connection.execAndGet("SELECT COUNT(*) FROM sqlite_schema").getInt() == 0;
+}
+
+void create_schema(SQLite::Database& connection, std::string_view study, int generations) {
+  SQLite::Transaction transaction(connection);
+  connection.exec(schema);
+  connection.exec(reevaluation_schema);
+  connection.exec("PRAGMA application_id = " + std::to_string(application_id));
+  connection.exec("PRAGMA user_version = " + std::to_string(RunArchive::schema_version));
+  SQLite::Statement insert(connection, "INSERT INTO study VALUES (1, ?, ?, ?)");
+  insert.bind(1, io::content_hash(study));
+  insert.bind(2, std::string(study));
+  insert.bind(3, generations);
+  insert.exec();
+  transaction.commit();
+}
+
+void upgrade(SQLite::Database& connection) {
+  if (version_of(connection) != version_without_reevaluations) return;
+  SQLite::Transaction transaction(connection);
+  connection.exec(reevaluation_schema);
+  connection.exec("PRAGMA user_version = " + std::to_string(RunArchive::schema_version));
+  transaction.commit();
+}
+
+void require_archive(const fs::path& file, SQLite::Database& connection) {
+  if (connection.execAndGet("PRAGMA application_id").getInt() != application_id) {
+    refuse(file, "is not an archive of menger: an SQLite database of something else");
+  }
+  const int version = version_of(connection);
+  if (version != RunArchive::schema_version && version != version_without_reevaluations) {
+    refuse(file, "is an archive of schema version " + std::to_string(version) + ", this menger has version " +
+                     std::to_string(RunArchive::schema_version));
+  }
+  const std::string check = connection.execAndGet("PRAGMA quick_check(1)").getString();
+  if (check != "ok") refuse(file, "is damaged: " + check);
+  if (connection.execAndGet("SELECT COUNT(*) FROM study").getInt() != 1) refuse(file, "is damaged: it names no study");
+  if (io::content_hash(connection.execAndGet("SELECT resolved FROM study").getString()) !=
+      connection.execAndGet("SELECT hash FROM study").getString()) {
+    refuse(file, "is damaged: its study is not the one it was made for");
+  }
+  require_consistent_rows(file, connection);
+}
+
+}  // namespace menger::evolution

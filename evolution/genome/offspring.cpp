@@ -1,0 +1,72 @@
+#include "evolution/genome/offspring.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/text/input_error.h"
+
+namespace menger::evolution {
+
+namespace {
+
+/// Each network with probability 1/K, one of them uniformly if none was chosen.
+std::vector<std::size_t> choose_networks(std::size_t count, RandomStream& random) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t network = 0; network < count; ++network) {
+    if (random.chance(1.0 / static_cast<double>(count))) chosen.push_back(network);
+  }
+  if (chosen.empty()) chosen.push_back(random.below(count));
+  return chosen;
+}
+
+/// How many bodies were refused for each reason: "too small 12, weak contact 3".
+std::string refusals_text(const std::map<Refusal, std::size_t>& refusals) {
+  std::string text;
+  for (const auto& [reason, count] : refusals)
+    text.append(text.empty() ? "" : ", ").append(to_string(reason)).append(" ").append(std::to_string(count));
+  return text;
+}
+
+}  // namespace
+
+Offspring random_offspring(const OffspringOptions& options, RandomStream& random) {
+  std::map<Refusal, std::size_t> refusals;
+  for (std::size_t draws = 1; draws <= options.largest_draws; ++draws) {
+    Genome genome = random_genome(options.decoder.plan, options.variation, random);
+    Phenotype phenotype = decode(genome, options.decoder);
+    const std::optional<Refusal> reason = refusal(phenotype, options.constraints);
+    if (!reason) return {std::move(genome), std::move(phenotype), draws};
+    ++refusals[*reason];
+  }
+  throw io::InputError("the constraints of the study cannot be met: none of " + std::to_string(options.largest_draws) +
+                       " random bodies was valid (" + refusals_text(refusals) +
+                       "; smallest_body = " + std::to_string(options.constraints.smallest_body) + ", disconnected = \"" +
+                       std::string(to_string(options.constraints.disconnected)) +
+                       "\", castable = " + (options.constraints.castable ? "true" : "false") + ")");
+}
+
+Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options,
+                   RandomStream& random) {
+  Offspring child{parent, parent_phenotype, 0};
+  for (const std::size_t network : choose_networks(parent.networks.size(), random)) {
+    const Cppn original = child.genome.networks[network];
+    const Phenotype original_phenotype = child.phenotype;
+    bool accepted = false;
+    for (std::size_t attempt = 0; attempt < options.largest_tries && !accepted; ++attempt) {
+      ++child.tries;
+      child.genome.networks[network] = original;
+      vary(child.genome.networks[network], options.variation, random);
+      decode_network(child.genome, network, options.decoder, child.phenotype);
+      accepted = child.phenotype != parent_phenotype && is_valid(child.phenotype, options.constraints);
+    }
+    if (accepted) continue;
+    child.genome.networks[network] = original;
+    child.phenotype = original_phenotype;
+  }
+  return child;
+}
+
+}  // namespace menger::evolution

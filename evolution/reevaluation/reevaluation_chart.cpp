@@ -1,0 +1,118 @@
+#include "evolution/reevaluation/reevaluation_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "meshes/load_cases/observables.h"
+
+namespace menger::evolution {
+namespace {
+
+constexpr double millimetres_per_metre = 1e3;
+constexpr io::Colour diagonal_colour{150, 150, 150};
+
+io::ChartSeries points(std::string name, std::size_t colour) {
+  return {.name = std::move(name), .marks = io::Marks::points, .colour = io::chart_colour(colour)};
+}
+
+/// One trajectory, from its start.
+struct Path {
+  std::vector<double> time_s;
+  std::vector<std::array<double, 3>> from_start_m;
+};
+
+Path path_of(const voxel::Trajectory& trajectory) {
+  Path path;
+  for (const voxel::TrajectoryPoint& point : trajectory) {
+    path.time_s.push_back(point.time_s);
+    path.from_start_m.push_back(voxel::displacement_m(trajectory, point));
+  }
+  return path;
+}
+
+Path path_of(const std::vector<Position>& trajectory) {
+  Path path;
+  for (const Position& position : trajectory) {
+    path.time_s.push_back(position.time_s);
+    std::array<double, 3> moved{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      moved.at(axis) = position.centre_of_mass_m.at(axis) - trajectory.front().centre_of_mass_m.at(axis);
+    path.from_start_m.push_back(moved);
+  }
+  return path;
+}
+
+void add_path(io::Chart& chart, const Path& path, const std::string& name, std::size_t colour, double body_length_m) {
+  const io::ChartSeries series{.name = name, .marks = io::Marks::line, .colour = io::chart_colour(colour)};
+  std::array lines{series, series, series};
+  for (std::size_t n = 0; n < path.time_s.size(); ++n) {
+    const std::array<double, 3>& moved = path.from_start_m[n];
+    lines[0].x.push_back(millimetres_per_metre * moved[0]);
+    lines[0].y.push_back(millimetres_per_metre * moved[1]);
+    lines[1].x.push_back(path.time_s[n]);
+    lines[1].y.push_back(materials::horizontal_displacement(moved) / body_length_m);
+    lines[2].x.push_back(path.time_s[n]);
+    lines[2].y.push_back(millimetres_per_metre * moved[2]);
+  }
+  for (std::size_t panel = 0; panel < lines.size(); ++panel) chart.panels.at(panel).series.push_back(lines.at(panel));
+}
+
+}  // namespace
+
+io::Chart scatter_chart(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
+  std::array speeds{points("top", 0), points("sample", 1)};
+  std::array angles{points("top", 0), points("sample", 1)};
+  double largest = 0.0;
+  for (const JudgedDesign& design : findings.designs) {
+    const auto& surrogate = design.surrogate.result.displacement_m;
+    if (!surrogate || !design.elements.displacement_m) continue;
+    const std::size_t set = design.design.is_top ? 0 : 1;
+    const double x = motion_of(study, *surrogate).body_lengths_per_minute;
+    const double y = motion_of(study, *design.elements.displacement_m).body_lengths_per_minute;
+    largest = std::max({largest, x, y});
+    speeds.at(set).x.push_back(x);
+    speeds.at(set).y.push_back(y);
+    if (const auto angle = gap_of(study, design).angle_deg) {
+      angles.at(set).x.push_back(x);
+      angles.at(set).y.push_back(*angle);
+    }
+  }
+  io::ChartPanel speed{.title = "speed",
+                       .x = {.title = "surrogate (body lengths per minute)"},
+                       .y = {.title = "finite elements (body lengths per minute)"},
+                       .equal_scale = true};
+  io::ChartPanel angle{.title = "angle between both directions",
+                       .x = {.title = "surrogate (body lengths per minute)", .lowest = 0.0, .highest = 1.1 * largest + 1e-9},
+                       .y = {.title = "angle (degrees)", .lowest = 0.0, .highest = 190.0}};
+  for (const auto& series : speeds) {
+    if (!series.x.empty()) speed.series.push_back(series);
+  }
+  for (const auto& series : angles) {
+    if (!series.x.empty()) angle.series.push_back(series);
+  }
+  speed.series.push_back({.name = "equal",
+                          .x = {0.0, largest},
+                          .y = {0.0, largest},
+                          .marks = io::Marks::line,
+                          .dashed = true,
+                          .colour = diagonal_colour});
+  for (const double limit : {45.0, 90.0})
+    angle.markers.push_back({.direction = io::ChartMarker::Direction::horizontal, .at = limit});
+  return {.title = "", .panels = {speed, angle}};
+}
+
+io::Chart trajectories_chart(const ReevaluationStudy& study, const JudgedDesign& design) {
+  io::Chart chart;
+  chart.panels = {{.title = "path seen from above", .x = {.title = "x (mm)"}, .y = {.title = "y (mm)"}, .equal_scale = true},
+                  {.title = "distance from the start", .x = {.title = "time (s)"}, .y = {.title = "body lengths"}},
+                  {.title = "height of the centre, from the start", .x = {.title = "time (s)"}, .y = {.title = "height (mm)"}}};
+  const double body_length_m = materials::body_length_m(study.level, study.search.search.cell_edge_m);
+  if (!design.elements.trajectory.empty())
+    add_path(chart, path_of(design.elements.trajectory), "finite elements", 1, body_length_m);
+  add_path(chart, path_of(design.surrogate.trajectory), "surrogate", 0, body_length_m);
+  return chart;
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,109 @@
+#include "evolution/reevaluation/reevaluation_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <system_error>
+
+#include "evolution/reevaluation/reevaluation_strip.h"
+#include "io/text/whole_file.h"
+#include "voxel/picture/picture_view.h"
+#include "voxel/picture/vtk_output.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t strip_columns = 5;
+
+std::string voxel_file(std::size_t number) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "voxels_%04zu.vtu", number);
+  return name.data();
+}
+
+void remove_earlier(const fs::path& folder) {
+  for (const char* name : {"both.pvd", "strip.png"}) io::remove_if_there(folder / name);
+  std::vector<fs::path> files;
+  std::error_code no_such_folder;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, no_such_folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("voxels_") && entry.path().extension() == ".vtu") files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) io::remove_if_there(file);
+}
+
+/// The surrogate counts from the centre of its first voxel, finite elements from the corner of the first cell.
+voxel::Frame in_world_of_elements(voxel::Frame frame) {
+  for (auto& position : frame.position_m)
+    for (double& coordinate : position) coordinate += 0.5 * frame.cell_edge_m;
+  return frame;
+}
+
+/// Frames of both models at about the same time.
+std::vector<FramePair> frame_pairs(const JudgedDesign& design) {
+  std::vector<FramePair> pairs;
+  const fs::path collection = design.elements.folder / "frames.pvd";
+  std::error_code ignored;
+  if (!fs::is_regular_file(collection, ignored) || design.surrogate.frames.empty()) return pairs;
+  const std::vector<voxel::Frame>& frames = design.surrogate.frames;
+  // Records lie within a step of each other, frames several records apart.
+  const double near_s = frames.size() > 1 ? 0.25 * (frames[1].time_s - frames[0].time_s) : 1e-3;
+  for (const voxel::CollectionEntry& entry : voxel::read_collection(collection)) {
+    const auto nearest =
+        std::ranges::min_element(frames, {}, [&](const voxel::Frame& frame) { return std::abs(frame.time_s - entry.time_s); });
+    if (std::abs(nearest->time_s - entry.time_s) > near_s) continue;
+    pairs.push_back(
+        {.time_s = entry.time_s, .elements = design.elements.folder / entry.file, .surrogate = in_world_of_elements(*nearest)});
+  }
+  return pairs;
+}
+
+/// Far enough for both to walk beside each other for a while: twice the body's width.
+double aside_m(const std::vector<FramePair>& pairs) {
+  const voxel::Extent extent = voxel::world_extent(pairs.front().surrogate);
+  return -2.0 * std::max(extent.size(0), extent.size(1));
+}
+
+void write_collection(const fs::path& folder, const std::vector<FramePair>& pairs) {
+  const double shift_m = aside_m(pairs);
+  std::vector<voxel::CollectionEntry> entries;
+  for (std::size_t n = 0; n < pairs.size(); ++n) {
+    voxel::Frame frame = pairs[n].surrogate;
+    for (auto& position : frame.position_m) position[1] += shift_m;
+    voxel::write_frame(folder / voxel_file(n), frame);
+    const fs::path elements = fs::relative(fs::absolute(pairs[n].elements), fs::absolute(folder));
+    entries.push_back({.time_s = pairs[n].time_s, .file = elements, .part = 0});
+    entries.push_back({.time_s = pairs[n].time_s, .file = voxel_file(n), .part = 1});
+  }
+  voxel::write_collection(folder / "both.pvd", entries);
+}
+
+/// As many as a strip has columns, evenly in time with the first and the last.
+std::vector<FramePair> some_of(const std::vector<FramePair>& pairs) {
+  if (pairs.size() <= strip_columns) return pairs;
+  std::vector<FramePair> some;
+  for (std::size_t n = 0; n < strip_columns; ++n) some.push_back(pairs[n * (pairs.size() - 1) / (strip_columns - 1)]);
+  return some;
+}
+
+}  // namespace
+
+SceneOutcome write_both_models(const fs::path& folder, const JudgedDesign& design, bool with_picture) {
+  remove_earlier(folder);
+  SceneOutcome outcome;
+  const std::vector<FramePair> pairs = frame_pairs(design);
+  outcome.frames = pairs.size();
+  if (pairs.empty()) {
+    outcome.notes.push_back("rank " + std::to_string(design.design.rank) +
+                            ": there are no frames of both models, nothing is shown of it");
+    return outcome;
+  }
+  write_collection(folder, pairs);
+  if (with_picture) outcome.picture = draw_strip(folder / "strip.png", some_of(pairs));
+  return outcome;
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,176 @@
+#include "evolution/reevaluation/search_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "io/text/formatted.h"
+#include "io/text/input_error.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view kind_of(const ComparedSearch& search) { return search.is_corrected ? "corrected" : "surrogate alone"; }
+
+/// Judged on the way: what was spent before counts from the costs of the generations before.
+void read_judgements(const fs::path& folder, const io::CsvContents& costs, double rate, ComparedSearch& search) {
+  const io::CsvContents table = io::read_csv(folder / "judgements.csv");
+  std::map<int, double> within;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const auto generation =
+        static_cast<int>(table.number(row, "generation", io::within(1.0, static_cast<double>(costs.row_count()))));
+    ComparedRobot robot{.body_lengths = table.optional_number(row, "judge_body_lengths"),
+                        .surrogate_body_lengths = table.number(row, "surrogate_body_lengths"),
+                        .element_steps = table.number(row, "element_steps", io::non_negative())};
+    within[generation] += robot.element_steps;
+    robot.total_voxel_steps =
+        costs.number(static_cast<std::size_t>(generation - 1), "total_voxel_steps_so_far") + rate * within[generation];
+    search.robots.push_back(robot);
+  }
+}
+
+void read_reevaluation(const fs::path& folder, double rate, ComparedSearch& search) {
+  const io::CsvContents table = io::read_csv(folder / "reevaluation.csv");
+  double spent = search.voxel_steps;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    ComparedRobot robot{.body_lengths = table.optional_number(row, "elements_body_lengths"),
+                        .surrogate_body_lengths = table.optional_number(row, "surrogate_body_lengths").value_or(0.0),
+                        .element_steps = table.number(row, "elements_steps", io::non_negative()) *
+                                         table.number(row, "elements_count", io::non_negative())};
+    spent += rate * robot.element_steps;
+    robot.total_voxel_steps = spent;
+    search.robots.push_back(robot);
+  }
+}
+
+/// The best so far, as steps, up to all that was taken.
+io::ChartSeries progress_of(const ComparedSearch& search) {
+  io::ChartSeries series{.marks = io::Marks::line, .colour = io::chart_colour(search.is_corrected ? 0 : 1)};
+  std::optional<double> best;
+  const auto add = [&](double steps) {
+    if (!best) return;
+    series.x.push_back(steps);
+    series.y.push_back(*best);
+  };
+  for (const ComparedRobot& robot : search.robots) {
+    add(robot.total_voxel_steps);
+    if (robot.body_lengths) best = std::max(best.value_or(0.0), *robot.body_lengths);
+    add(robot.total_voxel_steps);
+  }
+  return series;
+}
+
+std::optional<double> median_outcome(const std::vector<ComparedSearch>& searches, bool is_corrected) {
+  std::vector<double> outcomes;
+  for (const ComparedSearch& search : searches) {
+    if (search.is_corrected == is_corrected && search.best()) outcomes.push_back(*search.best()->body_lengths);
+  }
+  if (outcomes.empty()) return std::nullopt;
+  std::ranges::sort(outcomes);
+  const std::size_t middle = outcomes.size() / 2;
+  return outcomes.size() % 2 == 1 ? outcomes[middle] : 0.5 * (outcomes[middle - 1] + outcomes[middle]);
+}
+
+double total_of(const ComparedSearch& search, const ComparisonOptions& options) {
+  return search.voxel_steps + options.voxel_steps_per_element_step * search.element_steps;
+}
+
+}  // namespace
+
+std::optional<ComparedRobot> ComparedSearch::best() const {
+  const auto found = std::ranges::max_element(robots, {}, &ComparedRobot::body_lengths);
+  return found == robots.end() || !found->body_lengths ? std::nullopt : std::optional(*found);
+}
+
+ComparedSearch read_compared_search(const fs::path& folder, const ComparisonOptions& options) {
+  ComparedSearch search;
+  search.name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+  const io::CsvContents costs = io::read_csv(folder / "costs.csv");
+  for (const double steps : costs.numbers("voxel_steps", io::non_negative())) search.voxel_steps += steps;
+  std::error_code missing;
+  search.is_corrected = fs::exists(folder / "judgements.csv", missing);
+  if (search.is_corrected) {
+    read_judgements(folder, costs, options.voxel_steps_per_element_step, search);
+  } else {
+    read_reevaluation(folder, options.voxel_steps_per_element_step, search);
+  }
+  double left = options.budget_element_steps;
+  const auto beyond = std::ranges::find_if(search.robots, [&](const ComparedRobot& robot) {
+    left -= robot.element_steps;
+    return left < 0.0;
+  });
+  search.robots.erase(beyond, search.robots.end());
+  for (const ComparedRobot& robot : search.robots) search.element_steps += robot.element_steps;
+  return search;
+}
+
+io::CsvTable comparison_table(const std::vector<ComparedSearch>& searches, const ComparisonOptions& options) {
+  io::CsvTable table({"search", "kind", "judged", "failed", "voxel_steps", "element_steps", "total_voxel_steps",
+                      "best_body_lengths", "surrogate_body_lengths_of_best"});
+  for (const ComparedSearch& search : searches) {
+    const auto best = search.best();
+    const auto failed = std::ranges::count_if(search.robots, [](const ComparedRobot& robot) { return !robot.body_lengths; });
+    table.add_row(search.name, kind_of(search), std::uint64_t{search.robots.size()}, static_cast<std::int64_t>(failed),
+                  search.voxel_steps, search.element_steps, total_of(search, options), best ? best->body_lengths : std::nullopt,
+                  best ? std::optional(best->surrogate_body_lengths) : std::nullopt);
+  }
+  return table;
+}
+
+io::Chart comparison_chart(const std::vector<ComparedSearch>& searches) {
+  io::ChartPanel progress{.title = "best robot judged so far",
+                          .x = {.title = "voxel-steps and element-steps together (1e9 voxel-steps)"},
+                          .y = {.title = "body lengths on finite elements", .lowest = 0.0}};
+  io::ChartPanel outcomes{.title = "outcome of each search",
+                          .x = {.title = "search of its kind, in the order given", .lowest = 0.5},
+                          .y = {.title = "body lengths on finite elements", .lowest = 0.0}};
+  constexpr double steps_per_unit = 1e9;
+  std::array<io::ChartSeries, 2> points;
+  for (const ComparedSearch& search : searches) {
+    io::ChartSeries line = progress_of(search);
+    for (double& x : line.x) x /= steps_per_unit;
+    io::ChartSeries& kind = points.at(search.is_corrected ? 0 : 1);
+    if (kind.name.empty()) line.name = kind_of(search);
+    kind.name = kind_of(search);
+    kind.marks = io::Marks::points;
+    kind.colour = line.colour;
+    kind.x.push_back(static_cast<double>(kind.x.size() + 1));
+    kind.y.push_back(search.best() ? *search.best()->body_lengths : std::numeric_limits<double>::quiet_NaN());
+    progress.series.push_back(std::move(line));
+  }
+  std::size_t most = 1;
+  for (io::ChartSeries& kind : points) {
+    most = std::max(most, kind.x.size());
+    if (!kind.x.empty()) outcomes.series.push_back(std::move(kind));
+  }
+  outcomes.x.highest = static_cast<double>(most) + 0.5;
+  return {.title = "searches corrected by finite elements, and on the surrogate alone", .panels = {progress, outcomes}};
+}
+
+std::string comparison_text(const std::vector<ComparedSearch>& searches, const ComparisonOptions& options) {
+  std::string text;
+  std::array<char, 200> line{};
+  const auto add = [&](int length) { text.append(line.data(), static_cast<std::size_t>(length)); };
+  add(std::snprintf(line.data(), line.size(), "%-20s %-16s %7s %14s %14s %12s\n", "search", "kind", "judged", "total steps",
+                    "best [BL]", "surrogate"));
+  for (const ComparedSearch& search : searches) {
+    const auto best = search.best();
+    add(std::snprintf(line.data(), line.size(), "%-20.40s %-16s %7zu %14.4g %14s %12s\n", search.name.c_str(),
+                      std::string(kind_of(search)).c_str(), search.robots.size(), total_of(search, options),
+                      best ? io::formatted("%.5f", *best->body_lengths).c_str() : "-",
+                      best ? io::formatted("%.5f", best->surrogate_body_lengths).c_str() : "-"));
+  }
+  const auto corrected = median_outcome(searches, true);
+  const auto alone = median_outcome(searches, false);
+  if (corrected && alone)
+    text += "median of the corrected " + io::formatted("%.5f", *corrected) + ", of the surrogate alone " +
+            io::formatted("%.5f", *alone) + "\n";
+  return text;
+}
+
+}  // namespace menger::evolution

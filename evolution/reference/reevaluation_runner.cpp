@@ -1,0 +1,234 @@
+#include "evolution/reference/reevaluation_runner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include "io/process/archive_lock.h"
+#include "io/process/exit_code.h"
+#include "io/process/program_job.h"
+#include "io/process/side_by_side.h"
+#include "io/text/csv_table.h"
+#include "io/text/input_error.h"
+#include "io/text/number_text.h"
+#include "io/text/run_status_words.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* record_name = "calls.toml";
+constexpr const char* result_folder = "result";
+constexpr const char* checkpoint_name = "locomotion.checkpoint";
+
+/// What calls of a run have come to.
+struct Calls {
+  bool is_finished = false;   ///< it ended with a result
+  double seconds = 0.0;       ///< that they took together
+  double time_limit_s = 0.0;  ///< of the last
+};
+
+Calls read_calls(const fs::path& folder) {
+  std::error_code ignored;
+  Calls calls;
+  if (!fs::is_regular_file(folder / record_name, ignored)) return calls;
+  try {
+    const io::TomlTable table = io::read_toml(folder / record_name);
+    calls = {.is_finished = table.boolean("finished"),
+             .seconds = table.number("seconds", io::non_negative()),
+             .time_limit_s = table.number("time_limit_s", io::non_negative())};
+  } catch (const io::InputError&) {  // as if there had been none: the run can be repeated
+  }
+  return calls;
+}
+
+void write_calls(const fs::path& folder, const Calls& calls) {
+  io::write_whole(folder / record_name, std::string("finished = ") + (calls.is_finished ? "true" : "false") +
+                                            "\nseconds = " + io::number_text(calls.seconds) +
+                                            "\ntime_limit_s = " + io::number_text(calls.time_limit_s) + "\n");
+}
+
+std::vector<Position> read_trajectory(const fs::path& file) {
+  const io::CsvContents table = io::read_csv(file);
+  std::vector<Position> positions;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    positions.push_back({table.number(row, "time_s"),
+                         {table.number(row, "centre_of_mass_x_m"), table.number(row, "centre_of_mass_y_m"),
+                          table.number(row, "centre_of_mass_z_m")}});
+  }
+  if (positions.empty()) throw io::InputError(file.string() + ": holds no row");
+  return positions;
+}
+
+void read_result(const fs::path& folder, LocomotionRun& run) {
+  const io::TomlTable table = io::read_toml(folder / "locomotion.toml");
+  LocomotionRun read = run;
+  read.status = table.word("status", io::run_status_words());
+  read.reason = table.text_or("reason", "");
+  read.time_s = table.number("time_s", io::non_negative());
+  read.steps = table.integer<std::uint64_t>("steps", io::at_least(0));
+  read.elements = table.integer<std::uint64_t>("elements", io::at_least(0));
+  read.seconds = table.number("seconds", io::non_negative());
+  read.trajectory = read_trajectory(folder / "trajectory.csv");
+  if (read.status == io::RunStatus::completed) {
+    const std::vector<double> moved = table.numbers("displacement_m");
+    if (moved.size() != 3) throw table.error("displacement_m", "must be three numbers");
+    read.displacement_m = {moved[0], moved[1], moved[2]};
+  }
+  run = std::move(read);
+}
+
+/// A result that cannot be read is a failure of that run alone.
+void read_or_fail(LocomotionRun& run) {
+  try {
+    read_result(run.folder, run);
+  } catch (const io::InputError& error) {
+    run.status.reset();
+    run.reason = error.what();
+  }
+}
+
+/// What a run has come to whose time was up; it may have ended just then by itself.
+void end_by_limit(LocomotionRun& run, double time_limit_s, double seconds) {
+  read_or_fail(run);
+  if (run.status && *run.status != io::RunStatus::stopped) return;
+  run.status = io::RunStatus::stopped;
+  run.displacement_m.reset();
+  run.seconds = seconds;
+  run.reason = "time limit of " + io::number_text(time_limit_s) + " s";
+}
+
+ProgramJob child_of(const LocomotionJob& job, const LocomotionRunOptions& options) {
+  ProgramJob child;
+  child.name = job.name;
+  child.program = options.program;
+  child.arguments = {"study.toml", "-o", result_folder, "--quiet", "--no-pictures"};
+  child.inputs = {{"study.toml", job.study}, {"design.toml", job.design}, {"silicone.toml", job.silicone}};
+  child.kept_folder = fs::absolute(options.runs / job_hash(child));
+  return child;
+}
+
+/// @return nothing if the user stopped it
+std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const LocomotionRunOptions& options,
+                                            const std::function<void()>& waiting) {
+  ProgramJob child = child_of(job, options);
+  LocomotionRun run;
+  run.folder = child.kept_folder / result_folder;
+  Calls calls = read_calls(child.kept_folder);
+  if (calls.is_finished) {
+    read_or_fail(run);
+    if (run.status) return run;
+    calls = {};  // its files are damaged or gone
+  }
+  if (calls.time_limit_s >= options.time_limit_s) {
+    end_by_limit(run, calls.time_limit_s, calls.seconds);
+    return run;
+  }
+  child.time_limit_s = std::max(1e-3, options.time_limit_s - calls.seconds);
+  const ProgramJobOptions job_options{.runs = options.runs, .stop = options.stop, .waiting = [&](double) { waiting(); }};
+  ProgramJobResult result = run_job(child, job_options);
+  std::error_code ignored;
+  if (result.is_refused() && fs::exists(run.folder / checkpoint_name, ignored)) {
+    // A checkpoint that is damaged, or was made by another program or instruction set, must not keep the run from being made.
+    child.arguments.emplace_back("--restart");
+    result = run_job(child, job_options);
+  }
+  calls.seconds += result.outcome.wall_s;
+  calls.is_finished = result.has_result();
+  const bool is_timed_out = result.outcome.end == io::ChildEnd::timed_out;
+  calls.time_limit_s = is_timed_out ? options.time_limit_s : 0.0;  // what the user stopped may go on under any limit
+  write_calls(child.kept_folder, calls);
+  if (result.is_stopped()) return std::nullopt;
+  run.is_repeated = true;
+  run.is_refused = result.is_refused();
+  run.seconds = calls.seconds;
+  if (result.has_result()) {
+    read_or_fail(run);
+  } else if (is_timed_out) {
+    end_by_limit(run, options.time_limit_s, calls.seconds);
+  } else {
+    run.reason = result.failure();
+  }
+  return run;
+}
+
+}  // namespace
+
+std::string_view status_word(const LocomotionRun& run) { return run.status ? io::to_string(*run.status) : "failed"; }
+
+void leave_out(LocomotionRun& run, double until_s) {
+  if (until_s <= 0.0 || !run.displacement_m) return;
+  const std::vector<Position>& records = run.trajectory;
+  const std::array<double, 3>& start = records.front().centre_of_mass_m;
+  const auto after = std::ranges::lower_bound(records, until_s, {}, &Position::time_s);
+  if (after == records.begin()) return;
+  const Position& later = after == records.end() ? records.back() : *after;
+  const Position& earlier = *(after - 1);
+  const double part = after == records.end() ? 1.0 : (until_s - earlier.time_s) / (later.time_s - earlier.time_s);
+  run.left_out_m.emplace();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double then_m = std::lerp(earlier.centre_of_mass_m.at(axis), later.centre_of_mass_m.at(axis), part);
+    run.left_out_m->at(axis) = then_m - start.at(axis);
+    run.displacement_m->at(axis) -= run.left_out_m->at(axis);
+  }
+}
+
+Evaluation evaluation_of(const LocomotionRun& run) {
+  Evaluation result;
+  result.status = run.status.value_or(io::RunStatus::stopped);
+  result.displacement_m = run.displacement_m;
+  result.left_out_m = run.left_out_m;
+  result.reason = run.reason;
+  result.steps = run.steps;
+  result.seconds = run.seconds;
+  return result;
+}
+
+void require_accepted(std::span<const LocomotionRun> runs) {
+  if (std::ranges::all_of(runs, &LocomotionRun::is_refused))
+    throw io::InputError("finite elements refused every design, the first: " + runs.front().reason);
+}
+
+std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
+                                                          const LocomotionRunOptions& options) {
+  io::require_writable_folder(options.runs);
+  const ArchiveLock lock(options.runs);
+  // Equal jobs share a folder: each is run once, for the first that asks for it.
+  std::map<fs::path, std::size_t> place_of;
+  std::vector<std::size_t> first;
+  for (std::size_t n = 0; n < jobs.size(); ++n) {
+    if (place_of.emplace(child_of(jobs[n], options).kept_folder, first.size()).second) first.push_back(n);
+  }
+  std::vector<LocomotionRun> made(first.size());
+  std::mutex mutex;
+  std::size_t done = jobs.size() - first.size();
+  const auto tell = [&](std::size_t finished, const std::string& name) {
+    const std::scoped_lock guard(mutex);
+    done += finished;
+    if (options.progress) options.progress(done, name);
+  };
+  const bool is_whole = io::side_by_side(first.size(), options.jobs, options.stop, [&](std::size_t n) {
+    const LocomotionJob& job = jobs[first[n]];
+    auto run = run_locomotion(job, options, [&] { tell(0, job.name); });
+    if (!run) return false;
+    made[n] = std::move(*run);
+    tell(1, job.name);
+    return true;
+  });
+  if (!is_whole) return std::nullopt;
+  std::vector<LocomotionRun> runs;
+  for (std::size_t n = 0; n < jobs.size(); ++n) {
+    const std::size_t place = place_of.at(child_of(jobs[n], options).kept_folder);
+    runs.push_back(made[place]);
+    if (first[place] != n) runs.back().is_repeated = false;
+  }
+  return runs;
+}
+
+}  // namespace menger::evolution

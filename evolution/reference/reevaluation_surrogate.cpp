@@ -1,0 +1,113 @@
+#include "evolution/reference/reevaluation_surrogate.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "io/text/input_error.h"
+#include "io/text/joined_text.h"
+#include "meshes/design/fractal.h"
+#include "meshes/hexahedra/hollow_body_check.h"
+#include "voxel/engine/simulation.h"
+#include "voxel/scene/scene.h"
+
+namespace menger::evolution {
+namespace {
+
+voxel::Simulation simulation_of(const ReevaluationStudy& study, const meshes::Polycube& body) {
+  return {meshes::fractal(body, study.level, voxel::machine_memory_bytes()), study.search.search.cell_edge_m,
+          study.search.physics};
+}
+
+class Walker {
+ public:
+  Walker(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames)
+      : study_(study), with_frames_(with_frames), simulation_(simulation_of(study, body)) {}
+
+  SurrogateWalk walk(const std::atomic<bool>* stop) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto records = static_cast<std::size_t>(std::ceil(study_.duration_s / study_.record_interval_s * (1.0 - 1e-12)));
+    const auto per_frame = static_cast<std::size_t>(std::lround(study_.frame_interval_s / study_.record_interval_s));
+    const auto left_out = static_cast<std::size_t>(std::lround(study_.measure_from_s / study_.record_interval_s));
+    Evaluation& result = walk_.result;
+    result.status = io::RunStatus::completed;
+    record(true);
+    for (std::size_t n = 1; n <= records && result.status == io::RunStatus::completed; ++n) {
+      // Exactly the search's time where it is one of the records, so that the same step is its first.
+      const double at_s = n == left_out ? study_.measure_from_s : static_cast<double>(n) * study_.record_interval_s;
+      result.status = simulation_.advance_to(n == records ? study_.duration_s : at_s, stop);
+      if (result.status == io::RunStatus::completed) record(n % per_frame == 0);
+    }
+    if (result.status == io::RunStatus::completed) measure(left_out);
+    if (const auto& divergence = simulation_.divergence()) result.reason = voxel::divergence_text(*divergence);
+    result.outside_validity = io::joined(simulation_.outside_validity(), "; ");
+    result.steps = simulation_.steps();
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return std::move(walk_);
+  }
+
+ private:
+  /// @param left_out records before the first that counts
+  void measure(std::size_t left_out) {
+    const voxel::Trajectory& trajectory = walk_.trajectory;
+    walk_.result.displacement_m = difference(trajectory.back(), trajectory.at(left_out));
+    if (left_out > 0) walk_.result.left_out_m = difference(trajectory[left_out], trajectory.front());
+  }
+
+  static std::array<double, 3> difference(const voxel::TrajectoryPoint& to, const voxel::TrajectoryPoint& from) {
+    const auto& a = to.centre_of_mass_m;
+    const auto& b = from.centre_of_mass_m;
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+
+  void record(bool is_frame) {
+    walk_.trajectory.push_back({simulation_.time_s(), simulation_.centre_of_mass_m(), {}});
+    if (with_frames_ && is_frame) walk_.frames.push_back(simulation_.frame());
+  }
+
+  const ReevaluationStudy& study_;
+  bool with_frames_;
+  voxel::Simulation simulation_;
+  SurrogateWalk walk_;
+};
+
+}  // namespace
+
+meshes::Design design_of(const ReevaluationStudy& study, const meshes::Polycube& body) {
+  return {"re-evaluated design", body, study.search.search.cell_edge_m};
+}
+
+meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, int elements_through_wall) {
+  const voxel::CalibratedBody& surrogate = *study.search.physics.surrogate;
+  meshes::HollowBodyOptions options;
+  options.wall_thickness_m = surrogate.parameters.wall_thickness_m;
+  options.elements_through_wall = elements_through_wall;
+  options.chambers = surrogate.chambers;
+  options.level = study.level;
+  return options;
+}
+
+std::string obstacle_to_judging(const ReevaluationStudy& study, const meshes::Polycube& body) {
+  try {
+    const meshes::Design design = design_of(study, body);
+    const meshes::HollowBodyOptions options = casting_of(study, study.elements.elements_through_wall);
+    meshes::check_design(design, options);
+    meshes::check_body(design, options, meshes::ModularBody(body, study.level, options.chambers));
+    (void)simulation_of(study, body);
+  } catch (const io::InputError& fault) {  // it cannot be cast
+    return fault.what();
+  } catch (const std::invalid_argument& fault) {  // its chambers cannot follow the drive, or it is outside of the calibration
+    return fault.what();
+  } catch (const std::length_error& fault) {
+    return fault.what();
+  }
+  return "";
+}
+
+SurrogateWalk surrogate_walk(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames,
+                             const std::atomic<bool>* stop) {
+  return Walker(study, body, with_frames).walk(stop);
+}
+
+}  // namespace menger::evolution

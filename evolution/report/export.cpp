@@ -1,0 +1,239 @@
+#include "evolution/report/export.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "evolution/report/evaluated_tasks.h"
+#include "evolution/report/judgement_table.h"
+#include "evolution/report/step_check_table.h"
+#include "evolution/report/study_view.h"
+#include "evolution/study/study_file.h"
+#include "io/text/content_hash.h"
+#include "io/text/input_error.h"
+#include "io/text/number_text.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+#include "meshes/design/design_file.h"
+#include "meshes/load_cases/observables.h"
+#include "voxel/picture/preview.h"
+#include "voxel/scene/scene.h"
+
+namespace menger::evolution {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Exporter {
+ public:
+  Exporter(const RunArchive& archive, const fs::path& folder, const ExportOptions& options)
+      : archive_(archive), folder_(folder), options_(options), study_(archived_study(archive)), run_(view_of(archive, study_)) {}
+
+  ExportResult write() {
+    const auto last = archive_.last_generation();
+    if (!last) throw io::InputError(archive_.file().string() + ": holds no finished generation");
+    result_.champion = summarise_generation(run_, *last).champion;
+    if (result_.champion) require_levels();
+    io::require_writable_folder(folder_);
+    for (const char* name : {"judgements.csv", "corrections.csv", "timings.csv", "schedule.csv", "check_dt.csv"})
+      io::remove_if_there(folder_ / name);  // those of an earlier export would stand beside the tables of this one
+    generations_table(run_).write(folder_ / "generations.csv");
+    cost_table(run_).write(folder_ / "costs.csv");
+    if (study_.search.judging) {
+      judgement_table(run_).write(folder_ / "judgements.csv");
+      correction_table(run_).write(folder_ / "corrections.csv");
+    }
+    if (options_.timings) {
+      timing_table(run_).write(folder_ / "timings.csv");
+      schedule_table(run_, options_.workers).write(folder_ / "schedule.csv");
+    }
+    if (study_.search.step_checks) step_check_table(run_).write(folder_ / "check_dt.csv");
+    if (result_.champion) write_champion();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const Individual& champion() const { return result_.champion->individual; }
+  [[nodiscard]] bool arranged() const { return champion().phenotype.has_arrangements(); }
+
+  /// As the search simulated it.
+  [[nodiscard]] Phenotype simulated() const { return as_simulated(study_.search, champion().phenotype); }
+
+  void require_levels() const {
+    for (const int level : options_.levels) {
+      const std::string name = "level " + std::to_string(level);
+      if (arranged() && level > largest_arranged_level) {
+        throw io::InputError(name + ": a nonfractal body has at most " + std::to_string(largest_arranged_level));
+      }
+      // Arrangements end at a level that fits any machine.
+      if (!arranged() && voxel::estimated_memory_bytes(champion().phenotype.body, level) > voxel::machine_memory_bytes()) {
+        throw io::InputError(name + ": the simulation would need more memory than this machine has");
+      }
+    }
+  }
+
+  void write_champion() {
+    lineage_table(run_, champion().id).write(folder_ / "lineage.csv");
+    write_design(folder_ / "champion.toml", design(1));
+    if (std::vector<LevelResult> there = finished_levels(); there.size() == options_.levels.size()) {
+      result_.levels = std::move(there);
+      add_note("the simulations in " + folder_.string() + " are those of this champion already");
+      return;
+    }
+    for (const int level : options_.levels) {
+      if (arranged()) write_design(folder_ / ("champion_level_" + std::to_string(level) + ".toml"), design(level));
+      simulate(level);
+      if (result_.status == io::RunStatus::stopped) return;
+    }
+    if (options_.pictures) draw();
+  }
+
+  /// A fractal is given by its basal body at every level, any other body by all its cells.
+  [[nodiscard]] meshes::Design design(int level) const {
+    return {"champion " + std::to_string(champion().id), arranged() ? aggregate(simulated(), level) : simulated().body,
+            study_.search.cell_edge_m};
+  }
+
+  [[nodiscard]] voxel::Scene scene(int level) const {
+    voxel::Scene scene;
+    scene.design = design(level);
+    scene.level = arranged() ? 1 : level;
+    scene.physics = study_.physics;
+    scene.duration_s = study_.duration_s;
+    scene.record_interval_s = std::min(options_.record_interval_s, study_.duration_s);
+    scene.output.frames = options_.frames;
+    scene.output.pictures = options_.pictures;
+    return scene;
+  }
+
+  [[nodiscard]] fs::path place_of(int level) const { return folder_ / ("level_" + std::to_string(level)); }
+
+  /// Levels whose folder holds the completed run of the very scene that would be run, with everything asked for.
+  [[nodiscard]] std::vector<LevelResult> finished_levels() const {
+    std::vector<LevelResult> there;
+    if (options_.pictures && !fs::exists(folder_ / "champion.png")) return there;
+    for (const int level : options_.levels) {
+      const fs::path place = place_of(level);
+      const bool files_are_there =
+          fs::exists(place / "scene.toml") && fs::exists(place / "result.toml") && fs::exists(place / "trajectory.csv") &&
+          (!options_.frames || fs::exists(place / "frames.pvd")) && (!options_.pictures || fs::exists(place / "robot.png"));
+      if (!files_are_there || io::read_whole(place / "scene.toml") != scene_text(scene(level))) return there;
+      const io::TomlTable table = io::read_toml(place / "result.toml");
+      if (table.text("status") != io::to_string(io::RunStatus::completed)) return there;
+      const std::vector<double> moved_m = table.numbers("displacement_m");
+      if (moved_m.size() != 3) return there;
+      LevelResult level_result{level, aggregate_cell_count(champion().phenotype, level), {}};
+      level_result.scene.status = io::RunStatus::completed;
+      level_result.scene.displacement_m = {moved_m[0], moved_m[1], moved_m[2]};
+      if (differs_from_archive(level_result)) return there;
+      there.push_back(std::move(level_result));
+    }
+    return there;
+  }
+
+  void simulate(int level) {
+    const voxel::Scene scene = this->scene(level);
+    const fs::path place = place_of(level);
+    io::write_whole(place / "scene.toml", scene_text(scene));
+    voxel::RunOptions run;
+    run.stop = options_.stop;
+    if (options_.progress)
+      run.progress = [this, level](const voxel::RunProgress& progress) { options_.progress(level, progress); };
+    LevelResult done{level, aggregate_cell_count(champion().phenotype, level), voxel::run_scene(scene, place, run)};
+    if (done.scene.status != io::RunStatus::completed && result_.status == io::RunStatus::completed)
+      result_.status = done.scene.status;
+    for (const std::string& note : done.scene.notes) add_note(note);
+    compare_with_archive(done);
+    result_.levels.push_back(std::move(done));
+  }
+
+  [[nodiscard]] bool differs_from_archive(const LevelResult& done) const {
+    const auto archived = archive_.evaluation({design_hash(simulated(), done.level), done.level, io::content_hash(run_.physics)});
+    if (!archived) return false;
+    const Evaluation& result = archived->result;
+    if (!result.left_out_m || !done.scene.displacement_m) return result.displacement_m != done.scene.displacement_m;
+    // The archive has two parts of the way, whose sum is rounded otherwise.
+    constexpr double rounding_m = 1e-12;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double whole_m = result.displacement_m->at(axis) + result.left_out_m->at(axis);
+      if (std::abs(whole_m - done.scene.displacement_m->at(axis)) > rounding_m) return true;
+    }
+    return false;
+  }
+
+  void compare_with_archive(const LevelResult& done) {
+    if (done.scene.status == io::RunStatus::stopped || !differs_from_archive(done)) return;
+    add_note("level " + std::to_string(done.level) +
+             ": the simulation differs from the one in the archive, which another version of menger made");
+  }
+
+  void draw() {
+    std::vector<voxel::Frame> frames;
+    std::vector<std::string> captions;
+    for (const LevelResult& level : result_.levels) {
+      if (level.scene.recorded_frames.empty()) continue;
+      frames.push_back(level.scene.recorded_frames.back());
+      captions.push_back("level " + std::to_string(level.level) + ": " + std::to_string(level.cells) + " voxels");
+    }
+    const io::PictureOutcome picture = voxel::render_row(folder_ / "champion.png", frames, captions);
+    if (!picture.written) add_note("no pictures: " + picture.missing);
+  }
+
+  /// Once each: what is missing for one picture is missing for all.
+  void add_note(const std::string& note) {
+    if (std::ranges::find(result_.notes, note) == result_.notes.end()) result_.notes.push_back(note);
+  }
+
+  const RunArchive& archive_;
+  const fs::path& folder_;
+  const ExportOptions& options_;
+  Study study_;
+  RunView run_;
+  ExportResult result_;
+};
+
+}  // namespace
+
+namespace {
+
+/// Refuses what could not be exported before anything is written.
+void check_options(const Study& study, const ExportOptions& options) {
+  const double interval_s = options.record_interval_s;
+  if (!(interval_s > 0.0 && study.duration_s / interval_s <= voxel::largest_record_count)) {
+    throw io::InputError("--record-interval " + io::number_text(interval_s) +
+                         ": must be > 0 and make at most a million records of " + io::number_text(study.duration_s) + " s");
+  }
+}
+
+}  // namespace
+
+ExportResult export_run(const RunArchive& archive, const fs::path& folder, const ExportOptions& options) {
+  check_options(archived_study(archive), options);
+  return Exporter(archive, folder, options).write();
+}
+
+std::string export_text(const Study& study, const ExportResult& result) {
+  std::string text;
+  std::array<char, 160> line{};
+  const auto add = [&](int length) { text.append(line.data(), static_cast<std::size_t>(length)); };
+  add(std::snprintf(line.data(), line.size(), "%5s %8s %16s %14s %12s  %s\n", "level", "voxels", "displacement/m", "body lengths",
+                    "per minute", "status"));
+  for (const LevelResult& level : result.levels) {
+    const std::string status(io::to_string(level.scene.status));
+    if (!level.scene.displacement_m) {
+      add(std::snprintf(line.data(), line.size(), "%5d %8zu %16s %14s %12s  %s\n", level.level, level.cells, "-", "-", "-",
+                        status.c_str()));
+      continue;
+    }
+    const double lengths = body_lengths(*level.scene.displacement_m, level.level, study.search.cell_edge_m);
+    const double distance_m = materials::horizontal_displacement(*level.scene.displacement_m);
+    add(std::snprintf(line.data(), line.size(), "%5d %8zu %16.6f %14.4f %12.2f  %s\n", level.level, level.cells, distance_m,
+                      lengths, lengths * 60.0 / study.duration_s, status.c_str()));
+  }
+  return text;
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,204 @@
+#include "evolution/report/generation_summary.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+#include "io/text/content_hash.h"
+#include "io/text/formatted.h"
+#include "io/text/input_error.h"
+#include "meshes/design/fractal.h"
+
+namespace menger::evolution {
+
+namespace {
+
+/// Whether a is the better champion.
+bool is_better(const Contender& a, const Contender& b) {
+  if (a.fitness != b.fitness) return a.fitness > b.fitness;
+  return a.age != b.age ? a.age < b.age : a.id > b.id;
+}
+
+std::string level_column(int level) { return "level_" + std::to_string(level) + "_displacement_body_lengths"; }
+
+std::string number_or_dash(const std::optional<double>& value, const char* format) {
+  return value ? io::formatted(format, *value) : "-";
+}
+
+std::optional<double> displacement(const DesignSummary& design, int level) {
+  const auto found = design.body_lengths.find(level);
+  return found == design.body_lengths.end() ? std::nullopt : std::optional(found->second);
+}
+
+void add_displacements(std::vector<io::CsvCell>& row, const RunView& run, const DesignSummary& design) {
+  for (const int level : run.plan.levels()) row.push_back(io::cell(displacement(design, level)));
+}
+
+/// What the judge found of an individual, or of another of its form.
+std::optional<double> judged_fitness(const RunView& run, const Individual& individual) {
+  const std::vector<Judgement> judgements = run.archive->judgements();
+  const auto found = std::ranges::find(judgements, robot_form(individual.phenotype.body, run.distinction), &Judgement::form);
+  return found == judgements.end() ? std::nullopt : found->score;
+}
+
+/// Columns that only searches with a judge have.
+std::vector<std::string> judging_columns(const RunView& run, const std::string& prefix) {
+  if (!run.plan.judging) return {};
+  const std::string unit(fitness_unit(run.plan.objective));
+  return {prefix + "surrogate_fitness_" + unit, prefix + "judged_fitness_" + unit};
+}
+
+io::CsvCell count_cell(std::uint64_t count) { return io::cell(count); }
+
+}  // namespace
+
+DesignSummary summarise_design(const RunView& run, const Individual& individual, const Contender& contender) {
+  DesignSummary summary{.individual = individual,
+                        .age = contender.age,
+                        .fitness = contender.fitness,
+                        .surrogate_fitness = {},
+                        .judged_fitness = {},
+                        .body_lengths = {},
+                        .cells = individual.phenotype.body.count(),
+                        .hausdorff_dimension = {},
+                        .outside_validity = {}};
+  const std::string physics_hash = io::content_hash(run.physics);
+  for (const int level : run.plan.levels()) {
+    const auto found =
+        run.archive->evaluation({design_hash(as_simulated(run.plan, individual.phenotype), level), level, physics_hash});
+    if (!found) continue;
+    if (const std::string& outside = found->result.outside_validity; !outside.empty()) {
+      std::string& all = summary.outside_validity;
+      all.append(all.empty() ? "level " : "; level ").append(std::to_string(level)).append(": ").append(outside);
+    }
+    if (!found->result.displacement_m) continue;
+    summary.body_lengths[level] = body_lengths(*found->result.displacement_m, level, run.plan.cell_edge_m);
+    if (run.plan.judging) summary.surrogate_fitness = level_score(run.plan, *found->result.displacement_m, level);
+  }
+  if (run.plan.judging) summary.judged_fitness = judged_fitness(run, individual);
+  if (!individual.phenotype.has_arrangements())
+    summary.hausdorff_dimension = meshes::hausdorff_dimension(individual.phenotype.body);
+  return summary;
+}
+
+GenerationSummary summarise_generation(const RunView& run, int generation) {
+  GenerationSummary summary{.record = run.archive->generation(generation),
+                            .champion = {},
+                            .mean_fitness = {},
+                            .outside_validity = run.archive->evaluations_outside_validity(generation)};
+  std::optional<Contender> best;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const Contender& contender : run.archive->contenders(generation)) {
+    if (!contender.survivor_rank || !contender.fitness) continue;
+    sum += *contender.fitness;
+    ++count;
+    if (!best || is_better(contender, *best)) best = contender;
+  }
+  if (!best) return summary;
+  summary.champion = summarise_design(run, run.archive->individual(best->id), *best);
+  summary.mean_fitness = sum / static_cast<double>(count);
+  return summary;
+}
+
+std::vector<Individual> lineage(const RunArchive& archive, std::uint64_t id) {
+  std::vector<Individual> ancestors{archive.individual(id)};
+  while (ancestors.back().parent) ancestors.push_back(archive.individual(*ancestors.back().parent));
+  std::ranges::reverse(ancestors);
+  return ancestors;
+}
+
+io::CsvTable generations_table(const RunView& run) {
+  const std::string unit(fitness_unit(run.plan.objective));
+  std::vector<std::string> columns{"generation",   "best_fitness_" + unit, "champion",
+                                   "champion_age", "champion_cells",       "hausdorff_dimension"};
+  for (const int level : run.plan.levels()) columns.push_back(level_column(level));
+  for (const std::string& column :
+       {"mean_fitness_" + unit, std::string("evaluations"), std::string("cached"), std::string("pruned"),
+        std::string("outside_validity"), std::string("champion_outside_validity")}) {
+    columns.push_back(column);
+  }
+  for (const std::string& column : judging_columns(run, "champion_")) columns.push_back(column);
+  io::CsvTable table(columns);
+  const int last = run.archive->last_generation().value_or(-1);
+  for (int generation = 0; generation <= last; ++generation) {
+    const GenerationSummary summary = summarise_generation(run, generation);
+    std::vector<io::CsvCell> row{io::cell(generation)};
+    if (const auto& champion = summary.champion) {
+      row.insert(row.end(), {io::cell(champion->fitness), count_cell(champion->individual.id), io::cell(champion->age),
+                             count_cell(champion->cells), io::cell(champion->hausdorff_dimension)});
+      add_displacements(row, run, *champion);
+    } else {
+      row.resize(row.size() + 5 + run.plan.levels().size());
+    }
+    const GenerationRecord& record = summary.record;
+    row.insert(row.end(), {io::cell(summary.mean_fitness), count_cell(record.evaluations), count_cell(record.cached),
+                           count_cell(record.pruned), count_cell(summary.outside_validity),
+                           summary.champion ? io::cell(summary.champion->outside_validity) : io::CsvCell{}});
+    if (run.plan.judging && summary.champion)
+      row.insert(row.end(), {io::cell(summary.champion->surrogate_fitness), io::cell(summary.champion->judged_fitness)});
+    row.resize(columns.size());
+    table.add_cells(row);
+  }
+  return table;
+}
+
+io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
+  std::vector<std::string> columns{
+      "generation", "individual",         "parent", "age_at_birth", "fitness_" + std::string(fitness_unit(run.plan.objective)),
+      "cells",      "hausdorff_dimension"};
+  for (const int level : run.plan.levels()) columns.push_back(level_column(level));
+  columns.emplace_back("outside_validity");
+  columns.emplace_back("phenotype");
+  for (const std::string& column : judging_columns(run, "")) columns.push_back(column);
+  io::CsvTable table(columns);
+  for (const Individual& individual : lineage(*run.archive, id)) {
+    const std::vector<Contender> contenders = run.archive->contenders(individual.generation);
+    const auto contender = std::ranges::find(contenders, individual.id, &Contender::id);
+    if (contender == contenders.end()) {
+      throw io::InputError(run.archive->file().string() + ": is damaged: individual " + std::to_string(individual.id) +
+                           " took no part in generation " + std::to_string(individual.generation));
+    }
+    const DesignSummary design = summarise_design(run, individual, *contender);
+    std::vector<io::CsvCell> row{io::cell(individual.generation), count_cell(individual.id)};
+    row.push_back(individual.parent ? count_cell(*individual.parent) : io::CsvCell{});
+    row.insert(row.end(), {io::cell(individual.age), io::cell(design.fitness), count_cell(design.cells),
+                           io::cell(design.hausdorff_dimension)});
+    add_displacements(row, run, design);
+    row.push_back(io::cell(design.outside_validity));
+    row.push_back(io::cell(phenotype_key(individual.phenotype)));
+    if (run.plan.judging) row.insert(row.end(), {io::cell(design.surrogate_fitness), io::cell(design.judged_fitness)});
+    table.add_cells(row);
+  }
+  return table;
+}
+
+std::string summary_header(const RunView& run) {
+  std::ostringstream line;
+  line << std::setw(4) << "gen" << std::setw(12) << (run.plan.objective == Objective::body_lengths ? "F [BL]" : "F [m2]");
+  if (run.plan.judging) line << std::setw(12) << "judged";
+  for (const int level : run.plan.levels()) line << std::setw(6) << 'd' << level << " [BL]";
+  line << std::setw(7) << "H" << std::setw(5) << "age" << std::setw(11) << "mean F";
+  for (const char* count : {"evals", "cached", "pruned"}) line << std::setw(7) << count;
+  line << "  time";
+  return line.str();
+}
+
+std::string summary_line(const RunView& run, const GenerationSummary& summary, std::string_view time) {
+  const GenerationRecord& record = summary.record;
+  const auto& champion = summary.champion;
+  std::ostringstream line;
+  line << std::setw(4) << record.number << std::setw(12) << number_or_dash(champion ? champion->fitness : std::nullopt, "%.5g");
+  if (run.plan.judging) line << std::setw(12) << number_or_dash(champion ? champion->judged_fitness : std::nullopt, "%.5g");
+  for (const int level : run.plan.levels()) {
+    line << std::setw(12) << number_or_dash(champion ? displacement(*champion, level) : std::nullopt, "%.4f");
+  }
+  line << std::setw(7) << number_or_dash(champion ? champion->hausdorff_dimension : std::nullopt, "%.3f");
+  line << std::setw(5) << (champion ? std::to_string(champion->age) : "-");
+  line << std::setw(11) << number_or_dash(summary.mean_fitness, "%.4g");
+  for (const std::uint64_t count : {record.evaluations, record.cached, record.pruned}) line << std::setw(7) << count;
+  line << "  " << time;
+  return line.str();
+}
+
+}  // namespace menger::evolution

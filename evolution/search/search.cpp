@@ -1,0 +1,234 @@
+#include "evolution/search/search.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "evolution/genome/random_stream.h"
+#include "evolution/search/pool_judge.h"
+#include "evolution/search/step_checking.h"
+#include "io/text/content_hash.h"
+#include "io/text/input_error.h"
+
+namespace menger::evolution {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A survivor: how it was born, and how it stands now.
+struct Survivor {
+  Individual individual;
+  Contender contender;
+};
+
+class Search {
+ public:
+  Search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
+         DesignJudge* judge, const DesignEvaluator* half_step)
+      : plan_(plan),
+        evaluator_(evaluator),
+        archive_(archive),
+        options_(options),
+        physics_hash_(io::content_hash(evaluator.physics())),
+        variation_(plan.seed, "variation"),
+        selection_(plan.seed, "selection") {
+    assert(plan.judging.has_value() == (judge != nullptr));
+    assert(plan.step_checks.has_value() == (half_step != nullptr));
+    if (judge != nullptr) judging_.emplace(plan, *judge, archive);
+    if (half_step != nullptr) checking_.emplace(plan, *half_step, archive);
+  }
+
+  io::RunStatus run() {
+    restore();
+    for (; next_generation_ <= plan_.generations; ++next_generation_) {
+      const io::RunStatus status = do_generation();
+      if (status != io::RunStatus::completed) return status;
+    }
+    return io::RunStatus::completed;
+  }
+
+ private:
+  void restore() {
+    const auto last = archive_.last_generation();
+    if (!last) return;
+    next_generation_ = *last + 1;
+    next_id_ = archive_.next_id();
+    const GenerationRecord record = archive_.generation(*last);
+    variation_ = RandomStream::from_text(record.variation_generator);
+    selection_ = RandomStream::from_text(record.selection_generator);
+    for (const Contender& contender : archive_.contenders(*last)) {
+      if (contender.survivor_rank) survivors_.push_back({archive_.individual(contender.id), contender});
+    }
+    if (survivors_.empty()) {
+      throw io::InputError(archive_.file().string() + ": is damaged: generation " + std::to_string(*last) + " has no survivors");
+    }
+    std::ranges::sort(survivors_, {}, [](const Survivor& survivor) { return *survivor.contender.survivor_rank; });
+    for (const std::string& key : archive_.phenotype_keys()) phenotypes_.insert(simulated_key(phenotype_from_key(key)));
+  }
+
+  [[nodiscard]] std::string simulated_key(const Phenotype& phenotype) const {
+    return phenotype_key(as_simulated(plan_, phenotype));
+  }
+
+  io::RunStatus do_generation() {
+    const auto start = Clock::now();
+    if (judging_ && !judge_survivors()) return io::RunStatus::stopped;
+    const std::vector<Individual> born = next_generation_ == 0 ? first_generation() : children_and_newcomers();
+    PoolJudge judge(plan_, evaluator_, archive_, options_, next_generation_, &commits_,
+                    judging_ ? &judging_->fitness() : nullptr);
+    for (const Survivor& survivor : survivors_) judge.add_survivor(survivor.contender);
+    for (const Individual& individual : born) {
+      const bool is_new = phenotypes_.insert(simulated_key(individual.phenotype)).second;
+      judge.add_newcomer(individual, !is_new);
+    }
+    const bool lazily = plan_.pruning && next_generation_ > 0;
+    const io::RunStatus status = lazily ? judge.judge_lazily() : judge.judge_in_full();
+    if (status != io::RunStatus::completed) return status;
+    return commit(judge, born, start);
+  }
+
+  /// Holds a round of judging if one is due, and scores the survivors by what is known now. @return false if it was stopped
+  bool judge_survivors() {
+    std::vector<std::optional<double>> scores;
+    for (const Survivor& survivor : survivors_) scores.push_back(surrogate_score(survivor.individual.phenotype));
+    if (judging_->is_due(next_generation_)) {
+      std::vector<Nominee> nominees;
+      for (std::size_t n = 0; n < survivors_.size(); ++n) {
+        const auto& [individual, contender] = survivors_[n];
+        nominees.push_back({individual.id, contender.age, &individual.phenotype, scores[n], contender.fitness});
+      }
+      const auto round = judging_->judge(next_generation_, nominees, options_.stop);
+      if (!round) return false;
+      if (options_.judged) options_.judged(*round, judging_->fitness().discrepancy());
+      if (round->is_made && options_.after_commit) options_.after_commit(++commits_);
+    }
+    for (std::size_t n = 0; n < survivors_.size(); ++n) {
+      const Knowledge knowledge = survivors_[n].contender.knowledge;
+      if (!scores[n] || (knowledge != Knowledge::evaluated && knowledge != Knowledge::failed)) continue;
+      const CorrectedScore corrected = judging_->fitness().score(survivors_[n].individual.phenotype.body, *scores[n]);
+      survivors_[n].contender.knowledge = corrected.knowledge;
+      survivors_[n].contender.fitness = corrected.fitness;
+    }
+    return true;
+  }
+
+  /// The score by the evaluator, of a search at one level; none if it failed or was never asked for.
+  [[nodiscard]] std::optional<double> surrogate_score(const Phenotype& phenotype) const {
+    const int level = plan_.levels().front();
+    const auto found = archive_.evaluation({design_hash(as_simulated(plan_, phenotype), level), level, physics_hash_});
+    if (!found || !found->result.displacement_m) return std::nullopt;
+    return level_score(plan_, *found->result.displacement_m, level);
+  }
+
+  std::vector<Individual> first_generation() {
+    std::vector<Individual> born;
+    born.reserve(static_cast<std::size_t>(plan_.survivors));
+    for (int i = 0; i < plan_.survivors; ++i) born.push_back(random_individual());
+    return born;
+  }
+
+  std::vector<Individual> children_and_newcomers() {
+    for (Survivor& survivor : survivors_) ++survivor.contender.age;
+    std::vector<const Survivor*> parents;
+    parents.reserve(survivors_.size());
+    for (const Survivor& survivor : survivors_) parents.push_back(&survivor);
+    variation_.shuffle(parents);
+    std::vector<Individual> born;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.mutants); ++i) born.push_back(child(*parents[i % parents.size()]));
+    for (int i = 0; i < plan_.newcomers; ++i) born.push_back(random_individual());
+    return born;
+  }
+
+  Individual child(const Survivor& parent) {
+    Offspring offspring = child_of(parent.individual.genome, parent.individual.phenotype, plan_.offspring, variation_);
+    return {next_id_++,
+            next_generation_,
+            parent.contender.id,
+            parent.contender.age,
+            std::move(offspring.genome),
+            std::move(offspring.phenotype)};
+  }
+
+  Individual random_individual() {
+    Offspring offspring = random_offspring(plan_.offspring, variation_);
+    return {next_id_++, next_generation_, std::nullopt, 0, std::move(offspring.genome), std::move(offspring.phenotype)};
+  }
+
+  /// Who survives, in order: everybody at first.
+  std::vector<std::uint64_t> select(const PoolJudge& judge) {
+    const std::vector<Contestant> pool = judge.contestants();
+    if (next_generation_ > 0) return select_survivors(pool, static_cast<std::size_t>(plan_.survivors), selection_);
+    std::vector<std::uint64_t> all;
+    all.reserve(pool.size());
+    for (const Contestant& contestant : pool) all.push_back(contestant.id);
+    return all;
+  }
+
+  /// Checks the time step on the elites of a generation that is due. @return false if it was stopped
+  bool check_steps(const std::vector<Survivor>& survivors) {
+    if (!checking_ || !checking_->is_due(next_generation_)) return true;
+    std::vector<RankedSurvivor> ranked;
+    ranked.reserve(survivors.size());
+    for (const Survivor& survivor : survivors) ranked.push_back({survivor.contender, &survivor.individual.phenotype});
+    return checking_->check(next_generation_, ranked, options_, &commits_);
+  }
+
+  io::RunStatus commit(const PoolJudge& judge, const std::vector<Individual>& born, Clock::time_point start) {
+    const std::vector<std::uint64_t> selected = select(judge);
+    std::vector<Contender> contenders = judge.contenders();
+    std::vector<Survivor> survivors;
+    for (std::size_t rank = 0; rank < selected.size(); ++rank) {
+      const auto found = std::ranges::find(contenders, selected[rank], &Contender::id);
+      found->survivor_rank = rank;
+      survivors.push_back({individual_of(selected[rank], born), *found});
+    }
+    // Before the generation counts as finished: what is stopped here is made up for when it is done again.
+    if (!check_steps(survivors)) return io::RunStatus::stopped;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const JudgeCounts counts = judge.counts();
+    const GenerationRecord record{next_generation_, counts.evaluations,   counts.cached,       counts.pruned,
+                                  seconds,          variation_.to_text(), selection_.to_text()};
+    archive_.add_generation(record, born, contenders);
+    survivors_ = std::move(survivors);
+    ++commits_;
+    if (options_.generation_done) options_.generation_done(record);
+    if (options_.after_commit) options_.after_commit(commits_);
+    return io::RunStatus::completed;
+  }
+
+  [[nodiscard]] const Individual& individual_of(std::uint64_t id, const std::vector<Individual>& born) const {
+    const auto found = std::ranges::find(born, id, &Individual::id);
+    if (found != born.end()) return *found;
+    return std::ranges::find(survivors_, id, [](const Survivor& survivor) { return survivor.individual.id; })->individual;
+  }
+
+  const SearchPlan& plan_;
+  const DesignEvaluator& evaluator_;
+  RunArchive& archive_;
+  const SearchOptions& options_;
+  std::optional<SearchJudging> judging_;
+  std::optional<StepChecking> checking_;
+  std::string physics_hash_;
+  RandomStream variation_;
+  RandomStream selection_;
+  std::vector<Survivor> survivors_;  ///< by rank
+  std::unordered_set<std::string> phenotypes_;
+  int next_generation_ = 0;
+  std::uint64_t next_id_ = 0;
+  std::size_t commits_ = 0;
+};
+
+}  // namespace
+
+io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
+                         const SearchOptions& options, DesignJudge* judge, const DesignEvaluator* half_step) {
+  return Search(plan, evaluator, archive, options, judge, half_step).run();
+}
+
+}  // namespace menger::evolution

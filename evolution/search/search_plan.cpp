@@ -1,0 +1,34 @@
+#include "evolution/search/search_plan.h"
+
+#include <cmath>
+
+#include "evolution/genome/robot_form.h"
+#include "meshes/load_cases/observables.h"
+
+namespace menger::evolution {
+
+std::string_view to_string(Objective objective) {
+  return objective == Objective::body_lengths ? "body-lengths" : "squared-metres-per-scale";
+}
+
+std::string_view to_string(DuplicatePolicy policy) {
+  return policy == DuplicatePolicy::archived_result ? "archived-result" : "culled";
+}
+
+Phenotype as_simulated(const SearchPlan& plan, const Phenotype& phenotype) {
+  return plan.stand ? standing(phenotype) : phenotype;
+}
+
+double body_lengths(const std::array<double, 3>& displacement_m, int level, double cell_edge_m) {
+  return materials::horizontal_displacement(displacement_m) / materials::body_length_m(level, cell_edge_m);
+}
+
+double level_score(const SearchPlan& plan, const std::array<double, 3>& displacement_m, int level) {
+  if (plan.objective == Objective::body_lengths) return body_lengths(displacement_m, level, plan.cell_edge_m);
+  const double squared_m2 = displacement_m[0] * displacement_m[0] + displacement_m[1] * displacement_m[1];
+  return squared_m2 / std::pow(3.0, level);
+}
+
+std::string_view fitness_unit(Objective objective) { return objective == Objective::body_lengths ? "body_lengths" : "m2"; }
+
+}  // namespace menger::evolution

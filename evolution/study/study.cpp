@@ -1,0 +1,197 @@
+#include "evolution/study/study.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "io/text/number_text.h"
+#include "io/text/toml_document.h"
+#include "meshes/design/reference_shapes.h"
+#include "voxel/model/covered_pressures.h"
+#include "voxel/scene/physics_file.h"
+#include "voxel/scene/scene.h"
+
+namespace menger::evolution {
+
+namespace {
+
+void add_line(std::string& text, std::string_view key, std::string_view value) {
+  text.append(key).append(" = ").append(value).append("\n");
+}
+void add_number(std::string& text, std::string_view key, double value) { add_line(text, key, io::number_text(value)); }
+void add_count(std::string& text, std::string_view key, std::uint64_t value) { add_line(text, key, std::to_string(value)); }
+void add_word(std::string& text, std::string_view key, std::string_view word) { add_line(text, key, io::toml_quoted(word)); }
+
+std::string levels_text(const std::vector<int>& levels) {
+  std::string text = "[";
+  for (const int level : levels) text.append(text.size() > 1 ? ", " : "").append(std::to_string(level));
+  return text + "]";
+}
+
+void add_genome(std::string& text, const OffspringOptions& options) {
+  text += "[genome]\n";
+  add_word(text, "encoding", to_string(options.decoder.plan));
+  add_word(text, "activations", to_string(options.variation.activations));
+  add_word(text, "output_function", to_string(options.variation.output_function));
+  add_word(text, "expression", to_string(options.decoder.expression.expression));
+  add_word(text, "axes", to_string(options.decoder.expression.axes));
+  add_count(text, "largest_tries", options.largest_tries);
+}
+
+void add_body(std::string& text, const SearchPlan& plan) {
+  const ConstraintOptions& constraints = plan.offspring.constraints;
+  text += "[body]\n";
+  add_number(text, "cell_edge_m", plan.cell_edge_m);
+  add_line(text, "levels", levels_text(plan.levels()));
+  add_count(text, "smallest_body_cells", constraints.smallest_body);
+  add_count(text, "smallest_arranged_body_cells", constraints.smallest_arranged_body);
+  add_word(text, "disconnected", to_string(constraints.disconnected));
+  if (constraints.castable) add_line(text, "castable", "true");
+}
+
+void add_judging(std::string& text, const JudgingPlan& judging) {
+  text += "[judge]\n";
+  add_word(text, "protocol", judging.protocol);
+  add_line(text, "every", std::to_string(judging.every));
+  add_count(text, "designs", judging.designs);
+  add_number(text, "budget_element_steps", judging.budget_element_steps);
+  add_number(text, "voxel_steps_per_element_step", judging.voxel_steps_per_element_step);
+}
+
+void add_step_checks(std::string& text, const StepCheckPlan& checks) {
+  text += "[check_dt]\n";
+  add_line(text, "every", std::to_string(checks.every));
+  add_count(text, "designs", checks.designs);
+}
+
+/// The physics with poissons_ratio in its table [materials], which TOML may open only once.
+std::string physics_text_with_poissons_ratio(const voxel::Physics& physics) {
+  constexpr std::string_view header = "[materials]\n";
+  std::string text = voxel::physics_text(physics);
+  if (text.starts_with(header)) text.erase(0, header.size());
+  return std::string(header) + "poissons_ratio = 0\n" + text;
+}
+
+constexpr int longest_side = 3;  ///< cells of a basal body; a genome may grow any body of so many
+
+/// Cells along the longest side of the smallest box that the fewest cells of a body fit in.
+int shortest_side(const Study& study) {
+  const std::size_t fewest = study.search.offspring.constraints.smallest_body;
+  std::size_t side = 1;
+  while (side * side * side < fewest) ++side;
+  return static_cast<int>(side);
+}
+
+/// What bodies of the search have in common as calibrated bodies, at their highest level.
+voxel::CalibratedBody largest_bodies(const Study& study) {
+  voxel::CalibratedBody body = *study.physics.surrogate;
+  body.level = study.search.levels().back();
+  return body;
+}
+
+/// Whether there is a wall that was fitted at both ends of the drive, of all that a body may consist of; otherwise why not.
+std::vector<std::string> drive_beyond_every_wall(const voxel::CalibratedBody& body) {
+  const auto [low_Pa, high_Pa] = body.pressure_Pa;
+  double lowest_Pa = 0.0;
+  double highest_Pa = 0.0;
+  for (std::size_t gap = 0; gap < voxel::gap_count; ++gap) {
+    for (std::size_t c = 0; c < voxel::wall_class_count; ++c) {
+      voxel::BodyWalls wall;
+      wall.facing[gap][c] = true;
+      wall.has_joints = body.level > 1;
+      const voxel::CoveredPressures covered = voxel::covered_pressures(body.parameters.validity, wall);
+      if (covered.contains(low_Pa) && covered.contains(high_Pa)) return {};
+      lowest_Pa = std::min(lowest_Pa, covered.lowest_Pa);
+      highest_Pa = std::max(highest_Pa, covered.highest_Pa);
+    }
+  }
+  return {"pressure_Pa = [" + io::number_text(low_Pa) + ", " + io::number_text(high_Pa) +
+          "] is outside the range of the fit for any body: no wall was fitted at both, the farthest of any went from " +
+          io::number_text(lowest_Pa) + " to " + io::number_text(highest_Pa) + " Pa" + (body.level > 1 ? " between joints" : "")};
+}
+
+}  // namespace
+
+std::string identity_text(const Study& study) {
+  const SearchPlan& plan = study.search;
+  std::string text;
+  add_count(text, "seed", plan.seed);
+  text += "[population]\n";
+  add_line(text, "survivors", std::to_string(plan.survivors));
+  add_line(text, "mutants", std::to_string(plan.mutants));
+  add_line(text, "newcomers", std::to_string(plan.newcomers));
+  add_genome(text, plan.offspring);
+  add_body(text, plan);
+  text += "[evaluation]\n";
+  add_number(text, "duration_s", study.duration_s);
+  if (study.measure_from_s > 0.0) add_number(text, "measure_from_s", study.measure_from_s);
+  if (plan.stand) add_line(text, "stand", "true");
+  add_word(text, "objective", to_string(plan.objective));
+  add_word(text, "duplicates", to_string(plan.duplicates));
+  add_line(text, "pruning", plan.pruning ? "true" : "false");
+  if (plan.judging) add_judging(text, *plan.judging);
+  if (plan.step_checks) add_step_checks(text, *plan.step_checks);
+  return text + physics_text_with_poissons_ratio(study.physics);
+}
+
+std::string resolved_text(const Study& study) {
+  return "generations = " + std::to_string(study.search.generations) + "\n" + identity_text(study);
+}
+
+Distinction distinction_of(const Study& study) {
+  const voxel::ActuationMode mode = study.physics.actuation.mode;
+  const auto& surrogate = study.physics.surrogate;
+  const bool is_single = surrogate && surrogate->chambers == meshes::ChamberLayout::single;
+  const bool materials = mode == voxel::ActuationMode::antiphase || !is_single;
+  return {.materials = materials, .place = mode == voxel::ActuationMode::wave};
+}
+
+std::size_t voxels_in_cell(const Study& study) {
+  const auto along_edge = static_cast<std::size_t>(voxel::voxels_per_cell(study.physics));
+  return along_edge * along_edge * along_edge;
+}
+
+std::vector<std::string> study_notes(const Study& study) {
+  std::vector<std::string> notes;
+  if (voxel::effective_coupling(study.physics) == 0.0) {
+    notes.emplace_back(
+        "Poisson's ratio is 0: the paper states 0.5, but its released files switch volume effects off, so that 0 was simulated");
+  }
+  for (const std::string& fault : outside_validity_of_some(study)) {
+    const bool refuses = study.physics.surrogate->outside_range == voxel::OutsideRange::refuse;
+    notes.push_back("bodies with every wall would be outside the range of validity of the calibrated parameters: " + fault +
+                    (refuses ? "; those that are get no result" : "; those that are get a mark"));
+  }
+  if (study.physics.surrogate) {
+    for (const std::string& fault : voxel::sizeless_walls(*study.physics.surrogate))
+      notes.push_back(fault + ": bodies with such walls get no result");
+  }
+  if (study.search.offspring.constraints.disconnected == DisconnectedPolicy::allow) {
+    notes.emplace_back("bodies that fall apart at some level are simulated in pieces");
+  }
+  return notes;
+}
+
+std::vector<std::string> outside_validity_of_all(const Study& study) {
+  if (!study.physics.surrogate) return {};
+  voxel::CalibratedBody body = largest_bodies(study);
+  std::vector<std::string> faults = drive_beyond_every_wall(body);
+  body.pressure_Pa = {0.0, 0.0};  // which is inside for all walls: what is left are chambers and lengths
+  const std::vector<std::string> others = voxel::outside_validity(body, shortest_side(study));
+  faults.insert(faults.end(), others.begin(), others.end());
+  return faults;
+}
+
+std::vector<std::string> outside_validity_of_some(const Study& study) {
+  if (!study.physics.surrogate) return {};
+  return voxel::outside_validity(largest_bodies(study), longest_side);
+}
+
+std::size_t estimated_memory_bytes(const Study& study, int threads) {
+  constexpr auto largest = std::numeric_limits<std::size_t>::max();
+  const std::size_t one =
+      voxel::estimated_memory_bytes(meshes::full_cube(3), study.search.levels().back(), voxel::voxels_per_cell(study.physics));
+  const auto count = static_cast<std::size_t>(threads);
+  return one > largest / count ? largest : one * count;
+}
+
+}  // namespace menger::evolution

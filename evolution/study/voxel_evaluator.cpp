@@ -1,0 +1,155 @@
+#include "evolution/study/voxel_evaluator.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "io/text/joined_text.h"
+#include "io/text/number_text.h"
+#include "voxel/engine/simulation.h"
+#include "voxel/lanes/lane_packing.h"
+#include "voxel/lanes/lanes.h"
+#include "voxel/scene/physics_file.h"
+
+namespace menger::evolution {
+
+namespace {
+
+/// A smaller share of a step is not worth the meetings of the threads.
+constexpr double fewest_voxels_per_thread = 1000.0;
+
+/// Some tenths of a second of one thread, against which what it takes to share anew counts for nothing.
+constexpr double voxel_steps_per_piece = 5e6;
+
+std::array<double, 3> difference(const std::array<double, 3>& to, const std::array<double, 3>& from) {
+  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
+
+std::vector<std::array<double, 3>> centres_of_mass_m(std::span<const voxel::Simulation> simulations) {
+  std::vector<std::array<double, 3>> centres;
+  centres.reserve(simulations.size());
+  for (const voxel::Simulation& simulation : simulations) centres.push_back(simulation.centre_of_mass_m());
+  return centres;
+}
+
+/// Steps a body by as many threads as there are for it.
+io::RunStatus advance_shared(voxel::Simulation& simulation, double time_s, const std::atomic<bool>& stop,
+                             const ThreadsNow& threads) {
+  const auto voxels = static_cast<double>(simulation.voxel_count());
+  int most_threads = std::max(1, static_cast<int>(voxels / fewest_voxels_per_thread));
+  const double piece_s = std::ceil(voxel_steps_per_piece / voxels) * simulation.time_step_s();
+  io::RunStatus status = io::RunStatus::completed;
+  while (status == io::RunStatus::completed && simulation.time_s() < time_s) {
+    simulation.set_threads(std::clamp(threads(), 1, most_threads));
+    try {
+      status = simulation.advance_to(std::min(time_s, simulation.time_s() + piece_s), &stop);
+    } catch (const std::system_error&) {  // no thread could be started, and no step was taken: one does as well
+      if (most_threads == 1) throw;
+      most_threads = 1;
+    }
+  }
+  return status;
+}
+
+std::vector<io::RunStatus> advance(std::span<voxel::Simulation> simulations, double time_s, const std::atomic<bool>& stop,
+                                   const ThreadsNow& threads) {
+  const bool is_large =
+      simulations.size() == 1 && static_cast<double>(simulations.front().voxel_count()) >= 2 * fewest_voxels_per_thread;
+  if (is_large) return {advance_shared(simulations.front(), time_s, stop, threads)};
+  return voxel::advance_together_to(simulations, time_s, &stop);
+}
+
+}  // namespace
+
+VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s)
+    : physics_(physics), cell_edge_m_(cell_edge_m), duration_s_(duration_s), measure_from_s_(measure_from_s) {
+  assert(measure_from_s >= 0.0 && measure_from_s < duration_s);
+}
+
+Evaluation VoxelEvaluator::evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const {
+  const EvaluationTask task{body, level};
+  const EvaluationTask* const alone[] = {&task};
+  return evaluate_together(alone, stop, [] { return 1; }).front();
+}
+
+std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const EvaluationTask* const> tasks,
+                                                          const std::atomic<bool>& stop, const ThreadsNow& threads) const {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Evaluation> evaluations(tasks.size());
+  std::vector<voxel::Simulation> simulations;
+  std::vector<Evaluation*> results;  // per simulation
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    voxel::Physics physics = physics_;
+    if (physics.surrogate) physics.surrogate->level = tasks[i]->level;
+    try {
+      simulations.emplace_back(tasks[i]->body, cell_edge_m_, physics);
+      results.push_back(&evaluations[i]);
+    } catch (const voxel::OutsideValidity& outside) {
+      // Of one body among many that is no wrong input, but a body without a result.
+      evaluations[i].status = io::RunStatus::diverged;
+      evaluations[i].outside_validity = outside.what();
+      evaluations[i].reason = "outside the range of validity: " + evaluations[i].outside_validity;
+    }
+  }
+  walk(simulations, results, stop, threads);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (Evaluation& evaluation : evaluations) evaluation.seconds = seconds / static_cast<double>(tasks.size());
+  return evaluations;
+}
+
+/// Steps the simulations to the end and puts how they went into the results.
+void VoxelEvaluator::walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results,
+                          const std::atomic<bool>& stop, const ThreadsNow& threads) const {
+  const std::vector<std::array<double, 3>> start_m = centres_of_mass_m(simulations);
+  // Those that have diverged or stopped by then stay so.
+  static_cast<void>(advance(simulations, measure_from_s_, stop, threads));
+  const std::vector<std::array<double, 3>> from_m = centres_of_mass_m(simulations);
+  const std::vector<io::RunStatus> statuses = advance(simulations, duration_s_, stop, threads);
+  for (std::size_t i = 0; i < simulations.size(); ++i) {
+    const voxel::Simulation& simulation = simulations[i];
+    Evaluation& result = *results[i];
+    result.status = statuses[i];
+    if (result.status == io::RunStatus::completed) {
+      result.displacement_m = difference(simulation.centre_of_mass_m(), from_m[i]);
+      if (measure_from_s_ > 0.0) result.left_out_m = difference(from_m[i], start_m[i]);
+    }
+    if (const auto& divergence = simulation.divergence()) result.reason = voxel::divergence_text(*divergence);
+    result.outside_validity = io::joined(simulation.outside_validity(), "; ");
+    result.steps = simulation.steps();
+  }
+}
+
+std::vector<std::vector<std::size_t>> VoxelEvaluator::groups(std::span<const EvaluationTask> tasks, int workers) const {
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<std::size_t> modules;
+  std::vector<const meshes::Polycube*> bodies;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (tasks[i].level > 1) {
+      groups.push_back({i});
+    } else {
+      modules.push_back(i);
+      bodies.push_back(&tasks[i].body);
+    }
+  }
+  for (std::vector<std::size_t>& group : voxel::lane_groups(bodies, cell_edge_m_, physics_, workers)) {
+    for (std::size_t& position : group) position = modules[position];
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+std::string VoxelEvaluator::physics() const {
+  std::string text = "duration_s = " + io::number_text(duration_s_) + "\n";
+  if (measure_from_s_ > 0.0) text += "measure_from_s = " + io::number_text(measure_from_s_) + "\n";
+  return text + "cell_edge_m = " + io::number_text(cell_edge_m_) + "\n" + voxel::physics_text(physics_);
+}
+
+double VoxelEvaluator::cost(const meshes::Polycube& body, int /*level*/) const { return static_cast<double>(body.count()); }
+
+}  // namespace menger::evolution

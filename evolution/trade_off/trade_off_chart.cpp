@@ -1,0 +1,87 @@
+#include "evolution/trade_off/trade_off_chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace menger::evolution {
+namespace {
+
+constexpr const char* reference_level = "the reference's own error";
+constexpr io::Colour level_colour{150, 150, 150};
+constexpr double least_percent = 1e-4;
+constexpr double least_s = 1e-3;
+constexpr double legend_room = 10.0;  // a decade above all points, so that the legend covers none
+
+double drawn_percent(double error, const TradeTable& table) {
+  const double least = std::max(least_percent, 10.0 * table.reference_error.value_or(0.0));
+  return std::max(least, 100.0 * error);
+}
+
+/// Runs that share a colour.
+std::string group_of(const TradeRow& row) {
+  const auto value = [&](const std::string& column) {
+    const auto found = row.fidelity.find(column);
+    return found == row.fidelity.end() ? std::string() : found->second;
+  };
+  if (row.model != "voxels") return row.model + (value("degree") == "1" ? ", Q1/P0" : ", Q2/P1");
+  std::string group = "voxels, " + value("number");
+  if (const std::string parts = value("voxels_per_cell"); !parts.empty()) group += ", " + parts + " per cell edge";
+  return group;
+}
+
+/// Whole decades, so that points that are all alike do not get an axis of noise.
+void cover_decades(io::ChartAxis& axis, const std::vector<double>& values) {
+  if (values.empty()) return;
+  constexpr double margin = 1.02;  // off the rim
+  const auto [least, most] = std::ranges::minmax(values);
+  axis.lowest = std::pow(10.0, std::floor(std::log10(least / margin)));
+  axis.highest = std::pow(10.0, std::ceil(std::log10(most * margin)));
+}
+
+}  // namespace
+
+io::ChartPanel trade_panel(const TradeTable& table, const std::string& title) {
+  io::ChartPanel panel;
+  panel.title = title;
+  panel.x = {.title = "wall time (s)", .logarithmic = true};
+  panel.y = {.title = "largest error of the observables (%)", .logarithmic = true};
+  std::map<std::string, std::size_t> places;
+  for (const TradeRow& row : table.rows) {
+    if (!row.error || !row.seconds) continue;
+    const auto [place, is_new] = places.emplace(group_of(row), panel.series.size());
+    if (is_new) {
+      panel.series.push_back({.name = place->first, .marks = io::Marks::points, .colour = io::chart_colour(panel.series.size())});
+    }
+    panel.series[place->second].x.push_back(std::max(least_s, *row.seconds));
+    panel.series[place->second].y.push_back(drawn_percent(*row.error, table));
+  }
+  io::ChartSeries front{.name = "front", .marks = io::Marks::line, .dashed = true, .colour = io::chart_ink};
+  for (const std::size_t n : pareto_front(table)) {
+    front.x.push_back(std::max(least_s, *table.rows[n].seconds));
+    front.y.push_back(drawn_percent(*table.rows[n].error, table));
+  }
+  if (front.x.size() < 2) front.marks = io::Marks::points;  // no line has one point
+  if (!front.x.empty()) panel.series.push_back(front);
+  std::vector<double> seconds;
+  std::vector<double> percents;
+  for (const io::ChartSeries& series : panel.series) {
+    seconds.insert(seconds.end(), series.x.begin(), series.x.end());
+    percents.insert(percents.end(), series.y.begin(), series.y.end());
+  }
+  cover_decades(panel.x, seconds);
+  cover_decades(panel.y, percents);
+  if (panel.y.highest) *panel.y.highest *= legend_room;
+  if (table.reference_error && panel.x.lowest && panel.x.highest) {  // in the legend: written along the line it would hide points
+    const double level = drawn_percent(*table.reference_error, table);
+    panel.series.push_back({.name = reference_level,
+                            .x = {*panel.x.lowest, *panel.x.highest},
+                            .y = {level, level},
+                            .marks = io::Marks::line,
+                            .colour = level_colour});
+  }
+  return panel;
+}
+
+}  // namespace menger::evolution

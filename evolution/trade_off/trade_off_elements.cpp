@@ -1,0 +1,121 @@
+#include "evolution/trade_off/trade_off_elements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "evolution/trade_off/trade_off_body.h"
+#include "io/text/csv_table.h"
+#include "io/text/input_error.h"
+#include "io/text/number_text.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+#include "meshes/design/hollow_body_file.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string inflation_text(const TradeStudy& study, const ElementFidelity& fidelity, double pressure_Pa) {
+  std::string text = "[design]\nfile = \"design.toml\"\n";
+  text += meshes::hollow_body_text(hollow_options(study, fidelity.elements_through_wall));
+  text += "[material]\nrecord = \"silicone.toml\"\nbulk_modulus_Pa = " +
+          io::number_text(fidelity.bulk_ratio * study.shear_modulus_Pa) + "\n";
+  text += "[element]\ndegree = " + std::to_string(fidelity.degree) + "\n";
+  text += "[supports]\nkind = \"free\"\n";
+  text += "[path]\npressure_Pa = [0, " + io::number_text(pressure_Pa) + "]\n";
+  text += "[solver]\nforce_tolerance = " + io::number_text(fidelity.force_tolerance) + "\n";
+  return text + "[output]\nfields = false\npictures = false\n";
+}
+
+/// Change from the first to the last row of a column.
+double growth(const io::CsvContents& curves, const std::string& column) {
+  return curves.number(curves.row_count() - 1, column) - curves.number(0, column);
+}
+
+double volume_change(const io::CsvContents& curves) {
+  double rest_m3 = 0.0;
+  double change_m3 = 0.0;
+  for (const std::string& column : curves.columns()) {
+    if (!column.starts_with("chamber_") || !column.ends_with("_volume_m3")) continue;
+    rest_m3 += curves.number(0, column, io::positive());
+    change_m3 += growth(curves, column);
+  }
+  return change_m3 / rest_m3;
+}
+
+double observed(TradeObservable observable, const io::CsvContents& curves) {
+  if (observable == TradeObservable::volume_change) return volume_change(curves);
+  return growth(curves, column_of(observable));
+}
+
+auto fineness(const ElementFidelity& f) {
+  return std::tuple(f.degree * f.elements_through_wall, f.degree, f.bulk_ratio, -f.force_tolerance);
+}
+
+}  // namespace
+
+std::vector<ElementFidelity> element_fidelities(const ElementChoice& choice) {
+  std::vector<ElementFidelity> all;
+  for (const int degree : choice.degrees) {
+    for (const int through : choice.elements_through_wall) {
+      for (const double ratio : choice.bulk_ratios) {
+        for (const double tolerance : choice.force_tolerances) all.push_back({degree, through, ratio, tolerance});
+      }
+    }
+  }
+  std::ranges::sort(all, [](const ElementFidelity& a, const ElementFidelity& b) { return fineness(a) < fineness(b); });
+  return all;
+}
+
+TradeRow element_row(const ElementFidelity& fidelity) {
+  TradeRow row{.model = "finite elements", .label = {}};
+  row.label = (fidelity.degree == 1 ? "Q1/P0, " : "Q2/P1, ") + std::to_string(fidelity.elements_through_wall) +
+              " through the wall, bulk ratio " + io::number_text(fidelity.bulk_ratio) + ", tolerance " +
+              io::number_text(fidelity.force_tolerance);
+  row.fidelity = {{"degree", std::to_string(fidelity.degree)},
+                  {"elements_through_wall", std::to_string(fidelity.elements_through_wall)},
+                  {"bulk_ratio", io::number_text(fidelity.bulk_ratio)},
+                  {"force_tolerance", io::number_text(fidelity.force_tolerance)}};
+  return row;
+}
+
+ProgramJob element_job(const TradeStudy& study, const ElementFidelity& fidelity, double pressure_Pa, const fs::path& program,
+                       std::uint64_t unknowns) {
+  ProgramJob job;
+  job.name = "finite elements: " + element_row(fidelity).label;
+  job.program = program;
+  job.arguments = {"inflate.toml", "-o", "result", "--no-pictures"};
+  job.inputs = {{"inflate.toml", inflation_text(study, fidelity, pressure_Pa)},
+                {"design.toml", meshes::design_text(study.design)},
+                {"silicone.toml", io::read_whole(study.silicone_file)}};
+  job.time_limit_s = study.elements->time_limit_s;
+  // About six steps of five iterations by a direct solver, whose cost grows with a power between 4/3 and 2.
+  job.estimated_s = 1.0 + 3.0 * std::pow(static_cast<double>(unknowns) / 2e4, 1.6);
+  return job;
+}
+
+void read_element_result(const TradeStudy& study, const ProgramJobResult& result, TradeRow& row) {
+  const io::TomlTable summary = io::read_toml(result.folder / "result/result.toml");
+  row.status = summary.text("status");
+  row.reason = summary.text_or("reason", "");
+  row.unknowns = summary.integer<std::uint64_t>("unknowns", io::at_least(0));
+  row.steps = summary.integer<std::uint64_t>("accepted_newton_iterations", io::at_least(0));
+  if (row.status != "completed") return;
+  const io::CsvContents curves = io::read_csv(result.folder / "result/curves.csv");
+  if (curves.row_count() < 2) throw io::InputError("curves.csv holds no state beyond rest");
+  for (std::size_t n = 0; n < study.observables.size(); ++n) row.values[n] = observed(study.observables[n], curves);
+}
+
+std::optional<double> limit_pressure_Pa(const ProgramJobResult& result) {
+  const io::TomlTable summary = io::read_toml(result.folder / "result/result.toml");
+  std::optional<double> least;
+  for (const io::TomlTable& limit : summary.optional_tables("limit_points")) {
+    const double pressure_Pa = limit.number("pressure_Pa");
+    if (!least || std::abs(pressure_Pa) < std::abs(*least)) least = pressure_Pa;
+  }
+  return least;
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,254 @@
+#include "evolution/trade_off/trade_off_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "evolution/trade_off/trade_off_body.h"
+#include "evolution/trade_off/trade_off_elements.h"
+#include "evolution/trade_off/trade_off_frames.h"
+#include "evolution/trade_off/trade_off_output.h"
+#include "evolution/trade_off/trade_off_reference.h"
+#include "evolution/trade_off/trade_off_voxels.h"
+#include "io/text/input_error.h"
+#include "io/text/number_text.h"
+#include "io/text/whole_file.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double usual_pressure_Pa = 6000.0;
+constexpr double part_of_limit = 0.8;
+
+std::vector<std::string> observable_columns(const TradeStudy& study) {
+  std::vector<std::string> columns;
+  for (const TradeObservable observable : study.observables) columns.push_back(column_of(observable));
+  return columns;
+}
+
+/// The last row with all values.
+std::optional<std::size_t> finest_completed(const std::vector<TradeRow>& rows) {
+  for (std::size_t n = rows.size(); n-- > 0;) {
+    if (std::ranges::all_of(rows[n].values, [](const auto& value) { return value.has_value(); })) return n;
+  }
+  return std::nullopt;
+}
+
+/// @throws io::InputError with the first message if programs refused the input of all rows that were run: then it is the study's,
+/// not that of a fidelity
+void require_accepted(const std::vector<TradeRow>& rows) {
+  const TradeRow* refused = nullptr;
+  for (const TradeRow& row : rows) {
+    if (row.status == "skipped") continue;
+    if (!row.is_refused) return;
+    if (refused == nullptr) refused = &row;
+  }
+  if (refused != nullptr) throw io::InputError(refused->model + ", " + refused->label + ": " + refused->reason);
+}
+
+class Trade {
+ public:
+  Trade(const TradeStudy& study, const fs::path& folder, const TradeOptions& options)
+      : study_(study), folder_(folder), runner_(folder / "runs", options) {}
+
+  TradeResult run() {
+    require_programs();
+    plan_elements();
+    bodies_ = settled_bodies(study_);
+    if (study_.pressure_Pa) require_sizes(*study_.pressure_Pa);
+    io::require_writable_folder(folder_);
+    choose_pressure();
+    plan_voxels();
+    if (study_.elements && !study_.only_search) run_body();
+    if (study_.gait) run_gait();
+    if (study_.search) run_searches();
+    result_.repeated = runner_.repeated();
+    if (runner_.is_stopped()) {
+      result_.status = io::RunStatus::stopped;
+    } else {
+      write_trade(study_, folder_, runner_.options().pictures, result_);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void require_programs() const {
+    if (study_.elements || study_.search) (void)runner_.program("menger-inflate");
+    if (study_.settling || study_.gait || study_.search) (void)runner_.program("menger-simulate");
+    if (study_.search) (void)runner_.program("menger-evolve");
+    if (study_.search) (void)runner_.program("menger-export");
+  }
+
+  /// Counts unknowns; meshes only what may be below the limit.
+  void plan_elements() {
+    if (!study_.elements || study_.only_search) return;
+    fidelities_ = element_fidelities(*study_.elements);
+    for (const ElementFidelity& fidelity : fidelities_) {
+      body_rows_.push_back(element_row(fidelity));
+      body_rows_.back().values.assign(study_.observables.size(), std::nullopt);
+      const double unknowns = least_unknowns(fidelity);
+      if (unknowns <= study_.elements->largest_unknowns) {
+        body_rows_.back().unknowns = static_cast<std::uint64_t>(unknowns);
+        continue;
+      }
+      body_rows_.back().reason = io::number_text(std::floor(unknowns)) + " unknowns or more, largest_unknowns is " +
+                                 io::number_text(study_.elements->largest_unknowns);
+    }
+    if (std::ranges::none_of(body_rows_, [](const TradeRow& row) { return row.unknowns.has_value(); })) {
+      throw io::InputError(study_.file.string() +
+                           ": no fidelity of finite elements is left: all have more than largest_unknowns = " +
+                           io::number_text(study_.elements->largest_unknowns) + " unknowns");
+    }
+  }
+
+  /// Unknowns of a mesh, or a bound from a coarser one if that is above the limit already.
+  double least_unknowns(const ElementFidelity& fidelity) {
+    const std::pair mesh(fidelity.degree, fidelity.elements_through_wall);
+    if (const auto known = unknowns_.find(mesh); known != unknowns_.end()) return known->second;
+    double least = 0.0;
+    for (const auto& [coarser, unknowns] : unknowns_) {
+      if (coarser.first > mesh.first || coarser.second > mesh.second) continue;
+      const double finer_by = static_cast<double>(mesh.second) / coarser.second;
+      least = std::max(least, unknowns * finer_by * finer_by);  // walls are divided along two directions at least
+    }
+    const bool is_too_fine = least > study_.elements->largest_unknowns;
+    const double count = is_too_fine ? least : static_cast<double>(count_elements(study_, mesh.first, mesh.second).unknowns);
+    unknowns_[mesh] = count;
+    return count;
+  }
+
+  [[nodiscard]] ProgramJob element_run(std::size_t n, double pressure_Pa) const {
+    return element_job(study_, fidelities_[n], pressure_Pa, runner_.program("menger-inflate"), *body_rows_[n].unknowns);
+  }
+
+  /// The stated pressure, or a usual one that the coarsest elements reach.
+  void choose_pressure() {
+    result_.pressure_Pa = study_.pressure_Pa.value_or(usual_pressure_Pa);
+    if (study_.pressure_Pa || body_rows_.empty()) return;
+    const auto first = std::ranges::find_if(body_rows_, [](const TradeRow& row) { return row.unknowns.has_value(); });
+    const ProgramJob job = element_run(static_cast<std::size_t>(first - body_rows_.begin()), usual_pressure_Pa);
+    runner_.expect(job.estimated_s);
+    const auto pilot = runner_.run(job);
+    if (!pilot || !pilot->has_result()) return;
+    const auto limit_Pa = limit_pressure_Pa(*pilot);
+    if (!limit_Pa || *limit_Pa > usual_pressure_Pa) return;
+    result_.pressure_Pa = part_of_limit * *limit_Pa;
+    result_.notes.push_back("pressure: " + io::number_text(result_.pressure_Pa) +
+                            " Pa, 0.8 of the limit that the coarsest elements meet");
+  }
+
+  void plan_voxels() {
+    for (std::size_t n = 0; n < fidelities_.size(); ++n) {
+      if (body_rows_[n].unknowns) runner_.expect(element_run(n, result_.pressure_Pa).estimated_s);
+    }
+    if (study_.settling) {
+      settling_ = voxel_fidelities(study_.voxels, study_.settling->parameters);
+      require_some(settling_);
+      require_sizes(result_.pressure_Pa);
+      for (const VoxelFidelity& fidelity : settling_)
+        runner_.expect(settling_job(study_, fidelity, result_.pressure_Pa, runner_.program("menger-simulate")).estimated_s);
+    }
+    if (study_.gait) {
+      gait_ = voxel_fidelities(study_.voxels, {});
+      require_some(gait_);
+      for (const VoxelFidelity& fidelity : gait_)
+        runner_.expect(gait_job(study_, fidelity, runner_.program("menger-simulate")).estimated_s);
+    }
+  }
+
+  void require_sizes(double pressure_Pa) const {
+    for (const auto& [file, body] : bodies_) body.require_sizes(pressure_Pa);
+  }
+
+  void require_some(const std::vector<VoxelFidelity>& fidelities) const {
+    if (!fidelities.empty()) return;
+    throw io::InputError(study_.file.string() + ": [voxels] leaves no fidelity: float32 needs dampings = [\"velocity\"]");
+  }
+
+  void run_body() {
+    for (std::size_t n = 0; n < fidelities_.size() && !runner_.is_stopped(); ++n) {
+      if (!body_rows_[n].unknowns) continue;
+      runner_.fill(body_rows_[n], element_run(n, result_.pressure_Pa),
+                   [&](const ProgramJobResult& result, TradeRow& row) { read_element_result(study_, result, row); });
+    }
+    TradeTable table{.observables = observable_columns(study_),
+                     .fidelity_columns = {"degree", "elements_through_wall", "bulk_ratio", "force_tolerance", "number", "damping",
+                                          "time_step_fraction", "exclusion_depth", "voxels_per_cell", "parameters"}};
+    const auto reference = finest_completed(body_rows_);
+    std::vector<std::optional<double>> errors;
+    if (reference) errors = element_reference_errors(fidelities_, body_rows_, *reference);
+    table.rows = std::move(body_rows_);
+    add_settled_rows(table);
+    if (runner_.is_stopped()) return;
+    require_accepted(table.rows);
+    if (reference) {
+      judge(table, *reference, errors);
+    } else {
+      result_.status = io::RunStatus::not_converged;
+      result_.notes.emplace_back("no run of finite elements reached the pressure: there is no reference");
+    }
+    result_.body = std::move(table);
+  }
+
+  void add_settled_rows(TradeTable& table) {
+    for (const VoxelFidelity& fidelity : settling_) {
+      const SettledBody& body = bodies_.at(*fidelity.parameters);
+      TradeRow row = voxel_row(fidelity, body.voxels_per_cell());
+      row.values.assign(study_.observables.size(), std::nullopt);
+      runner_.fill(row, settling_job(study_, fidelity, result_.pressure_Pa, runner_.program("menger-simulate")),
+                   [&](const ProgramJobResult& result, TradeRow& read) {
+                     read_settling_result(study_, body, result_.pressure_Pa, result, read);
+                   });
+      table.rows.push_back(std::move(row));
+    }
+  }
+
+  void run_gait() {
+    TradeTable table{.observables = {"horizontal_displacement_m"},
+                     .fidelity_columns = {"number", "damping", "time_step_fraction", "exclusion_depth"}};
+    for (const VoxelFidelity& fidelity : gait_) {
+      table.rows.push_back(voxel_row(fidelity, std::nullopt));
+      table.rows.back().values.assign(1, std::nullopt);
+      runner_.fill(table.rows.back(), gait_job(study_, fidelity, runner_.program("menger-simulate")), read_gait_result);
+    }
+    if (runner_.is_stopped()) return;
+    require_accepted(table.rows);
+    if (const auto reference = finest_completed(table.rows)) {
+      const auto error = gait_reference_error(gait_, table.rows, *reference);
+      judge(table, *reference, {error});
+    } else {
+      result_.status = io::RunStatus::not_converged;
+      result_.notes.emplace_back("no run of the gait completed: there is no reference");
+    }
+    result_.gait = std::move(table);
+  }
+
+  void run_searches() {
+    result_.search = run_search_trade(study_, result_.pressure_Pa, runner_);
+    if (runner_.is_stopped() || found_count(*result_.search) > 0) return;
+    result_.status = io::RunStatus::not_converged;
+    result_.notes.emplace_back("no search found a champion");
+  }
+
+  const TradeStudy& study_;
+  fs::path folder_;
+  TradeRunner runner_;
+  TradeResult result_;
+  std::vector<ElementFidelity> fidelities_;
+  std::vector<TradeRow> body_rows_;
+  std::map<std::pair<int, int>, double> unknowns_;  ///< by degree and elements through the wall
+  std::vector<VoxelFidelity> settling_;
+  std::map<fs::path, SettledBody> bodies_;
+  std::vector<VoxelFidelity> gait_;
+};
+
+}  // namespace
+
+TradeResult run_trade_off(const TradeStudy& study, const fs::path& folder, const TradeOptions& options) {
+  return Trade(study, folder, options).run();
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meshes/design/design_file.h"
+
+namespace menger::evolution {
+
+/// What is compared between the models, at the stated pressure in all chambers against rest, of a free body without weight.
+enum class TradeObservable {
+  volume_change,  ///< of all chambers together, by their volume at rest, minus 1
+  extent_x,  ///< growth of the distance between the mean positions of the end faces along x after the rotation of the body is
+             ///< taken out (materials::extents_without_rotation), m
+  extent_y,  ///< along y
+  extent_z   ///< along z: how far the top rises from the bottom
+};
+std::string column_of(TradeObservable observable);  ///< "volume_change", "extent_change_x_m", ...
+std::size_t axis_of(TradeObservable observable);    ///< of an extent
+
+/// Finite-element fidelities: every combination is run.
+struct ElementChoice {
+  std::vector<int> degrees{1, 2};  ///< Q1/P0, Q2/P1
+  std::vector<int> elements_through_wall{1, 2, 4};
+  std::vector<double> bulk_ratios{50.0};       ///< bulk by shear modulus
+  std::vector<double> force_tolerances{1e-7};  ///< of Newton's method, relative
+  double largest_unknowns = 200'000.0;         ///< finer ones are skipped
+  double time_limit_s = 600.0;                 ///< of a run
+};
+
+/// Fidelities of the voxel engine: every combination is run, but float32 with damping from increments, which cannot be.
+struct VoxelChoice {
+  std::vector<std::string> numbers{"float64", "float32"};
+  std::vector<std::string> dampings{"increments", "velocity"};
+  std::vector<double> time_step_fractions{0.9, 0.45, 0.09};
+  std::vector<std::string> exclusion_depths{"off", "1", "5"};  ///< of collisions
+  double time_limit_s = 600.0;
+};
+
+/// A body ramped to the pressure and settled, by parameters files.
+struct SettlingChoice {
+  std::vector<std::filesystem::path> parameters{};  ///< one per number of voxels per cell
+  double ramp_s = 0.5;
+  double settle_s = 1.0;        ///< after the ramp
+  double global_damping = 0.1;  ///< ratio; changes the way to the equilibrium only
+};
+
+/// A walk, by the voxel engine alone.
+struct GaitChoice {
+  std::optional<std::filesystem::path> scene{};  ///< whose physics is used; none: the engine's own, those of the paper
+  double duration_s = 2.0;
+};
+
+/// Searches of equal cost, one for each surrogate fidelity and seed.
+struct SearchChoice {
+  std::filesystem::path study{};  ///< of `menger evolve`
+  std::vector<int> seeds{1, 2, 3};
+  double voxel_steps = 1e8;  ///< budget of a search: steps by voxels, over all evaluations
+  int largest_generations = 1000;
+  int threads = 1;
+  double time_limit_s = 3600.0;  ///< of one call of a search
+};
+
+/// All that decides what is traded.
+struct TradeStudy {
+  std::filesystem::path file;
+  meshes::Design design;
+  double wall_thickness_m = 0.002;
+  std::string chambers = "single";  ///< or "per-phase"
+  int level = 1;
+  std::string silicone = "dragon_skin_10";  ///< for people
+  std::filesystem::path silicone_file;
+  std::string silicone_name;          ///< that the record gives itself
+  std::string law;                    ///< recommended by the record, on one line
+  double shear_modulus_Pa = 0.0;      ///< of the recommended law, at rest
+  std::optional<double> pressure_Pa;  ///< none: 6 kPa, or 0.8 of the limit if there is one before
+  std::vector<TradeObservable> observables{TradeObservable::volume_change, TradeObservable::extent_x, TradeObservable::extent_y,
+                                           TradeObservable::extent_z};
+  std::vector<double> targets{0.2, 0.1, 0.05, 0.02, 0.01};  ///< relative errors to recommend for
+  std::optional<ElementChoice> elements;
+  VoxelChoice voxels;
+  std::optional<SettlingChoice> settling;
+  std::optional<GaitChoice> gait;
+  std::optional<SearchChoice> search;
+  bool only_search = false;                   ///< elements then serve the champions alone
+  std::map<std::string, std::string> inputs;  ///< content hash of every file that was read
+};
+
+/// Reads a design file, for which everything else has its default (finite elements and a gait), or a study:
+///
+/// - `design` (file), wall_thickness_m, chambers ("single", "per-phase"), level, silicone (a record of menger by its name, or a
+///   file), pressure_Pa, observables ("volume_change", "extent_x", "extent_y", "extent_z"), target_relative_errors
+/// - `[finite_elements]` degrees, elements_through_wall, bulk_ratios, force_tolerances, largest_unknowns, time_limit_s
+/// - `[voxels]` numbers, dampings, time_step_fractions, exclusion_depths ("off" or a number in quotes), time_limit_s
+/// - `[settling]` parameters (files), ramp_s, settle_s, global_damping
+/// - `[gait]` scene (file), duration_s
+/// - `[search]` study (file), seeds, voxel_steps, largest_generations, threads, time_limit_s
+///
+/// What has no table is not run; `[voxels]` serves settling, gait and search. Files that a scene or a study of searches names as
+/// its voxel parameters are inputs, too.
+/// @throws io::InputError with file, key and value; also if nothing is to be run
+TradeStudy read_trade_study(const std::filesystem::path& file);
+
+/// Everything that decides the results, as text for the manifest.
+std::string resolved_text(const TradeStudy& study);
+
+}  // namespace menger::evolution

@@ -1,0 +1,212 @@
+#include "evolution/trade_off/trade_off_table.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "io/process/progress.h"
+#include "io/text/formatted.h"
+#include "io/text/number_text.h"
+#include "io/text/toml_document.h"
+
+namespace menger::evolution {
+namespace {
+
+constexpr double smallest_share = 0.1;  ///< of the largest observable of a unit
+
+bool is_length(const std::string& observable) { return observable.ends_with("_m"); }
+
+/// The largest of the errors that count; none if one is missing or none counts.
+std::optional<double> largest_error(const std::vector<std::optional<double>>& errors, const std::vector<double>& scale) {
+  std::optional<double> largest;
+  for (std::size_t n = 0; n < scale.size(); ++n) {
+    if (scale[n] == 0.0) continue;
+    if (!errors[n]) return std::nullopt;
+    largest = std::max(largest.value_or(0.0), *errors[n]);
+  }
+  return largest;
+}
+
+/// Rows with an error and a time, the fastest first; of equally fast ones the one with the smaller error.
+std::vector<std::size_t> by_seconds(const TradeTable& table) {
+  std::vector<std::size_t> order;
+  for (std::size_t n = 0; n < table.rows.size(); ++n) {
+    if (table.rows[n].error && table.rows[n].seconds) order.push_back(n);
+  }
+  std::ranges::stable_sort(order, {}, [&](std::size_t n) { return std::pair(*table.rows[n].seconds, *table.rows[n].error); });
+  return order;
+}
+
+/// To what the error of a row with an error is known.
+double known_error(const TradeTable& table, std::size_t n) {
+  return std::max(*table.rows[n].error, table.reference_error.value_or(0.0));
+}
+
+std::string shown(double value, const char* format) { return io::formatted(format, value); }
+
+std::string percent(double fraction) { return shown(100.0 * fraction, "%.2g") + " %"; }
+
+std::string cost_text(const TradeRow& row) {
+  const double seconds = row.seconds.value_or(0.0);
+  std::string text = seconds < 10.0 ? shown(seconds, "%.2g") + " s" : io::duration_text(seconds);
+  if (row.peak_megabytes) text += " and " + shown(*row.peak_megabytes, "%.0f") + " MB";
+  return text;
+}
+
+/// The reason and what lies outside the range of validity.
+std::string reason_text(const TradeRow& row) {
+  std::string text = row.reason;
+  const char* before = text.empty() ? "outside the range of validity: " : "; outside the range of validity: ";
+  for (const std::string& fault : row.outside_validity.value_or(std::vector<std::string>{})) {
+    text.append(before).append(fault);
+    before = "; ";
+  }
+  return text;
+}
+
+io::CsvCell count_cell(const std::optional<std::uint64_t>& count) { return count ? io::cell(*count) : io::CsvCell{}; }
+
+}  // namespace
+
+std::vector<double> error_scales(const std::vector<std::string>& observables, const std::vector<std::optional<double>>& values) {
+  assert(observables.size() == values.size());
+  std::vector<double> all;
+  for (std::size_t n = 0; n < observables.size(); ++n) {
+    double largest = 0.0;
+    for (std::size_t other = 0; other < observables.size(); ++other) {
+      const bool same_unit = is_length(observables[other]) == is_length(observables[n]);
+      if (same_unit && values[other]) largest = std::max(largest, std::abs(*values[other]));
+    }
+    all.push_back(values[n] ? std::max(std::abs(*values[n]), smallest_share * largest) : 0.0);
+  }
+  return all;
+}
+
+void judge(TradeTable& table, std::size_t reference, std::vector<std::optional<double>> reference_errors) {
+  assert(reference < table.rows.size() && reference_errors.size() == table.observables.size());
+  table.reference = reference;
+  table.reference_errors = std::move(reference_errors);
+  const TradeRow finest = table.rows[reference];
+  const std::vector<double> scale = error_scales(table.observables, finest.values);
+  for (std::size_t n = 0; n < scale.size(); ++n) {
+    auto& error = table.reference_errors[n];
+    if (error && scale[n] > 0.0) *error *= std::abs(*finest.values[n]) / scale[n];
+  }
+  table.reference_error = largest_error(table.reference_errors, scale);
+  for (TradeRow& row : table.rows) {
+    row.errors.assign(table.observables.size(), std::nullopt);
+    for (std::size_t n = 0; n < table.observables.size(); ++n) {
+      if (scale[n] == 0.0 || !row.values[n]) continue;
+      row.errors[n] = std::abs(*row.values[n] - *finest.values[n]) / scale[n];
+    }
+    row.error = largest_error(row.errors, scale);
+  }
+  table.rows[reference].errors = table.reference_errors;
+  table.rows[reference].error = table.reference_error;
+}
+
+std::vector<std::size_t> pareto_front(const TradeTable& table) {
+  constexpr double least_gain = 0.01;
+  std::vector<std::size_t> front;
+  for (const std::size_t n : by_seconds(table)) {
+    if (front.empty() || known_error(table, n) < (1.0 - least_gain) * known_error(table, front.back())) front.push_back(n);
+  }
+  return front;
+}
+
+std::vector<Recommendation> recommendations(const TradeTable& table, const std::vector<double>& targets) {
+  // All rows, not the front alone: a target may lie within a gain that is too small for the front.
+  const std::vector<std::size_t> order = by_seconds(table);
+  std::vector<Recommendation> found;
+  for (const double target : targets) {
+    const auto good = std::ranges::find_if(order, [&](std::size_t n) { return known_error(table, n) <= target; });
+    found.push_back({target, good == order.end() ? std::nullopt : std::optional(*good)});
+  }
+  return found;
+}
+
+std::string recommendation_text(const TradeTable& table, const std::vector<double>& targets) {
+  std::string text;
+  if (table.reference) {
+    text += "reference: " + table.rows[*table.reference].label;
+    text += table.reference_error ? ", itself within about " + percent(*table.reference_error) + "\n"
+                                  : "; nothing tells how far it is off itself\n";
+  }
+  const bool has_errors = std::ranges::any_of(table.rows, [](const TradeRow& row) { return row.error.has_value(); });
+  if (!has_errors) return text + "no errors can be given: there is no reference that moved, or nothing beside it\n";
+  for (const Recommendation& answer : recommendations(table, targets)) {
+    text += "for " + percent(answer.target) + " ";
+    if (answer.row) {
+      const TradeRow& row = table.rows[*answer.row];
+      text += "you need " + row.model + ", " + row.label + " (" + percent(*row.error) +
+              (answer.row == table.reference ? " by its own estimate" : " from the reference") + "), it costs " + cost_text(row);
+      if (row.is_outside()) text += ", outside the range of validity of its parameters";
+    } else if (table.reference_error && *table.reference_error > answer.target) {
+      text += "nothing is fine enough: the reference itself is known to " + percent(*table.reference_error) + " only";
+    } else {
+      text += "nothing that was run is good enough";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string recommendation_toml(const TradeTable& table, const std::vector<double>& targets, const std::string& table_name) {
+  std::string text;
+  for (const Recommendation& answer : recommendations(table, targets)) {
+    const auto add = [&](const std::string& key, const std::string& value) {
+      text.append(key).append(" = ").append(value).append("\n");
+    };
+    text.append(text.empty() ? "[[" : "\n[[").append(table_name).append("]]\n");
+    add("target_relative_error", io::number_text(answer.target));
+    add("found", answer.row ? "true" : "false");
+    if (!answer.row) continue;
+    const TradeRow& row = table.rows[*answer.row];
+    add("model", io::toml_quoted(row.model));
+    for (const auto& [column, value] : row.fidelity) add(column, io::toml_quoted(value));
+    add("relative_error", io::number_text(*row.error));
+    if (table.reference_error) add("reference_relative_error", io::number_text(*table.reference_error));
+    add("seconds", io::number_text(*row.seconds));
+    if (row.peak_megabytes) add("peak_memory_MB", io::number_text(*row.peak_megabytes));
+    if (row.is_outside()) add("outside_validity", "true");
+  }
+  return text;
+}
+
+io::CsvTable trade_csv(const TradeTable& table) {
+  std::vector<std::string> columns{"model"};
+  columns.insert(columns.end(), table.fidelity_columns.begin(), table.fidelity_columns.end());
+  columns.insert(columns.end(), table.observables.begin(), table.observables.end());
+  for (const std::string& observable : table.observables) columns.push_back(observable + "_relative_error");
+  for (const char* column : {"relative_error", "reference_relative_error", "seconds", "cpu_seconds", "peak_memory_MB", "unknowns",
+                             "voxels", "steps", "role", "validity", "status", "reason"}) {
+    columns.emplace_back(column);
+  }
+  const std::vector<std::size_t> front = pareto_front(table);
+  io::CsvTable csv(columns);
+  for (std::size_t n = 0; n < table.rows.size(); ++n) {
+    const TradeRow& row = table.rows[n];
+    std::vector<io::CsvCell> cells{io::cell(row.model)};
+    for (const std::string& column : table.fidelity_columns) {
+      const auto value = row.fidelity.find(column);
+      cells.push_back(value == row.fidelity.end() ? io::CsvCell{} : io::cell(value->second));
+    }
+    for (std::size_t o = 0; o < table.observables.size(); ++o) cells.push_back(io::cell(row.values[o]));
+    for (std::size_t o = 0; o < table.observables.size(); ++o)
+      cells.push_back(o < row.errors.size() ? io::cell(row.errors[o]) : io::CsvCell{});
+    for (const auto& value : {row.error, table.reference_error, row.seconds, row.cpu_seconds, row.peak_megabytes})
+      cells.push_back(io::cell(value));
+    for (const auto& count : {row.unknowns, row.voxels, row.steps}) cells.push_back(count_cell(count));
+    std::string role = std::find(front.begin(), front.end(), n) != front.end() ? "front" : "";
+    if (table.reference == n) role = role.empty() ? "reference" : "reference, front";
+    cells.push_back(io::cell(role));
+    cells.push_back(row.outside_validity ? io::cell(row.is_outside() ? "outside" : "inside") : io::CsvCell{});
+    cells.push_back(io::cell(row.status));
+    cells.push_back(io::cell(reason_text(row)));
+    csv.add_cells(cells);
+  }
+  return csv;
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,146 @@
+#include "evolution/trade_off/trade_off_voxels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "evolution/trade_off/trade_off_variant.h"
+#include "io/text/number_text.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+#include "meshes/design/fractal.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double records_of_settling = 10.0;  ///< few, but enough to see whether it came to rest
+constexpr double usual_step_s = 5e-5;         ///< of the paper's physics at 1 cm and the whole recommended step
+constexpr double usual_voxel_steps_per_s = 1e7;
+
+/// A larger one looks at fewer pairs.
+double coarseness(const std::string& exclusion_depth) {
+  return exclusion_depth == "off" ? std::numeric_limits<double>::infinity() : std::stod(exclusion_depth);
+}
+
+std::string depth_text(const std::string& depth) { return depth == "off" ? io::toml_quoted(depth) : depth; }
+
+double estimated_s(const TradeStudy& study, const VoxelFidelity& fidelity, double duration_s) {
+  double voxels = 1.0;
+  for (int level = 0; level < study.level; ++level) voxels *= static_cast<double>(study.design.body.count());
+  const double steps = duration_s / (usual_step_s * fidelity.time_step_fraction);
+  return 0.3 + steps * voxels / usual_voxel_steps_per_s;
+}
+
+ProgramJob scene_job(const TradeStudy& study, const VoxelFidelity& fidelity, const fs::path& program, double duration_s) {
+  ProgramJob job;
+  job.program = program;
+  job.arguments = {"scene.toml", "-o", "result", "--no-pictures"};
+  job.inputs = {{"design.toml", meshes::design_text(study.design)}};
+  job.time_limit_s = study.voxels.time_limit_s;
+  job.estimated_s = estimated_s(study, fidelity, duration_s);
+  return job;
+}
+
+}  // namespace
+
+std::vector<VoxelFidelity> voxel_fidelities(const VoxelChoice& choice, const std::vector<fs::path>& parameters) {
+  std::vector<std::optional<fs::path>> bodies(parameters.begin(), parameters.end());
+  if (bodies.empty()) bodies.emplace_back();
+  std::vector<VoxelFidelity> all;
+  for (const auto& body : bodies) {
+    const std::size_t first = all.size();
+    for (const std::string& number : choice.numbers) {
+      for (const std::string& damping : choice.dampings) {
+        if (number == "float32" && damping == "increments") continue;
+        for (const double fraction : choice.time_step_fractions) {
+          for (const std::string& depth : choice.exclusion_depths) all.push_back({number, damping, fraction, depth, body});
+        }
+      }
+    }
+    const auto fineness = [](const VoxelFidelity& f) {
+      return std::tuple(-coarseness(f.exclusion_depth), -f.time_step_fraction, f.number == "float64", f.damping == "increments");
+    };
+    std::stable_sort(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+                     [&](const VoxelFidelity& a, const VoxelFidelity& b) { return fineness(a) < fineness(b); });
+  }
+  return all;
+}
+
+TradeRow voxel_row(const VoxelFidelity& fidelity, std::optional<int> voxels_per_cell) {
+  TradeRow row{.model = "voxels", .label = {}};
+  row.label = fidelity.number + ", damping from " + (fidelity.damping == "velocity" ? "velocities" : "increments") +
+              ", time step fraction " + io::number_text(fidelity.time_step_fraction) + ", collisions " +
+              (fidelity.exclusion_depth == "off" ? "off" : "beyond " + fidelity.exclusion_depth);
+  row.fidelity = {{"number", fidelity.number},
+                  {"damping", fidelity.damping},
+                  {"time_step_fraction", io::number_text(fidelity.time_step_fraction)},
+                  {"exclusion_depth", fidelity.exclusion_depth}};
+  if (fidelity.parameters) row.fidelity["parameters"] = fidelity.parameters->filename().string();
+  if (voxels_per_cell) {
+    row.fidelity["voxels_per_cell"] = std::to_string(*voxels_per_cell);
+    row.label += ", " + std::to_string(*voxels_per_cell) + " per cell edge";
+  }
+  return row;
+}
+
+std::string integration_text(const VoxelFidelity& fidelity) {
+  return "[collisions]\nexclusion_depth = " + depth_text(fidelity.exclusion_depth) +
+         "\n[integration]\nnumber = " + io::toml_quoted(fidelity.number) + "\ndamping = " + io::toml_quoted(fidelity.damping) +
+         "\ntime_step_fraction = " + io::number_text(fidelity.time_step_fraction) + "\n";
+}
+
+ProgramJob settling_job(const TradeStudy& study, const VoxelFidelity& fidelity, double pressure_Pa, const fs::path& program) {
+  const SettlingChoice& choice = *study.settling;
+  const double duration_s = choice.ramp_s + choice.settle_s;
+  ProgramJob job = scene_job(study, fidelity, program, duration_s);
+  job.name = "settling: " + voxel_row(fidelity, std::nullopt).label;
+  job.inputs["parameters.toml"] = io::read_whole(*fidelity.parameters);
+  const std::string pressure = io::number_text(pressure_Pa);
+  job.inputs["scene.toml"] =
+      "design = \"design.toml\"\nlevel = " + std::to_string(study.level) + "\nduration_s = " + io::number_text(duration_s) +
+      "\nrecord_interval_s = " + io::number_text(duration_s / records_of_settling) +
+      "\n[output]\nframes = true\npictures = false\n[environment]\ngravity_m_s2 = 0\nfloor = false\n[damping]\nglobal = " +
+      io::number_text(choice.global_damping) + "\n[actuation]\nmode = \"hold\"\nramp_s = " + io::number_text(choice.ramp_s) +
+      "\n[surrogate]\nparameters = \"parameters.toml\"\npressure_Pa = [" + pressure + ", " + pressure +
+      "]\nchambers = " + io::toml_quoted(study.chambers) + "\nwall_thickness_m = " + io::number_text(study.wall_thickness_m) +
+      "\noutside_range = \"warn\"\n" + integration_text(fidelity);
+  return job;
+}
+
+ProgramJob gait_job(const TradeStudy& study, const VoxelFidelity& fidelity, const fs::path& program) {
+  const GaitChoice& choice = *study.gait;
+  ProgramJob job = scene_job(study, fidelity, program, choice.duration_s);
+  job.name = "gait: " + voxel_row(fidelity, std::nullopt).label;
+  TomlVariant scene = choice.scene ? TomlVariant(*choice.scene) : TomlVariant();
+  scene.set({"design"}, "design.toml");
+  scene.set({"level"}, study.level);
+  scene.set({"duration_s"}, choice.duration_s);
+  scene.set({"record_interval_s"}, choice.duration_s);
+  scene.set({"energy_ledger"}, false);
+  scene.set({"output", "frames"}, false);
+  scene.set({"output", "pictures"}, false);
+  set_integration(scene, fidelity);
+  add_input(job, "scene.toml", std::move(scene));
+  return job;
+}
+
+bool read_voxel_summary(const ProgramJobResult& result, TradeRow& row) {
+  const io::TomlTable summary = io::read_toml(result.folder / "result/result.toml");
+  row.status = summary.text("status");
+  row.reason = summary.text_or("reason", "");
+  row.voxels = summary.integer<std::uint64_t>("voxels", io::at_least(0));
+  row.steps = summary.integer<std::uint64_t>("steps", io::at_least(0));
+  if (const auto surrogate = summary.optional_table("surrogate")) row.outside_validity = surrogate->texts("outside_validity");
+  return row.status == "completed";
+}
+
+void read_gait_result(const ProgramJobResult& result, TradeRow& row) {
+  if (!read_voxel_summary(result, row)) return;
+  row.values = {io::read_toml(result.folder / "result/result.toml").number("horizontal_displacement_m", io::non_negative())};
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,210 @@
+#include "fem/contact/body_overlap.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "fem/surfaces/face_tree.h"
+#include "fem/surfaces/point.h"
+#include "io/text/formatted.h"
+#include "meshes/hexahedra/element_geometry.h"
+
+namespace menger::fem {
+namespace {
+
+constexpr std::size_t most_bins = 64;  // along an axis
+constexpr double least_sine = 1e-3;    // of edges that are not parallel
+
+/// Bins of equal size for the lower corners of boxes, none of which is larger than a bin: boxes that meet are in the same bin or
+/// in bins beside each other.
+class BoxBins {
+ public:
+  explicit BoxBins(std::span<const Box> boxes) {
+    Box all;
+    Point size{};
+    for (const Box& box : boxes) {
+      all.add(box.low);
+      for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(size[i], box.high[i] - box.low[i]);
+    }
+    low_ = all.low;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double length = all.high[i] - all.low[i];
+      count_[i] = static_cast<std::size_t>(std::clamp(length / size[i], 1.0, static_cast<double>(most_bins)));
+      per_m_[i] = length > 0.0 ? static_cast<double>(count_[i]) / length : 0.0;
+    }
+    fill(boxes);
+  }
+
+  /// Calls consider(first, second) for pairs of boxes that may meet, first < second.
+  template <class Consider>
+  void visit_pairs(std::span<const Box> boxes, const Consider& consider) const {
+    for (std::size_t first = 0; first < boxes.size(); ++first) {
+      const auto [x, y, z] = place_of(boxes[first]);
+      const std::size_t begin_x = x > 0 ? x - 1 : 0;
+      const std::size_t end_x = std::min(x + 2, count_[0]);
+      for (std::size_t k = z > 0 ? z - 1 : 0; k < std::min(z + 2, count_[2]); ++k) {
+        for (std::size_t j = y > 0 ? y - 1 : 0; j < std::min(y + 2, count_[1]); ++j) {
+          const std::size_t row = (k * count_[1] + j) * count_[0];
+          for (std::size_t n = offsets_[row + begin_x]; n < offsets_[row + end_x]; ++n)
+            if (boxes_[n] > first) consider(first, boxes_[n]);
+        }
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] std::array<std::size_t, 3> place_of(const Box& box) const {
+    std::array<std::size_t, 3> place{};
+    for (std::size_t i = 0; i < 3; ++i)
+      place[i] = std::min(static_cast<std::size_t>((box.low[i] - low_[i]) * per_m_[i]), count_[i] - 1);
+    return place;
+  }
+  [[nodiscard]] std::size_t bin_of(const Box& box) const {
+    const auto [x, y, z] = place_of(box);
+    return (z * count_[1] + y) * count_[0] + x;
+  }
+  void fill(std::span<const Box> boxes) {
+    offsets_.assign(count_[0] * count_[1] * count_[2] + 1, 0);
+    for (const Box& box : boxes) ++offsets_[bin_of(box) + 1];
+    for (std::size_t bin = 1; bin < offsets_.size(); ++bin) offsets_[bin] += offsets_[bin - 1];
+    std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
+    boxes_.resize(boxes.size());
+    for (std::size_t n = 0; n < boxes.size(); ++n) boxes_[next[bin_of(boxes[n])]++] = n;
+  }
+
+  Point low_{};
+  std::array<std::size_t, 3> count_{};
+  Point per_m_{};
+  std::vector<std::size_t> offsets_;  // of bins, x fastest
+  std::vector<std::size_t> boxes_;    // bin by bin
+};
+
+/// An element where it is.
+struct Hull {
+  meshes::CornerPoints corners{};
+  std::array<Point, 6> normals{};     ///< of faces, any length
+  std::array<Point, 3> directions{};  ///< unit means of the edges along each axis of the element, 0 where they have none
+  double thickness = 0.0;
+};
+
+Point unit(const Point& a) {
+  const double length = norm(a);
+  return length > 0.0 ? scaled(1.0 / length, a) : Point{};
+}
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+Range range_along(const Point& direction, const Hull& hull) {
+  Range range;
+  for (const Point& corner : hull.corners) {
+    const double at = dot(direction, corner);
+    range.low = std::min(range.low, at);
+    range.high = std::max(range.high, at);
+  }
+  return range;
+}
+
+Hull hull_of(const meshes::CornerPoints& corners) {
+  Hull hull{.corners = corners};
+  for (std::size_t f = 0; f < 6; ++f) {
+    const auto& [a, b, c, d] = meshes::face_corners[f];
+    hull.normals[f] = cross(difference(corners[c], corners[a]), difference(corners[d], corners[b]));
+  }
+  for (std::size_t e = 0; e < meshes::edge_corners.size(); ++e) {
+    const auto& [from, to] = meshes::edge_corners[e];
+    hull.directions[e / 4] = sum(hull.directions[e / 4], difference(corners[to], corners[from]));
+  }
+  for (Point& direction : hull.directions) direction = unit(direction);
+  hull.thickness = std::numeric_limits<double>::infinity();
+  for (const Point& normal : hull.normals) {
+    const double length = norm(normal);
+    if (length == 0.0) continue;
+    const auto [low, high] = range_along(normal, hull);
+    hull.thickness = std::min(hull.thickness, (high - low) / length);
+  }
+  return hull;
+}
+
+/// How far two hulls are in each other along a direction of some length; negative if they are apart.
+double depth_along(const Point& direction, double length, const Hull& a, const Hull& b) {
+  const auto [low_a, high_a] = range_along(direction, a);
+  const auto [low_b, high_b] = range_along(direction, b);
+  return std::min(high_a - low_b, high_b - low_a) / length;
+}
+
+/// The depth of two hulls in each other; something at most the given one where it is not more than that.
+double depth_between(const Hull& a, const Hull& b, double enough_m) {
+  double depth = std::numeric_limits<double>::infinity();
+  const auto is_enough = [&](const Point& direction, double least_length) {
+    const double length = norm(direction);
+    if (length > least_length) depth = std::min(depth, depth_along(direction, length, a, b));
+    return depth <= enough_m;
+  };
+  for (const Hull* hull : {&a, &b})
+    for (const Point& normal : hull->normals)
+      if (is_enough(normal, 0.0)) return depth;
+  for (const Point& of_a : a.directions)
+    for (const Point& of_b : b.directions)
+      if (is_enough(cross(of_a, of_b), least_sine)) return depth;
+  return depth;
+}
+
+bool share_a_node(const meshes::ElementCorners& a, const meshes::ElementCorners& b) {
+  return std::any_of(a.begin(), a.end(), [&](std::size_t node) { return std::find(b.begin(), b.end(), node) != b.end(); });
+}
+
+bool meet(const Box& a, const Box& b) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(a.high[i] > b.low[i] && b.high[i] > a.low[i])) return false;
+  return true;
+}
+
+meshes::CornerPoints current_corners(const meshes::HexahedralMesh& mesh, std::size_t element,
+                                     std::span<const double> displacements_m) {
+  meshes::CornerPoints corners;
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const std::size_t node = mesh.elements[element][c];
+    for (std::size_t i = 0; i < 3; ++i) corners[c][i] = mesh.points[node][i] + displacements_m[3 * node + i];
+  }
+  return corners;
+}
+
+}  // namespace
+
+std::optional<BodyOverlap> BodyOverlapSearch::find(std::span<const double> displacements_m, double share) const {
+  assert(displacements_m.size() == 3 * mesh_.points.size());
+  std::vector<Hull> hulls(mesh_.elements.size());
+  std::vector<Box> boxes(hulls.size());
+  for (std::size_t e = 0; e < hulls.size(); ++e) {
+    hulls[e] = hull_of(current_corners(mesh_, e, displacements_m));
+    for (const Point& corner : hulls[e].corners) boxes[e].add(corner);
+  }
+  BodyOverlap found;
+  BoxBins(boxes).visit_pairs(boxes, [&](std::size_t first, std::size_t second) {
+    if (!meet(boxes[first], boxes[second]) || share_a_node(mesh_.elements[first], mesh_.elements[second])) return;
+    const double thinner = std::min(hulls[first].thickness, hulls[second].thickness);
+    const double depth = depth_between(hulls[first], hulls[second], share * thinner);
+    if (!(depth > share * thinner)) return;
+    ++found.pairs;
+    if (depth <= found.share * thinner) return;
+    found.share = depth / thinner;
+    found.depth_m = depth;
+    found.elements = {first, second};
+  });
+  if (found.pairs == 0) return std::nullopt;
+  return found;
+}
+
+std::string BodyOverlapSearch::text_of(const BodyOverlap& overlap) const {
+  const auto place = [&](std::size_t n) { return meshes::millimetre_text(mesh_.points[mesh_.elements[overlap.elements[n]][0]]); };
+  return "walls went through each other: " + std::to_string(overlap.pairs) + (overlap.pairs == 1 ? " pair" : " pairs") +
+         " of elements, the deepest, those that rest at " + place(0) + " and " + place(1) + ", by " +
+         io::formatted("%.3g", 1e3 * overlap.depth_m) + " mm or " + io::formatted("%.2g", overlap.share) + " of the thinner one";
+}
+
+}  // namespace menger::fem

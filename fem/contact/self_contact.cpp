@@ -1,0 +1,227 @@
+#include "fem/contact/self_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/contact/self_contact_depth.h"
+
+namespace menger::fem {
+namespace {
+
+constexpr std::size_t candidates_per_block = 32;
+constexpr std::size_t faces_per_block = 512;
+constexpr double no_way = 1e-12;        // of an edge: rounding of depths
+constexpr double nothing_paid = 1e-18;  // of the square of an edge
+
+std::vector<double> positions_of(const meshes::HexahedralMesh& mesh) {
+  std::vector<double> positions;
+  positions.reserve(3 * mesh.points.size());
+  for (const meshes::Point& point : mesh.points) positions.insert(positions.end(), point.begin(), point.end());
+  return positions;
+}
+
+}  // namespace
+
+SelfContact::SelfContact(const meshes::HexahedralMesh& mesh, double stiffness_Pa_per_m, bool with_outside,
+                         const SurfaceFriction& friction)
+    : surfaces_(mesh, with_outside),
+      search_(surfaces_, surfaces_.points(positions_of(mesh))),
+      stiffness_(stiffness_Pa_per_m),
+      friction_(friction),
+      normals_(surfaces_.face_count()),
+      forces_(3 * mesh.points.size(), 0.0) {
+  if (friction.static_coefficient > 0.0) friction_forces_.resize(forces_.size(), 0.0);
+}
+
+void SelfContact::moved(double travel_m) {
+  travel_ += travel_m;
+  if (is_near_) largest_travel_ = std::max(largest_travel_, travel_m);
+}
+
+void SelfContact::forget() {
+  allowance_ = 0.0;
+  travel_ = 0.0;
+}
+
+void SelfContact::watch() {
+  largest_depth_ = 0.0;
+  largest_travel_ = 0.0;
+}
+
+void SelfContact::find_touches(std::span<const double> positions_m, const BlockLoop& loop, const ContactPast* past) {
+  if (must_search()) search(positions_m, loop);
+  if (!is_near_ && touches_.empty()) {
+    set_memories(past);
+    return;
+  }
+  for (const std::uint32_t node : followed_nodes_) points_[node] = surfaces_.point(node, positions_m);
+  loop.run(followed_faces_.size(), faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Point area = area_vector(surfaces_.corners(followed_faces_[f], points_));
+      const double size = norm(area);
+      normals_[followed_faces_[f]] = size > 0.0 ? scaled(1.0 / size, area) : Point{};
+    }
+  });
+  loop.run(found_.size(), candidates_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) found_[n] = touch_of(n, past);
+  });
+  set_memories(past);
+  set_forces();
+}
+
+void SelfContact::search(std::span<const double> positions_m, const BlockLoop& loop) {
+  points_ = surfaces_.points(positions_m);
+  candidates_ = search_.near_pairs(points_, reach_m(), loop);
+  // From far away it is cheaper to look again when the nearest pair may have met than to follow all pairs at each step.
+  is_near_ = candidates_.smallest_m < 0.5 * reach_m();
+  allowance_ = is_near_ ? reach_m() : candidates_.smallest_m;
+  travel_ = 0.0;
+  found_.assign(is_near_ ? candidates_.nodes.size() : 0, std::nullopt);
+  ++searches_;
+  follow_candidates();
+}
+
+void SelfContact::follow_candidates() {
+  const auto make_unique = [](std::vector<std::uint32_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  };
+  followed_faces_.clear();
+  followed_nodes_.clear();
+  if (!is_near_) return;
+  // A nearest point on the rim of a face makes its neighbours count, too.
+  for (const std::uint32_t face : candidates_.faces)
+    for (const std::uint32_t node : surfaces_.face(face))
+      followed_faces_.insert(followed_faces_.end(), surfaces_.faces_around(node).begin(), surfaces_.faces_around(node).end());
+  for (const std::uint32_t node : candidates_.nodes)
+    followed_faces_.insert(followed_faces_.end(), surfaces_.faces_around(node).begin(), surfaces_.faces_around(node).end());
+  make_unique(followed_faces_);
+  for (const std::uint32_t face : followed_faces_)
+    followed_nodes_.insert(followed_nodes_.end(), surfaces_.face(face).begin(), surfaces_.face(face).end());
+  make_unique(followed_nodes_);
+}
+
+std::optional<SelfContact::Found> SelfContact::touch_of(std::size_t candidate, const ContactPast* past) const {
+  const std::size_t node = candidates_.nodes[candidate];
+  const std::size_t first = candidates_.offsets[candidate];
+  const auto faces = std::span(candidates_.faces).subspan(first, candidates_.offsets[candidate + 1] - first);
+  const std::optional<NodeDepth> depth = depth_of(surfaces_, node, faces, {points_, normals_}, largest_seen_depth_m());
+  if (!depth) return std::nullopt;
+  Found found{{surfaces_.mesh_node(node),
+               static_cast<std::uint32_t>(surfaces_.surface(node)),
+               {},
+               depth->nearest.weights,
+               depth->behind_m,
+               0.5 * stiffness_ * surfaces_.area_m2(node)},
+              memory_behind(node, depth->face, norm(depth->behind_m), past)};
+  for (std::size_t c = 0; c < 4; ++c) found.touch.face_nodes[c] = surfaces_.mesh_node(surfaces_.face(depth->face)[c]);
+  found.touch.pressed_m = found.memory.pressed_m;
+  if (past != nullptr && !friction_forces_.empty()) add_friction(found, *past);
+  return found;
+}
+
+ContactMemory SelfContact::memory_behind(std::size_t node, std::size_t face, double depth_m, const ContactPast* past) const {
+  const auto node_number = static_cast<std::uint32_t>(node);
+  const auto face_number = static_cast<std::uint32_t>(face);
+  if (past == nullptr) return {node_number, face_number, depth_m, depth_m, depth_m * depth_m};
+  const ContactMemory* before = memory_of(past->memories, node);
+  double way = no_way * surfaces_.shortest_edge_m() + way_past_face_m(surfaces_, node, face, *past);
+  if (before != nullptr && before->face != face) way = std::max(way, way_past_face_m(surfaces_, node, before->face, *past));
+  ContactMemory memory = memory_after(before != nullptr ? *before : ContactMemory{}, depth_m, way);
+  memory.node = node_number;
+  memory.face = face_number;
+  return memory;
+}
+
+void SelfContact::add_friction(Found& found, const ContactPast& past) const {
+  const auto way_of = [&](std::size_t node) { return scaled(past.step_s, surfaces_.point(node, past.velocities_m_per_s)); };
+  const auto& face = surfaces_.face(found.memory.face);
+  const PressedNode pressed{surfaces_.corners(found.memory.face, points_), found.touch.weights, found.touch.behind_m};
+  const std::array<Point, 4> ways{way_of(face[0]), way_of(face[1]), way_of(face[2]), way_of(face[3])};
+  found.touch.friction_N = friction_force_N(friction_, pressed, way_along_face_m(pressed, way_of(found.memory.node), ways),
+                                            face_turn_rad(pressed.corners, ways), found.touch.spring_N_per_m, found.memory);
+  found.touch.face_friction_N = face_reactions_N(pressed, found.touch.friction_N);
+}
+
+/// Of nodes that are behind a face, and of those that were before or have something to their credit.
+void SelfContact::set_memories(const ContactPast* past) {
+  memories_.clear();
+  auto found = found_.begin();
+  const auto add_found_before = [&](std::size_t node) {
+    for (; found != found_.end(); ++found) {
+      if (!*found) continue;
+      if ((*found)->memory.node >= node) return;
+      memories_.push_back((*found)->memory);
+    }
+  };
+  if (past != nullptr) {
+    const double edge = surfaces_.shortest_edge_m();
+    for (const ContactMemory& before : past->memories) {
+      add_found_before(before.node);
+      if (found != found_.end() && (*found)->memory.node == before.node) continue;
+      const double way = no_way * edge + way_past_face_m(surfaces_, before.node, before.face, *past);
+      ContactMemory memory = memory_after(before, 0.0, way);
+      memory.slip_m = {};
+      memory.is_sliding = false;
+      if (memory.paid_m2 > nothing_paid * edge * edge) memories_.push_back(memory);
+    }
+  }
+  add_found_before(surfaces_.node_count());
+}
+
+void SelfContact::set_forces() {
+  const auto clear = [&](std::size_t node) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      forces_[3 * node + i] = 0.0;
+      if (!friction_forces_.empty()) friction_forces_[3 * node + i] = 0.0;
+    }
+  };
+  for (const SelfTouch& touch : touches_) {
+    clear(touch.node);
+    for (const std::uint32_t node : touch.face_nodes) clear(node);
+  }
+  touches_.clear();
+  const auto add = [](std::vector<double>& forces, std::size_t node, const Point& force) {
+    for (std::size_t i = 0; i < 3; ++i) forces[3 * node + i] += force[i];
+  };
+  for (const auto& found : found_) {
+    if (!found) continue;
+    const SelfTouch& touch = touches_.emplace_back(found->touch);
+    const double depth = found->memory.depth_m;
+    const Point push = scaled(-touch.spring_N_per_m * touch.pressed_m / depth, touch.behind_m);
+    add(forces_, touch.node, push);
+    for (std::size_t c = 0; c < 4; ++c) add(forces_, touch.face_nodes[c], scaled(-touch.weights[c], push));
+    largest_depth_ = std::max(largest_depth_, depth);
+    if (friction_forces_.empty()) continue;
+    add(friction_forces_, touch.node, touch.friction_N);
+    for (std::size_t c = 0; c < 4; ++c) add(friction_forces_, touch.face_nodes[c], touch.face_friction_N[c]);
+  }
+}
+
+std::span<const double> SelfContact::forces_N() const { return touches_.empty() ? std::span<const double>{} : forces_; }
+
+std::span<const double> SelfContact::friction_N() const {
+  return touches_.empty() ? std::span<const double>{} : friction_forces_;
+}
+
+double SelfContact::energy_J() const {
+  double energy = 0.0;
+  for (const SelfTouch& touch : touches_) energy += 0.5 * touch.spring_N_per_m * touch.pressed_m * touch.pressed_m;
+  return energy;
+}
+
+double SelfContact::stiffness_per_s2(std::span<const double> masses_kg) const {
+  // The springs of one touch are spring times g g^T with |g| = 1 at the node and the weights at the face: a row's blocks add up
+  // to 2 times its own |g|.
+  if (touches_.empty()) return 0.0;
+  std::vector<double> rows(forces_.size() / 3, 0.0);
+  for (const SelfTouch& touch : touches_) {
+    rows[touch.node] += 2.0 * touch.spring_N_per_m;
+    for (std::size_t c = 0; c < 4; ++c) rows[touch.face_nodes[c]] += 2.0 * touch.weights[c] * touch.spring_N_per_m;
+  }
+  double largest = 0.0;
+  for (std::size_t node = 0; node < rows.size(); ++node) largest = std::max(largest, rows[node] / masses_kg[node]);
+  return largest;
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,207 @@
+#pragma once
+
+// One batch of boxes for one type of packs. Included only by the kernels of an instruction set.
+
+#include "fem/explicit/box_gradient.h"
+#include "fem/explicit/explicit_kernel_table.h"
+#include "fem/explicit/explicit_stress.h"
+
+namespace menger::fem::detail {
+
+/// Nodal values of one batch, gathered into lanes.
+template <class Pack>
+void gather(const std::uint32_t* first_components, const double* values, std::array<Pack, 24>& lanes) {
+  alignas(64) std::array<double, 24 * Pack::size> buffer;
+  for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      const double* value = values + first_components[8 * lane + corner];
+      for (std::size_t i = 0; i < 3; ++i) buffer[(3 * corner + i) * Pack::size + lane] = value[i];
+    }
+  }
+  for (std::size_t n = 0; n < 24; ++n) lanes[n] = Pack::load_aligned(buffer.data() + n * Pack::size);
+}
+
+/// The elements of one batch.
+template <class Pack>
+class BoxElements {
+ public:
+  BoxElements(const BoxBatches& batches, std::size_t batch)
+      : nodes_(batches.first_components + 8 * Pack::size * batch),
+        volume_(Pack::load_aligned(batches.volumes_m3 + Pack::size * batch)) {
+    for (std::size_t j = 0; j < 3; ++j)
+      inverse_edges_[j] = Pack::load_aligned(batches.inverse_edges_per_m + (3 * batch + j) * Pack::size);
+  }
+
+  /// F, the volume of every point, and the mean dilatation.
+  void place(const double* displacements) {
+    std::array<Pack, 24> u;
+    gather(nodes_, displacements, u);
+    const BoxFactors<Pack> factors(inverse_edges_, Pack(0.25));
+    compute_gradient(u, factors, 1.0, gradient_);
+    Pack sum(0.0);
+    smallest_ratio_ = Pack(1e300);
+    for (std::size_t q = 0; q < 8; ++q) {
+      PointVolume<Pack>& point = points_[q];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t i1 = (i + 1) % 3;
+        const std::size_t i2 = (i + 2) % 3;
+        for (std::size_t j = 0; j < 3; ++j) {
+          const std::size_t j1 = (j + 1) % 3;
+          const std::size_t j2 = (j + 2) % 3;
+          point.cofactor[3 * i + j] =
+              xsimd::fms(gradient_.at(i1, j1, q), gradient_.at(i2, j2, q), gradient_.at(i1, j2, q) * gradient_.at(i2, j1, q));
+        }
+      }
+      point.ratio = xsimd::fma(gradient_.at(0, 0, q), point.cofactor[0],
+                               xsimd::fma(gradient_.at(0, 1, q), point.cofactor[1], gradient_.at(0, 2, q) * point.cofactor[2]));
+      sum = sum + point.ratio;
+      // false for what is not a number
+      smallest_ratio_ = xsimd::min(smallest_ratio_, xsimd::select(point.ratio > Pack(0.0), point.ratio, Pack(-1.0)));
+    }
+    dilatation_ = sum * Pack(0.125);
+  }
+
+  /// Lets the branches go a share of the way to rest. @param tensors of this batch, changed @return means of before and after
+  const double* relax(const BranchTask& branch, double* tensors) {
+    BranchSums<Pack> sums;
+    for (std::size_t q = 0; q < 8; ++q) {
+      const std::size_t first = 6 * Pack::size * q;
+      relax_point(Pack(branch.share), tensor_at(gradient_, q), points_[q], tensors + first, mean_tensors_.data() + first, sums);
+    }
+    const Pack fall = xsimd::log(sums.determinants / sums.determinants_before) - sums.contractions;
+    relaxed_ = fall * volume_ * Pack(branch.shear_modulus_Pa / 16.0);  // m/2 and 1/8 of the volume
+    return mean_tensors_.data();
+  }
+
+  /// @param tensors of the branches of this batch, or nullptr
+  template <class Stress>
+  void compute_forces(const Stress& stress, const ExplicitTask& task, const double* tensors) {
+    const Pack pressure = volume_derivative(task.volume, dilatation_);
+    const Pack twice_viscosity(2.0 * task.viscosity_Pa_s);
+    const bool viscous = task.viscosity_Pa_s > 0.0 && task.motion.velocities_m_per_s != nullptr;
+    if (viscous) {
+      std::array<Pack, 24> v;
+      gather(nodes_, task.motion.velocities_m_per_s, v);
+      compute_gradient(v, BoxFactors<Pack>(inverse_edges_, Pack(0.25)), 0.0, rate_);
+    }
+    Pack answered(1.0);
+    dissipation_ = Pack(0.0);
+    for (std::size_t q = 0; q < 8; ++q) {
+      std::array<Pack, 9> P = tensor_at(gradient_, q);
+      const double* tensor = tensors == nullptr ? nullptr : tensors + 6 * Pack::size * q;
+      const Pack inverse_ratio = stress(points_[q], tensor, pressure, P, answered);
+      if (viscous) {
+        const Pack power = add_viscous_stress(twice_viscosity, points_[q], inverse_ratio, tensor_at(rate_, q), P);
+        dissipation_ = dissipation_ + power;
+      }
+      add_stress(P, q);
+    }
+    dissipation_ = dissipation_ * volume_ * Pack(0.125);
+    smallest_ratio_ = xsimd::select(answered > Pack(0.0), smallest_ratio_, Pack(-1.0));
+  }
+
+  void store_forces(double* forces) const {
+    std::array<Pack, 24> f;
+    // 1/8 of the volume per point, and the factor 1/8 * 2/h of the gradients
+    compute_nodal_forces(stress_sums_, BoxFactors<Pack>(inverse_edges_, volume_ * Pack(0.03125)), f);
+    for (std::size_t n = 0; n < 24; ++n) f[n].store_aligned(forces + n * Pack::size);
+  }
+
+  /// Strain energy; marks elements in which the law has no answer. @param tensors as above
+  [[nodiscard]] Pack energy(const ExplicitTask& task, const double* tensors) {
+    static constexpr auto laws = PackTables<materials::HyperelasticLaw>::template isochoric<Pack>();
+    static constexpr auto volume_laws = PackTables<VolumetricLaw>::template volumetric<Pack>();
+    Pack answered(1.0);
+    Pack sum(0.0);
+    for (std::size_t q = 0; q < 8; ++q) {
+      Tensor<Pack> stress;
+      Pack density;
+      const Tensor<Pack> F{tensor_at(gradient_, q)};
+      answered = xsimd::min(answered, laws[task.law.index].stress(task.law.parameters, F, stress, density));
+      sum = sum + density;
+    }
+    smallest_ratio_ = xsimd::select(answered > Pack(0.0), smallest_ratio_, Pack(-1.0));
+    if (tensors != nullptr) {
+      BranchSums<Pack> branch;
+      for (std::size_t q = 0; q < 8; ++q)
+        add_branch_point(tensor_at(gradient_, q), points_[q], tensors + 6 * Pack::size * q, branch);
+      sum = xsimd::fma(branch.contractions - xsimd::log(branch.determinants), Pack(0.5 * task.branch.shear_modulus_Pa), sum);
+    }
+    return volume_ * xsimd::fma(sum, Pack(0.125), volume_laws[task.volume.index](task.volume.parameters, dilatation_).energy);
+  }
+
+  void store_bounds(const ExplicitTask& task, const double* tensors, const ElementBounds& bounds, std::size_t batch) {
+    static constexpr auto volume_laws = PackTables<VolumetricLaw>::template volumetric<Pack>();
+    Pack largest(0.0);
+    Pack largest_of_branch(0.0);
+    for (std::size_t q = 0; q < 8; ++q) {
+      add_stress(points_[q].cofactor, q);
+      largest = xsimd::max(largest, largest_deviatoric_square(q));
+      if (tensors == nullptr) continue;
+      const Pack of_branch = branch_square(tensor_at(gradient_, q), points_[q], tensors + 6 * Pack::size * q);
+      largest_of_branch = xsimd::max(largest_of_branch, of_branch);
+    }
+    store_forces(bounds.volume_gradients_m2 + 24 * Pack::size * batch);
+    const auto response = volume_laws[task.volume.index](task.volume.parameters, dilatation_);
+    response.second_derivative.store_aligned(bounds.bulk_moduli_Pa + Pack::size * batch);
+    largest.store_aligned(bounds.deviatoric_squares + Pack::size * batch);
+    largest_of_branch.store_aligned(bounds.branch_squares + Pack::size * batch);
+  }
+
+  [[nodiscard]] const Pack& smallest_ratio() const { return smallest_ratio_; }
+  [[nodiscard]] const Pack& dissipation() const { return dissipation_; }
+  [[nodiscard]] const Pack& relaxed() const { return relaxed_; }
+
+ private:
+  static std::array<Pack, 9> tensor_at(const BoxGradient<Pack>& gradient, std::size_t q) {
+    std::array<Pack, 9> result;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) result[3 * i + j] = gradient.at(i, j, q);
+    return result;
+  }
+
+  /// The largest |dev sym(G F^-1)|^2 of all G with |G| = 1. In the axes of F the off-diagonal entries have (s_i + s_j) / 2, s
+  /// being the eigenvalues of C^-1, and the diagonal ones the largest eigenvalue of diag(s) - d d^T / 3, d_i^2 = s_i, which is
+  /// never less: I1 / 3 + sqrt(I1^2 / 9 - I2 / 3) with the invariants I1 = |cof F|^2 / J^2 and I2 = |F|^2 / J^2 of C^-1.
+  [[nodiscard]] Pack largest_deviatoric_square(std::size_t q) const {
+    const PointVolume<Pack>& point = points_[q];
+    Pack first(0.0);
+    Pack second(0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        first = xsimd::fma(point.cofactor[3 * i + j], point.cofactor[3 * i + j], first);
+        second = xsimd::fma(gradient_.at(i, j, q), gradient_.at(i, j, q), second);
+      }
+    }
+    const Pack inverse_square = Pack(1.0) / (point.ratio * point.ratio);
+    const Pack third = first * inverse_square * Pack(1.0 / 3.0);
+    const Pack root = xsimd::fms(third, third, second * inverse_square * Pack(1.0 / 3.0));
+    return third + xsimd::sqrt(xsimd::max(root, Pack(0.0)));
+  }
+
+  /// Two points share each place of a column; the one with the smaller number comes first.
+  void add_stress(const std::array<Pack, 9>& P, std::size_t q) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const bool is_first = (q >> j & 1U) == 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        Pack& sum = stress_sums_.at(i, j, q);
+        sum = is_first ? P[3 * i + j] : sum + P[3 * i + j];
+      }
+    }
+  }
+
+  const std::uint32_t* nodes_;
+  std::array<Pack, 3> inverse_edges_;
+  Pack volume_;
+  Pack dilatation_;
+  Pack smallest_ratio_;
+  Pack dissipation_;
+  Pack relaxed_ = Pack(0.0);
+  std::array<PointVolume<Pack>, 8> points_;
+  BoxGradient<Pack> gradient_;
+  BoxGradient<Pack> rate_;
+  BoxGradient<Pack> stress_sums_;
+  alignas(64) std::array<double, branch_numbers_per_lane * Pack::size> mean_tensors_;
+};
+
+}  // namespace menger::fem::detail

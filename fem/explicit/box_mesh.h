@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+#include <xsimd/xsimd.hpp>
+
+#include "fem/explicit/explicit_kernel.h"
+#include "meshes/hexahedra/hexahedral_mesh.h"
+
+namespace menger::fem {
+
+/// Numbers that packs load.
+using AlignedNumbers = std::vector<double, xsimd::aligned_allocator<double, 64>>;
+
+/// Where forces on a node stand in an array of forces per element or face: the three components of slot s are `stride` apart.
+struct NodeSlots {
+  static constexpr std::size_t padding = 32;
+  std::vector<std::uint32_t> offsets;  ///< node_count + 1 positions in slots
+  /// Index of the first component, in the order of elements or faces; at the end so many more of no meaning, 0, for those who
+  /// look ahead.
+  std::vector<std::uint32_t> slots;
+  std::size_t stride = 1;
+
+  [[nodiscard]] std::span<const std::uint32_t> of(std::size_t node) const {
+    return std::span(slots).subspan(offsets[node], offsets[node + 1] - offsets[node]);
+  }
+};
+
+/// Sorts slots by node. @param nodes node of each slot @param first_component of each slot
+NodeSlots sorted_by_node(std::span<const std::uint32_t> nodes, std::span<const std::uint32_t> first_component,
+                         std::size_t node_count, std::size_t stride);
+
+/// Consecutive batches of elements of one region.
+struct BoxGroup {
+  std::size_t region = 0;
+  std::size_t first_batch = 0;
+  std::size_t batch_count = 0;
+};
+
+/// A mesh whose elements are boxes along the axes, in batches for kernels of `width` lanes. Lanes at the end of a group that have
+/// no element repeat its last one with a volume of zero; nothing reads their forces.
+class BoxMesh {
+ public:
+  /// @throws io::InputError naming the first element that is no box along the axes
+  BoxMesh(const meshes::HexahedralMesh& mesh, std::size_t width);
+
+  [[nodiscard]] std::size_t width() const { return width_; }
+  [[nodiscard]] std::size_t node_count() const { return slots_.offsets.size() - 1; }
+  [[nodiscard]] std::size_t element_count() const { return element_count_; }
+  [[nodiscard]] std::size_t batch_count() const { return elements_.size() / width_; }
+  [[nodiscard]] const std::vector<BoxGroup>& groups() const { return groups_; }
+  [[nodiscard]] const NodeSlots& slots() const { return slots_; }
+
+  [[nodiscard]] BoxBatches batches(std::size_t first, std::size_t count) const;
+
+  /// The element of the mesh in a lane, counted over all batches.
+  [[nodiscard]] std::size_t element(std::size_t lane) const { return elements_[lane]; }
+  [[nodiscard]] double volume_m3(std::size_t lane) const { return volumes_[lane]; }  ///< 0 where an element is repeated
+  [[nodiscard]] double shortest_edge_m(std::size_t lane) const;
+  [[nodiscard]] std::span<const std::uint32_t> first_components(std::size_t lane) const {
+    return std::span(first_components_).subspan(8 * lane, 8);
+  }
+
+ private:
+  void add_group(const meshes::HexahedralMesh& mesh, std::size_t region);
+  void add_lane(const meshes::HexahedralMesh& mesh, std::size_t element, bool repeated);
+
+  std::size_t width_;
+  std::size_t element_count_ = 0;
+  std::vector<BoxGroup> groups_;
+  std::vector<std::size_t> elements_;
+  std::vector<std::uint32_t> first_components_;
+  AlignedNumbers inverse_edges_;
+  AlignedNumbers volumes_;
+  NodeSlots slots_;
+};
+
+}  // namespace menger::fem

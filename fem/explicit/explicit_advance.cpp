@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fem/explicit/explicit_dynamics.h"
+#include "fem/explicit/gas_stiffness.h"
+#include "io/text/number_text.h"
+#include "meshes/hexahedra/element_geometry.h"
+
+namespace menger::fem {
+namespace {
+
+constexpr double little_change = 0.02;  // of the stable step in an interval
+constexpr std::size_t least_steps_to_bound = 10;
+
+}  // namespace
+
+double ExplicitDynamics::stable_step_at(std::span<const double> displacements_m, std::span<const double> branch) const {
+  EigenvalueBounds bounds = eigenvalue_bounds(body_, displacements_m, branch, loop_);
+  if (options_.loads.ground) {
+    double largest = 0.0;
+    for (std::size_t node = 0; node < areas_.size(); ++node) largest = std::max(largest, areas_[node] / body_.masses_kg()[node]);
+    bounds.stiffness_per_s2 += options_.loads.ground->stiffness_Pa_per_m * largest;
+  }
+  if (options_.self_contact) bounds.stiffness_per_s2 += self_contact_.stiffness_per_s2(body_.masses_kg());
+  if (state_.pneumatics && options_.supply->has_lines())
+    bounds.stiffness_per_s2 += gas_stiffness_per_s2(chambers_, body_, displacements_m, *options_.supply, *state_.pneumatics);
+  return stable_step_s(bounds);
+}
+
+const ExplicitReport& ExplicitDynamics::advance_to(double time_s) {
+  while (report_.status == io::RunStatus::completed && state_.time_s < time_s) {
+    if (options_.stop != nullptr && *options_.stop) {
+      report_ = failure(io::RunStatus::stopped, "interrupted");
+    } else {
+      pass_interval(time_s);
+    }
+  }
+  return report_;
+}
+
+void ExplicitDynamics::pass_interval(double time_s) {
+  last_good_ = state_;
+  const double start = state_.time_s;
+  const double stable = stable_step_;
+  common_velocity_ = mean_velocity_m_per_s();
+  std::size_t count = std::min(state_.steps_to_bound, options_.steps_per_bound);
+  double share = state_.step_share;
+  for (;;) {
+    const double limit = std::min(options_.step_safety * share * stable, options_.largest_step_s.value_or(stable));
+    const double wanted = std::max(1.0, std::ceil((time_s - start) / limit * (1.0 - 1e-12)));
+    const double step = (time_s - start) / wanted;
+    const bool is_last = wanted <= static_cast<double>(count);
+    const std::size_t steps = is_last ? static_cast<std::size_t>(wanted) : count;
+    const std::optional<ExplicitReport> objection =
+        take_steps(step, steps, is_last ? time_s : start + static_cast<double>(steps) * step);
+    if (!objection) {
+      state_.steps_to_bound = count;
+      state_.step_share = share;
+      accept(stable, steps);
+      return;
+    }
+    state_ = last_good_;
+    stable_step_ = stable;
+    self_contact_.forget();
+    share *= 0.5;
+    count = std::max<std::size_t>(1, steps / 2);
+    if (share * stable < options_.smallest_step_ratio * rest_stable_step_) {
+      report_ = *objection;
+      return;
+    }
+  }
+}
+
+std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::size_t count, double end_s) {
+  const double start = state_.time_s;
+  self_contact_.watch();
+  for (std::size_t n = 1; n <= count; ++n) {
+    if (!take_step(step_s)) return failure_in_element();
+    state_.time_s = n == count ? end_s : start + static_cast<double>(n) * step_s;
+    if (!supply_air()) return failure(io::RunStatus::diverged, "a plenum has no volume or no air left");
+    if (walls_have_met()) break;
+  }
+  return judge();
+}
+
+std::optional<ExplicitReport> ExplicitDynamics::judge() {
+  if (body_.failed_element(state_.displacements_m)) return failure_in_element();
+  const ExplicitEnergies books = energies();
+  state_.turnover_J = std::max(state_.turnover_J, books.turnover_J());
+  const double imbalance = std::abs(books.imbalance_J());
+  // Not a number is an objection, too.
+  if (!(imbalance <= options_.largest_imbalance * state_.turnover_J + energy_noise_))
+    return failure(io::RunStatus::diverged, "the energy books are open by " + io::number_text(imbalance) + " J of " +
+                                                io::number_text(state_.turnover_J) + " J");
+  if (std::optional<ExplicitReport> objection = judge_contact()) return objection;
+  stable_step_ = stable_step_at(state_.displacements_m, state_.branches->tensors);
+  if (!(stable_step_ >= state_.last_step_s))
+    return failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(stable_step_) + " s");
+  return std::nullopt;
+}
+
+std::optional<ExplicitReport> ExplicitDynamics::judge_contact() const {
+  const double depth = self_contact_.largest_depth_m();
+  if (options_.self_contact && depth > self_contact_.allowed_depth_m())
+    return failure(io::RunStatus::diverged, "parts of the surface are " + io::number_text(depth) +
+                                                " m deep in each other, too deep for the stiffness of their contact");
+  if (self_contact_.largest_travel_m() > self_contact_.allowed_travel_m())
+    return failure(io::RunStatus::diverged, "parts of the surface that are near each other moved too far in a step");
+  return std::nullopt;
+}
+
+bool ExplicitDynamics::walls_have_met() const { return !options_.self_contact && !self_contact_.touches().empty(); }
+
+/// Findings that shorter steps would not change, and the length of the next interval.
+void ExplicitDynamics::accept(double last_stable_step_s, std::size_t count) {
+  look_at_chambers();
+  if (stable_step_ < options_.smallest_step_ratio * rest_stable_step_)
+    report_ = failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(stable_step_) + " s");
+  std::size_t& next = state_.steps_to_bound;
+  if (std::abs(stable_step_ / last_stable_step_s - 1.0) > little_change) {
+    next = std::min(next, std::max(least_steps_to_bound, next / 2));
+  } else {
+    if (count == next) next = std::min(2 * next, options_.steps_per_bound);
+    state_.step_share = std::min(1.0, 1.1 * state_.step_share);
+  }
+}
+
+void ExplicitDynamics::look_at_chambers() {
+  const std::vector<double> volumes = chamber_volumes_m3();
+  for (std::size_t c = 0; c < volumes.size(); ++c) {
+    const double ratio = volumes[c] / first_volumes_[c];
+    const std::string chamber = "chamber " + std::to_string(c);
+    if (!(ratio > 0.0)) report_ = failure(io::RunStatus::wall_contact, chamber + " has no volume left");
+    if (ratio > options_.largest_volume_ratio)
+      report_ = failure(io::RunStatus::diverged, chamber + " grew to " + io::number_text(ratio) + " times its volume");
+  }
+  if (!walls_have_met()) return;
+  const SelfTouch& touch = self_contact_.touches().front();
+  Point position = touch.behind_m;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const std::size_t first = 3 * std::size_t{touch.face_nodes[c]};
+    const Point corner{current_positions_[first], current_positions_[first + 1], current_positions_[first + 2]};
+    position = sum(position, scaled(touch.weights[c], corner));
+  }
+  report_ = failure(io::RunStatus::wall_contact,
+                    "walls of chamber " + std::to_string(touch.surface - 1) + " touch at " + meshes::millimetre_text(position));
+}
+
+}  // namespace menger::fem

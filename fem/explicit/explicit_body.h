@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fem/explicit/box_mesh.h"
+#include "fem/explicit/explicit_kernel.h"
+#include "fem/statics/body.h"
+#include "meshes/hexahedra/hexahedral_mesh.h"
+
+namespace menger::fem {
+
+/// What a region of a body is made of.
+struct ExplicitRegion {
+  ExplicitMaterial material;
+  double density_kg_per_m3 = 0.0;  ///< of the reference configuration, > 0
+};
+
+/// What is asked of a body besides its mesh.
+struct ExplicitBodyOptions {
+  std::vector<ExplicitRegion> regions;       ///< one per region of the mesh
+  std::vector<Support> supports;             ///< nodes of labels that are held
+  std::vector<PointSupport> point_supports;  ///< single nodes that are held
+};
+
+/// An element whose volume ratio is not positive, or in which the law has no answer.
+struct FailedElement {
+  std::size_t element;    ///< of the mesh
+  Point position_m;       ///< its first corner in the reference configuration
+  bool is_finite = true;  ///< whether its displacements are numbers at all
+};
+
+/// A body for explicit dynamics: boxes, lumped masses and what is held. Everything is per node a of the mesh, component i at
+/// 3 a + i. Masses are row sums, an eighth of an element's exact mass for each of its corners.
+class ExplicitBody {
+ public:
+  /// @throws io::InputError for elements that are no boxes, regions of elements or options that the mesh has not, nodes without
+  /// an element, densities that are not positive, negative viscosities and moduli of branches, and branches that never relax
+  ExplicitBody(const meshes::HexahedralMesh& mesh, ExplicitBodyOptions options,
+               const ExplicitKernels& kernels = best_explicit_kernels());
+
+  [[nodiscard]] std::size_t node_count() const { return boxes_.node_count(); }
+  [[nodiscard]] const BoxMesh& boxes() const { return boxes_; }
+  [[nodiscard]] const ExplicitKernels& kernels() const { return kernels_; }
+  [[nodiscard]] const ExplicitRegion& region(std::size_t region) const { return regions_[region]; }
+  [[nodiscard]] const std::vector<double>& reference_positions_m() const { return positions_; }
+  [[nodiscard]] const std::vector<double>& masses_kg() const { return masses_; }  ///< per node
+  /// Per component; 0 where it is held.
+  [[nodiscard]] const std::vector<double>& inverse_masses_per_kg() const { return inverse_masses_; }
+  [[nodiscard]] double mass_kg() const;
+  [[nodiscard]] double stiffness_J() const;  ///< shear modulus at rest over the volume, a measure of the body's energies
+
+  /// The shortest relaxation time of all branches; nothing: there are none.
+  [[nodiscard]] std::optional<double> shortest_relaxation_time_s() const;
+  /// Tensors of all batches (see BranchTensors) whose branches are at rest at the displacements, no element of which has failed;
+  /// empty without branches.
+  [[nodiscard]] AlignedNumbers branches_at_rest(std::span<const double> displacements_m) const;
+
+  /// Forces of some batches, to their slots in an array of 24 width numbers per batch (see ExplicitKernels::forces).
+  /// @param branch of all batches
+  ElementsOutcome element_forces(const NodalMotion& motion, std::size_t first_batch, std::size_t batch_count, double* slots_N,
+                                 const BranchTensors& branch = {}) const;
+
+  /// @param displacements_m 3 node_count @param branch tensors of all batches; empty: without what branches store
+  [[nodiscard]] double strain_energy_J(std::span<const double> displacements_m, std::span<const double> branch = {}) const;
+
+  /// The first element that has failed, if any.
+  [[nodiscard]] std::optional<FailedElement> failed_element(std::span<const double> displacements_m) const;
+
+  /// Where the tensors of a batch begin among those of all batches.
+  [[nodiscard]] std::size_t branch_position(std::size_t batch) const { return branch_numbers_per_lane * boxes_.width() * batch; }
+
+ private:
+  struct ElementEnergies {
+    AlignedNumbers energies_J;  ///< per lane
+    AlignedNumbers smallest_ratios;
+  };
+  [[nodiscard]] ElementEnergies element_energies(std::span<const double> displacements_m, std::span<const double> branch) const;
+  void hold(const meshes::HexahedralMesh& mesh, const ExplicitBodyOptions& options);
+  void hold_node(std::size_t node, const std::array<bool, 3>& held);
+
+  ExplicitKernels kernels_;
+  std::vector<ExplicitRegion> regions_;
+  BoxMesh boxes_;
+  std::vector<double> positions_;
+  std::vector<double> masses_;
+  std::vector<double> inverse_masses_;
+};
+
+}  // namespace menger::fem

@@ -1,0 +1,169 @@
+#pragma once
+
+// A Maxwell branch at one Gauss point of explicit elements, for packs. Included only by the kernels of an instruction set.
+
+#include <array>
+#include <cstddef>
+#include <xsimd/xsimd.hpp>
+
+#include "fem/elements/inverse_cube_root.h"
+
+namespace menger::fem::detail {
+
+/// A point of the element: cofactor of F, J = det F.
+template <class Pack>
+struct PointVolume {
+  std::array<Pack, 9> cofactor;
+  Pack ratio;
+};
+
+/// A symmetric tensor: xx, yy, zz, yz, xz, xy.
+template <class Pack>
+using Symmetric = std::array<Pack, 6>;
+
+/// Where component (i, j) of a symmetric tensor stands, by 3 i + j.
+inline constexpr std::array<std::size_t, 9> symmetric_places{0, 5, 4, 5, 1, 3, 4, 3, 2};
+
+template <class Pack>
+Symmetric<Pack> load_symmetric(const double* values) {
+  Symmetric<Pack> result;
+  for (std::size_t c = 0; c < 6; ++c) result[c] = Pack::load_aligned(values + c * Pack::size);
+  return result;
+}
+
+/// M^T M.
+template <class Pack>
+[[gnu::always_inline]] inline Symmetric<Pack> gram(const std::array<Pack, 9>& M) {
+  const auto entry = [&](std::size_t j, std::size_t k) {
+    return xsimd::fma(M[j], M[k], xsimd::fma(M[3 + j], M[3 + k], M[6 + j] * M[6 + k]));
+  };
+  return {entry(0, 0), entry(1, 1), entry(2, 2), entry(1, 2), entry(0, 2), entry(0, 1)};
+}
+
+/// A : B.
+template <class Pack>
+Pack contraction(const Symmetric<Pack>& A, const Symmetric<Pack>& B) {
+  const Pack off = xsimd::fma(A[3], B[3], xsimd::fma(A[4], B[4], A[5] * B[5]));
+  return xsimd::fma(A[0], B[0], xsimd::fma(A[1], B[1], xsimd::fma(A[2], B[2], off + off)));
+}
+
+template <class Pack>
+Pack determinant(const Symmetric<Pack>& A) {
+  const Pack first = xsimd::fms(A[1], A[2], A[3] * A[3]);
+  const Pack second = xsimd::fms(A[3], A[4], A[5] * A[2]);
+  const Pack third = xsimd::fms(A[5], A[3], A[1] * A[4]);
+  return xsimd::fma(A[0], first, xsimd::fma(A[5], second, A[4] * third));
+}
+
+/// F B.
+template <class Pack>
+std::array<Pack, 9> times_symmetric(const std::array<Pack, 9>& F, const Symmetric<Pack>& B) {
+  std::array<Pack, 9> product;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      product[3 * i + j] =
+          xsimd::fma(F[3 * i], B[symmetric_places[j]],
+                     xsimd::fma(F[3 * i + 1], B[symmetric_places[3 + j]], F[3 * i + 2] * B[symmetric_places[6 + j]]));
+    }
+  }
+  return product;
+}
+
+/// J^(-2/3) (F B - (B : C)/3 F^-T) + p cof F: the stress of the energy J^(-2/3) (B : C) / 2 for a constant B, and of a pressure.
+/// @param F turned into it @return 1 / J
+template <class Pack>
+[[gnu::always_inline]] inline Pack carried_stress(const Symmetric<Pack>& B, const PointVolume<Pack>& point, const Pack& pressure,
+                                                  std::array<Pack, 9>& F) {
+  const Pack root = inverse_cube_root(point.ratio);
+  const Pack root_square = root * root;
+  const Pack inverse_ratio = root_square * root;
+  const std::array<Pack, 9> carried = times_symmetric(F, B);
+  Pack trace = carried[0] * F[0];
+  for (std::size_t n = 1; n < 9; ++n) trace = xsimd::fma(carried[n], F[n], trace);
+  const Pack by_cofactor = xsimd::fma(root_square * inverse_ratio, trace * Pack(-1.0 / 3.0), pressure);
+  for (std::size_t n = 0; n < 9; ++n) F[n] = xsimd::fma(root_square, carried[n], by_cofactor * point.cofactor[n]);
+  return inverse_ratio;
+}
+
+/// What points of an element sum up while their tensors A change or are looked at. The logarithms of their determinants are that
+/// of one product: an A that began as C'^-1 is a mean of such tensors, whose determinant is neither below 1 nor large.
+template <class Pack>
+struct BranchSums {
+  Pack contractions = Pack(0.0);         ///< of A or its change with C'
+  Pack determinants_before = Pack(1.0);  ///< product
+  Pack determinants = Pack(1.0);         ///< product
+};
+
+/// A + share (C'^-1 - A) in place of A: what A comes to in the time h while C' stays, where share = 1 - exp(-h / tau).
+/// @param tensor A, six packs @param mean of A before and after
+template <class Pack>
+[[gnu::always_inline]] inline void relax_point(const Pack& share, const std::array<Pack, 9>& F, const PointVolume<Pack>& point,
+                                               double* tensor, double* mean, BranchSums<Pack>& sums) {
+  const Pack root = inverse_cube_root(point.ratio);
+  const Pack root_square = root * root;
+  const Pack root_fourth = root_square * root_square;
+  const Symmetric<Pack> A = load_symmetric<Pack>(tensor);
+  const Symmetric<Pack> rest = gram(point.cofactor);  // J^2 C^-1
+  Symmetric<Pack> change;
+  Symmetric<Pack> after;
+  for (std::size_t c = 0; c < 6; ++c) {
+    change[c] = share * xsimd::fms(root_fourth, rest[c], A[c]);
+    after[c] = A[c] + change[c];
+    after[c].store_aligned(tensor + c * Pack::size);
+    xsimd::fma(change[c], Pack(0.5), A[c]).store_aligned(mean + c * Pack::size);
+  }
+  sums.contractions = xsimd::fma(root_square, contraction(change, gram(F)), sums.contractions);
+  sums.determinants_before = sums.determinants_before * determinant(A);
+  sums.determinants = sums.determinants * determinant(after);
+}
+
+/// A : C' - 3 and det A of one point.
+template <class Pack>
+void add_branch_point(const std::array<Pack, 9>& F, const PointVolume<Pack>& point, const double* tensor,
+                      BranchSums<Pack>& sums) {
+  const Pack root = inverse_cube_root(point.ratio);
+  const Symmetric<Pack> A = load_symmetric<Pack>(tensor);
+  sums.contractions = sums.contractions + xsimd::fms(root * root, contraction(A, gram(F)), Pack(3.0));
+  sums.determinants = sums.determinants * determinant(A);
+}
+
+/// Not less than the largest eigenvalue of a symmetric tensor: a third of its trace plus sqrt(2/3) times the norm of its
+/// deviator.
+template <class Pack>
+Pack eigenvalue_bound(const Symmetric<Pack>& A) {
+  const Pack third = (A[0] + A[1] + A[2]) * Pack(1.0 / 3.0);
+  const Pack square = xsimd::max(xsimd::fnma(third * third, Pack(3.0), contraction(A, A)), Pack(0.0));
+  return third + xsimd::sqrt(square * Pack(2.0 / 3.0));
+}
+
+/// Not less than half the second derivative of the branch's energy over its modulus along any G with |G| = 1, for a given A.
+///
+/// With h = G F^-1, b = J^(-2/3) F A F^T of mean k and deviator b', t = tr h, that is half of
+/// tr(h b h^T) + k tr(h^2) - 2/3 k t^2 - 4/3 t (h : b'). The first is J^(-2/3) tr(G A G^T), at most J^(-2/3) times the largest
+/// eigenvalue of A; |h|^2 is at most the largest eigenvalue s of C^-1; and the last two are largest at t = -(h : b') / k, where
+/// they are 2/3 (h : b')^2 / k, at most 2/3 |b'|^2 s / k. At rest both sides are 1.
+template <class Pack>
+Pack branch_square(const std::array<Pack, 9>& F, const PointVolume<Pack>& point, const double* tensor) {
+  const Pack root = inverse_cube_root(point.ratio);
+  const Pack root_square = root * root;
+  const Symmetric<Pack> A = load_symmetric<Pack>(tensor);
+  const std::array<Pack, 9> product = times_symmetric(F, A);
+  Pack trace(0.0);
+  Pack square(0.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Pack b = root_square * xsimd::fma(product[3 * i], F[3 * j],
+                                              xsimd::fma(product[3 * i + 1], F[3 * j + 1], product[3 * i + 2] * F[3 * j + 2]));
+      square = xsimd::fma(b, b, square);
+      if (i == j) trace = trace + b;
+    }
+  }
+  const Pack mean = trace * Pack(1.0 / 3.0);
+  const Pack deviator_square = xsimd::max(xsimd::fnma(mean * mean, Pack(3.0), square), Pack(0.0));
+  const Pack inverse_square = Pack(1.0) / (point.ratio * point.ratio);
+  const Pack s = inverse_square * eigenvalue_bound(gram(point.cofactor));
+  const Pack by_rotation = s * (mean + Pack(2.0 / 3.0) * deviator_square / mean);
+  return Pack(0.5) * xsimd::fma(root_square, eigenvalue_bound(A), by_rotation);
+}
+
+}  // namespace menger::fem::detail

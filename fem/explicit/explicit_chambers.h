@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fem/explicit/box_mesh.h"
+#include "fem/surfaces/cap_volume.h"
+#include "meshes/hexahedra/hexahedral_mesh.h"
+
+namespace menger::fem {
+
+/// Part of the work on surfaces: forces of some faces and the volume they bound.
+struct FaceRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// The surfaces of a body's chambers under pressure that follows them, on bilinear faces.
+///
+/// The force on node a of a face is p int N_a n dA over its current shape, exact, n pointing out of the chamber's air. It is p
+/// dV/dx_a of the volume V of the chamber, so that the work of a pressure is int p dV. Caps (see meshes::Cap) hand their pressure
+/// to their rims.
+class ExplicitChambers {
+ public:
+  explicit ExplicitChambers(const meshes::HexahedralMesh& mesh);
+
+  [[nodiscard]] std::size_t chamber_count() const { return plenums_.size(); }
+  [[nodiscard]] std::size_t plenum_count() const { return plenum_count_; }
+  [[nodiscard]] std::size_t plenum(std::size_t chamber) const { return plenums_[chamber]; }
+  [[nodiscard]] std::size_t face_count() const { return faces_.size(); }
+
+  /// Nodes' forces in the array that set_forces fills: 12 per face, then 3 per node of a rim.
+  [[nodiscard]] const NodeSlots& slots() const { return slots_; }
+  [[nodiscard]] std::size_t slot_count() const { return slot_count_; }
+
+  /// Forces of faces begin to end, N. @param positions_m current, 3 per node @param pressures_Pa gauge, one per plenum
+  void set_face_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa, FaceRange range,
+                       std::span<double> slots_N) const;
+  /// Those of all caps.
+  void set_cap_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa, std::span<double> slots_N) const;
+
+  /// Volumes of the chambers, m^3. @param positions_m current, 3 per node
+  [[nodiscard]] std::vector<double> volumes_m3(std::span<const double> positions_m) const;
+
+ private:
+  struct Face {
+    std::array<std::uint32_t, 4> first_components;  ///< three times the node; corners run around, normal out of the solid
+    std::uint32_t chamber;
+  };
+  struct RimOfCap {
+    Rim<2> rim;
+    std::vector<std::uint32_t> nodes;
+    std::size_t chamber;
+    std::size_t first_slot;
+  };
+  void add_cap(const meshes::Cap& cap, std::size_t chamber);
+
+  std::size_t plenum_count_;
+  std::size_t slot_count_ = 0;
+  std::vector<std::size_t> plenums_;
+  std::vector<Face> faces_;
+  std::vector<RimOfCap> caps_;
+  NodeSlots slots_;
+};
+
+}  // namespace menger::fem

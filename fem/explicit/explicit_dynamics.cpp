@@ -1,0 +1,250 @@
+#include "fem/explicit/explicit_dynamics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "fem/explicit/explicit_contact.h"
+#include "io/text/input_error.h"
+#include "io/text/number_text.h"
+#include "meshes/hexahedra/element_geometry.h"
+
+namespace menger::fem {
+namespace {
+
+constexpr std::size_t batches_per_block = 8;
+constexpr std::size_t faces_per_block = 256;
+constexpr std::size_t nodes_per_block = 256;
+constexpr std::size_t components_per_block = 4096;
+
+/// Of the shortest relaxation time, between relaxations: the branch's dynamic modulus then lies within 2e-4 of that of the
+/// material where it dissipates most.
+constexpr double relaxation_share = 0.04;
+
+void demand(bool is_met, const std::string& name, double value, const std::string& demand) {
+  if (!is_met) throw io::InputError("explicit dynamics: " + name + " = " + io::number_text(value) + ": " + demand);
+}
+
+double default_contact_stiffness_Pa_per_m(const meshes::HexahedralMesh& mesh, const ExplicitBody& body) {
+  double bulk_modulus = 0.0;
+  for (std::size_t region = 0; region < mesh.region_names.size(); ++region)
+    bulk_modulus = std::max(bulk_modulus,
+                            std::visit([](const auto& law) { return law.bulk_modulus_Pa; }, body.region(region).material.volume));
+  return self_contact_stiffness_Pa_per_m(bulk_modulus, shortest_edge_m(mesh));
+}
+
+SurfaceFriction self_friction(const ExplicitOptions& options) {
+  if (!options.self_contact) return {};
+  if (options.self_contact->friction) return *options.self_contact->friction;
+  if (!options.loads.ground) return {};
+  const Friction& ground = options.loads.ground->friction;
+  return {ground.static_coefficient, ground.kinetic_coefficient};
+}
+
+}  // namespace
+
+ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, ExplicitOptions options)
+    : body_(body),
+      options_(std::move(options)),
+      chambers_(mesh),
+      self_contact_(mesh,
+                    options_.self_contact && options_.self_contact->stiffness_Pa_per_m
+                        ? *options_.self_contact->stiffness_Pa_per_m
+                        : default_contact_stiffness_Pa_per_m(mesh, body),
+                    options_.self_contact.has_value(), self_friction(options_)),
+      areas_(outer_node_areas_m2(mesh)),
+      nodes_(body_, chambers_, options_.loads, areas_),
+      loop_(options_.threads) {
+  if (!options_.supply) {
+    if (options_.schedules.empty()) options_.schedules.resize(chambers_.plenum_count());
+    options_.supply.emplace(std::vector<PlenumSupply>(options_.schedules.begin(), options_.schedules.end()));
+  } else if (!options_.schedules.empty()) {
+    throw io::InputError("explicit dynamics: schedules beside a supply of all plena");
+  }
+  check(mesh);
+  element_slots_.resize(24 * body.boxes().width() * body.boxes().batch_count());
+  chamber_slots_.resize(chambers_.slot_count());
+  outcomes_.resize(BlockLoop::block_count(body.boxes().batch_count(), batches_per_block));
+  moves_.resize(BlockLoop::block_count(body.node_count(), nodes_per_block));
+  current_positions_.resize(3 * body.node_count());
+  first_volumes_ = chambers_.volumes_m3(body.reference_positions_m());
+  energy_noise_ = 1e-10 * body.stiffness_J();
+  ExplicitState start;
+  start.displacements_m.assign(3 * body.node_count(), 0.0);
+  start.velocities_m_per_s = start.displacements_m;
+  if (const auto shortest = body.shortest_relaxation_time_s()) relaxation_interval_s_ = relaxation_share * *shortest;
+  start.branches = BranchState{body.branches_at_rest(start.displacements_m)};
+  rest_stable_step_ = stable_step_at(start.displacements_m, start.branches->tensors);
+  set_state(std::move(start));
+  const double step_s = std::min(options_.step_safety * rest_stable_step_, options_.largest_step_s.value_or(rest_stable_step_));
+  if (relaxation_interval_s_ && step_s > *relaxation_interval_s_) {
+    throw UnresolvedRelaxation("a Maxwell branch relaxes within " + io::number_text(*body.shortest_relaxation_time_s()) +
+                               " s, which must be " + io::number_text(1.0 / relaxation_share) + " steps of " +
+                               io::number_text(step_s) + " s at least");
+  }
+  options_.supply->check_resolved(mesh.plenum_names, step_s);
+}
+
+void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
+  const ExplicitOptions& o = options_;
+  demand(o.step_safety > 0.0 && o.step_safety <= 1.0, "step_safety", o.step_safety, "must be in (0, 1]");
+  demand(!o.largest_step_s || *o.largest_step_s > 0.0, "largest_step_s", o.largest_step_s.value_or(0.0), "must be > 0");
+  demand(o.steps_per_bound >= 1, "steps_per_bound", static_cast<double>(o.steps_per_bound), "must be >= 1");
+  demand(o.largest_imbalance > 0.0, "largest_imbalance", o.largest_imbalance, "must be > 0");
+  demand(o.largest_volume_ratio > 1.0, "largest_volume_ratio", o.largest_volume_ratio, "must be > 1");
+  demand(o.smallest_step_ratio > 0.0 && o.smallest_step_ratio < 1.0, "smallest_step_ratio", o.smallest_step_ratio,
+         "must be in (0, 1)");
+  demand(o.threads >= 1, "threads", o.threads, "must be >= 1");
+  if (o.self_contact && o.self_contact->stiffness_Pa_per_m)
+    demand(*o.self_contact->stiffness_Pa_per_m > 0.0, "self-contact stiffness_Pa_per_m", *o.self_contact->stiffness_Pa_per_m,
+           "must be > 0");
+  if (o.self_contact && o.self_contact->friction) {
+    const auto [static_coefficient, kinetic_coefficient] = *o.self_contact->friction;
+    demand(kinetic_coefficient >= 0.0, "self-contact kinetic_coefficient", kinetic_coefficient, "must be >= 0");
+    demand(static_coefficient >= kinetic_coefficient, "self-contact static_coefficient", static_coefficient,
+           "must not be below the kinetic one");
+  }
+  demand(o.loads.mass_damping_per_s >= 0.0, "mass_damping_per_s", o.loads.mass_damping_per_s, "must be >= 0");
+  if (o.supply->plenum_count() != mesh.plenum_names.size())
+    throw io::InputError("explicit dynamics: " + std::to_string(o.supply->plenum_count()) + " schedules for " +
+                         std::to_string(mesh.plenum_names.size()) + " plena");
+  if (!o.loads.ground) return;
+  const RigidGround& ground = *o.loads.ground;
+  demand(ground.stiffness_Pa_per_m > 0.0, "ground stiffness_Pa_per_m", ground.stiffness_Pa_per_m, "must be > 0");
+  demand(ground.friction.kinetic_coefficient >= 0.0, "kinetic_coefficient", ground.friction.kinetic_coefficient, "must be >= 0");
+  demand(ground.friction.static_coefficient >= ground.friction.kinetic_coefficient, "static_coefficient",
+         ground.friction.static_coefficient, "must not be below the kinetic one");
+  demand(ground.friction.regularisation_speed_m_per_s >= 0.0, "regularisation_speed_m_per_s",
+         ground.friction.regularisation_speed_m_per_s, "must be >= 0");
+  if (!ground.friction.directional) return;
+  const DirectionalFriction& directional = *ground.friction.directional;
+  demand(directional.backward_factor >= 0.0, "backward_factor", directional.backward_factor, "must be >= 0");
+  demand(directional.sideways_factor >= 0.0, "sideways_factor", directional.sideways_factor, "must be >= 0");
+  const double length = std::hypot(directional.forward[0], directional.forward[1]);
+  demand(std::abs(length - 1.0) <= 1e-9, "length of forward", length, "must be 1");
+}
+
+void ExplicitDynamics::set_state(ExplicitState state) {
+  assert(state.displacements_m.size() == 3 * body_.node_count() && state.velocities_m_per_s.size() == 3 * body_.node_count());
+  state_ = std::move(state);
+  report_ = {};
+  if (body_.failed_element(state_.displacements_m))
+    throw io::InputError("explicit dynamics: cannot start from this state: " + failure_in_element().reason);
+  for (std::size_t n = 0; n < state_.velocities_m_per_s.size(); ++n)
+    if (body_.inverse_masses_per_kg()[n] == 0.0) state_.velocities_m_per_s[n] = 0.0;
+  if (!state_.pneumatics || !options_.supply->has_lines())
+    state_.pneumatics = options_.supply->start(state_.time_s, plenum_volumes_m3());
+  if (!state_.branches) state_.branches = BranchState{body_.branches_at_rest(state_.displacements_m)};
+  assert(state_.branches->tensors.size() == (relaxation_interval_s_ ? body_.branch_position(body_.boxes().batch_count()) : 0));
+  set_current_positions();
+  self_contact_.forget();
+  find_touches();
+  if (!state_.contact) state_.contact = self_contact_.memories();
+  stable_step_ = stable_step_at(state_.displacements_m, state_.branches->tensors);
+  if (state_.at_start_J) return;
+  state_.at_start_J = 0.0;
+  state_.at_start_J = energies().imbalance_J();
+  state_.turnover_J = energies().turnover_J();
+}
+
+/// The time by which branches relax at the start of a step: nothing, until more has passed than half a step before the interval.
+double ExplicitDynamics::due_relaxation_s(double step_s) const {
+  const double age = state_.branches->age_s;
+  return relaxation_interval_s_ && age + 0.5 * step_s > *relaxation_interval_s_ ? age : 0.0;
+}
+
+double ExplicitDynamics::compute_forces(double relaxed_s) {
+  const BoxMesh& boxes = body_.boxes();
+  const NodalMotion motion{state_.displacements_m.data(), state_.velocities_m_per_s.data()};
+  const BranchTensors branch{relaxation_interval_s_ ? state_.branches->tensors.data() : nullptr, relaxed_s};
+  loop_.run(boxes.batch_count(), batches_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    outcomes_[block] = body_.element_forces(motion, begin, end - begin, element_slots_.data(), branch);
+  });
+  if (chambers_.chamber_count() > 0) {
+    const std::vector<double> pressures = options_.supply->pressures_Pa(*state_.pneumatics);
+    set_current_positions();
+    loop_.run(chambers_.face_count(), faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+      chambers_.set_face_forces(current_positions_, pressures, {begin, end}, chamber_slots_);
+    });
+    chambers_.set_cap_forces(current_positions_, pressures, chamber_slots_);
+  }
+  double smallest = 1.0;
+  for (const ElementsOutcome& outcome : outcomes_) smallest = std::min(smallest, outcome.smallest_ratio);
+  if (self_contact_.is_awake() && smallest > 0.0) {  // positions that are not finite have no neighbours
+    if (chambers_.chamber_count() == 0) set_current_positions();
+    find_touches();
+  }
+  return smallest;
+}
+
+/// Changes nothing in the state: what came before it stays its past until it takes a step.
+void ExplicitDynamics::find_touches() {
+  if (!state_.contact) return self_contact_.find_touches(current_positions_, loop_);
+  const ContactPast past{*state_.contact, state_.velocities_m_per_s, state_.last_step_s};
+  self_contact_.find_touches(current_positions_, loop_, &past);
+}
+
+void ExplicitDynamics::set_current_positions() {
+  loop_.run(current_positions_.size(), components_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+      current_positions_[n] = body_.reference_positions_m()[n] + state_.displacements_m[n];
+  });
+}
+
+NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
+  SlotForces forces{element_slots_, chamber_slots_};
+  if (options_.self_contact && !self_contact_.touches().empty()) {
+    forces.self_contact_N = self_contact_.forces_N();
+    forces.self_friction_N = self_contact_.friction_N();
+  }
+  loop_.run(body_.node_count(), nodes_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    moves_[block] = nodes_.move(forces, times, {begin, end}, displacements, velocities);
+  });
+  NodesOutcome all;
+  for (const NodesOutcome& part : moves_) {
+    all.work += part.work;
+    all.largest_speed_square_m2_per_s2 = std::max(all.largest_speed_square_m2_per_s2, part.largest_speed_square_m2_per_s2);
+  }
+  for (const ElementsOutcome& outcome : outcomes_) all.work.viscous_J += times.kick_s * outcome.dissipated_W + outcome.relaxed_J;
+  return all;
+}
+
+bool ExplicitDynamics::take_step(double step_s) {
+  const bool has_looked = self_contact_.is_awake();
+  const double relaxed_s = due_relaxation_s(step_s);
+  if (!(compute_forces(relaxed_s) > 0.0)) return false;
+  state_.branches->age_s = (relaxed_s > 0.0 ? 0.0 : state_.branches->age_s) + step_s;
+  if (has_looked) *state_.contact = self_contact_.memories();
+  const StepTimes times{0.5 * (state_.last_step_s + step_s), step_s, common_velocity_};
+  const NodesOutcome outcome = move(times, state_.displacements_m, state_.velocities_m_per_s);
+  state_.work += outcome.work;
+  self_contact_.moved(step_s * std::sqrt(outcome.largest_speed_square_m2_per_s2));
+  state_.last_step_s = step_s;
+  ++state_.steps;
+  return true;
+}
+
+ExplicitDynamics::HalfStep ExplicitDynamics::half_step() {
+  HalfStep half{state_.velocities_m_per_s, {}};
+  compute_forces();
+  std::vector<double> displacements = state_.displacements_m;
+  half.work = move({0.5 * state_.last_step_s, 0.0, {}}, displacements, half.velocities).work;
+  return half;
+}
+
+ExplicitReport ExplicitDynamics::failure(io::RunStatus status, const std::string& reason) const {
+  return {status, reason + " at " + io::number_text(state_.time_s) + " s", std::nullopt};
+}
+
+ExplicitReport ExplicitDynamics::failure_in_element() const {
+  const std::optional<FailedElement> failed = body_.failed_element(state_.displacements_m);
+  if (!failed) return failure(io::RunStatus::diverged, "forces that are not finite");
+  const std::string where = "element " + std::to_string(failed->element) + " at " + meshes::millimetre_text(failed->position_m);
+  ExplicitReport report = failed->is_finite ? failure(io::RunStatus::inverted_element, where + " turned inside out")
+                                            : failure(io::RunStatus::diverged, where + " left all bounds");
+  report.failed_element = failed->element;
+  return report;
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,79 @@
+#include "fem/explicit/explicit_kernel.h"
+
+#include <cmath>
+#include <vector>
+
+#include "fem/explicit/explicit_kernel_table.h"
+
+namespace menger::fem {
+
+namespace {
+
+using detail::BranchTask;
+using detail::ExplicitKernelTable;
+using detail::ExplicitTask;
+using detail::reference_to;
+
+/// Branches as they are.
+BranchTask resting(const MaxwellBranch& branch, const double* tensors) {
+  return {branch.shear_modulus_Pa, 0.0, branch.is_there() ? tensors : nullptr, nullptr};
+}
+
+BranchTask relaxing(const MaxwellBranch& branch, const BranchTensors& tensors) {
+  BranchTask task = resting(branch, tensors.values);
+  if (task.tensors == nullptr || !(tensors.relaxed_s > 0.0)) return task;
+  task.share = -std::expm1(-tensors.relaxed_s / branch.relaxation_time_s);
+  task.relaxing = tensors.values;
+  return task;
+}
+
+ExplicitTask task_of(const ExplicitMaterial& material, const BranchTask& branch, const BoxBatches& batches,
+                     const NodalMotion& motion) {
+  return {reference_to(material.law), reference_to(material.volume), material.viscosity_Pa_s, branch, batches, motion};
+}
+
+/// All kernels this machine can run, the widest last.
+const std::vector<const ExplicitKernelTable*>& available_tables() {
+  static const std::vector<const ExplicitKernelTable*> tables = [] {
+    std::vector<const ExplicitKernelTable*> result{&detail::baseline_explicit_kernels()};
+#ifdef MENGER_X86_KERNELS
+    // The compiler's test, which also asks whether the operating system saves the wide registers.
+    if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0)
+      result.push_back(&detail::avx2_explicit_kernels());
+    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
+      result.push_back(&detail::avx512_explicit_kernels());
+#endif
+    return result;
+  }();
+  return tables;
+}
+
+}  // namespace
+
+ExplicitKernels::ExplicitKernels(const ExplicitKernelTable& table)
+    : instruction_set(table.instruction_set), width(table.width), table_(&table) {}
+
+ElementsOutcome ExplicitKernels::forces(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
+                                        const BranchTensors& branch, double* forces_N) const {
+  return table_->forces(task_of(material, relaxing(material.branch, branch), batches, motion), forces_N);
+}
+
+void ExplicitKernels::energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
+                               const double* branch, double* energies_J, double* smallest_ratios) const {
+  table_->energies(task_of(material, resting(material.branch, branch), batches, motion), energies_J, smallest_ratios);
+}
+
+void ExplicitKernels::bounds(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
+                             const double* branch, const ElementBounds& bounds) const {
+  table_->bounds(task_of(material, resting(material.branch, branch), batches, motion), bounds);
+}
+
+std::vector<ExplicitKernels> available_explicit_kernels() {
+  std::vector<ExplicitKernels> kernels;
+  for (const ExplicitKernelTable* table : available_tables()) kernels.emplace_back(*table);
+  return kernels;
+}
+
+ExplicitKernels best_explicit_kernels() { return ExplicitKernels(*available_tables().back()); }
+
+}  // namespace menger::fem

@@ -1,0 +1,82 @@
+#include "fem/explicit/explicit_contact.h"
+#include "fem/explicit/explicit_dynamics.h"
+#include "meshes/load_cases/observables.h"
+
+namespace menger::fem {
+
+std::vector<double> ExplicitDynamics::positions_m() const {
+  std::vector<double> positions = body_.reference_positions_m();
+  for (std::size_t n = 0; n < positions.size(); ++n) positions[n] += state_.displacements_m[n];
+  return positions;
+}
+
+std::vector<double> ExplicitDynamics::velocities_m_per_s() { return half_step().velocities; }
+
+std::vector<double> ExplicitDynamics::plenum_volumes_m3() const {
+  const std::vector<double> chambers = chamber_volumes_m3();
+  std::vector<double> volumes(chambers_.plenum_count(), 0.0);
+  for (std::size_t c = 0; c < chambers.size(); ++c) volumes[chambers_.plenum(c)] += chambers[c];
+  return volumes;
+}
+
+double ExplicitDynamics::plenum_pressure_Pa(std::size_t plenum) const {
+  return options_.supply->pressure_Pa(*state_.pneumatics, plenum);
+}
+
+/// Pressures at the time that the state has come to.
+bool ExplicitDynamics::supply_air() {
+  if (!options_.supply->has_lines()) {
+    state_.pneumatics->time_s = state_.time_s;
+    return true;
+  }
+  return options_.supply->advance(*state_.pneumatics, state_.time_s, plenum_volumes_m3());
+}
+
+ExplicitEnergies ExplicitDynamics::energies() {
+  const HalfStep half = half_step();
+  ExplicitEnergies result;
+  for (std::size_t n = 0; n < half.velocities.size(); ++n)
+    result.kinetic_J += 0.5 * body_.masses_kg()[n / 3] * half.velocities[n] * half.velocities[n];
+  result.strain_J = body_.strain_energy_J(state_.displacements_m, state_.branches->tensors);
+  result.work = state_.work;
+  result.work += half.work;
+  result.at_start_J = state_.at_start_J.value_or(0.0);
+  return result;
+}
+
+double ExplicitDynamics::ground_force_N() const {
+  return options_.loads.ground ? fem::ground_force_N(*options_.loads.ground, positions_m(), areas_) : 0.0;
+}
+
+std::vector<SelfTouch> ExplicitDynamics::self_touches() {
+  if (!options_.self_contact) return {};
+  compute_forces();
+  return self_contact_.touches();
+}
+
+/// By masses, half a step before the state.
+Point ExplicitDynamics::mean_velocity_m_per_s() const {
+  Point momentum{};
+  for (std::size_t n = 0; n < state_.velocities_m_per_s.size(); ++n)
+    momentum[n % 3] += body_.masses_kg()[n / 3] * state_.velocities_m_per_s[n];
+  return scaled(1.0 / body_.mass_kg(), momentum);
+}
+
+Point ExplicitDynamics::centre_of_mass_m() const {
+  const std::vector<double> flat = positions_m();
+  std::vector<Point> positions(body_.node_count());
+  for (std::size_t n = 0; n < flat.size(); ++n) positions[n / 3][n % 3] = flat[n];
+  return materials::centre_of_mass(positions, body_.masses_kg());
+}
+
+const ExplicitReport& follow(ExplicitDynamics& dynamics, const std::vector<double>& times_s,
+                             const std::function<void(ExplicitDynamics&)>& observe) {
+  observe(dynamics);
+  for (const double time : times_s) {
+    if (dynamics.advance_to(time).status != io::RunStatus::completed) break;
+    observe(dynamics);
+  }
+  return dynamics.advance_to(dynamics.state().time_s);
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,217 @@
+#include "fem/implicit_locomotion/implicit_locomotion.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fem/contact/self_contact_surface.h"
+#include "fem/elements/element_kernel.h"
+#include "fem/implicit/implicit_dynamics.h"
+#include "fem/implicit_locomotion/implicit_ranks.h"
+#include "fem/space/space.h"
+
+namespace menger::fem {
+namespace {
+
+Body body_of(const LocomotionStudy& study) {
+  Body body;
+  const LocomotionMaterial& material = study.material;
+  body.regions.assign(study.mesh.region_names.size(),
+                      {material.law, materials::SimoTaylorVolume{material.bulk_modulus_Pa}, material.density_kg_per_m3});
+  for (const meshes::Chamber& chamber : study.mesh.chambers) body.chambers.push_back({chamber.labels, chamber.plenum});
+  body.plenum_count = study.mesh.plenum_names.size();
+  body.gravity_m_per_s2 = {0.0, 0.0, -study.gravity_m_per_s2};
+  return body;
+}
+
+ImplicitOptions options_of(const LocomotionStudy& study, const std::atomic<bool>* stop) {
+  ImplicitOptions options;
+  for (const PlenumSupply& supply : study.supply->plena()) options.schedules.push_back(std::get<PlenumSchedule>(supply));
+  options.viscosities_Pa_s.assign(study.mesh.region_names.size(), study.material.viscosity_Pa_s);
+  // That of explicit dynamics, so that both move the same nodes.
+  options.lumped_mass = study.implicit->degree == 1;
+  options.mass_damping_per_s = study.mass_damping_per_s;
+  options.ground = study.ground;
+  options.stick_stiffness = study.implicit->stick_stiffness;
+  options.tolerance = study.implicit->tolerance;
+  options.largest_step_s = std::min(options.largest_step_s, study.largest_step_s.value_or(options.largest_step_s));
+  options.first_step_s = std::min(options.first_step_s, options.largest_step_s);
+  options.smallest_step_s = std::min(options.smallest_step_s, options.largest_step_s);
+  options.stop = stop;
+  return options;
+}
+
+/// The node at each point of the mesh that a space was made from: same places but for rounding. @param places of nodes, 3 numbers
+/// each
+std::vector<std::size_t> nodes_at_points(const std::vector<double>& places, const meshes::HexahedralMesh& mesh) {
+  const double unit = 0.01 * shortest_edge_m(mesh);
+  using Key = std::array<long, 3>;
+  const auto key_of = [&](const auto& place) {
+    return Key{std::lround(place[0] / unit), std::lround(place[1] / unit), std::lround(place[2] / unit)};
+  };
+  std::map<Key, std::size_t> nodes;
+  for (std::size_t node = 0; 3 * node < places.size(); ++node) nodes[key_of(std::span(places).subspan(3 * node, 3))] = node;
+  std::vector<std::size_t> result;
+  result.reserve(mesh.points.size());
+  for (const meshes::Point& point : mesh.points) {
+    const Key key = key_of(point);
+    auto found = nodes.find(key);
+    // Rounding may have moved either over the border between two units.
+    for (int n = 0; n < 27 && found == nodes.end(); ++n)
+      found = nodes.find({key[0] + n % 3 - 1, key[1] + n / 3 % 3 - 1, key[2] + n / 9 - 1});
+    assert(found != nodes.end());
+    result.push_back(found->second);
+  }
+  return result;
+}
+
+/// What all ranks do together.
+enum class Task : int { end, advance, set_state, state, record, displacements, velocities };
+
+/// The body of a study on all ranks of a communicator. The first rank is asked and tells the others, which listen.
+class ImplicitLocomotion final : public LocomotionDynamics {
+ public:
+  ImplicitLocomotion(const LocomotionStudy& study, const std::atomic<bool>* stop)
+      : body_(body_of(study)),
+        space_(make_space(study.mesh, study.implicit->degree, 0, MPI_COMM_WORLD)),
+        dynamics_(space_, body_, options_of(study, stop)),
+        ground_node_count_(dynamics_.state().ground_nodes.size()) {
+    MPI_Comm_size(space_.communicator, &rank_count_);
+    int rank = 0;
+    MPI_Comm_rank(space_.communicator, &rank);
+    is_first_ = rank == 0;
+    std::vector<double> places;
+    for (const Point& position : space_.positions) places.insert(places.end(), position.begin(), position.end());
+    places = field_of_all_ranks(space_, places);
+    if (is_first_) nodes_ = nodes_at_points(places, study.mesh);
+  }
+  ImplicitLocomotion(const ImplicitLocomotion&) = delete;
+  ImplicitLocomotion& operator=(const ImplicitLocomotion&) = delete;
+  ~ImplicitLocomotion() override {
+    if (is_first_) tell(Task::end);
+  }
+
+  /// Does what the first rank is asked to, until its body is gone. For all others.
+  void listen() {
+    for (;;) {
+      switch (next_task()) {
+        case Task::end:
+          return;
+        case Task::advance:
+          (void)advance_together(0.0);
+          break;
+        case Task::set_state:
+          set_state_together({});
+          break;
+        case Task::state:
+          (void)state_of_all_ranks(space_, dynamics_.state());
+          break;
+        case Task::record:
+          (void)record_together();
+          break;
+        case Task::displacements:
+          (void)field_of_all_ranks(space_, dynamics_.state().displacements_m);
+          break;
+        case Task::velocities:
+          (void)field_of_all_ranks(space_, dynamics_.state().velocities_m_per_s);
+          break;
+      }
+    }
+  }
+
+  LocomotionOutcome advance_to(double time_s) override {
+    tell(Task::advance);
+    return advance_together(time_s);
+  }
+  void set_state(LocomotionState state) override {
+    tell(Task::set_state);
+    set_state_together(std::get<ImplicitState>(state));
+  }
+  [[nodiscard]] LocomotionState state() const override {
+    tell(Task::state);
+    return state_of_all_ranks(space_, dynamics_.state());
+  }
+  [[nodiscard]] double time_s() const override { return dynamics_.state().time_s; }
+  [[nodiscard]] std::size_t steps() const override { return dynamics_.state().steps; }
+  [[nodiscard]] bool goes_on_from_any_state() const override { return false; }
+  /// Sums over other numbers of ranks are rounded otherwise, and nodes are counted otherwise.
+  [[nodiscard]] std::string machine_text() const override {
+    const std::string instruction_set(best_element_kernels().instruction_set);
+    return rank_count_ == 1 ? instruction_set : instruction_set + ", " + std::to_string(rank_count_) + " processes";
+  }
+  [[nodiscard]] LocomotionRecord record() override {
+    tell(Task::record);
+    return record_together();
+  }
+  [[nodiscard]] std::vector<double> displacements_m() const override {
+    tell(Task::displacements);
+    return at_points(field_of_all_ranks(space_, dynamics_.state().displacements_m));
+  }
+  [[nodiscard]] std::vector<double> velocities_m_per_s() override {
+    tell(Task::velocities);
+    return at_points(field_of_all_ranks(space_, dynamics_.state().velocities_m_per_s));
+  }
+
+ private:
+  void tell(Task task) const {
+    if (rank_count_ > 1) MPI_Bcast(&task, 1, MPI_INT, 0, space_.communicator);
+  }
+  [[nodiscard]] Task next_task() const {
+    auto task = Task::end;
+    MPI_Bcast(&task, 1, MPI_INT, 0, space_.communicator);
+    return task;
+  }
+
+  /// @param time_s counts on the first rank alone, as do all arguments below
+  LocomotionOutcome advance_together(double time_s) {
+    MPI_Bcast(&time_s, 1, MPI_DOUBLE, 0, space_.communicator);
+    const ImplicitReport& report = dynamics_.advance_to(time_s);
+    return {report.status, report.reason};
+  }
+  void set_state_together(const ImplicitState& state) {
+    dynamics_.set_state(state_of_this_rank(space_, dynamics_.assembly().exchange(), state, ground_node_count_));
+  }
+  LocomotionRecord record_together() {
+    LocomotionRecord record;
+    record.time_s = dynamics_.state().time_s;
+    record.centre_of_mass_m = dynamics_.centre_of_mass_m();
+    for (std::size_t p = 0; p < body_.plenum_count; ++p) record.plenum_pressures_Pa.push_back(dynamics_.plenum_pressure_Pa(p));
+    record.chamber_volumes_m3 = dynamics_.chamber_volumes_m3();
+    record.energies = dynamics_.energies();
+    record.ground_force_N = dynamics_.ground_force_N();
+    return record;
+  }
+  [[nodiscard]] std::vector<double> at_points(const std::vector<double>& field) const {
+    std::vector<double> result;
+    result.reserve(3 * nodes_.size());
+    for (const std::size_t node : nodes_)
+      for (std::size_t i = 0; i < 3; ++i) result.push_back(field[3 * node + i]);
+    return result;
+  }
+
+  Body body_;
+  Space space_;
+  ImplicitDynamics dynamics_;
+  std::size_t ground_node_count_;
+  int rank_count_ = 1;
+  bool is_first_ = true;
+  std::vector<std::size_t> nodes_;  ///< of all ranks, at the points of the mesh; on the first rank
+};
+
+}  // namespace
+
+std::unique_ptr<LocomotionDynamics> make_implicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop) {
+  return std::make_unique<ImplicitLocomotion>(study, stop);
+}
+
+void help_implicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop) {
+  ImplicitLocomotion(study, stop).listen();
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fem/space/space.h"
+#include "fem/statics/nodal_fields.h"
+
+namespace menger::fem {
+
+/// What a file of fields says about the state as a whole.
+struct FieldStep {
+  int step = 0;                               ///< number of the state on its path; part of the file's name
+  double s = 0.0;                             ///< path parameter: TimeValue
+  std::vector<double> plenum_pressures_Pa{};  ///< gauge
+};
+
+/// Fields of the states of a path for ParaView: `fields/step_0000.vtu`, ... and the collection `fields.pvd` in a folder. With
+/// several ranks each writes a piece, `fields/step_0000_<rank>.vtu`, and the first one `fields/step_0000.pvtu` that names them.
+///
+/// Cells are hexahedra with all nodes of their elements (VTK_HEXAHEDRON or VTK_TRIQUADRATIC_HEXAHEDRON) in the reference
+/// configuration. Point data: displacement_m; means over the elements of a node (see NodalFields): cauchy_stress_Pa (xx, yy, zz,
+/// xy, yz, xz), von_mises_stress_Pa, pressure_Pa (-tr/3 of that stress), principal_stretches (the largest first), volume_ratio.
+/// Cell data: region (index), rank. Field data: TimeValue (path parameter), plenum_pressures_Pa. Double precision, compressed.
+///
+/// All members are collective; every file is written whole or not at all. @throws io::InputError on all ranks if one cannot be
+class FieldSeries {
+ public:
+  FieldSeries(std::filesystem::path folder, MPI_Comm communicator);
+
+  /// Removes the files of fields that are there, and no other file; those of the given steps stay and are the members of the
+  /// collection. Without any the collection is removed.
+  void keep_only(const std::vector<FieldStep>& steps);
+
+  /// Writes the fields of a state and the collection with it.
+  /// @param displacements 3 per local node, ghosts up to date
+  void add(const Space& space, std::span<const double> displacements, const NodalFields& fields, const FieldStep& step);
+
+ private:
+  /// Name of a step's file in the collection, and of a rank's piece of it.
+  [[nodiscard]] std::filesystem::path step_file(int step) const;
+  [[nodiscard]] std::filesystem::path piece_file(int step, int rank) const;
+  void write_collection() const;
+
+  struct Entry {
+    double s;
+    std::filesystem::path file;  ///< relative to the folder
+  };
+  std::filesystem::path folder_;
+  MPI_Comm communicator_;
+  int rank_ = 0;
+  int rank_count_ = 1;
+  std::vector<Entry> entries_;  ///< complete on the first rank, which writes the collection
+};
+
+}  // namespace menger::fem

@@ -1,0 +1,58 @@
+#include "fem/inflation/inflation_charts.h"
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+namespace menger::fem {
+namespace {
+
+constexpr std::size_t largest_named_count = 12;  ///< plena beyond it share the colours, and a legend would say nothing
+
+/// Where a volume stands on an axis.
+enum class VolumeScale { cubic_centimetres, per_cent };
+
+double on_axis(VolumeScale scale, double volume_m3, double rest_m3) {
+  return scale == VolumeScale::cubic_centimetres ? 1e6 * volume_m3 : 100.0 * (volume_m3 / rest_m3 - 1.0);
+}
+
+std::string limit_label(const LimitPoint& limit) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "limit point %.4g kPa", 1e-3 * limit.pressure_Pa);
+  return text.data();
+}
+
+io::ChartPanel panel(const InflationResult& result, VolumeScale scale) {
+  io::ChartPanel panel;
+  panel.x.title = scale == VolumeScale::cubic_centimetres ? "chamber volume (cm³)" : "change of chamber volume (%)";
+  panel.y.title = "pressure (kPa)";
+  const PathPoint& rest = result.path.points.front();
+  const bool named = result.plenum_names.size() > 1 && result.plenum_names.size() <= largest_named_count;
+  for (std::size_t p = 0; p < result.plenum_names.size(); ++p) {
+    io::ChartSeries series{
+        .name = named ? result.plenum_names[p] : "", .marks = io::Marks::line_and_points, .colour = io::chart_colour(p)};
+    for (const PathPoint& point : result.path.points) {
+      series.x.push_back(on_axis(scale, point.plenum_volumes_m3[p], rest.plenum_volumes_m3[p]));
+      series.y.push_back(1e-3 * point.pressures_Pa[p]);
+    }
+    panel.series.push_back(std::move(series));
+  }
+  for (const LimitPoint& limit : result.path.limit_points) {
+    io::ChartSeries mark{.name = limit_label(limit), .marks = io::Marks::points, .colour = io::chart_ink};
+    mark.x = {on_axis(scale, limit.volume_m3, rest.plenum_volumes_m3[limit.plenum])};
+    mark.y = {1e-3 * limit.pressure_Pa};
+    panel.series.insert(panel.series.begin(), std::move(mark));
+  }
+  return panel;
+}
+
+}  // namespace
+
+io::PictureOutcome draw_pressure_volume(const std::filesystem::path& file, const InflationResult& result) {
+  if (result.path.points.empty()) return {.written = false, .missing = "the path has no points"};
+  const io::Chart chart{.title = "pressure over volume",
+                        .panels = {panel(result, VolumeScale::cubic_centimetres), panel(result, VolumeScale::per_cent)}};
+  return io::write_chart(file, chart, {.width_px = 2000, .height_px = 900});
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,338 @@
+#include "fem/inflation/inflation_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "fem/inflation/field_output.h"
+#include "fem/inflation/inflation_charts.h"
+#include "fem/inflation/inflation_picture.h"
+#include "fem/inflation/inflation_problem.h"
+#include "fem/inflation/inflation_tables.h"
+#include "fem/inflation/path_checkpoint.h"
+#include "fem/space/rank_agreement.h"
+#include "fem/statics/body_ends.h"
+#include "io/text/formatted.h"
+#include "io/text/input_error.h"
+#include "io/text/manifest.h"
+#include "io/text/number_text.h"
+#include "io/text/version.h"
+#include "io/text/whole_file.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::string_view checkpoint_name = "path.checkpoint";
+
+/// How the observer, which has no other way to do so, ends a path.
+struct EndOfPath {
+  io::RunStatus status;
+  std::string reason;
+};
+
+std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
+
+/// Whether a drive asks for less air than at rest.
+bool is_vacuum(const PlenumDrive& drive) {
+  const double rest = drive.kind == DriveKind::pressure ? 0.0 : 1.0;
+  return std::any_of(drive.values.begin(), drive.values.end(), [&](double value) { return value < rest; });
+}
+
+/// Each rank makes the whole problem, and a file may fail one of them alone.
+InflationProblem agreed_problem(const InflationStudy& study, MPI_Comm communicator) {
+  InflationProblem problem;
+  on_every_rank(communicator, [&] { problem = make_problem(study); });
+  return problem;
+}
+
+class InflationRun {
+ public:
+  InflationRun(const InflationStudy& study, const fs::path& folder, const InflationOptions& options)
+      : study_(study),
+        folder_(folder),
+        options_(options),
+        problem_(agreed_problem(study, options.communicator)),
+        space_(make_space(problem_.mesh, study.degree, study.refinements, options.communicator)),
+        points_(locate_points(space_, problem_.points)),
+        ends_(space_, problem_.low, problem_.high),
+        equilibrium_(space_, problem_.body, study.solver),
+        fields_(folder, options.communicator) {
+    MPI_Comm_rank(options.communicator, &rank_);
+    MPI_Comm_size(options.communicator, &rank_count_);
+    result_.plenum_names = problem_.mesh.plenum_names;
+    for (const meshes::Chamber& chamber : problem_.mesh.chambers) result_.chamber_names.push_back(chamber.name);
+    for (const LocatedPoint& point : points_) result_.point_names.push_back(point.point.name);
+    for (const StudyPlate& plate : study.plates) result_.plate_names.push_back(plate.name);
+    result_.elements = space_.element_count;
+    result_.unknowns = 3 * static_cast<std::size_t>(space_.node_count);
+    result_.element_size_m = std::cbrt(problem_.solid_volume_m3 / static_cast<double>(space_.element_count));
+    result_.notes = study.notes;
+    result_.notes.insert(result_.notes.end(), problem_.notes.begin(), problem_.notes.end());
+    on_every_rank(options.communicator, [&] { check_vacuum(); });
+  }
+
+  InflationResult run() {
+    take_up_or_begin();
+    if (const auto refusal = strict_refusal())
+      conclude(*refusal);
+    else if (progress_.outcome)
+      conclude(*progress_.outcome);
+    else
+      follow();
+    note_stretches();
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_due(int step) const { return study_.output.fields && step % study_.output.fields_every == 0; }
+
+  [[nodiscard]] static FieldStep field_step(const PathPoint& point) { return {point.step, point.s, point.pressures_Pa}; }
+
+  /// What a checkpoint depends on: the path, the points at which it was observed, and what computed it: the pressures of elements
+  /// are stored in batches as wide as the kernels of the instruction set.
+  [[nodiscard]] std::string identity() const {
+    std::string text = path_text(study_);
+    text += "version = " + std::string(io::version()) + "\n";
+    text += "instruction_set = " + std::string(best_element_kernels().instruction_set) + "\n";
+    for (const NamedPoint& point : problem_.points) {
+      text += point.name;
+      for (const double x : point.position) text += " " + io::number_text(x);
+      text += "\n";
+    }
+    return text;
+  }
+
+  [[nodiscard]] const StudyMaterial& material_of(std::size_t region) const {
+    const auto own = study_.region_materials.find(problem_.mesh.region_names[region]);
+    return own != study_.region_materials.end() ? own->second : study_.material;
+  }
+
+  void check_vacuum() {
+    const bool vacuum = std::any_of(problem_.drives.begin(), problem_.drives.end(), is_vacuum);
+    for (std::size_t region = 0; vacuum && region < problem_.mesh.region_names.size(); ++region) {
+      const StudyMaterial& material = material_of(region);
+      if (material.smallest_stretch < 1.0) continue;
+      const std::string note = "the path goes below ambient pressure, and the law of region \"" +
+                               problem_.mesh.region_names[region] + "\" (" + material.name +
+                               ") was never compared with compression: smallest_stretch = 1";
+      if (options_.strict) throw io::InputError(study_.file.string() + ": " + note);
+      result_.notes.push_back(note);
+    }
+  }
+
+  void take_up_or_begin() {
+    const fs::path checkpoint = folder_ / checkpoint_name;
+    if (!options_.restart) {
+      if (auto earlier = read_checkpoint(checkpoint, identity(), options_.communicator)) progress_ = std::move(*earlier);
+    }
+    result_.points_taken_up = progress_.restart.points.size();
+    result_.path.points = progress_.restart.points;
+    result_.observations = progress_.observations;
+    result_.extent_changes_m = progress_.extent_changes_m;
+    // from here on no file of an earlier run may pass for one of this run, also if this one is killed
+    const bool ended = progress_.outcome.has_value();
+    on_first_rank(options_.communicator, [&] {
+      for (const std::string_view name : {"result.toml", "manifest.json"}) remove(name);
+      if (!ended || study_.output.pictures) {  // those of an ended path stay true where none are drawn
+        for (const std::string_view name : {"chamber.png", "pv_curve.png"}) remove(name);
+      }
+      if (progress_.restart.points.empty()) {
+        remove(checkpoint_name);
+        remove("curves.csv");
+      }
+    });
+    if (ended && !study_.output.fields) return;  // the same holds for its fields
+    std::vector<FieldStep> kept;
+    for (const PathPoint& point : progress_.restart.points) {
+      if (is_due(point.step)) kept.push_back(field_step(point));
+    }
+    fields_.keep_only(kept);
+  }
+
+  void remove(std::string_view name) const { io::remove_if_there(folder_ / name); }
+
+  void follow() {
+    const PathObserver observer = [this](const PathPoint& point, const BodyState& state, const PathRestart& restart) {
+      accept(point, state, restart);
+    };
+    // ranks see a signal at different times: with several of them accept() agrees on when to stop
+    const std::atomic<bool>* stop = rank_count_ == 1 ? options_.stop : nullptr;
+    const PathRestart taken_up = progress_.restart;
+    const bool goes_on = !taken_up.points.empty();
+    PathOutcome outcome;
+    try {
+      const PathReport report = follow_path(equilibrium_, PathDrives{.plena = problem_.drives, .plates = problem_.plate_drives},
+                                            study_.path, observer, stop, goes_on ? &taken_up : nullptr);
+      outcome = {report.status, report.reason, report.limit_points, report.rejected_steps};
+      result_.path.factorisations = report.factorisations;
+    } catch (const EndOfPath& end) {
+      outcome = ended_here(end.status, end.reason);
+    }
+    conclude(outcome);
+    if (outcome.status == io::RunStatus::stopped) return;
+    progress_.outcome = std::move(outcome);
+    if (!progress_.restart.points.empty())
+      write_checkpoint(folder_ / checkpoint_name, identity(), progress_, options_.communicator);
+  }
+
+  void conclude(const PathOutcome& outcome) {
+    result_.path.status = outcome.status;
+    result_.path.reason = outcome.reason;
+    result_.path.limit_points = outcome.limit_points;
+    result_.path.rejected_steps = outcome.rejected_steps;
+  }
+
+  /// An end at the last point that was reached.
+  [[nodiscard]] PathOutcome ended_here(io::RunStatus status, const std::string& reason) const {
+    return {status, reason, progress_.restart.limit_points, progress_.restart.rejected_steps};
+  }
+
+  /// The end that `strict` makes of a path whose points, those of earlier runs, have left the range of a law. It is this run's
+  /// alone: the checkpoint keeps how the path itself ended.
+  [[nodiscard]] std::optional<PathOutcome> strict_refusal() const {
+    if (!options_.strict) return std::nullopt;
+    for (const auto& observations : progress_.observations) {
+      if (const auto excess = largest_excess(observations)) return ended_here(io::RunStatus::stopped, excess->text);
+    }
+    return std::nullopt;
+  }
+
+  void accept(const PathPoint& point, const BodyState& state, const PathRestart& restart) {
+    const NodalFields fields = nodal_fields(equilibrium_.assembly(), state.displacements_m);
+    progress_.restart = restart;
+    progress_.observations.push_back(observe(space_, points_, state.displacements_m, fields));
+    progress_.extent_changes_m.push_back(extent_changes_m(state));
+    result_.path.points = restart.points;
+    result_.observations = progress_.observations;
+    result_.extent_changes_m = progress_.extent_changes_m;
+    if (is_due(point.step)) fields_.add(space_, state.displacements_m, fields, field_step(point));
+    write_curves();
+    write_checkpoint(folder_ / checkpoint_name, identity(), progress_, options_.communicator);
+    if (rank_ == 0 && options_.progress) {
+      options_.progress(point, restart.points.front().s, static_cast<double>(problem_.drives.front().values.size()) - 1.0);
+    }
+    end_where_strict(progress_.observations.back());
+    int stopped = rank_count_ > 1 && options_.stop != nullptr && options_.stop->load() ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &stopped, 1, MPI_INT, MPI_MAX, options_.communicator);
+    if (stopped != 0) throw EndOfPath{io::RunStatus::stopped, "stopped by the user"};
+  }
+
+  [[nodiscard]] std::optional<Point> extent_changes_m(const BodyState& state) const {
+    if (!ends_.are_faces()) return std::nullopt;
+    return study_.supports.kind == SupportKind::free ? ends_.extent_changes_without_rotation_m(state.displacements_m)
+                                                     : ends_.extent_changes_m(state.displacements_m);
+  }
+
+  void end_where_strict(const std::vector<PointObservation>& observations) const {
+    if (!options_.strict) return;
+    if (const auto excess = largest_excess(observations)) throw EndOfPath{io::RunStatus::stopped, excess->text};
+  }
+
+  void write_curves() const {
+    on_first_rank(options_.communicator, [&] { curves_table(result_).write(folder_ / "curves.csv"); });
+  }
+
+  struct Excess {
+    double factor;
+    std::string text;
+  };
+
+  /// The named point whose stretch exceeds the range of its law most.
+  [[nodiscard]] std::optional<Excess> largest_excess(const std::vector<PointObservation>& observations) const {
+    std::optional<Excess> largest;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      const StudyMaterial& material = material_of(points_[p].region);
+      const double factor = observations[p].largest_stretch / material.largest_stretch;
+      if (factor <= 1.0 || (largest && factor <= largest->factor)) continue;
+      largest = {factor, "the stretch at \"" + points_[p].point.name + "\" reaches " + shown(observations[p].largest_stretch) +
+                             ", beyond the range of its law (" + material.name +
+                             "): largest_stretch = " + shown(material.largest_stretch)};
+    }
+    return largest;
+  }
+
+  void note_stretches() {
+    std::optional<Excess> largest;
+    for (const auto& observations : result_.observations) {
+      auto excess = largest_excess(observations);
+      if (excess && (!largest || excess->factor > largest->factor)) largest = std::move(excess);
+    }
+    if (largest) result_.notes.push_back(largest->text);
+  }
+
+  void finish() {
+    if (!result_.path.points.empty()) {
+      const BodyState& last = progress_.restart.states.back();
+      const NodalFields fields = nodal_fields(equilibrium_.assembly(), last.displacements_m);
+      const PathPoint& point = result_.path.points.back();
+      if (study_.output.fields && !is_due(point.step)) fields_.add(space_, last.displacements_m, fields, field_step(point));
+      write_curves();
+      if (study_.output.pictures) draw(last, fields);
+    }
+    result_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    on_first_rank(options_.communicator, [&] {
+      io::write_whole(folder_ / "result.toml", result_text(result_));
+      io::write_manifest(folder_, {.program = "menger-inflate",
+                                   .parameters = resolved_text(study_) + "processes = " + std::to_string(rank_count_) + "\n",
+                                   .seed = std::nullopt,
+                                   .seconds = result_.seconds,
+                                   .inputs = study_.inputs});
+    });
+  }
+
+  void draw(const BodyState& last, const NodalFields& fields) {
+    const DeformedBody body = gather_deformed_body(space_, last.displacements_m, fields);
+    on_first_rank(options_.communicator, [&] {
+      const io::PictureOutcome chamber = draw_deformed_body(folder_ / "chamber.png", body, caption());
+      if (!chamber.written) {
+        result_.notes.push_back("no pictures: " + chamber.missing);
+        return;
+      }
+      const io::PictureOutcome curve = draw_pressure_volume(folder_ / "pv_curve.png", result_);
+      if (!curve.written) result_.notes.push_back("no plot of pressure over volume: " + curve.missing);
+    });
+  }
+
+  [[nodiscard]] std::string caption() const {
+    const PathPoint& first = result_.path.points.front();
+    const PathPoint& last = result_.path.points.back();
+    const auto [low, high] = std::minmax_element(last.pressures_Pa.begin(), last.pressures_Pa.end());
+    double before = 0.0;
+    double after = 0.0;
+    for (const double volume : first.plenum_volumes_m3) before += volume;
+    for (const double volume : last.plenum_volumes_m3) after += volume;
+    std::string text = shown(1e-3 * *low) + (*low == *high ? "" : " to " + shown(1e-3 * *high)) + " kPa, chamber volume ";
+    return text + shown(100.0 * (after / before - 1.0), "%+.3g") + " %";
+  }
+
+  const InflationStudy& study_;
+  const fs::path& folder_;
+  const InflationOptions& options_;
+  Clock::time_point start_ = Clock::now();
+  InflationProblem problem_;
+  Space space_;
+  std::vector<LocatedPoint> points_;
+  BodyEnds ends_;
+  Equilibrium equilibrium_;
+  FieldSeries fields_;
+  int rank_ = 0;
+  int rank_count_ = 1;
+  PathProgress progress_;
+  InflationResult result_;
+};
+
+}  // namespace
+
+InflationResult run_inflation(const InflationStudy& study, const fs::path& folder, const InflationOptions& options) {
+  on_first_rank(options.communicator, [&] { io::require_writable_folder(folder); });
+  return InflationRun(study, folder, options).run();
+}
+
+}  // namespace menger::fem

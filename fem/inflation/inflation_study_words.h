@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "fem/inflation/inflation_study.h"
+#include "io/text/toml_document.h"
+
+namespace menger::fem {
+
+/// The words of a study file for the choices in it.
+inline const io::Words<SupportKind>& support_words() {
+  static const io::Words<SupportKind> words{{"ground_guided", SupportKind::ground_guided},
+                                            {"ground_held", SupportKind::ground_held},
+                                            {"resting", SupportKind::resting},
+                                            {"free", SupportKind::free},
+                                            {"labels", SupportKind::labels}};
+  return words;
+}
+
+inline const io::Words<Formulation>& formulation_words() {
+  static const io::Words<Formulation> words{{"three_field", Formulation::three_field},
+                                            {"displacement", Formulation::displacement}};
+  return words;
+}
+
+inline const io::Words<LinearMethod>& linear_words() {
+  static const io::Words<LinearMethod> words{
+      {"automatic", LinearMethod::automatic}, {"direct", LinearMethod::direct}, {"iterative", LinearMethod::iterative}};
+  return words;
+}
+
+/// Whether the faces slide on a plate.
+inline const io::Words<bool>& grip_words() {
+  static const io::Words<bool> words{{"bonded", false}, {"sliding", true}};
+  return words;
+}
+
+/// The key under which a study gives a part of a plate's motion at the knots.
+inline std::string plate_displacement_key(std::size_t axis) { return std::string("displacement_") + "xyz"[axis] + "_m"; }
+inline std::string plate_rotation_key(std::size_t axis) { return std::string("rotation_") + "xyz"[axis] + "_rad"; }
+
+/// Volumetric energies by their place in VolumetricLaw.
+inline const io::Words<std::size_t>& volumetric_words() {
+  static const io::Words<std::size_t> words{{"quadratic", 0}, {"log_squared", 1}, {"simo_taylor", 2}};
+  return words;
+}
+
+inline std::string_view volumetric_word(const VolumetricLaw& law) { return volumetric_words()[law.index()].first; }
+
+inline const std::array<std::string_view, 3>& axis_words() {
+  static const std::array<std::string_view, 3> words{"x", "y", "z"};
+  return words;
+}
+
+/// The key under which a study gives the values of a drive.
+inline std::string_view drive_key(DriveKind kind) {
+  constexpr std::array<std::string_view, 3> keys{"pressure_Pa", "volume_ratio", "gas_amount"};
+  return keys[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,113 @@
+#include "fem/inflation/inflation_tables.h"
+
+#include <cctype>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "io/text/number_text.h"
+#include "io/text/toml_document.h"
+
+namespace menger::fem {
+namespace {
+
+void add_line(std::string& text, std::string_view key, std::string_view value) {
+  text.append(key).append(" = ").append(value).append("\n");
+}
+void add_number(std::string& text, std::string_view key, double value) { add_line(text, key, io::number_text(value)); }
+void add_count(std::string& text, std::string_view key, std::uint64_t value) { add_line(text, key, std::to_string(value)); }
+
+std::vector<std::string> columns_of(const InflationResult& result) {
+  std::vector<std::string> columns{"step", "s"};
+  for (const std::string& plenum : result.plenum_names) {
+    columns.push_back(column_part(plenum) + "_pressure_Pa");
+    columns.push_back(column_part(plenum) + "_volume_m3");
+  }
+  for (const std::string& chamber : result.chamber_names) columns.push_back(column_part(chamber) + "_volume_m3");
+  for (const std::string& plate : result.plate_names) {
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(column_part(plate) + "_force_" + axis + "_N");
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(column_part(plate) + "_moment_" + axis + "_N_m");
+  }
+  for (const std::string& point : result.point_names) {
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(column_part(point) + "_displacement_" + axis + "_m");
+    columns.push_back(column_part(point) + "_largest_stretch");
+  }
+  for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string("extent_change_") + axis + "_m");
+  for (const char* name : {"strain_energy_J", "work_J", "dead_load_work_J", "smallest_gap_m", "ground_force_N",
+                           "smallest_volume_ratio", "negative_pivots", "newton_iterations", "seconds"}) {
+    columns.emplace_back(name);
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::string column_part(const std::string& name) {
+  std::string part = name;
+  for (char& sign : part) {
+    if (std::isalnum(static_cast<unsigned char>(sign)) == 0) sign = '_';
+  }
+  return part;
+}
+
+io::CsvTable curves_table(const InflationResult& result) {
+  io::CsvTable table(columns_of(result));
+  for (std::size_t n = 0; n < result.path.points.size(); ++n) {
+    const PathPoint& point = result.path.points[n];
+    std::vector<io::CsvCell> row{io::cell(point.step), io::cell(point.s)};
+    for (std::size_t p = 0; p < result.plenum_names.size(); ++p) {
+      row.push_back(io::cell(point.pressures_Pa[p]));
+      row.push_back(io::cell(point.plenum_volumes_m3[p]));
+    }
+    for (const double volume : point.chamber_volumes_m3) row.push_back(io::cell(volume));
+    for (const PlateReaction& plate : point.plates) {
+      for (const double component : plate.force_N) row.push_back(io::cell(component));
+      for (const double component : plate.moment_N_m) row.push_back(io::cell(component));
+    }
+    for (const PointObservation& observation : result.observations[n]) {
+      for (const double component : observation.displacement_m) row.push_back(io::cell(component));
+      row.push_back(io::cell(observation.largest_stretch));
+    }
+    const std::optional<Point>& extents_m = result.extent_changes_m[n];
+    for (std::size_t axis = 0; axis < 3; ++axis) row.push_back(extents_m ? io::cell((*extents_m)[axis]) : io::CsvCell{});
+    row.push_back(io::cell(point.strain_energy_J));
+    row.push_back(io::cell(point.work_J));
+    row.push_back(io::cell(point.dead_load_work_J));
+    row.push_back(io::cell(point.smallest_gap_m));
+    row.push_back(io::cell(point.ground_force_N));
+    row.push_back(io::cell(point.smallest_ratio));
+    row.push_back(point.negative_pivots ? io::cell(*point.negative_pivots) : io::CsvCell{});
+    row.push_back(io::cell(point.iterations));
+    row.push_back(io::cell(point.seconds));
+    table.add_cells(row);
+  }
+  return table;
+}
+
+std::string result_text(const InflationResult& result) {
+  std::string text;
+  add_line(text, "status", io::toml_quoted(io::to_string(result.path.status)));
+  if (!result.path.reason.empty()) add_line(text, "reason", io::toml_quoted(result.path.reason));
+  add_count(text, "elements", result.elements);
+  add_count(text, "unknowns", result.unknowns);
+  add_number(text, "element_size_m", result.element_size_m);
+  add_count(text, "points", result.path.points.size());
+  std::uint64_t iterations = 0;
+  for (const PathPoint& point : result.path.points) iterations += static_cast<std::uint64_t>(point.iterations);
+  add_count(text, "accepted_newton_iterations", iterations);
+  add_count(text, "rejected_steps", static_cast<std::uint64_t>(result.path.rejected_steps));
+  if (!result.path.points.empty()) add_number(text, "s", result.path.points.back().s);
+  text += "notes = [\n";
+  for (const std::string& note : result.notes) text += "  " + io::toml_quoted(note) + ",\n";
+  text += "]\n";
+  for (const LimitPoint& limit : result.path.limit_points) {
+    text += "\n[[limit_points]]\n";
+    add_line(text, "plenum", io::toml_quoted(result.plenum_names[limit.plenum]));
+    add_number(text, "pressure_Pa", limit.pressure_Pa);
+    add_number(text, "volume_m3", limit.volume_m3);
+    add_line(text, "passed", limit.passed ? "true" : "false");
+  }
+  return text;
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,228 @@
+#include "fem/inflation/modes_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "fem/inflation/inflation_problem.h"
+#include "fem/inflation/modes_files.h"
+#include "fem/inflation/observables.h"
+#include "io/text/input_error.h"
+#include "io/text/manifest.h"
+#include "io/text/number_text.h"
+#include "io/text/whole_file.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Modes that the frequency response follows at least: it reaches up to 1.5 times the first frequency, and what it leaves out
+/// falls with the sixth power of that over the frequency of the last mode.
+constexpr int modes_of_response = 20;
+
+/// The study with the path that the options ask for.
+InflationStudy with_pressure(InflationStudy study, const ModesOptions& options) {
+  if (options.pressure_Pa) {
+    study.drives = {{"", {.kind = DriveKind::pressure, .values = {0.0, *options.pressure_Pa}}}};
+    study.path.stations.clear();
+    for (StudyPlate& plate : study.plates) plate.drive = {};  // its knots are those of the path that is left out
+  }
+  return study;
+}
+
+void require_density(const InflationStudy& study, const StudyMaterial& material, const std::string& key) {
+  if (material.density_kg_per_m3) return;
+  throw io::InputError(study.file.string() + ": " + key + ".density_kg_per_m3: missing, and " + material.name +
+                       " states none; vibrations need one");
+}
+
+/// Frequencies of the band in which soft robots walk, 0.5 to 5 Hz, and from there on past the first resonance.
+std::vector<double> response_frequencies_Hz(double first_Hz) {
+  constexpr int steps_in_band = 45;
+  constexpr int steps_beyond = 200;
+  std::vector<double> frequencies;
+  for (int n = 0; n <= steps_in_band; ++n) frequencies.push_back(0.5 + 0.1 * n);
+  const double last_Hz = 1.5 * first_Hz;
+  for (int n = 1; n <= steps_beyond && last_Hz > 5.0; ++n) frequencies.push_back(5.0 + (last_Hz - 5.0) * n / steps_beyond);
+  return frequencies;
+}
+
+/// The nodes at which a body is held only to keep it from drifting carry no force in equilibrium; under inertia they would, and
+/// the whole body would swing about them. Without them these motions are rigid ones.
+Body without_point_supports(Body body) {
+  body.point_supports.clear();
+  return body;
+}
+
+class ModesRun {
+ public:
+  ModesRun(const InflationStudy& study, const fs::path& folder, const ModesOptions& options)
+      : study_(with_pressure(study, options)),
+        folder_(folder),
+        options_(options),
+        problem_(make_problem(study_)),
+        space_(make_space(problem_.mesh, study_.degree, study_.refinements, MPI_COMM_SELF)),
+        points_(locate_points(space_, problem_.points)),
+        equilibrium_(space_, problem_.body, study_.solver),
+        vibrating_body_(without_point_supports(problem_.body)),
+        vibrating_(space_, vibrating_body_, study_.solver) {
+    result_.plenum_names = problem_.mesh.plenum_names;
+    result_.elements = space_.element_count;
+    result_.unknowns = 3 * static_cast<std::size_t>(space_.node_count);
+    result_.notes = study_.notes;
+    result_.notes.insert(result_.notes.end(), problem_.notes.begin(), problem_.notes.end());
+    result_.notes.emplace_back(
+        "pressures are constant while the body vibrates, as if its chambers were open to a large reservoir; air has no mass");
+  }
+
+  ModesResult run() {
+    remove_earlier_files();
+    follow();
+    for (std::size_t n = 0; n < states_.size(); ++n) {
+      if (options_.stop != nullptr && options_.stop->load()) {
+        fail(io::RunStatus::stopped, "stopped by the user");
+        break;
+      }
+      vibrate(n);
+    }
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  void fail(io::RunStatus status, const std::string& reason) {
+    if (result_.status != io::RunStatus::completed) return;
+    result_.status = status;
+    result_.reason = reason;
+  }
+
+  void tell(double part, const std::string& note) const {
+    if (options_.progress) options_.progress(part, note);
+  }
+
+  void remove_earlier_files() const {
+    for (const char* name : {"modes.csv", "frequency_response.csv", "frequency_response.png", "result.toml", "manifest.json"})
+      io::remove_if_there(folder_ / name);
+    remove_mode_shapes(folder_ / "modes");
+  }
+
+  [[nodiscard]] double end() const { return static_cast<double>(problem_.drives.front().values.size()) - 1.0; }
+
+  [[nodiscard]] bool is_wanted(double s) const {
+    const auto meets = [s](double station) { return std::abs(s - station) < 1e-12; };
+    if (options_.pressure_Pa) return meets(end());
+    if (s < 0.0) return false;  // dead loads still grow
+    const auto& stations = study_.path.stations;
+    return meets(std::round(s)) || std::any_of(stations.begin(), stations.end(), meets);
+  }
+
+  void follow() {
+    const PathObserver observer = [this](const PathPoint& point, const BodyState& state, const PathRestart&) {
+      tell(0.5 * std::max(point.s, 0.0) / std::max(end(), 1.0), "inflating");
+      if (is_wanted(point.s)) states_.push_back({{point.step, point.s, point.pressures_Pa}, state});
+    };
+    const PathReport report = follow_path(equilibrium_, PathDrives{.plena = problem_.drives, .plates = problem_.plate_drives},
+                                          study_.path, observer, options_.stop);
+    if (report.status != io::RunStatus::completed) fail(report.status, report.reason);
+  }
+
+  void vibrate(std::size_t n) {
+    const auto& [step, state] = states_[n];
+    LinearisedBody body(vibrating_, state);
+    const bool is_last = n + 1 == states_.size();
+    const int count = is_last ? std::max(options_.mode_count, modes_of_response) : options_.mode_count;
+    VibrationReport report = vibrations(body, {.mode_count = count});
+    if (report.status != io::RunStatus::completed)
+      fail(report.status, "at s = " + io::number_text(step.s) + ": " + report.reason);
+    const bool has_modes = report.status == io::RunStatus::completed;
+    if (is_last && has_modes) respond(body, report);
+    const auto kept = std::min(report.modes.size(), static_cast<std::size_t>(options_.mode_count));
+    report.frequencies_Hz.resize(kept);
+    report.modes.resize(kept);
+    if (is_last && has_modes) {
+      write_mode_shapes(folder_ / "modes", space_, state.displacements_m,
+                        nodal_fields(vibrating_.assembly(), state.displacements_m), step, report);
+    }
+    report.modes.clear();  // shapes of all states together may be large, and only the last are written
+    result_.states.push_back({step.s, step.plenum_pressures_Pa, std::move(report)});
+    tell(0.5 + 0.5 * static_cast<double>(n + 1) / static_cast<double>(states_.size()), "modes");
+  }
+
+  void respond(LinearisedBody& body, const VibrationReport& modes) {
+    std::vector<double> load(3 * space_.positions.size(), 0.0);
+    for (std::size_t p = 0; p < problem_.body.plenum_count; ++p)
+      std::transform(load.begin(), load.end(), body.volume_gradient(p).begin(), load.begin(), std::plus<>());
+    std::vector<std::string> names{"chamber volume"};
+    std::vector<std::vector<double>> observables{load};
+    for (const LocatedPoint& point : points_) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        names.push_back(point.point.name + " " + "xyz"[axis]);
+        auto& weights = observables.emplace_back(load.size(), 0.0);
+        for (std::size_t a = 0; a < point.nodes.size(); ++a)
+          weights[3 * static_cast<std::size_t>(point.nodes[a]) + axis] = point.weights[a];
+      }
+    }
+    const std::vector<double> frequencies_Hz = response_frequencies_Hz(modes.frequencies_Hz.front());
+    const FrequencyResponse response = frequency_response(
+        body, modes, load, observables, {.frequencies_Hz = frequencies_Hz, .loss_factor = options_.loss_factor});
+    if (response.status != io::RunStatus::completed) {
+      fail(response.status, response.reason);
+      return;
+    }
+    result_.frequencies_Hz = frequencies_Hz;
+    for (std::size_t w = 0; w < names.size(); ++w)
+      result_.curves.push_back({names[w], w == 0 ? "m3" : "m", response.amplitudes[w]});
+  }
+
+  void finish() {
+    modes_table(result_).write(folder_ / "modes.csv");
+    if (!result_.curves.empty()) {
+      frequency_response_table(result_).write(folder_ / "frequency_response.csv");
+      if (study_.output.pictures) {
+        const io::PictureOutcome picture = draw_frequency_response(folder_ / "frequency_response.png", result_);
+        if (!picture.written) result_.notes.push_back("no picture: " + picture.missing);
+      }
+    }
+    result_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    io::write_whole(folder_ / "result.toml", modes_result_text(result_));
+    io::write_manifest(folder_, {.program = "menger-modes",
+                                 .parameters = resolved_text(study_) + "mode_count = " + std::to_string(options_.mode_count) +
+                                               "\nloss_factor = " + io::number_text(options_.loss_factor) + "\n",
+                                 .seed = std::nullopt,
+                                 .seconds = result_.seconds,
+                                 .inputs = study_.inputs});
+  }
+
+  struct Visited {
+    FieldStep step;
+    BodyState state;
+  };
+
+  InflationStudy study_;
+  const fs::path& folder_;
+  const ModesOptions& options_;
+  Clock::time_point start_ = Clock::now();
+  InflationProblem problem_;
+  Space space_;
+  std::vector<LocatedPoint> points_;
+  Equilibrium equilibrium_;
+  Body vibrating_body_;
+  Equilibrium vibrating_;
+  std::vector<Visited> states_;
+  ModesResult result_;
+};
+
+}  // namespace
+
+ModesResult run_modes(const InflationStudy& study, const fs::path& folder, const ModesOptions& options) {
+  require_density(study, study.material, "material");
+  for (const auto& [region, material] : study.region_materials)
+    require_density(study, material, "material.regions \"" + region + "\"");
+  io::require_writable_folder(folder);
+  return ModesRun(study, folder, options).run();
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <mpi.h>
+
+#include <memory>
+#include <vector>
+
+#include "fem/inflation/observables.h"
+#include "fem/load_cases/load_case_study.h"
+#include "fem/statics/body_ends.h"
+#include "fem/statics/equilibrium.h"
+#include "fem/statics/inflation_path.h"
+
+namespace menger::fem {
+
+/// The hollow body of a load case in the grips of its kind, with its solver and its measures. All chambers are one plenum.
+class LoadCaseBody {
+ public:
+  /// @throws io::InputError naming the case and what cannot be meshed
+  LoadCaseBody(const materials::LoadCase& load_case, const StudyMaterial& material, const LoadCaseElements& elements,
+               MPI_Comm communicator);
+  LoadCaseBody(const LoadCaseBody&) = delete;
+  LoadCaseBody& operator=(const LoadCaseBody&) = delete;
+
+  [[nodiscard]] Equilibrium& equilibrium() { return *equilibrium_; }
+  [[nodiscard]] std::size_t unknowns() const { return 3 * static_cast<std::size_t>(space_.node_count); }
+  [[nodiscard]] std::size_t element_count() const { return space_.element_count; }
+
+  /// Drives at rest: every plate where it was, the pressure 0, and no gravity.
+  [[nodiscard]] PathDrives at_rest() const;
+
+  /// Drives that take the imposed value of the kind from 0 at the first knot to `value` at the second.
+  [[nodiscard]] PathDrives impose(double value) const;
+
+  /// The ordinates of response_columns at a state; those of modes are left to others (empty).
+  [[nodiscard]] std::vector<double> ordinates(const PathPoint& point, const BodyState& state) const;
+
+ private:
+  void add_grips(const meshes::HexahedralMesh& mesh);
+  [[nodiscard]] Point top_displacement_m(const BodyState& state) const;
+  /// Growth of the height of the top centre over the mean of the bottom faces, after the rotation of the body is taken out.
+  [[nodiscard]] double top_rise_m(const BodyState& state) const;
+
+  materials::LoadCase load_case_;
+  Point low_{};
+  Point high_{};
+  Body body_;
+  Space space_;
+  std::unique_ptr<Equilibrium> equilibrium_;
+  std::unique_ptr<BodyEnds> ends_;
+  std::vector<LocatedPoint> top_;
+  double rest_volume_m3_ = 0.0;
+};
+
+/// Meshes the body of a case and forgets it. @throws io::InputError naming the case and what cannot be meshed
+void require_meshable(const materials::LoadCase& load_case, const LoadCaseElements& elements);
+
+}  // namespace menger::fem

@@ -1,0 +1,266 @@
+#include "fem/locomotion/locomotion_checkpoint.h"
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "io/text/content_hash.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+
+namespace menger::fem {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view title = "menger locomotion checkpoint 3\n";
+constexpr std::size_t hash_length = 64;
+
+// Bindings name all members of a struct, so that one that is added does not compile until it is kept here, too.
+
+Json to_json(const ExplicitWork& work) {
+  const auto& [pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = work;
+  return {pressure, gravity, contact, self_contact, friction, viscous, mass_damping};
+}
+
+ExplicitWork work_from(const Json& json) {
+  ExplicitWork work;
+  auto& [pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = work;
+  std::size_t at = 0;
+  for (double* value : {&pressure, &gravity, &contact, &self_contact, &friction, &viscous, &mass_damping})
+    json.at(at++).get_to(*value);
+  return work;
+}
+
+Json to_json(const PneumaticState& air) {
+  const auto& [time, volumes, plenum_air, piston_air, source_air, work] = air;
+  const auto& [piston, source, plenum, line] = work;
+  return {time, volumes, plenum_air, piston_air, source_air, piston, source, plenum, line};
+}
+
+PneumaticState air_from(const Json& json) {
+  PneumaticState air;
+  auto& [time, volumes, plenum_air, piston_air, source_air, work] = air;
+  auto& [piston, source, plenum, line] = work;
+  json.at(0).get_to(time);
+  std::size_t at = 1;
+  for (std::vector<double>* values : {&volumes, &plenum_air, &piston_air, &source_air}) json.at(at++).get_to(*values);
+  for (double* value : {&piston, &source, &plenum, &line}) json.at(at++).get_to(*value);
+  return air;
+}
+
+Json to_json(const ContactMemory& memory) {
+  const auto& [node, face, depth, pressed, paid, slip, is_sliding] = memory;
+  return {node, face, depth, pressed, paid, slip, is_sliding};
+}
+
+ContactMemory memory_from(const Json& json) {
+  ContactMemory memory;
+  auto& [node, face, depth, pressed, paid, slip, is_sliding] = memory;
+  json.at(0).get_to(node);
+  json.at(1).get_to(face);
+  json.at(2).get_to(depth);
+  json.at(3).get_to(pressed);
+  json.at(4).get_to(paid);
+  json.at(5).get_to(slip);
+  json.at(6).get_to(is_sliding);
+  return memory;
+}
+
+Json to_json(const std::vector<ContactMemory>& memories) {
+  Json list = Json::array();
+  for (const ContactMemory& memory : memories) list.push_back(to_json(memory));
+  return list;
+}
+
+Json to_json(const BranchState& branches) {
+  const auto& [tensors, age] = branches;
+  return {tensors, age};
+}
+
+BranchState branches_from(const Json& json) {
+  BranchState branches;
+  auto& [tensors, age] = branches;
+  json.at(0).get_to(tensors);
+  json.at(1).get_to(age);
+  return branches;
+}
+
+Json to_json(const ExplicitState& state) {
+  const auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air,
+               contact, branches] = state;
+  return {time,
+          displacements,
+          velocities,
+          last_step,
+          steps,
+          steps_to_bound,
+          step_share,
+          to_json(work),
+          turnover,
+          at_start ? Json(*at_start) : Json(),
+          air ? to_json(*air) : Json(),
+          contact ? to_json(*contact) : Json(),
+          branches ? to_json(*branches) : Json()};
+}
+
+ExplicitState explicit_state_from(const Json& json) {
+  ExplicitState state;
+  auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air, contact,
+         branches] = state;
+  json.at(0).get_to(time);
+  json.at(1).get_to(displacements);
+  json.at(2).get_to(velocities);
+  json.at(3).get_to(last_step);
+  json.at(4).get_to(steps);
+  json.at(5).get_to(steps_to_bound);
+  json.at(6).get_to(step_share);
+  work = work_from(json.at(7));
+  json.at(8).get_to(turnover);
+  if (!json.at(9).is_null()) at_start = json.at(9).get<double>();
+  if (!json.at(10).is_null()) air = air_from(json.at(10));
+  if (!json.at(11).is_null()) {
+    contact.emplace();
+    for (const Json& memory : json.at(11)) contact->push_back(memory_from(memory));
+  }
+  if (!json.at(12).is_null()) branches = branches_from(json.at(12));
+  return state;
+}
+
+Json to_json(const GroundNode& node) {
+  const auto& [touches, slides, anchor, friction] = node;
+  return {touches, slides, anchor, friction};
+}
+
+GroundNode ground_node_from(const Json& json) {
+  GroundNode node;
+  auto& [touches, slides, anchor, friction] = node;
+  json.at(0).get_to(touches);
+  json.at(1).get_to(slides);
+  json.at(2).get_to(anchor);
+  json.at(3).get_to(friction);
+  return node;
+}
+
+Json to_json(const ImplicitState& state) {
+  const auto& [time, displacements, velocities, accelerations, ground_nodes, next_step, steps, rejected, iterations, work,
+               at_start] = state;
+  Json ground = Json::array();
+  for (const GroundNode& node : ground_nodes) ground.push_back(to_json(node));
+  return {time,
+          displacements,
+          velocities,
+          accelerations,
+          ground,
+          next_step,
+          steps,
+          rejected,
+          iterations,
+          to_json(work),
+          at_start ? Json(*at_start) : Json()};
+}
+
+ImplicitState implicit_state_from(const Json& json) {
+  ImplicitState state;
+  auto& [time, displacements, velocities, accelerations, ground_nodes, next_step, steps, rejected, iterations, work, at_start] =
+      state;
+  json.at(0).get_to(time);
+  json.at(1).get_to(displacements);
+  json.at(2).get_to(velocities);
+  json.at(3).get_to(accelerations);
+  for (const Json& node : json.at(4)) ground_nodes.push_back(ground_node_from(node));
+  json.at(5).get_to(next_step);
+  json.at(6).get_to(steps);
+  json.at(7).get_to(rejected);
+  json.at(8).get_to(iterations);
+  work = work_from(json.at(9));
+  if (!json.at(10).is_null()) at_start = json.at(10).get<double>();
+  return state;
+}
+
+/// With the place of the method among the kinds of states.
+Json to_json(const LocomotionState& state) {
+  return {state.index(), std::visit([](const auto& kind) { return to_json(kind); }, state)};
+}
+
+LocomotionState state_from(const Json& json) {
+  if (json.at(0).get<std::size_t>() == 0) return explicit_state_from(json.at(1));
+  return implicit_state_from(json.at(1));
+}
+
+Json to_json(const LocomotionRecord& record) {
+  const auto& [time, centre, pressures, volumes, energies, ground_force] = record;
+  const auto& [kinetic, strain, work, at_start] = energies;
+  return {time, centre, pressures, volumes, kinetic, strain, to_json(work), at_start, ground_force};
+}
+
+LocomotionRecord record_from(const Json& json) {
+  LocomotionRecord record;
+  auto& [time, centre, pressures, volumes, energies, ground_force] = record;
+  auto& [kinetic, strain, work, at_start] = energies;
+  json.at(0).get_to(time);
+  json.at(1).get_to(centre);
+  json.at(2).get_to(pressures);
+  json.at(3).get_to(volumes);
+  json.at(4).get_to(kinetic);
+  json.at(5).get_to(strain);
+  work = work_from(json.at(6));
+  json.at(7).get_to(at_start);
+  json.at(8).get_to(ground_force);
+  return record;
+}
+
+/// The progress as CBOR, whose numbers are those of the machine.
+std::string content_of(const LocomotionProgress& progress) {
+  const auto& [state, records, outcome, seconds] = progress;
+  Json list = Json::array();
+  for (const LocomotionRecord& record : records) list.push_back(to_json(record));
+  Json end;
+  if (outcome) end = {static_cast<int>(outcome->status), outcome->reason};
+  std::string bytes;
+  Json::to_cbor(Json{to_json(state), list, end, seconds}, bytes);
+  return bytes;
+}
+
+LocomotionProgress progress_from(std::string_view bytes) {
+  const Json json = Json::from_cbor(bytes);
+  LocomotionProgress progress{.state = state_from(json.at(0)), .records = {}, .outcome = {}, .seconds = json.at(3).get<double>()};
+  for (const Json& record : json.at(1)) progress.records.push_back(record_from(record));
+  if (const Json& end = json.at(2); !end.is_null())
+    progress.outcome = {static_cast<io::RunStatus>(end.at(0).get<int>()), end.at(1).get<std::string>()};
+  return progress;
+}
+
+std::string checked_content(const std::string& whole, const std::string& identity) {
+  const std::size_t head = title.size() + 2 * hash_length;
+  if (!std::string_view(whole).starts_with(title) || whole.size() < head)
+    throw io::InputError("is no checkpoint of this version of menger");
+  if (whole.substr(title.size(), hash_length) != io::content_hash(identity)) throw io::InputError("belongs to another study");
+  std::string content = whole.substr(head);
+  if (whole.substr(title.size() + hash_length, hash_length) != io::content_hash(content)) throw io::InputError("is damaged");
+  return content;
+}
+
+}  // namespace
+
+void write_locomotion_checkpoint(const std::filesystem::path& file, const std::string& identity,
+                                 const LocomotionProgress& progress) {
+  const std::string content = content_of(progress);
+  io::write_whole(file, std::string(title) + io::content_hash(identity) + io::content_hash(content) + content);
+}
+
+std::optional<LocomotionProgress> read_locomotion_checkpoint(const std::filesystem::path& file, const std::string& identity) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  try {
+    return progress_from(checked_content(io::read_whole(file), identity));
+  } catch (const io::InputError& error) {
+    throw io::InputError(file.string() + ": " + error.what() + "; --restart begins anew");
+  } catch (const Json::exception&) {  // the hash is that of its content, but another build arranged it
+    throw io::InputError(file.string() + ": is of another build of menger; --restart begins anew");
+  }
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,53 @@
+#include "fem/locomotion/locomotion_dynamics.h"
+
+#include <utility>
+
+namespace menger::fem {
+namespace {
+
+class ExplicitLocomotion final : public LocomotionDynamics {
+ public:
+  ExplicitLocomotion(const LocomotionStudy& study, ExplicitOptions options)
+      : body_(study.mesh, body_options(study)),
+        dynamics_(study.mesh, body_, std::move(options)),
+        plenum_count_(study.mesh.plenum_names.size()) {}
+
+  LocomotionOutcome advance_to(double time_s) override {
+    const ExplicitReport& report = dynamics_.advance_to(time_s);
+    return {report.status, report.reason};
+  }
+  void set_state(LocomotionState state) override { dynamics_.set_state(std::get<ExplicitState>(std::move(state))); }
+  [[nodiscard]] LocomotionState state() const override { return dynamics_.state(); }
+  [[nodiscard]] double time_s() const override { return dynamics_.state().time_s; }
+  [[nodiscard]] std::size_t steps() const override { return dynamics_.state().steps; }
+  [[nodiscard]] bool goes_on_from_any_state() const override { return true; }
+  [[nodiscard]] std::string machine_text() const override { return std::string(body_.kernels().instruction_set); }
+
+  [[nodiscard]] LocomotionRecord record() override {
+    LocomotionRecord record;
+    record.time_s = dynamics_.state().time_s;
+    record.centre_of_mass_m = dynamics_.centre_of_mass_m();
+    for (std::size_t p = 0; p < plenum_count_; ++p) record.plenum_pressures_Pa.push_back(dynamics_.plenum_pressure_Pa(p));
+    record.chamber_volumes_m3 = dynamics_.chamber_volumes_m3();
+    record.energies = dynamics_.energies();
+    record.ground_force_N = dynamics_.ground_force_N();
+    return record;
+  }
+  [[nodiscard]] std::vector<double> displacements_m() const override { return dynamics_.state().displacements_m; }
+  [[nodiscard]] std::vector<double> velocities_m_per_s() override { return dynamics_.velocities_m_per_s(); }
+
+ private:
+  ExplicitBody body_;
+  ExplicitDynamics dynamics_;
+  std::size_t plenum_count_;
+};
+
+}  // namespace
+
+std::unique_ptr<LocomotionDynamics> make_explicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop) {
+  ExplicitOptions options = dynamics_options(study);
+  options.stop = stop;
+  return std::make_unique<ExplicitLocomotion>(study, std::move(options));
+}
+
+}  // namespace menger::fem

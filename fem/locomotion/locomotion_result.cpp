@@ -1,0 +1,117 @@
+#include "fem/locomotion/locomotion_result.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "io/text/number_text.h"
+#include "io/text/toml_document.h"
+#include "meshes/load_cases/observables.h"
+
+namespace menger::fem {
+namespace {
+
+/// Works and losses in the order of their columns.
+constexpr std::pair<const char*, double ExplicitWork::*> work_columns[] = {
+    {"pressure_work_J", &ExplicitWork::pressure_J},         {"gravity_work_J", &ExplicitWork::gravity_J},
+    {"contact_work_J", &ExplicitWork::contact_J},           {"self_contact_work_J", &ExplicitWork::self_contact_J},
+    {"friction_loss_J", &ExplicitWork::friction_J},         {"viscous_loss_J", &ExplicitWork::viscous_J},
+    {"mass_damping_loss_J", &ExplicitWork::mass_damping_J},
+};
+
+/// A name as part of the name of a column.
+std::string column_part(std::string name) {
+  for (char& sign : name) {
+    if (std::isalnum(static_cast<unsigned char>(sign)) == 0) sign = '_';
+  }
+  return name;
+}
+
+std::vector<std::string> columns_of(const LocomotionResult& result) {
+  std::vector<std::string> columns{"time_s",
+                                   "centre_of_mass_x_m",
+                                   "centre_of_mass_y_m",
+                                   "centre_of_mass_z_m",
+                                   "horizontal_displacement_m",
+                                   "horizontal_displacement_body_lengths"};
+  for (const std::string& plenum : result.plenum_names) columns.push_back(column_part(plenum) + "_pressure_Pa");
+  for (const std::string& chamber : result.chamber_names) columns.push_back(column_part(chamber) + "_volume_m3");
+  columns.insert(columns.end(), {"kinetic_J", "strain_J"});
+  for (const auto& [name, work] : work_columns) columns.emplace_back(name);
+  columns.insert(columns.end(), {"imbalance_J", "ground_force_N"});
+  return columns;
+}
+
+void add_line(std::string& text, std::string_view key, std::string_view value) {
+  text.append(key).append(" = ").append(value).append("\n");
+}
+void add_number(std::string& text, std::string_view key, double value) { add_line(text, key, io::number_text(value)); }
+void add_count(std::string& text, std::string_view key, std::size_t value) { add_line(text, key, std::to_string(value)); }
+
+}  // namespace
+
+std::optional<Travel> travel_of(const LocomotionResult& result) {
+  if (result.status != io::RunStatus::completed || result.records.empty()) return std::nullopt;
+  Travel travel;
+  travel.displacement_m = difference(result.records.back().centre_of_mass_m, result.records.front().centre_of_mass_m);
+  travel.horizontal_displacement_m = materials::horizontal_displacement(travel.displacement_m);
+  travel.horizontal_displacement_body_lengths = travel.horizontal_displacement_m / result.body_length_m;
+  const double duration_s = result.records.back().time_s - result.records.front().time_s;
+  travel.body_lengths_per_minute = 60.0 * travel.horizontal_displacement_body_lengths / duration_s;
+  if (travel.horizontal_displacement_m > 0.0)
+    travel.direction_deg = 180.0 / std::numbers::pi * std::atan2(travel.displacement_m[1], travel.displacement_m[0]);
+  return travel;
+}
+
+double peak_height_m(const LocomotionResult& result) {
+  double highest = result.records.front().centre_of_mass_m[2];
+  for (const LocomotionRecord& record : result.records) highest = std::max(highest, record.centre_of_mass_m[2]);
+  return highest - result.ground_height_m;
+}
+
+io::CsvTable trajectory_table(const LocomotionResult& result) {
+  io::CsvTable table(columns_of(result));
+  for (const LocomotionRecord& record : result.records) {
+    const Point& centre = record.centre_of_mass_m;
+    const double displacement = materials::horizontal_displacement(difference(centre, result.records.front().centre_of_mass_m));
+    std::vector<io::CsvCell> cells{record.time_s, centre[0],    centre[1],
+                                   centre[2],     displacement, displacement / result.body_length_m};
+    cells.insert(cells.end(), record.plenum_pressures_Pa.begin(), record.plenum_pressures_Pa.end());
+    cells.insert(cells.end(), record.chamber_volumes_m3.begin(), record.chamber_volumes_m3.end());
+    cells.insert(cells.end(), {record.energies.kinetic_J, record.energies.strain_J});
+    for (const auto& [name, work] : work_columns) cells.emplace_back(record.energies.work.*work);
+    cells.insert(cells.end(), {record.energies.imbalance_J(), record.ground_force_N});
+    table.add_cells(cells);
+  }
+  return table;
+}
+
+std::string result_text(const LocomotionResult& result) {
+  std::string text;
+  add_line(text, "status", io::toml_quoted(io::to_string(result.status)));
+  add_line(text, "reason", io::toml_quoted(result.reason));
+  add_number(text, "time_s", result.time_s);
+  add_count(text, "steps", result.steps);
+  add_count(text, "elements", result.elements);
+  add_count(text, "nodes", result.nodes);
+  add_count(text, "records", result.records.size());
+  add_number(text, "body_length_m", result.body_length_m);
+  if (const auto travel = travel_of(result)) {
+    std::string list;
+    for (const double component : travel->displacement_m)
+      list.append(list.empty() ? "" : ", ").append(io::number_text(component));
+    add_line(text, "displacement_m", "[" + list + "]");
+    add_number(text, "horizontal_displacement_m", travel->horizontal_displacement_m);
+    add_number(text, "horizontal_displacement_body_lengths", travel->horizontal_displacement_body_lengths);
+    add_number(text, "body_lengths_per_minute", travel->body_lengths_per_minute);
+    add_number(text, "direction_deg", travel->direction_deg);
+  }
+  add_number(text, "peak_height_m", peak_height_m(result));
+  add_number(text, "seconds", result.seconds);
+  return text;
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,129 @@
+#include "fem/locomotion/locomotion_sweep.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+
+#include "fem/locomotion/locomotion_study_file.h"
+#include "io/picture/chart.h"
+#include "io/text/number_text.h"
+#include "io/text/toml_substitution.h"
+#include "io/text/whole_file.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double least_span = 0.02;  ///< body lengths
+
+fs::path case_folder(std::size_t number) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "case_%02zu", number);
+  return name.data();
+}
+
+/// Paths from above.
+io::ChartPanel paths_panel(const std::vector<SweepCase>& cases) {
+  io::ChartPanel panel{.x = {.title = "path from above: x (body lengths)", .least_span = least_span},
+                       .y = {.title = "y (body lengths)", .least_span = least_span},
+                       .equal_scale = true};
+  for (const SweepCase& one : cases) {
+    io::ChartSeries path{.name = io::number_text(one.values.front())};
+    const LocomotionResult& result = one.result;
+    for (const LocomotionRecord& record : result.records) {
+      const Point way = difference(record.centre_of_mass_m, result.records.front().centre_of_mass_m);
+      path.x.push_back(way[0] / result.body_length_m);
+      path.y.push_back(way[1] / result.body_length_m);
+    }
+    panel.series.push_back(std::move(path));
+  }
+  return panel;
+}
+
+/// Speeds over the value, of the cases that completed.
+io::ChartPanel speeds_panel(const LocomotionSweep& sweep, const std::vector<SweepCase>& cases) {
+  io::ChartSeries along_x{.name = "x", .marks = io::Marks::line_and_points};
+  io::ChartSeries along_y{.name = "y", .marks = io::Marks::line_and_points};
+  for (const SweepCase& one : cases) {
+    const auto travel = travel_of(one.result);
+    if (!travel) continue;
+    const double per_minute = 60.0 / (one.result.body_length_m * one.result.time_s);
+    for (io::ChartSeries* series : {&along_x, &along_y}) series->x.push_back(one.values.front());
+    along_x.y.push_back(per_minute * travel->displacement_m[0]);
+    along_y.y.push_back(per_minute * travel->displacement_m[1]);
+  }
+  return {.x = {.title = sweep.keys.front()},
+          .y = {.title = "speed (body lengths per minute)", .least_span = least_span},
+          .series = {along_x, along_y},
+          .markers = {}};
+}
+
+}  // namespace
+
+std::vector<LocomotionStudy> sweep_studies(const LocomotionStudy& study) {
+  std::vector<LocomotionStudy> studies;
+  for (const std::vector<double>& values : study.sweep->values) {
+    std::string text = study.text;
+    for (std::size_t k = 0; k < values.size(); ++k) text = io::with_number(text, study.sweep->keys[k], values[k], study.file);
+    studies.push_back(parse_locomotion_study(text, study.file));
+    studies.back().sweep.reset();
+    studies.back().threads = study.threads;  // what the command line may have changed
+    studies.back().output.pictures = study.output.pictures;
+    studies.back().inputs[study.file.string()] = study.inputs.at(study.file.string());
+  }
+  return studies;
+}
+
+std::vector<SweepCase> run_sweep(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options,
+                                 const std::function<void(std::size_t number, const SweepCase& done)>& ran) {
+  const std::vector<LocomotionStudy> studies = sweep_studies(study);
+  // A case that cannot begin is found before hours of others, and before anything of an earlier sweep is removed.
+  for (std::size_t n = 0; n < studies.size(); ++n) check_locomotion(studies[n], folder / case_folder(n + 1), options);
+  io::require_writable_folder(folder);
+  for (const char* name : {"sweep.csv", "sweep.png"}) io::remove_if_there(folder / name);
+  std::vector<SweepCase> cases;
+  for (std::size_t n = 0; n < studies.size(); ++n) {
+    cases.push_back({study.sweep->values[n], run_locomotion(studies[n], folder / case_folder(n + 1), options)});
+    sweep_table(*study.sweep, cases).write(folder / "sweep.csv");
+    if (ran) ran(n + 1, cases.back());
+    if (cases.back().result.status == io::RunStatus::stopped) return cases;
+  }
+  if (study.output.pictures) {
+    const io::Chart chart{.panels = {speeds_panel(*study.sweep, cases), paths_panel(cases)}};
+    if (const auto picture = io::write_chart(folder / "sweep.png", chart); !picture.written)
+      cases.back().result.notes.push_back("no chart of the sweep: " + picture.missing);
+  }
+  return cases;
+}
+
+io::CsvTable sweep_table(const LocomotionSweep& sweep, const std::vector<SweepCase>& cases) {
+  std::vector<std::string> columns{"case"};
+  columns.insert(columns.end(), sweep.keys.begin(), sweep.keys.end());
+  for (const char* name : {"status", "reason", "displacement_x_m", "displacement_y_m", "horizontal_displacement_m",
+                           "body_lengths_per_minute", "direction_deg", "peak_height_m", "steps", "seconds"})
+    columns.emplace_back(name);
+  io::CsvTable table(columns);
+  for (std::size_t n = 0; n < cases.size(); ++n) {
+    const LocomotionResult& result = cases[n].result;
+    std::vector<io::CsvCell> row{io::cell(static_cast<std::uint64_t>(n + 1))};
+    for (const double value : cases[n].values) row.push_back(io::cell(value));
+    row.push_back(io::cell(io::to_string(result.status)));
+    row.push_back(io::cell(std::string_view(result.reason)));
+    const auto travel = travel_of(result);
+    const auto add = [&](auto number) { row.push_back(io::cell(travel ? std::optional(number(*travel)) : std::nullopt)); };
+    add([](const Travel& t) { return t.displacement_m[0]; });
+    add([](const Travel& t) { return t.displacement_m[1]; });
+    add([](const Travel& t) { return t.horizontal_displacement_m; });
+    add([](const Travel& t) { return t.body_lengths_per_minute; });
+    add([](const Travel& t) { return t.direction_deg; });
+    row.push_back(io::cell(peak_height_m(result)));
+    row.push_back(io::cell(static_cast<std::uint64_t>(result.steps)));
+    row.push_back(io::cell(result.seconds));
+    table.add_cells(row);
+  }
+  return table;
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,159 @@
+#include "fem/pneumatics/pressure_schedule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "io/text/csv_table.h"
+#include "io/text/number_text.h"
+
+namespace menger::fem {
+namespace {
+
+double fraction_of_period(double frequency_Hz, double phase, double time_s) {
+  const double periods = frequency_Hz * time_s + phase;
+  return periods - std::floor(periods);
+}
+
+double pressure_at(const ConstantPressure& schedule, double) { return schedule.pressure_Pa; }
+
+double pressure_at(const SinePressure& schedule, double time_s) {
+  const double angle = 2.0 * std::numbers::pi * fraction_of_period(schedule.frequency_Hz, schedule.phase, time_s);
+  return schedule.low_Pa + 0.5 * (schedule.high_Pa - schedule.low_Pa) * (1.0 - std::cos(angle));
+}
+
+double pressure_at(const SquarePressure& schedule, double time_s) {
+  const double at = fraction_of_period(schedule.frequency_Hz, schedule.phase, time_s);
+  const double rise = schedule.rise_s * schedule.frequency_Hz;
+  const bool falls = at >= schedule.duty;
+  const double since = falls ? at - schedule.duty : at;
+  const double changed = since >= rise ? 1.0 : since / rise;
+  return schedule.low_Pa + (schedule.high_Pa - schedule.low_Pa) * (falls ? 1.0 - changed : changed);
+}
+
+double pressure_at(const PressureTable& table, double time_s) {
+  const auto after = std::upper_bound(table.times_s.begin(), table.times_s.end(), time_s);
+  if (after == table.times_s.begin()) return table.pressures_Pa.front();
+  if (after == table.times_s.end()) return table.pressures_Pa.back();
+  const auto n = static_cast<std::size_t>(after - table.times_s.begin());
+  const double part = (time_s - table.times_s[n - 1]) / (table.times_s[n] - table.times_s[n - 1]);
+  return std::lerp(table.pressures_Pa[n - 1], table.pressures_Pa[n], part);
+}
+
+enum class Kind { constant, sine, square, table };
+
+SquarePressure read_square(const io::TomlTable& table) {
+  SquarePressure square{.low_Pa = table.number_or("low_Pa", 0.0),
+                        .high_Pa = table.number("high_Pa"),
+                        .frequency_Hz = table.number("frequency_Hz", io::positive()),
+                        .phase = table.number_or("phase", 0.0),
+                        .duty = table.number_or("duty", 0.5, io::between(0.0, 1.0)),
+                        .rise_s = table.number_or("rise_s", 0.0, io::non_negative())};
+  if (square.rise_s * square.frequency_Hz > std::min(square.duty, 1.0 - square.duty))
+    throw table.error("rise_s", "must not be longer than the pressure is high or low");
+  return square;
+}
+
+PressureSchedule read_schedule(const io::TomlTable& table) {
+  const Kind kind = table.word<Kind>(
+      "schedule", {{"constant", Kind::constant}, {"sine", Kind::sine}, {"square", Kind::square}, {"table", Kind::table}});
+  if (kind == Kind::constant) return ConstantPressure{table.number("pressure_Pa")};
+  if (kind == Kind::table) return read_pressure_table(table.path("file"));
+  if (kind == Kind::square) return read_square(table);
+  return SinePressure{.low_Pa = table.number_or("low_Pa", 0.0),
+                      .high_Pa = table.number("high_Pa"),
+                      .frequency_Hz = table.number("frequency_Hz", io::positive()),
+                      .phase = table.number_or("phase", 0.0)};
+}
+
+/// A time in which a schedule does something, with the steps that it needs.
+struct Detail {
+  double duration_s;
+  double steps;
+  std::string_view name;
+};
+
+std::vector<Detail> details_of(const PlenumSchedule& plenum) {
+  std::vector<Detail> details;
+  if (plenum.ramp_s > 0.0) details.push_back({plenum.ramp_s, 2.0, "ramp"});
+  if (const auto* sine = std::get_if<SinePressure>(&plenum.schedule))
+    details.push_back({1.0 / sine->frequency_Hz, 20.0, "period"});
+  if (const auto* square = std::get_if<SquarePressure>(&plenum.schedule)) {
+    details.push_back({1.0 / square->frequency_Hz, 20.0, "period"});
+    if (square->rise_s > 0.0) details.push_back({square->rise_s, 2.0, "rise"});
+  }
+  if (const auto* table = std::get_if<PressureTable>(&plenum.schedule)) {
+    for (std::size_t row = 1; row < table->times_s.size(); ++row)
+      details.push_back({table->times_s[row] - table->times_s[row - 1], 2.0, "line of a table"});
+  }
+  return details;
+}
+
+}  // namespace
+
+double pressure_Pa(const PlenumSchedule& plenum, double time_s) {
+  const double pressure = std::visit([&](const auto& schedule) { return pressure_at(schedule, time_s); }, plenum.schedule);
+  return time_s < plenum.ramp_s ? pressure * time_s / plenum.ramp_s : pressure;
+}
+
+double lowest_pressure_Pa(const PlenumSchedule& plenum) {
+  struct Lowest {
+    double operator()(const ConstantPressure& constant) const { return constant.pressure_Pa; }
+    double operator()(const SinePressure& sine) const { return std::min(sine.low_Pa, sine.high_Pa); }
+    double operator()(const SquarePressure& square) const { return std::min(square.low_Pa, square.high_Pa); }
+    double operator()(const PressureTable& table) const { return *std::ranges::min_element(table.pressures_Pa); }
+  };
+  const double lowest = std::visit(Lowest{}, plenum.schedule);
+  return plenum.ramp_s > 0.0 ? std::min(0.0, lowest) : lowest;
+}
+
+PressureTable read_pressure_table(const std::filesystem::path& file) {
+  const io::CsvContents csv = io::read_csv(file);
+  PressureTable table{csv.numbers("time_s"), csv.numbers("pressure_Pa")};
+  if (table.times_s.empty()) throw io::InputError(file.string() + ": has no rows");
+  for (std::size_t row = 1; row < table.times_s.size(); ++row) {
+    // The range names file, line, column and value.
+    static_cast<void>(csv.number(row, "time_s", {.lowest = table.times_s[row - 1], .lowest_excluded = true}));
+  }
+  return table;
+}
+
+PlenumSchedule read_plenum_schedule(const io::TomlTable& table) {
+  return {read_schedule(table), table.number_or("ramp_s", 0.0, io::non_negative())};
+}
+
+std::size_t named_plenum(const io::TomlTable& table, std::span<const std::string> plenum_names) {
+  const std::string name = table.text("plenum");
+  const auto at = std::ranges::find(plenum_names, name);
+  if (at != plenum_names.end()) return static_cast<std::size_t>(at - plenum_names.begin());
+  std::string known;
+  for (const std::string& plenum : plenum_names) known += (known.empty() ? "\"" : ", \"") + plenum + "\"";
+  throw table.error("plenum", "the body has " + (known.empty() ? "no plenum" : known));
+}
+
+std::vector<PlenumSchedule> read_plenum_schedules(std::span<const io::TomlTable> tables,
+                                                  std::span<const std::string> plenum_names) {
+  std::vector<std::optional<PlenumSchedule>> found(plenum_names.size());
+  for (const io::TomlTable& table : tables) {
+    auto& schedule = found[named_plenum(table, plenum_names)];
+    if (schedule) throw table.error("plenum", "has a schedule already");
+    schedule = read_plenum_schedule(table);
+  }
+  std::vector<PlenumSchedule> schedules;
+  schedules.reserve(found.size());
+  for (const auto& schedule : found) schedules.push_back(schedule.value_or(PlenumSchedule{ConstantPressure{}, 0.0}));
+  return schedules;
+}
+
+void check_resolved(std::span<const PlenumSchedule> schedules, std::span<const std::string> plenum_names, double step_s) {
+  for (std::size_t p = 0; p < schedules.size(); ++p) {
+    for (const Detail& detail : details_of(schedules[p])) {
+      if (detail.duration_s >= detail.steps * step_s) continue;
+      throw io::InputError("plenum \"" + plenum_names[p] + "\": a " + std::string(detail.name) + " of " +
+                           io::number_text(detail.duration_s) + " s is too short for steps of " + io::number_text(step_s) + " s");
+    }
+  }
+}
+
+}  // namespace menger::fem

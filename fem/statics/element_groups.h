@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <new>
+#include <span>
+#include <vector>
+
+#include "fem/elements/element_kernel.h"
+#include "fem/space/space.h"
+#include "fem/statics/body.h"
+
+namespace menger::fem {
+
+/// Doubles aligned for the packs of the element kernels.
+template <class T>
+struct PackAllocator {
+  using value_type = T;  // NOLINT(readability-identifier-naming): the name that containers ask for
+  static constexpr std::align_val_t alignment{64};
+  PackAllocator() = default;
+  template <class Other>
+  explicit PackAllocator(const PackAllocator<Other>&) {}
+  T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), alignment)); }
+  void deallocate(T* data, std::size_t) { ::operator delete(data, alignment); }
+  bool operator==(const PackAllocator&) const = default;
+};
+using PackedDoubles = std::vector<double, PackAllocator<double>>;
+
+/// What to compute of every element.
+struct ElementWanted {
+  bool residual = false;
+  bool stiffness = false;
+};
+
+/// Energy of all elements of this rank and the smallest volume ratio at their quadrature points.
+struct ElementSums {
+  double energy_J = 0.0;
+  double smallest_ratio = 1e300;  ///< not positive or not a number: the state has no answer
+};
+
+/// The elements of a rank in batches of one material each, as the kernels want them.
+class ElementGroups {
+ public:
+  /// What a batch hands over for each of its elements, not interleaved any more.
+  struct ElementResult {
+    std::span<const Index> nodes;       ///< local
+    std::span<const double> residual;   ///< 3 nodes
+    std::span<const double> stiffness;  ///< (3 nodes)^2, row by row, both triangles
+  };
+  using Receiver = std::function<void(const ElementResult&)>;
+
+  ElementGroups(const Space& space, const Body& body, ElementKernels kernels = best_element_kernels());
+
+  /// @param displacements 3 per local node @param receive called for each element unless nothing is wanted
+  /// With predict_pressure called before, the stiffness contains the predicted pressures (see ElementKernels).
+  ElementSums evaluate(std::span<const double> displacements, const ElementWanted& wanted, const Receiver& receive);
+
+  /// Pressures for the next stiffness: what is expected at `displacements` + `step`.
+  void predict_pressure(std::span<const double> displacements, std::span<const double> step);
+
+  /// The pressures that predict_pressure has left, as numbers of this rank; to be kept with a state and given back.
+  [[nodiscard]] std::vector<double> predicted_pressures() const;
+  void set_predicted_pressures(std::span<const double> pressures);
+
+  /// From here on the stiffness is again the exact one.
+  void forget_prediction() { has_prediction_ = false; }
+
+  /// Fields at the quadrature points of an element: deformation gradients (9 per point, row by row), Cauchy stresses (9 per
+  /// point), volume ratios, pressures; the spans live during the call.
+  struct PointResult {
+    std::size_t element;  ///< local
+    std::span<const double> deformation_gradient;
+    std::span<const double> cauchy_stress;
+    std::span<const double> volume_ratio;
+    std::span<const double> pressure;
+  };
+  void evaluate_points(std::span<const double> displacements, const std::function<void(const PointResult&)>& receive);
+
+ private:
+  struct Batch {
+    std::size_t region;
+    std::vector<std::size_t> elements;  ///< at most as many as lanes
+    PackedDoubles positions;
+    PackedDoubles predicted_pressure;
+  };
+  void gather(const Batch& batch, std::span<const double> values, PackedDoubles& packed) const;
+  void hand_over(const Batch& batch, const ElementWanted& wanted, const Receiver& receive);
+  [[nodiscard]] std::span<const Index> nodes_of(std::size_t element) const;
+
+  const Space& space_;
+  ElementKernels kernels_;
+  std::vector<ElementMaterial> materials_;
+  std::vector<Batch> batches_;
+  bool has_prediction_ = false;
+  PackedDoubles displacements_;
+  PackedDoubles step_;
+  PackedDoubles residual_;
+  PackedDoubles stiffness_;
+  PackedDoubles energy_;
+  PackedDoubles ratio_;
+  std::vector<double> element_residual_;
+  std::vector<double> element_stiffness_;
+};
+
+}  // namespace menger::fem

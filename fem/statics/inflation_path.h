@@ -1,0 +1,98 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fem/statics/equilibrium.h"
+#include "fem/statics/path_drives.h"
+
+namespace menger::fem {
+
+/// A state on the path, given to the observer and kept in the report.
+struct PathPoint {
+  double s = 0.0;
+  int step = 0;                           ///< 0: the state at rest under dead loads
+  std::vector<double> pressures_Pa;       ///< gauge, per plenum
+  std::vector<double> plenum_volumes_m3;  ///< of the modelled part
+  std::vector<double> chamber_volumes_m3;
+  double strain_energy_J = 0.0;
+  double work_J = 0.0;  ///< of the pressures since the start, sum of integral p dV (trapezoids)
+  double dead_load_work_J = 0.0;
+  double ground_force_N = 0.0;
+  std::vector<PlateReaction> plates;  ///< on the body
+  double smallest_ratio = 1.0;
+  std::optional<int> negative_pivots;
+  std::optional<double> smallest_gap_m;  ///< between facing chamber walls
+  int iterations = 0;
+  double seconds = 0.0;
+};
+
+/// A maximum or minimum of the pressure of a plenum as function of its volume.
+struct LimitPoint {
+  std::size_t plenum = 0;
+  double pressure_Pa = 0.0;  ///< gauge
+  double volume_m3 = 0.0;
+  bool passed = false;  ///< whether states beyond it were reached
+};
+
+/// Steps along a path whose parameter s runs from 0 to the number of its legs, one leg between two knots.
+struct PathOptions {
+  double first_step = 0.25;      ///< of a leg
+  double largest_step = 0.5;     ///< of a leg
+  double smallest_step = 1e-4;   ///< of a leg; when even this one fails the path ends
+  int desired_iterations = 6;    ///< steps grow when they take fewer, and shrink when they take more
+  int predictor_order = 2;       ///< 0: the last state, 1: secant, 2: quadratic through the last three
+  std::vector<double> stations;  ///< values of s that must be met exactly, beside the knots
+  double touching_gap = 1e-3;    ///< walls touch when their gap is this part of the chamber's size; 0: contact is not looked for
+  /// Called after every step: whether the path ends there, `completed`. May be empty.
+  std::function<bool(const PathPoint& point, const std::vector<LimitPoint>& limit_points)> ends_at{};
+};
+
+struct PathReport {
+  io::RunStatus status = io::RunStatus::completed;
+  std::string reason;  ///< for people: what was reached and why it ended there
+  std::vector<PathPoint> points;
+  std::vector<LimitPoint> limit_points;
+  int iterations = 0;
+  int factorisations = 0;
+  int rejected_steps = 0;
+};
+
+/// Where a path can be taken up again: the last states, oldest first.
+struct PathRestart {
+  std::vector<double> s{};
+  std::vector<BodyState> states{};
+  std::vector<PathPoint> points{};  ///< all of them so far
+  std::vector<LimitPoint> limit_points{};
+  double next_step = 0.0;
+  double failed_s = std::numeric_limits<double>::max();        ///< the least s that could not be reached
+  io::RunStatus failed_status = io::RunStatus::not_converged;  ///< why
+  int rejected_steps = 0;
+};
+
+/// Called with every new point and its state.
+using PathObserver = std::function<void(const PathPoint& point, const BodyState& state, const PathRestart& restart)>;
+
+/// Follows equilibria along the drives of plena and plates, with adaptive steps.
+///
+/// The path starts at rest, at the values of s = 0 (0 for pressures, 1 for ratios). Dead loads grow before that, from s = -1 to
+/// 0; if there is a ground, they act in full from the start.
+///
+/// Stability (limit points under control by pressure) is judged where all plena are driven by pressure and the linear solver is
+/// direct; with mixed drives a path that meets such a point ends `not_converged`.
+/// @param stop set on one rank only or on all at once; looked at between steps and iterations
+/// @param restart of an earlier, interrupted run with the same body and drives
+PathReport follow_path(Equilibrium& equilibrium, const PathDrives& drives, const PathOptions& options,
+                       const PathObserver& observer, const std::atomic<bool>* stop = nullptr,
+                       const PathRestart* restart = nullptr);
+
+/// The same with plates, if there are any, at rest.
+PathReport follow_path(Equilibrium& equilibrium, const std::vector<PlenumDrive>& plena, const PathOptions& options,
+                       const PathObserver& observer, const std::atomic<bool>* stop = nullptr,
+                       const PathRestart* restart = nullptr);
+
+}  // namespace menger::fem

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+
+#include "fem/space/petsc_handle.h"
+#include "fem/statics/assembly.h"
+
+namespace menger::fem {
+
+/// How linear systems with the stiffness are solved.
+enum class LinearMethod {
+  automatic,  ///< direct up to largest_direct_size unknowns, iterative above
+  direct,     ///< MUMPS, LDL^T of the symmetric matrix, which may be indefinite
+  /// Conjugate gradients, preconditioned by algebraic multigrid (GAMG) that knows the rigid-body modes; GMRES where the matrix
+  /// turns out indefinite.
+  iterative
+};
+
+struct LinearOptions {
+  LinearMethod method = LinearMethod::automatic;
+  int largest_direct_size = 150'000;  ///< unknowns
+  double relative_tolerance = 1e-7;   ///< of the iterative method
+};
+
+/// The stiffness matrix of a body and a solver for it.
+class LinearSolver {
+ public:
+  LinearSolver(const Assembly& assembly, const LinearOptions& options);
+
+  /// The matrix to assemble into.
+  [[nodiscard]] Mat matrix() const { return matrix_; }
+
+  /// Takes over the matrix's present values: a factorisation, or a new preconditioner.
+  /// @return whether it could be done; a singular matrix cannot
+  bool prepare();
+
+  /// x = K^-1 b with the values of the last preparation. @return whether a solution was found
+  bool solve(Vec b, Vec x);
+
+  /// Number of negative pivots of the factorisation: the negative eigenvalues of the stiffness. Nothing with the iterative
+  /// method.
+  [[nodiscard]] std::optional<int> negative_pivots() const;
+
+  /// A vector of the unknowns, owned components of this rank.
+  [[nodiscard]] VectorHandle make_vector() const;
+
+  [[nodiscard]] int factorisations() const { return factorisations_; }
+
+ private:
+  void set_up_direct();
+  void set_up_iterative(const Assembly& assembly, double tolerance);
+
+  MatrixHandle matrix_;
+  LinearSolverHandle solver_;
+  bool direct_;
+  int factorisations_ = 0;
+  int workspace_percent_ = 20;  ///< of MUMPS beyond its estimate
+};
+
+}  // namespace menger::fem

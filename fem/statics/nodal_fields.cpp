@@ -1,0 +1,115 @@
+#include "fem/statics/nodal_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "fem/surfaces/face.h"
+#include "materials/laws/principal_axes.h"
+
+namespace menger::fem {
+namespace {
+
+/// Values at the nodes of an edge of an element of the polynomials that are 1 at one point of Gauss's rule and 0 at the others:
+/// row per node, column per point.
+template <std::size_t m>
+constexpr std::array<std::array<double, m>, m> extrapolation() {
+  constexpr auto rule = gauss_rule<m>();
+  std::array<std::array<double, m>, m> values{};
+  for (std::size_t node = 0; node < m; ++node) {
+    const double s = static_cast<double>(node) / static_cast<double>(m - 1);
+    for (std::size_t q = 0; q < m; ++q) {
+      double value = 1.0;
+      for (std::size_t r = 0; r < m; ++r) {
+        if (r != q) value *= (s - rule[r].position) / (rule[q].position - rule[r].position);
+      }
+      values[node][q] = value;
+    }
+  }
+  return values;
+}
+
+constexpr std::size_t component_count = 16;  // F, sigma, J
+
+/// One element's values at its nodes from those at its quadrature points, both lexicographic.
+template <std::size_t m>
+void add_element(std::span<const Index> nodes, const std::function<double(std::size_t point, std::size_t component)>& value,
+                 std::vector<std::vector<double>>& sums) {
+  static constexpr auto table = extrapolation<m>();
+  for (std::size_t a = 0; a < m * m * m; ++a) {
+    const std::array<std::size_t, 3> i{a % m, a / m % m, a / (m * m)};
+    for (std::size_t q = 0; q < m * m * m; ++q) {
+      const double weight = table[i[0]][q % m] * table[i[1]][q / m % m] * table[i[2]][q / (m * m)];
+      for (std::size_t c = 0; c < component_count; ++c)
+        sums[c / 3][3 * static_cast<std::size_t>(nodes[a]) + c % 3] += weight * value(q, c);
+    }
+    // the last group of three has room for the number of elements
+    sums[component_count / 3][3 * static_cast<std::size_t>(nodes[a]) + component_count % 3] += 1.0;
+  }
+}
+
+constexpr std::array<std::size_t, 6> symmetric_places{0, 4, 8, 1, 5, 2};  // xx, yy, zz, xy, yz, xz in a row-by-row tensor
+
+}  // namespace
+
+NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacements) {
+  const Space& space = assembly.space();
+  const std::size_t count = space.positions.size();
+  // the exchange carries three numbers per node
+  std::vector<std::vector<double>> sums(component_count / 3 + 1, std::vector<double>(3 * count, 0.0));
+  assembly.elements().evaluate_points(displacements, [&](const ElementGroups::PointResult& points) {
+    const auto nodes =
+        std::span(space.element_nodes).subspan(points.element * space.nodes_per_element(), space.nodes_per_element());
+    const auto value = [&](std::size_t q, std::size_t c) {
+      if (c < 9) return points.deformation_gradient[9 * q + c];
+      if (c < 15) return points.cauchy_stress[9 * q + symmetric_places[c - 9]];
+      return points.volume_ratio[q];
+    };
+    if (space.degree == 1) {
+      add_element<2>(nodes, value, sums);
+    } else {
+      add_element<3>(nodes, value, sums);
+    }
+  });
+  for (std::vector<double>& values : sums) {
+    assembly.exchange().add_from_ghosts(values);
+    assembly.exchange().update_ghosts(values);
+  }
+  NodalFields fields;
+  fields.deformation_gradient.resize(count);
+  fields.cauchy_stress.resize(count);
+  fields.volume_ratio.resize(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    const double elements = std::max(1.0, sums[component_count / 3][3 * n + component_count % 3]);
+    const auto mean = [&](std::size_t c) { return sums[c / 3][3 * n + c % 3] / elements; };
+    for (std::size_t c = 0; c < 9; ++c) fields.deformation_gradient[n][c] = mean(c);
+    for (std::size_t c = 0; c < 6; ++c) fields.cauchy_stress[n][c] = mean(9 + c);
+    fields.volume_ratio[n] = mean(15);
+  }
+  return fields;
+}
+
+std::array<double, 3> principal_stretches(const std::array<double, 9>& deformation_gradient) {
+  materials::Tensor<double> C{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) C(i, j) += deformation_gradient[3 * k + i] * deformation_gradient[3 * k + j];
+    }
+  }
+  std::array<double, 3> stretches = materials::principal_axes(C).values;
+  for (double& stretch : stretches) stretch = std::sqrt(std::max(0.0, stretch));
+  std::sort(stretches.begin(), stretches.end(), std::greater<>());
+  return stretches;
+}
+
+double von_mises_stress(const std::array<double, 6>& s) {
+  const auto square = [](double x) { return x * x; };
+  return std::sqrt(0.5 * (square(s[0] - s[1]) + square(s[1] - s[2]) + square(s[2] - s[0])) +
+                   3.0 * (square(s[3]) + square(s[4]) + square(s[5])));
+}
+
+double hydrostatic_pressure(const std::array<double, 6>& cauchy_stress) {
+  return -(cauchy_stress[0] + cauchy_stress[1] + cauchy_stress[2]) / 3.0;
+}
+
+}  // namespace menger::fem

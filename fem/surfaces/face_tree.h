@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "fem/surfaces/point.h"
+#include "fem/surfaces/triangle.h"
+
+namespace menger::fem {
+
+/// A box along the axes; empty until points are added.
+struct Box {
+  Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+            std::numeric_limits<double>::infinity()};
+  Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+             -std::numeric_limits<double>::infinity()};
+
+  void add(const Point& point);
+  void add(const Box& other);
+};
+
+/// The square of the distance of two boxes, m^2; 0 if they meet.
+double squared_distance(const Box& a, const Box& b);
+
+/// A cone that contains directions.
+struct NormalCone {
+  Point axis{0.0, 0.0, 1.0};  ///< of length 1
+  double half_angle = -1.0;   ///< rad, up to pi; negative for a cone without directions
+};
+
+/// A cone around two cones, not always the narrowest.
+NormalCone merged(const NormalCone& a, const NormalCone& b);
+
+/// The largest angle between a direction of one cone and one of the other, rad, pi at most. @param a, b not empty
+double largest_angle(const NormalCone& a, const NormalCone& b);
+
+/// A tree over faces that are cut into triangles.
+struct FaceTree {
+  /// A node with the faces below it.
+  struct Node {
+    Box box;
+    NormalCone normals;
+    std::size_t children[2] = {0, 0};  ///< both 0: a leaf
+    std::size_t face = 0;              ///< of a leaf
+
+    [[nodiscard]] bool is_leaf() const { return children[0] == children[1]; }
+  };
+
+  std::vector<Node> nodes;
+
+  /// Roots of up to six trees, one for each half-axis that a face's mean normal can be nearest to: walls of different directions
+  /// share no node, so that cones stay narrow.
+  std::vector<std::size_t> roots;
+};
+
+/// The tree of the faces; face f consists of the triangles from f * triangles_per_face on. Faces without any area are left out.
+FaceTree face_tree(std::span<const Triangle> triangles, std::size_t triangles_per_face);
+
+}  // namespace menger::fem

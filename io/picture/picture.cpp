@@ -1,0 +1,57 @@
+#include "io/picture/picture.h"
+
+#include <vtkImageShrink3D.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkWindowToImageFilter.h>
+
+#include "io/picture/offscreen_display.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
+namespace menger::io {
+
+PictureOutcome write_picture(const std::filesystem::path& file, const PictureStyle& style,
+                             const std::function<void(vtkRenderWindow&)>& fill) {
+  PendingFile pending(file);
+#ifdef __SANITIZE_ADDRESS__
+  // Graphics drivers keep memory for ever and are unloaded, so that it cannot be told whose it was.
+  const __lsan::ScopedDisabler no_leak_check;
+#endif
+  const OffscreenDisplay display;
+  if (!display.available()) return {.missing = display.missing()};
+
+  vtkNew<vtkRenderWindow> window;
+  window->SetDisplayId(display.connection());
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  if (window->SupportsOpenGL() == 0)
+    return {.missing = "the X display offers no OpenGL 3.2: install the package libgl1-mesa-dri"};
+  window->SetSize(supersampling * style.width_px, supersampling * style.height_px);
+  fill(*window);
+  window->Render();
+
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->SetInputBufferTypeToRGB();
+  image->ReadFrontBufferOff();
+  vtkNew<vtkImageShrink3D> smooth;
+  smooth->SetInputConnection(image->GetOutputPort());
+  smooth->SetShrinkFactors(supersampling, supersampling, 1);
+  smooth->AveragingOn();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(smooth->GetOutputPort());
+  writer->SetFileName(pending.temporary().c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0) throw InputError(file.string() + ": cannot be written");
+  pending.commit();
+  window->Finalize();
+  return {.written = true, .missing = {}};
+}
+
+}  // namespace menger::io

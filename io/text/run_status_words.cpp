@@ -1,0 +1,28 @@
+#include "io/text/run_status_words.h"
+
+#include <algorithm>
+#include <string>
+
+#include "io/text/input_error.h"
+
+namespace menger::io {
+
+const Words<RunStatus>& run_status_words() {
+  static const Words<RunStatus> words = [] {
+    Words<RunStatus> all;
+    for (const RunStatus status : {RunStatus::completed, RunStatus::diverged, RunStatus::not_converged, RunStatus::limit_point,
+                                   RunStatus::inverted_element, RunStatus::wall_contact, RunStatus::stopped})
+      all.emplace_back(to_string(status), status);
+    return all;
+  }();
+  return words;
+}
+
+RunStatus run_status_of(std::string_view word) {
+  const Words<RunStatus>& words = run_status_words();
+  const auto found = std::ranges::find(words, word, &std::pair<std::string_view, RunStatus>::first);
+  if (found == words.end()) throw InputError("\"" + std::string(word) + "\" is not a status of a run");
+  return found->second;
+}
+
+}  // namespace menger::io

@@ -1,0 +1,172 @@
+#include "io/text/toml_document.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "io/text/toml_node.h"
+#include "io/text/whole_file.h"
+
+namespace menger::io {
+
+TomlTable read_toml(const std::filesystem::path& file) { return parse_toml(read_whole(file), file); }
+
+TomlTable parse_toml(std::string_view text, const std::filesystem::path& file) {
+  try {
+    auto source = std::make_shared<TomlTable::Source>(TomlTable::Source{file, toml::parse(text, file.string())});
+    TomlTable::Node node{.source = source, .table = &source->top, .prefix = {}, .asked = {}, .children = {}};
+    return TomlTable(std::make_shared<TomlTable::Node>(std::move(node)));
+  } catch (const toml::parse_error& error) {
+    throw InputError(file.string() + ":" + std::to_string(error.source().begin.line) +
+                     ": not TOML: " + std::string(error.description()));
+  }
+}
+
+std::string toml_quoted(std::string_view text) {
+  std::ostringstream quoted;
+  quoted << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
+  return quoted.str();
+}
+
+double TomlTable::number(std::string_view key, const Range& range) const {
+  return node_->number(std::string(key), node_->require(key, "a number"), range);
+}
+
+double TomlTable::number_or(std::string_view key, double fallback, const Range& range) const {
+  return optional_number(key, range).value_or(fallback);
+}
+
+std::optional<double> TomlTable::optional_number(std::string_view key, const Range& range) const {
+  if (!ask(key)) return std::nullopt;
+  return number(key, range);
+}
+
+std::int64_t TomlTable::checked_integer(std::string_view key, const Range& range, std::int64_t lowest,
+                                        std::int64_t highest) const {
+  const toml::node& node = node_->require(key, "an integer");
+  const auto fault = [&](const std::string& reason) { return node_->fault(key, node, reason); };
+  const std::int64_t value = toml_value<std::int64_t>(node, "an integer", fault).get();
+  if (!range.contains(static_cast<double>(value))) throw fault(range.demand());
+  if (value < lowest) throw fault("must be at least " + std::to_string(lowest));
+  if (value > highest) throw fault("must be at most " + std::to_string(highest));
+  return value;
+}
+
+bool TomlTable::boolean(std::string_view key) const {
+  const toml::node& node = node_->require(key, "true or false");
+  return toml_value<bool>(node, "true or false", [&](const std::string& reason) { return node_->fault(key, node, reason); })
+      .get();
+}
+
+bool TomlTable::boolean_or(std::string_view key, bool fallback) const { return ask(key) ? boolean(key) : fallback; }
+
+std::string TomlTable::text(std::string_view key) const { return node_->text(std::string(key), node_->require(key, "a string")); }
+
+std::string TomlTable::text_or(std::string_view key, std::string_view fallback) const {
+  return ask(key) ? text(key) : std::string(fallback);
+}
+
+std::filesystem::path TomlTable::path(std::string_view key) const {
+  const std::string name = text(key);
+  if (name.empty()) throw error(key, "must name a file");
+  return (file().parent_path() / name).lexically_normal();  // an absolute name replaces the folder
+}
+
+std::optional<std::filesystem::path> TomlTable::optional_path(std::string_view key) const {
+  if (!ask(key)) return std::nullopt;
+  return path(key);
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key, const Range& range) const {
+  constexpr std::string_view wanted = "an array of numbers";
+  std::vector<double> values;
+  node_->each(std::string(key), node_->require(key, wanted), wanted,
+              [&](const std::string& name, const toml::node& element) { values.push_back(node_->number(name, element, range)); });
+  return values;
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  constexpr std::string_view wanted = "an array of strings";
+  std::vector<std::string> values;
+  node_->each(std::string(key), node_->require(key, wanted), wanted,
+              [&](const std::string& name, const toml::node& element) { values.push_back(node_->text(name, element)); });
+  return values;
+}
+
+std::vector<std::vector<std::string>> TomlTable::text_rows(std::string_view key) const {
+  constexpr std::string_view wanted = "an array of arrays of strings";
+  std::vector<std::vector<std::string>> rows;
+  node_->each(std::string(key), node_->require(key, wanted), wanted, [&](const std::string& name, const toml::node& row) {
+    auto& values = rows.emplace_back();
+    node_->each(name, row, "an array of strings",
+                [&](const std::string& entry, const toml::node& element) { values.push_back(node_->text(entry, element)); });
+  });
+  return rows;
+}
+
+std::size_t TomlTable::checked_word(std::string_view key, std::span<const std::string_view> words) const {
+  std::string list;
+  for (const std::string_view word : words) list.append(list.empty() ? "" : " | ").append(toml_quoted(word));
+  const toml::node& node = node_->require(key, list);
+  const auto* text = node.as<std::string>();
+  const auto found = text == nullptr ? words.end() : std::find(words.begin(), words.end(), text->get());
+  if (found == words.end()) throw node_->fault(key, node, "must be " + list);
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+  return TomlTable(node_->child(key, std::string(key), node_->require(key, "a table")));
+}
+
+std::optional<TomlTable> TomlTable::optional_table(std::string_view key) const {
+  if (!ask(key)) return std::nullopt;
+  return table(key);
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  constexpr std::string_view wanted = "an array of tables";
+  std::vector<TomlTable> all;
+  node_->each(std::string(key), node_->require(key, wanted), wanted, [&](const std::string& name, const toml::node& element) {
+    all.push_back(TomlTable(node_->child(key, name, element)));
+  });
+  if (all.empty()) throw error(key, "needs at least one table");
+  return all;
+}
+
+std::vector<TomlTable> TomlTable::optional_tables(std::string_view key) const {
+  const toml::node* node = node_->find(key);
+  if (node == nullptr || (node->is_array() && node->as_array()->empty())) return {};
+  return tables(key);
+}
+
+bool TomlTable::ask(std::string_view key) const { return node_->find(key) != nullptr; }
+
+bool TomlTable::has(std::string_view key) const { return node_->table->contains(key); }
+
+const std::filesystem::path& TomlTable::file() const { return node_->source->file; }
+
+InputError TomlTable::error(std::string_view key, std::string_view reason, std::span<const std::size_t> entry) const {
+  const toml::node* node = node_->table->get(key);
+  std::string name(key);
+  if (node == nullptr) return InputError{node_->where(*node_->table) + node_->prefix + name + ": " + std::string(reason)};
+  for (const std::size_t index : entry) {
+    const toml::array* array = node->as_array();
+    if (array == nullptr || index >= array->size()) break;
+    node = array->get(index);
+    name.append("[").append(std::to_string(index + 1)).append("]");
+  }
+  return node_->fault(name, *node, reason);
+}
+
+void TomlTable::finish() const {
+  std::vector<std::string> faults;
+  node_->collect_unasked(faults);
+  if (faults.empty()) return;
+  std::string message;
+  for (const std::string& fault : faults) message.append(message.empty() ? "" : "\n").append(fault);
+  throw InputError(message);
+}
+
+}  // namespace menger::io

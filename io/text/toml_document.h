@@ -1,0 +1,128 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/text/input_error.h"
+#include "io/text/range.h"
+
+namespace menger::io {
+
+/// The words an enumeration is written with in files, in the order in which messages list them.
+template <class Value>
+using Words = std::vector<std::pair<std::string_view, Value>>;
+
+/// A table of a TOML file whose keys are asked for one by one; every fault is an InputError that names file, line, key and value.
+///
+/// A copy refers to the same table. Keys that were never asked for are reported by finish(). Numbers are finite: nan and inf are
+/// refused. Each accessor throws InputError if the key is missing (those with a fallback and the optional ones do not), has
+/// another type or lies outside its range.
+class TomlTable {
+ public:
+  double number(std::string_view key, const Range& range = any_number()) const;  ///< integers are accepted too
+  double number_or(std::string_view key, double fallback, const Range& range = any_number()) const;
+  std::optional<double> optional_number(std::string_view key, const Range& range = any_number()) const;
+
+  template <std::integral Integer = int>
+  Integer integer(std::string_view key, const Range& range = any_number()) const;
+  template <std::integral Integer>
+  Integer integer_or(std::string_view key, Integer fallback, const Range& range = any_number()) const;
+
+  bool boolean(std::string_view key) const;
+  bool boolean_or(std::string_view key, bool fallback) const;
+
+  std::string text(std::string_view key) const;
+  std::string text_or(std::string_view key, std::string_view fallback) const;
+
+  /// A file name; a relative one counts from the folder of the TOML file. Whether the file exists is not checked.
+  std::filesystem::path path(std::string_view key) const;
+  std::optional<std::filesystem::path> optional_path(std::string_view key) const;
+
+  std::vector<double> numbers(std::string_view key, const Range& range = any_number()) const;
+  std::vector<std::string> texts(std::string_view key) const;
+  std::vector<std::vector<std::string>> text_rows(std::string_view key) const;  ///< an array of arrays of strings
+
+  /// One of the given words; the message for any other lists them.
+  template <class Value>
+  Value word(std::string_view key, const Words<Value>& words) const;
+  template <class Value>
+  Value word_or(std::string_view key, Value fallback, const Words<Value>& words) const;
+
+  TomlTable table(std::string_view key) const;
+  std::optional<TomlTable> optional_table(std::string_view key) const;
+  std::vector<TomlTable> tables(std::string_view key) const;           ///< an array of tables, at least one
+  std::vector<TomlTable> optional_tables(std::string_view key) const;  ///< an array of tables, none if the key is missing
+
+  bool has(std::string_view key) const;  ///< does not count as asking for the key
+  const std::filesystem::path& file() const;
+
+  /// The error for a value that was read but does not fit: `file:line: table.key = value: reason`.
+  /// @param entry position inside nested arrays, counted from 0 (written from 1)
+  [[nodiscard]] InputError error(std::string_view key, std::string_view reason, std::span<const std::size_t> entry = {}) const;
+
+  /// @throws InputError naming every key of this table, and of the tables taken from it, that was never asked for
+  void finish() const;
+
+ private:
+  friend TomlTable parse_toml(std::string_view text, const std::filesystem::path& file);
+  struct Source;
+  struct Node;
+  explicit TomlTable(std::shared_ptr<Node> node) : node_(std::move(node)) {}
+
+  bool ask(std::string_view key) const;  ///< whether the key exists; counts as asking for it
+  std::int64_t checked_integer(std::string_view key, const Range& range, std::int64_t lowest, std::int64_t highest) const;
+  std::size_t checked_word(std::string_view key, std::span<const std::string_view> words) const;
+
+  std::shared_ptr<Node> node_;
+};
+
+/// The top table of a TOML file. @throws InputError if it cannot be read or is not TOML
+TomlTable read_toml(const std::filesystem::path& file);
+
+/// The same from text that came from `file`, which is used for messages and relative paths only.
+TomlTable parse_toml(std::string_view text, const std::filesystem::path& file);
+
+/// Text as a TOML string with its quotes.
+std::string toml_quoted(std::string_view text);
+
+template <std::integral Integer>
+Integer TomlTable::integer(std::string_view key, const Range& range) const {
+  constexpr auto lowest = std::in_range<std::int64_t>(std::numeric_limits<Integer>::min())
+                              ? static_cast<std::int64_t>(std::numeric_limits<Integer>::min())
+                              : std::numeric_limits<std::int64_t>::min();
+  constexpr auto highest = std::in_range<std::int64_t>(std::numeric_limits<Integer>::max())
+                               ? static_cast<std::int64_t>(std::numeric_limits<Integer>::max())
+                               : std::numeric_limits<std::int64_t>::max();
+  return static_cast<Integer>(checked_integer(key, range, lowest, highest));
+}
+
+template <std::integral Integer>
+Integer TomlTable::integer_or(std::string_view key, Integer fallback, const Range& range) const {
+  if (!ask(key)) return fallback;
+  return integer<Integer>(key, range);
+}
+
+template <class Value>
+Value TomlTable::word(std::string_view key, const Words<Value>& words) const {
+  std::vector<std::string_view> names;
+  for (const auto& [name, value] : words) names.push_back(name);
+  return words[checked_word(key, names)].second;
+}
+
+template <class Value>
+Value TomlTable::word_or(std::string_view key, Value fallback, const Words<Value>& words) const {
+  if (!ask(key)) return fallback;
+  return word(key, words);
+}
+
+}  // namespace menger::io

@@ -1,0 +1,98 @@
+#include "io/text/toml_node.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+namespace menger::io {
+
+namespace {
+
+std::string value_text(const toml::node& node) {
+  if (node.is_table()) return "{...}";
+  if (node.is_array()) return "[...]";
+  if (const auto* string = node.as_string()) return toml_quoted(string->get());
+  std::ostringstream text;
+  text << toml::node_view<const toml::node>(node);
+  return text.str();
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+const toml::node* TomlTable::Node::find(std::string_view key) {
+  asked.emplace(key);
+  return table->get(key);
+}
+
+const toml::node& TomlTable::Node::require(std::string_view key, std::string_view wanted) {
+  if (const toml::node* node = find(key)) return *node;
+  throw InputError(where(*table) + prefix + std::string(key) + " is missing: " + std::string(wanted) + " is needed");
+}
+
+std::string TomlTable::Node::where(const toml::node& node) const {
+  const auto line = node.source().begin.line;
+  std::string place = source->file.string();
+  if (line > 0) place.append(":").append(std::to_string(line));
+  return place + ": ";
+}
+
+InputError TomlTable::Node::fault(std::string_view name, const toml::node& node, std::string_view reason) const {
+  return InputError{where(node) + prefix + std::string(name) + " = " + value_text(node) + ": " + std::string(reason)};
+}
+
+double TomlTable::Node::number(const std::string& name, const toml::node& node, const Range& range) const {
+  if (!node.is_number()) throw fault(name, node, "must be a number");
+  const double value = node.value<double>().value_or(static_cast<double>(node.value_or(std::int64_t{0})));
+  if (!std::isfinite(value)) throw fault(name, node, "must be a finite number");
+  if (!range.contains(value)) throw fault(name, node, range.demand());
+  return value;
+}
+
+std::string TomlTable::Node::text(const std::string& name, const toml::node& node) const {
+  return toml_value<std::string>(node, "a string", [&](const std::string& reason) { return fault(name, node, reason); }).get();
+}
+
+std::shared_ptr<TomlTable::Node> TomlTable::Node::child(std::string_view key, const std::string& name, const toml::node& node) {
+  const toml::table& found =
+      toml_value<toml::table>(node, "a table", [&](const std::string& reason) { return fault(name, node, reason); });
+  auto& known = children[std::string(key)];
+  const auto same = std::find_if(known.begin(), known.end(), [&](const auto& candidate) { return candidate->table == &found; });
+  if (same != known.end()) return *same;
+  Node made{.source = source, .table = &found, .prefix = prefix + name + ".", .asked = {}, .children = {}};
+  return known.emplace_back(std::make_shared<Node>(std::move(made)));
+}
+
+void TomlTable::Node::collect_unasked(std::vector<std::string>& faults) const {
+  for (const auto& [unasked, node] : *table) {
+    const std::string_view key = unasked.str();
+    if (asked.contains(key)) continue;
+    std::string fault = where(node) + prefix + std::string(key) + ": unknown key";
+    const auto nearest = std::min_element(asked.begin(), asked.end(), [&](const std::string& a, const std::string& b) {
+      return edit_distance(a, key) < edit_distance(b, key);
+    });
+    const std::size_t near_miss = std::min<std::size_t>(3, 1 + key.size() / 5);
+    if (nearest != asked.end() && edit_distance(*nearest, key) <= near_miss) fault += ", did you mean " + *nearest + "?";
+    faults.push_back(std::move(fault));
+  }
+  for (const auto& [key, nodes] : children) {
+    for (const auto& node : nodes) node->collect_unasked(faults);
+  }
+}
+
+}  // namespace menger::io

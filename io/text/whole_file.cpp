@@ -1,0 +1,102 @@
+#include "io/text/whole_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "io/text/input_error.h"
+
+namespace menger::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string reason_of(int error) { return std::generic_category().message(error); }
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+/// Distinct for every file that this and other processes have under way.
+fs::path temporary_name(const fs::path& target) {
+  static std::atomic<unsigned> counter{0};
+  std::string name(".");
+  name.append(target.stem().string()).append(".").append(std::to_string(::getpid()));
+  name.append("-").append(std::to_string(counter++)).append(".partial").append(target.extension().string());
+  return folder_of(target) / name;
+}
+
+/// Data must reach the disk before the name does, or a crash could leave an empty file under the final name.
+void flush_to_disk(const fs::path& path, int flags) {
+  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  if (descriptor < 0) throw InputError(path.string() + ": cannot be written: " + reason_of(errno));
+  const int failed = ::fsync(descriptor);
+  const int error = errno;
+  ::close(descriptor);
+  // some file systems do not know fsync of a folder and say EINVAL
+  if (failed != 0 && error != EINVAL) throw InputError(path.string() + ": cannot be written: " + reason_of(error));
+}
+
+}  // namespace
+
+PendingFile::PendingFile(fs::path target) : target_(std::move(target)), temporary_(temporary_name(target_)) {
+  if (fs::is_directory(target_)) throw InputError(target_.string() + ": cannot be written: it is a folder");
+  require_writable_folder(folder_of(target_));
+}
+
+PendingFile::~PendingFile() {
+  std::error_code ignored;
+  if (!committed_) fs::remove(temporary_, ignored);
+}
+
+void PendingFile::commit() {
+  flush_to_disk(temporary_, O_RDWR);
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) throw InputError(target_.string() + ": cannot be written: " + error.message());
+  committed_ = true;
+  flush_to_disk(folder_of(target_), O_RDONLY | O_DIRECTORY);
+}
+
+void write_whole(const fs::path& file, std::string_view content) {
+  PendingFile pending(file);
+  std::ofstream out(pending.temporary(), std::ios::binary);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  if (!out) throw InputError(file.string() + ": cannot be written: " + reason_of(errno));
+  pending.commit();
+}
+
+void remove_if_there(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw InputError(file.string() + ": cannot be removed: " + error.message());
+}
+
+std::string read_whole(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) throw InputError(file.string() + ": cannot be read: it is a folder");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string() + ": cannot be read: " + reason_of(errno));
+  std::ostringstream content;
+  if (in.peek() != std::ifstream::traits_type::eof()) content << in.rdbuf();
+  if (in.bad() || content.bad()) throw InputError(file.string() + ": cannot be read: " + reason_of(errno));
+  return std::move(content).str();
+}
+
+void require_writable_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(folder.string() + ": cannot be made a folder: " + error.message());
+  if (!fs::is_directory(folder, error))
+    throw InputError(folder.string() + ": cannot be made a folder: a file of this name exists");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw InputError(folder.string() + ": cannot be written to: " + reason_of(errno));
+}
+
+}  // namespace menger::io

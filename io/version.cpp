@@ -1,7 +1,0 @@
-#include "io/version.h"
-
-namespace menger::io {
-
-std::string_view version() { return MENGER_VERSION; }
-
-}  // namespace menger::io

@@ -1,0 +1,197 @@
+#include "materials/fit/fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "io/text/input_error.h"
+#include "io/text/number_text.h"
+#include "materials/fit/fit_confidence.h"
+#include "materials/fit/law_family.h"
+#include "materials/fit/separable_fit.h"
+#include "materials/laws/law_parameters.h"
+#include "materials/laws/stability.h"
+
+namespace menger::materials {
+
+namespace {
+
+constexpr std::size_t fewest_rows = 8;  // six parameters of Ogden's three terms and two to judge them by
+constexpr double search_stretch = 10.0;
+constexpr double smallest_stretch = 0.3;
+constexpr double strain_margin = 1.25;
+constexpr double ratio_stretch = 1.5;
+constexpr double lowest_ratio = 1.1;
+constexpr double highest_ratio = 1.7;
+constexpr double close_enough = 0.05;       // of the largest stress
+constexpr double as_close_as_best = 3.0;    // times the RMSE of the closest stable and plausible fit
+constexpr double closer_than_tests = 5e-3;  // of the largest stress: what no test resolves
+
+struct Rows {
+  std::vector<double> stretch;
+  std::vector<double> stress_Pa;
+};
+
+Rows rows_in(const TensileTest& test, const StrainRange& range) {
+  Rows rows;
+  for (std::size_t i = 0; i < test.strain.size(); ++i) {
+    if (test.strain[i] < range.lowest || test.strain[i] > range.highest) continue;
+    rows.stretch.push_back(1.0 + test.strain[i]);
+    rows.stress_Pa.push_back(test.stress_Pa[i]);
+  }
+  const std::string words = "strain range " + io::number_text(range.lowest) + " to " + io::number_text(range.highest);
+  if (rows.stretch.size() < fewest_rows) {
+    throw io::InputError(words + ": holds " + std::to_string(rows.stretch.size()) + " rows of the test, at least " +
+                         std::to_string(fewest_rows) + " are needed");
+  }
+  const bool pulls = std::any_of(rows.stretch.begin(), rows.stretch.end(), [](double stretch) { return stretch != 1.0; });
+  const bool resists = std::any_of(rows.stress_Pa.begin(), rows.stress_Pa.end(), [](double stress) { return stress != 0.0; });
+  if (!pulls || !resists) throw io::InputError(words + ": holds no rows with strain and stress");
+  return rows;
+}
+
+double uniaxial_Pa(const HyperelasticLaw& law, double stretch) {
+  return nominal_stress(law, LoadingMode::uniaxial, stretch).stress_Pa;
+}
+
+void judge_residuals(LawFit& fit, const Rows& rows) {
+  const auto n = static_cast<double>(rows.stretch.size());
+  const double mean = std::accumulate(rows.stress_Pa.begin(), rows.stress_Pa.end(), 0.0) / n;
+  double square = 0.0;
+  double variation = 0.0;
+  for (std::size_t i = 0; i < rows.stretch.size(); ++i) {
+    square += std::pow(uniaxial_Pa(fit.law, rows.stretch[i]) - rows.stress_Pa[i], 2);
+    variation += std::pow(rows.stress_Pa[i] - mean, 2);
+  }
+  // Residuals below rounding error, as of a curve made by a law, would let the logarithm run away.
+  const double least_square = n * std::pow(1e-12 * std::sqrt(variation / n), 2) + std::numeric_limits<double>::min();
+  fit.rmse_Pa = std::sqrt(square / n);
+  const double largest_Pa = std::abs(*std::max_element(rows.stress_Pa.begin(), rows.stress_Pa.end(),
+                                                       [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  fit.relative_rmse = fit.rmse_Pa / largest_Pa;
+  fit.r_squared = variation > 0.0 ? 1.0 - square / variation : 0.0;
+  const auto parameters = static_cast<double>(parameters_of(fit.law).size());
+  fit.aic = n * std::log(std::max(square, least_square) / n * 1e-12) + 2.0 * parameters;
+}
+
+bool has_cancelling_terms(const HyperelasticLaw& law) {
+  bool adds = false;
+  bool takes = false;
+  const auto note = [&](const OgdenTerm& term) {
+    adds = adds || term.part_of_shear_modulus_Pa() > 0.0;
+    takes = takes || term.part_of_shear_modulus_Pa() < 0.0;
+  };
+  if (const auto* two = std::get_if<Ogden<2>>(&law)) std::for_each(two->terms.begin(), two->terms.end(), note);
+  if (const auto* three = std::get_if<Ogden<3>>(&law)) std::for_each(three->terms.begin(), three->terms.end(), note);
+  return adds && takes;
+}
+
+constexpr std::array modes{LoadingMode::uniaxial, LoadingMode::equibiaxial, LoadingMode::planar};
+
+bool is_stable_in_tension(const HyperelasticLaw& law, double largest_stretch) {
+  return std::none_of(modes.begin(), modes.end(),
+                      [&](LoadingMode mode) { return first_unstable_stretch(law, mode, std::max(1.0, largest_stretch)); });
+}
+
+/// In any mode, the one nearest to 1.
+std::optional<double> first_unstable_compression(const HyperelasticLaw& law) {
+  std::optional<double> first;
+  for (const LoadingMode mode : modes) {
+    const std::optional<double> stretch = first_unstable_stretch(law, mode, smallest_stretch);
+    if (stretch && (!first || *stretch > *first)) first = stretch;
+  }
+  return first;
+}
+
+void judge_law(LawFit& fit, double largest_stretch) {
+  fit.unstable_uniaxial = first_unstable_stretch(fit.law, LoadingMode::uniaxial, search_stretch);
+  fit.unstable_equibiaxial = first_unstable_stretch(fit.law, LoadingMode::equibiaxial, search_stretch);
+  fit.unstable_planar = first_unstable_stretch(fit.law, LoadingMode::planar, search_stretch);
+  fit.unstable_compression = first_unstable_compression(fit.law);
+  fit.stable = !fit.unstable_compression && is_stable_in_tension(fit.law, largest_stretch);
+  fit.stable_with_margin = fit.stable && is_stable_in_tension(fit.law, 1.0 + strain_margin * (largest_stretch - 1.0));
+  fit.cancelling = has_cancelling_terms(fit.law);
+  fit.equibiaxial_ratio = equibiaxial_ratio(fit.law, ratio_stretch);
+  fit.plausible = fit.equibiaxial_ratio && *fit.equibiaxial_ratio >= lowest_ratio && *fit.equibiaxial_ratio <= highest_ratio;
+}
+
+/// Whether the test determines every parameter of the law: none ran into the bounds of its search (a modulus held at zero only
+/// makes the law a simpler one), and no interval is missing or holds 0.
+bool is_determined(const LawFit& fit) {
+  const auto parameters = parameters_of(fit.law);
+  if (fit.confidence_95.size() != parameters.size()) return false;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const auto& interval = fit.confidence_95[p];
+    if (!interval && parameters[p].second != 0.0) return false;
+    if (interval && interval->first <= 0.0 && interval->second >= 0.0) return false;
+  }
+  return true;
+}
+
+bool is_usable(const LawFit& fit) {
+  return fit.status == io::RunStatus::completed && fit.stable_with_margin && fit.plausible && !fit.cancelling &&
+         is_determined(fit) && fit.relative_rmse <= close_enough;
+}
+
+/// Smaller is better.
+std::array<double, 3> rank_of(const LawFit& fit) {
+  const double group = !fit.stable ? 2.0 : is_usable(fit) ? 0.0 : 1.0;
+  return {group, fit.status == io::RunStatus::completed ? 0.0 : 1.0, fit.aic};
+}
+
+/// The parameters at a bound: shape parameters as the solver left them, and moduli held at zero.
+std::vector<std::string> parameters_at_bound(const LawFamily& family, const SeparableFit& found) {
+  std::vector<std::string> names = found.shape_at_bound;
+  for (const auto& [name, value] : parameters_of(found.law)) {
+    if (family.non_negative && value == 0.0) names.push_back(name);
+  }
+  return names;
+}
+
+/// Whether an Ogden law of several terms has one without modulus: it is a law of fewer terms, which is fitted anyway.
+bool has_empty_term(const HyperelasticLaw& law) {
+  const auto empty_in = [](const auto& ogden) {
+    return std::any_of(ogden.terms.begin(), ogden.terms.end(), [](const OgdenTerm& term) { return term.modulus_Pa == 0.0; });
+  };
+  if (const auto* two = std::get_if<Ogden<2>>(&law)) return empty_in(*two);
+  if (const auto* three = std::get_if<Ogden<3>>(&law)) return empty_in(*three);
+  return false;
+}
+
+}  // namespace
+
+std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range) {
+  const Rows rows = rows_in(test, range);
+  const auto [smallest, largest] = std::minmax_element(rows.stretch.begin(), rows.stretch.end());
+  const auto excess = [](double l) { return l * l + 2.0 / l - 3.0; };
+  std::vector<LawFit> fits;
+  for (const LawFamily& family : law_families(std::max(excess(*smallest), excess(*largest)))) {
+    const std::optional<SeparableFit> found = fit_family(family, rows.stretch, rows.stress_Pa);
+    if (!found || has_empty_term(found->law)) continue;
+    LawFit fit;
+    fit.name = family.name;
+    fit.law = found->law;
+    fit.status = found->status;
+    fit.at_bound = parameters_at_bound(family, *found);
+    judge_residuals(fit, rows);
+    set_confidence(fit, rows.stretch);
+    judge_law(fit, *largest);
+    fits.push_back(std::move(fit));
+  }
+  std::stable_sort(fits.begin(), fits.end(), [](const LawFit& a, const LawFit& b) { return rank_of(a) < rank_of(b); });
+  return fits;
+}
+
+const LawFit* recommended_fit(const std::vector<LawFit>& ranking) {
+  if (ranking.empty() || !is_usable(ranking.front())) return nullptr;
+  double closest = ranking.front().relative_rmse;
+  for (const LawFit& fit : ranking) {
+    if (fit.stable && fit.plausible) closest = std::min(closest, fit.relative_rmse);
+  }
+  const double limit = std::max(closer_than_tests, as_close_as_best * closest);
+  return ranking.front().relative_rmse <= limit ? ranking.data() : nullptr;
+}
+
+}  // namespace menger::materials

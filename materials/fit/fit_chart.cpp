@@ -1,0 +1,89 @@
+#include "materials/fit/fit_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+
+#include "io/picture/chart.h"
+
+namespace menger::materials {
+namespace {
+
+constexpr double beyond = 0.25;  // of the highest fitted strain
+constexpr int parts = 200;
+
+/// Stretches over which the chart goes.
+struct Span {
+  double low = 1.0;
+  double fitted = 1.0;  ///< the largest that was fitted
+  double high = 1.0;
+};
+
+Span span_of(const FitReport& report, const TensileTest& test) {
+  Span span;
+  for (const double strain : test.strain) {
+    if (strain < report.range.lowest || strain > report.range.highest) continue;
+    span.low = std::min(span.low, 1.0 + strain);
+    span.fitted = std::max(span.fitted, 1.0 + strain);
+  }
+  span.high = span.fitted + beyond * (span.fitted - 1.0);
+  return span;
+}
+
+io::ChartSeries measured(const TensileTest& test, const Span& span) {
+  io::ChartSeries series{.name = "measured", .marks = io::Marks::points, .colour = io::chart_ink};
+  for (std::size_t i = 0; i < test.strain.size(); ++i) {
+    const double stretch = 1.0 + test.strain[i];
+    if (stretch < span.low || stretch > span.high) continue;
+    series.x.push_back(stretch);
+    series.y.push_back(1e-3 * test.stress_Pa[i]);
+  }
+  return series;
+}
+
+io::ChartSeries curve_of(const LawFit& fit, std::size_t place, const Span& span) {
+  std::array<char, 80> name{};
+  std::snprintf(name.data(), name.size(), "%zu  %s, %.3g kPa", place + 1, fit.name.c_str(), 1e-3 * fit.rmse_Pa);
+  io::ChartSeries series{.name = name.data(), .dashed = !fit.stable, .colour = io::chart_colour(place)};
+  for (int i = 0; i <= parts; ++i) {
+    const double stretch = span.low + (span.high - span.low) * i / parts;
+    const NominalStress stress = nominal_stress(fit.law, LoadingMode::uniaxial, stretch);
+    series.x.push_back(stretch);
+    series.y.push_back(stress.status == LawStatus::valid ? 1e-3 * stress.stress_Pa : std::numeric_limits<double>::quiet_NaN());
+  }
+  return series;
+}
+
+}  // namespace
+
+io::PictureOutcome write_fit_chart(const std::filesystem::path& file, const FitReport& report, const TensileTest& test) {
+  const Span span = span_of(report, test);
+  const io::ChartSeries points = measured(test, span);
+  // Room for laws above the measurement, but not for those that leave it far behind.
+  const auto [lowest, highest] = std::minmax_element(points.y.begin(), points.y.end());
+  const double room = 0.3 * std::max(*highest, -*lowest);
+  io::ChartPanel stable{.title = "stable laws, the best first",
+                        .x = {.title = "stretch", .lowest = span.low, .highest = span.high},
+                        .y = {.title = "nominal stress (kPa)",
+                              .lowest = *lowest < 0.0 ? *lowest - room : 0.0,
+                              .highest = *highest > 0.0 ? *highest + room : 0.0},
+                        .series = {},
+                        .markers = {{io::ChartMarker::Direction::vertical, span.fitted, "fitted up to here"}}};
+  io::ChartPanel unstable = stable;
+  unstable.title = "laws that are not stable";
+  for (std::size_t place = 0; place < report.ranking.size(); ++place) {
+    const LawFit& fit = report.ranking[place];
+    (fit.stable ? stable : unstable).series.push_back(curve_of(fit, place, span));
+  }
+  const bool any_stable = !stable.series.empty();
+  const bool any_unstable = !unstable.series.empty();
+  stable.series.push_back(points);
+  unstable.series.push_back(points);
+  io::Chart chart{.title = report.material.empty() ? report.file.stem().string() : report.material};
+  if (any_stable || !any_unstable) chart.panels.push_back(stable);
+  if (any_unstable) chart.panels.push_back(unstable);
+  return io::write_chart(file, chart, {.width_px = 1000 * static_cast<int>(chart.panels.size()), .height_px = 900});
+}
+
+}  // namespace menger::materials

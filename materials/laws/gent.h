@@ -1,0 +1,40 @@
+#pragma once
+
+#include "materials/laws/accurate_functions.h"
+#include "materials/laws/invariant_energy.h"
+
+namespace menger::materials {
+
+/// W = -mu Jm/2 ln(1 - (I1 - 3)/Jm), with I1 of the isochoric deformation: chains of limited extension, I1 - 3 < Jm.
+///
+/// At and beyond the limit energy and stress are finite and mean nothing; is_within_limit tells.
+struct Gent {
+  double shear_modulus_Pa = 0.0;  ///< mu > 0
+  double locking_excess = 1.0;    ///< Jm > 0, the value of I1 - 3 at which the chains are straight
+
+  static constexpr bool uses_second_invariant = false;
+
+  template <class T>
+  InvariantEnergy<T> energy(const T& x1, const T&) const {
+    const T used = x1 * T(1.0 / locking_excess);
+    const T y = select(used < T(largest_use), used, T(largest_use));
+    const T rest = T(1.0) - y;
+    const T slope = T(0.5 * shear_modulus_Pa) / rest;
+    const T logarithm = y + log_remainder<T>(-y);  // -ln(1 - y)
+    return {.energy = T(0.5 * shear_modulus_Pa * locking_excess) * logarithm,
+            .d1 = slope,
+            .d11 = slope / rest * T(1.0 / locking_excess)};
+  }
+
+  template <class T>
+  auto is_within_limit(const T& x1) const {
+    return x1 * T(1.0 / locking_excess) < T(largest_use);
+  }
+
+  [[nodiscard]] double shear_modulus_at_rest_Pa() const { return shear_modulus_Pa; }
+
+ private:
+  static constexpr double largest_use = 1.0 - 1e-6;  // part of Jm; further out the stress is a million times that of rest
+};
+
+}  // namespace menger::materials

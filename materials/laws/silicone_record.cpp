@@ -1,0 +1,64 @@
+#include "materials/laws/silicone_record.h"
+
+#include <algorithm>
+
+#include "io/text/toml_document.h"
+#include "materials/laws/law_file.h"
+
+namespace menger::materials {
+
+namespace {
+
+std::string read_filled(const io::TomlTable& table, std::string_view key) {
+  std::string text = table.text(key);
+  if (text.empty()) throw table.error(key, "must not be empty");
+  return text;
+}
+
+DataSheet read_data_sheet(const io::TomlTable& table) {
+  DataSheet sheet;
+  sheet.source = read_filled(table, "source");
+  sheet.density_kg_per_m3 = table.number("density_kg_per_m3", io::positive());
+  sheet.shore_hardness = read_filled(table, "shore_hardness");
+  sheet.modulus_100_percent_Pa = table.number("modulus_100_percent_Pa", io::positive());
+  sheet.tensile_strength_Pa = table.number("tensile_strength_Pa", io::positive());
+  sheet.elongation_at_break = table.number("elongation_at_break", io::positive());
+  return sheet;
+}
+
+SourcedLaw read_sourced_law(const io::TomlTable& table) {
+  SourcedLaw result;
+  result.law = read_law(table.table("law"));
+  result.source = read_filled(table, "source");
+  result.smallest_stretch = table.number("smallest_stretch", io::Range{.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
+  result.largest_stretch = table.number("largest_stretch", io::Range{.lowest = 1.0, .lowest_excluded = true});
+  return result;
+}
+
+LossData read_loss(const io::TomlTable& table) {
+  LossData loss;
+  loss.source = read_filled(table, "source");
+  loss.tan_delta = table.number("tan_delta", io::positive());
+  loss.frequency_Hz = table.number("frequency_Hz", io::positive());
+  return loss;
+}
+
+}  // namespace
+
+SiliconeRecord read_silicone(const std::filesystem::path& file) {
+  const io::TomlTable table = io::read_toml(file);
+  SiliconeRecord record;
+  record.name = read_filled(table, "name");
+  record.data_sheet = read_data_sheet(table.table("data_sheet"));
+  record.recommended = read_sourced_law(table.table("recommended"));
+  for (const io::TomlTable& other : table.optional_tables("others")) record.others.push_back(read_sourced_law(other));
+  record.not_measured = table.texts("not_measured");
+  if (const auto loss = table.optional_table("loss")) record.loss = read_loss(*loss);
+  const bool is_missing =
+      std::find(record.not_measured.begin(), record.not_measured.end(), "damping") != record.not_measured.end();
+  if (record.loss && is_missing) throw table.error("not_measured", "names damping, but there is a table [loss]");
+  table.finish();
+  return record;
+}
+
+}  // namespace menger::materials

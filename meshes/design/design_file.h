@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "io/text/toml_document.h"
+#include "meshes/design/polycube.h"
+
+namespace menger::meshes {
+
+/// A design: a basal body and the edge of its cells.
+struct Design {
+  std::string name;
+  Polycube body;
+  double cell_edge_m = 0.01;  ///< edge of a cell of level 1, in metres, > 0
+
+  bool operator==(const Design&) const = default;
+};
+
+/// Reads a design from TOML: name, cell_edge_m and layers (from the ground up), each layer an array of strings of digits, one
+/// string per row of constant y with y growing downwards in the file, x growing along the row.
+/// @throws io::InputError with file, key and value for anything that is not such a design, an empty body included
+Design read_design(const std::filesystem::path& file);
+
+/// Reads a design that stands in a table of another file: name ("robot"), cells (three integers, [3, 3, 3]) and digits, one per
+/// cell with x fastest, then y, then z. Its edge stays the default. @throws io::InputError naming the key
+Design read_drawn_design(const io::TomlTable& table);
+
+/// Writes a design so that read_design gives it back; whole or not at all. @throws io::InputError if the place cannot be written
+void write_design(const std::filesystem::path& file, const Design& design);
+
+/// The text that write_design writes.
+std::string design_text(const Design& design);
+
+}  // namespace menger::meshes

@@ -1,0 +1,72 @@
+#include "meshes/hexahedra/boundary_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+
+#include "io/text/input_error.h"
+#include "meshes/hexahedra/element_geometry.h"
+
+namespace menger::meshes {
+namespace {
+
+using FaceCorners = std::array<std::size_t, 4>;
+
+/// A side of one or more elements.
+struct ElementSide {
+  FaceCorners corners{};  ///< as the first element runs around it
+  int elements = 0;
+  int faces = 0;
+};
+
+/// The sides of all elements, by their corners in increasing order.
+using ElementSides = std::map<FaceCorners, ElementSide>;
+
+FaceCorners sorted(FaceCorners corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+ElementSides sides_of_elements(const HexahedralMesh& mesh) {
+  ElementSides sides;
+  for (const ElementCorners& element : mesh.elements) {
+    for (const auto& around : face_corners) {
+      const FaceCorners corners{element[around[0]], element[around[1]], element[around[2]], element[around[3]]};
+      ElementSide& side = sides[sorted(corners)];
+      if (side.elements++ == 0) side.corners = corners;
+    }
+  }
+  return sides;
+}
+
+/// Whether two ways around four corners are the same, wherever they begin.
+bool same_way(const FaceCorners& a, FaceCorners b) {
+  std::rotate(b.begin(), std::find(b.begin(), b.end(), a[0]), b.end());
+  return a == b;
+}
+
+}  // namespace
+
+void require_whole_boundary(const HexahedralMesh& mesh, const std::string& source) {
+  ElementSides sides = sides_of_elements(mesh);
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const FaceCorners& corners = mesh.faces[i].corners;
+    const auto refuse = [&](const char* reason) {
+      std::string message = source + ": boundary face " + std::to_string(i) + " at ";
+      message.append(millimetre_text(mesh.points[corners[0]])).append(" ").append(reason);
+      throw io::InputError(message);
+    };
+    const auto side = sides.find(sorted(corners));
+    if (side == sides.end()) refuse("is on no element");
+    if (side->second.elements > 1) refuse("lies inside the solid");
+    if (!same_way(side->second.corners, corners)) refuse("runs around the wrong way");
+    if (++side->second.faces > 1) refuse("is there twice");
+  }
+  const auto missing = std::count_if(sides.begin(), sides.end(),
+                                     [](const auto& side) { return side.second.elements == 1 && side.second.faces == 0; });
+  if (missing > 0)
+    throw io::InputError(source + ": " + std::to_string(missing) + " sides of elements on the boundary have no face");
+}
+
+}  // namespace menger::meshes

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "meshes/design/side.h"
+#include "meshes/hexahedra/hexahedral_mesh.h"
+
+namespace menger::meshes {
+
+/// Positions of the corners of an element, in the order of ElementCorners.
+using CornerPoints = std::array<Point, 8>;
+
+/// The corners of the six faces of an element in the order of Side, running around each face as BoundaryFace asks.
+inline constexpr std::array<std::array<std::size_t, 4>, 6> face_corners{
+    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+
+/// The corners at the ends of the twelve edges of an element: along x, along y, along z.
+inline constexpr std::array<std::array<std::size_t, 2>, 12> edge_corners{
+    {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+
+inline Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double length(const Point& a);
+
+/// Whether all coordinates are finite numbers.
+bool is_finite(const Point& place);
+
+/// A place as messages name it: "(1, 2.5, 0) mm".
+std::string millimetre_text(const Point& place);
+
+CornerPoints corner_points(const HexahedralMesh& mesh, std::size_t element);
+
+/// Columns dx/dxi_i of the trilinear map at a point xi of the reference cube [0, 1]^3.
+std::array<Point, 3> jacobian(const CornerPoints& corners, const Point& xi);
+
+/// det dx/dxi.
+double jacobian_determinant(const CornerPoints& corners, const Point& xi);
+
+/// The smallest determinant at the eight corners and the eight Gauss points. A value <= 0 shows that the element is inverted; a
+/// positive one does not exclude a fold between these points, which needs corners that are nearly flat. NaN if any of them is.
+double smallest_determinant(const CornerPoints& corners);
+
+/// Volume of a trilinear element, exact: eight Gauss points integrate its determinant.
+double element_volume(const CornerPoints& corners);
+
+/// The scaled Jacobian: the smallest triple product of unit edges at the corners and of the unit axes in the centre; 1 for a
+/// cuboid, <= 0 for an inverted element, -1 if an edge has no length.
+double scaled_jacobian(const CornerPoints& corners);
+
+/// Lengths of the shortest and of the longest of the twelve edges.
+std::pair<double, double> edge_range(const CornerPoints& corners);
+
+/// Integral of x . n over a bilinear quadrilateral whose corners run around n; exact. A third of its sum over a closed surface is
+/// the volume inside.
+double flux_of_position(const std::array<Point, 4>& corners);
+
+}  // namespace menger::meshes

@@ -1,0 +1,164 @@
+#include "meshes/hexahedra/grid_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace menger::meshes {
+namespace {
+
+/// Relative difference below which two lengths count as equal; far above rounding, far below any edge.
+constexpr double same = 1e-9;
+
+/// Why lines are needed beside a plane of cell sides.
+struct PlaneNeeds {
+  bool outer_low = false;   ///< a cell below it ends there
+  bool outer_high = false;  ///< a cell above it begins there
+  bool interface = false;   ///< a wall between two regions lies in the middle of it
+
+  [[nodiscard]] bool any() const { return outer_low || outer_high || interface; }
+};
+
+/// A part of an axis that is cut into edges.
+struct Span {
+  double begin;
+  double end;
+  bool in_wall;  ///< cut into equal edges, a fraction of the wall thickness
+};
+
+CellIndex cell_along(std::size_t axis, int position, int first, int second) {
+  if (axis == 0) return {position, first, second};
+  if (axis == 1) return {first, position, second};
+  return {first, second, position};
+}
+
+std::array<int, 3> size_of(const Polycube& cells) { return {cells.nx(), cells.ny(), cells.nz()}; }
+
+PlaneNeeds plane_needs(const ModularBody& body, std::size_t axis, int plane) {
+  const std::array<int, 3> size = size_of(body.cells());
+  const int first_size = axis == 0 ? size[1] : size[0];
+  const int second_size = axis == 2 ? size[1] : size[2];
+  PlaneNeeds needs;
+  for (int second = 0; second < second_size; ++second) {
+    for (int first = 0; first < first_size; ++first) {
+      const CellIndex low = cell_along(axis, plane - 1, first, second);
+      const CellIndex high = cell_along(axis, plane, first, second);
+      if (body.same_module(low, high)) {
+        needs.interface = needs.interface || body.region_of(low) != body.region_of(high);
+      } else {
+        needs.outer_low = needs.outer_low || body.region_of(low).has_value();
+        needs.outer_high = needs.outer_high || body.region_of(high).has_value();
+      }
+    }
+  }
+  return needs;
+}
+
+/// Distances from a plane at which lines are needed on one side of it, the nearest first.
+std::vector<double> distances(bool outer, bool interface, double wall) {
+  std::vector<double> result;
+  if (interface) result.push_back(0.5 * wall);
+  if (outer) result.push_back(wall);
+  return result;
+}
+
+/// The lines that a plane at `position` needs, in increasing order.
+GridLines lines_beside(const PlaneNeeds& needs, double position, double wall) {
+  GridLines lines;
+  for (const double distance : distances(needs.outer_low, needs.interface, wall)) lines.push_back(position - distance);
+  std::reverse(lines.begin(), lines.end());
+  if (needs.outer_low || needs.outer_high) lines.push_back(position);
+  for (const double distance : distances(needs.outer_high, needs.interface, wall)) lines.push_back(position + distance);
+  return lines;
+}
+
+/// Where holes begin and end along an axis.
+std::set<double> hole_lines(std::size_t axis, double cell_edge, const HollowBodyOptions& options,
+                            const std::vector<JointHole>& holes) {
+  std::set<double> lines;
+  const auto add = [&](const CellIndex& cell, Side side, double hole_edge) {
+    if (axis_of(side) == axis) return;
+    const double middle = (std::array{cell.x, cell.y, cell.z}[axis] + 0.5) * cell_edge;
+    lines.insert({middle - 0.5 * hole_edge, middle + 0.5 * hole_edge});
+  };
+  for (const JointHole& hole : holes) add(hole.cell, hole.side, options.hole_edge_m.value_or(0.0));
+  for (const TubeHole& tube : options.tubes) add(tube.cell, tube.side, tube.edge_m);
+  return lines;
+}
+
+std::vector<Span> spans(const ModularBody& body, std::size_t axis, double cell_edge, const HollowBodyOptions& options,
+                        const std::vector<JointHole>& holes) {
+  const double tolerance = same * cell_edge;
+  const std::set<double> holes_here = hole_lines(axis, cell_edge, options, holes);
+  std::vector<Span> result;
+  double reached = 0.0;
+  bool begun = false;
+  for (int plane = 0; plane <= size_of(body.cells())[axis]; ++plane) {
+    const PlaneNeeds needs = plane_needs(body, axis, plane);
+    if (!needs.any()) continue;
+    const GridLines lines = lines_beside(needs, plane * cell_edge, options.wall_thickness_m);
+    if (begun) {
+      // Holes lie between the walls of their cells, so their lines fall into the spans between walls.
+      for (auto line = holes_here.lower_bound(reached + tolerance); line != holes_here.end() && *line < lines.front() - tolerance;
+           ++line) {
+        if (*line - reached < tolerance) continue;
+        result.push_back({reached, *line, false});
+        reached = *line;
+      }
+      result.push_back({reached, lines.front(), false});
+    }
+    for (std::size_t i = 1; i < lines.size(); ++i) result.push_back({lines[i - 1], lines[i], true});
+    reached = lines.back();
+    begun = true;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> graded_edges(double span, double first, double growth, double largest) {
+  if (growth <= 1.0 || largest <= first) {
+    const double count = std::max(1.0, std::ceil(span / std::min(first, largest) - same));
+    return std::vector<double>(static_cast<std::size_t>(count), span / count);
+  }
+  // Edges come in pairs, one from each end, until the next pair or the last edge alone in the middle fills the span.
+  std::vector<double> half;
+  double edge = first;
+  double sum = 0.0;
+  const double enough = span * (1.0 - same);
+  while (sum + edge < enough) {
+    half.push_back(edge);
+    sum += 2.0 * edge;
+    if (sum >= enough) break;
+    edge = std::min(edge * growth, largest);
+  }
+  std::vector<double> edges = half;
+  if (sum < enough) edges.push_back(edge);
+  edges.insert(edges.end(), half.rbegin(), half.rend());
+  const double total = std::accumulate(edges.begin(), edges.end(), 0.0);
+  for (double& each : edges) each *= span / total;
+  return edges;
+}
+
+std::array<GridLines, 3> grid_lines(const ModularBody& body, double cell_edge_m, const HollowBodyOptions& options,
+                                    const std::vector<JointHole>& holes) {
+  const double wall = options.wall_thickness_m;
+  const double wall_edge = wall / options.elements_through_wall;
+  std::array<GridLines, 3> lines;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const Span& span : spans(body, axis, cell_edge_m, options, holes)) {
+      const double length = span.end - span.begin;
+      if (lines[axis].empty()) lines[axis].push_back(span.begin);
+      const std::vector<double> edges =
+          span.in_wall ? graded_edges(length, wall_edge, 1.0, wall_edge)
+                       : graded_edges(length, wall_edge, options.growth, options.largest_element_m.value_or(wall_edge));
+      double at = span.begin;
+      for (std::size_t i = 0; i + 1 < edges.size(); ++i) lines[axis].push_back(at += edges[i]);
+      lines[axis].push_back(span.end);
+    }
+  }
+  return lines;
+}
+
+}  // namespace menger::meshes

@@ -1,0 +1,200 @@
+#include "meshes/hexahedra/mesh_assembly.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "io/text/input_error.h"
+#include "meshes/hexahedra/chamber_surface.h"
+#include "meshes/hexahedra/element_geometry.h"
+#include "meshes/hexahedra/mesh_quality.h"
+#include "meshes/hexahedra/used_points.h"
+
+namespace menger::meshes {
+namespace {
+
+using FaceCorners = std::array<std::size_t, 4>;
+using Edge = std::array<std::size_t, 2>;
+
+struct ElementFace {
+  std::size_t element;
+  std::size_t side;
+};
+
+/// The one or two elements at each face, which is named by its corners in increasing order.
+using FaceElements = std::map<FaceCorners, std::vector<ElementFace>>;
+
+FaceCorners corners_around(const ElementCorners& element, std::size_t side) {
+  FaceCorners corners{};
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = element[face_corners[side][i]];
+  return corners;
+}
+
+FaceCorners sorted(FaceCorners corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+FaceElements elements_at_faces(const NamedHexahedra& input, const std::string& source) {
+  FaceElements elements;
+  for (std::size_t element = 0; element < input.elements.size(); ++element) {
+    for (std::size_t side = 0; side < face_corners.size(); ++side) {
+      auto& here = elements[sorted(corners_around(input.elements[element], side))];
+      here.push_back({element, side});
+      if (here.size() <= 2) continue;
+      throw io::InputError(source + ": elements " + std::to_string(here[0].element) + ", " + std::to_string(here[1].element) +
+                           " and " + std::to_string(element) + " share one face, which only two can");
+    }
+  }
+  return elements;
+}
+
+/// Whether two elements run around the face that they share in opposite senses, as neighbours of equal handedness do.
+bool agree(const FaceCorners& a, const FaceCorners& b) {
+  const auto start = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+  return b[(start + 3) % 4] == a[1];
+}
+
+/// Numbers an element the other way: mirrored along its first direction.
+void mirror(ElementCorners& corners) {
+  for (std::size_t corner = 0; corner < corners.size(); corner += 2) std::swap(corners[corner], corners[corner + 1]);
+}
+
+/// For every element its neighbours and whether their numberings agree.
+using Neighbours = std::vector<std::vector<std::pair<std::size_t, bool>>>;
+
+Neighbours neighbours_of(const NamedHexahedra& input, const FaceElements& at_faces) {
+  Neighbours neighbours(input.elements.size());
+  for (const auto& [face, elements] : at_faces) {
+    if (elements.size() < 2) continue;
+    const ElementFace& a = elements[0];
+    const ElementFace& b = elements[1];
+    const bool same = agree(corners_around(input.elements[a.element], a.side), corners_around(input.elements[b.element], b.side));
+    neighbours[a.element].emplace_back(b.element, same);
+    neighbours[b.element].emplace_back(a.element, same);
+  }
+  return neighbours;
+}
+
+/// Mirrors elements until all agree with the first.
+void make_consistent(NamedHexahedra& input, const Neighbours& neighbours, const std::string& source) {
+  std::vector<bool> mirrored(input.elements.size(), false);
+  std::vector<bool> reached(input.elements.size(), false);
+  std::vector<std::size_t> order{0};
+  reached[0] = true;
+  for (std::size_t next = 0; next < order.size(); ++next) {
+    for (const auto& [neighbour, same] : neighbours[order[next]]) {
+      if (reached[neighbour]) continue;
+      reached[neighbour] = true;
+      mirrored[neighbour] = mirrored[order[next]] != !same;
+      order.push_back(neighbour);
+    }
+  }
+  if (order.size() < input.elements.size()) {
+    throw io::InputError(source + ": only " + std::to_string(order.size()) + " of " + std::to_string(input.elements.size()) +
+                         " elements hang together through faces; parts must share their points where they meet");
+  }
+  for (std::size_t element = 0; element < mirrored.size(); ++element) {
+    if (mirrored[element]) mirror(input.elements[element]);
+  }
+}
+
+void make_volume_positive(const std::vector<Point>& points, std::vector<ElementCorners>& elements) {
+  double volume = 0.0;
+  for (const ElementCorners& element : elements) {
+    CornerPoints corners{};
+    std::transform(element.begin(), element.end(), corners.begin(), [&](std::size_t corner) { return points[corner]; });
+    volume += element_volume(corners);
+  }
+  if (volume < 0.0) std::for_each(elements.begin(), elements.end(), mirror);
+}
+
+std::string face_text(const NamedHexahedra& input, const NamedFace& face) {
+  Point middle{};
+  for (const std::size_t corner : face.corners) {
+    for (std::size_t i = 0; i < 3; ++i) middle[i] += 0.25 * input.points[corner][i];
+  }
+  return "a face of \"" + input.label_names[face.label] + "\" around " + millimetre_text(middle);
+}
+
+/// The label of each named face, by its corners in increasing order.
+std::map<FaceCorners, std::size_t> labels_by_face(const NamedHexahedra& input, const FaceElements& at_faces,
+                                                  const std::string& source) {
+  std::map<FaceCorners, std::size_t> labels;
+  for (const NamedFace& face : input.faces) {
+    const FaceCorners key = sorted(face.corners);
+    const auto elements = at_faces.find(key);
+    if (elements == at_faces.end()) throw io::InputError(source + ": " + face_text(input, face) + " is on no element");
+    if (elements->second.size() > 1) throw io::InputError(source + ": " + face_text(input, face) + " lies inside the solid");
+    if (const auto [entry, is_new] = labels.emplace(key, face.label); !is_new && entry->second != face.label) {
+      throw io::InputError(source + ": " + face_text(input, face) + " also belongs to \"" + input.label_names[entry->second] +
+                           "\"");
+    }
+  }
+  return labels;
+}
+
+void add_faces(HexahedralMesh& mesh, const FaceElements& at_faces, const std::map<FaceCorners, std::size_t>& labels) {
+  const auto outer = std::find(mesh.label_names.begin(), mesh.label_names.end(), "outer");
+  const auto outer_label = static_cast<std::size_t>(outer - mesh.label_names.begin());
+  if (outer == mesh.label_names.end()) mesh.label_names.emplace_back("outer");
+  for (const auto& [face, elements] : at_faces) {
+    if (elements.size() > 1) continue;
+    const auto label = labels.find(face);
+    // The numbering may have been mirrored since, so the face is found by its corners.
+    for (std::size_t side = 0; side < face_corners.size(); ++side) {
+      const FaceCorners corners = corners_around(mesh.elements[elements[0].element], side);
+      if (sorted(corners) == face) mesh.faces.push_back({corners, label == labels.end() ? outer_label : label->second});
+    }
+  }
+}
+
+void add_chambers(HexahedralMesh& mesh) {
+  for (std::size_t label = 0; label < mesh.label_names.size(); ++label) {
+    if (!mesh.label_names[label].starts_with("chamber")) continue;
+    const std::size_t plenum = mesh.plenum_names.size();
+    mesh.chambers.push_back({mesh.label_names[label], {label}, {}, plenum});
+    mesh.plenum_names.push_back("plenum " + std::to_string(plenum));
+  }
+}
+
+Edge undirected(const Edge& edge) { return {std::min(edge[0], edge[1]), std::max(edge[0], edge[1])}; }
+
+void add_cap(HexahedralMesh& mesh, const NamedCap& cap, const std::string& source) {
+  std::set<Edge> rim;
+  for (const Edge& edge : cap.rim) rim.insert(undirected(edge));
+  for (Chamber& chamber : mesh.chambers) {
+    std::vector<Edge> open = open_edges(mesh, chamber);
+    std::erase_if(open, [&](const Edge& edge) { return !rim.contains(undirected(edge)); });
+    if (open.empty() || open.size() < rim.size()) continue;
+    chamber.caps.push_back({std::move(open)});
+    return;
+  }
+  throw io::InputError(source + ": \"" + cap.name + "\" closes no chamber: the surface of none ends at all of its edges");
+}
+
+}  // namespace
+
+HexahedralMesh assemble_mesh(NamedHexahedra input, const std::string& source) {
+  if (input.elements.empty()) throw io::InputError(source + ": holds no hexahedra");
+  drop_unused_points(input, source);
+  const FaceElements at_faces = elements_at_faces(input, source);
+  make_consistent(input, neighbours_of(input, at_faces), source);
+  make_volume_positive(input.points, input.elements);
+  const std::map<FaceCorners, std::size_t> labels = labels_by_face(input, at_faces, source);
+  HexahedralMesh mesh;
+  mesh.points = std::move(input.points);
+  mesh.elements = std::move(input.elements);
+  mesh.regions = std::move(input.regions);
+  mesh.region_names = std::move(input.region_names);
+  mesh.label_names = std::move(input.label_names);
+  add_faces(mesh, at_faces, labels);
+  add_chambers(mesh);
+  for (const NamedCap& cap : input.caps) add_cap(mesh, cap, source);
+  require_no_inverted_elements(mesh, source);
+  require_closed_chambers(mesh, source);
+  return mesh;
+}
+
+}  // namespace menger::meshes

@@ -1,0 +1,81 @@
+#include "meshes/load_cases/load_case.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "meshes/load_cases/load_case_file.h"
+
+namespace menger::materials {
+
+std::string_view to_string(LoadCaseKind kind) {
+  for (const auto& [word, value] : load_case_kind_words()) {
+    if (value == kind) return word;
+  }
+  return "";
+}
+
+LoadCaseKind load_case_kind(std::string_view word) {
+  for (const auto& [known, kind] : load_case_kind_words()) {
+    if (known == word) return kind;
+  }
+  throw std::invalid_argument("no kind of load case: \"" + std::string(word) + "\"");
+}
+
+CellBox occupied_box(const std::array<int, 3>& cells, std::string_view digits) {
+  std::array<int, 3> low = cells;
+  std::array<int, 3> high{-1, -1, -1};
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (digits[i] == '0') continue;
+    const int position = static_cast<int>(i);
+    const std::array<int, 3> at{position % cells[0], position / cells[0] % cells[1], position / (cells[0] * cells[1])};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], at[axis]);
+      high[axis] = std::max(high[axis], at[axis]);
+    }
+  }
+  CellBox box{.lowest = low};
+  for (std::size_t axis = 0; axis < 3; ++axis) box.size[axis] = std::max(0, high[axis] - low[axis] + 1);
+  return box;
+}
+
+int longest_side_cells(const std::array<int, 3>& cells, std::string_view digits) {
+  const CellBox box = occupied_box(cells, digits);
+  return *std::max_element(box.size.begin(), box.size.end());
+}
+
+int longest_side_modules(int longest_side_cells, int level) {
+  constexpr int most = std::numeric_limits<int>::max();
+  int modules = 1;
+  for (int i = 1; i < level; ++i) modules = longest_side_cells > most / modules ? most : modules * longest_side_cells;
+  return modules;
+}
+
+std::vector<std::string> response_columns(LoadCaseKind kind) {
+  switch (kind) {
+    case LoadCaseKind::inflation:
+      return {"pressure_Pa", "volume_change", "extent_x_m", "extent_y_m", "extent_z_m", "top_m"};
+    case LoadCaseKind::blocked:
+      return {"pressure_Pa", "force_N", "volume_change"};
+    case LoadCaseKind::stretch:
+      return {"pressure_Pa", "displacement_m", "force_N", "volume_change", "extent_y_m", "extent_z_m"};
+    case LoadCaseKind::shear:
+    case LoadCaseKind::press:
+      return {"pressure_Pa", "displacement_m", "force_N"};
+    case LoadCaseKind::bending:
+    case LoadCaseKind::torsion:
+      return {"pressure_Pa", "angle_rad", "moment_N_m"};
+    case LoadCaseKind::sag:
+      return {"pressure_Pa", "gravity_factor", "tip_m"};
+    case LoadCaseKind::modes:
+      return {"pressure_Pa", "frequency_1_Hz", "frequency_2_Hz", "frequency_3_Hz"};
+  }
+  return {};
+}
+
+std::size_t abscissa_count(LoadCaseKind kind) {
+  const bool by_pressure_alone = kind == LoadCaseKind::inflation || kind == LoadCaseKind::blocked || kind == LoadCaseKind::modes;
+  return by_pressure_alone ? 1 : 2;
+}
+
+}  // namespace menger::materials

@@ -1,0 +1,177 @@
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "evolution/archive/run_archive.h"
+#include "evolution/genome/offspring.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* study = "seed = 1\n";
+
+Individual some_individual(std::uint64_t id) {
+  RandomStream random(id, "individuals");
+  Offspring born = random_offspring({}, random);
+  return {id, 0, std::nullopt, 0, std::move(born.genome), std::move(born.phenotype)};
+}
+
+Reevaluation completed_run(const std::string& design, const std::string& protocol) {
+  Reevaluation run;
+  run.design_hash = design;
+  run.protocol = protocol;
+  run.variant = "judge";
+  run.duration_s = 2.0;
+  run.result.status = io::RunStatus::completed;
+  run.result.displacement_m = {1.0 / 3.0, -2e-300, 0.1};
+  run.result.steps = 44154;
+  run.result.seconds = 0.25;
+  return run;
+}
+
+/// A folder of its own.
+class ArchiveReevaluations : public testing::Test {
+ protected:
+  [[nodiscard]] RunArchive open() const { return RunArchive::open(file_, study, 3); }
+
+  /// Makes the archive what version 2 wrote.
+  void make_old() const {
+    (void)open();
+    SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
+    database.exec("DROP TABLE reevaluation");
+    database.exec("DROP TABLE protocol");
+    database.exec("PRAGMA user_version = 2");
+  }
+
+  [[nodiscard]] int version() const {
+    SQLite::Database database(file_.string(), SQLite::OPEN_READONLY);
+    return database.execAndGet("PRAGMA user_version").getInt();
+  }
+
+  const tests::TestFolder folder_;
+  fs::path file_ = folder_ / "run.sqlite";
+};
+
+TEST_F(ArchiveReevaluations, AreGivenBackExactly) {
+  (void)open();
+  Reevaluation limited = completed_run("b", "protocol 2");
+  limited.level = 2;
+  limited.variant = "E 107 kPa";
+  limited.result.status = io::RunStatus::limit_point;
+  limited.result.displacement_m.reset();
+  limited.result.reason = "at 5 kPa";
+  Reevaluation failed = completed_run("c", "protocol 1");
+  failed.has_result = false;
+  failed.result.displacement_m.reset();
+  failed.result.reason = "exit code 1";
+  const std::vector<Reevaluation> added{completed_run("a", "protocol 1"), limited, failed};
+  RunArchive::open_to_extend(file_).add_reevaluations(added);
+
+  const std::vector<Reevaluation> found = RunArchive::open_to_read(file_).reevaluations();
+  ASSERT_EQ(found.size(), 3U);
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    EXPECT_EQ(found[n].design_hash, added[n].design_hash);
+    EXPECT_EQ(found[n].level, added[n].level);
+    EXPECT_EQ(found[n].protocol, added[n].protocol);
+    EXPECT_EQ(found[n].variant, added[n].variant);
+    EXPECT_EQ(found[n].duration_s, 2.0);
+    EXPECT_EQ(found[n].has_result, added[n].has_result);
+    EXPECT_EQ(found[n].result.displacement_m, added[n].result.displacement_m);
+    EXPECT_EQ(found[n].result.reason, added[n].result.reason);
+    EXPECT_EQ(found[n].result.steps, 44154U);
+    EXPECT_EQ(found[n].result.seconds, 0.25);
+  }
+  EXPECT_EQ(found[1].result.status, io::RunStatus::limit_point);
+}
+
+TEST_F(ArchiveReevaluations, ReplaceThoseOfTheSameDesignLevelAndProtocol) {
+  (void)open();
+  Reevaluation run = completed_run("a", "protocol");
+  RunArchive::open_to_extend(file_).add_reevaluations(std::vector{run});
+  run.result.displacement_m = {7.0, 8.0, 9.0};
+  RunArchive::open_to_extend(file_).add_reevaluations(std::vector{run});
+  const std::vector<Reevaluation> found = RunArchive::open_to_read(file_).reevaluations();
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].result.displacement_m, run.result.displacement_m);
+}
+
+TEST_F(ArchiveReevaluations, AnOldArchiveIsReadAsItIsAndExtendedWhenItIsWritten) {
+  make_old();
+  const std::string before = io::read_whole(file_);
+  EXPECT_TRUE(RunArchive::open_to_read(file_).reevaluations().empty());
+  EXPECT_EQ(io::read_whole(file_), before);
+  EXPECT_EQ(version(), 2);
+  RunArchive::open_to_extend(file_).add_reevaluations(std::vector{completed_run("a", "protocol")});
+  EXPECT_EQ(version(), RunArchive::schema_version);
+  EXPECT_EQ(RunArchive::open_to_read(file_).reevaluations().size(), 1U);
+  EXPECT_EQ(RunArchive::open_to_read(file_).study(), study);
+}
+
+TEST_F(ArchiveReevaluations, ASearchGoesOnWithAnOldArchive) {
+  make_old();
+  {
+    RunArchive archive = open();
+    archive.add_generation({0, 0, 0, 0, 0.0, "a", "b"}, {}, {});
+  }
+  EXPECT_EQ(version(), RunArchive::schema_version);
+  EXPECT_EQ(RunArchive::open_to_read(file_).last_generation(), 0);
+}
+
+TEST_F(ArchiveReevaluations, AreAddedWholeOrNotAtAll) {
+  (void)open();
+  Reevaluation broken = completed_run("b", "protocol");
+  broken.result.reason = std::string("cut off");
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE)
+      .exec(
+          "CREATE TRIGGER full BEFORE INSERT ON reevaluation WHEN NEW.design_hash = 'b' BEGIN SELECT RAISE(ABORT, 'full'); END");
+  RunArchive archive = RunArchive::open_to_extend(file_);
+  EXPECT_THROW(archive.add_reevaluations(std::vector{completed_run("a", "protocol"), broken}), io::InputError);
+  EXPECT_TRUE(archive.reevaluations().empty());
+}
+
+TEST_F(ArchiveReevaluations, AreNotAddedToWhatIsNoArchive) {
+  EXPECT_THROW((void)RunArchive::open_to_extend(file_), io::InputError);
+  EXPECT_FALSE(fs::exists(file_));
+  io::write_whole(file_, "generation,fitness\n");
+  EXPECT_THROW((void)RunArchive::open_to_extend(file_), io::InputError);
+  fs::remove(file_);
+  const RunArchive writer = open();
+  EXPECT_THROW((void)RunArchive::open_to_extend(file_), io::InputError) << "a search is writing";
+}
+
+TEST_F(ArchiveReevaluations, RowsThatContradictThemselvesAreDamage) {
+  (void)open();
+  RunArchive::open_to_extend(file_).add_reevaluations(std::vector{completed_run("a", "protocol")});
+  for (const char* damage : {"UPDATE reevaluation SET status = NULL", "UPDATE reevaluation SET protocol_hash = 'x'"}) {
+    const std::string sound = io::read_whole(file_);
+    SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec(damage);
+    EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError) << damage;
+    io::write_whole(file_, sound);
+  }
+}
+
+TEST_F(ArchiveReevaluations, DesignsWithAFitnessComeOncePerPhenotypeTheBestFirst) {
+  RunArchive archive = open();
+  std::vector<Individual> born{some_individual(0), some_individual(1), some_individual(2), some_individual(3)};
+  born[2].phenotype = born[0].phenotype;
+  const std::vector<Contender> contenders{{0, 0, Knowledge::evaluated, 0.5, std::nullopt, 1},
+                                          {1, 0, Knowledge::evaluated, 0.75, std::nullopt, 0},
+                                          {2, 0, Knowledge::evaluated, 0.5, std::nullopt, std::nullopt},
+                                          {3, 0, Knowledge::failed, std::nullopt, std::nullopt, std::nullopt}};
+  archive.add_generation({0, 0, 0, 0, 0.0, "a", "b"}, born, contenders);
+  const std::vector<FitDesign> designs = archive.fit_designs();
+  ASSERT_EQ(designs.size(), 2U);
+  EXPECT_EQ(designs[0].individual, 1U);
+  EXPECT_EQ(designs[0].fitness, 0.75);
+  EXPECT_EQ(designs[0].phenotype, born[1].phenotype);
+  EXPECT_EQ(designs[1].individual, 0U);
+}
+
+}  // namespace
+}  // namespace menger::evolution

@@ -1,0 +1,271 @@
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "evolution/archive/run_archive.h"
+#include "evolution/genome/offspring.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* study = "seed = 1\n[population]\nsurvivors = 15\n[body]\nlevels = [1, 2]\n";
+
+Individual some_individual(std::uint64_t id, BodyPlan plan = BodyPlan::fractal) {
+  OffspringOptions options;
+  options.decoder.plan = plan;
+  RandomStream random(id, "individuals");
+  Offspring born = random_offspring(options, random);
+  return {id, 2, id == 0 ? std::nullopt : std::optional(id - 1), 5, std::move(born.genome), std::move(born.phenotype)};
+}
+
+/// A folder of its own.
+class Archive : public testing::Test {
+ protected:
+  [[nodiscard]] RunArchive open(int generations = 3) const { return RunArchive::open(file_, study, generations); }
+
+  /// An archive with enough rows for several pages.
+  void fill() const {
+    RunArchive archive = open();
+    for (int i = 0; i < 300; ++i) {
+      Evaluation result;
+      result.status = io::RunStatus::completed;
+      result.displacement_m = {0.1 * i, 1.0 / 3.0, -0.5};
+      archive.add_evaluation({"design " + std::to_string(i), 1, "physics"}, {0, result});
+    }
+  }
+
+  /// Opening for writing and for reading is refused with all of these words, and leaves the file as it is.
+  void expect_refused(const std::vector<std::string>& words, std::string_view wanted_study = study) const {
+    const std::string before = fs::is_regular_file(file_) ? io::read_whole(file_) : "";
+    try {
+      (void)RunArchive::open(file_, wanted_study, 3);
+      FAIL() << "opened";
+    } catch (const io::InputError& error) {
+      for (const std::string& word : words) {
+        EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what() << "\ndoes not say: " << word;
+      }
+      EXPECT_NE(std::string(error.what()).find(file_.string()), std::string::npos) << error.what();
+    }
+    if (fs::is_regular_file(file_)) {
+      EXPECT_EQ(io::read_whole(file_), before);
+    }
+  }
+
+  const tests::TestFolder folder_;
+  fs::path file_ = folder_ / "run.sqlite";
+};
+
+TEST_F(Archive, GivesEvaluationsBackExactly) {
+  RunArchive archive = open();
+  Evaluation completed;
+  completed.status = io::RunStatus::completed;
+  completed.displacement_m = {1.0 / 3.0, -2e-300, 0.1};
+  completed.steps = 44154;
+  completed.seconds = 0.25;
+  Evaluation diverged;
+  diverged.status = io::RunStatus::diverged;
+  diverged.reason = "voxel 3: speed";
+  diverged.outside_validity = "beams were strained, \"much\"";
+  archive.add_evaluation({"a", 1, "p"}, {4, completed});
+  archive.add_evaluation({"a", 2, "p"}, {5, diverged});
+
+  const auto first = archive.evaluation({"a", 1, "p"});
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->generation, 4);
+  EXPECT_EQ(first->result.status, io::RunStatus::completed);
+  EXPECT_EQ(first->result.displacement_m, completed.displacement_m);
+  EXPECT_EQ(first->result.steps, 44154U);
+  EXPECT_EQ(first->result.seconds, 0.25);
+  const auto second = archive.evaluation({"a", 2, "p"});
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->result.status, io::RunStatus::diverged);
+  EXPECT_EQ(second->result.reason, diverged.reason);
+  EXPECT_FALSE(second->result.displacement_m);
+  EXPECT_EQ(first->result.outside_validity, "");
+  EXPECT_EQ(second->result.outside_validity, diverged.outside_validity);
+  EXPECT_EQ(archive.evaluations_outside_validity(4), 0U);
+  EXPECT_EQ(archive.evaluations_outside_validity(5), 1U);
+}
+
+TEST_F(Archive, KnowsAResultOnlyUnderItsWholeKey) {
+  RunArchive archive = open();
+  Evaluation result;
+  result.status = io::RunStatus::completed;
+  result.displacement_m = {1.0, 2.0, 3.0};
+  archive.add_evaluation({"a", 1, "p"}, {0, result});
+  EXPECT_FALSE(archive.evaluation({"b", 1, "p"}));
+  EXPECT_FALSE(archive.evaluation({"a", 2, "p"}));
+  EXPECT_FALSE(archive.evaluation({"a", 1, "q"}));
+  EXPECT_THROW(archive.add_evaluation({"a", 1, "p"}, {0, result}), io::InputError) << "a result must not be replaced";
+}
+
+TEST_F(Archive, GivesGenerationsBackAfterReopening) {
+  const GenerationRecord record{0, 7, 8, 9, 1.5, "state a", "state b"};
+  const std::vector<Individual> born{some_individual(0), some_individual(1, BodyPlan::nonfractal), some_individual(2)};
+  const std::vector<Contender> contenders{{0, 3, Knowledge::evaluated, 1.0 / 7.0, std::nullopt, 1},
+                                          {1, 0, Knowledge::failed, std::nullopt, std::nullopt, 0},
+                                          {2, 1, Knowledge::bounded, std::nullopt, 0.25, std::nullopt}};
+  open().add_generation(record, born, contenders);
+
+  const RunArchive archive = open();
+  EXPECT_EQ(archive.last_generation(), 0);
+  EXPECT_EQ(archive.generation(0), record);
+  EXPECT_EQ(archive.contenders(0), contenders);
+  for (const Individual& individual : born) EXPECT_EQ(archive.individual(individual.id), individual);
+  EXPECT_EQ(archive.next_id(), 3U);
+  EXPECT_EQ(archive.study(), study);
+  EXPECT_THROW((void)archive.individual(3), io::InputError);
+  EXPECT_THROW((void)archive.generation(1), io::InputError);
+}
+
+TEST_F(Archive, HoldsNothingOfAGenerationThatCouldNotBeAddedWhole) {
+  RunArchive archive = open();
+  const GenerationRecord record{0, 0, 0, 0, 0.0, "a", "b"};
+  const std::vector<Individual> twice{some_individual(4), some_individual(4)};
+  EXPECT_THROW(archive.add_generation(record, twice, {}), io::InputError);
+  EXPECT_FALSE(archive.last_generation());
+  EXPECT_EQ(archive.next_id(), 0U);
+}
+
+TEST_F(Archive, IsEmptyAtFirstAndLeavesNoOtherFilesBehind) {
+  {
+    const RunArchive archive = open();
+    EXPECT_FALSE(archive.last_generation());
+    EXPECT_EQ(archive.next_id(), 0U);
+  }
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder_)) files.push_back(entry.path());
+  EXPECT_EQ(files, std::vector{file_});
+}
+
+TEST_F(Archive, KeepsTheLatestGoal) {
+  { EXPECT_EQ(open(3).generation_goal(), 3); }
+  { EXPECT_EQ(open(10).generation_goal(), 10); }
+  EXPECT_EQ(RunArchive::open_to_read(file_).generation_goal(), 10);
+}
+
+TEST_F(Archive, CanBeReadWhileItIsWritten) {
+  RunArchive writer = open();
+  const GenerationRecord record{0, 0, 0, 0, 0.0, "a", "b"};
+  const RunArchive before = RunArchive::open_to_read(file_);
+  EXPECT_FALSE(before.last_generation());
+  writer.add_generation(record, {}, {});
+  EXPECT_FALSE(before.last_generation()) << "a reader sees one state";
+  EXPECT_EQ(RunArchive::open_to_read(file_).last_generation(), 0);
+}
+
+TEST_F(Archive, RefusesASecondWriter) {
+  {
+    const RunArchive writer = open();
+    try {
+      (void)open();
+      FAIL() << "opened twice";
+    } catch (const io::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("another process is writing"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_NO_THROW((void)open()) << "the first writer has let go";
+}
+
+TEST_F(Archive, TakesTheLockThatADeadProcessLeft) {
+  io::write_whole(file_.string() + ".lock", "");
+  EXPECT_NO_THROW((void)open());
+}
+
+TEST_F(Archive, TakesAnEmptyFileForANewArchive) {
+  // A process that is killed at its very beginning leaves one.
+  io::write_whole(file_, "");
+  EXPECT_EQ(open().study(), study);
+}
+
+TEST_F(Archive, RefusesOtherFiles) {
+  io::write_whole(file_, "generation,fitness\n1,2\n");
+  expect_refused({"is not an archive"});
+  EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError);
+}
+
+TEST_F(Archive, RefusesOtherDatabases) {
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE shopping (item TEXT)");
+  expect_refused({"is not an archive", "something else"});
+  EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError);
+}
+
+TEST_F(Archive, RefusesAnotherSchemaVersion) {
+  fill();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 99");
+  expect_refused({"schema version 99", "version " + std::to_string(RunArchive::schema_version)});
+  EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError);
+}
+
+TEST_F(Archive, RefusesAnotherStudyAndNamesTheDifference) {
+  fill();
+  expect_refused({"another study", "[population]", "survivors = 15", "survivors = 16"},
+                 "seed = 1\n[population]\nsurvivors = 16\n[body]\nlevels = [1, 2]\n");
+  expect_refused({"another study", "[body]", "levels = [1, 2]", "levels = [1]"},
+                 "seed = 1\n[population]\nsurvivors = 15\n[body]\nlevels = [1]\n");
+}
+
+TEST_F(Archive, RefusesATruncatedFile) {
+  fill();
+  fs::resize_file(file_, fs::file_size(file_) / 2);
+  expect_refused({});
+  EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError);
+}
+
+TEST_F(Archive, RefusesAFileWithDamagedPages) {
+  fill();
+  std::fstream damaged(file_, std::ios::in | std::ios::out | std::ios::binary);
+  damaged.seekp(static_cast<std::streamoff>(fs::file_size(file_)) / 2);
+  damaged << std::string(9000, '\x55');
+  damaged.close();
+  expect_refused({});
+  EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError);
+}
+
+TEST_F(Archive, RefusesRowsThatContradictEachOther) {
+  // Pages of SQLite carry no checksums: such damage passes its own check.
+  for (const char* damage :
+       {"UPDATE study SET resolved = resolved || ' '", "UPDATE evaluation SET dy_m = NULL WHERE design_hash = 'design 7'",
+        "UPDATE evaluation SET status = 'diverged' WHERE design_hash = 'design 8'"}) {
+    fs::remove(file_);
+    fill();
+    SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec(damage);
+    expect_refused({"is damaged"});
+    EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError) << damage;
+  }
+}
+
+TEST_F(Archive, RefusesPlacesWhereNoFileCanBe) {
+  io::write_whole(folder_ / "file", "x");
+  EXPECT_THROW((void)RunArchive::open(folder_ / "file/run.sqlite", study, 1), io::InputError);
+  EXPECT_THROW((void)RunArchive::open(folder_, study, 1), io::InputError);
+  EXPECT_THROW((void)RunArchive::open("", study, 1), io::InputError) << "SQLite would make a database that vanishes";
+  EXPECT_THROW((void)RunArchive::open_to_read(folder_ / "missing.sqlite"), io::InputError);
+  EXPECT_EQ(io::read_whole(folder_ / "file"), "x");
+  EXPECT_FALSE(fs::exists(folder_ / "missing.sqlite")) << "reading must not make an archive";
+}
+
+TEST(DesignHash, LeavesOutArrangementsThatDoNotMatterAtALevel) {
+  Phenotype first = some_individual(1, BodyPlan::nonfractal).phenotype;
+  Phenotype second = first;
+  second.arrangement_of_arrangements = meshes::Polycube(3, 3, 3);
+  second.arrangement_of_arrangements.set({1, 1, 1}, 1);
+  ASSERT_NE(first, second);
+  EXPECT_EQ(design_hash(first, 1), design_hash(second, 1));
+  EXPECT_EQ(design_hash(first, 2), design_hash(second, 2));
+  EXPECT_NE(design_hash(first, 3), design_hash(second, 3));
+  second.arrangement.set({0, 0, 0}, second.arrangement.at({0, 0, 0}) == 0 ? 1 : 0);
+  EXPECT_EQ(design_hash(first, 1), design_hash(second, 1));
+  EXPECT_NE(design_hash(first, 2), design_hash(second, 2));
+}
+
+}  // namespace
+}  // namespace menger::evolution

@@ -1,0 +1,123 @@
+#include "evolution/genome/offspring.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "io/text/input_error.h"
+
+namespace menger::evolution {
+namespace {
+
+OffspringOptions released(BodyPlan plan) {
+  OffspringOptions options;
+  options.variation = {ActivationSet::released_code, OutputFunction::mutable_};
+  options.decoder = {plan, {Expression::first_consumer_activated, AxisMap::zyx}};
+  options.constraints.disconnected = DisconnectedPolicy::allow;
+  return options;
+}
+
+TEST(Offspring, RandomOnesAreValidAndDecodeToTheirPhenotype) {
+  for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator}) {
+    RandomStream random(1, "births");
+    for (const auto policy : {DisconnectedPolicy::reject, DisconnectedPolicy::allow}) {
+      OffspringOptions options = released(plan);
+      options.constraints.disconnected = policy;
+      for (int sample = 0; sample < 30; ++sample) {
+        const Offspring born = random_offspring(options, random);
+        EXPECT_TRUE(is_valid(born.phenotype, options.constraints));
+        EXPECT_EQ(decode(born.genome, options.decoder), born.phenotype);
+        EXPECT_GE(born.tries, 1U);
+      }
+    }
+  }
+}
+
+TEST(Offspring, RejectionLeavesNoBodyThatFallsApart) {
+  RandomStream random(2, "births");
+  OffspringOptions options = released(BodyPlan::fractal);
+  options.constraints.disconnected = DisconnectedPolicy::reject;
+  Offspring individual = random_offspring(options, random);
+  for (int generation = 0; generation < 200; ++generation) {
+    EXPECT_TRUE(aggregate_is_connected(individual.phenotype, 3));
+    individual = child_of(individual.genome, individual.phenotype, options, random);
+  }
+}
+
+TEST(Offspring, ConstraintsThatCannotBeMetAreAnErrorNotAnEndlessLoop) {
+  RandomStream random(3, "births");
+  OffspringOptions options = released(BodyPlan::fractal);
+  options.constraints.smallest_body = 28;
+  options.largest_draws = 50;
+  EXPECT_THROW(random_offspring(options, random), io::InputError);
+}
+
+TEST(Offspring, ChildrenAreValidAndDifferFromTheirParentUnlessEveryTryFailed) {
+  for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator}) {
+    RandomStream random(4, "children");
+    const OffspringOptions options = released(plan);
+    int equal = 0;
+    for (int sample = 0; sample < 50; ++sample) {
+      const Offspring parent = random_offspring(options, random);
+      const Offspring child = child_of(parent.genome, parent.phenotype, options, random);
+      if (child.phenotype == parent.phenotype) {
+        // From some full cubes no single step leads away.
+        ++equal;
+        EXPECT_GE(child.tries, options.largest_tries);
+      }
+      EXPECT_TRUE(is_valid(child.phenotype, options.constraints));
+      EXPECT_EQ(decode(child.genome, options.decoder), child.phenotype);
+    }
+    EXPECT_LT(equal, 10);
+  }
+}
+
+TEST(Offspring, AParentIsCopiedWhenEveryTryFails) {
+  RandomStream random(5, "failures");
+  OffspringOptions options = released(BodyPlan::fractal);
+  const Offspring parent = random_offspring(options, random);
+  options.constraints.smallest_body = 28;
+  const Offspring child = child_of(parent.genome, parent.phenotype, options, random);
+  EXPECT_EQ(child.tries, 1500U);
+  EXPECT_EQ(child.genome, parent.genome);
+  EXPECT_EQ(child.phenotype, parent.phenotype);
+}
+
+TEST(Offspring, EachOfThreeNetworksIsChosenWithOneThirdAndAtLeastOneIs) {
+  RandomStream random(6, "choice");
+  const OffspringOptions options = released(BodyPlan::nonfractal);
+  const Offspring parent = random_offspring(options, random);
+  std::array<int, 4> counts{};
+  constexpr int samples = 3000;
+  for (int sample = 0; sample < samples; ++sample) {
+    const Offspring child = child_of(parent.genome, parent.phenotype, options, random);
+    std::size_t changed = 0;
+    for (std::size_t network = 0; network < 3; ++network)
+      changed += child.genome.networks[network] != parent.genome.networks[network] ? 1U : 0U;
+    ++counts.at(changed);
+  }
+  // None chosen (8/27) makes one of them; hence one 12/27 + 8/27, two 6/27, three 1/27.
+  constexpr std::array expected{0.0, 20.0 / 27.0, 6.0 / 27.0, 1.0 / 27.0};
+  for (std::size_t changed = 0; changed < counts.size(); ++changed) {
+    const double probability = expected.at(changed);
+    EXPECT_NEAR(counts.at(changed) / static_cast<double>(samples), probability,
+                4.0 * std::sqrt(probability * (1.0 - probability) / samples))
+        << changed;
+  }
+}
+
+TEST(Offspring, SameStreamSameOffspring) {
+  const OffspringOptions options = released(BodyPlan::nonfractal);
+  RandomStream first(7, "same");
+  RandomStream second(7, "same");
+  const Offspring a = random_offspring(options, first);
+  const Offspring b = random_offspring(options, second);
+  EXPECT_EQ(to_text(a.genome), to_text(b.genome));
+  EXPECT_EQ(to_text(child_of(a.genome, a.phenotype, options, first).genome),
+            to_text(child_of(b.genome, b.phenotype, options, second).genome));
+  EXPECT_EQ(first, second);
+}
+
+}  // namespace
+}  // namespace menger::evolution

@@ -1,0 +1,402 @@
+#include "evolution/reevaluation/reevaluation_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "io/process/archive_lock.h"
+#include "io/text/csv_table.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "tests/support/input_error_message.h"
+#include "tests/support/judged_archive.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Finite elements as a script: n cells go n mm along x in 0.1 s and a hundredth of that along y, times the square root of
+/// E / 260 kPa, with `before` done first.
+std::string fake_locomote(const std::string& before = "") {
+  return R"(cells=$(sed -n '/layers/,$p' design.toml | tr -cd 12 | wc -c)
+modulus=$(sed -n 's/^youngs_modulus_Pa = //p' study.toml)
+through=$(sed -n 's/^elements_through_wall = //p' study.toml)
+)" + before +
+         R"(
+mkdir -p result
+awk -v n=$cells -v e=${modulus:-260000} -v t=$through 'BEGIN {
+  f = sqrt(e / 260000); x = n * 1e-3 * f
+  out = "result/trajectory.csv"
+  print "time_s,centre_of_mass_x_m,centre_of_mass_y_m,centre_of_mass_z_m" > out
+  for (i = 0; i <= 5; ++i) printf "%.12g,%.12g,%.12g,%.12g\n", i * 0.02, 0.015 + x * i / 5, 0.015 + x * i / 500, 0.005 > out
+  printf "status = \"completed\"\nreason = \"\"\ntime_s = 0.1\nsteps = %d\nelements = %d\n", 1000 * t, 10 * t > "result/locomotion.toml"
+  printf "displacement_m = [%.12g, %.12g, 0.0]\nseconds = 0.5\n", x, x / 100 > "result/locomotion.toml"
+}'
+)";
+}
+
+const std::string cell = "100000000000000000000000000";
+const std::string bar_2 = "110000000000000000000000000";
+const std::string bar_3 = "111000000000000000000000000";
+const std::string plate_4 = "110110000000000000000000000";
+const std::string plate_6 = "111111000000000000000000000";
+const std::string weak = "100010000000000000000000000";
+
+/// An archive of silicone robots and a program that is a script, which notes its calls in the file `calls`.
+class ReevaluationRun : public testing::Test {
+ protected:
+  ReevaluationRun() {
+    fs::create_directories(folder_ / "bin");
+    add_program(fake_locomote());
+    tests::make_archive(archive_, tests::silicone_study(), {bar_3, weak, bar_2, plate_4, cell, plate_6});
+    options_.programs = folder_ / "bin";
+    options_.pictures = false;
+  }
+
+  void add_program(const std::string& lines) const {
+    const fs::path file = folder_ / "bin/menger-locomote";
+    io::write_whole(file, "#!/bin/sh\nset -e\necho call >>'" + (folder_ / "calls").string() + "'\n" + lines);
+    fs::permissions(file, fs::perms::owner_all);
+  }
+
+  [[nodiscard]] ReevaluationResult run(std::size_t top, std::size_t sample = 0, const std::string& more = "") const {
+    // the surrogate needs few steps to be wrong in another way than the script
+    io::write_whole(folder_ / "study.toml",
+                    "duration_s = 0.1\nrecord_interval_s = 0.02\nleast_body_lengths = " + least_ + "\n" + more);
+    RunArchive archive = RunArchive::open_to_read(archive_);
+    const ReevaluationStudy study =
+        read_reevaluation_study({.archive = archive_, .file = folder_ / "study.toml", .top = top, .sample = sample}, archive);
+    return reevaluate(study, std::move(archive), folder_ / "out", options_);
+  }
+
+  [[nodiscard]] std::size_t calls() const {
+    return fs::exists(folder_ / "calls") ? io::read_whole(folder_ / "calls").size() / 5 : 0;
+  }
+  [[nodiscard]] io::CsvContents table(const char* name) const { return io::read_csv(folder_ / "out" / name); }
+
+  const tests::TestFolder folder_;
+  fs::path archive_ = folder_ / "run.sqlite";
+  ReevaluationOptions options_;
+  std::string least_ = "0.001";  ///< body lengths that make a direction
+};
+
+TEST_F(ReevaluationRun, JudgesTheBestAndASampleInBothModels) {
+  options_.jobs = 3;
+  const ReevaluationResult result = run(2, 2);
+  EXPECT_EQ(result.status, io::RunStatus::completed);
+  EXPECT_EQ(result.repeated, 4U);
+  const io::CsvContents found = table("reevaluation.csv");
+  ASSERT_EQ(found.row_count(), 4U);
+  EXPECT_EQ(found.text(0, "individual"), "0");
+  EXPECT_EQ(found.text(1, "individual"), "2") << "rank 2 cannot be cast";
+  EXPECT_EQ(found.text(1, "selection"), "top");
+  EXPECT_EQ(found.text(2, "selection"), "sample");
+  EXPECT_EQ(found.number(0, "fitness_body_lengths"), 1.0);
+  // by hand: 3 cells go 3 mm, a tenth of a body length in a tenth of a second
+  EXPECT_NEAR(found.number(0, "elements_dx_m"), 3e-3, 1e-12);
+  EXPECT_NEAR(found.number(0, "elements_body_lengths"), 0.1 * std::hypot(1.0, 0.01), 1e-9);
+  EXPECT_NEAR(found.number(0, "elements_body_lengths_per_minute"), 60.0 * std::hypot(1.0, 0.01), 1e-6);
+  EXPECT_NEAR(found.number(0, "elements_direction_deg"), std::atan(0.01) * 57.29577951308232, 1e-9);
+  EXPECT_EQ(found.number(0, "elements_lowest_dz_m"), 0.0) << "the script moves level";
+  EXPECT_LE(found.number(0, "surrogate_lowest_dz_m"), 0.0);
+  EXPECT_EQ(found.text(0, "elements_steps"), "1000");
+  EXPECT_EQ(found.text(0, "elements_seconds"), "0.5");
+  EXPECT_EQ(found.text(0, "surrogate_status"), "completed");
+  EXPECT_GT(found.number(0, "surrogate_steps"), 10.0);
+  ASSERT_EQ(table("refused.csv").row_count(), 1U);
+  EXPECT_EQ(table("refused.csv").text(0, "rank"), "2");
+  for (const char* file : {"summary.txt", "winner/design.toml", "trajectories/rank_0001.csv"})
+    EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
+  EXPECT_FALSE(fs::exists(folder_ / "out/reevaluation_judge.csv"));
+}
+
+TEST_F(ReevaluationRun, TheNumbersOfATableFollowFromItsDisplacements) {
+  // A tenth of a second is too short for the surrogate to go far: what is more than rounding counts.
+  least_ = "1e-9";
+  constexpr double least_m = 1e-9 * 0.03;
+  (void)run(5);
+  const io::CsvContents found = table("reevaluation.csv");
+  std::vector<double> surrogate;
+  std::vector<double> elements;
+  for (std::size_t row = 0; row < found.row_count(); ++row) {
+    const double ax = found.number(row, "surrogate_dx_m");
+    const double ay = found.number(row, "surrogate_dy_m");
+    const double bx = found.number(row, "elements_dx_m");
+    const double by = found.number(row, "elements_dy_m");
+    EXPECT_NEAR(found.number(row, "surrogate_distance_m"), std::hypot(ax, ay), 1e-15);
+    if (const auto ratio = found.optional_number(row, "distance_ratio")) {
+      EXPECT_NEAR(*ratio, std::hypot(bx, by) / std::hypot(ax, ay), 1e-9 * *ratio);
+    }
+    if (const auto angle = found.optional_number(row, "angle_deg")) {
+      const double cosine = (ax * bx + ay * by) / std::hypot(ax, ay) / std::hypot(bx, by);
+      EXPECT_NEAR(std::cos(*angle / 57.29577951308232), cosine, 1e-9);
+    }
+    EXPECT_NEAR(found.number(row, "surrogate_relative_error"), std::hypot(ax - bx, ay - by) / std::hypot(bx, by), 1e-9);
+    surrogate.push_back(std::hypot(ax, ay) < least_m ? 0.0 : std::hypot(ax, ay));
+    elements.push_back(std::hypot(bx, by));
+  }
+  const io::CsvContents ranking = table("ranking.csv");
+  EXPECT_EQ(ranking.text(0, "quantity"), "spearman");
+  EXPECT_NEAR(ranking.number(0, "value"), spearman_correlation(surrogate, elements).value().value, 1e-12);
+  EXPECT_NEAR(ranking.number(1, "value"), kendall_correlation(surrogate, elements).value().value, 1e-12);
+  EXPECT_EQ(ranking.text(0, "count"), "5");
+  const io::CsvContents clock = table("trajectories/rank_0001.csv");
+  ASSERT_EQ(clock.row_count(), 6U);
+  EXPECT_EQ(clock.number(0, "separation_m"), 0.0);
+  EXPECT_NEAR(clock.number(5, "elements_dx_m"), 3e-3, 1e-12);
+  // of the last record both models have, interpolated or not
+  EXPECT_NEAR(clock.number(5, "surrogate_dx_m"), found.number(0, "surrogate_dx_m"), 1e-6);
+}
+
+TEST_F(ReevaluationRun, AFallShowsInTheLowestHeight) {
+  add_program(fake_locomote() + "printf '0.12,0.018,0.015,0.003\\n0.14,0.018,0.015,0.006\\n' >>result/trajectory.csv\n");
+  (void)run(1);
+  EXPECT_NEAR(table("reevaluation.csv").number(0, "elements_lowest_dz_m"), -0.002, 1e-12);
+}
+
+TEST_F(ReevaluationRun, WhatIsLeftOutIsTakenFromBothModelsAndRecorded) {
+  (void)run(1, 0, "measure_from_s = 0.04\n");
+  const io::CsvContents found = table("reevaluation.csv");
+  // by hand: 3 cells go 3 mm evenly in 0.1 s, of which 0.06 s count
+  EXPECT_NEAR(found.number(0, "elements_dx_m"), 1.8e-3, 1e-12);
+  EXPECT_NEAR(found.number(0, "elements_left_out_m"), 1.2e-3 * std::hypot(1.0, 0.01), 1e-12);
+  EXPECT_NEAR(found.number(0, "elements_body_lengths_per_minute"), 60.0 * std::hypot(1.0, 0.01), 1e-6) << "as fast as ever";
+  const double part_m = found.number(0, "surrogate_dx_m");
+  EXPECT_TRUE(found.optional_number(0, "surrogate_left_out_m"));
+  const std::vector<Reevaluation> rows = RunArchive::open_to_read(archive_).reevaluations();
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_NEAR(rows[0].result.displacement_m.value()[0], 1.8e-3, 1e-12);
+  EXPECT_NEAR(rows[0].result.left_out_m.value()[0], 1.2e-3, 1e-12);
+  EXPECT_EQ(calls(), 1U);
+  (void)run(1);
+  EXPECT_EQ(calls(), 1U) << "the same run serves another window";
+  EXPECT_EQ(table("reevaluation.csv").text(0, "elements_left_out_m"), "");
+  EXPECT_NE(table("reevaluation.csv").number(0, "surrogate_dx_m"), part_m);
+  EXPECT_EQ(RunArchive::open_to_read(archive_).reevaluations().size(), 2U) << "another protocol";
+}
+
+TEST_F(ReevaluationRun, IsTheSameForAnyNumberOfJobs) {
+  const auto without_seconds = [&] {
+    std::string text;
+    const io::CsvContents found = table("reevaluation.csv");
+    for (std::size_t row = 0; row < found.row_count(); ++row) {
+      for (const std::string& column : found.columns())
+        if (!column.ends_with("seconds")) text += found.text(row, column) + ",";
+    }
+    return text + io::read_whole(folder_ / "out/ranking.csv") + io::read_whole(folder_ / "out/trajectories/rank_0003.csv");
+  };
+  (void)run(4);
+  const std::string one = without_seconds();
+  fs::remove_all(folder_ / "out");
+  options_.jobs = 4;
+  (void)run(4);
+  EXPECT_EQ(without_seconds(), one);
+}
+
+TEST_F(ReevaluationRun, ASecondCallRepeatsNothing) {
+  (void)run(3);
+  EXPECT_EQ(calls(), 3U);
+  const std::string before = io::read_whole(folder_ / "out/ranking.csv");
+  EXPECT_EQ(run(3).repeated, 0U);
+  EXPECT_EQ(run(4).repeated, 1U) << "one more design";
+  EXPECT_EQ(calls(), 4U);
+  (void)run(3);
+  EXPECT_EQ(io::read_whole(folder_ / "out/ranking.csv"), before);
+  EXPECT_FALSE(fs::exists(folder_ / "out/trajectories/rank_0005.csv")) << "of the call before";
+}
+
+TEST_F(ReevaluationRun, AFailedDesignDoesNotEndTheOthers) {
+  add_program(fake_locomote(R"(case $cells in
+2) mkdir -p result; printf 'status = "diverged"\nreason = "too fast"\ntime_s = 0.01\nsteps = 7\nelements = 3\nseconds = 0.1\n' >result/locomotion.toml
+   printf 'time_s,centre_of_mass_x_m,centre_of_mass_y_m,centre_of_mass_z_m\n0,0,0,0\n' >result/trajectory.csv; exit 3;;
+4) echo broken >&2; exit 1;;
+1) exit 0;;
+esac)"));
+  const ReevaluationResult result = run(5);
+  EXPECT_EQ(result.status, io::RunStatus::completed);
+  const io::CsvContents found = table("reevaluation.csv");
+  ASSERT_EQ(found.row_count(), 5U);
+  std::map<std::string, std::size_t> row_of_cells;
+  for (std::size_t row = 0; row < 5; ++row) row_of_cells[found.text(row, "cells")] = row;
+  EXPECT_EQ(found.text(row_of_cells.at("2"), "elements_status"), "diverged");
+  EXPECT_EQ(found.text(row_of_cells.at("2"), "elements_reason"), "too fast");
+  EXPECT_EQ(found.text(row_of_cells.at("2"), "elements_dx_m"), "");
+  EXPECT_EQ(found.text(row_of_cells.at("4"), "elements_status"), "failed");
+  EXPECT_EQ(found.text(row_of_cells.at("4"), "elements_reason"), "exit code 1: broken");
+  EXPECT_EQ(found.text(row_of_cells.at("1"), "elements_status"), "failed") << "no result was written";
+  EXPECT_EQ(found.text(row_of_cells.at("6"), "elements_status"), "completed");
+  EXPECT_EQ(table("ranking.csv").text(0, "count"), "2") << "those that completed in both models";
+  std::size_t with_result = 0;
+  for (const Reevaluation& row : RunArchive::open_to_read(archive_).reevaluations())
+    if (row.has_result) ++with_result;
+  EXPECT_EQ(with_result, 3U);
+}
+
+TEST_F(ReevaluationRun, WhereNothingCompletesTheOutcomeIsNumerical) {
+  add_program("exit 1\n");
+  const ReevaluationResult result = run(2);
+  EXPECT_EQ(result.status, io::RunStatus::not_converged);
+  EXPECT_EQ(table("reevaluation.csv").row_count(), 2U);
+  EXPECT_EQ(table("ranking.csv").text(0, "value"), "");
+}
+
+TEST_F(ReevaluationRun, VariantsTellTheJudgesOwnError) {
+  const ReevaluationResult result = run(3, 0, "[judge]\ndesigns = 2\nyoungs_moduli_Pa = [65e3, 260e3]\n");
+  EXPECT_EQ(result.repeated, 3U + 2U * 5U);
+  const io::CsvContents found = table("reevaluation_judge.csv");
+  ASSERT_EQ(found.row_count(), 12U) << "two designs by the judge and five variants";
+  EXPECT_EQ(found.text(0, "variant"), "judge");
+  EXPECT_EQ(found.number(0, "relative_change"), 0.0);
+  EXPECT_EQ(found.text(1, "variant"), "2 elements through the wall");
+  EXPECT_EQ(found.text(1, "steps"), "2000");
+  EXPECT_EQ(found.text(4, "variant"), "E 65 kPa");
+  EXPECT_EQ(found.text(4, "kind"), "stiffness");
+  EXPECT_NEAR(found.number(4, "relative_change"), 0.5, 1e-9) << "a quarter of the modulus, half the way";
+  EXPECT_EQ(found.text(6, "rank"), "3") << "the next that can be judged";
+  const std::vector<JudgeError> errors =
+      judge_errors(read_reevaluation_study({.archive = archive_, .file = folder_ / "study.toml", .top = 3},
+                                           RunArchive::open_to_read(archive_)),
+                   result.findings.designs, result.findings.variants);
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_EQ(errors[0].runs, 6U);
+  EXPECT_NEAR(errors[0].largest_change.value(), 0.0, 1e-12);
+  EXPECT_NEAR(errors[1].largest_change.value(), 0.5, 1e-9);
+  EXPECT_EQ(RunArchive::open_to_read(archive_).reevaluations().size(), 13U);
+}
+
+TEST_F(ReevaluationRun, TheArchiveKeepsWhatWasFound) {
+  (void)run(2);
+  (void)run(2);
+  const std::vector<Reevaluation> rows = RunArchive::open_to_read(archive_).reevaluations();
+  ASSERT_EQ(rows.size(), 2U) << "not twice";
+  std::map<std::string, Reevaluation> by_design;
+  for (const Reevaluation& row : rows) by_design[row.design_hash] = row;
+  Phenotype winner;
+  winner.body = meshes::Polycube::from_digits(3, 3, 3, bar_3);
+  const Reevaluation& found = by_design.at(design_hash(winner, 1));
+  EXPECT_EQ(found.variant, "judge");
+  EXPECT_EQ(found.duration_s, 0.1);
+  ASSERT_TRUE(found.result.displacement_m);
+  EXPECT_NEAR((*found.result.displacement_m)[0], 3e-3, 1e-12);
+  EXPECT_NE(found.protocol.find("pressure_Pa = [0, 6000]"), std::string::npos) << found.protocol;
+}
+
+TEST_F(ReevaluationRun, TheFileOfTheArchiveHoldsEverything) {
+  (void)run(2);
+  EXPECT_FALSE(fs::exists(archive_.string() + "-wal"));
+  fs::copy_file(archive_, folder_ / "copy.sqlite");
+  EXPECT_EQ(RunArchive::open_to_read(folder_ / "copy.sqlite").reevaluations().size(), 2U);
+}
+
+TEST_F(ReevaluationRun, ALimitedRunDoesNotReplaceWhatIsKnown) {
+  (void)run(1);
+  fs::remove_all(folder_ / "out");
+  add_program("exec sleep 60\n");
+  EXPECT_EQ(run(1, 0, "time_limit_s = 0.2\n").status, io::RunStatus::not_converged);
+  const std::vector<Reevaluation> rows = RunArchive::open_to_read(archive_).reevaluations();
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_TRUE(rows[0].result.displacement_m) << "of the first call";
+}
+
+TEST_F(ReevaluationRun, ACheckpointThatIsRefusedIsLeftAside) {
+  add_program(
+      "case \"$*\" in *--restart*) ;; *) mkdir -p result; touch result/locomotion.checkpoint; echo 'no checkpoint' >&2; exit 2;; "
+      "esac\n" +
+      fake_locomote());
+  EXPECT_EQ(run(1).status, io::RunStatus::completed);
+  EXPECT_EQ(calls(), 2U);
+}
+
+TEST_F(ReevaluationRun, EqualVariantsAndASecondProcessAreRefused) {
+  EXPECT_THROW((void)run(1, 0, "[judge]\nyoungs_moduli_Pa = [2e5, 2e5]\n"), io::InputError);
+  fs::create_directories(folder_ / "out/runs");
+  const ArchiveLock lock(folder_ / "out/runs");
+  const std::string message = tests::message_of([&] { (void)run(1); });
+  EXPECT_NE(message.find("another process"), std::string::npos) << message;
+  EXPECT_EQ(calls(), 0U);
+}
+
+TEST(Locomotions, EqualJobsAreRunOnceForAll) {
+  const tests::TestFolder folder;
+  io::write_whole(folder / "program", "#!/bin/sh\nset -e\necho call >>'" + (folder / "calls").string() + "'\n" + fake_locomote());
+  fs::permissions(folder / "program", fs::perms::owner_all);
+  const LocomotionJob job{.name = "one", .study = "elements_through_wall = 1\n", .design = "layers\n111\n", .silicone = ""};
+  LocomotionJob other = job;
+  other.design = "layers\n11\n";
+  const std::vector<LocomotionJob> jobs{job, other, job};
+  const auto runs = run_locomotions(jobs, {.program = folder / "program", .runs = folder / "runs", .jobs = 3});
+  ASSERT_TRUE(runs);
+  EXPECT_EQ(io::read_whole(folder / "calls").size(), 10U) << "two calls";
+  EXPECT_EQ((*runs)[0].displacement_m, (*runs)[2].displacement_m);
+  EXPECT_TRUE((*runs)[0].displacement_m);
+  EXPECT_NE((*runs)[1].displacement_m, (*runs)[0].displacement_m);
+  EXPECT_FALSE((*runs)[2].is_repeated);
+}
+
+TEST_F(ReevaluationRun, StopsAndGoesOn) {
+  std::atomic<bool> stop{false};
+  options_.stop = &stop;
+  options_.progress = [&](std::size_t done, std::size_t, const std::string&) { stop = done >= 2; };
+  EXPECT_EQ(run(4).status, io::RunStatus::stopped);
+  EXPECT_FALSE(fs::exists(folder_ / "out/reevaluation.csv"));
+  EXPECT_TRUE(RunArchive::open_to_read(archive_).reevaluations().empty());
+  EXPECT_EQ(calls(), 2U);
+  stop = false;
+  options_.progress = nullptr;
+  EXPECT_EQ(run(4).status, io::RunStatus::completed);
+  EXPECT_EQ(calls(), 4U);
+}
+
+TEST_F(ReevaluationRun, ARunWhoseTimeIsUpGoesOnUnderALargerLimit) {
+  add_program(fake_locomote("if [ ! -f began ]; then touch began; exec sleep 60; fi"));
+  const ReevaluationResult limited = run(1, 0, "time_limit_s = 0.2\n");
+  EXPECT_EQ(limited.status, io::RunStatus::not_converged);
+  EXPECT_EQ(table("reevaluation.csv").text(0, "elements_status"), "stopped");
+  EXPECT_EQ(table("reevaluation.csv").text(0, "elements_reason"), "time limit of 0.2 s");
+  EXPECT_EQ(run(1, 0, "time_limit_s = 0.2\n").repeated, 0U);
+  EXPECT_EQ(run(1, 0, "time_limit_s = 60\n").status, io::RunStatus::completed);
+  EXPECT_EQ(calls(), 2U);
+}
+
+TEST_F(ReevaluationRun, DamagedResultsAreMadeAgain) {
+  (void)run(1);
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ / "out/runs"))
+    if (entry.path().filename() == "locomotion.toml") io::write_whole(entry.path(), "status = ");
+  EXPECT_EQ(run(1).repeated, 1U);
+  EXPECT_EQ(table("reevaluation.csv").text(0, "elements_status"), "completed");
+}
+
+TEST_F(ReevaluationRun, InputThatTheProgramRefusesOfEveryDesignIsWrongInput) {
+  add_program("echo 'study.toml: ground.height_m = 7: too high' >&2\nexit 2\n");
+  const std::string message = tests::message_of([&] { (void)run(2); });
+  EXPECT_NE(message.find("ground.height_m = 7: too high"), std::string::npos) << message;
+  EXPECT_FALSE(fs::exists(folder_ / "out/reevaluation.csv"));
+}
+
+TEST_F(ReevaluationRun, DesignsThatCannotBeCastAreWrongInput) {
+  fs::remove(archive_);
+  tests::make_archive(archive_, tests::silicone_study(), {weak});
+  const std::string message = tests::message_of([&] { (void)run(1); });
+  EXPECT_NE(message.find("no design can be judged"), std::string::npos) << message;
+  fs::remove(archive_);
+  tests::make_archive(archive_, tests::silicone_study(), {});
+  EXPECT_NE(tests::message_of([&] { (void)run(1); }).find("no design has a fitness"), std::string::npos);
+  EXPECT_EQ(calls(), 0U);
+}
+
+TEST_F(ReevaluationRun, AMissingProgramOrAnArchiveInUseIsFoundBeforeAnythingRuns) {
+  {
+    const ArchiveLock lock(archive_);
+    EXPECT_THROW((void)run(1), io::InputError);
+  }
+  fs::remove(folder_ / "bin/menger-locomote");
+  EXPECT_THROW((void)run(1), io::InputError);
+  EXPECT_EQ(calls(), 0U);
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+}  // namespace
+}  // namespace menger::evolution

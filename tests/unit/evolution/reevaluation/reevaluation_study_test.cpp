@@ -1,0 +1,246 @@
+#include "evolution/reference/reevaluation_study.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "evolution/reevaluation/reevaluation_judge.h"
+#include "evolution/reference/reevaluation_locomotion.h"
+#include "evolution/reference/reevaluation_runner.h"
+#include "evolution/reference/reevaluation_surrogate.h"
+#include "evolution/study/voxel_evaluator.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+#include "tests/support/input_error_message.h"
+#include "tests/support/judged_archive.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::message_of;
+
+const std::string bar = "111000000000000000000000000";
+
+class ReevaluationStudyTest : public testing::Test {
+ protected:
+  [[nodiscard]] ReevaluationStudy read(const std::string& text, const Study& search = tests::silicone_study(),
+                                       std::size_t top = 1) const {
+    const fs::path archive = folder_ / "run.sqlite";
+    fs::remove(archive);
+    tests::make_archive(archive, search, {bar});
+    io::write_whole(folder_ / "study.toml", text);
+    return read_reevaluation_study({.archive = archive, .file = folder_ / "study.toml", .top = top},
+                                   RunArchive::open_to_read(archive));
+  }
+
+  /// What is said against a study.
+  [[nodiscard]] std::string refusal(const std::string& text, const Study& search = tests::silicone_study()) const {
+    return message_of([&] { (void)read(text, search); });
+  }
+
+  const tests::TestFolder folder_;
+};
+
+TEST_F(ReevaluationStudyTest, WithoutKeysItJudgesAsTheSearchDid) {
+  const ReevaluationStudy study = read("");
+  EXPECT_EQ(study.level, 1);
+  EXPECT_EQ(study.duration_s, 2.0);
+  EXPECT_EQ(study.search.physics.materials[0].static_friction, 1.0);
+  EXPECT_FALSE(study.judge);
+  EXPECT_EQ(study.elements, LocomotionOptions{});
+  EXPECT_TRUE(judge_variants(study).empty());
+}
+
+TEST_F(ReevaluationStudyTest, ReadsEveryKeyAndItsTextIsReadBackTheSame) {
+  const ReevaluationStudy study = read(
+      "level = 1\nduration_s = 0.6\nrecord_interval_s = 0.01\nframe_interval_s = 0.05\nsilicone = \"dragon_skin_10\"\n"
+      "sample_seed = 9\nleast_body_lengths = 0.01\ntime_limit_s = 60\n"
+      "[elements]\nelements_through_wall = 2\nbulk_modulus_ratio = 100\nstep_safety = 0.8\nyoungs_modulus_Pa = 2e5\n"
+      "damping_model = \"maxwell\"\nthreads = 2\n"
+      "[ground]\nstatic_friction = 0.7\nkinetic_friction = 0.6\n"
+      "[judge]\ndesigns = 4\nelements_through_wall = 3\nbulk_modulus_factor = 3\nstep_factor = 0.25\nyoungs_moduli_Pa = [1e5]\n");
+  EXPECT_EQ(study.duration_s, 0.6);
+  EXPECT_EQ(study.elements.elements_through_wall, 2);
+  EXPECT_EQ(study.elements.youngs_modulus_Pa, 2e5);
+  EXPECT_EQ(study.elements.damping_model, "maxwell");
+  for (const voxel::VoxelMaterial& material : study.search.physics.materials) {
+    EXPECT_EQ(material.static_friction, 0.7);
+    EXPECT_EQ(material.kinetic_friction, 0.6);
+  }
+  ASSERT_TRUE(study.judge);
+  EXPECT_EQ(study.judge->designs, 4U);
+  const std::string text = resolved_text(study);
+  std::string without_request = text;
+  for (const char* key : {"top = 1\n", "sample = 0\n"}) without_request.erase(without_request.find(key), std::string(key).size());
+  EXPECT_EQ(resolved_text(read(without_request)), text);
+}
+
+TEST_F(ReevaluationStudyTest, VariantsDifferFromTheJudgeInOneThing) {
+  const ReevaluationStudy study = read("[judge]\n");
+  const std::vector<JudgeVariant> variants = judge_variants(study);
+  ASSERT_EQ(variants.size(), 5U);
+  EXPECT_EQ(variants[0].options, (LocomotionOptions{.elements_through_wall = 2}));
+  EXPECT_EQ(variants[1].options, (LocomotionOptions{.bulk_modulus_ratio = 100.0}));
+  EXPECT_EQ(variants[2].options, (LocomotionOptions{.step_safety = 0.45}));
+  EXPECT_EQ(variants[3].options, (LocomotionOptions{.youngs_modulus_Pa = 107e3}));
+  EXPECT_EQ(variants[4].options, (LocomotionOptions{.youngs_modulus_Pa = 264e3}));
+  EXPECT_TRUE(variants[2].is_numerical);
+  EXPECT_FALSE(variants[3].is_numerical);
+  const ReevaluationStudy none =
+      read("[elements]\nelements_through_wall = 2\n[judge]\nbulk_modulus_factor = 1\nstep_factor = 1\nyoungs_moduli_Pa = []\n");
+  EXPECT_TRUE(judge_variants(none).empty()) << "what is the judge itself is no variant";
+}
+
+TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheSearch) {
+  const ReevaluationStudy study = read("duration_s = 0.6\nrecord_interval_s = 0.01\n[ground]\nkinetic_friction = 0.25\n");
+  const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, bar);
+  const LocomotionJob job = locomotion_job(study, study.elements, body, "winner", true);
+  const io::TomlTable table = io::parse_toml(job.study, "study.toml");
+  EXPECT_EQ(table.table("design").number("wall_thickness_m"), 0.002);
+  EXPECT_EQ(table.table("design").text("chambers"), "single");
+  EXPECT_EQ(table.table("material").text("damping_model"), "kelvin_voigt");
+  EXPECT_EQ(table.table("ground").number("static_coefficient"), 1.0);
+  EXPECT_EQ(table.table("ground").number("kinetic_coefficient"), 0.25);
+  EXPECT_EQ(table.table("drive").numbers("pressure_Pa"), (std::vector<double>{0.0, 6000.0}));
+  EXPECT_EQ(table.table("drive").text("mode"), "in_phase");
+  EXPECT_EQ(table.table("drive").number("period_s"), study.search.physics.actuation.period_s);
+  EXPECT_EQ(table.table("drive").number("ramp_s"), study.search.physics.actuation.ramp_s);
+  EXPECT_EQ(table.table("loads").number("gravity_m_per_s2"), 9.81);
+  EXPECT_EQ(table.table("time").number("duration_s"), 0.6);
+  EXPECT_EQ(table.table("output").integer("records_per_frame"), 10) << "a tenth of a second";
+  io::write_whole(folder_ / "design.toml", job.design);
+  EXPECT_EQ(meshes::read_design(folder_ / "design.toml").body, body);
+
+  LocomotionOptions other = study.elements;
+  other.threads = 2;
+  EXPECT_EQ(protocol_text(study, other), protocol_text(study, study.elements)) << "threads change no result";
+  other.step_safety = 0.45;
+  EXPECT_NE(protocol_text(study, other), protocol_text(study, study.elements));
+  other.step_safety = study.elements.step_safety;
+  other.damping_model = "maxwell";
+  EXPECT_NE(protocol_text(study, other), protocol_text(study, study.elements));
+}
+
+TEST_F(ReevaluationStudyTest, TheSurrogateMovesAsInTheSearch) {
+  const ReevaluationStudy study = read("duration_s = 0.05\nrecord_interval_s = 0.01\nframe_interval_s = 0.02\n");
+  const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, bar);
+  const SurrogateWalk walk = surrogate_walk(study, body, true, nullptr);
+  EXPECT_EQ(walk.result.status, io::RunStatus::completed) << walk.result.reason;
+  ASSERT_EQ(walk.trajectory.size(), 6U);
+  EXPECT_NEAR(walk.trajectory.back().time_s, 0.05, 1e-3);
+  EXPECT_EQ(walk.frames.size(), 3U) << "at 0, 0.02 and 0.04 s";
+  EXPECT_EQ(walk.result.displacement_m, voxel::displacement_m(walk.trajectory, walk.trajectory.back()));
+  EXPECT_EQ(surrogate_walk(study, body, false, nullptr).result.displacement_m, walk.result.displacement_m);
+  const std::atomic<bool> never{false};
+  const VoxelEvaluator search(study.search.physics, study.search.search.cell_edge_m, study.duration_s);
+  EXPECT_EQ(search.evaluate(body, 1, never).displacement_m, walk.result.displacement_m) << "to the last bit";
+}
+
+Study windowed_study() {
+  Study search = tests::silicone_study();
+  search.search.stand = true;
+  search.duration_s = 0.05;
+  search.measure_from_s = 0.021;
+  return search;
+}
+
+TEST_F(ReevaluationStudyTest, BothModelsMeasureOverTheWindowOfTheSearchUnlessTheStudySaysOtherwise) {
+  const ReevaluationStudy own = read("", windowed_study());
+  EXPECT_EQ(own.measure_from_s, 0.021);
+  EXPECT_DOUBLE_EQ(own.record_interval_s, 0.021 / 2.0) << "the usual 0.02 s is made a part of what is left out";
+  EXPECT_DOUBLE_EQ(own.measured_s(), 0.029);
+  EXPECT_EQ(read("measure_from_s = 0\n", windowed_study()).measure_from_s, 0.0);
+  const ReevaluationStudy other = read("duration_s = 1\nmeasure_from_s = 0.5\nrecord_interval_s = 0.1\n", windowed_study());
+  EXPECT_EQ(other.measure_from_s, 0.5);
+  EXPECT_EQ(other.record_interval_s, 0.1);
+  EXPECT_EQ(read("").measure_from_s, 0.0) << "of a search that measures from the start";
+  EXPECT_NE(protocol_text(own, own.elements), protocol_text(read("measure_from_s = 0\n", windowed_study()), own.elements));
+  EXPECT_NE(refusal("measure_from_s = 0.05\n", windowed_study()).find("must be less than duration_s"), std::string::npos);
+  EXPECT_NE(refusal("duration_s = 0.02\n", windowed_study()).find("measure_from_s = 0.021"), std::string::npos);
+  EXPECT_NE(refusal("record_interval_s = 0.01\n", windowed_study()).find("a multiple of record_interval_s"), std::string::npos);
+}
+
+TEST_F(ReevaluationStudyTest, TheSurrogateIsMeasuredAsInTheSearch) {
+  const ReevaluationStudy study = read("", windowed_study());
+  const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, "111100000100000000000000000");
+  const SurrogateWalk walk = surrogate_walk(study, body, false, nullptr);
+  const std::atomic<bool> never{false};
+  const VoxelEvaluator search(study.search.physics, study.search.search.cell_edge_m, 0.05, 0.021);
+  const Evaluation expected = search.evaluate(body, 1, never);
+  ASSERT_TRUE(expected.displacement_m);
+  EXPECT_EQ(walk.result.displacement_m, expected.displacement_m) << "to the last bit";
+  EXPECT_EQ(walk.result.left_out_m, expected.left_out_m);
+}
+
+TEST(LeaveOut, TakesWhatCameBeforeATimeOutOfTheDisplacement) {
+  LocomotionRun run;
+  run.displacement_m = {9.0, -3.0, 1.0};
+  run.trajectory = {{0.0, {1.0, 1.0, 0.0}}, {0.1, {2.0, 1.0, 0.0}}, {0.2, {4.0, 0.0, 0.5}}, {0.3, {10.0, -2.0, 1.0}}};
+  LocomotionRun at_record = run;
+  leave_out(at_record, 0.2);
+  EXPECT_EQ(at_record.left_out_m, (std::array{3.0, -1.0, 0.5}));
+  EXPECT_EQ(at_record.displacement_m, (std::array{6.0, -2.0, 0.5}));
+  LocomotionRun between = run;
+  leave_out(between, 0.15);
+  EXPECT_NEAR((*between.left_out_m)[0], 2.0, 1e-12) << "halfway from 2 to 4, from a start at 1";
+  EXPECT_NEAR((*between.displacement_m)[0], 7.0, 1e-12);
+  LocomotionRun whole = run;
+  leave_out(whole, 0.0);
+  EXPECT_EQ(whole.displacement_m, run.displacement_m);
+  EXPECT_FALSE(whole.left_out_m);
+  LocomotionRun failed = run;
+  failed.displacement_m.reset();
+  leave_out(failed, 0.2);
+  EXPECT_FALSE(failed.displacement_m);
+  EXPECT_FALSE(failed.left_out_m);
+}
+
+TEST_F(ReevaluationStudyTest, NamesWhatStandsAgainstABody) {
+  const ReevaluationStudy study = read("");
+  const auto obstacle = [&](const std::string& digits) {
+    return obstacle_to_judging(study, meshes::Polycube::from_digits(3, 3, 3, digits));
+  };
+  EXPECT_EQ(obstacle(bar), "");
+  EXPECT_NE(obstacle("100010000000000000000000000"), "") << "cells that touch along an edge";
+  EXPECT_NE(obstacle("101000000000000000000000000"), "") << "two pieces";
+  Study antiphase = tests::silicone_study();
+  antiphase.physics.actuation.mode = voxel::ActuationMode::antiphase;
+  antiphase.physics.actuation.material_phase = {0.0, 0.5};
+  const ReevaluationStudy phases = read("", antiphase);
+  const std::string reason = obstacle_to_judging(phases, meshes::Polycube::from_digits(3, 3, 3, "112000000000000000000000000"));
+  EXPECT_NE(reason.find("chamber"), std::string::npos) << reason;
+  EXPECT_EQ(obstacle_to_judging(phases, meshes::Polycube::from_digits(3, 3, 3, bar)), "") << "one phase";
+}
+
+TEST_F(ReevaluationStudyTest, WrongInputIsNamed) {
+  EXPECT_NE(refusal("depth = 3\n").find("depth"), std::string::npos) << "an unknown key";
+  EXPECT_NE(refusal("[judge]\nwinners = 3\n").find("judge.winners"), std::string::npos);
+  EXPECT_NE(refusal("level = 2\n").find("level = 2"), std::string::npos) << "the search knows level 1 only";
+  EXPECT_NE(refusal("duration_s = 0\n").find("duration_s"), std::string::npos);
+  EXPECT_NE(refusal("record_interval_s = 0.02\nframe_interval_s = 0.03\n").find("frame_interval_s"), std::string::npos);
+  EXPECT_NE(refusal("[ground]\nkinetic_friction = 1.5\n").find("kinetic_friction = 1.5"), std::string::npos);
+  EXPECT_NE(refusal("silicone = \"ecoflex_00_30\"\n").find("calibrated for"), std::string::npos);
+  EXPECT_NE(message_of([&] { (void)read("", tests::silicone_study(), 0); }).find("--top"), std::string::npos);
+}
+
+TEST_F(ReevaluationStudyTest, SearchesThatFiniteElementsCannotJudgeAreRefused) {
+  Study solid = tests::silicone_study();
+  solid.physics.surrogate.reset();
+  EXPECT_NE(refusal("", solid).find("[surrogate]"), std::string::npos) << refusal("", solid);
+  Study still = tests::silicone_study();
+  still.physics.surrogate->pressure_Pa = {0.0, 0.0};
+  EXPECT_NE(refusal("", still).find("pressure_Pa"), std::string::npos);
+  Study two_grounds = tests::silicone_study();
+  two_grounds.physics.materials[1].kinetic_friction = 0.1;
+  EXPECT_NE(refusal("", two_grounds).find("ground.static_friction"), std::string::npos);
+  EXPECT_EQ(refusal("[ground]\nstatic_friction = 1\nkinetic_friction = 0.5\n", two_grounds), "no error");
+  Study levels = tests::silicone_study();
+  levels.search.offspring.constraints.levels = {1, 2};
+  EXPECT_NE(refusal("", levels).find("level is missing"), std::string::npos);
+  EXPECT_EQ(refusal("level = 2\n", levels), "no error");
+}
+
+}  // namespace
+}  // namespace menger::evolution

@@ -1,0 +1,446 @@
+#include "evolution/search/search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "evolution/genome/robot_form.h"
+#include "evolution/search/age_fitness_pareto.h"
+#include "evolution/search/pool_judge.h"
+#include "io/text/content_hash.h"
+#include "tests/support/archive_content.h"
+#include "tests/support/fake_evaluator.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::archive_content;
+using test_support::FakeEvaluator;
+
+SearchPlan small_plan(std::uint64_t seed = 3) {
+  SearchPlan plan;
+  plan.seed = seed;
+  plan.generations = 6;
+  plan.survivors = 6;
+  plan.mutants = 6;
+  return plan;
+}
+
+SearchPlan released_plan(std::uint64_t seed = 3) {
+  SearchPlan plan = small_plan(seed);
+  plan.objective = Objective::squared_metres_per_scale;
+  plan.duplicates = DuplicatePolicy::culled;
+  plan.offspring.variation = {ActivationSet::released_code, OutputFunction::mutable_};
+  plan.offspring.decoder.expression = {Expression::first_consumer_activated, AxisMap::zyx};
+  plan.offspring.constraints.disconnected = DisconnectedPolicy::allow;
+  return plan;
+}
+
+/// Archives in a folder of their own.
+class SearchRun : public testing::Test {
+ protected:
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / (name + ".sqlite"); }
+
+  [[nodiscard]] RunArchive open(const std::string& name) const { return RunArchive::open(file(name), "a study", 1); }
+
+  io::RunStatus search(const std::string& name, const SearchPlan& plan, const SearchOptions& options = {}) const {
+    RunArchive archive = open(name);
+    return run_search(plan, evaluator_, archive, options);
+  }
+
+  /// The archive after a search that completes.
+  [[nodiscard]] RunArchive searched(const SearchPlan& plan, const std::string& name = "run") const {
+    EXPECT_EQ(search(name, plan), io::RunStatus::completed);
+    return open(name);
+  }
+
+  [[nodiscard]] std::optional<ArchivedEvaluation> result(const RunArchive& archive, const Phenotype& phenotype, int level) const {
+    return archive.evaluation({design_hash(phenotype, level), level, io::content_hash(evaluator_.physics())});
+  }
+
+  const tests::TestFolder folder_;
+  FakeEvaluator evaluator_;
+};
+
+/// All that selection decided: who survived, in which order and state, and the random streams.
+std::string outcome_of(const RunArchive& archive) {
+  std::string text;
+  for (int generation = 0; generation <= archive.last_generation().value(); ++generation) {
+    std::map<std::size_t, Contender> survivors;
+    for (const Contender& contender : archive.contenders(generation)) {
+      if (contender.survivor_rank) survivors[*contender.survivor_rank] = contender;
+    }
+    for (const auto& [rank, survivor] : survivors) {
+      text += std::to_string(rank) + " " + std::to_string(survivor.id) + " " + std::to_string(survivor.age) + " " +
+              (survivor.fitness ? std::to_string(*survivor.fitness) : "none") + "\n";
+    }
+    const GenerationRecord record = archive.generation(generation);
+    text += record.variation_generator + " " + record.selection_generator + "\n";
+  }
+  return text;
+}
+
+std::uint64_t evaluations_of(const RunArchive& archive) {
+  std::uint64_t sum = 0;
+  for (int generation = 0; generation <= archive.last_generation().value(); ++generation)
+    sum += archive.generation(generation).evaluations;
+  return sum;
+}
+
+TEST_F(SearchRun, EvaluatesGenerationZeroInFullAndKeepsAllOfIt) {
+  SearchPlan plan = small_plan();
+  plan.generations = 0;
+  const RunArchive archive = searched(plan);
+  const std::vector<Contender> contenders = archive.contenders(0);
+  ASSERT_EQ(contenders.size(), 6U);
+  for (const Contender& contender : contenders) {
+    EXPECT_EQ(contender.age, 0);
+    EXPECT_EQ(contender.survivor_rank, contender.id);
+    for (const int level : plan.levels()) EXPECT_TRUE(result(archive, archive.individual(contender.id).phenotype, level));
+  }
+  EXPECT_EQ(archive.generation(0).pruned, 0U);
+}
+
+TEST_F(SearchRun, EverySurvivorHasOneChildOfItsAgeAndANewcomerJoins) {
+  const RunArchive archive = searched(small_plan());
+  for (int generation = 1; generation <= 6; ++generation) {
+    std::map<std::uint64_t, int> age_before;
+    for (const Contender& contender : archive.contenders(generation - 1)) {
+      if (contender.survivor_rank) age_before[contender.id] = contender.age;
+    }
+    const std::vector<Contender> pool = archive.contenders(generation);
+    ASSERT_EQ(pool.size(), 13U);
+    std::multiset<std::uint64_t> parents;
+    int newcomers = 0;
+    for (const Contender& contender : pool) {
+      const Individual individual = archive.individual(contender.id);
+      if (individual.generation < generation) {
+        EXPECT_EQ(contender.age, age_before.at(contender.id) + 1);
+      } else if (individual.parent) {
+        parents.insert(*individual.parent);
+        EXPECT_EQ(contender.age, age_before.at(*individual.parent) + 1);
+        EXPECT_EQ(individual.age, contender.age);
+      } else {
+        ++newcomers;
+        EXPECT_EQ(contender.age, 0);
+      }
+    }
+    EXPECT_EQ(newcomers, 1);
+    ASSERT_EQ(parents.size(), 6U);
+    for (const auto& [id, age] : age_before) EXPECT_EQ(parents.count(id), 1U);
+  }
+}
+
+TEST_F(SearchRun, FitnessIsTheLeastScoreAndNoneWithoutAllLevels) {
+  for (const SearchPlan& plan : {small_plan(), released_plan()}) {
+    const RunArchive archive = searched(plan, plan.duplicates == DuplicatePolicy::culled ? "released" : "paper");
+    std::size_t evaluated = 0;
+    std::size_t failed = 0;
+    for (int generation = 0; generation <= 6; ++generation) {
+      for (const Contender& contender : archive.contenders(generation)) {
+        const Phenotype phenotype = archive.individual(contender.id).phenotype;
+        EXPECT_EQ(contender.fitness.has_value(), contender.knowledge == Knowledge::evaluated);
+        if (contender.knowledge == Knowledge::evaluated) {
+          double least = 1e300;
+          for (const int level : plan.levels())
+            least = std::min(least, level_score(plan, result(archive, phenotype, level)->result.displacement_m.value(), level));
+          EXPECT_EQ(contender.fitness, least);
+          ++evaluated;
+        }
+        if (contender.knowledge == Knowledge::failed) {
+          EXPECT_TRUE(std::ranges::any_of(plan.levels(), [&](int level) {
+            const auto found = result(archive, phenotype, level);
+            return found && found->result.status == io::RunStatus::diverged;
+          }));
+          ++failed;
+        }
+      }
+    }
+    EXPECT_GT(evaluated, 20U);
+    EXPECT_GT(failed, 0U);
+  }
+}
+
+TEST_F(SearchRun, WithoutPruningSurvivorsAreThoseOfSelectionOnTheWholePool) {
+  SearchPlan plan = small_plan();
+  plan.pruning = false;
+  const RunArchive archive = searched(plan);
+  for (int generation = 1; generation <= 6; ++generation) {
+    std::vector<Contestant> pool;
+    std::map<std::size_t, std::uint64_t> ranks;
+    for (const Contender& contender : archive.contenders(generation)) {
+      EXPECT_NE(contender.knowledge, Knowledge::bounded);
+      pool.push_back({contender.id, contender.age, contender.fitness});
+      if (contender.survivor_rank) ranks[*contender.survivor_rank] = contender.id;
+    }
+    RandomStream random = RandomStream::from_text(archive.generation(generation - 1).selection_generator);
+    const std::vector<std::uint64_t> expected = select_survivors(pool, 6, random);
+    ASSERT_EQ(ranks.size(), expected.size());
+    for (std::size_t rank = 0; rank < expected.size(); ++rank) EXPECT_EQ(ranks[rank], expected[rank]);
+    EXPECT_EQ(random.to_text(), archive.generation(generation).selection_generator);
+  }
+}
+
+TEST_F(SearchRun, PruningChangesNoPopulationAndSavesEvaluations) {
+  std::uint64_t lazy = 0;
+  std::uint64_t full = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (SearchPlan plan : {small_plan(seed), released_plan(seed)}) {
+      const std::string name = std::to_string(seed) + std::string(to_string(plan.duplicates));
+      plan.pruning = true;
+      const RunArchive pruned = searched(plan, name + "_pruned");
+      plan.pruning = false;
+      const RunArchive whole = searched(plan, name + "_whole");
+      EXPECT_EQ(outcome_of(pruned), outcome_of(whole)) << name;
+      lazy += evaluations_of(pruned);
+      full += evaluations_of(whole);
+    }
+  }
+  EXPECT_LT(lazy, full * 9 / 10);
+}
+
+TEST_F(SearchRun, PruningChangesNoPopulationAmongManyTiesAndFailures) {
+  FakeEvaluator::Options options;
+  options.failing = 0.3;
+  options.coarse = true;
+  const FakeEvaluator coarse(options);
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SearchPlan plan = small_plan(seed);
+    plan.newcomers = 3;
+    RunArchive pruned = open(std::to_string(seed) + "_pruned");
+    EXPECT_EQ(run_search(plan, coarse, pruned, {}), io::RunStatus::completed);
+    plan.pruning = false;
+    RunArchive whole = open(std::to_string(seed) + "_whole");
+    EXPECT_EQ(run_search(plan, coarse, whole, {}), io::RunStatus::completed);
+    EXPECT_EQ(outcome_of(pruned), outcome_of(whole)) << seed;
+  }
+}
+
+TEST_F(SearchRun, NoSurvivorIsOnlyBounded) {
+  const RunArchive archive = searched(small_plan());
+  bool any_bounded = false;
+  for (int generation = 0; generation <= 6; ++generation) {
+    for (const Contender& contender : archive.contenders(generation)) {
+      any_bounded = any_bounded || contender.knowledge == Knowledge::bounded;
+      if (contender.survivor_rank) {
+        EXPECT_NE(contender.knowledge, Knowledge::bounded);
+      }
+    }
+  }
+  EXPECT_TRUE(any_bounded) << "nothing was pruned, so nothing is tested";
+}
+
+TEST_F(SearchRun, ArchiveDoesNotDependOnThreads) {
+  for (const SearchPlan& plan : {small_plan(), released_plan()}) {
+    const std::string name(to_string(plan.duplicates));
+    ASSERT_EQ(search(name + "1", plan, {.threads = 1, .stop = {}, .generation_done = {}, .progress = {}, .after_commit = {}}),
+              io::RunStatus::completed);
+    for (const int threads : {2, 8}) {
+      SearchOptions options;
+      options.threads = threads;
+      ASSERT_EQ(search(name + std::to_string(threads), plan, options), io::RunStatus::completed);
+      EXPECT_EQ(archive_content(file(name + std::to_string(threads))), archive_content(file(name + "1")))
+          << threads << " threads";
+    }
+  }
+}
+
+TEST_F(SearchRun, AnotherSeedIsAnotherSearch) {
+  EXPECT_NE(outcome_of(searched(small_plan(1), "one")), outcome_of(searched(small_plan(2), "two")));
+}
+
+TEST_F(SearchRun, StoppedAtAnyCommitGoesOnToTheSameArchive) {
+  const SearchPlan plan = small_plan();
+  std::size_t commits = 0;
+  SearchOptions counting;
+  counting.after_commit = [&](std::size_t count) { commits = count; };
+  ASSERT_EQ(search("whole", plan, counting), io::RunStatus::completed);
+  const std::string expected = archive_content(file("whole"));
+  for (std::size_t last = 1; last < commits; last += 7) {
+    const std::string name = "stopped_" + std::to_string(last);
+    std::atomic<bool> stop{false};
+    SearchOptions options;
+    options.threads = 2;
+    options.stop = &stop;
+    options.after_commit = [&](std::size_t count) { stop = count >= last; };
+    ASSERT_EQ(search(name, plan, options), io::RunStatus::stopped) << last;
+    ASSERT_EQ(search(name, plan), io::RunStatus::completed);
+    EXPECT_EQ(archive_content(file(name)), expected) << "stopped after commit " << last;
+  }
+}
+
+TEST_F(SearchRun, ALargerGoalContinuesAFinishedSearch) {
+  SearchPlan plan = small_plan();
+  plan.generations = 2;
+  ASSERT_EQ(search("grown", plan), io::RunStatus::completed);
+  plan.generations = 6;
+  ASSERT_EQ(search("grown", plan), io::RunStatus::completed);
+  ASSERT_EQ(search("straight", plan), io::RunStatus::completed);
+  EXPECT_EQ(archive_content(file("grown")), archive_content(file("straight")));
+}
+
+TEST_F(SearchRun, AFinishedSearchEvaluatesNothingMore) {
+  const SearchPlan plan = small_plan();
+  ASSERT_EQ(search("run", plan), io::RunStatus::completed);
+  const std::uint64_t calls = evaluator_.calls();
+  ASSERT_EQ(search("run", plan), io::RunStatus::completed);
+  EXPECT_EQ(evaluator_.calls(), calls);
+}
+
+TEST_F(SearchRun, NeverEvaluatesADesignTwice) {
+  SearchPlan plan = small_plan();
+  plan.pruning = false;
+  plan.generations = 15;
+  const RunArchive archive = searched(plan);
+  EXPECT_EQ(evaluations_of(archive), evaluator_.calls());
+  std::uint64_t cached = 0;
+  for (int generation = 0; generation <= 15; ++generation) cached += archive.generation(generation).cached;
+  EXPECT_GT(cached, 0U) << "no duplicates, so nothing is tested";
+}
+
+/// New individuals whose phenotype an earlier one had, with how they stood in their first selection.
+std::vector<std::pair<Individual, Contender>> duplicates_in(const RunArchive& archive) {
+  std::set<std::string> seen;
+  std::vector<std::pair<Individual, Contender>> found;
+  for (int generation = 0; generation <= archive.last_generation().value(); ++generation) {
+    for (const Contender& contender : archive.contenders(generation)) {
+      Individual individual = archive.individual(contender.id);
+      if (individual.generation < generation) continue;
+      if (!seen.insert(phenotype_key(individual.phenotype)).second) found.emplace_back(std::move(individual), contender);
+    }
+  }
+  return found;
+}
+
+TEST_F(SearchRun, DuplicatesTakeTheArchivedResultOrAreCulled) {
+  for (SearchPlan plan : {small_plan(), released_plan()}) {
+    plan.generations = 15;
+    plan.pruning = false;
+    const RunArchive archive = searched(plan, std::string(to_string(plan.duplicates)));
+    const auto duplicates = duplicates_in(archive);
+    ASSERT_FALSE(duplicates.empty());
+    for (const auto& [individual, contender] : duplicates) {
+      if (plan.duplicates == DuplicatePolicy::culled) {
+        EXPECT_EQ(contender.knowledge, Knowledge::duplicate);
+        EXPECT_FALSE(contender.fitness);
+      } else {
+        EXPECT_TRUE(contender.knowledge == Knowledge::evaluated || contender.knowledge == Knowledge::failed);
+      }
+    }
+  }
+}
+
+TEST_F(SearchRun, ADesignAndItsLiftedTwinShareAnEvaluationWhereBodiesStand) {
+  SearchPlan plan = small_plan();
+  Individual low;
+  low.phenotype.body = meshes::Polycube::from_digits(3, 3, 3, "111011000010000000000000000");
+  Individual high = low;
+  high.id = 1;
+  high.phenotype.body = meshes::Polycube::from_digits(3, 3, 3, "000000000111011000010000000");
+  for (const bool stand : {true, false}) {
+    plan.stand = stand;
+    RunArchive archive = open(stand ? "standing" : "grown");
+    std::size_t commits = 0;
+    const std::uint64_t before = evaluator_.calls();
+    const SearchOptions options;
+    PoolJudge judge(plan, evaluator_, archive, options, 0, &commits);
+    judge.add_newcomer(low, false);
+    judge.add_newcomer(high, false);
+    ASSERT_EQ(judge.judge_in_full(), io::RunStatus::completed);
+    const std::vector<Contestant> pool = judge.contestants();
+    ASSERT_TRUE(pool[0].fitness) << "this body diverges: take another";
+    EXPECT_EQ(pool[0].fitness == pool[1].fitness, stand);
+    EXPECT_EQ(evaluator_.calls() - before, stand ? 3U : 6U) << "at three levels";
+    EXPECT_EQ(judge.counts().cached, stand ? 3U : 0U);
+  }
+}
+
+TEST_F(SearchRun, WhereBodiesStandALiftedTwinIsADuplicate) {
+  SearchPlan plan = released_plan();
+  plan.stand = true;
+  plan.generations = 20;
+  plan.pruning = false;
+  const RunArchive archive = searched(plan);
+  std::set<std::string> seen;
+  std::size_t lifted = 0;
+  for (std::uint64_t id = 0; id < archive.next_id(); ++id) {
+    const Individual individual = archive.individual(id);
+    const bool is_new = seen.insert(phenotype_key(standing(individual.phenotype))).second;
+    const std::vector<Contender> pool = archive.contenders(individual.generation);
+    const auto contender = std::ranges::find(pool, id, &Contender::id);
+    EXPECT_EQ(contender->knowledge == Knowledge::duplicate, !is_new);
+    if (standing(individual.phenotype) != individual.phenotype) ++lifted;
+  }
+  EXPECT_GT(lifted, 0U) << "all bodies stand as they grew, so nothing is tested";
+}
+
+TEST_F(SearchRun, PenalisedBodiesHaveNoFitnessAndAreNotSimulated) {
+  SearchPlan plan = small_plan();
+  plan.offspring.constraints.disconnected = DisconnectedPolicy::penalise;
+  plan.survivors = 20;
+  const RunArchive archive = searched(plan);
+  std::size_t penalised = 0;
+  for (const Contender& contender : archive.contenders(0)) {
+    const Phenotype phenotype = archive.individual(contender.id).phenotype;
+    EXPECT_EQ(contender.knowledge == Knowledge::penalised, falls_apart(phenotype, plan.offspring.constraints));
+    if (contender.knowledge != Knowledge::penalised) continue;
+    ++penalised;
+    EXPECT_FALSE(contender.fitness);
+    for (const int level : plan.levels()) EXPECT_FALSE(result(archive, phenotype, level));
+  }
+  EXPECT_GT(penalised, 0U);
+}
+
+TEST_F(SearchRun, ArrangedBodiesAreSearchedToo) {
+  SearchPlan plan = small_plan();
+  plan.offspring.decoder.plan = BodyPlan::nonfractal;
+  plan.generations = 2;
+  const RunArchive archive = searched(plan);
+  EXPECT_TRUE(archive.individual(archive.contenders(2).front().id).phenotype.has_arrangements());
+}
+
+TEST_F(SearchRun, ReportsEveryGenerationAndItsCounts) {
+  SearchPlan plan = small_plan();
+  std::vector<int> numbers;
+  std::size_t requested = 0;
+  SearchOptions options;
+  options.generation_done = [&](const GenerationRecord& record) {
+    numbers.push_back(record.number);
+    EXPECT_EQ(record.evaluations, requested);
+    // Children and newcomers at three levels each; the first generation has no more than the population.
+    EXPECT_EQ(record.evaluations + record.cached + record.pruned, (record.number == 0 ? 6U : 7U) * 3U);
+  };
+  options.progress = [&](const SearchProgress& progress) {
+    EXPECT_LE(progress.finished, progress.requested);
+    requested = progress.requested;
+  };
+  ASSERT_EQ(search("run", plan, options), io::RunStatus::completed);
+  EXPECT_EQ(numbers, (std::vector{0, 1, 2, 3, 4, 5, 6}));
+}
+
+TEST(Objective, BodyLengthsAreOfTheWorkspace) {
+  SearchPlan plan;
+  EXPECT_DOUBLE_EQ(level_score(plan, {0.03, 0.04, 7.0}, 1), 0.05 / 0.03);
+  EXPECT_DOUBLE_EQ(level_score(plan, {0.03, 0.04, 7.0}, 3), 0.05 / 0.27);
+}
+
+TEST(Objective, SquaredMetresFollowTheReleasedFormula) {
+  SearchPlan plan;
+  plan.objective = Objective::squared_metres_per_scale;
+  const double factors[] = {3.0, 9.0, 27.0};
+  for (int level = 1; level <= 3; ++level) {
+    const std::array<double, 3> displacement_m{0.012, -0.034, 0.5};
+    const double lengths = body_lengths(displacement_m, level, 0.01);
+    EXPECT_NEAR(level_score(plan, displacement_m, level), 1e-4 * factors[level - 1] * lengths * lengths, 1e-18);
+  }
+}
+
+}  // namespace
+}  // namespace menger::evolution

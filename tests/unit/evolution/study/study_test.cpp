@@ -1,0 +1,290 @@
+#include "evolution/study/study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "evolution/report/study_view.h"
+#include "evolution/study/study_file.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path paper = fs::path(MENGER_SOURCE_DIR) / "paper";
+
+/// The lines of a TOML text with its comments, blank lines and blanks around lines taken off.
+std::vector<std::string> bare_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    line.erase(std::min(line.find('#'), line.size()));
+    line.erase(line.find_last_not_of(' ') + 1);
+    if (!line.empty()) lines.push_back(line);
+  }
+  return lines;
+}
+
+class StudyFile : public testing::Test {
+ protected:
+  [[nodiscard]] Study read(const std::string& text, const StudyOverrides& overrides = {}) const {
+    io::write_whole(folder_ / "study.toml", text);
+    return read_study(folder_ / "study.toml", overrides);
+  }
+
+  void expect_refused(const std::string& text, const std::vector<std::string>& words,
+                      const StudyOverrides& overrides = {}) const {
+    try {
+      (void)read(text, overrides);
+      FAIL() << "accepted:\n" << text;
+    } catch (const io::InputError& error) {
+      for (const std::string& word : words) {
+        EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what() << "\ndoes not say: " << word;
+      }
+    }
+  }
+
+  const tests::TestFolder folder_;
+};
+
+TEST_F(StudyFile, PresetFilesSpellEveryOptionOut) {
+  for (const std::string name : {"paper", "released-code"}) {
+    const std::string text = io::read_whole(paper / "presets" / (name + ".toml"));
+    EXPECT_EQ(preset_text(name), text) << "the programs carry another text";
+    EXPECT_EQ(bare_lines(text), bare_lines(resolved_text(study_from_text(text, name)))) << name;
+    EXPECT_EQ(read("preset = \"" + name + "\"\n"), study_from_text(text, name));
+  }
+}
+
+TEST_F(StudyFile, PresetsDifferInTheseOptionsOnly) {
+  const std::vector<std::string> first = bare_lines(resolved_text(read("preset = \"paper\"\n")));
+  const std::vector<std::string> second = bare_lines(resolved_text(read("preset = \"released-code\"\n")));
+  ASSERT_EQ(first.size(), second.size());
+  std::set<std::string> keys;
+  for (std::size_t line = 0; line < first.size(); ++line) {
+    if (first[line] != second[line]) keys.insert(first[line].substr(0, first[line].find(' ')));
+  }
+  EXPECT_EQ(keys, (std::set<std::string>{"generations", "activations", "output_function", "expression", "axes", "disconnected",
+                                         "duration_s", "objective", "duplicates", "material_phase", "wave_periods_per_body",
+                                         "wave_over_gaps"}));
+}
+
+TEST_F(StudyFile, PaperPresetHasThePapersNumbers) {
+  const Study study = read("preset = \"paper\"\n");
+  EXPECT_EQ(study.search.survivors, 15);
+  EXPECT_EQ(study.search.levels(), (std::vector{1, 2, 3}));
+  EXPECT_EQ(study.duration_s, 5.0);
+  EXPECT_EQ(study.search.objective, Objective::body_lengths);
+  EXPECT_EQ(study.physics.materials[0].youngs_modulus_Pa, 1e4);
+  EXPECT_EQ(study.physics.materials[1].density_kg_m3, 10.0);
+  EXPECT_EQ(study.physics.actuation.period_s, 0.2);
+  EXPECT_TRUE(study.physics.stop_rotation_in_static_friction);
+  EXPECT_EQ(study.physics.collisions.exclusion_depth, 1);
+}
+
+TEST_F(StudyFile, OwnKeysOverrideThePreset) {
+  const Study study = read(R"(
+preset = "released-code"
+seed = 42
+[population]
+newcomers = 2
+[genome]
+encoding = "nonfractal"
+[body]
+levels = [1, 3]
+disconnected = "penalise"
+[evaluation]
+pruning = false
+[materials]
+youngs_modulus_Pa = 20000
+[collisions]
+exclusion_depth = "off"
+)");
+  EXPECT_EQ(study.search.seed, 42U);
+  EXPECT_EQ(study.search.newcomers, 2);
+  EXPECT_EQ(study.search.offspring.decoder.plan, BodyPlan::nonfractal);
+  EXPECT_EQ(study.search.levels(), (std::vector{1, 3}));
+  EXPECT_EQ(study.search.offspring.constraints.disconnected, DisconnectedPolicy::penalise);
+  EXPECT_FALSE(study.search.pruning);
+  EXPECT_EQ(study.physics.materials[1].youngs_modulus_Pa, 20000.0);
+  EXPECT_FALSE(study.physics.collisions.exclusion_depth);
+  EXPECT_EQ(study.duration_s, 2.0) << "the rest is the preset's";
+  EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
+}
+
+TEST_F(StudyFile, CommandLineOverridesTheFile) {
+  StudyOverrides overrides;
+  overrides.generations = 7;
+  overrides.levels = std::vector{2};
+  overrides.duration_s = 0.1;
+  overrides.seed = 9;
+  const Study study = read("preset = \"paper\"\ngenerations = 3\n", overrides);
+  EXPECT_EQ(study.search.generations, 7);
+  EXPECT_EQ(study.search.levels(), std::vector{2});
+  EXPECT_EQ(study.duration_s, 0.1);
+  EXPECT_EQ(study.search.seed, 9U);
+}
+
+TEST_F(StudyFile, CommandLineIsCheckedLikeTheFile) {
+  StudyOverrides overrides;
+  overrides.generations = -1;
+  expect_refused("preset = \"paper\"\n", {"command line", "generations = -1"}, overrides);
+  overrides = {};
+  overrides.levels = std::vector{2, 1};
+  expect_refused("preset = \"paper\"\n", {"command line", "levels", "ascend"}, overrides);
+}
+
+TEST_F(StudyFile, IdentityLeavesOutOnlyTheNumberOfGenerations) {
+  const Study study = read("preset = \"paper\"\n");
+  EXPECT_EQ(identity_text(study), identity_text(read("preset = \"paper\"\ngenerations = 2\n")));
+  for (const std::string change :
+       {"seed = 2\n", "[evaluation]\nduration_s = 4\n", "[damping]\nglobal = 0.02\n", "[body]\nlevels = [1]\n"}) {
+    EXPECT_NE(identity_text(study), identity_text(read("preset = \"paper\"\n" + change))) << change;
+  }
+}
+
+TEST_F(StudyFile, RefusesWhatDoesNotFitWithPlaceKeyAndValue) {
+  const std::string place = (folder_ / "study.toml").string() + ":";
+  expect_refused("generations = 3\n", {"preset is missing"});
+  expect_refused("preset = \"paper2\"\n", {place + "1", "preset = ", "paper2", "released-code"});
+  const std::string head = "preset = \"paper\"\n";
+  expect_refused(head + "generation = 3\n", {place + "2", "generation", "unknown key", "generations"});
+  expect_refused(head + "[population]\nsurvivers = 3\n", {place + "3", "population.survivers", "unknown key"});
+  expect_refused(head + "generations = \"many\"\n", {place + "2", "generations = ", "many", "integer"});
+  expect_refused(head + "generations = -3\n", {place + "2", "generations = -3"});
+  expect_refused(head + "seed = -1\n", {place + "2", "seed = -1"});
+  expect_refused(head + "[population]\nsurvivors = 0\n", {place + "3", "survivors = 0"});
+  expect_refused(head + "[genome]\naxes = \"yxz\"\n", {place + "3", "genome.axes", "yxz", "zyx"});
+  expect_refused(head + "[body]\nlevels = [2, 1]\n", {place + "3", "levels", "ascend"});
+  expect_refused(head + "[body]\nlevels = []\n", {place + "3", "levels", "at least one"});
+  expect_refused(head + "[body]\nlevels = [1.5]\n", {place + "3", "levels", "integers"});
+  expect_refused(head + "[body]\nlevels = [0]\n", {place + "3", "levels[1] = 0"});
+  expect_refused(head + "[body]\ncell_edge_m = 0\n", {place + "3", "cell_edge_m = 0"});
+  expect_refused(head + "[evaluation]\nduration_s = -2\n", {place + "3", "duration_s = -2"});
+  expect_refused(head + "[materials]\nyoungs_modulus_Pa = -1e4\n", {place + "3", "youngs_modulus_Pa = -10000"});
+  expect_refused(head + "[materials]\nyoungs_modulus_Pa = 1e200\n",
+                 {"study.toml", "youngs_modulus_Pa = 1e+200", "beyond the range"});
+  expect_refused(head + "[evaluation]\nduration_s = 1e300\n", {"study.toml", "duration_s = 1e+300", "steps"});
+  expect_refused(head + "[materials]\npoissons_ratio = 0.5\n", {place + "3", "poissons_ratio = 0.5", "must be 0"});
+  expect_refused(head + "[genome]\nencoding = \"nonfractal\"\n[body]\nlevels = [4]\n", {place + "5", "nonfractal", "at most 3"});
+  expect_refused(head + "[body]\nlevels = [1, 9]\n", {place + "3", "levels", "memory"});
+}
+
+TEST_F(StudyFile, ChecksOfTheTimeStepBelongToTheIdentityOfAStudyThatHasThem) {
+  const Study study = read("preset = \"paper\"\n[check_dt]\nevery = 10\n");
+  EXPECT_EQ(study.search.step_checks, (StepCheckPlan{.every = 10, .designs = 1}));
+  EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
+  const std::string usual = identity_text(read("preset = \"paper\"\n"));
+  EXPECT_EQ(usual.find("check_dt"), std::string::npos);
+  EXPECT_NE(identity_text(study), usual);
+  EXPECT_NE(half_step_evaluator_of(study).physics().find("time_step_fraction = 0.45\n"), std::string::npos);
+  expect_refused("preset = \"paper\"\n[check_dt]\nevery = 0\n", {"study.toml:3", "check_dt.every = 0"});
+  expect_refused("preset = \"paper\"\n[check_dt]\ndesigns = 0\n", {"study.toml:3", "check_dt.designs = 0"});
+  expect_refused("preset = \"paper\"\n[check_dt]\nfraction = 0.5\n", {"study.toml:3", "check_dt.fraction", "unknown key"});
+}
+
+const std::string judged_study =
+    "preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nstudy = \"finite/elements.toml\"\nbudget_element_steps = 4e9\n";
+
+TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentityOnlyWhereItIsNotTheWholeWay) {
+  const std::string head = "preset = \"paper\"\n[evaluation]\n";
+  const Study study = read(head + "stand = true\nmeasure_from_s = 0.5\n");
+  EXPECT_TRUE(study.search.stand);
+  EXPECT_EQ(study.measure_from_s, 0.5);
+  EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
+  const std::string usual = identity_text(read("preset = \"paper\"\n"));
+  EXPECT_EQ(identity_text(read(head + "stand = false\nmeasure_from_s = 0\n")), usual);
+  for (const std::string word : {"stand", "measure_from_s", "judge"}) EXPECT_EQ(usual.find(word), std::string::npos) << word;
+  EXPECT_NE(identity_text(read(head + "stand = true\n")), usual);
+  EXPECT_NE(identity_text(read(head + "measure_from_s = 1\n")), usual);
+}
+
+TEST_F(StudyFile, RefusesAWindowThatIsNoPartOfTheEvaluation) {
+  const std::string head = "preset = \"paper\"\n[evaluation]\nduration_s = 2\n";
+  expect_refused(head + "measure_from_s = -0.5\n", {"study.toml:4", "evaluation.measure_from_s = -0.5"});
+  expect_refused(head + "measure_from_s = 2\n", {"study.toml", "measure_from_s = 2", "less than duration_s = 2"});
+  expect_refused(head + "stand = 1\n", {"evaluation.stand"});
+  StudyOverrides overrides;
+  overrides.duration_s = 0.25;
+  expect_refused(head + "measure_from_s = 0.5\n", {"measure_from_s = 0.5", "less than duration_s = 0.25"}, overrides);
+}
+
+TEST_F(StudyFile, AJudgeIsNamedByItsStudyAndArchivedByItsProtocol) {
+  Study study = read(judged_study + "every = 4\ndesigns = 3\n");
+  ASSERT_TRUE(study.search.judging);
+  EXPECT_EQ(study.search.judging->every, 4);
+  EXPECT_EQ(study.search.judging->designs, 3U);
+  EXPECT_EQ(study.search.judging->budget_element_steps, 4e9);
+  EXPECT_EQ(study.search.judging->voxel_steps_per_element_step, 2.6);
+  EXPECT_EQ(study.judge_file, folder_ / "finite/elements.toml") << "counts from the study's folder";
+  EXPECT_EQ(study_inputs(folder_ / "study.toml").back(), study.judge_file);
+  study.search.judging->protocol = "0123";
+  const Study archived = study_from_text(resolved_text(study), "archive");
+  EXPECT_EQ(archived.search, study.search);
+  EXPECT_TRUE(archived.judge_file.empty());
+  Study other = study;
+  other.search.judging->protocol = "4567";
+  EXPECT_NE(identity_text(other), identity_text(study));
+}
+
+TEST_F(StudyFile, RefusesAJudgeThatCannotWork) {
+  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nstudy = \"a.toml\"\n", {"judge.budget_element_steps"});
+  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nbudget_element_steps = 1\n", {"judge.study"});
+  expect_refused(judged_study + "protocol = \"0123\"\n", {"judge.study"});
+  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nprotocol = \"0123\"\nbudget_element_steps = 1\n",
+                 {"judge.protocol", "of an archive"});
+  expect_refused(judged_study + "every = 0\n", {"judge.every = 0"});
+  expect_refused(judged_study + "designs = 0\n", {"judge.designs = 0"});
+  expect_refused(judged_study + "robots = 3\n", {"judge.robots", "unknown key"});
+  expect_refused(judged_study + "voxel_steps_per_element_step = 0\n", {"judge.voxel_steps_per_element_step = 0"});
+  StudyOverrides overrides;
+  overrides.levels = std::vector{1, 2};
+  expect_refused(judged_study, {"levels", "[judge]", "one"}, overrides);
+}
+
+TEST_F(StudyFile, RefusesALevelThatWouldNotFitTheMemory) {
+  io::write_whole(folder_ / "study.toml", "preset = \"paper\"\n");
+  EXPECT_NO_THROW((void)read_study(folder_ / "study.toml", {}, std::size_t{1} << 30));
+  EXPECT_THROW((void)read_study(folder_ / "study.toml", {}, std::size_t{1} << 20), io::InputError);
+}
+
+TEST_F(StudyFile, StudiesOfThePaperAreValid) {
+  const auto plan_of = [](const std::string& name) {
+    return read_study(paper / name / "study.toml").search.offspring.decoder.plan;
+  };
+  EXPECT_EQ(plan_of("fractal"), BodyPlan::fractal);
+  EXPECT_EQ(plan_of("non_fractal"), BodyPlan::nonfractal);
+  EXPECT_EQ(read_study(paper / "phase_wave/study.toml").physics.actuation.mode, voxel::ActuationMode::wave);
+  EXPECT_EQ(read_study(paper / "single_actuator/study.toml").physics.actuation.mode, voxel::ActuationMode::in_phase);
+  EXPECT_EQ(read_study(paper / "demo/study.toml").search.generations, 12);
+  for (const std::string name : {"fractal", "non_fractal", "phase_wave", "single_actuator"}) {
+    Study full = read_study(paper / name / "study.toml");
+    const Study small = read_study(paper / name / "small.toml");
+    EXPECT_EQ(full.search.generations, 325);
+    EXPECT_EQ(full.duration_s, 5.0);
+    // The small one differs in size only.
+    full.search.generations = small.search.generations;
+    full.search.survivors = small.search.survivors;
+    full.search.mutants = small.search.mutants;
+    full.search.offspring.constraints.levels = small.search.levels();
+    full.duration_s = small.duration_s;
+    EXPECT_EQ(full, small) << name;
+  }
+}
+
+TEST_F(StudyFile, NotesThatPoissonsRatioIsNotThePapers) {
+  const auto notes = study_notes(read("preset = \"paper\"\n"));
+  ASSERT_FALSE(notes.empty());
+  EXPECT_NE(notes.front().find("0.5"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace menger::evolution

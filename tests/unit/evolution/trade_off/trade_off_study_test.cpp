@@ -1,0 +1,148 @@
+#include "evolution/trade_off/trade_off_study.h"
+
+#include <gtest/gtest.h>
+
+#include "evolution/trade_off/trade_off_body.h"
+#include "evolution/trade_off/trade_off_variant.h"
+#include "evolution/trade_off/trade_off_voxels.h"
+#include "io/process/program_job.h"
+#include "io/text/input_error.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+#include "meshes/hexahedra/hollow_polycube.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder with a design and studies of it.
+class TradeStudyTest : public testing::Test {
+ protected:
+  TradeStudyTest() { io::write_whole(folder_ / "design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n"); }
+
+  [[nodiscard]] TradeStudy read(const std::string& text) const {
+    io::write_whole(folder_ / "study.toml", "design = \"design.toml\"\n" + text);
+    return read_trade_study(folder_ / "study.toml");
+  }
+
+  /// Reading is refused with all of these words.
+  void expect_refused(const std::string& text, const std::vector<std::string>& words) const {
+    try {
+      (void)read(text);
+      ADD_FAILURE() << "accepted: " << text;
+    } catch (const io::InputError& error) {
+      for (const std::string& word : words) EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  }
+
+  const tests::TestFolder folder_;
+};
+
+TEST_F(TradeStudyTest, ADesignAloneRunsElementsAndAGait) {
+  const TradeStudy study = read_trade_study(folder_ / "design.toml");
+  EXPECT_EQ(study.design.name, "cube");
+  EXPECT_TRUE(study.elements && study.gait);
+  EXPECT_FALSE(study.settling || study.search);
+  EXPECT_EQ(study.silicone, "dragon_skin_10");
+  EXPECT_NEAR(study.shear_modulus_Pa, 4333850.0 / 50.0, 1e-6);  // 50 of which `menger inflate` assumes for this record
+}
+
+TEST_F(TradeStudyTest, ReadsWhatIsAskedFor) {
+  const TradeStudy study = read(
+      "pressure_Pa = -500\nobservables = [\"extent_x\"]\ntarget_relative_errors = [0.1, 0.5]\n"
+      "[finite_elements]\ndegrees = [2]\nbulk_ratios = [10, 1000]\n");
+  EXPECT_EQ(study.pressure_Pa, -500.0);
+  EXPECT_EQ(study.observables, std::vector{TradeObservable::extent_x});
+  EXPECT_EQ(study.targets, (std::vector<double>{0.5, 0.1}));
+  EXPECT_EQ(study.elements->degrees, std::vector{2});
+  EXPECT_EQ(study.elements->bulk_ratios, (std::vector<double>{10, 1000}));
+  EXPECT_FALSE(study.gait);
+}
+
+TEST_F(TradeStudyTest, WrongInputIsNamed) {
+  expect_refused("", {"nothing to run"});
+  expect_refused("[gait]\nspeed = 3\n", {"gait.speed", "unknown"});
+  expect_refused("[finite_elements]\ndegrees = [3]\n", {"degrees", "3", "[1, 2]"});
+  expect_refused("[finite_elements]\ndegrees = []\n", {"degrees", "at least one"});
+  expect_refused("[finite_elements]\ndegrees = [1, 1]\n", {"degrees", "twice"});
+  expect_refused("[finite_elements]\nelements_through_wall = [1.5]\n", {"elements_through_wall", "integer"});
+  expect_refused("[gait]\n[voxels]\nexclusion_depths = [\"0\"]\n", {"exclusion_depths", "off"});
+  expect_refused("[gait]\n[voxels]\nnumbers = [\"float16\"]\n", {"numbers", "float32"});
+  expect_refused("pressure_Pa = 0\n[gait]\n", {"pressure_Pa", "0"});
+  expect_refused("observables = [\"foot\"]\n[gait]\n", {"observables", "foot"});
+  expect_refused("silicone = \"butter\"\n[gait]\n", {"silicone", "butter"});
+  expect_refused("[settling]\nparameters = [\"p.toml\"]\n", {"finite_elements"});
+  expect_refused("[search]\nstudy = \"s.toml\"\nseeds = [1, 2]\n", {"seeds", "three"});
+  expect_refused("[search]\nstudy = \"missing.toml\"\n", {"missing.toml"});
+  EXPECT_THROW((void)read_trade_study(folder_ / "missing.toml"), io::InputError);
+}
+
+TEST_F(TradeStudyTest, UnknownsOfAHollowCubeAreThoseOfTheGrid) {
+  // 20 mm with walls of 2 mm: 11^3 nodes less 7^3 inside the chamber, or with middles 21^3 less 15^3; three unknowns each
+  const TradeStudy study = read("[finite_elements]\n");
+  EXPECT_EQ(count_elements(study, 1, 1).unknowns, 3U * (11 * 11 * 11 - 7 * 7 * 7));
+  EXPECT_EQ(count_elements(study, 2, 1).unknowns, 3U * (21 * 21 * 21 - 15 * 15 * 15));
+  EXPECT_EQ(count_elements(study, 1, 1).elements, 10U * 10 * 10 - 8 * 8 * 8);
+}
+
+TEST_F(TradeStudyTest, AVariantChangesItsKeysAndNoOthers) {
+  io::write_whole(
+      folder_ / "scene.toml",
+      "design = \"d.toml\"\nlevel = 2\n[surrogate]\nparameters = \"p.toml\"\n[integration]\ndamping = \"increments\"\n"
+      "[materials]\nyoungs_modulus_Pa = 12345.678901234567\n");
+  TomlVariant variant(folder_ / "scene.toml");
+  set_integration(variant, {"float32", "velocity", 0.45, "off", {}});
+  variant.set({"level"}, 1);
+  const io::TomlTable read = io::parse_toml(variant.text(), "variant.toml");
+  EXPECT_EQ(read.text("design"), (folder_ / "d.toml").string());
+  EXPECT_EQ(read.table("surrogate").text("parameters"), (folder_ / "p.toml").string());
+  EXPECT_EQ(read.integer("level"), 1);
+  EXPECT_EQ(read.table("integration").text("number"), "float32");
+  EXPECT_EQ(read.table("integration").text("damping"), "velocity");
+  EXPECT_EQ(read.table("integration").number("time_step_fraction"), 0.45);
+  EXPECT_EQ(read.table("collisions").text("exclusion_depth"), "off");
+  EXPECT_EQ(read.table("materials").number("youngs_modulus_Pa"), 12345.678901234567);
+  set_integration(variant, {"float64", "velocity", 0.45, "5", {}});
+  EXPECT_EQ(io::parse_toml(variant.text(), "variant.toml").table("collisions").integer("exclusion_depth"), 5);
+}
+
+TEST_F(TradeStudyTest, ParametersThatASceneNamesAreInputs) {
+  io::write_whole(folder_ / "scene.toml", "[surrogate]\nparameters = \"p.toml\"\n");
+  io::write_whole(folder_ / "p.toml", "first");
+  const TradeStudy before = read("[gait]\nscene = \"scene.toml\"\n");
+  ASSERT_TRUE(before.inputs.contains((folder_ / "p.toml").string()));
+  io::write_whole(folder_ / "p.toml", "second");
+  const TradeStudy after = read("[gait]\nscene = \"scene.toml\"\n");
+  EXPECT_NE(after.inputs.at((folder_ / "p.toml").string()), before.inputs.at((folder_ / "p.toml").string()));
+  fs::remove(folder_ / "p.toml");
+  EXPECT_THROW((void)read("[gait]\nscene = \"scene.toml\"\n"), io::InputError);
+}
+
+TEST_F(TradeStudyTest, ParametersOfAVariantArePartOfTheJob) {
+  io::write_whole(folder_ / "scene.toml", "[surrogate]\nparameters = \"p.toml\"\n");
+  const auto hash = [&](const std::string& content) {
+    io::write_whole(folder_ / "p.toml", content);
+    ProgramJob job;
+    job.program = folder_ / "scene.toml";  // any file
+    add_input(job, "scene.toml", TomlVariant(folder_ / "scene.toml"));
+    EXPECT_EQ(job.inputs.at("parameters.toml"), content);
+    EXPECT_EQ(io::parse_toml(job.inputs.at("scene.toml"), "scene.toml").table("surrogate").text("parameters"), "parameters.toml");
+    return job_hash(job);
+  };
+  const std::string first = hash("first");
+  EXPECT_NE(hash("second"), first);
+  EXPECT_EQ(hash("first"), first);
+}
+
+TEST_F(TradeStudyTest, AVariantOfWhatIsNoTomlIsRefused) {
+  io::write_whole(folder_ / "scene.toml", "design = \n");
+  EXPECT_THROW(TomlVariant{folder_ / "scene.toml"}, io::InputError);
+  io::write_whole(folder_ / "scene.toml", "integration = 3\n");
+  TomlVariant variant(folder_ / "scene.toml");
+  EXPECT_THROW(variant.set({"integration", "number"}, "float64"), io::InputError);
+}
+
+}  // namespace
+}  // namespace menger::evolution

@@ -1,0 +1,170 @@
+#include "evolution/trade_off/trade_off_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "evolution/trade_off/trade_off_chart.h"
+#include "io/text/toml_document.h"
+
+namespace menger::evolution {
+namespace {
+
+TradeRow row(const std::string& label, double value, double seconds) {
+  TradeRow made{.model = "voxels", .label = label};
+  made.fidelity = {{"number", label}};
+  made.values = {value};
+  made.seconds = seconds;
+  made.peak_megabytes = 10.0;
+  made.status = "completed";
+  return made;
+}
+
+/// Errors by hand against a reference of 2: 50 %, 10 %, 20 %, 5 %, 5 %, none, 1 % (its own).
+TradeTable table() {
+  TradeTable made{.observables = {"length_m"}, .fidelity_columns = {"number"}};
+  made.rows = {row("a", 1.0, 1.0), row("b", 2.2, 2.0), row("c", 1.6, 3.0), row("d", 1.9, 4.0), row("e", 2.1, 5.0)};
+  made.rows.push_back(row("failed", 0.0, 0.5));
+  made.rows.back().values = {std::nullopt};
+  made.rows.push_back(row("reference", 2.0, 100.0));
+  judge(made, 6, {0.01});
+  return made;
+}
+
+TEST(TradeTable, ErrorsAreRelativeToTheReferenceAndItsOwnIsItsEstimate) {
+  const TradeTable judged = table();
+  const double rounding = 1e-12;
+  EXPECT_NEAR(judged.rows[0].error.value(), 0.5, rounding);
+  EXPECT_NEAR(judged.rows[1].error.value(), 0.1, rounding);
+  EXPECT_NEAR(judged.rows[2].error.value(), 0.2, rounding);
+  EXPECT_FALSE(judged.rows[5].error);
+  EXPECT_EQ(judged.rows[6].error, 0.01);
+}
+
+TEST(TradeTable, TheLargestErrorCountsAndAMissingValueLeavesNone) {
+  TradeTable judged{.observables = {"a_m", "b_m", "ratio"}, .fidelity_columns = {}};
+  judged.rows = {row("1", 0, 1.0), row("2", 0, 1.0), row("reference", 0, 1.0)};
+  judged.rows[0].values = {1.1, 2.8, 0.5};
+  judged.rows[1].values = {1.1, std::nullopt, 0.5};
+  judged.rows[2].values = {1.0, 2.0, 0.5};
+  judge(judged, 2, {std::nullopt, std::nullopt, std::nullopt});
+  EXPECT_NEAR(judged.rows[0].error.value(), 0.4, 1e-12);
+  EXPECT_FALSE(judged.rows[1].error);
+  EXPECT_FALSE(judged.reference_error);
+}
+
+TEST(TradeTable, WhatBarelyMovesIsJudgedByATenthOfTheLargest) {
+  TradeTable judged{.observables = {"a_m", "b_m"}, .fidelity_columns = {}};
+  judged.rows = {row("1", 0, 1.0), row("reference", 0, 1.0)};
+  judged.rows[0].values = {1.1, 5e-4};
+  judged.rows[1].values = {1.0, 1e-6};
+  judge(judged, 1, {0.0, 3.0});
+  EXPECT_NEAR(judged.rows[0].errors[0].value(), 0.1, 1e-12);
+  EXPECT_NEAR(judged.rows[0].errors[1].value(), (5e-4 - 1e-6) / 0.1, 1e-12);
+  EXPECT_NEAR(judged.reference_error.value(), 3.0 * 1e-6 / 0.1, 1e-12);
+}
+
+TEST(TradeTable, WhereNothingMovesThereIsNoError) {
+  TradeTable judged{.observables = {"a_m"}, .fidelity_columns = {}};
+  judged.rows = {row("1", 0.0, 1.0), row("reference", 0.0, 1.0)};
+  judge(judged, 1, {std::nullopt});
+  EXPECT_FALSE(judged.rows[0].error);
+  EXPECT_NE(recommendation_text(judged, {0.1}).find("no errors can be given"), std::string::npos);
+}
+
+TEST(TradeTable, FrontHoldsWhatNothingBeatsInBothTimeAndError) {
+  EXPECT_EQ(pareto_front(table()), (std::vector<std::size_t>{0, 1, 3, 6}));
+}
+
+TEST(TradeTable, EqualRowsStandOnTheFrontOnce) {
+  TradeTable judged{.observables = {"length_m"}, .fidelity_columns = {"number"}};
+  judged.rows = {row("a", 1.0, 1.0), row("b", 1.0, 1.0), row("reference", 2.0, 3.0)};
+  judge(judged, 2, {std::nullopt});
+  EXPECT_EQ(pareto_front(judged), (std::vector<std::size_t>{0}));
+}
+
+TEST(TradeTable, RecommendsTheFastestThatIsGoodEnough) {
+  const std::vector<Recommendation> found = recommendations(table(), {0.6, 0.12, 0.08, 0.02, 0.005});
+  ASSERT_EQ(found.size(), 5U);
+  EXPECT_EQ(found[0].row, 0U);
+  EXPECT_EQ(found[1].row, 1U);
+  EXPECT_EQ(found[2].row, 3U);
+  EXPECT_EQ(found[3].row, 6U);
+  EXPECT_FALSE(found[4].row);
+}
+
+TEST(TradeTable, NothingIsRecommendedForLessThanTheReferenceIsKnownTo) {
+  TradeTable judged{.observables = {"length_m"}, .fidelity_columns = {"number"}};
+  judged.rows = {row("a", 2.02, 1.0), row("reference", 2.0, 3.0)};  // 1 % from what is known to 10 %
+  judge(judged, 1, {0.1});
+  EXPECT_FALSE(recommendations(judged, {0.05})[0].row);
+  EXPECT_EQ(recommendations(judged, {0.1})[0].row, 0U);
+}
+
+TEST(TradeTable, RecommendationSaysWhatItCostsAndWhyThereIsNone) {
+  const std::string text = recommendation_text(table(), {0.12, 0.005});
+  EXPECT_NE(text.find("for 12 % you need voxels, b (10 % from the reference), it costs 2 s and 10 MB"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("for 0.5 % nothing is fine enough: the reference itself is known to 1 % only"), std::string::npos) << text;
+}
+
+TEST(TradeTable, RecommendationIsReadableToml) {
+  const io::TomlTable read = io::parse_toml(recommendation_toml(table(), {0.12, 0.005}, "recommendation"), "text.toml");
+  const auto entries = read.tables("recommendation");
+  ASSERT_EQ(entries.size(), 2U);
+  EXPECT_TRUE(entries[0].boolean("found"));
+  EXPECT_EQ(entries[0].text("number"), "b");
+  EXPECT_EQ(entries[0].number("seconds"), 2.0);
+  EXPECT_FALSE(entries[1].boolean("found"));
+}
+
+TEST(TradeTable, CsvHoldsEveryRowWithItsRole) {
+  const io::CsvContents csv = io::parse_csv(trade_csv(table()).text(), "tradeoff.csv");
+  ASSERT_EQ(csv.row_count(), 7U);
+  EXPECT_EQ(csv.text(0, "role"), "front");
+  EXPECT_EQ(csv.text(2, "role"), "");
+  EXPECT_EQ(csv.text(6, "role"), "reference, front");
+  EXPECT_EQ(csv.text(5, "length_m"), "");
+  EXPECT_NEAR(csv.number(1, "relative_error"), 0.1, 1e-12);
+  EXPECT_EQ(csv.number(1, "reference_relative_error"), 0.01);
+}
+
+TEST(TradeTable, PanelHoldsAPointForEveryRowWithAnErrorAndTheFront) {
+  const io::ChartPanel panel = trade_panel(table(), "title");
+  std::size_t points = 0;
+  std::size_t on_front = 0;
+  double level = 0.0;
+  for (const io::ChartSeries& series : panel.series) {
+    if (series.name == "the reference's own error") {
+      level = series.y.front();
+    } else {
+      (series.name == "front" ? on_front : points) += series.x.size();
+    }
+  }
+  EXPECT_EQ(points, 6U);
+  EXPECT_EQ(on_front, 4U);
+  EXPECT_NEAR(level, 1.0, 1e-12);
+}
+
+TEST(TradeTable, GainsBelowWhatIsKnownAreNeitherOnTheFrontNorRecommended) {
+  // 10 %, then 9.95 % (no gain to speak of), 1.5 % and 0.5 %, of which both lie below the reference's own 2 %
+  TradeTable judged{.observables = {"length_m"}, .fidelity_columns = {"number"}};
+  judged.rows = {row("a", 2.2, 1.0), row("b", 2.199, 2.0), row("c", 2.03, 3.0), row("d", 2.01, 4.0), row("reference", 2.0, 5.0)};
+  judge(judged, 4, {0.02});
+  EXPECT_EQ(pareto_front(judged), (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(recommendations(judged, {0.021})[0].row, 2U);
+  EXPECT_FALSE(recommendations(judged, {0.01})[0].row);
+}
+
+TEST(TradeTable, PointsThatAreAllAlikeStandWithinADecade) {
+  TradeTable judged{.observables = {"length_m"}, .fidelity_columns = {"number"}};
+  judged.rows = {row("a", 2.2, 2.0), row("b", 2.2 + 1e-12, 3.0), row("reference", 2.0, 5.0)};
+  judge(judged, 2, {std::nullopt});
+  const io::ChartPanel panel = trade_panel(judged, "title");
+  EXPECT_NEAR(panel.x.lowest.value(), 1.0, 1e-12);
+  EXPECT_NEAR(panel.x.highest.value(), 10.0, 1e-12);
+  EXPECT_GE(panel.y.highest.value() / panel.y.lowest.value(), 9.9);
+}
+
+}  // namespace
+}  // namespace menger::evolution

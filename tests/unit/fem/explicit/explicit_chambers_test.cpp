@@ -1,0 +1,93 @@
+#include "fem/explicit/explicit_chambers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/surfaces/chamber_volume.h"
+#include "tests/unit/fem/explicit/explicit_samples.h"
+
+namespace menger::fem {
+namespace {
+
+/// The reference positions, each moved by up to half a millimetre.
+std::vector<double> moved_positions(const meshes::HexahedralMesh& mesh) {
+  std::vector<double> positions = random_numbers(3 * mesh.points.size(), 0.5e-3, 5);
+  for (std::size_t n = 0; n < positions.size(); ++n) positions[n] += mesh.points[n / 3][n % 3];
+  return positions;
+}
+
+std::vector<double> nodal_forces(const ExplicitChambers& chambers, const std::vector<double>& positions, double pressure_Pa) {
+  std::vector<double> slots(chambers.slot_count());
+  const std::vector<double> pressures(chambers.plenum_count(), pressure_Pa);
+  chambers.set_face_forces(positions, pressures, {0, chambers.face_count()}, slots);
+  chambers.set_cap_forces(positions, pressures, slots);
+  std::vector<double> forces(positions.size(), 0.0);
+  for (std::size_t node = 0; node < positions.size() / 3; ++node)
+    for (const std::uint32_t slot : chambers.slots().of(node))
+      for (std::size_t i = 0; i < 3; ++i) forces[3 * node + i] += slots[slot + i];
+  return forces;
+}
+
+TEST(ExplicitChambers, VolumeIsThatOfTheImplicitFaces) {
+  const meshes::HexahedralMesh mesh = hollow_cube();
+  const ExplicitChambers chambers(mesh);
+  const std::vector<double> positions = moved_positions(mesh);
+  double expected = 0.0;
+  for (const meshes::BoundaryFace& face : mesh.faces) {
+    if (face.label != mesh.chambers[0].labels[0]) continue;
+    FaceNodes<4> nodes;
+    constexpr std::array<std::size_t, 4> around{0, 1, 3, 2};
+    for (std::size_t a = 0; a < 4; ++a)
+      std::copy_n(positions.begin() + static_cast<long>(3 * face.corners[around[a]]), 3, nodes[a].begin());
+    expected += chamber_volume<4>(nodes);
+  }
+  EXPECT_NEAR(chambers.volumes_m3(positions)[0], expected, 1e-13 * expected);
+  EXPECT_NEAR(expected, std::pow(16e-3, 3), 0.1 * expected);
+}
+
+// A cube with a tube hole in its top: faces and the rim of a cap together.
+meshes::HexahedralMesh cube_with_tube() {
+  meshes::HollowBodyOptions options;
+  options.wall_thickness_m = 2e-3;
+  options.tubes = {{.cell = {0, 0, 0}, .side = meshes::Side::z_max, .edge_m = 4e-3}};
+  return meshes::hollow_polycube(meshes::hollow_cube_design(20e-3), options).mesh;
+}
+
+TEST(ExplicitChambers, ForceIsPressureTimesTheGradientOfTheVolume) {
+  for (const meshes::HexahedralMesh& mesh : {hollow_cube(), cube_with_tube()}) {
+    const ExplicitChambers chambers(mesh);
+    const std::vector<double> positions = moved_positions(mesh);
+    constexpr double pressure = 3e3;
+    const std::vector<double> forces = nodal_forces(chambers, positions, pressure);
+    const std::vector<double> direction = random_numbers(positions.size(), 1.0, 6);
+    constexpr double step = 1e-7;  // the volume is a cubic: the difference errs by (step / edge)^2, and by rounding over the step
+    std::vector<double> ahead = positions;
+    std::vector<double> behind = positions;
+    double power = 0.0;
+    for (std::size_t n = 0; n < positions.size(); ++n) {
+      ahead[n] += step * direction[n];
+      behind[n] -= step * direction[n];
+      power += forces[n] * direction[n];
+    }
+    const double difference = (chambers.volumes_m3(ahead)[0] - chambers.volumes_m3(behind)[0]) / (2.0 * step);
+    EXPECT_NEAR(power, pressure * difference, 1e-6 * std::abs(power));
+  }
+}
+
+TEST(ExplicitChambers, PressureHasNoNetForceOnAClosedChamber) {
+  for (const meshes::HexahedralMesh& mesh : {hollow_cube(), cube_with_tube()}) {
+    const std::vector<double> forces = nodal_forces(ExplicitChambers(mesh), moved_positions(mesh), 1e3);
+    double total = 0.0;
+    Point net{};
+    for (std::size_t n = 0; n < forces.size(); ++n) {
+      net[n % 3] += forces[n];
+      total += std::abs(forces[n]);
+    }
+    EXPECT_LT(norm(net), 1e-13 * total);
+  }
+}
+
+}  // namespace
+}  // namespace menger::fem

@@ -1,0 +1,122 @@
+#include "fem/implicit_locomotion/implicit_locomotion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fem/locomotion/locomotion_run.h"
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+#include "tests/unit/fem/locomotion/locomotion_samples.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace locomotion_samples;
+
+const std::string implicit = "[dynamics]\nmethod = \"implicit\"\n";
+
+class ImplicitLocomotion : public testing::Test {
+ protected:
+  LocomotionResult run(const std::string& study, const std::string& name, LocomotionRunOptions options = {}) const {
+    const LocomotionStudy read = sample_study(study);
+    if (read.implicit) options.make = make_implicit_locomotion;
+    return run_locomotion(read, folder_ / name, options);
+  }
+
+  const tests::TestFolder folder_;
+};
+
+/// Largest volume of the only chamber over the records.
+double largest_volume_m3(const LocomotionResult& result) {
+  double largest = 0.0;
+  for (const LocomotionRecord& record : result.records) largest = std::max(largest, record.chamber_volumes_m3[0]);
+  return largest;
+}
+
+// The breathing cube by both methods: the same elements, and steps whose errors are far below what is compared. The ground force
+// is that of a body that bounces, whose phase differs.
+TEST_F(ImplicitLocomotion, MovesAsExplicitDynamicsDoes) {
+  const LocomotionResult by_explicit = run(cube_study, "explicit");
+  const LocomotionResult result = run(cube_study + implicit, "implicit");
+  ASSERT_EQ(result.status, io::RunStatus::completed) << result.reason;
+  ASSERT_EQ(result.records.size(), by_explicit.records.size());
+  EXPECT_EQ(result.records.back().time_s, 0.1);
+  EXPECT_EQ(result.elements, by_explicit.elements);
+  EXPECT_NEAR(peak_height_m(result), peak_height_m(by_explicit), 0.01 * peak_height_m(by_explicit));
+  EXPECT_NEAR(largest_volume_m3(result), largest_volume_m3(by_explicit), 0.005 * largest_volume_m3(by_explicit));
+  EXPECT_GT(largest_volume_m3(result), 1.02 * result.records.front().chamber_volumes_m3[0]);
+  EXPECT_LT(travel_of(result)->horizontal_displacement_m, 1e-6) << "a symmetric body";
+  for (const char* name : {"trajectory.csv", "frames.pvd", "frames/frame_0000.vtu", "manifest.json", "locomotion.toml"})
+    EXPECT_TRUE(fs::exists(folder_ / "implicit" / name)) << name;
+}
+
+// Frames show the mesh: elements of both degrees have nodes at its points, in their order.
+TEST_F(ImplicitLocomotion, ShowsTheNodesOfTheMesh) {
+  for (const char* degree : {"degree = 1\n", "degree = 2\n"}) {
+    const LocomotionStudy study = sample_study(cube_study + implicit + degree);
+    const auto dynamics = make_implicit_locomotion(study, nullptr);
+    // Without gravity's and the ground's forces the start is at rest everywhere; after a millisecond the body has fallen a
+    // little.
+    EXPECT_EQ(dynamics->displacements_m(), std::vector<double>(3 * study.mesh.points.size(), 0.0));
+    ASSERT_EQ(dynamics->advance_to(1e-3).status, io::RunStatus::completed);
+    const std::vector<double> u = dynamics->displacements_m();
+    const std::vector<double> v = dynamics->velocities_m_per_s();
+    ASSERT_EQ(v.size(), u.size());
+    // Two mirror planes: a point and its image move alike, mirrored, which wrong nodes would not.
+    double largest = 0.0;
+    for (std::size_t a = 0; a < study.mesh.points.size(); ++a) {
+      const Point& X = study.mesh.points[a];
+      for (std::size_t b = 0; b < study.mesh.points.size(); ++b) {
+        const Point& Y = study.mesh.points[b];
+        if (std::abs(X[0] + Y[0] - 0.02) + std::abs(X[1] - Y[1]) + std::abs(X[2] - Y[2]) > 1e-9) continue;
+        EXPECT_NEAR(u[3 * a], -u[3 * b], 1e-9);
+        EXPECT_NEAR(u[3 * a + 2], u[3 * b + 2], 1e-9);
+        largest = std::max(largest, std::abs(u[3 * a + 2]));
+      }
+    }
+    EXPECT_GT(largest, 1e-7) << degree;
+  }
+}
+
+TEST_F(ImplicitLocomotion, GoesOnWhereItWasStoppedAsIfNothingHadHappened) {
+  std::string study = hook_study + implicit;
+  study.replace(study.find("record_interval_s = 0.004"), 25, "record_interval_s = 0.0015");
+  const LocomotionResult whole = run(study, "whole");
+  ASSERT_EQ(whole.status, io::RunStatus::completed) << whole.reason;
+  std::size_t stops = 0;
+  for (LocomotionResult result; result.status == io::RunStatus::stopped; ++stops) {
+    std::atomic<bool> stop = false;
+    int left = 13;  // more than between two states that it can be taken up from
+    const auto count_down = [&](double) { stop = --left == 0; };
+    result = run(study, "parts", {.stop = &stop, .progress = count_down});
+    ASSERT_LT(stops, 10U);
+  }
+  EXPECT_EQ(stops, 3U) << "two stops among 27 records, and the end";
+  std::vector<fs::path> files{"trajectory.csv", "frames.pvd"};
+  for (const auto& entry : fs::directory_iterator(folder_ / "whole/frames")) files.push_back("frames" / entry.path().filename());
+  EXPECT_GE(files.size(), 8U);
+  for (const fs::path& file : files)
+    EXPECT_EQ(io::read_whole(folder_ / "whole" / file), io::read_whole(folder_ / "parts" / file)) << file;
+}
+
+// See LocomotionRun.EndsBeyondTheLimitPressureWithAStatus.
+TEST_F(ImplicitLocomotion, EndsBeyondTheLimitPressureWithAStatus) {
+  const std::string study =
+      cube + silicone + ground + "[drive]\nmode = \"hold\"\npressure_Pa = [0, 60000]\nperiod_s = 0.05\n" + time + no_pictures;
+  const LocomotionResult result = run(study + implicit, "out");
+  EXPECT_NE(result.status, io::RunStatus::completed);
+  EXPECT_NE(result.status, io::RunStatus::stopped);
+  EXPECT_NE(result.reason.find(" at "), std::string::npos) << result.reason;
+  EXPECT_LT(result.time_s, 0.1);
+  EXPECT_FALSE(travel_of(result));
+}
+
+}  // namespace
+}  // namespace menger::fem

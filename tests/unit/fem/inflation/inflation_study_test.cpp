@@ -1,0 +1,223 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "fem/inflation/inflation_study_file.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A study of a cube and what its tables hold, each to be replaced by a test.
+struct StudyText {
+  std::string body = "[design]\nfile = \"cube.toml\"\nwall_thickness_m = 0.002\n";
+  std::string material = "[material]\nbulk_modulus_Pa = 2.5e6\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n";
+  std::string path = "[path]\npressure_Pa = [0, 6000]\n";
+  std::string rest{};
+};
+
+class InflationStudyFile : public testing::Test {
+ protected:
+  InflationStudyFile() { io::write_whole(folder_ / "cube.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n"); }
+
+  [[nodiscard]] InflationStudy read(const StudyText& text) const {
+    io::write_whole(folder_ / "study.toml", text.body + text.material + text.path + text.rest);
+    return read_inflation_study(folder_ / "study.toml");
+  }
+
+  /// The message with which a study is refused.
+  [[nodiscard]] std::string refusal(const StudyText& text) const {
+    try {
+      static_cast<void>(read(text));
+    } catch (const io::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  const tests::TestFolder folder_;
+};
+
+TEST_F(InflationStudyFile, LeavesWhatIsNotNamedAtItsDefault) {
+  const InflationStudy study = read({});
+  const InflationStudy defaults;
+  EXPECT_EQ(study.degree, 2);
+  EXPECT_EQ(study.formulation, Formulation::three_field);
+  EXPECT_EQ(study.supports.kind, SupportKind::ground_guided);
+  EXPECT_EQ(study.gravity_m_per_s2, 0.0);
+  EXPECT_EQ(study.path.first_step, defaults.path.first_step);
+  EXPECT_EQ(study.solver.relative_force_tolerance, defaults.solver.relative_force_tolerance);
+  EXPECT_EQ(study.output.fields_every, 1);
+  EXPECT_TRUE(study.notes.empty());
+  EXPECT_EQ(study.inputs.size(), 2U) << "the study and the design";
+  ASSERT_EQ(study.drives.size(), 1U);
+  EXPECT_EQ(study.drives.at("").values, (std::vector<double>{0.0, 6000.0}));
+}
+
+TEST_F(InflationStudyFile, TakesSiliconesByNameWithDensityRangeAndAssumedBulkModulus) {
+  const InflationStudy study = read({.material = "[material]\nrecord = \"dragon_skin_10\"\n"});
+  EXPECT_EQ(study.material.density_kg_per_m3, 1070.0);
+  EXPECT_EQ(study.material.largest_stretch, 2.0);
+  EXPECT_EQ(study.material.smallest_stretch, 1.0);
+  const auto& volume = std::get<materials::SimoTaylorVolume>(study.material.volume);
+  EXPECT_EQ(volume.bulk_modulus_Pa, 50.0 * materials::shear_modulus_at_rest_Pa(study.material.law));
+  ASSERT_EQ(study.notes.size(), 1U);
+  EXPECT_NE(study.notes.front().find("50 shear moduli"), std::string::npos) << study.notes.front();
+}
+
+TEST_F(InflationStudyFile, ChoosesAmongLawsOfOneName) {
+  const std::string head = "[material]\nrecord = \"dragon_skin_10\"\nbulk_modulus_Pa = 1e6\nlaw = \"yeoh\"\n";
+  const InflationStudy first = read({.material = head});
+  const InflationStudy second = read({.material = head + "law_variant = 2\n"});
+  EXPECT_LT(first.material.largest_stretch, 2.0);
+  EXPECT_GT(second.material.largest_stretch, 2.9);
+  ASSERT_FALSE(second.notes.empty());
+  EXPECT_NE(second.notes.front().find("number 2 of"), std::string::npos) << second.notes.front();
+}
+
+TEST_F(InflationStudyFile, GivesEachPlenumItsDrive) {
+  const InflationStudy study = read({.path = "[path]\n[[path.plenum]]\nname = \"plenum 0\"\nvolume_ratio = [1, 2, 1.5]\n"
+                                             "[[path.plenum]]\nname = \"plenum 1\"\ngas_amount = [1, 1.5, 1]\n"
+                                             "gas_exponent = 1.4\n"});
+  ASSERT_EQ(study.drives.size(), 2U);
+  EXPECT_EQ(study.drives.at("plenum 0").kind, DriveKind::volume);
+  EXPECT_EQ(study.drives.at("plenum 1").kind, DriveKind::gas);
+  EXPECT_EQ(study.drives.at("plenum 1").gas_exponent, 1.4);
+}
+
+TEST_F(InflationStudyFile, IdentityFollowsThePathAndNotItsOutput) {
+  const std::string base = path_text(read({}));
+  EXPECT_EQ(path_text(read({.rest = "[output]\npictures = false\nfields_every = 3\n"})), base);
+  EXPECT_NE(path_text(read({.path = "[path]\npressure_Pa = [0, 6001]\n"})), base);
+  EXPECT_NE(path_text(read({.rest = "[element]\ndegree = 1\n"})), base);
+  EXPECT_NE(path_text(read({.rest = "[supports]\nkind = \"ground_held\"\n"})), base);
+  io::write_whole(folder_ / "cube.toml", "name = \"cube\"\ncell_edge_m = 0.021\nlayers = [[\"1\"]]\n");
+  EXPECT_NE(path_text(read({})), base) << "another design under the same name";
+}
+
+/// A fault in a study, and what the message must name beside the file.
+struct Fault {
+  StudyText text;
+  std::string key;
+  std::string value;
+};
+
+TEST_F(InflationStudyFile, RefusesEachFaultNamingFileKeyAndValue) {
+  const std::string material = StudyText{}.material;
+  const std::vector<Fault> faults{
+      {{.rest = "[element]\ndegree = 3\n"}, "element.degree", "3"},
+      {{.rest = "[element]\ndegre = 2\n"}, "element.degre: unknown key", ""},
+      {{.rest = "[element]\nformulation = \"mixed\"\n"}, "element.formulation", "mixed"},
+      {{.rest = "[element]\nrefinements = -1\n"}, "element.refinements", "-1"},
+      {{.rest = "[supports]\nkind = \"floating\"\n"}, "supports.kind", "floating"},
+      {{.rest = "[supports]\nkind = \"resting\"\n"}, "supports.kind", "resting"},
+      {{.rest = "[[supports.labels]]\nlabel = \"outer\"\nheld = [\"w\"]\n"}, "held", "w"},
+      {{.rest = "[loads]\ngravity_m_per_s2 = -9.81\n"}, "loads.gravity_m_per_s2", "-9.81"},
+      {{.rest = "[loads]\ngravity_m_per_s2 = 9.81\n"}, "loads.gravity_m_per_s2", "9.81"},
+      {{.path = "[path]\n"}, "path.pressure_Pa", ""},
+      {{.path = "[path]\npressure_Pa = [0]\n"}, "path.pressure_Pa", "at least two"},
+      {{.path = "[path]\npressure_Pa = [0, 1]\nvolume_ratio = [1, 2]\n"}, "path.volume_ratio", ""},
+      {{.path = "[path]\nvolume_ratio = [1, 0]\n"}, "path.volume_ratio", "0"},
+      {{.path = "[path]\npressure_Pa = [500, 1000]\n"}, "path.pressure_Pa", "500"},
+      {{.path = "[path]\nvolume_ratio = [1.5, 2]\n"}, "path.volume_ratio", "1.5"},
+      {{.path = "[path]\ngas_amount = [0.5, 2]\n"}, "path.gas_amount", "0.5"},
+      {{.path = "[path]\npressure_Pa = [0, nan]\n"}, "path.pressure_Pa", "nan"},
+      {{.path = "[path]\ngas_amount = [1, 2]\ngas_exponent = 0\n"}, "path.gas_exponent", "0"},
+      {{.path = "[path]\npressure_Pa = [0, 1]\nlargest_step = 1.5\n"}, "path.largest_step", "1.5"},
+      {{.path = "[path]\npressure_Pa = [0, 1]\nfirst_step = 0.75\n"}, "path.first_step", "0.75"},
+      {{.path = "[path]\npressure_Pa = [0, 1]\nstations = [1.5]\n"}, "path.stations", "1.5"},
+      {{.path =
+            "[path]\n[[path.plenum]]\nname = \"a\"\npressure_Pa = [0, 1]\n[[path.plenum]]\nname = \"a\"\npressure_Pa = [0, 1]\n"},
+       "name",
+       "a"},
+      {{.path = "[path]\n[[path.plenum]]\nname = \"a\"\npressure_Pa = [0, 1]\n[[path.plenum]]\nname = \"b\"\npressure_Pa = [0, "
+                "1, 2]\n"},
+       "pressure_Pa",
+       ""},
+      {{.rest = "[solver]\nlinear = \"lu\"\n"}, "solver.linear", "lu"},
+      {{.rest = "[solver]\nforce_tolerance = 0\n"}, "solver.force_tolerance", "0"},
+      {{.rest = "[output]\nfields_every = 0\n"}, "output.fields_every", "0"},
+      {{.rest = "[[output.points]]\nname = \"p\"\nposition_m = [0, 0]\n"}, "position_m", ""},
+      {{.rest = "[[output.points]]\nname = \"p,q\"\nposition_m = [0, 0, 0]\n"}, "name", "p,q"},
+      {{.material = "[material]\nrecord = \"dragon_skin\"\n"}, "material.record", "dragon_skin"},
+      {{.material = "[material]\nrecord = \"dragon_skin_10\"\nlaw = \"gent\"\n"}, "material.law", "gent"},
+      {{.material = "[material]\nrecord = \"dragon_skin_10\"\nlaw = \"yeoh\"\nlaw_variant = 9\n"}, "material.law_variant", "9"},
+      {{.material = material + "record = \"dragon_skin_10\"\n"}, "material.record", "dragon_skin_10"},
+      {{.material = "[material]\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = -1}\n"}, "shear_modulus_Pa", "-1"},
+      {{.material = "[material]\nrecord = \"dragon_skin_10\"\nbulk_modulus_Pa = 0\n"}, "material.bulk_modulus_Pa", "0"},
+      {{.material = "[material]\nrecord = \"dragon_skin_10\"\nvolumetric = \"linear\"\n"}, "material.volumetric", "linear"},
+      {{.body = ""}, "[design]", ""},
+      {{.body = "[mesh]\nfile = \"body.stl\"\n"}, "mesh.file", "body.stl"},
+      {{.body = "[design]\nfile = \"cube.toml\"\nwall = 1\n"}, "design.wall: unknown key", ""},
+      {{.rest = "[mesh]\nfile = \"body.msh\"\n"}, "mesh", ""},
+      {{.rest = "[extra]\n"}, "extra", ""},
+  };
+  for (const Fault& fault : faults) {
+    const std::string message = refusal(fault.text);
+    EXPECT_NE(message.find("study.toml"), std::string::npos) << message;
+    EXPECT_NE(message.find(fault.key), std::string::npos) << fault.key << ": " << message;
+    EXPECT_NE(message.find(fault.value), std::string::npos) << fault.value << ": " << message;
+  }
+}
+
+TEST_F(InflationStudyFile, ReadsTheMotionOfPlatesAtTheKnots) {
+  const InflationStudy study =
+      read({.path = "[path]\npressure_Pa = [0, 1000, 1000]\n[[plates]]\nname = \"tip\"\nside = \"x max\"\n"
+                    "displacement_z_m = [0, 0, 0.001]\nrotation_y_rad = [0, 0, 0.1]\n"
+                    "[[plates]]\nname = \"base\"\nlabel = \"ground\"\n"});
+  ASSERT_EQ(study.plates.size(), 2U);
+  EXPECT_EQ(study.plates[0].side, meshes::Side::x_max);
+  ASSERT_EQ(study.plates[0].drive.values.size(), 3U);
+  EXPECT_EQ(study.plates[0].drive.values[1], PlateMotion{});
+  EXPECT_EQ(study.plates[0].drive.values[2], (PlateMotion{{0.0, 0.0, 0.001}, {0.0, 0.1, 0.0}}));
+  EXPECT_EQ(study.plates[1].label, "ground");
+  EXPECT_EQ(study.plates[1].drive.values, std::vector<PlateMotion>(3));
+  InflationStudy moved = study;
+  moved.plates[0].drive.values[2].displacement_m[2] = 0.002;
+  EXPECT_NE(path_text(moved), path_text(study));
+}
+
+TEST_F(InflationStudyFile, RefusesPlatesThatCannotBe) {
+  const auto plate = [&](const std::string& lines) { return refusal({.rest = "[[plates]]\nname = \"tip\"\n" + lines}); };
+  const auto has = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find("study.toml"), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  has(plate(""), "either side or label");
+  has(plate("side = \"x max\"\nlabel = \"outer\"\n"), "either side or label");
+  has(plate("side = \"x top\"\n"), "side = \"x top\"");
+  has(plate("side = \"x max\"\ndisplacement_x_m = [0, 1, 2]\n"), "one value for each of the 2 knots");
+  has(plate("side = \"x max\"\ndisplacement_x_m = [1, 1]\n"), "must begin with 0");
+  has(plate("side = \"x max\"\ndisplacement_x_mm = [0, 1]\n"), "displacement_x_mm");
+  has(plate("side = \"x max\"\ngrip = \"sliding\"\ndisplacement_y_m = [0, 1e-3]\n"), "along the normal of its side alone");
+  has(plate("label = \"outer\"\ngrip = \"sliding\"\n"), "only the faces of a side slide");
+  has(plate("side = \"x max\"\n[[plates]]\nname = \"tip\"\nside = \"x min\"\n"), "is given twice");
+}
+
+TEST_F(InflationStudyFile, NamesFilesThatAreMissing) {
+  EXPECT_NE(refusal({.body = "[design]\nfile = \"none.toml\"\n"}).find("none.toml"), std::string::npos);
+  EXPECT_NE(refusal({.body = "[mesh]\nfile = \"none.msh\"\n"}).find("none.msh"), std::string::npos);
+  EXPECT_NE(refusal({.material = "[material]\nrecord = \"none.toml\"\n"}).find("none.toml"), std::string::npos);
+}
+
+// A free body is held without force only if nothing else holds or loads it.
+TEST_F(InflationStudyFile, RefusesToHoldOrLoadAFreeBody) {
+  const std::string free = "[supports]\nkind = \"free\"\n";
+  EXPECT_EQ(read({.rest = free}).supports.kind, SupportKind::free);
+  const std::string held = refusal({.rest = free + "[[supports.labels]]\nlabel = \"ground\"\nheld = [\"z\"]\n"});
+  EXPECT_NE(held.find("supports.kind"), std::string::npos) << held;
+  EXPECT_NE(held.find("[[supports.labels]]"), std::string::npos) << held;
+  const std::string gripped = refusal({.rest = free + "[[plates]]\nname = \"tip\"\nside = \"x max\"\n"});
+  EXPECT_NE(gripped.find("[[plates]]"), std::string::npos) << gripped;
+  StudyText heavy{.rest = free + "[loads]\ngravity_m_per_s2 = 9.81\n"};
+  heavy.material += "density_kg_per_m3 = 1070\n";
+  EXPECT_NE(refusal(heavy).find("gravity_m_per_s2"), std::string::npos) << refusal(heavy);
+}
+
+}  // namespace
+}  // namespace menger::fem

@@ -1,0 +1,144 @@
+#include "fem/load_cases/load_case_study.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "fem/load_cases/load_case_study_file.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "materials/laws/law_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::fem {
+namespace {
+
+namespace fs = std::filesystem;
+using materials::LoadCaseKind;
+
+const std::string head =
+    "[material]\nrecord = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n"
+    "[elements]\ndegree = 1\nlargest_element_m = 0.006\ngrowth = 4\n";
+const std::string bar = "cells = [3, 1, 1]\ndigits = \"111\"\n";
+
+class LoadCaseStudyFile : public testing::Test {
+ protected:
+  [[nodiscard]] LoadCaseStudy read(const std::string& text) const {
+    io::write_whole(folder_ / "set.toml", text);
+    return read_load_case_study(folder_ / "set.toml");
+  }
+
+  [[nodiscard]] std::string refusal(const std::string& text) const {
+    try {
+      (void)read(text);
+    } catch (const io::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  const tests::TestFolder folder_;
+};
+
+TEST_F(LoadCaseStudyFile, ReadsCasesWithTheDefaultsOfTheSet) {
+  const LoadCaseStudy study =
+      read(head + "[[case]]\nname = \"twist\"\nkind = \"torsion\"\n" + bar +
+           "pressures_Pa = [2000, -1000]\nangle_rad = [0.5, 0.1]\n"
+           "[[case]]\nname = \"free\"\nkind = \"inflation\"\n" +
+           bar + "level = 2\nchambers = \"per-phase\"\nwall_thickness_m = 0.001\ndegree = 2\nstates = 5\n");
+  ASSERT_EQ(study.cases.size(), 2U);
+  const CaseRequest& twist = study.cases[0];
+  EXPECT_EQ(twist.load_case.kind, LoadCaseKind::torsion);
+  EXPECT_EQ(twist.load_case.pressures_Pa, (std::vector<double>{-1000.0, 2000.0})) << "ascending";
+  EXPECT_EQ(twist.load_case.imposed, (std::vector<double>{0.1, 0.5}));
+  EXPECT_EQ(twist.load_case.cell_edge_m, 0.01);
+  EXPECT_EQ(twist.elements.degree, 1);
+  EXPECT_EQ(twist.elements.largest_element_m, 0.006);
+  const CaseRequest& free = study.cases[1];
+  EXPECT_EQ(free.load_case.level, 2);
+  EXPECT_TRUE(free.load_case.per_phase);
+  EXPECT_EQ(free.load_case.wall_thickness_m, 0.001);
+  EXPECT_EQ(free.elements.degree, 2);
+  EXPECT_EQ(free.state_count, 5);
+  EXPECT_TRUE(free.load_case.pressures_Pa.empty());
+  EXPECT_EQ(study.relative_uncertainty, 0.05);
+  EXPECT_EQ(study.material.silicone, "Dragon Skin 10");
+  EXPECT_EQ(study.inputs.size(), 2U) << "set and record";
+  EXPECT_EQ(materials::law_line(study.material.law), "name = \"neo_hookean\", shear_modulus_Pa = 86677");
+}
+
+TEST_F(LoadCaseStudyFile, TakesABodyFromADesign) {
+  io::write_whole(folder_ / "l.toml", "name = \"l\"\ncell_edge_m = 0.5\nlayers = [[\"11\", \"02\"]]\n");
+  const LoadCaseStudy study = read(head + "[[case]]\nname = \"l\"\nkind = \"modes\"\ndesign = \"l.toml\"\npressures_Pa = [0]\n");
+  EXPECT_EQ(study.cases[0].load_case.cells, (std::array{2, 2, 1}));
+  EXPECT_EQ(study.cases[0].load_case.digits, "1102");
+  EXPECT_EQ(study.cases[0].load_case.cell_edge_m, 0.01) << "that of the set";
+}
+
+TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
+  const auto one = [&](const std::string& lines) { return refusal(head + "[[case]]\nname = \"a\"\n" + lines); };
+  const std::string stretch = "kind = \"stretch\"\n" + bar;
+  const auto has = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find("set.toml"), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  has(refusal(head), "case");
+  has(one("kind = \"pull\"\n" + bar), "kind = \"pull\"");
+  has(one(stretch + "displacement_m = [0.001]\n"), "needs pressures_Pa or pressure_fractions");
+  has(one(stretch + "pressures_Pa = [0]\n"), "displacement_m is missing");
+  has(one(stretch + "pressures_Pa = [0]\ndisplacement_mm = [1]\n"), "displacement_m is missing");
+  has(one(stretch + "pressures_Pa = [0]\ndisplacement_m = [1e-3]\nangle_rad = [1]\n"), "angle_rad");
+  has(one(stretch + "pressures_Pa = [0, 0]\ndisplacement_m = [1e-3]\n"), "must not hold a value twice");
+  has(one(stretch + "pressures_Pa = [0]\npressure_fractions = [0]\ndisplacement_m = [1e-3]\n"), "keep one of them");
+  has(one(stretch + "pressure_fractions = [1.5]\ndisplacement_m = [1e-3]\n"), "pressure_fractions[1] = 1.5");
+  has(one(stretch + "pressures_Pa = [0]\ndisplacement_m = [-0.03]\n"), "leaves nothing of the length");
+  has(one(stretch + "wall_thickness_m = 0.005\npressures_Pa = [0]\ndisplacement_m = [1e-3]\n"), "thinner than half a cell");
+  has(one("kind = \"inflation\"\n" + bar + "design = \"l.toml\"\n"), "keep one of them");
+  const std::string missing = one("kind = \"inflation\"\ndesign = \"missing.toml\"\n");
+  EXPECT_NE(missing.find("missing.toml: cannot be read"), std::string::npos) << missing;
+  has(one("kind = \"inflation\"\n" + bar + "degree = 3\n"), "degree = 3");
+  has(refusal(head + "[[case]]\nname = \"a\"\nkind = \"inflation\"\n" + bar + "[[case]]\nname = \"a\"\nkind = \"inflation\"\n" +
+              bar),
+      "is given twice");
+  has(refusal("relative_uncertainty = 0\n" + head + "[[case]]\nname = \"a\"\nkind = \"inflation\"\n" + bar),
+      "relative_uncertainty = 0");
+  has(refusal(
+          "[material]\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n[[case]]\nname = \"a\"\nkind = \"inflation\"\n" +
+          bar),
+      "needs density_kg_per_m3");
+}
+
+TEST(CaseText, TellsApartWhatAnswersDifferentlyAndNothingElse) {
+  CaseRequest request;
+  request.load_case.kind = LoadCaseKind::stretch;
+  request.load_case.cell_edge_m = 0.01;
+  request.load_case.wall_thickness_m = 0.002;
+  request.load_case.pressures_Pa = {0.0};
+  request.load_case.imposed = {0.001};
+  StudyMaterial material;
+  material.law = materials::NeoHookean{5e4};
+  material.volume = materials::SimoTaylorVolume{2.5e6};
+  const std::string text = case_text(request, material);
+  CaseRequest renamed = request;
+  renamed.load_case.name = "other";
+  EXPECT_EQ(case_text(renamed, material), text);
+  std::vector<CaseRequest> others(7, request);
+  others[0].load_case.kind = LoadCaseKind::shear;
+  others[1].load_case.imposed = {0.0010000000000000002};
+  others[2].load_case.pressures_Pa = {1.0};
+  others[3].load_case.level = 2;
+  others[4].elements.degree = 1;
+  others[5].elements.through_wall = 2;
+  others[6].elements.largest_element_m = 0.003;
+  for (std::size_t n = 0; n < others.size(); ++n) EXPECT_NE(case_text(others[n], material), text) << n;
+  StudyMaterial stiffer = material;
+  stiffer.law = materials::NeoHookean{6e4};
+  EXPECT_NE(case_text(request, stiffer), text);
+  StudyMaterial softer = material;
+  softer.volume = materials::SimoTaylorVolume{2e6};
+  EXPECT_NE(case_text(request, softer), text);
+}
+
+}  // namespace
+}  // namespace menger::fem

@@ -1,0 +1,98 @@
+#include "fem/locomotion/locomotion_material.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "fem/explicit/material_damping.h"
+#include "tests/support/input_error_message.h"
+
+namespace menger::fem {
+namespace {
+
+using tests::message_of;
+
+struct Read {
+  LocomotionMaterial material;
+  std::vector<std::string> notes;
+  std::vector<std::string> files;
+};
+
+Read read(const std::string& keys, DampingModel usual = DampingModel::maxwell) {
+  Read result;
+  result.material = read_locomotion_material(
+      io::parse_toml(keys, "material.toml"), usual,
+      [&](const std::filesystem::path& file) { result.files.push_back(file.filename().string()); }, result.notes);
+  return result;
+}
+
+double shear_modulus_Pa(const Read& read) { return materials::shear_modulus_at_rest_Pa(read.material.law); }
+
+// Every law is linear in its moduli, so that stiffness at rest is a fair witness for all its coefficients but of laws whose other
+// terms vanish there: the record's Yeoh law has three.
+TEST(LocomotionMaterial, StiffensEveryModulusOfALaw) {
+  const materials::HyperelasticLaw yeoh = materials::Yeoh{3e4, -1e2, 4e1};
+  const auto stiff = std::get<materials::Yeoh>(stiffened(yeoh, 2.5));
+  EXPECT_EQ(stiff.c10_Pa, 7.5e4);
+  EXPECT_EQ(stiff.c20_Pa, -2.5e2);
+  EXPECT_EQ(stiff.c30_Pa, 1e2);
+  const materials::HyperelasticLaw gent = materials::Gent{5e4, 12.0};
+  EXPECT_EQ(std::get<materials::Gent>(stiffened(gent, 0.5)).locking_excess, 12.0) << "a stretch is no modulus";
+}
+
+TEST(LocomotionMaterial, TakesTheRecordsLawAndGivesItAYoungsModulus) {
+  const Read plain = read("record = \"dragon_skin_10\"\n");
+  EXPECT_EQ(plain.files, std::vector<std::string>{"dragon_skin_10.toml"});
+  EXPECT_NEAR(plain.material.bulk_modulus_Pa, 50.0 * shear_modulus_Pa(plain), 1e-6);
+  const Read soft = read("record = \"dragon_skin_10\"\nyoungs_modulus_Pa = 107e3\nbulk_modulus_ratio = 100\n");
+  EXPECT_NEAR(3.0 * shear_modulus_Pa(soft), 107e3, 1e-6);
+  EXPECT_NEAR(soft.material.bulk_modulus_Pa, 100.0 * 107e3 / 3.0, 1e-4);
+  const Read twice = read("record = \"dragon_skin_10\"\nmodulus_factor = 2\n");
+  EXPECT_NEAR(shear_modulus_Pa(twice), 2.0 * shear_modulus_Pa(plain), 1e-6);
+}
+
+TEST(LocomotionMaterial, SaysThatDampingIsNotMeasured) {
+  const Read assumed = read("record = \"dragon_skin_10\"\nbulk_modulus_ratio = 50\n");
+  ASSERT_FALSE(assumed.material.is_damping_measured) << "the record has got a measurement: this test needs another one";
+  ASSERT_EQ(assumed.notes.size(), 1U);
+  EXPECT_NE(assumed.notes[0].find("damping is not measured"), std::string::npos);
+  EXPECT_EQ(assumed.material.loss.tan_delta, assumed_silicone_loss().tan_delta);
+}
+
+TEST(LocomotionMaterial, DampsAsTheStudyStates) {
+  const std::string keys =
+      "law = {name = \"neo_hookean\", shear_modulus_Pa = 6e4}\ndensity_kg_per_m3 = 1000\n"
+      "loss_factor = 0.2\nloss_frequency_Hz = 5\n";
+  const Read viscous = read(keys + "damping_model = \"kelvin_voigt\"\n");
+  EXPECT_NEAR(viscous.material.viscosity_Pa_s, 6e4 * 0.2 / (2.0 * std::numbers::pi * 5.0), 1e-9);
+  EXPECT_FALSE(viscous.material.branch.is_there());
+  const Read branched = read(keys + "damping_model = \"maxwell\"\n");
+  EXPECT_EQ(branched.material.branch.shear_modulus_Pa, maxwell_branch(6e4, branched.material.loss).shear_modulus_Pa);
+  EXPECT_EQ(branched.material.viscosity_Pa_s, 0.0);
+  EXPECT_EQ(read(keys, DampingModel::maxwell).material.damping_model, DampingModel::maxwell);
+  EXPECT_EQ(read(keys, DampingModel::kelvin_voigt).material.damping_model, DampingModel::kelvin_voigt);
+  const Read elastic = read(
+      "law = {name = \"neo_hookean\", shear_modulus_Pa = 6e4}\ndensity_kg_per_m3 = 1000\n"
+      "loss_factor = 0\nloss_frequency_Hz = 5\n");
+  EXPECT_EQ(elastic.material.viscosity_Pa_s, 0.0);
+  EXPECT_FALSE(elastic.material.branch.is_there());
+}
+
+TEST(LocomotionMaterial, RefusesWhatIsNoSilicone) {
+  const auto message = [](const std::string& keys) { return message_of([&] { (void)read(keys); }); };
+  const std::string record = "record = \"dragon_skin_10\"\n";
+  EXPECT_NE(message("record = \"cheese\"\n").find("record = \"cheese\""), std::string::npos);
+  EXPECT_NE(message(record + "law = \"hookean\"\n").find("law = \"hookean\": the record has recommended"), std::string::npos);
+  EXPECT_NE(message(record + "law_variant = 2\n").find("one recommended law"), std::string::npos);
+  EXPECT_NE(message(record + "modulus_factor = 2\nyoungs_modulus_Pa = 1e5\n").find("keep one"), std::string::npos);
+  EXPECT_NE(message(record + "loss_factor = 0.1\n").find("loss_frequency_Hz is missing"), std::string::npos);
+  EXPECT_NE(message(record + "damping_model = \"rubber\"\n").find("damping_model = \"rubber\""), std::string::npos);
+  EXPECT_NE(message(record + "bulk_modulus_ratio = 0.5\n").find("bulk_modulus_ratio = 0.5"), std::string::npos);
+  EXPECT_NE(message("law = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n").find("density_kg_per_m3 is missing"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace menger::fem

@@ -1,0 +1,110 @@
+#include "io/picture/picture.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "io/picture/offscreen_display.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+#include "tests/unit/io/picture/picture_contents.h"
+
+namespace menger::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Sets an environment variable for the time of a test.
+class Environment {
+ public:
+  Environment(const char* name, const char* value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    set(value);
+  }
+  ~Environment() { set(before_ ? before_->c_str() : nullptr); }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+ private:
+  void set(const char* value) const {
+    if (value == nullptr) {
+      unsetenv(name_);
+    } else {
+      setenv(name_, value, 1);
+    }
+  }
+
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+/// Whether this process has a child, ended ones that nobody waited for included.
+bool has_children() {
+  siginfo_t child{};
+  return waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0;
+}
+
+/// A picture of one colour.
+void fill_green(vtkRenderWindow& window) {
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.0, 1.0, 0.0);
+  window.AddRenderer(renderer);
+}
+
+class Picture : public testing::Test {
+ protected:
+  const tests::TestFolder scratch_;
+  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
+  fs::path file_ = folder_ / "green.png";
+  PictureStyle small_{.width_px = 32, .height_px = 20};
+};
+
+TEST_F(Picture, HasTheSizeAndTheContentAskedFor) {
+  const PictureOutcome outcome = write_picture(file_, small_, fill_green);
+  if (!outcome.written) GTEST_SKIP() << outcome.missing;
+  const PictureContents picture(file_);
+  EXPECT_EQ(picture.width(), 32);
+  EXPECT_EQ(picture.height(), 20);
+  EXPECT_EQ(picture.count({0, 255, 0}), 32 * 20);
+}
+
+TEST_F(Picture, ADeadDisplayIsNoReasonToAbort) {
+  const Environment display("DISPLAY", ":987");
+  const PictureOutcome outcome = write_picture(file_, small_, fill_green);
+  EXPECT_EQ(outcome.written, fs::exists(file_));
+  EXPECT_NE(outcome.written, !outcome.missing.empty());
+}
+
+TEST_F(Picture, SaysWhatIsMissingWithoutDisplayAndXvfb) {
+  const Environment display("DISPLAY", nullptr);
+  const Environment path("PATH", "/nowhere");
+  const PictureOutcome outcome = write_picture(file_, small_, fill_green);
+  EXPECT_FALSE(outcome.written);
+  EXPECT_NE(outcome.missing.find("xvfb"), std::string::npos) << outcome.missing;
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Picture, LeavesNoServerBehind) {
+  const Environment display("DISPLAY", nullptr);
+  {
+    const OffscreenDisplay virtual_display;
+    if (!virtual_display.available()) GTEST_SKIP() << virtual_display.missing();
+    EXPECT_TRUE(has_children());
+  }
+  EXPECT_FALSE(has_children());
+}
+
+TEST_F(Picture, APlaceUnderAFileIsRefused) {
+  write_whole(folder_ / "file", "text");
+  EXPECT_THROW(static_cast<void>(write_picture(folder_ / "file/green.png", small_, fill_green)), InputError);
+}
+
+}  // namespace
+}  // namespace menger::io

@@ -1,0 +1,60 @@
+#include "io/text/manifest.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "io/text/content_hash.h"
+#include "io/text/input_error.h"
+#include "io/text/version.h"
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Manifest, HoldsWhatMadeTheResults) {
+  const tests::TestFolder folder;
+  write_whole(folder / "scene.toml", "a = 1\n");
+  Manifest manifest{.program = "menger-simulate",
+                    .parameters = "a = 1\nb = \"x\"\n",
+                    .seed = 18446744073709551615U,
+                    .seconds = 1.5,
+                    .inputs = {}};
+  add_input(manifest, folder / "scene.toml");
+  write_manifest(folder, manifest);
+  const auto json = nlohmann::json::parse(read_whole(folder / "manifest.json"));
+  EXPECT_EQ(json.at("program"), "menger-simulate");
+  EXPECT_EQ(json.at("version"), std::string(version()));
+  EXPECT_EQ(json.at("parameters"), "a = 1\nb = \"x\"\n");
+  EXPECT_EQ(json.at("seed").get<std::uint64_t>(), 18446744073709551615U);
+  EXPECT_EQ(json.at("seconds"), 1.5);
+  EXPECT_EQ(json.at("inputs_sha256").at((folder / "scene.toml").string()), content_hash("a = 1\n"));
+}
+
+TEST(Manifest, LeavesOutASeedThatDoesNotExist) { EXPECT_FALSE(nlohmann::json::parse(manifest_text({})).contains("seed")); }
+
+TEST(Manifest, SurvivesBytesThatAreNoUtf8) {
+  const Manifest manifest{.program = "p", .parameters = "\xff", .seed = {}, .seconds = 0.0, .inputs = {}};
+  EXPECT_TRUE(nlohmann::json::accept(manifest_text(manifest)));
+}
+
+TEST(Manifest, RefusesAMissingInput) {
+  const tests::TestFolder folder;
+  Manifest manifest;
+  EXPECT_THROW(add_input(manifest, folder / "absent.toml"), InputError);
+  EXPECT_TRUE(manifest.inputs.empty());
+}
+
+TEST(Version, IsThreeNumbers) {
+  int major = 0;
+  int minor = 0;
+  int patch = 0;
+  EXPECT_EQ(std::sscanf(std::string(version()).c_str(), "%d.%d.%d", &major, &minor, &patch), 3);
+}
+
+}  // namespace
+}  // namespace menger::io

@@ -1,0 +1,252 @@
+#include "io/text/toml_document.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+TomlTable parsed(std::string_view text) { return parse_toml(text, "folder/study.toml"); }
+
+template <class Action>
+std::string message(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// The message with which reading `text` by `read` is refused.
+template <class Read>
+std::string refusal(std::string_view text, const Read& read) {
+  const TomlTable table = parsed(text);
+  return message([&] { (void)read(table); });
+}
+
+enum class Colour { red, green };
+const Words<Colour> colours{{"red", Colour::red}, {"green", Colour::green}};
+
+TEST(TomlTable, ReadsEveryKindOfValue) {
+  const TomlTable table = parsed(R"(
+number = 0.5
+integer = 7
+truth = true
+text = "a"
+numbers = [1, 2.5]
+texts = ["a", "b"]
+rows = [["a"], ["b", "c"]]
+colour = "green"
+[inner]
+value = 1
+[[item]]
+id = 1
+[[item]]
+id = 2
+)");
+  EXPECT_EQ(table.number("number"), 0.5);
+  EXPECT_EQ(table.number("integer"), 7.0) << "an integer where a number is asked for";
+  EXPECT_EQ(table.integer("integer"), 7);
+  EXPECT_TRUE(table.boolean("truth"));
+  EXPECT_EQ(table.text("text"), "a");
+  EXPECT_EQ(table.numbers("numbers"), (std::vector<double>{1.0, 2.5}));
+  EXPECT_EQ(table.texts("texts"), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(table.text_rows("rows"), (std::vector<std::vector<std::string>>{{"a"}, {"b", "c"}}));
+  EXPECT_EQ(table.word("colour", colours), Colour::green);
+  EXPECT_EQ(table.table("inner").integer("value"), 1);
+  const std::vector<TomlTable> items = table.tables("item");
+  ASSERT_EQ(items.size(), 2U);
+  EXPECT_EQ(items[0].integer("id"), 1);
+  EXPECT_EQ(items[1].integer("id"), 2);
+  EXPECT_NO_THROW(table.finish());
+}
+
+TEST(TomlTable, FallsBackWhereAKeyIsMissing) {
+  const TomlTable table = parsed("");
+  EXPECT_EQ(table.number_or("a", 1.5), 1.5);
+  EXPECT_EQ(table.optional_number("a"), std::nullopt);
+  EXPECT_EQ(table.integer_or("a", 3), 3);
+  EXPECT_TRUE(table.boolean_or("a", true));
+  EXPECT_EQ(table.text_or("a", "b"), "b");
+  EXPECT_EQ(table.word_or("a", Colour::red, colours), Colour::red);
+  EXPECT_EQ(table.optional_path("a"), std::nullopt);
+  EXPECT_FALSE(table.optional_table("a").has_value());
+  EXPECT_TRUE(table.optional_tables("a").empty());
+  EXPECT_FALSE(table.has("a"));
+}
+
+TEST(TomlTable, PrefersTheFileToTheFallback) {
+  const TomlTable table = parsed("n = 2\ni = 4\nb = false\nt = \"x\"\nw = \"green\"\n");
+  EXPECT_EQ(table.number_or("n", 1.5), 2.0);
+  EXPECT_EQ(table.integer_or("i", 3), 4);
+  EXPECT_FALSE(table.boolean_or("b", true));
+  EXPECT_EQ(table.text_or("t", "b"), "x");
+  EXPECT_EQ(table.word_or("w", Colour::red, colours), Colour::green);
+}
+
+TEST(TomlTable, NamesFileLineKeyAndValueOutsideTheRange) {
+  EXPECT_EQ(refusal("[physics]\n\nyoungs_modulus_Pa = -3\n",
+                    [](const TomlTable& t) { return t.table("physics").number("youngs_modulus_Pa", positive()); }),
+            "folder/study.toml:3: physics.youngs_modulus_Pa = -3: must be > 0");
+  EXPECT_EQ(refusal("a = 1.5", [](const TomlTable& t) { return t.number_or("a", 0.5, within(0, 1)); }),
+            "folder/study.toml:1: a = 1.5: must be in [0, 1]");
+  EXPECT_EQ(refusal("a = -1", [](const TomlTable& t) { return t.integer("a", non_negative()); }),
+            "folder/study.toml:1: a = -1: must be >= 0");
+  EXPECT_EQ(refusal("a = [1, -1]", [](const TomlTable& t) { return t.numbers("a", positive()); }),
+            "folder/study.toml:1: a[2] = -1: must be > 0");
+}
+
+TEST(TomlTable, NamesAMissingKey) {
+  EXPECT_EQ(refusal("\n[physics]\n", [](const TomlTable& t) { return t.table("physics").number("density_kg_m3"); }),
+            "folder/study.toml:2: physics.density_kg_m3 is missing: a number is needed");
+  EXPECT_NE(refusal("", [](const TomlTable& t) { return t.table("physics"); }).find("physics is missing: a table is needed"),
+            std::string::npos);
+}
+
+TEST(TomlTable, RefusesAWrongType) {
+  const auto wrong = [](std::string_view value, const auto& read) {
+    const std::string text = refusal("a = " + std::string(value), read);
+    const std::string start = "folder/study.toml:1: a";
+    return text.substr(0, start.size()) == start ? text.substr(start.size()) : text;
+  };
+  EXPECT_EQ(wrong("\"1\"", [](const TomlTable& t) { return t.number("a"); }), " = \"1\": must be a number");
+  EXPECT_EQ(wrong("true", [](const TomlTable& t) { return t.number("a"); }), " = true: must be a number");
+  EXPECT_EQ(wrong("1.0", [](const TomlTable& t) { return t.integer("a"); }), " = 1.0: must be an integer");
+  EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.boolean("a"); }), " = 1: must be true or false");
+  EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.text("a"); }), " = 1: must be a string");
+  EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.path("a"); }), " = 1: must be a string");
+  EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.numbers("a"); }), " = 1: must be an array of numbers");
+  EXPECT_EQ(wrong("[1, \"2\"]", [](const TomlTable& t) { return t.numbers("a"); }), "[2] = \"2\": must be a number");
+  EXPECT_EQ(wrong("[1]", [](const TomlTable& t) { return t.texts("a"); }), "[1] = 1: must be a string");
+  EXPECT_EQ(wrong("[\"1\"]", [](const TomlTable& t) { return t.text_rows("a"); }), "[1] = \"1\": must be an array of strings");
+  EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.table("a"); }), " = 1: must be a table");
+  EXPECT_EQ(wrong("[1]", [](const TomlTable& t) { return t.tables("a"); }), "[1] = 1: must be a table");
+  EXPECT_EQ(wrong("{}", [](const TomlTable& t) { return t.tables("a"); }), " = {...}: must be an array of tables");
+  EXPECT_EQ(wrong("[]", [](const TomlTable& t) { return t.tables("a"); }), " = [...]: needs at least one table");
+}
+
+TEST(TomlTable, RefusesNanAndInfinity) {
+  EXPECT_EQ(refusal("a = nan", [](const TomlTable& t) { return t.number("a"); }),
+            "folder/study.toml:1: a = nan: must be a finite number");
+  EXPECT_EQ(refusal("a = -inf", [](const TomlTable& t) { return t.number("a"); }),
+            "folder/study.toml:1: a = -inf: must be a finite number");
+  EXPECT_EQ(refusal("a = [inf]", [](const TomlTable& t) { return t.numbers("a"); }),
+            "folder/study.toml:1: a[1] = inf: must be a finite number");
+}
+
+TEST(TomlTable, RefusesIntegersThatDoNotFitTheirType) {
+  EXPECT_EQ(refusal("a = 2147483648", [](const TomlTable& t) { return t.integer("a"); }),
+            "folder/study.toml:1: a = 2147483648: must be at most 2147483647");
+  EXPECT_EQ(refusal("a = -1", [](const TomlTable& t) { return t.integer<std::uint64_t>("a"); }),
+            "folder/study.toml:1: a = -1: must be at least 0");
+  EXPECT_EQ(parsed("a = 9223372036854775807").integer<std::uint64_t>("a"), 9223372036854775807U);
+  EXPECT_EQ(parsed("a = -9223372036854775808").integer<std::int64_t>("a"), INT64_MIN);
+}
+
+TEST(TomlTable, ListsTheAllowedWords) {
+  EXPECT_EQ(refusal("a = \"blue\"", [](const TomlTable& t) { return t.word("a", colours); }),
+            "folder/study.toml:1: a = \"blue\": must be \"red\" | \"green\"");
+  EXPECT_EQ(refusal("a = 1", [](const TomlTable& t) { return t.word_or("a", Colour::red, colours); }),
+            "folder/study.toml:1: a = 1: must be \"red\" | \"green\"");
+  EXPECT_NE(
+      refusal("", [](const TomlTable& t) { return t.word("a", colours); }).find("a is missing: \"red\" | \"green\" is needed"),
+      std::string::npos);
+}
+
+TEST(TomlTable, ReportsEveryKeyNeverAskedFor) {
+  const TomlTable table = parsed("duration_S = 5\nextra = 1\n[inner]\nodd = 2\n[[item]]\nid = 1\nodd = 3\n[unread]\nx = 1\n");
+  (void)table.number_or("duration_s", 1.0);
+  (void)table.table("inner");
+  (void)table.tables("item")[0].integer("id");
+  EXPECT_EQ(message([&] { table.finish(); }),
+            "folder/study.toml:1: duration_S: unknown key, did you mean duration_s?\n"
+            "folder/study.toml:2: extra: unknown key\n"
+            "folder/study.toml:8: unread: unknown key\n"
+            "folder/study.toml:4: inner.odd: unknown key\n"
+            "folder/study.toml:7: item[1].odd: unknown key");
+}
+
+TEST(TomlTable, SuggestsOptionalKeysToo) {
+  const TomlTable table = parsed("levl = 1\ncolor = \"red\"\n");
+  (void)table.integer_or("level", 1);
+  (void)table.word_or("colour", Colour::red, colours);
+  EXPECT_EQ(message([&] { table.finish(); }),
+            "folder/study.toml:2: color: unknown key, did you mean colour?\n"
+            "folder/study.toml:1: levl: unknown key, did you mean level?");
+}
+
+TEST(TomlTable, AddsUpWhatTwoHandlesOfOneTableAsked) {
+  const TomlTable table = parsed("[inner]\na = 1\nb = 2\n");
+  (void)table.table("inner").integer("a");
+  EXPECT_THROW(table.finish(), InputError);
+  (void)table.table("inner").integer("b");
+  EXPECT_NO_THROW(table.finish());
+}
+
+TEST(TomlTable, LookingWhetherAKeyExistsDoesNotExcuseIt) {
+  const TomlTable table = parsed("a = 1");
+  EXPECT_TRUE(table.has("a"));
+  EXPECT_THROW(table.finish(), InputError);
+}
+
+TEST(TomlTable, OutlivesTheTableItCameFrom) {
+  const TomlTable inner = parsed("[inner]\na = 1\n").table("inner");
+  EXPECT_EQ(inner.integer("a"), 1);
+}
+
+TEST(TomlTable, CountsRelativePathsFromItsOwnFolder) {
+  EXPECT_EQ(parsed("a = \"../designs/l.toml\"").path("a"), fs::path("designs/l.toml"));
+  EXPECT_EQ(parsed("a = \"/designs/l.toml\"").path("a"), fs::path("/designs/l.toml"));
+  EXPECT_EQ(parse_toml("a = \"l.toml\"", "study.toml").path("a"), fs::path("l.toml"));
+  EXPECT_EQ(refusal("a = \"\"", [](const TomlTable& t) { return t.path("a"); }),
+            "folder/study.toml:1: a = \"\": must name a file");
+}
+
+TEST(TomlTable, LetsItsReaderBlameAValueOrAnEntry) {
+  const TomlTable table = parsed("[t]\na = 3\nb = [[\"x\"],\n[\"y\", \"z\"]]\n").table("t");
+  EXPECT_STREQ(table.error("a", "must be even").what(), "folder/study.toml:2: t.a = 3: must be even");
+  EXPECT_STREQ(table.error("b", "odd", std::array<std::size_t, 2>{1, 1}).what(), "folder/study.toml:4: t.b[2][2] = \"z\": odd");
+  EXPECT_STREQ(table.error("c", "is needed with a").what(), "folder/study.toml:1: t.c: is needed with a");
+}
+
+TEST(TomlFile, NamesTheLineOfASyntaxError) {
+  const std::string text = message([] { (void)parsed("a = 1\nb = = 2\n"); });
+  EXPECT_EQ(text.rfind("folder/study.toml:2: not TOML: ", 0), 0U) << text;
+}
+
+TEST(TomlFile, RefusesAKeyWrittenTwice) {
+  const std::string text = message([] { (void)parsed("a = 1\na = 2\n"); });
+  EXPECT_EQ(text.rfind("folder/study.toml:2: not TOML: ", 0), 0U) << text;
+}
+
+TEST(TomlFile, NamesAMissingFileAndAFolder) {
+  EXPECT_EQ(message([] { (void)read_toml("/nowhere/absent.toml"); }),
+            "/nowhere/absent.toml: cannot be read: No such file or directory");
+  EXPECT_EQ(message([] { (void)read_toml("/proc"); }), "/proc: cannot be read: it is a folder");
+}
+
+TEST(TomlFile, IsReadFromDisk) {
+  const tests::TestFolder folder;
+  const fs::path file = folder / "study.toml";
+  write_whole(file, "a = 1\n");
+  const TomlTable table = read_toml(file);
+  EXPECT_EQ(table.integer("a"), 1);
+  EXPECT_EQ(table.file(), file);
+}
+
+TEST(TomlText, IsQuotedSoThatItReadsBack) {
+  for (const std::string text : {"plain", "a \"b\" \\ c", "line\nbreak\ttab", "'", "", "näme"}) {
+    EXPECT_EQ(parsed("a = " + toml_quoted(text)).text("a"), text);
+  }
+}
+
+}  // namespace
+}  // namespace menger::io

@@ -1,0 +1,137 @@
+#include "io/text/whole_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "io/text/input_error.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WholeFile : public testing::Test {
+ protected:
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  template <class Action>
+  static std::string message(const Action& action) {
+    try {
+      action();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  const tests::TestFolder folder_;
+};
+
+TEST_F(WholeFile, HoldsExactlyTheBytesAndNothingElseIsLeft) {
+  const std::string content("a\r\n\0b", 5);
+  write_whole(folder_ / "a.txt", content);
+  EXPECT_EQ(read_whole(folder_ / "a.txt"), content);
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(WholeFile, MayBeEmpty) {
+  write_whole(folder_ / "a.txt", "");
+  EXPECT_EQ(read_whole(folder_ / "a.txt"), "");
+}
+
+TEST_F(WholeFile, ReplacesAnOlderOne) {
+  write_whole(folder_ / "a.txt", "old and longer");
+  write_whole(folder_ / "a.txt", "new");
+  EXPECT_EQ(read_whole(folder_ / "a.txt"), "new");
+}
+
+TEST_F(WholeFile, IsRemovedIfItIsThere) {
+  write_whole(folder_ / "a.txt", "x");
+  remove_if_there(folder_ / "a.txt");
+  EXPECT_EQ(files(), 0U);
+  remove_if_there(folder_ / "a.txt");
+  write_whole(folder_ / "b/a.txt", "x");
+  EXPECT_EQ(message([&] { remove_if_there(folder_ / "b"); }).find((folder_ / "b").string() + ": cannot be removed"), 0U)
+      << "a folder that holds something";
+}
+
+TEST_F(WholeFile, MakesItsFolder) {
+  write_whole(folder_ / "b/c/a.txt", "x");
+  EXPECT_EQ(read_whole(folder_ / "b/c/a.txt"), "x");
+}
+
+TEST_F(WholeFile, AppearsUnderItsNameOnlyOnCommit) {
+  write_whole(folder_ / "a.vtu", "old");
+  PendingFile pending(folder_ / "a.vtu");
+  EXPECT_EQ(pending.temporary().parent_path(), folder_.path());
+  EXPECT_EQ(pending.temporary().extension(), ".vtu");
+  std::ofstream(pending.temporary()) << "new";
+  EXPECT_EQ(read_whole(folder_ / "a.vtu"), "old");
+  pending.commit();
+  EXPECT_EQ(read_whole(folder_ / "a.vtu"), "new");
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(WholeFile, LeavesTheOldOneAndNoRestWithoutCommit) {
+  write_whole(folder_ / "a.txt", "old");
+  {
+    const PendingFile pending(folder_ / "a.txt");
+    std::ofstream(pending.temporary()) << "half";
+  }
+  EXPECT_EQ(read_whole(folder_ / "a.txt"), "old");
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(WholeFile, HasATemporaryNameOfItsOwn) {
+  const PendingFile first(folder_ / "a.txt");
+  const PendingFile second(folder_ / "a.txt");
+  EXPECT_NE(first.temporary(), second.temporary());
+}
+
+TEST_F(WholeFile, CannotBeCommittedUnwritten) {
+  PendingFile pending(folder_ / "a.txt");
+  EXPECT_THROW(pending.commit(), InputError);
+  EXPECT_FALSE(fs::exists(folder_ / "a.txt"));
+}
+
+TEST_F(WholeFile, CannotStandBelowAFile) {
+  write_whole(folder_ / "file", "old");
+  const std::string below = message([&] { write_whole(folder_ / "file/sub/a.txt", "x"); });
+  EXPECT_EQ(below, (folder_ / "file/sub").string() + ": cannot be made a folder: Not a directory");
+  EXPECT_EQ(read_whole(folder_ / "file"), "old");
+}
+
+TEST_F(WholeFile, CannotReplaceAFolder) {
+  fs::create_directory(folder_ / "a");
+  EXPECT_EQ(message([&] { write_whole(folder_ / "a", "x"); }), (folder_ / "a").string() + ": cannot be written: it is a folder");
+}
+
+TEST_F(WholeFile, CannotBeWrittenWhereTheSystemForbidsFilesEvenToRoot) {
+  EXPECT_THROW(write_whole("/proc/self/a.txt", "x"), InputError);
+}
+
+TEST_F(WholeFile, FolderThatIsAFileIsReported) {
+  write_whole(folder_ / "file", "old");
+  EXPECT_EQ(message([&] { require_writable_folder(folder_ / "file"); }),
+            (folder_ / "file").string() + ": cannot be made a folder: Not a directory");
+  EXPECT_NE(message([&] { require_writable_folder(folder_ / "file/sub"); }).find("cannot be made a folder"), std::string::npos);
+}
+
+TEST_F(WholeFile, FolderIsMadeWithItsParents) {
+  require_writable_folder(folder_ / "a/b/c");
+  EXPECT_TRUE(fs::is_directory(folder_ / "a/b/c"));
+  EXPECT_NO_THROW(require_writable_folder(folder_ / "a/b/c"));
+}
+
+TEST_F(WholeFile, ReadingNamesWhatIsMissingOrAFolder) {
+  EXPECT_EQ(message([&] { (void)read_whole(folder_ / "absent"); }),
+            (folder_ / "absent").string() + ": cannot be read: No such file or directory");
+  EXPECT_EQ(message([&] { (void)read_whole(folder_); }), folder_.path().string() + ": cannot be read: it is a folder");
+}
+
+}  // namespace
+}  // namespace menger::io

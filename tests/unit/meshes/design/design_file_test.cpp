@@ -1,0 +1,140 @@
+#include "meshes/design/design_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "meshes/design/connectivity.h"
+#include "meshes/design/reference_shapes.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::meshes {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The message with which a design of this text is refused, without the folder; "" if it is accepted.
+std::string refusal(const std::string& text) {
+  const tests::TestFolder folder;
+  const fs::path file = folder / "design.toml";
+  io::write_whole(file, text);
+  try {
+    (void)read_design(file);
+  } catch (const io::InputError& error) {
+    const std::string message = error.what();
+    const std::string start = folder.path().string() + "/";
+    return message.rfind(start, 0) == 0 ? message.substr(start.size()) : message;
+  }
+  return {};
+}
+
+/// The same for a well-formed file with the given layers on line 3.
+std::string refusal_of_layers(const std::string& layers) {
+  return refusal("name = \"a\"\ncell_edge_m = 0.01\nlayers = " + layers + "\n");
+}
+
+std::string place(int line) { return "design.toml:" + std::to_string(line) + ": "; }
+
+TEST(DesignFile, ReadsLayersFromTheGroundUpAndRowsAlongX) {
+  const tests::TestFolder folder;
+  const fs::path file = folder / "corner.toml";
+  io::write_whole(file, "name = \"corner\"\ncell_edge_m = 0.02\nlayers = [[\"12\", \"00\", \"01\"], [\"00\", \"20\", \"00\"]]\n");
+  const Design design = read_design(file);
+  EXPECT_EQ(design.name, "corner");
+  EXPECT_EQ(design.cell_edge_m, 0.02);
+  EXPECT_EQ(design.body, Polycube::from_digits(2, 3, 2, "120001002000"));
+}
+
+TEST(DesignFile, ReadsBackWhatItWrote) {
+  const Design design{
+      .name = "a \"quoted\" näme \\ \n", .body = Polycube::from_digits(3, 2, 2, "012210100002"), .cell_edge_m = 0.1 / 3};
+  const tests::TestFolder folder;
+  const fs::path file = folder / "design.toml";
+  write_design(file, design);
+  EXPECT_EQ(read_design(file), design);
+}
+
+TEST(DesignFile, WritesExactlyTheReadyDesigns) {
+  for (const auto& entry : fs::directory_iterator(fs::path(MENGER_SOURCE_DIR) / "meshes/designs")) {
+    EXPECT_EQ(design_text(read_design(entry.path())), io::read_whole(entry.path())) << entry.path();
+  }
+}
+
+TEST(DesignFile, ReadyDesignsAreConnectedAndHaveTheirKnownCellCounts) {
+  const std::map<std::string, std::size_t> counts{{"menger", 20},  {"plane", 9}, {"quadruped", 13}, {"l", 5},
+                                                  {"stand18", 18}, {"bar3", 3},  {"full_cube", 27}};
+  for (const auto& [name, count] : counts) {
+    const Design design = read_design(fs::path(MENGER_SOURCE_DIR) / "meshes/designs" / (name + ".toml"));
+    EXPECT_EQ(design.name, name);
+    EXPECT_EQ(design.cell_edge_m, 0.01);
+    EXPECT_EQ(design.body.count(), count) << name;
+    EXPECT_TRUE(is_connected(design.body)) << name;
+  }
+}
+
+TEST(DesignFile, ReadyMengerIsTheMengerSponge) {
+  EXPECT_EQ(read_design(fs::path(MENGER_SOURCE_DIR) / "meshes/designs/menger.toml").body, menger_sponge());
+}
+
+TEST(DesignFile, RefusesAnUnknownKey) {
+  EXPECT_EQ(refusal("name = \"a\"\ncell_edge_m = 0.01\ncell_edge_mm = 10\nlayers = [[\"1\"]]\n"),
+            place(3) + "cell_edge_mm: unknown key, did you mean cell_edge_m?");
+}
+
+TEST(DesignFile, RefusesACellEdgeThatIsNotPositive) {
+  EXPECT_EQ(refusal("name = \"a\"\ncell_edge_m = 0\nlayers = [[\"1\"]]\n"), place(2) + "cell_edge_m = 0: must be > 0");
+  EXPECT_EQ(refusal("name = \"a\"\ncell_edge_m = -0.01\nlayers = [[\"1\"]]\n"), place(2) + "cell_edge_m = -0.01: must be > 0");
+}
+
+TEST(DesignFile, RefusesDigitsThatAreNoMaterial) {
+  EXPECT_EQ(refusal_of_layers("[[\"10\",\n\"13\"]]"), place(4) + "layers[1][2] = \"13\": must hold only 0, 1 and 2");
+  EXPECT_EQ(refusal_of_layers("[[\"1x\"]]"), place(3) + "layers[1][1] = \"1x\": must hold only 0, 1 and 2");
+}
+
+TEST(DesignFile, RefusesRaggedRowsAndLayers) {
+  EXPECT_EQ(refusal_of_layers("[[\"10\"],\n[\"1\"]]"),
+            place(4) + "layers[2][1] = \"1\": must have 2 digits as the first row has");
+  EXPECT_EQ(refusal_of_layers("[[\"10\"],\n[\"10\", \"10\"]]"),
+            place(4) + "layers[2] = [...]: has 2 rows where the first layer has 1");
+}
+
+TEST(DesignFile, RefusesAnEmptyDesign) {
+  EXPECT_EQ(refusal_of_layers("[[\"00\"]]"), place(3) + "layers = [...]: the body is empty: at least one digit must be 1 or 2");
+  for (const char* layers : {"[]", "[[]]", "[[\"\"]]"}) {
+    EXPECT_EQ(refusal_of_layers(layers), place(3) + "layers = [...]: must hold at least one cell") << layers;
+  }
+}
+
+TEST(DesignFile, RefusesAnAbsurdSize) {
+  EXPECT_EQ(refusal_of_layers("[[\"" + std::string(1001, '1') + "\"]]"),
+            place(3) + "layers = [...]: must not have more than 1000 cells along an axis");
+}
+
+TEST(DesignFile, RefusesMissingKeysAndWrongTypes) {
+  EXPECT_NE(refusal("cell_edge_m = 0.01\nlayers = [[\"1\"]]\n").find("name is missing"), std::string::npos);
+  EXPECT_NE(refusal("name = \"a\"\nlayers = [[\"1\"]]\n").find("cell_edge_m is missing"), std::string::npos);
+  EXPECT_NE(refusal("name = \"a\"\ncell_edge_m = 0.01\n").find("layers is missing"), std::string::npos);
+  EXPECT_EQ(refusal_of_layers("[[1]]"), place(3) + "layers[1][1] = 1: must be a string");
+  EXPECT_EQ(refusal_of_layers("[\"1\"]"), place(3) + "layers[1] = \"1\": must be an array of strings");
+}
+
+TEST(DesignFile, NamesAMissingFile) {
+  const tests::TestFolder folder;
+  EXPECT_THROW((void)read_design(folder / "absent.toml"), io::InputError);
+}
+
+TEST(DesignFile, LeavesTheOldFileWhereAPlaceCannotBeWritten) {
+  const tests::TestFolder folder;
+  const fs::path file = folder / "design.toml";
+  io::write_whole(file, "old");
+  const Design design{.name = "a", .body = full_cube(1), .cell_edge_m = 0.01};
+  EXPECT_THROW(write_design(file / "below_a_file.toml", design), io::InputError);
+  EXPECT_EQ(io::read_whole(file), "old");
+}
+
+}  // namespace
+}  // namespace menger::meshes

@@ -1,0 +1,256 @@
+#include "meshes/hexahedra/hollow_polycube.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "io/text/input_error.h"
+#include "meshes/design/fractal.h"
+#include "meshes/design/reference_shapes.h"
+#include "meshes/hexahedra/boundary_labels.h"
+#include "meshes/hexahedra/chamber_surface.h"
+#include "tests/unit/meshes/hexahedra/mesh_checks.h"
+
+namespace menger::meshes {
+namespace {
+
+/// Rounding of a sum of some thousand volumes of like size.
+constexpr double volume_tolerance = 1e-12;
+
+Design stand18() { return {"stand18", Polycube::from_digits(3, 3, 3, "101000101111111111011111000"), 0.01}; }
+
+/// A chamber-by-chamber count of small cubes, straight from the definition: a cube belongs to the chamber of its region if no
+/// cube within t of it (in the max norm) lies outside its module and none within t / 2 in another region of it.
+class CubeCount {
+ public:
+  /// @param cell_cubes cubes along the edge of a cell @param wall_cubes along the wall thickness, even
+  CubeCount(const Polycube& basal, int level, bool per_phase, int cell_cubes, int wall_cubes)
+      : basal_(basal), cells_(fractal(basal, level)), per_phase_(per_phase), cell_cubes_(cell_cubes), wall_cubes_(wall_cubes) {
+    for (int z = 0; z < cells_.nz() * cell_cubes; ++z) {
+      for (int y = 0; y < cells_.ny() * cell_cubes; ++y) {
+        for (int x = 0; x < cells_.nx() * cell_cubes; ++x) {
+          if (cells_.at({x / cell_cubes, y / cell_cubes, z / cell_cubes}) == empty) continue;
+          ++(is_chamber(x, y, z) ? chamber : wall);
+        }
+      }
+    }
+  }
+
+  std::size_t chamber = 0;
+  std::size_t wall = 0;
+
+ private:
+  /// Module and, per phase, material of a cube; nothing outside. Enough to tell regions that touch apart.
+  [[nodiscard]] std::vector<int> part(int x, int y, int z) const {
+    const CellIndex cell{static_cast<int>(std::floor(static_cast<double>(x) / cell_cubes_)),
+                         static_cast<int>(std::floor(static_cast<double>(y) / cell_cubes_)),
+                         static_cast<int>(std::floor(static_cast<double>(z) / cell_cubes_))};
+    if (cells_.at_or_empty(cell) == empty) return {};
+    return {cell.x / basal_.nx(), cell.y / basal_.ny(), cell.z / basal_.nz(), per_phase_ ? cells_.at(cell) : 0};
+  }
+
+  [[nodiscard]] bool is_chamber(int x, int y, int z) const {
+    const std::vector<int> own = part(x, y, z);
+    for (int k = -wall_cubes_; k <= wall_cubes_; ++k) {
+      for (int j = -wall_cubes_; j <= wall_cubes_; ++j) {
+        for (int i = -wall_cubes_; i <= wall_cubes_; ++i) {
+          const std::vector<int> other = part(x + i, y + j, z + k);
+          if (other == own) continue;
+          const bool same_module = !other.empty() && std::equal(own.begin(), own.begin() + 3, other.begin());
+          if (!same_module || 2 * std::max({std::abs(i), std::abs(j), std::abs(k)}) <= wall_cubes_) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  const Polycube& basal_;
+  Polycube cells_;
+  bool per_phase_;
+  int cell_cubes_;
+  int wall_cubes_;
+};
+
+void expect_volumes(const HollowBody& body) {
+  EXPECT_NEAR(solid_volume(body.mesh), body.wall_volume_m3, volume_tolerance * body.wall_volume_m3);
+  ASSERT_EQ(body.chambers.size(), body.mesh.chambers.size());
+  for (std::size_t chamber = 0; chamber < body.chambers.size(); ++chamber) {
+    // A surface integral cancels: its terms are as large as area times the distance from the origin.
+    EXPECT_NEAR(enclosed_volume(body.mesh, body.mesh.chambers[chamber]), body.chambers[chamber].volume_m3,
+                1e-11 * body.chambers[chamber].volume_m3);
+  }
+}
+
+TEST(HollowPolycube, ReproducesTheHollowCubeOfOthers) {
+  HollowBodyOptions options;
+  for (const auto& [n, elements, points] : {std::tuple<int, std::size_t, std::size_t>{1, 488, 988}, {2, 3904, 5886}}) {
+    options.elements_through_wall = n;
+    const HollowBody body = hollow_polycube(hollow_cube_design(0.02), options);
+    EXPECT_EQ(body.mesh.elements.size(), elements);
+    EXPECT_EQ(body.mesh.points.size(), points);
+    for (std::size_t element = 0; element < elements; ++element) {
+      const auto [shortest, longest] = edge_range(corner_points(body.mesh, element));
+      ASSERT_NEAR(shortest, 0.002 / n, 1e-17);
+      ASSERT_NEAR(longest, 0.002 / n, 1e-17);
+    }
+    EXPECT_NEAR(body.chambers[0].volume_m3, std::pow(0.016, 3), 1e-20);
+    EXPECT_NEAR(body.wall_volume_m3, std::pow(0.02, 3) - std::pow(0.016, 3), 1e-20);
+    expect_sound(body.mesh);
+    expect_volumes(body);
+    EXPECT_NO_THROW(require_closed_chambers(body.mesh, "cube"));
+  }
+}
+
+TEST(HollowPolycube, IsTheSameForOneLargeCellAndEightSmallOnes) {
+  const HollowBody one = hollow_polycube(hollow_cube_design(0.02), {});
+  const HollowBody eight = hollow_polycube({"eight", full_cube(2), 0.01}, {});
+  EXPECT_EQ(one.mesh.elements, eight.mesh.elements);
+  ASSERT_EQ(one.mesh.points.size(), eight.mesh.points.size());
+  for (std::size_t i = 0; i < one.mesh.points.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(one.mesh.points[i][axis], eight.mesh.points[i][axis], 1e-17);
+  }
+}
+
+TEST(HollowPolycube, VolumesAreThoseOfAnIndependentCount) {
+  const std::vector<Polycube> bodies{bar(3), Polycube::from_digits(3, 3, 1, "112100122"), menger_sponge(), stand18().body,
+                                     Polycube::from_digits(3, 3, 3, "112212221121212212222121112")};
+  for (const Polycube& body : bodies) {
+    for (const ChamberLayout layout : {ChamberLayout::single, ChamberLayout::per_phase}) {
+      HollowBodyOptions options;
+      options.chambers = layout;
+      options.elements_through_wall = 2;
+      const HollowBody hollow = hollow_polycube({"body", body, 0.01}, options);
+      const CubeCount count(body, 1, layout == ChamberLayout::per_phase, 10, 2);
+      double chambers = 0.0;
+      for (const ChamberOrigin& chamber : hollow.chambers) chambers += chamber.volume_m3;
+      EXPECT_NEAR(hollow.wall_volume_m3, 1e-9 * static_cast<double>(count.wall), volume_tolerance * hollow.wall_volume_m3);
+      EXPECT_NEAR(chambers, 1e-9 * static_cast<double>(count.chamber), volume_tolerance * chambers);
+      expect_volumes(hollow);
+      expect_sound(hollow.mesh);
+      EXPECT_NO_THROW(require_closed_chambers(hollow.mesh, "body"));
+    }
+  }
+}
+
+TEST(HollowPolycube, ChamberOfOneRegionIsTheSumOverItsCellsSidesEdgesAndCorners) {
+  // Each cell gives a core, each side between two cells a channel, each edge of four cells and each corner of eight a little
+  // more.
+  const double a = 0.00667, t = 0.002, core = a - 2 * t;
+  const HollowBody cube = hollow_polycube({"cube", full_cube(3), a}, {});
+  const double closed_form =
+      27 * std::pow(core, 3) + 54 * core * core * 2 * t + 36 * core * std::pow(2 * t, 2) + 8 * std::pow(2 * t, 3);
+  EXPECT_NEAR(cube.chambers[0].volume_m3, closed_form, volume_tolerance * closed_form);
+  EXPECT_NEAR(closed_form, std::pow(3 * a - 2 * t, 3), volume_tolerance * closed_form);
+  expect_volumes(cube);
+}
+
+TEST(HollowPolycube, MeetsItsVolumesOnGradedMeshesOfAnyEdge) {
+  HollowBodyOptions options;
+  options.largest_element_m = 0.004;
+  options.growth = 1.4;
+  for (const double edge : {0.00667, 0.01, 0.0123}) {
+    for (const int n : {1, 2, 3}) {
+      for (const ChamberLayout layout : {ChamberLayout::single, ChamberLayout::per_phase}) {
+        options.elements_through_wall = n;
+        options.chambers = layout;
+        const HollowBody body = hollow_polycube({"l", Polycube::from_digits(2, 2, 2, "12210100"), edge}, options);
+        expect_volumes(body);
+        expect_sound(body.mesh);
+      }
+    }
+  }
+}
+
+TEST(HollowPolycube, GradingSavesElements) {
+  HollowBodyOptions options;
+  options.elements_through_wall = 4;
+  const std::size_t uniform = hollow_polycube(hollow_cube_design(0.02), options).mesh.elements.size();
+  options.largest_element_m = 0.002;
+  const HollowBody graded = hollow_polycube(hollow_cube_design(0.02), options);
+  EXPECT_LT(graded.mesh.elements.size(), uniform / 3);
+  double longest = 0.0;
+  for (std::size_t e = 0; e < graded.mesh.elements.size(); ++e)
+    longest = std::max(longest, edge_range(corner_points(graded.mesh, e)).second);
+  EXPECT_LE(longest, 0.002);
+}
+
+TEST(HollowPolycube, PerPhaseMakesAChamberOfEveryConnectedRegion) {
+  HollowBodyOptions options;
+  options.chambers = ChamberLayout::per_phase;
+  const HollowBody body = hollow_polycube({"bar", Polycube::from_digits(4, 1, 1, "1221"), 0.01}, options);
+  ASSERT_EQ(body.chambers.size(), 3U);
+  EXPECT_EQ(body.chambers[0].material, 1);
+  EXPECT_EQ(body.chambers[1].material, 2);
+  EXPECT_EQ(body.chambers[2].material, 1);
+  // A wall of 2 mm between chambers takes 1 mm from each: 7 x 6 x 6, 18 x 6 x 6 and 7 x 6 x 6 mm.
+  EXPECT_NEAR(body.chambers[0].volume_m3, 252e-9, 1e-20);
+  EXPECT_NEAR(body.chambers[1].volume_m3, 648e-9, 1e-20);
+  EXPECT_NEAR(body.chambers[2].volume_m3, 252e-9, 1e-20);
+  EXPECT_EQ(body.mesh.plenum_names.size(), 3U);
+  expect_volumes(body);
+}
+
+TEST(HollowPolycube, LabelsTheGroundAndTheOuterFaces) {
+  const HollowBody body = hollow_polycube(stand18(), {});
+  // Four feet of 1 cm^2 stand on the ground.
+  EXPECT_NEAR(label_area(body.mesh, "ground"), 4e-4, 1e-15);
+  for (const BoundaryFace& face : body.mesh.faces) {
+    if (body.mesh.label_names[face.label] != "ground") continue;
+    EXPECT_LT(area_vector(body.mesh, face)[2], 0.0);
+    for (const std::size_t corner : face.corners) EXPECT_EQ(body.mesh.points[corner][2], 0.0);
+  }
+  std::size_t sides = 0;
+  for (const CellIndex& cell : stand18().body.occupied()) {
+    for (const Side side : all_sides) {
+      const int step = is_max(side) ? 1 : -1;
+      CellIndex other = cell;
+      (axis_of(side) == 0 ? other.x : axis_of(side) == 1 ? other.y : other.z) += step;
+      if (stand18().body.at_or_empty(other) == empty) ++sides;
+    }
+  }
+  EXPECT_NEAR(label_area(body.mesh, "outer"), 1e-4 * static_cast<double>(sides) - 4e-4, 1e-14);
+}
+
+TEST(HollowPolycube, TubeHoleOpensTheWallAndItsCapClosesTheChamber) {
+  for (const Side side : all_sides) {
+    HollowBodyOptions options;
+    options.tubes = {{{0, 0, 0}, side, 0.004}};
+    const HollowBody body = hollow_polycube(hollow_cube_design(0.02), options);
+    EXPECT_NEAR(body.chambers[0].volume_m3, std::pow(0.016, 3) + 0.004 * 0.004 * 0.002, 1e-19);
+    EXPECT_NEAR(label_area(body.mesh, "tube"), 4 * 0.004 * 0.002, 1e-16);
+    ASSERT_EQ(body.mesh.chambers[0].caps.size(), 1U);
+    EXPECT_EQ(body.mesh.chambers[0].labels.size(), 2U);
+    expect_sound(body.mesh);
+    expect_volumes(body);
+    EXPECT_NO_THROW(require_closed_chambers(body.mesh, to_string(side).data()));
+    HexahedralMesh without_cap = body.mesh;
+    without_cap.chambers[0].caps.clear();
+    EXPECT_THROW(require_closed_chambers(without_cap, "cube"), io::InputError);
+  }
+}
+
+TEST(HollowPolycube, LidIsTheBottomOrTopWall) {
+  for (const LidPlace place : {LidPlace::bottom, LidPlace::top}) {
+    HollowBodyOptions options;
+    options.lid = place;
+    const HexahedralMesh mesh = hollow_polycube(hollow_cube_design(0.02), options).mesh;
+    const std::size_t lid = region_index(mesh, "lid");
+    double volume = 0.0;
+    for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
+      if (mesh.regions[element] != lid) continue;
+      volume += element_volume(corner_points(mesh, element));
+      for (const Point& corner : corner_points(mesh, element)) {
+        const double depth = place == LidPlace::bottom ? corner[2] : 0.02 - corner[2];
+        EXPECT_LT(depth, 0.002 + 1e-12);
+      }
+    }
+    EXPECT_NEAR(volume, 0.02 * 0.02 * 0.002, 1e-18);
+  }
+}
+
+}  // namespace
+}  // namespace menger::meshes

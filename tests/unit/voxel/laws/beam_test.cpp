@@ -1,0 +1,138 @@
+#include "voxel/laws/beam.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "voxel/engine/voxel_classes.h"
+
+namespace menger::voxel {
+namespace {
+
+constexpr double edge = 0.01;
+
+BeamCoefficients<double> coefficients() { return class_tables(Physics{}, edge).beam[0]; }
+
+/// The eight numbers of a deformation, in an order of our own.
+using Numbers = std::array<double, 8>;
+
+BeamDeformation<double> deformation(const Numbers& n) { return {{n[0], n[1], n[2]}, n[3], n[4], {n[5], n[6], n[7]}}; }
+
+TEST(BeamElasticLoads, AreTheGradientOfTheEnergy) {
+  const BeamCoefficients<double> c = coefficients();
+  const Numbers at{3e-4, -2e-4, 1e-4, 0.02, -0.03, 0.05, 0.01, -0.04};
+  const BeamLoads<double> loads = beam_elastic_loads(c, deformation(at), edge);
+  const std::array<double, 8> expected{loads.lower_force.x,   loads.lower_force.y,   loads.lower_force.z,
+                                       -loads.lower_moment.y, -loads.lower_moment.z, -loads.upper_moment.x,
+                                       -loads.upper_moment.y, -loads.upper_moment.z};
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const double step = i < 3 ? 1e-6 : 1e-4;
+    Numbers above = at;
+    Numbers below = at;
+    above[i] += step;
+    below[i] -= step;
+    const double slope = (beam_energy(c, deformation(above), edge) - beam_energy(c, deformation(below), edge)) / (2.0 * step);
+    EXPECT_NEAR(slope, expected[i], 1e-9 * c.shear * edge) << i;
+  }
+}
+
+TEST(BeamElasticLoads, BalanceForceAndMomentOfTheUndeformedLength) {
+  const BeamLoads<double> loads =
+      beam_elastic_loads(coefficients(), deformation({0.0, 2e-4, -3e-4, 0.02, 0.01, 0.0, -0.03, 0.05}), edge);
+  EXPECT_NEAR(loads.lower_force.y + loads.upper_force.y, 0.0, 1e-18);
+  EXPECT_NEAR(loads.lower_moment.z + loads.upper_moment.z + edge * loads.upper_force.y, 0.0, 1e-17);
+  EXPECT_NEAR(loads.lower_moment.y + loads.upper_moment.y - edge * loads.upper_force.z, 0.0, 1e-17);
+}
+
+/// Ends of a beam whose lower voxel is turned by `lower`, whose upper one by `upper`, at a separation.
+BeamEnds<double> ends(const Vector3<double>& separation, const Vector3<double>& lower, const Vector3<double>& upper) {
+  return {separation, quaternion_of(lower), quaternion_of(upper), edge};
+}
+
+TEST(BeamState, SwitchesWithHysteresis) {
+  const auto is_small = [](double turn, double stretch, double was_small) {
+    const double x = edge * (1.0 + stretch);
+    return beam_state(ends({x, turn * x, 0.0}, {0, 0, 0}, {0, 0, 0}), was_small).small;
+  };
+  EXPECT_TRUE(is_small(0.055, 0.0, 1.0));
+  EXPECT_FALSE(is_small(0.055, 0.0, 0.0));
+  EXPECT_FALSE(is_small(0.061, 0.0, 1.0));
+  EXPECT_TRUE(is_small(0.049, 0.0, 0.0));
+  EXPECT_TRUE(is_small(0.0, 0.55, 1.0));
+  EXPECT_FALSE(is_small(0.0, 0.55, 0.0));
+  EXPECT_FALSE(is_small(0.0, 0.61, 1.0));
+  EXPECT_FALSE(is_small(0.0, -0.61, 1.0));
+}
+
+TEST(BeamState, IsTheSameHoweverTheWholeBeamIsTurned) {
+  const Vector3<double> separation{0.0103, 0.0009, -0.0004};
+  const Vector3<double> lower{0.02, -0.01, 0.03};
+  const Vector3<double> upper{-0.05, 0.04, 0.1};
+  const BeamState<double> straight = beam_state(ends(separation, lower, upper), 0.0);
+  const Quaternion<double> turn = quaternion_of(Vector3<double>{0.9, -1.3, 0.4});
+  BeamEnds<double> turned_ends = ends(rotate(matrix(turn), separation), lower, upper);
+  turned_ends.lower = turn * turned_ends.lower;
+  turned_ends.upper = turn * turned_ends.upper;
+  const BeamState<double> turned = beam_state(turned_ends, 0.0);
+  EXPECT_FALSE(straight.small);
+  EXPECT_NEAR(turned.deformation.displacement.x, straight.deformation.displacement.x, 1e-16);
+  EXPECT_NEAR(turned.deformation.lower_angle_z, straight.deformation.lower_angle_z, 1e-14);
+  EXPECT_NEAR(turned.deformation.upper_angle.x, straight.deformation.upper_angle.x, 1e-14);
+  const Vector3<double> expected = rotate(matrix(turn), rotate(straight.frame, Vector3<double>{1.0, 2.0, 3.0}));
+  const Vector3<double> seen = rotate(turned.frame, Vector3<double>{1.0, 2.0, 3.0});
+  EXPECT_NEAR(seen.x, expected.x, 1e-13);
+  EXPECT_NEAR(seen.y, expected.y, 1e-13);
+  EXPECT_NEAR(seen.z, expected.z, 1e-13);
+}
+
+/// Rates of a deformation from velocities against central differences along the motion that these velocities make.
+void expect_rates_match(double was_small, const Vector3<double>& separation, bool small) {
+  const Vector3<double> lower{0.02, -0.03, 0.01};
+  const Vector3<double> upper{0.06, 0.02, -0.05};
+  const BeamEndRates<double> rates{{0.1, -0.2, 0.05}, {-0.15, 0.3, 0.1}, {2.0, -1.0, 3.0}, {-1.0, 4.0, 0.5}, 0.03};
+  const auto at = [&](double time) {
+    BeamEnds<double> moved = ends(separation + time * (rates.upper_velocity - rates.lower_velocity), lower, upper);
+    moved.lower = quaternion_of(time * rates.lower_spin) * moved.lower;
+    moved.upper = quaternion_of(time * rates.upper_spin) * moved.upper;
+    moved.rest_length = edge + time * rates.rest_length_rate;
+    return moved;
+  };
+  const double step = 1e-7;
+  const BeamState<double> now = beam_state(at(0.0), was_small);
+  ASSERT_EQ(now.small, small);
+  const BeamDeformation<double> later = beam_state(at(step), was_small).deformation;
+  const BeamDeformation<double> earlier = beam_state(at(-step), was_small).deformation;
+  const BeamDeformation<double> rate = rate_from_velocities(now, at(0.0), rates);
+  const double per = 1.0 / (2.0 * step);
+  EXPECT_NEAR(rate.displacement.x, per * (later.displacement.x - earlier.displacement.x), 1e-6);
+  EXPECT_NEAR(rate.displacement.y, per * (later.displacement.y - earlier.displacement.y), 1e-6);
+  EXPECT_NEAR(rate.displacement.z, per * (later.displacement.z - earlier.displacement.z), 1e-6);
+  EXPECT_NEAR(rate.lower_angle_y, per * (later.lower_angle_y - earlier.lower_angle_y), 1e-3);
+  EXPECT_NEAR(rate.lower_angle_z, per * (later.lower_angle_z - earlier.lower_angle_z), 1e-3);
+  EXPECT_NEAR(rate.upper_angle.x, per * (later.upper_angle.x - earlier.upper_angle.x), 1e-3);
+  EXPECT_NEAR(rate.upper_angle.y, per * (later.upper_angle.y - earlier.upper_angle.y), 1e-3);
+  EXPECT_NEAR(rate.upper_angle.z, per * (later.upper_angle.z - earlier.upper_angle.z), 1e-3);
+}
+
+// Angular rates are of size 100 rad/s (velocity over length): 1e-3 is 1e-5 of them.
+TEST(BeamRates, FromVelocitiesMatchDifferencesInTheSmallAngleState) { expect_rates_match(1.0, {0.0101, 0.0001, 0.0002}, true); }
+
+TEST(BeamRates, FromVelocitiesMatchDifferencesInTheLargeAngleState) { expect_rates_match(0.0, {0.0101, 0.0012, -0.0009}, false); }
+
+TEST(BeamDamping, TakesEnergyFromEveryRate) {
+  const BeamCoefficients<double> c = coefficients();
+  for (std::size_t i = 0; i < 8; ++i) {
+    Numbers n{};
+    n[i] = 1.0;
+    const BeamDeformation<double> rate = deformation(n);
+    const BeamLoads<double> loads = beam_damping(c, rate);
+    const double power = -dot(loads.lower_force, rate.displacement) + loads.lower_moment.y * rate.lower_angle_y +
+                         loads.lower_moment.z * rate.lower_angle_z + dot(loads.upper_moment, rate.upper_angle);
+    EXPECT_LT(power, 0.0) << i;
+  }
+}
+
+}  // namespace
+}  // namespace menger::voxel

@@ -1,0 +1,177 @@
+#include "voxel/model/hollow_voxels.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "meshes/design/reference_shapes.h"
+#include "meshes/hexahedra/hollow_polycube.h"
+#include "voxel/model/surrogate_parameters.h"
+
+namespace menger::voxel {
+namespace {
+
+using meshes::ChamberLayout;
+using meshes::Polycube;
+
+constexpr double edge = 0.01;
+constexpr double wall = 0.002;
+
+HollowOptions options(int voxels_per_cell = 1, int level = 1, ChamberLayout chambers = ChamberLayout::single) {
+  return {edge, wall, voxels_per_cell, level, chambers};
+}
+
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+/// Three legs of different length under a plate: no symmetry.
+Polycube quadruped() { return Polycube::from_digits(3, 3, 2, "101000102111121211"); }
+
+void expect_wall_volume_of_the_cast_body(const Polycube& body, const HollowOptions& o) {
+  meshes::HollowBodyOptions cast;
+  cast.wall_thickness_m = o.wall_thickness_m;
+  cast.chambers = o.chambers;
+  cast.level = o.level;
+  const meshes::HollowBody reference = meshes::hollow_polycube({"body", body, o.cell_edge_m}, cast);
+  const HollowVoxels voxels = hollow_voxels(body, o);
+  EXPECT_NEAR(sum(voxels.wall_volume_m3), reference.wall_volume_m3, 1e-12 * reference.wall_volume_m3);
+  EXPECT_EQ(voxels.chamber_count, reference.chambers.size());
+}
+
+TEST(HollowVoxels, HaveTheWallOfTheCastBody) {
+  for (const int parts : {1, 2, 3}) {
+    SCOPED_TRACE(parts);
+    for (const Polycube& body : {meshes::bar(1), meshes::full_cube(3), meshes::menger_sponge(), quadruped()}) {
+      expect_wall_volume_of_the_cast_body(body, options(parts));
+      expect_wall_volume_of_the_cast_body(body, options(parts, 1, ChamberLayout::per_phase));
+    }
+    expect_wall_volume_of_the_cast_body(Polycube::from_digits(4, 1, 1, "1122"), options(parts, 1, ChamberLayout::per_phase));
+  }
+}
+
+TEST(HollowVoxels, HaveTheWallOfTheCastAggregate) {
+  for (const int parts : {1, 2}) {
+    expect_wall_volume_of_the_cast_body(meshes::plane(2), options(parts, 2));
+    expect_wall_volume_of_the_cast_body(Polycube::from_digits(2, 2, 1, "1210"), options(parts, 2, ChamberLayout::per_phase));
+  }
+}
+
+TEST(HollowVoxels, CountLateralWallsOfEveryVoxel) {
+  const auto classes = [](const Polycube& body, std::size_t voxel) { return hollow_voxels(body, options()).wall_class[voxel]; };
+  using Names = std::array<std::string_view, 3>;
+  const auto names = [&](const Polycube& body, std::size_t voxel) {
+    const auto c = classes(body, voxel);
+    return Names{wall_class_names.at(c[0]), wall_class_names.at(c[1]), wall_class_names.at(c[2])};
+  };
+  EXPECT_EQ(names(meshes::bar(1), 0), (Names{"4", "4", "4"}));
+  EXPECT_EQ(names(meshes::bar(3), 0), (Names{"4", "3", "3"}));
+  EXPECT_EQ(names(meshes::bar(3), 1), (Names{"4", "2o", "2o"}));
+  EXPECT_EQ(names(meshes::plane(2), 0), (Names{"3", "3", "2a"}));
+  EXPECT_EQ(names(meshes::plane(3), 4), (Names{"2o", "2o", "0"}));
+  const Polycube elbow = Polycube::from_digits(2, 2, 1, "1110");
+  EXPECT_EQ(names(elbow, 0), (Names{"3", "3", "2b"}));
+  EXPECT_EQ(names(elbow, 1), (Names{"4", "3", "3"}));
+  EXPECT_EQ(names(meshes::menger_sponge(), 0), (Names{"2b", "2b", "2b"}));
+  EXPECT_EQ(names(Polycube::from_digits(2, 2, 1, "1112"), 0), (Names{"3", "3", "2a"}));  // one chamber, whatever the phase
+  EXPECT_EQ(names(meshes::full_cube(3), 0), (Names{"2a", "2a", "2a"}));                  // corner
+  EXPECT_EQ(names(meshes::full_cube(3), 1), (Names{"2a", "1", "1"}));                    // on an edge along x
+  EXPECT_EQ(names(meshes::full_cube(3), 4), (Names{"1", "1", "0"}));                     // in the middle of the bottom
+  EXPECT_EQ(names(meshes::full_cube(3), 13), (Names{"0", "0", "0"}));                    // centre
+}
+
+TEST(HollowVoxels, BulgeAsThePlateThatTheyArePartOf) {
+  struct Plate {
+    const char* digits;  // of 3 x 3 cells
+    std::size_t voxel;   // in the middle
+    const char* wall_class;
+    const char* bulge_class;
+  };
+  constexpr std::array plates{Plate{"111010000", 1, "1", "2b"},  // three arms
+                              Plate{"010111010", 2, "0", "2b"},  // four
+                              Plate{"111110000", 1, "1", "2a"},  // an arm beside a square of four cells
+                              Plate{"011111010", 3, "0", "2a"},  // two
+                              Plate{"011111011", 3, "0", "1"},   // an arm beside two squares
+                              Plate{"110111011", 3, "0", "1"},   // two squares that meet in the middle
+                              Plate{"011111111", 3, "0", "0"}};  // three squares
+  for (const Plate& plate : plates) {
+    SCOPED_TRACE(plate.digits);
+    const HollowVoxels voxels = hollow_voxels(Polycube::from_digits(3, 3, 1, plate.digits), options());
+    EXPECT_EQ(wall_class_names.at(voxels.wall_class[plate.voxel][2]), plate.wall_class);
+    EXPECT_EQ(wall_class_names.at(voxels.bulge_class[plate.voxel][2]), plate.bulge_class);
+  }
+}
+
+TEST(HollowVoxels, BulgeByTheirWallsWhereNothingButSquaresAndLimbsMeet) {
+  // The bodies that calibrations see: their parameters do not depend on how arms are told apart.
+  const Polycube slab = Polycube::from_digits(3, 2, 1, "111111");
+  const Polycube elbow = Polycube::from_digits(2, 2, 1, "1110");
+  const Polycube tripod = Polycube::from_digits(2, 2, 2, "11101000");
+  for (const Polycube& body : {meshes::bar(1), meshes::bar(3), meshes::plane(2), slab, elbow, tripod, meshes::full_cube(3)}) {
+    for (const int parts : {1, 2}) {
+      const HollowVoxels voxels = hollow_voxels(body, options(parts));
+      EXPECT_EQ(voxels.bulge_class, voxels.wall_class) << body.digits() << ", " << parts;
+    }
+  }
+  const HollowVoxels modules = hollow_voxels(meshes::bar(2), options(1, 2));
+  EXPECT_EQ(modules.bulge_class, modules.wall_class);
+  // Of cells of several voxels no arm is as narrow as a voxel.
+  const HollowVoxels refined = hollow_voxels(Polycube::from_digits(3, 3, 1, "010111010"), options(2));
+  EXPECT_EQ(refined.bulge_class, refined.wall_class);
+}
+
+TEST(HollowVoxels, SeeWallsBetweenChambersAndModules) {
+  const Polycube two_phases = Polycube::from_digits(2, 1, 1, "12");
+  const HollowVoxels single = hollow_voxels(two_phases, options());
+  const HollowVoxels apart = hollow_voxels(two_phases, options(1, 1, ChamberLayout::per_phase));
+  EXPECT_EQ(single.chamber, (std::vector<std::size_t>{0, 0}));
+  EXPECT_EQ(apart.chamber, (std::vector<std::size_t>{0, 1}));
+  EXPECT_FALSE(single.walled[0][1]);
+  EXPECT_TRUE(apart.walled[0][1]);
+  EXPECT_TRUE(apart.walled[1][0]);
+  // Level 2 of a bar of two cells is four cells in two modules with a joint in the middle.
+  const HollowVoxels modules = hollow_voxels(meshes::bar(2), options(1, 2));
+  EXPECT_EQ(modules.chamber, (std::vector<std::size_t>{0, 0, 1, 1}));
+  EXPECT_EQ(modules.walled[1], (std::array<bool, 6>{false, true, true, true, true, true}));
+}
+
+TEST(HollowVoxels, OfARefinedCellSeeWallsOnTheirOwnSidesOnly) {
+  const HollowVoxels voxels = hollow_voxels(meshes::bar(1), options(3));
+  ASSERT_EQ(voxels.body.count(), 27U);
+  EXPECT_EQ(voxels.walled[0], (std::array<bool, 6>{true, false, true, false, true, false}));
+  EXPECT_EQ(voxels.walled[13], (std::array<bool, 6>{}));
+  EXPECT_DOUBLE_EQ(voxels.wall_volume_m3[13], 0.0);
+  EXPECT_DOUBLE_EQ(voxels.inertia_factor[13], 1.0);
+}
+
+TEST(HollowVoxels, HaveTheInertiaOfAHollowCube) {
+  const double inside = edge - 2.0 * wall;
+  const double hollow = (std::pow(edge, 5) - std::pow(inside, 5)) / (std::pow(edge, 3) - std::pow(inside, 3));
+  EXPECT_NEAR(hollow_voxels(meshes::bar(1), options()).inertia_factor[0], hollow / (edge * edge), 1e-13);
+}
+
+TEST(HollowVoxels, RefuseWallsThatLeaveNoChamber) {
+  EXPECT_THROW(hollow_voxels(meshes::bar(1), {edge, 0.5 * edge, 1, 1, ChamberLayout::single}), std::invalid_argument);
+  EXPECT_THROW(hollow_voxels(meshes::bar(1), {edge, 0.0, 1, 1, ChamberLayout::single}), std::invalid_argument);
+  EXPECT_THROW(hollow_voxels(meshes::bar(1), {edge, wall, 0, 1, ChamberLayout::single}), std::invalid_argument);
+}
+
+TEST(VoxelMasses, KeepTheMassOfTheBodyAndLeaveNoVoxelWithout) {
+  const HollowVoxels voxels = hollow_voxels(meshes::full_cube(3), options(2));
+  const double density = 1070.0;
+  const double total = density * sum(voxels.wall_volume_m3);
+  const std::vector<double> masses = voxel_masses(voxels, density);
+  EXPECT_NEAR(sum(masses), total, 1e-13 * total);
+  const double smallest = 0.1 * total / static_cast<double>(masses.size());
+  for (const double mass : masses) EXPECT_GE(mass, smallest * (1.0 - 1e-14));
+  EXPECT_NEAR(masses[6 * 6 * 2 + 6 * 2 + 2], smallest, 1e-14 * total);  // in the middle, without a wall
+}
+
+TEST(VoxelMasses, AreThoseOfTheWallWhereNoneIsTooSmall) {
+  const HollowVoxels voxels = hollow_voxels(meshes::bar(3), options());
+  const std::vector<double> masses = voxel_masses(voxels, 2.0);
+  for (std::size_t i = 0; i < masses.size(); ++i) EXPECT_DOUBLE_EQ(masses[i], 2.0 * voxels.wall_volume_m3[i]);
+}
+
+}  // namespace
+}  // namespace menger::voxel

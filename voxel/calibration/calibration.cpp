@@ -1,0 +1,212 @@
+#include "voxel/calibration/calibration.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <utility>
+
+#include "voxel/model/covered_pressures.h"
+
+namespace menger::voxel {
+namespace {
+
+/// The answers to all curves.
+std::vector<LoadCaseResponse> responses_of(const CalibrationProblem& problem, const SurrogateParameters& parameters) {
+  std::vector<LoadCaseResponse> responses(problem.curves.size());
+  tbb::parallel_for(std::size_t{0}, responses.size(), [&](std::size_t c) {
+    responses[c] = problem.responder(parameters, problem.curves[c].load_case, problem.curves[c].states);
+  });
+  return responses;
+}
+
+/// By span, whether a curve's residuals change by it.
+std::vector<bool> spans_that_matter(const CalibrationProblem& problem, const FittedCurve& curve,
+                                    const std::vector<ParameterSpan>& spans) {
+  // More than what equilibria leave of their tolerance, which is far less than a standard deviation.
+  constexpr double noise = 1e-6;
+  const ResponseSlopes answer = problem.responder.slopes(problem.start, curve.load_case, curve.states, spans);
+  std::vector<bool> matters(spans.size(), false);
+  if (!answers_of(curve, answer.response)) return matters;
+  for (std::size_t n = 0; n < spans.size(); ++n) {
+    if (!answer.slopes[n]) {
+      matters[n] = true;  // it takes the answer away
+      continue;
+    }
+    const std::vector<double> slopes = slopes_of(curve, answer.response.columns, *answer.slopes[n]);
+    matters[n] = std::ranges::any_of(slopes, [&](double slope) { return std::abs(slope) * spans[n].above_by > noise; });
+  }
+  return matters;
+}
+
+ValidityRange validity_of(const CalibrationProblem& problem, const SurrogateParameters& parameters) {
+  ValidityRange validity;
+  const std::vector<LoadCaseResponse> responses = responses_of(problem, parameters);
+  for (std::size_t c = 0; c < responses.size(); ++c) {
+    const FittedCurve& curve = problem.curves[c];
+    const LoadCaseResponse& response = responses[c];
+    const ValueRange pressures = pressure_range_Pa({curve});
+    cover(validity, body_walls(curve.load_case), pressures.lowest, pressures.highest);
+    validity.smallest_strain = std::min(validity.smallest_strain, response.smallest_strain);
+    validity.largest_strain = std::max(validity.largest_strain, response.largest_strain);
+    const int cells = materials::longest_side_cells(curve.load_case.cells, curve.load_case.digits);
+    validity.longest_body_cells = std::max(validity.longest_body_cells, cells);
+    validity.longest_aggregate_modules =
+        std::max(validity.longest_aggregate_modules, materials::longest_side_modules(cells, curve.load_case.level));
+  }
+  return validity;
+}
+
+/// Whether a fit completed and leaves no more than another, whatever their numbers of parameters.
+bool is_as_good(const CalibrationFit& fit, const CalibrationFit& other) {
+  constexpr double slack = 1.0;  // of the criterion, which means something to about that
+  const auto left = [](const CalibrationFit& of) { return of.aic - 2.0 * static_cast<double>(of.parameter_count); };
+  if (fit.status != io::RunStatus::completed || fit.parameter_count == 0) return false;
+  return other.status != io::RunStatus::completed || left(fit) <= left(other) + slack;
+}
+
+/// A calibration as it grows.
+struct Search {
+  const CalibrationProblem& problem;
+  const CalibrationPlan& plan;
+  Calibration calibration;
+
+  [[nodiscard]] bool pays(const CalibrationFit& fit) const {
+    if (calibration.steps.empty()) return true;
+    if (fit.status != io::RunStatus::completed) return false;
+    const CalibrationFit& best = calibration.fit();
+    return plan.choice || best.status != io::RunStatus::completed || fit.aic < best.aic - plan.aic_margin;
+  }
+
+  /// Fits a detail joined with those kept: first from where it has its usual effect, the best of all starts. That may lie where
+  /// equilibria are few; since the fit before is a special case of this one, which then must be as good, it else begins there.
+  [[nodiscard]] CalibrationFit fit_with(CalibrationDetail detail, const DetailSet& details) const {
+    const auto parameters = fitted_parameters(details, calibration.classes, problem.bounds, problem.start);
+    const auto fit_from = [&](const SurrogateParameters& start) {
+      return fit_parameters(problem.curves, parameters, start, problem.responder, plan.fit);
+    };
+    const bool has_before = !calibration.steps.empty() && calibration.fit().parameter_count > 0;
+    const SurrogateParameters& before = has_before ? calibration.fit().parameters : problem.start;
+    const auto starts = starts_with_detail(before, detail, problem.start, pressure_range_Pa(problem.curves).highest);
+    CalibrationFit fit = fit_from(starts.front());
+    for (std::size_t n = 1; n < starts.size() && fit.status != io::RunStatus::stopped; ++n) {
+      CalibrationFit other = fit_from(starts[n]);
+      const bool is_better = other.status == io::RunStatus::completed && (fit.status != other.status || other.aic < fit.aic);
+      if (is_better || other.status == io::RunStatus::stopped) fit = std::move(other);
+    }
+    if (!has_before || detail == CalibrationDetail::sections || fit.status == io::RunStatus::stopped) return fit;
+    if (is_as_good(fit, calibration.fit())) return fit;
+    CalibrationFit again = fit_from(before);
+    return again.status == io::RunStatus::stopped || is_as_good(again, fit) ? again : fit;
+  }
+
+  /// Fits one more detail. @return false if it was stopped
+  bool try_detail(CalibrationDetail detail) {
+    if (plan.begin) plan.begin(detail);
+    CalibrationStep step;
+    step.detail = detail;
+    if (!calibration.steps.empty()) step.kept_before = calibration.details();
+    step.fit = fit_with(detail, step.details());
+    step.fit.parameters.validity = validity_of(problem, step.fit.parameters);
+    const bool is_stopped = step.fit.status == io::RunStatus::stopped;
+    step.is_kept = calibration.steps.empty() || (!is_stopped && pays(step.fit));
+    const bool is_missed = plan.choice && !is_stopped && !step.is_kept;
+    calibration.steps.push_back(std::move(step));
+    if (calibration.steps.back().is_kept) calibration.chosen = calibration.steps.size() - 1;
+    if (is_missed && !calibration.missed) calibration.missed = calibration.steps.size() - 1;
+    return !is_stopped;
+  }
+};
+
+}  // namespace
+
+ValueRange pressure_range_Pa(const std::vector<FittedCurve>& curves) {
+  ValueRange range;
+  for (const FittedCurve& curve : curves) {
+    for (const std::vector<double>& state : curve.states) {  // the pressure is the first abscissa of every kind
+      range.lowest = std::min(range.lowest, state.front());
+      range.highest = std::max(range.highest, state.front());
+    }
+  }
+  return range;
+}
+
+DeterminedClasses determined_classes(const CalibrationProblem& problem) {
+  constexpr double change = 0.01;
+  DeterminedClasses classes{{}, {}, {}};
+  std::vector<ParameterSpan> spans;
+  std::vector<std::pair<std::vector<std::size_t>*, std::size_t>> meanings;  // by span: the list, and the class to be put there
+  for (std::size_t c = 0; c < wall_class_count; ++c) {
+    const auto add = [&](std::vector<std::size_t>& found, const auto& alter) {
+      ParameterSpan span{.below = problem.start, .above = problem.start, .below_by = 0.0, .above_by = change};
+      alter(span.above);
+      spans.push_back(std::move(span));
+      meanings.emplace_back(&found, c);
+    };
+    add(classes.stiffness, [c](SurrogateParameters& p) {
+      for (ByWallClass<double>* stiffness : {&p.axial_Pa, &p.bending_Pa, &p.torsion_Pa}) (*stiffness)[c] *= 1.0 + change;
+    });
+    add(classes.extension, [c](SurrogateParameters& p) { p.extension[c].slope_per_Pa *= 1.0 + change; });
+    add(classes.bulge, [c](SurrogateParameters& p) { p.bulge[c].slope_per_Pa *= 1.0 + change; });
+  }
+  std::vector<std::vector<bool>> matters(problem.curves.size());
+  tbb::parallel_for(std::size_t{0}, matters.size(),
+                    [&](std::size_t c) { matters[c] = spans_that_matter(problem, problem.curves[c], spans); });
+  for (std::size_t n = 0; n < spans.size(); ++n) {
+    if (std::ranges::any_of(matters, [n](const std::vector<bool>& of_curve) { return of_curve[n]; }))
+      meanings[n].first->push_back(meanings[n].second);
+  }
+  for (auto* found : {&classes.stiffness, &classes.extension, &classes.bulge}) {
+    if (found->empty()) found->push_back(closed_wall_class);
+  }
+  return classes;
+}
+
+DetailSet CalibrationStep::details() const {
+  DetailSet all = kept_before;
+  all.insert(detail);
+  return all;
+}
+
+std::string to_string(const DetailSet& details) {
+  std::string text;
+  for (const CalibrationDetail detail : details) text.append(text.empty() ? "" : " + ").append(to_string(detail));
+  return text;
+}
+
+std::vector<std::string> failed_details(const Calibration& calibration) {
+  std::map<CalibrationDetail, std::string> failed;
+  for (const CalibrationStep& step : calibration.steps) {
+    failed.erase(step.detail);
+    if (step.fit.status == io::RunStatus::completed) continue;
+    failed[step.detail] = "detail " + std::string(to_string(step.detail)) + ": " + std::string(io::to_string(step.fit.status)) +
+                          ", " + step.fit.reason + (step.is_kept ? "" : "; the result is without it");
+  }
+  std::vector<std::string> sentences;
+  sentences.reserve(failed.size());
+  for (const auto& [detail, sentence] : failed) sentences.push_back(sentence);
+  return sentences;
+}
+
+Calibration calibrate(const CalibrationProblem& problem, const CalibrationPlan& plan) {
+  Search search{problem, plan, {}};
+  search.calibration.classes = determined_classes(problem);
+  std::deque<CalibrationDetail> open(plan.details.begin(), plan.details.end());
+  std::size_t in_vain = 0;  // since the last one that was kept
+  while (in_vain < open.size()) {
+    const CalibrationDetail detail = open.front();
+    open.pop_front();
+    if (!search.try_detail(detail) || plan.choice == detail) break;
+    if (search.calibration.steps.back().is_kept) {
+      in_vain = 0;
+    } else {
+      open.push_back(detail);
+      ++in_vain;
+    }
+  }
+  return search.calibration;
+}
+
+}  // namespace menger::voxel

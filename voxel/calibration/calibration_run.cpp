@@ -1,0 +1,152 @@
+#include "voxel/calibration/calibration_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "io/text/manifest.h"
+#include "io/text/whole_file.h"
+#include "voxel/calibration/calibration_chart.h"
+#include "voxel/calibration/calibration_report.h"
+#include "voxel/calibration/calibration_tables.h"
+
+namespace menger::voxel {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* program_name = "menger-calibrate";
+
+/// Tells how far the details are, an iteration at a time. How many fits there are and how many iterations they take is not known
+/// beforehand: the end is approached.
+class FitProgress {
+ public:
+  FitProgress(std::size_t detail_count, const CalibrationRunOptions& options)
+      : usual_fits_(1.5 * static_cast<double>(detail_count)), options_(options) {}
+
+  void begin(CalibrationDetail detail) {
+    ++begun_;
+    name_ = to_string(detail);
+    tell(0, 0.0);
+  }
+  void tell(int iteration, double chi2) const {
+    if (!options_.progress) return;
+    constexpr double usual_iterations = 10.0;
+    constexpr double most = 0.95;
+    const double fits = static_cast<double>(begun_) - 1.0 + iteration / (iteration + usual_iterations);
+    const double share = options_.identifiability_fits > 0 ? 0.5 : 1.0;
+    options_.progress(share * std::min(most, fits / usual_fits_),
+                      name_ + (iteration > 0 ? ", chi2 " + std::to_string(static_cast<long>(chi2)) : ""));
+  }
+
+ private:
+  double usual_fits_;
+  const CalibrationRunOptions& options_;
+  std::size_t begun_ = 0;
+  std::string name_;
+};
+
+void draw(const fs::path& folder, CalibrationRunResult& result) {
+  std::string missing;
+  const auto note = [&](const io::PictureOutcome& outcome) {
+    if (!outcome.written) missing = outcome.missing;
+  };
+  note(draw_agreement(folder / "agreement.png", result.calibration, result.curves));
+  const CalibrationFit& fit = result.calibration.fit();
+  for (std::size_t c = 0; c < fit.residuals.size(); ++c)
+    note(draw_curve(folder / ("curve_" + result.curves[c].load_case.name + ".png"), result.curves[c], fit.residuals[c]));
+  if (!missing.empty()) result.notes.push_back("no picture: " + missing);
+}
+
+Identifiability test_identifiability(const CalibrationProblem& problem, const CalibrationFit& fit,
+                                     const CalibrationRunOptions& options) {
+  IdentifiabilityOptions test{.fit_count = options.identifiability_fits, .stop = options.stop};
+  test.progress = [&](int done) {
+    if (options.progress) options.progress(0.5 + 0.5 * done / options.identifiability_fits, "identifiability");
+  };
+  return identifiability(problem.curves, claimed_parameters(fit), fit.parameters, problem.responder, test);
+}
+
+/// Whether a manifest says that this program wrote its folder.
+bool is_own_manifest(const fs::path& manifest) {
+  std::error_code error;
+  if (!fs::exists(manifest, error)) return false;
+  const auto json = nlohmann::json::parse(io::read_whole(manifest), nullptr, false);  // no object where it is no JSON
+  return json.is_object() && json.value("program", nlohmann::json()) == program_name;
+}
+
+/// Takes the results of an earlier run away, so that none of them passes for one of this run where that has no such result. Only
+/// in a folder that this program wrote; the manifest goes last.
+void remove_earlier_results(const fs::path& folder) {
+  std::error_code error;
+  const fs::path manifest = folder / "manifest.json";
+  if (!is_own_manifest(manifest)) return;
+  std::vector<fs::path> stale;
+  for (const char* name : {"parameters.toml", "result.toml", "details.csv", "parameters.csv", "correlation.csv", "residuals.csv",
+                           "answers.csv", "identifiability.csv", "frequency_response.csv", "agreement.png"})
+    stale.push_back(folder / name);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".png" && entry.path().filename().string().starts_with("curve_"))
+      stale.push_back(entry.path());
+  }
+  stale.push_back(manifest);
+  for (const fs::path& file : stale) io::remove_if_there(file);
+}
+
+void write_tables(const fs::path& folder, const CalibrationRunResult& result) {
+  const CalibrationFit& fit = result.calibration.fit();
+  detail_table(result.calibration, result.curves).write(folder / "details.csv");
+  parameter_table(fit).write(folder / "parameters.csv");
+  correlation_table(fit).write(folder / "correlation.csv");
+  residual_table(result.curves, fit).write(folder / "residuals.csv");
+  answer_table(result.curves, fit).write(folder / "answers.csv");
+  if (!result.frequency_response.empty()) frequency_table(result.frequency_response).write(folder / "frequency_response.csv");
+  if (result.identifiability) identifiability_table(*result.identifiability).write(folder / "identifiability.csv");
+}
+
+}  // namespace
+
+CalibrationRunResult run_calibration(const CalibrationStudy& study, const Responder& responder, const fs::path& folder,
+                                     const CalibrationRunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  CalibrationRunResult result;
+  if (study.frequency_response) result.frequency_response = read_frequency_gains(*study.frequency_response);
+  io::require_writable_folder(folder);
+  const CalibrationProblem problem = problem_of(study, responder);
+  CalibrationPlan plan = study.plan;
+  FitProgress progress(plan.details.size(), options);
+  plan.fit.stop = options.stop;
+  plan.begin = [&](CalibrationDetail detail) { progress.begin(detail); };
+  plan.fit.progress = [&](int iteration, double chi2) { progress.tell(iteration, chi2); };
+
+  result.calibration = calibrate(problem, plan);
+  result.curves = problem.curves;
+  result.notes = study.notes;
+  const bool is_stopped = result.calibration.ended().status == io::RunStatus::stopped;
+  const CalibrationFit& fit = result.calibration.fit();
+  if (options.identifiability_fits > 0 && !is_stopped && fit.parameter_count > 0)
+    result.identifiability = test_identifiability(problem, fit, options);
+
+  if (is_stopped) result.frequency_response.clear();
+  if (!result.frequency_response.empty()) {
+    answer_frequency_response(result.frequency_response, *study.frequency_response,
+                              reported_parameters(result.calibration, study));
+  }
+
+  remove_earlier_results(folder);
+  if (fit.parameter_count > 0 && !is_stopped)
+    io::write_whole(folder / "parameters.toml", parameters_text(result.calibration, study));
+  io::write_whole(folder / "result.toml", result_text(result.calibration, study, result.curves));
+  write_tables(folder, result);
+  if (options.pictures && !is_stopped) draw(folder, result);
+  io::Manifest manifest;
+  manifest.program = program_name;
+  manifest.parameters = study_text(study, problem);
+  manifest.inputs = study.inputs;
+  manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  io::write_manifest(folder, manifest);
+  return result;
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "voxel/calibration/calibration_study.h"
+#include "voxel/calibration/identifiability.h"
+
+namespace menger::voxel {
+
+struct CalibrationRunOptions {
+  bool pictures = true;
+  int identifiability_fits = 0;  ///< none: not tested
+  const std::atomic<bool>* stop = nullptr;
+  /// Called as work goes on: what is done of 1, and what is being done. May be empty.
+  std::function<void(double done, const std::string& note)> progress{};
+};
+
+/// What a run found, as it was written.
+struct CalibrationRunResult {
+  Calibration calibration;
+  std::vector<FittedCurve> curves;
+  std::optional<Identifiability> identifiability;
+  std::vector<FrequencyGain> frequency_response;  ///< empty if the study has no reference or the fit was stopped
+  std::vector<std::string> notes;                 ///< of the study and of pictures that could not be made
+};
+
+/// Fits a study and writes into a folder: parameters.toml (voxel parameters, for scenes and searches), result.toml, details.csv,
+/// parameters.csv, correlation.csv, residuals.csv, answers.csv, identifiability.csv and frequency_response.csv if asked for,
+/// curve_CASE.png and agreement.png, manifest.json. A fit that did not converge is written as it is, and its status says so; a
+/// stopped one writes no parameters.toml. Once the input is read, the results of an earlier run in the folder are removed: what
+/// is there afterwards is of this run.
+/// @throws io::InputError if the folder cannot be written to or the frequency reference is not to be read; then nothing is
+/// removed
+CalibrationRunResult run_calibration(const CalibrationStudy& study, const Responder& responder,
+                                     const std::filesystem::path& folder, const CalibrationRunOptions& options);
+
+}  // namespace menger::voxel

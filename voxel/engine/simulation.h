@@ -1,0 +1,142 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "io/text/run_status.h"
+#include "meshes/design/polycube.h"
+#include "voxel/engine/energy_ledger.h"
+#include "voxel/engine/frame.h"
+#include "voxel/kernels/kernel_choice.h"
+#include "voxel/model/parameters.h"
+#include "voxel/model/strain_range.h"
+
+namespace menger::voxel {
+
+/// Loads and constraints on single voxels, for verification and for scenes beyond a free robot. Empty arrays: none; otherwise one
+/// entry per voxel.
+struct VoxelLoads {
+  std::vector<std::array<double, 3>> force_N;                 ///< constant, world axes
+  std::vector<std::array<double, 3>> moment_N_m;              ///< constant, world axes
+  std::vector<std::array<double, 3>> initial_displacement_m;  ///< from the grid
+  std::vector<std::array<double, 3>>
+      initial_velocity_m_s;  ///< a voxel that starts with a horizontal one starts in kinetic friction
+  std::vector<std::array<double, 3>> initial_angular_velocity_rad_s;
+  std::vector<double> size_factor;  ///< constant factor > 0 on the driven size (a voxel warmer or colder than the others)
+  std::vector<bool> fixed;          ///< held in all six degrees of freedom
+};
+
+enum class LaneUse;
+
+/// Where and how a run left the range of the model.
+struct Divergence {
+  std::size_t voxel = 0;        ///< index in grid order
+  meshes::CellIndex cell;       ///< its cell
+  std::string quantity;         ///< "speed" (m/s), "strain" (1), "strain outside the range of validity" (1) or "not finite"
+  std::optional<double> value;  ///< the largest of all voxels; none where it was not finite
+  double limit = 0.0;           ///< that the value passed
+  double time_s = 0.0;          ///< at the end of the step
+};
+
+/// Where and how a run diverged, in a line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in m/s.
+std::string divergence_text(const Divergence& divergence);
+
+/// A calibrated body that with its drive lies outside the range of validity, with OutsideRange::refuse, or whose walls have no
+/// size under its drive, whatever the rule; see voxel::outside_validity and sizeless_walls, whose sentences what() joins by "; ".
+/// Apart from other wrong arguments, because a search meets such bodies among others.
+class OutsideValidity : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A body of voxels in motion: point masses joined by Euler-Bernoulli beams with driven rest lengths (Voxelyze's model at
+/// Poisson's ratio 0).
+///
+/// Deterministic: the same body, physics and instruction-set-independent options give the same bytes on every run and in every
+/// thread.
+/// @cite hiller2014dynamic
+class Simulation {
+ public:
+  /// @param body whole aggregate, at least one cell; a cell is a voxel, or voxels_per_cell^3 of them if physics.surrogate says
+  /// so: voxels are then those of calibrated_voxels, in grid order @param cell_edge_m > 0
+  /// @throws std::invalid_argument if a parameter is out of the range that its declaration states, or if the body and its drive
+  /// do not suit the calibrated parameters: another cell edge, phases that the chambers cannot have; among these
+  /// OutsideValidity, before anything is built
+  Simulation(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads = {},
+             const KernelOptions& options = {});
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Steps until time_s() >= time_s, the run diverges or `stop` becomes true. Returns completed, diverged or stopped.
+  /// @throws std::invalid_argument for more than 1e18 steps
+  [[nodiscard]] io::RunStatus advance_to(double time_s, const std::atomic<bool>* stop = nullptr);
+
+  /// Takes `steps` steps unless the run diverges or `stop` becomes true.
+  [[nodiscard]] io::RunStatus advance(std::uint64_t steps, const std::atomic<bool>* stop = nullptr);
+
+  /// From now on so many threads share every step where KernelOptions::threads would. @param threads >= 1
+  void set_threads(int threads);
+
+  [[nodiscard]] double time_s() const;  ///< steps() * time_step_s()
+  [[nodiscard]] std::uint64_t steps() const;
+  [[nodiscard]] double time_step_s() const;
+  [[nodiscard]] std::size_t voxel_count() const;
+  [[nodiscard]] std::size_t beam_count() const;
+
+  /// What happened if a status was `diverged`.
+  [[nodiscard]] const std::optional<Divergence>& divergence() const;
+
+  /// Mass-weighted mean position, metres.
+  [[nodiscard]] std::array<double, 3> centre_of_mass_m() const;
+
+  /// State of all voxels now.
+  [[nodiscard]] Frame frame() const;
+
+  /// Position (m), orientation (w, x, y, z), velocity (m/s) and angular velocity (rad/s) of one voxel.
+  [[nodiscard]] std::array<double, 3> position_m(std::size_t voxel) const;
+  [[nodiscard]] std::array<double, 4> orientation(std::size_t voxel) const;
+  [[nodiscard]] std::array<double, 3> velocity_m_s(std::size_t voxel) const;
+  [[nodiscard]] std::array<double, 3> angular_velocity_rad_s(std::size_t voxel) const;
+  [[nodiscard]] bool is_in_static_friction(std::size_t voxel) const;
+
+  /// Beams that were in the large-angle state in the last step.
+  [[nodiscard]] std::size_t large_angle_beams() const;
+
+  /// Which terms the step leaves out and why, and the instruction set in use: a line each, for the log.
+  [[nodiscard]] std::vector<std::string> kernel_report() const;
+
+  /// How often collision work was done, skipped and the list of close pairs rebuilt.
+  [[nodiscard]] CollisionCounts collision_counts() const;
+
+  /// Smallest and largest axial strain of all beams and steps so far; only of a calibrated body.
+  [[nodiscard]] std::optional<StrainRange> strain_range() const;
+
+  /// What lies outside the range of validity of calibrated parameters, a sentence each: of the body and its drive (see
+  /// voxel::outside_validity), and of the strains so far. Empty for solid voxels.
+  [[nodiscard]] std::vector<std::string> outside_validity() const;
+
+  /// The energy balance from the start to the beginning of the last step; only with KernelOptions::energy_ledger.
+  [[nodiscard]] const std::optional<EnergyLedger>& energy() const;
+
+  class Engine;  ///< the implementation for one number type
+
+ private:
+  friend std::vector<io::RunStatus> advance_together_to(std::span<Simulation>, double, const std::atomic<bool>*, InstructionSet,
+                                                        LaneUse);
+
+  std::unique_ptr<Engine> engine_;
+};
+
+/// Recommended time step (s) of a body, solid or calibrated; see voxel/engine/time_step.h.
+double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics);
+
+}  // namespace menger::voxel

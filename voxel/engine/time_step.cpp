@@ -1,0 +1,95 @@
+#include "voxel/engine/time_step.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "voxel/model/wall_feet.h"
+
+namespace menger::voxel {
+
+double voxel_mass_kg(const VoxelMaterial& material, double cell_edge_m) {
+  return material.density_kg_m3 * cell_edge_m * cell_edge_m * cell_edge_m;
+}
+
+double beam_modulus_Pa(const VoxelMaterial& a, const VoxelMaterial& b) {
+  return 2.0 * a.youngs_modulus_Pa * b.youngs_modulus_Pa / (a.youngs_modulus_Pa + b.youngs_modulus_Pa);
+}
+
+double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const Physics& physics) {
+  const auto material_of = [&](std::int32_t voxel) -> const VoxelMaterial& {
+    return physics.materials[static_cast<std::size_t>(lattice.material[static_cast<std::size_t>(voxel)] - 1)];
+  };
+  double largest = 0.0;
+  for (const AxisBeams& beams : lattice.beams) {
+    for (std::size_t i = 0; i < beams.lower.size(); ++i) {
+      const VoxelMaterial& a = material_of(beams.lower[i]);
+      const VoxelMaterial& b = material_of(beams.upper[i]);
+      const double lighter = std::min(voxel_mass_kg(a, cell_edge_m), voxel_mass_kg(b, cell_edge_m));
+      largest = std::max(largest, beam_modulus_Pa(a, b) * cell_edge_m / lighter);
+    }
+  }
+  for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
+    const bool alone =
+        std::all_of(lattice.neighbours[i].begin(), lattice.neighbours[i].end(), [](std::int32_t other) { return other < 0; });
+    if (!alone) continue;
+    const VoxelMaterial& material = material_of(static_cast<std::int32_t>(i));
+    largest = std::max(largest, material.youngs_modulus_Pa * cell_edge_m / voxel_mass_kg(material, cell_edge_m));
+  }
+  largest *= 1.0 + 2.0 * effective_coupling(physics);
+  return 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
+}
+
+double largest_standing_step_s(const FloorCoefficients<double>& floor, double mass_kg, double inertia_kg_m2, double edge_m) {
+  // Middle and corners of a wall, and four crowns of a quarter each, all of them half an edge below the centre.
+  constexpr double feet = feet_of_a_wall + 1.0;
+  constexpr double feet_beside = 5.0;  // half an edge to the side
+  const double below = 0.5 * edge_m;
+  // A shift and the turn about the axis across it, coupled by the friction at the feet.
+  const double shift = feet / mass_kg;
+  const double turn = (feet + feet_beside) * below * below / inertia_kg_m2;
+  const double coupled = feet * below / std::sqrt(mass_kg * inertia_kg_m2);
+  const double stiffest = 0.5 * (shift + turn) + std::hypot(0.5 * (shift - turn), coupled);
+  // Steps that take the damping from the last velocity bear k dt^2 + 2 c dt < 4.
+  const double k = floor.stiffness / feet_of_a_wall * stiffest;
+  const double c = floor.damping / feet_of_a_wall * stiffest;
+  return 4.0 / (c + std::sqrt(c * c + 4.0 * k));
+}
+
+double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classes, double edge_m, const Physics& physics) {
+  const double coupling = effective_coupling(physics);
+  double largest = 0.0;
+  double damping = 0.0;  // ratio of beams, each end's to its own mass
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const AxisBeams& beams = lattice.beams[axis];
+    for (std::size_t i = 0; i < beams.lower.size(); ++i) {
+      const auto lower = static_cast<std::size_t>(beams.lower[i]);
+      const auto upper = static_cast<std::size_t>(beams.upper[i]);
+      const BeamCoefficients<double>& beam = classes.beam[classes.beam_class[axis][i]];
+      const double mass = std::min(classes.mass_kg[lower], classes.mass_kg[upper]);
+      const double inertia = std::min(classes.inertia_kg_m2[lower], classes.inertia_kg_m2[upper]);
+      const double stretch = (1.0 + 2.0 * coupling) * beam.axial_root * beam.axial_root;
+      // Shear takes from the turn of one end against both, but not from the curvature between them.
+      const double turn = beam.turn + beam.turn_difference;
+      largest = std::max({largest, stretch / mass, beam.shear / mass, turn / inertia, beam.twist / inertia});
+      damping = std::max({damping, beam.damping_lower / std::sqrt(classes.mass_kg[lower]),
+                          beam.damping_upper / std::sqrt(classes.mass_kg[upper])});
+    }
+  }
+  // The damping is explicit: from twice the paper's on it limits the step in proportion.
+  constexpr double undamped = 2.0;
+  double recommended_s = 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest) * std::max(1.0, damping / undamped));
+  for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
+    // What presses on the ground presses on other voxels, too.
+    const FloorCoefficients<double>& floor = classes.voxel[classes.voxel_class[i]].floor;
+    const double pressed = 0.5 * floor.stiffness / classes.mass_kg[i];
+    recommended_s = std::min(recommended_s, 1.0 / (2.0 * std::numbers::pi * std::sqrt(pressed)));
+    if (!physics.floor) continue;
+    const double standing_s = largest_standing_step_s(floor, classes.mass_kg[i], classes.inertia_kg_m2[i], edge_m);
+    recommended_s = std::min(recommended_s, 0.5 * standing_s);
+  }
+  return recommended_s;
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+#include <xsimd/xsimd.hpp>
+
+#include "voxel/engine/simulation.h"
+#include "voxel/engine/voxel_classes.h"
+#include "voxel/kernels/step_data.h"
+#include "voxel/laws/lattice.h"
+#include "voxel/model/actuation.h"
+
+namespace menger::voxel {
+
+template <class Real>
+using AlignedArray = std::vector<Real, xsimd::aligned_allocator<Real, 64>>;
+
+/// All arrays of a body in motion, and the pointers to them that the kernels take.
+template <class Real>
+class VoxelState {
+ public:
+  /// @param own_lengths beams keep their own rest lengths; they start as the edge
+  VoxelState(const Lattice& lattice, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
+             const BodyClasses& classes, bool own_lengths);
+  VoxelState(const VoxelState&) = delete;
+  VoxelState& operator=(const VoxelState&) = delete;
+
+  StepData<Real> data;  ///< pointers into the arrays below
+
+  /// What positions are counted from, m: the grid's corner, or in single precision, where digits are few, a place that is never
+  /// far from the body.
+  [[nodiscard]] const std::array<double, 3>& origin_m() const { return origin_; }
+
+  /// Centre of a voxel in the world, m, with what rounding left out.
+  [[nodiscard]] std::array<double, 3> position_m(std::size_t voxel) const;
+
+  /// Moves the origin to the body if the middle of the body is farther than eight edges from where it was. Positions in the world
+  /// stay to 1e-7 of a rounding. Returns whether it was moved.
+  bool take_origin_along();
+
+  [[nodiscard]] bool uniform() const { return uniform_; }
+  [[nodiscard]] const std::vector<double>& phases() const { return phases_; }
+
+  /// Puts the drive at sin and cos into all sizes and their rates; the kernels do this for the following steps.
+  void set_sizes(double sine, double cosine);
+
+  /// The same for a drive that the kernels cannot compute.
+  void set_sizes(const DriveMoment& moment);
+
+ private:
+  void allocate(const Lattice& lattice);
+  void put_position(std::size_t voxel, const std::array<double, 3>& world_m);
+  [[nodiscard]] bool move_origin(const std::vector<std::array<double, 3>>& positions_m);
+  void place_on_grid(const Lattice& lattice, const std::vector<std::array<double, 3>>& displacements_m);
+  void place_voxels(const Lattice& lattice, const Physics& physics, const VoxelLoads& loads, const BodyClasses& classes);
+  void fill_tables(const BodyClasses& classes);
+  void fill_beams(const Lattice& lattice, const BodyClasses& classes, bool own_lengths);
+
+  double edge_;
+  std::size_t all_voxels_ = 0;  ///< with padding and the four ends of padding beams
+  bool uniform_ = true;
+  std::array<double, 3> origin_{};       ///< m
+  std::array<double, 3> grid_middle_{};  ///< mean of the positions on the grid, m
+  std::vector<double> phases_;
+  AlignedArray<Real> pose_, motion_, load_, residual_, external_;
+  AlignedArray<Real> size_base_, size_sine_, size_cosine_;
+  AlignedArray<Real> voxel_table_, beam_table_;
+  std::vector<std::int32_t> voxel_class_;
+  std::array<std::vector<std::int32_t>, 3> lower_, upper_, beam_class_;
+  std::array<AlignedArray<Real>, 3> history_, rest_length_, rest_length_rate_;
+};
+
+}  // namespace menger::voxel

@@ -1,0 +1,168 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "voxel/laws/beam.h"
+#include "voxel/laws/ground.h"
+
+namespace menger::voxel {
+
+/// Values in a line. All that a beam wants to know of a voxel's pose, its motion, or adds to its load, is one line of eight
+/// numbers: for double one cache line. A pack kernel reads a line per lane and turns them into eight packs in registers, which is
+/// faster than gathering component by component.
+inline constexpr int line_length = 8;
+
+/// Positions of values in the lines of a voxel.
+namespace slot {
+inline constexpr int x = 0, y = 1, z = 2, size = 3, qw = 4, qx = 5, qy = 6, qz = 7;  ///< pose: m from the origin, quaternion
+inline constexpr int px = 0, py = 1, pz = 2, size_rate = 3, hx = 4, hy = 5, hz = 6,
+                     is_static = 7;                                   ///< motion: kg m/s, m/s, kg m^2/s, 0 or 1
+inline constexpr int fx = 0, fy = 1, fz = 2, mx = 4, my = 5, mz = 6;  ///< load: N, N m; the others stay 0
+}  // namespace slot
+
+/// Positions of the values in a row of the voxel table that are read one by one; the order is that of VoxelCoefficients.
+namespace class_slot {
+inline constexpr int inverse_mass = 0, inverse_inertia = 1, contact_stiffness = 5, contact_damping = 6;
+}  // namespace class_slot
+
+/// What a voxel is: the same for all voxels of a class (material, fixed or free).
+template <class T>
+struct VoxelCoefficients {
+  T inverse_mass;             ///< 1/kg, 0 for a fixed voxel
+  T inverse_inertia;          ///< 1/(kg m^2), 0 for a fixed voxel
+  T weight;                   ///< m g, N
+  T global_damping;           ///< c_g = 2 zeta_g sqrt(m E L), N s/m
+  T global_rotation_damping;  ///< c_gr = 2 zeta_g sqrt(I E L^3), N m s/rad
+  FloorCoefficients<T> floor;
+};
+
+inline constexpr int history_values = 9;  ///< numbers that a beam remembers
+inline constexpr int class_values = 16;   ///< numbers of a voxel or beam class in the tables, two lines
+
+/// Beams and voxels are padded to a multiple of this: the numbers in the widest register.
+template <class Real>
+inline constexpr std::size_t widest_pack = 64 / sizeof(Real);
+
+/// Beams along one axis, in the order of their lower voxel, padded with beams between two voxels that nobody sees.
+template <class Real>
+struct BeamAxisData {
+  std::size_t count = 0;                ///< with padding
+  const std::int32_t* lower = nullptr;  ///< voxel at the lower end
+  const std::int32_t* upper = nullptr;
+  const std::int32_t* beam_class = nullptr;  ///< row pair in the beam table
+  Real* history = nullptr;                   ///< history_values arrays of `count`
+
+  /// Rest lengths (m) and their rates (m/s), where beams have their own; null where they are the means of the ends' sizes.
+  Real* rest_length = nullptr;
+  Real* rest_length_rate = nullptr;
+};
+
+/// What all voxels and beams of a step have in common.
+template <class Real>
+struct StepConstants {
+  Real time_step = 0;   ///< h, s
+  Real rate_scale = 0;  ///< 1/h for damping from increments, 0 in the first step
+  Real next_sine = 0;   ///< sin(2 pi t/T) at the end of the step
+  Real next_cosine = 0;
+  Real angular_frequency = 0;  ///< 2 pi / T, rad/s
+  Real strain_limit = 0;
+  bool stop_rotation_in_static_friction = false;
+  bool single_precision_rest_lengths = false;
+};
+
+/// All that one step of one body reads and writes: plain arrays and constants, the same for every instruction set.
+template <class Real>
+struct StepData : StepConstants<Real> {
+  std::size_t voxels = 0;         ///< real ones
+  std::size_t padded_voxels = 0;  ///< swept ones
+  Real* pose = nullptr;           ///< lines, see namespace slot
+  Real* motion = nullptr;
+  Real* load = nullptr;
+  Real* position_residual = nullptr;    ///< lines x, y, z: what rounding left out of the positions; float only
+  const Real* external_load = nullptr;  ///< lines, or null
+  const Real* size_base = nullptr;      ///< size = base + sine part * sin(2 pi t/T) + cosine part * cos(2 pi t/T), m
+  const Real* size_sine_part = nullptr;
+  const Real* size_cosine_part = nullptr;
+  const std::int32_t* voxel_class = nullptr;  ///< row pair in the voxel table
+  const Real* voxel_table = nullptr;          ///< class_values numbers per class
+  const Real* beam_table = nullptr;
+  VoxelCoefficients<Real> voxel;  ///< of all voxels, for uniform bodies
+  BeamCoefficients<Real> beam;    ///< of all beams, for uniform bodies
+  BeamAxisData<Real> axis[3];
+  Real floor_depth = 0;          ///< of the floor under the z = 0 of the positions, m
+  Real displacement_limit2 = 0;  ///< (speed limit * h)^2, m^2
+};
+
+/// Rest length (m) of a beam in this step, as the kernels see it.
+template <class Real>
+inline Real rest_length_m(const StepData<Real>& d, std::size_t axis, std::size_t beam) {
+  const BeamAxisData<Real>& beams = d.axis[axis];
+  const auto size = [&](std::int32_t voxel) { return d.pose[static_cast<std::ptrdiff_t>(voxel) * line_length + slot::size]; };
+  const Real length =
+      beams.rest_length != nullptr ? beams.rest_length[beam] : Real(0.5) * (size(beams.lower[beam]) + size(beams.upper[beam]));
+  return d.single_precision_rest_lengths ? rounded_to_single(length) : length;
+}
+
+/// What a sweep over voxels saw.
+struct VoxelSweep {
+  bool out_of_range = false;           ///< a voxel is too fast or not finite
+  double largest_displacement2 = 0.0;  ///< m^2 in this step
+};
+
+/// Where voxels are and how large they are against each other.
+template <class Real>
+struct Spheres {
+  const Real* values = nullptr;  ///< of voxel i from values[stride * i] on: x, y, z, size; m
+  std::ptrdiff_t stride = line_length;
+};
+
+/// The spheres of a body in lines.
+template <class Real>
+inline Spheres<Real> spheres_of(const StepData<Real>& d) {
+  return {d.pose, line_length};
+}
+
+/// Size (m) of a voxel in this step.
+template <class Real>
+inline Real size_m(const StepData<Real>& d, std::size_t voxel) {
+  return d.pose[static_cast<std::size_t>(line_length) * voxel + slot::size];
+}
+
+/// What beams differ in; a kernel reads no more than that.
+enum class BeamVariety {
+  classes,     ///< coefficients per beam, rest lengths from the sizes of the ends
+  uniform,     ///< one set of coefficients
+  own_lengths  ///< coefficients and rest lengths per beam
+};
+
+/// The sweeps of one instruction set and number type, by the terms that they contain.
+template <class Real>
+struct StepKernels {
+  using BeamSweep =
+      bool (*)(const StepData<Real>&);  ///< adds the loads of all beams; true if a strain is out of range or not finite
+  using VoxelSweepFunction = VoxelSweep (*)(const StepData<Real>&);  ///< moves all voxels and clears their loads
+  BeamSweep beams[2][3];                                             ///< [damping from velocities][BeamVariety]
+  VoxelSweepFunction voxels[2][2][2][2];                             ///< [uniform][floor][gravity][actuated]
+
+  /// Puts the positions, in ascending order, of the pairs (first, second) whose spheres overlap into `positions`, which has room
+  /// for `count` and a register's width more; `first` and `second` can be read so far, too. @return how many
+  std::size_t (*touching)(const Spheres<Real>&, const std::int32_t* first, const std::int32_t* second, std::size_t count,
+                          std::int32_t* positions);
+
+  /// The same for pairs whose centres are closer than `limit` (m).
+  std::size_t (*closer)(const Spheres<Real>&, const std::int32_t* first, const std::int32_t* second, std::size_t count,
+                        Real limit, std::int32_t* positions);
+};
+
+/// The sweeps of one instruction set; the pack ones exist only where the compiler can make them (x86-64).
+const StepKernels<double>& scalar_kernels_double();
+const StepKernels<float>& scalar_kernels_float();
+const StepKernels<double>& sse2_kernels_double();
+const StepKernels<float>& sse2_kernels_float();
+const StepKernels<double>& avx2_kernels_double();
+const StepKernels<float>& avx2_kernels_float();
+const StepKernels<double>& avx512_kernels_double();
+const StepKernels<float>& avx512_kernels_float();
+
+}  // namespace menger::voxel

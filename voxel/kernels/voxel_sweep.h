@@ -1,0 +1,190 @@
+#pragma once
+
+// Included, by way of step_kernels.h, only by files that are each compiled for their own instruction set: everything here is a
+// template over the pack type, so that no code is shared between them.
+
+#include <type_traits>
+
+#include "voxel/kernels/class_coefficients.h"
+#include "voxel/kernels/lines.h"
+#include "voxel/kernels/step_data.h"
+#include "voxel/laws/ground.h"
+
+namespace menger::voxel {
+
+/// What one step did to a voxel, per lane; what the sweep and the energy books share.
+template <class T>
+struct VoxelStep {
+  FloorContact<T> floor;
+  Vector3<T> velocity;  ///< before the step
+  Vector3<T> spin;      ///< before the step
+  Vector3<T> momentum;  ///< after it
+  Vector3<T> spin_momentum;
+  Vector3<T> displacement;
+  Vector3<T> turn;  ///< rotation vector of the step
+  MaskOf<T> is_static;
+};
+
+/// Moves one voxel per lane: momentum, then position; moment of momentum, then orientation (semi-implicit Euler). @cite
+/// hiller2014dynamic
+template <bool Floor, bool Gravity, class T>
+inline VoxelStep<T> voxel_step(const StepConstants<RealOf<T>>& d, const T& floor_depth, const VoxelCoefficients<T>& c,
+                               const Lines<T>& pose, const Lines<T>& motion, const Lines<T>& load) {
+  const T zero = constant<T>(0.0);
+  const T time_step = T(d.time_step);
+  VoxelStep<T> step;
+  const Vector3<T> momentum = {motion.value[slot::px], motion.value[slot::py], motion.value[slot::pz]};
+  const Vector3<T> spin_momentum = {motion.value[slot::hx], motion.value[slot::hy], motion.value[slot::hz]};
+  step.velocity = c.inverse_mass * momentum;
+  step.spin = c.inverse_inertia * spin_momentum;
+  Vector3<T> force =
+      Vector3<T>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz]} - c.global_damping * step.velocity;
+  if constexpr (Gravity) force.z = force.z - c.weight;
+  step.is_static = nowhere<T>();
+  step.floor = {nowhere<T>(), nowhere<T>(), zero, zero, zero};
+  if constexpr (Floor) {
+    const MaskOf<T> was_static = motion.value[slot::is_static] > constant<T>(0.5);
+    step.floor =
+        floor_contact(c.floor, floor_depth, pose.value[slot::size], pose.value[slot::z], step.velocity, force, was_static);
+    force = {force.x + step.floor.friction_x, force.y + step.floor.friction_y, force.z + step.floor.normal_force};
+  }
+  step.momentum = momentum + time_step * force;
+  const T per_mass = time_step * c.inverse_mass;
+  step.displacement = per_mass * step.momentum;
+  if constexpr (Floor) {
+    step.is_static = step.floor.is_static || floor_stops(step.floor, step.momentum, step.displacement, c.inverse_mass);
+    step.momentum.x = select(step.is_static, zero, step.momentum.x);
+    step.momentum.y = select(step.is_static, zero, step.momentum.y);
+    step.displacement.x = select(step.is_static, zero, step.displacement.x);
+    step.displacement.y = select(step.is_static, zero, step.displacement.y);
+  }
+  const Vector3<T> moment =
+      Vector3<T>{load.value[slot::mx], load.value[slot::my], load.value[slot::mz]} - c.global_rotation_damping * step.spin;
+  step.spin_momentum = spin_momentum + time_step * moment;
+  if constexpr (Floor) {
+    if (d.stop_rotation_in_static_friction) {
+      step.spin_momentum = select<T>(step.is_static, Vector3<T>{zero, zero, zero}, step.spin_momentum);
+    }
+  }
+  step.turn = (time_step * c.inverse_inertia) * step.spin_momentum;
+  return step;
+}
+
+/// The orientation that a step turns a voxel to.
+template <class T>
+inline Quaternion<T> turned_orientation(const Lines<T>& pose, const Vector3<T>& turn) {
+  Quaternion<T> turned =
+      quaternion_of(turn) * Quaternion<T>{pose.value[slot::qw], pose.value[slot::qx], pose.value[slot::qy], pose.value[slot::qz]};
+  if constexpr (std::is_same_v<RealOf<T>, float>) {
+    // The cosine of a step's half angle rounds to 1 in float: without this the quaternion grows by 3e-4 a second.
+    const T excess = constant<T>(0.5) *
+                     (constant<T>(1.0) - (turned.w * turned.w + turned.x * turned.x + turned.y * turned.y + turned.z * turned.z));
+    turned = {turned.w + excess * turned.w, turned.x + excess * turned.x, turned.y + excess * turned.y,
+              turned.z + excess * turned.z};
+  }
+  return turned;
+}
+
+/// Puts what a step did to a voxel into its lines.
+/// @param residual what rounding left out of the positions, three numbers; float only
+template <class T>
+inline void put_step(const VoxelStep<T>& step, Lines<T>& pose, Lines<T>& motion, T* residual) {
+  const Quaternion<T> turned = turned_orientation(pose, step.turn);
+  const T moves[3] = {step.displacement.x, step.displacement.y, step.displacement.z};
+  for (int k = 0; k < 3; ++k) {
+    if constexpr (std::is_same_v<RealOf<T>, float>) {
+      // Kahan's sum: at small steps a displacement is below the last digit of a float position.
+      const T move = moves[k] - residual[k];
+      const T sum = pose.value[k] + move;
+      residual[k] = (sum - pose.value[k]) - move;
+      pose.value[k] = sum;
+    } else {
+      pose.value[k] = pose.value[k] + moves[k];
+    }
+  }
+  pose.value[slot::qw] = turned.w;
+  pose.value[slot::qx] = turned.x;
+  pose.value[slot::qy] = turned.y;
+  pose.value[slot::qz] = turned.z;
+  motion.value[slot::px] = step.momentum.x;
+  motion.value[slot::py] = step.momentum.y;
+  motion.value[slot::pz] = step.momentum.z;
+  motion.value[slot::hx] = step.spin_momentum.x;
+  motion.value[slot::hy] = step.spin_momentum.y;
+  motion.value[slot::hz] = step.spin_momentum.z;
+  motion.value[slot::is_static] = select(step.is_static, constant<T>(1.0), constant<T>(0.0));
+}
+
+/// Puts the size at the end of a step, base + sine part sin + cosine part cos, and its rate into the lines.
+template <class T>
+inline void put_size(const StepConstants<RealOf<T>>& d, const T& base, const T& sine_part, const T& cosine_part, Lines<T>& pose,
+                     Lines<T>& motion) {
+  const T sine = T(d.next_sine);
+  const T cosine = T(d.next_cosine);
+  pose.value[slot::size] = base + (sine_part * sine + cosine_part * cosine);
+  motion.value[slot::size_rate] = T(d.angular_frequency) * (sine_part * cosine - cosine_part * sine);
+}
+
+template <bool Uniform, bool Floor, bool Gravity, bool Actuated, class T>
+MENGER_INLINED_WHOLE VoxelSweep sweep_voxels(const StepData<RealOf<T>>& d) {
+  using Real = RealOf<T>;
+  constexpr std::size_t width = static_cast<std::size_t>(NumberTraits<T>::width);
+  const T zero = constant<T>(0.0);
+  VoxelCoefficients<T> c = broadcast<T>(d.voxel);
+  VoxelSweep seen;
+  T largest2 = zero;
+  Lines<T> no_load;
+  for (T& value : no_load.value) value = zero;
+  for (std::size_t i = 0; i < d.padded_voxels; i += width) {
+    const std::size_t at = i * line_length;
+    Lines<T> pose = load_lines<T>(d.pose + at);
+    Lines<T> motion = load_lines<T>(d.motion + at);
+    if constexpr (!Uniform) c = voxel_coefficients<T>(d.voxel_table, d.voxel_class + i);
+    const VoxelStep<T> step = voxel_step<Floor, Gravity, T>(d, T(d.floor_depth), c, pose, motion, load_lines<T>(d.load + at));
+
+    if constexpr (std::is_same_v<Real, float>) {
+      Lines<T> residual = load_lines<T>(d.position_residual + at);
+      put_step(step, pose, motion, residual.value);
+      store_lines<T>(d.position_residual + at, residual);
+    } else {
+      put_step<T>(step, pose, motion, nullptr);
+    }
+    if constexpr (Actuated) {
+      put_size(d, load_values<T>(d.size_base + i), load_values<T>(d.size_sine_part + i), load_values<T>(d.size_cosine_part + i),
+               pose, motion);
+    }
+    store_lines<T>(d.pose + at, pose);
+    store_lines<T>(d.motion + at, motion);
+    store_lines<T>(d.load + at, d.external_load == nullptr ? no_load : load_lines<T>(d.external_load + at));
+
+    // Padding voxels move like the others but count for nothing.
+    T displacement2 = dot(step.displacement, step.displacement);
+    if (i + width > d.voxels) {
+      if constexpr (width == 1) {
+        displacement2 = zero;
+      } else {
+        alignas(64) Real lanes[width];
+        displacement2.store_aligned(lanes);
+        for (std::size_t lane = 0; lane < width; ++lane) {
+          if (i + lane >= d.voxels) lanes[lane] = Real(0);
+        }
+        displacement2 = T::load_aligned(lanes);
+      }
+    }
+    const MaskOf<T> in_range = displacement2 <= T(d.displacement_limit2);
+    seen.out_of_range = seen.out_of_range || any(!in_range);
+    largest2 = select(displacement2 > largest2, displacement2, largest2);
+  }
+  if constexpr (width == 1) {
+    seen.largest_displacement2 = static_cast<double>(largest2);
+  } else {
+    alignas(64) Real lanes[width];
+    largest2.store_aligned(lanes);
+    for (const Real lane : lanes) {
+      if (static_cast<double>(lane) > seen.largest_displacement2) seen.largest_displacement2 = static_cast<double>(lane);
+    }
+  }
+  return seen;
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "voxel/engine/engine.h"
+#include "voxel/engine/voxel_state.h"
+#include "voxel/kernels/block_data.h"
+#include "voxel/lanes/blocks.h"
+#include "voxel/lanes/spin_barrier.h"
+
+namespace menger::voxel {
+
+/// Steps an aggregate with its blocks in SIMD lanes, to the same bytes as voxel by voxel.
+///
+/// Copies of a block have the same beams in the same order, so that a pack is the same voxel or beam of several blocks and
+/// nothing has to be sorted into registers but the ends of beams between blocks. For uniform bodies that run in lanes.
+template <class Real>
+class BlockLanes {
+ public:
+  /// @param engine outlives this @param kernels with more than one lane @param threads that share every step, >= 1
+  BlockLanes(EngineOf<Real>& engine, BlockBody body, const LaneKernels<Real>& kernels, int threads);
+  BlockLanes(const BlockLanes&) = delete;
+  BlockLanes& operator=(const BlockLanes&) = delete;
+
+  /// So many threads share the steps from now on. @param threads >= 1
+  void set_threads(int threads);
+
+  /// Takes `count` steps unless the robot diverges or `stop` becomes true, and puts what it came to into the engine.
+  void advance(std::uint64_t count, const std::atomic<bool>* stop);
+
+ private:
+  /// A contact force on a voxel.
+  struct Contact {
+    std::size_t at = 0;  ///< of the load's x
+    Vector3<Real> force;
+  };
+
+  /// A thread's share of the steps, and what it saw in the last one.
+  struct alignas(64) Part {
+    std::size_t number = 0;
+    bool strained = false;
+    bool too_fast = false;
+    double largest_displacement2 = 0.0;
+    std::vector<std::vector<Contact>> contacts;  ///< that it found, per group, in the order of their pairs
+    std::vector<std::int32_t> touching;          ///< room for finding them
+    std::exception_ptr failure;
+  };
+
+  /// Of `count` things, the first of a part's share and the first of the next part's.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> share(std::size_t count, const Part& part) const {
+    return {count * part.number / parts_.size(), count * (part.number + 1) / parts_.size()};
+  }
+
+  void allocate();
+  void join(std::size_t axis);
+  void find_histories(std::size_t axis);
+  void put();
+  void put_positions();
+  void put_histories();
+  void take_poses();
+  void take();
+  void begin_step();
+  bool prepare_contacts();
+  void take_positions();
+  void number_spheres();
+  void put_spheres(std::size_t group);
+  void find_contacts(Part& part);
+  void add_contacts(std::size_t group);
+  void find_joint_loads(Part& part);
+  void move_groups(Part& part);
+  void end_step();
+  void do_alone(void (BlockLanes::*work)());
+  void do_part(Part& part);
+
+  /// Where a number of a voxel stands in an array of so many packs per voxel.
+  [[nodiscard]] std::size_t at(std::size_t slot, std::size_t place, std::size_t packs, std::size_t pack) const {
+    return ((slot / lanes_ * places_ + place) * packs + pack) * lanes_ + slot % lanes_;
+  }
+  [[nodiscard]] std::size_t lanes_used(std::size_t group) const;
+  [[nodiscard]] Spheres<Real> spheres() const { return {spheres_.data(), 4}; }
+
+  EngineOf<Real>& engine_;
+  BlockBody body_;
+  Lattice block_;
+  const LaneKernels<Real>& kernels_;
+  std::size_t lanes_, places_,
+      slots_;  ///< slots: blocks, and lanes left over, which start as copies of the first block and then mean nothing
+  AlignedArray<Real> pose_, motion_, load_, residual_, drive_;
+  std::array<AlignedArray<Real>, 3> history_, joint_history_, joint_loads_;
+  std::array<std::vector<std::int32_t>, 3> face_lower_, face_upper_;
+  using Moves = std::vector<LaneMoves<Real>, xsimd::aligned_allocator<LaneMoves<Real>, 64>>;
+  std::array<Moves, 3> lower_blocks_, upper_blocks_;
+  std::array<std::array<Moves, 2>, 3> to_blocks_;  ///< per axis and end
+  std::vector<LaneData<Real>, xsimd::aligned_allocator<LaneData<Real>, 64>> groups_;
+  BlockData<Real> data_;
+
+  std::vector<std::size_t> line_of_;          ///< per voxel, in arrays of line_length packs per voxel
+  std::vector<std::int32_t> sphere_of_;       ///< per voxel
+  AlignedArray<Real> spheres_;                ///< four numbers each, as after the last step
+  std::vector<std::int32_t> first_, second_;  ///< spheres of the close pairs, in their order
+  std::uint64_t list_of_spheres_ = 0;         ///< that these are of, by the number of lists made
+  bool may_touch_ = false;                    ///< any pair, in this step
+  Real next_sine_ = 0, next_cosine_ = 0;      ///< at the end of this step
+
+  std::vector<Part, xsimd::aligned_allocator<Part, 64>> parts_;  ///< one per thread
+  SpinBarrier barrier_;
+  bool done_ = false;           ///< no further step
+  std::exception_ptr failure_;  ///< of what one thread does alone
+  std::uint64_t last_step_ = 0;
+  const std::atomic<bool>* stop_ = nullptr;
+
+  /// Per axis and beam of the engine: where its history stands, a pack from one remembered value to the next.
+  std::array<std::vector<Real*>, 3> remembered_;
+  std::array<std::vector<std::pair<Real*, Real*>>, 3> repeated_;  ///< histories of left over lanes, and those that they repeat
+};
+
+}  // namespace menger::voxel

@@ -1,0 +1,91 @@
+#include "voxel/lanes/lanes.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <type_traits>
+
+#include "voxel/engine/engine.h"
+#include "voxel/kernels/instruction_sets.h"
+#include "voxel/lanes/lane_group.h"
+#include "voxel/lanes/lane_packing.h"
+
+namespace menger::voxel {
+
+namespace {
+
+/// Whether two robots that run in lanes can do so side by side.
+bool go_together(const Simulation::Engine& a, const Simulation::Engine& b) {
+  return a.steps == b.steps && a.time_step_s == b.time_step_s && a.cell_edge_m == b.cell_edge_m &&
+         a.lattice->grid == b.lattice->grid && a.physics == b.physics;
+}
+
+template <class Real>
+constexpr NumberType number_type_of = std::is_same_v<Real, double> ? NumberType::float64 : NumberType::float32;
+
+/// Steps robots of one kind to the end, a register full at a time, or one after the other where that is faster.
+template <class Real>
+void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t steps, const std::atomic<bool>* stop,
+                  InstructionSet set, LaneUse use) {
+  std::vector<std::vector<bool>> cells;
+  std::vector<std::size_t> left;
+  for (const EngineOf<Real>* robot : robots) {
+    left.push_back(cells.size());
+    cells.push_back(cells_of(robot->lattice->grid, robot->lattice->cells));
+  }
+  const auto lanes = static_cast<std::size_t>(lane_kernels_for<Real>(set, robots.size()).lanes);
+  const std::size_t widest = most_lanes_of(number_type_of<Real>, set);  // which a robot by itself has
+  while (!left.empty()) {
+    const std::vector<std::size_t> taken = take_similar(cells, left, lanes);
+    std::vector<EngineOf<Real>*> together;
+    std::vector<std::vector<bool>> of_register;
+    for (const std::size_t i : taken) {
+      together.push_back(robots[i]);
+      of_register.push_back(cells[i]);
+    }
+    if (use == LaneUse::always || lanes_pay(of_register, robots.front()->lattice->grid, widest)) {
+      LaneGroup<Real>(together, lane_kernels_for<Real>(set, together.size())).advance(steps, stop);
+    } else {
+      for (EngineOf<Real>* robot : together) static_cast<void>(robot->advance(steps, stop));
+    }
+  }
+}
+
+/// Steps all robots of one number type that run in lanes; the others stay as they are.
+template <class Real>
+void advance_in_lanes(std::span<Simulation::Engine* const> engines, double time_s, const std::atomic<bool>* stop,
+                      InstructionSet requested, LaneUse use) {
+  std::vector<std::vector<EngineOf<Real>*>> kinds;
+  for (Simulation::Engine* engine : engines) {
+    if (engine->physics.integration.number != number_type_of<Real>) continue;
+    auto* robot = static_cast<EngineOf<Real>*>(engine);
+    if (!robot->runs_in_lanes() || robot->steps >= steps_until(time_s, robot->time_step_s)) continue;
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return go_together(*one.front(), *robot); });
+    if (kind == kinds.end()) {
+      kinds.push_back({robot});
+    } else {
+      kind->push_back(robot);
+    }
+  }
+  const InstructionSet set = resolve(requested);
+  for (std::vector<EngineOf<Real>*>& kind : kinds) {
+    const std::uint64_t steps = steps_until(time_s, kind.front()->time_step_s) - kind.front()->steps;
+    advance_kind(kind, steps, stop, set, use);
+  }
+}
+
+}  // namespace
+
+std::vector<io::RunStatus> advance_together_to(std::span<Simulation> simulations, double time_s, const std::atomic<bool>* stop,
+                                               InstructionSet instruction_set, LaneUse use) {
+  std::vector<Simulation::Engine*> engines;
+  for (Simulation& simulation : simulations) engines.push_back(simulation.engine_.get());
+  advance_in_lanes<double>(engines, time_s, stop, instruction_set, use);
+  advance_in_lanes<float>(engines, time_s, stop, instruction_set, use);
+  // What is left are the robots that go alone; the others are there, diverged, or stop with the next look at `stop`.
+  std::vector<io::RunStatus> statuses;
+  for (Simulation& simulation : simulations) statuses.push_back(simulation.advance_to(time_s, stop));
+  return statuses;
+}
+
+}  // namespace menger::voxel

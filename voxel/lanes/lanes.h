@@ -1,0 +1,33 @@
+#pragma once
+
+#include <atomic>
+#include <span>
+#include <vector>
+
+#include "io/text/run_status.h"
+#include "voxel/engine/simulation.h"
+#include "voxel/kernels/kernel_choice.h"
+
+namespace menger::voxel {
+
+/// When several simulations are stepped in lanes, never what they come to.
+enum class LaneUse {
+  where_faster,  ///< see lanes_pay
+  always         ///< for comparison
+};
+
+/// Does for every simulation what Simulation::advance_to does, several of them at a time, each in a SIMD lane of its own.
+///
+/// Every simulation comes to the same bytes as alone, whatever stands in the other lanes. Simulations of equal physics, cell
+/// edge, grid, time step and steps so far go together, those of similar shape first; a lane also computes the voxels that only
+/// others have, so that robots of one shape are fastest, and those that differ too much go alone. Alone go also calibrated
+/// bodies, lateral coupling, external loads, drives that are not a sine from the start on, and the energy ledger.
+/// @param instruction_set the widest to be used; a machine's own by default
+/// @return per simulation completed, diverged or stopped
+/// @throws std::invalid_argument for more than 1e18 steps, and for an instruction set that this machine does not have
+[[nodiscard]] std::vector<io::RunStatus> advance_together_to(std::span<Simulation> simulations, double time_s,
+                                                             const std::atomic<bool>* stop = nullptr,
+                                                             InstructionSet instruction_set = InstructionSet::best,
+                                                             LaneUse use = LaneUse::where_faster);
+
+}  // namespace menger::voxel

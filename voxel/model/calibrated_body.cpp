@@ -1,0 +1,167 @@
+#include "voxel/model/calibrated_body.h"
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "io/text/number_text.h"
+#include "meshes/design/fractal.h"
+#include "meshes/load_cases/load_case.h"
+#include "voxel/model/covered_pressures.h"
+#include "voxel/model/surrogate_file.h"
+
+namespace menger::voxel {
+namespace {
+
+/// The n-th root of a number of cells, 0 if it is no integer.
+int root_of(int cells, int level) {
+  const int root = static_cast<int>(std::lround(std::pow(cells, 1.0 / level)));
+  long long power = 1;
+  for (int i = 0; i < level; ++i) power *= root;
+  return power == cells ? root : 0;
+}
+
+/// Wall classes of the voxels of a body.
+ByWallClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
+  ByWallClass<bool> classes{};
+  CalibratedBody module = calibrated;  // all modules have the same walls
+  module.level = 1;
+  const HollowVoxels voxels = calibrated_voxels(basal_body, module);
+  for (const auto* lists : {&voxels.wall_class, &voxels.bulge_class}) {
+    for (const auto& of_voxel : *lists) {
+      for (const std::uint8_t c : of_voxel) classes[c] = true;
+    }
+  }
+  return classes;
+}
+
+/// Why walls of a class have no size somewhere in the drive, or an empty text.
+std::string sizeless_class(const CalibratedBody& calibrated, std::size_t c) {
+  const SurrogateParameters& parameters = calibrated.parameters;
+  const auto text = [c](const char* what, double pressure) {
+    return "wall class " + std::string(wall_class_names[c]) + what + io::number_text(pressure);
+  };
+  // With rest at zero pressure in between: the drive may be ramped from there.
+  for (const double pressure : calibrated.pressure_Pa) {
+    for (const PressureLaw& law : {parameters.extension[c], parameters.bulge[c]}) {
+      if (!law.has_value(pressure)) return text(" has no equilibrium at pressure_Pa = ", pressure);
+    }
+    if (!(1.0 + parameters.extension[c].value(pressure) > 0.0)) return text(" has no length left at pressure_Pa = ", pressure);
+  }
+  return "";
+}
+
+std::vector<std::string> faults_of(const CalibratedBody& calibrated, const BodyWalls& walls, int longest_body_cells) {
+  const SurrogateParameters& parameters = calibrated.parameters;
+  const CoveredPressures covered = covered_pressures(parameters.validity, walls);
+  std::vector<std::string> faults;
+  for (const double pressure : calibrated.pressure_Pa) {
+    if (covered.contains(pressure)) continue;
+    faults.push_back("pressure_Pa = " + io::number_text(pressure) + " is outside the range of the fit for such a body, " +
+                     io::number_text(covered.lowest_Pa) + " to " + io::number_text(covered.highest_Pa) + " Pa, which " +
+                     (pressure < 0.0 ? covered.lowest_by + " begins" : covered.highest_by + " ends"));
+  }
+  if (calibrated.chambers != parameters.chambers) {
+    faults.push_back("chambers = \"" + std::string(to_string(calibrated.chambers)) + "\", the bodies of the fit had \"" +
+                     std::string(to_string(parameters.chambers)) + "\"");
+  }
+  if (longest_body_cells > parameters.validity.longest_body_cells) {
+    faults.push_back("the body is " + std::to_string(longest_body_cells) + " cells long, the longest of the fit was " +
+                     std::to_string(parameters.validity.longest_body_cells));
+  }
+  const int modules = materials::longest_side_modules(longest_body_cells, calibrated.level);
+  if (modules > parameters.validity.longest_aggregate_modules) {
+    faults.push_back("the body is " + std::to_string(modules) + " modules long, the longest of the fit was " +
+                     std::to_string(parameters.validity.longest_aggregate_modules));
+  }
+  return faults;
+}
+
+}  // namespace
+
+std::string_view to_string(OutsideRange rule) { return rule == OutsideRange::refuse ? "refuse" : "warn"; }
+
+meshes::Polycube basal_body_of(const meshes::Polycube& body, int level) {
+  if (level == 1) return body;
+  const auto fault = [&] { return std::invalid_argument("the body is no fractal of level " + std::to_string(level)); };
+  const int nx = root_of(body.nx(), level);
+  const int ny = root_of(body.ny(), level);
+  const int nz = root_of(body.nz(), level);
+  const std::vector<meshes::CellIndex> cells = body.occupied();
+  if (nx == 0 || ny == 0 || nz == 0 || cells.empty()) throw fault();
+  // Every module of the fractal is a copy of the basal body: take the one of the first cell.
+  const meshes::CellIndex first{cells.front().x / nx * nx, cells.front().y / ny * ny, cells.front().z / nz * nz};
+  meshes::Polycube basal(nx, ny, nz);
+  for (int z = 0; z < nz; ++z) {
+    for (int y = 0; y < ny; ++y) {
+      for (int x = 0; x < nx; ++x) basal.set({x, y, z}, body.at({first.x + x, first.y + y, first.z + z}));
+    }
+  }
+  if (!(meshes::fractal(basal, level) == body)) throw fault();
+  return basal;
+}
+
+HollowVoxels calibrated_voxels(const meshes::Polycube& body, const CalibratedBody& calibrated) {
+  const SurrogateParameters& parameters = calibrated.parameters;
+  return hollow_voxels(basal_body_of(body, calibrated.level), {.cell_edge_m = parameters.cell_edge_m,
+                                                               .wall_thickness_m = parameters.wall_thickness_m,
+                                                               .voxels_per_cell = parameters.voxels_per_cell,
+                                                               .level = calibrated.level,
+                                                               .chambers = calibrated.chambers});
+}
+
+std::string unusable_parameters(const CalibratedBody& calibrated, double cell_edge_m, const meshes::Polycube* basal_body) {
+  const SurrogateParameters& parameters = calibrated.parameters;
+  // A design file may give the edge in other units of the last digit.
+  if (!(std::abs(parameters.cell_edge_m - cell_edge_m) <= 1e-9 * cell_edge_m)) {
+    return "the parameters are calibrated for cell_edge_m = " + io::number_text(parameters.cell_edge_m) +
+           ", the design has cell_edge_m = " + io::number_text(cell_edge_m);
+  }
+  if (basal_body != nullptr) return sizeless_walls(calibrated, *basal_body);
+  const std::vector<std::string> faults = sizeless_walls(calibrated);
+  return faults.size() == wall_class_count ? faults.front() + ", nor has any other" : "";
+}
+
+std::string sizeless_walls(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
+  const ByWallClass<bool> classes = classes_of(calibrated, basal_body);
+  for (std::size_t c = 0; c < wall_class_count; ++c) {
+    if (!classes[c]) continue;
+    if (std::string fault = sizeless_class(calibrated, c); !fault.empty()) return fault;
+  }
+  return "";
+}
+
+std::vector<std::string> sizeless_walls(const CalibratedBody& calibrated) {
+  std::vector<std::string> faults;
+  for (std::size_t c = 0; c < wall_class_count; ++c) {
+    if (std::string fault = sizeless_class(calibrated, c); !fault.empty()) faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
+std::vector<std::string> outside_validity(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
+  return faults_of(calibrated, body_walls(basal_body, calibrated.level, calibrated.chambers),
+                   materials::longest_side_cells({basal_body.nx(), basal_body.ny(), basal_body.nz()}, basal_body.digits()));
+}
+
+std::vector<std::string> outside_validity(const CalibratedBody& calibrated, int longest_body_cells) {
+  const bool has_joints = calibrated.level > 1 || calibrated.chambers == meshes::ChamberLayout::per_phase;
+  return faults_of(calibrated, all_walls(has_joints), longest_body_cells);
+}
+
+std::string unrealisable_phases(const HollowVoxels& voxels, const std::vector<double>& phases) {
+  std::vector<std::optional<double>> of_chamber(voxels.chamber_count);
+  const std::vector<meshes::CellIndex> cells = voxels.body.occupied();
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    std::optional<double>& phase = of_chamber.at(voxels.chamber[i]);
+    if (!phase) phase = phases[i];
+    if (*phase == phases[i]) continue;
+    return "a chamber has one pressure, but the voxels of one would need the phases " + io::number_text(*phase) + " and " +
+           io::number_text(phases[i]) + " (voxel " + std::to_string(cells[i].x) + ", " + std::to_string(cells[i].y) + ", " +
+           std::to_string(cells[i].z) + "): drive it in phase or give it chambers = \"per-phase\"";
+  }
+  return "";
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "voxel/model/calibrated_body.h"
+
+namespace menger::voxel {
+
+/// What one of the two voxel materials is made of.
+struct VoxelMaterial {
+  double youngs_modulus_Pa = 1e4;  ///< E > 0
+  double density_kg_m3 = 10.0;     ///< rho > 0
+  double static_friction = 1.0;    ///< mu_s >= 0, against the floor
+  double kinetic_friction = 0.5;   ///< mu_k >= 0, against the floor
+
+  bool operator==(const VoxelMaterial&) const = default;
+};
+
+/// Damping ratios: fractions of the critical damping of the oscillator formed by one voxel and one beam (or one contact).
+struct DampingRatios {
+  double bond = 1.0;       ///< zeta, of beams; a calibrated body brings its own
+  double collision = 0.8;  ///< zeta_c, of contacts with the floor and between voxels
+  double global = 0.01;    ///< zeta_g, of every voxel against the resting world
+
+  bool operator==(const DampingRatios&) const = default;
+};
+
+/// Which phase a voxel is driven with.
+enum class ActuationMode {
+  none,       ///< nothing is driven
+  in_phase,   ///< all voxels together, phase 0
+  antiphase,  ///< by material, Actuation::material_phase
+  wave,       ///< a wave travels along Actuation::wave_axis
+  hold        ///< all voxels together, held at the top of the cycle: the sine is 1 at all times
+};
+
+/// Drive of the voxel sizes: s = L (1 + amplitude sin(2 pi (t / period + phase))), with the amplitude growing from zero over the
+/// ramp.
+///
+/// With ActuationMode::hold and a ramp a body is brought to a state and settles there under its damping, to be compared with an
+/// equilibrium.
+struct Actuation {
+  ActuationMode mode = ActuationMode::antiphase;
+  double amplitude = 0.144714;                     ///< a, fraction of the edge, 0 <= a < 1
+  double period_s = 0.2;                           ///< T > 0
+  double ramp_s = 0.0;                             ///< >= 0: the drive is multiplied by min(1, t / ramp_s)
+  std::array<double, 2> material_phase{0.0, 0.5};  ///< phases of materials 1 and 2, in periods (antiphase only)
+  int wave_axis = 1;                               ///< 0, 1, 2 for x, y, z (wave only)
+
+  /// Wave only: phase = periods_per_body * i / W, with i the cell index along the axis and W the cells of the grid along it
+  /// (3^level for a fractal). Negative: the wave travels towards growing index.
+  double wave_periods_per_body = -1.0;
+  bool wave_over_gaps = false;  ///< wave only: divide by W - 1 instead of W (the last layer then gets the full phase)
+
+  bool operator==(const Actuation&) const = default;
+};
+
+/// How beams are damped.
+enum class DampingMode {
+  increments,  ///< from the change of the beam's displacements since the last step: the public engines' way, needs double
+  velocity     ///< from the velocities of the ends and the rate of the rest length: conserves momentum, carries float
+};
+
+/// When the damping of beams acts on the velocities that it damps; see effective_bond_ratio.
+enum class BondDamping {
+  explicit_step,  ///< at the start of the step: bounds the step in full bodies
+  semi_implicit   ///< weakened so that it bounds no step: for steps up to three times as long, at less damping
+};
+
+enum class NumberType { float64, float32 };
+
+/// The time step and how it is taken.
+struct Integration {
+  double time_step_fraction = 0.9;  ///< of the recommended step, > 0
+  DampingMode damping = DampingMode::increments;
+  NumberType number = NumberType::float64;
+  BondDamping bond_damping = BondDamping::explicit_step;
+
+  /// Round rest lengths to 24 bits, as the public engine keeps them. Damping from increments divides that rounding by the step:
+  /// at a tenth of the paper's step it is a force noise of about a percent of a light robot's friction, enough to start a slip
+  /// early. For comparisons only.
+  bool single_precision_rest_lengths = false;
+
+  bool operator==(const Integration&) const = default;
+};
+
+/// Contact between surface voxels as spheres of 0.625 of their size.
+struct Collisions {
+  /// Voxels that are this many beams apart or fewer never collide: 1 excludes direct neighbours (voxcraft-sim), 5 is Voxelyze's
+  /// rule; none: off.
+  std::optional<int> exclusion_depth = 1;
+
+  bool operator==(const Collisions&) const = default;
+};
+
+/// Beyond these a run is called diverged. Tested over all voxels and beams at every step.
+struct DivergenceLimits {
+  double speed_fraction =
+      0.2;              ///< largest speed as a fraction of the wave speed sqrt(E / rho) of the stiffest and lightest material
+  double strain = 1.0;  ///< largest magnitude of a beam's axial strain
+
+  bool operator==(const DivergenceLimits&) const = default;
+};
+
+/// All that decides how a body of voxels moves.
+struct Physics {
+  /// Materials 1 and 2. Of a calibrated body they give the friction only.
+  std::array<VoxelMaterial, 2> materials{};
+
+  /// c of LateralCoupling, 0 <= c < 1: stretched bodies get thinner, by c / (1 + c) where they are wide. 0: not computed at all.
+  /// A calibrated body brings its own; see effective_coupling.
+  double lateral_coupling = 0.0;
+
+  /// Hollow cells driven by pressure; Actuation::amplitude is without effect then. None: solid voxels driven by size.
+  std::optional<CalibratedBody> surrogate;
+
+  DampingRatios damping_ratios;
+  double gravity_m_s2 = 9.81;  ///< downwards, >= 0
+  bool floor = true;           ///< rigid plane at half a voxel edge below the centres of the lowest layer of the grid
+
+  /// Whether a voxel in static friction also loses its angular momentum (voxcraft-sim does, Voxelyze does not).
+  bool stop_rotation_in_static_friction = false;
+
+  Actuation actuation;
+  Collisions collisions;
+  Integration integration;
+  DivergenceLimits limits;
+
+  bool operator==(const Physics&) const = default;
+};
+
+/// The lateral coupling that counts: the parameters' of a calibrated body.
+inline double effective_coupling(const Physics& physics) {
+  return physics.surrogate ? physics.surrogate->parameters.lateral_coupling : physics.lateral_coupling;
+}
+
+std::string_view to_string(ActuationMode mode);
+std::string_view to_string(DampingMode mode);
+std::string_view to_string(NumberType number);
+std::string_view to_string(BondDamping treatment);  ///< "explicit" or "semi-implicit"
+
+}  // namespace menger::voxel

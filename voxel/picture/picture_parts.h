@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <span>
+#include <string>
+
+#include "voxel/engine/frame.h"
+#include "voxel/picture/picture_view.h"
+
+namespace menger::voxel {
+
+/// A robot moved by `shift` for the picture.
+struct Placed {
+  const Frame* frame;
+  Vector shift;
+};
+
+/// The sides of all cubes with the colours of their materials.
+vtkSmartPointer<vtkPolyData> robot_surface(const Placed& robot);
+
+/// A copy of a surface elsewhere; what lies on it is shared.
+vtkSmartPointer<vtkPolyData> moved(vtkPolyData& surface, const Vector& shift);
+
+/// Where the light throws a point onto the ground of the given height.
+Vector shadow_of(const Vector& point, double ground_height);
+
+/// Add parts of a picture to a renderer. What lies on the ground is drawn at heights of its own, so that no two surfaces
+/// coincide.
+void add_light(vtkRenderer& renderer);
+void add_robot(vtkRenderer& renderer, vtkPolyData& surface, double line_width);
+void add_floor(vtkRenderer& renderer, const Extent& ground, double height);
+void add_shadow(vtkRenderer& renderer, vtkPolyData& surface, double ground_height, double height);
+void add_trail(vtkRenderer& renderer, std::span<const Vector> trail);
+
+/// @param across position of the caption's middle, 0 to 1 from left to right
+void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size);
+
+}  // namespace menger::voxel

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vtkRenderer.h>
+
+#include <array>
+#include <limits>
+
+#include "voxel/engine/frame.h"
+
+namespace menger::voxel {
+
+using Vector = std::array<double, 3>;
+
+/// Unit vectors of the view: from the scene to the eye, to the right in the picture (horizontal), and up in it.
+struct View {
+  Vector eye, right, up;
+
+  /// Coordinates of a point along right, up and eye.
+  [[nodiscard]] Vector coordinates(const Vector& point) const;
+};
+
+/// From above at an angle, parallel projection.
+View isometric_view();
+
+/// The smallest box around points; which axes it has is up to who adds them.
+struct Extent {
+  Vector low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  Vector high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest(),
+              std::numeric_limits<double>::lowest()};
+
+  void add(const Vector& point);
+  void unite(const Extent& other);
+  [[nodiscard]] double size(std::size_t axis) const { return high[axis] - low[axis]; }
+  [[nodiscard]] double centre(std::size_t axis) const { return 0.5 * (low[axis] + high[axis]); }
+};
+
+/// Extent of all cubes of a frame in world axes and along the axes of a view.
+Extent world_extent(const Frame& frame);
+Extent view_extent(const Frame& frame, const View& view);
+
+/// Points the camera along the view so that the extent (in the axes of the view) fills the picture.
+/// @param aspect width by height of the picture @param margin fraction of the picture that is left free around
+void aim(vtkRenderer& renderer, const View& view, const Extent& extent, double aspect, double margin);
+
+}  // namespace menger::voxel

@@ -1,0 +1,137 @@
+#include "voxel/picture/preview.h"
+
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "voxel/picture/picture_parts.h"
+#include "voxel/picture/picture_view.h"
+
+namespace menger::voxel {
+namespace {
+
+/// Shifts that put robots on one horizontal line across the picture, with gaps, and centre them over the origin.
+std::vector<Placed> side_by_side(std::span<const Frame> frames, const View& view) {
+  constexpr double gap = 0.35;  // of the mean width
+  double width = 0.0;
+  for (const Frame& frame : frames) width += view_extent(frame, view).size(0);
+  const double space = gap * width / static_cast<double>(frames.size());
+
+  std::vector<Placed> robots;
+  double across = 0.0;
+  for (const Frame& frame : frames) {
+    const Extent world = world_extent(frame);
+    const Vector middle{world.centre(0), world.centre(1), 0.0};
+    const Extent seen = view_extent(frame, view);
+    const double left = seen.low[0] - view.coordinates(middle)[0];
+    Vector shift{};
+    for (std::size_t axis = 0; axis < 3; ++axis) shift[axis] = (across - left) * view.right[axis] - middle[axis];
+    robots.push_back({&frame, shift});
+    across += seen.size(0) + space;
+  }
+  return robots;
+}
+
+Extent moved(Extent extent, const Vector& shift) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    extent.low[axis] += shift[axis];
+    extent.high[axis] += shift[axis];
+  }
+  return extent;
+}
+
+/// The ground under a robot: its box and its shadow with a margin around.
+Extent tile_of(const Placed& robot, std::span<const Vector> trail, double ground_height) {
+  const Extent box = moved(world_extent(*robot.frame), robot.shift);
+  Extent tile = box;
+  tile.add(shadow_of(box.high, ground_height));
+  tile.add(shadow_of({box.low[0], box.high[1], box.high[2]}, ground_height));
+  for (const Vector& point : trail) tile.add({point[0], point[1], ground_height});
+  const double margin = 0.12 * std::max(box.size(0), box.size(1));
+  for (const std::size_t axis : {0U, 1U}) {
+    tile.low[axis] -= margin;
+    tile.high[axis] += margin;
+  }
+  tile.high[2] = tile.low[2] = ground_height;
+  return tile;
+}
+
+/// Extent along the view of the four corners of a tile.
+Extent view_of_tile(const Extent& tile, const View& view) {
+  Extent seen;
+  for (const double x : {tile.low[0], tile.high[0]}) {
+    for (const double y : {tile.low[1], tile.high[1]}) seen.add(view.coordinates({x, y, tile.low[2]}));
+  }
+  return seen;
+}
+
+void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std::span<const Vector> trail,
+                 std::span<const std::string> captions, const RobotStyle& style) {
+  const View view = isometric_view();
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  add_light(*renderer);
+
+  double cells_across = 0.0;
+  for (const Placed& robot : robots) cells_across += view_extent(*robot.frame, view).size(0) / robot.frame->cell_edge_m;
+  const double line_width = io::supersampling * std::clamp(30.0 / cells_across, 0.6, 2.0);
+
+  Extent seen;
+  std::vector<double> middles;
+  for (const Placed& robot : robots) {
+    const double ground_height = -0.5 * robot.frame->cell_edge_m;
+    const Extent body = moved(view_extent(*robot.frame, view), view.coordinates(robot.shift));
+    seen.unite(body);
+    middles.push_back(body.centre(0));
+
+    const auto surface = robot_surface(robot);
+    add_robot(*renderer, *surface, line_width);
+    if (!style.floor) continue;
+    const Extent tile = tile_of(robot, trail, ground_height);
+    seen.unite(view_of_tile(tile, view));
+    const double layer = 0.002 * std::max(tile.size(0), tile.size(1));
+    add_floor(*renderer, tile, ground_height - 2.0 * layer);
+    add_shadow(*renderer, *surface, ground_height, ground_height - layer);
+  }
+  if (!trail.empty()) {
+    const double ground_height = -0.5 * robots.front().frame->cell_edge_m;
+    std::vector<Vector> path(trail.begin(), trail.end());
+    for (Vector& point : path) {
+      if (style.floor) point[2] = ground_height;
+      seen.add(view.coordinates(point));
+    }
+    add_trail(*renderer, path);
+  }
+
+  window.AddRenderer(renderer);
+  const double aspect = static_cast<double>(style.picture.width_px) / style.picture.height_px;
+  aim(*renderer, view, seen, aspect, captions.empty() ? 0.04 : 0.08);
+  const double picture_width = 2.0 * renderer->GetActiveCamera()->GetParallelScale() * aspect;
+  for (std::size_t i = 0; i < captions.size(); ++i) {
+    add_caption(*renderer, captions[i], 0.5 + (middles[i] - seen.centre(0)) / picture_width, style.picture.height_px / 36);
+  }
+}
+
+}  // namespace
+
+io::PictureOutcome render_robot(const std::filesystem::path& file, const Frame& frame,
+                                std::span<const std::array<double, 3>> trail_m, const RobotStyle& style) {
+  return io::write_picture(file, style.picture, [&](vtkRenderWindow& window) {
+    fill_window(window, {{&frame, {}}}, trail_m, {}, style);
+  });
+}
+
+io::PictureOutcome render_row(const std::filesystem::path& file, std::span<const Frame> frames,
+                              std::span<const std::string> captions, const RobotStyle& style) {
+  assert(!frames.empty() && (captions.empty() || captions.size() == frames.size()));
+  return io::write_picture(file, style.picture, [&](vtkRenderWindow& window) {
+    fill_window(window, side_by_side(frames, isometric_view()), {}, captions, style);
+  });
+}
+
+}  // namespace menger::voxel

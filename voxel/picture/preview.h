@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "io/picture/picture.h"
+#include "voxel/engine/frame.h"
+#include "voxel/scene/trajectory.h"
+
+namespace menger::voxel {
+
+/// Size and content of a picture of robots.
+struct RobotStyle {
+  io::PictureStyle picture{};
+  bool floor = true;  ///< the ground the robots stand on
+};
+
+/// Draws a robot as a PNG picture, seen from above at an angle: lit cubes, material 1 in cyan, material 2 in red, on the ground.
+///
+/// Renders off-screen on the X display at hand, or on a virtual one that is started for the purpose; where there is neither,
+/// nothing is drawn and the outcome says what is missing. Pictures are for looking at: their bytes depend on the graphics
+/// library.
+/// @param trail_m path of the centre of mass, drawn on the ground where there is one @throws io::InputError if the place cannot
+/// be written
+io::PictureOutcome render_robot(const std::filesystem::path& file, const Frame& frame,
+                                std::span<const std::array<double, 3>> trail_m = {}, const RobotStyle& style = {});
+
+/// Draws robots side by side from left to right, all to the same scale. @param captions one per robot, or none
+io::PictureOutcome render_row(const std::filesystem::path& file, std::span<const Frame> frames,
+                              std::span<const std::string> captions = {},
+                              const RobotStyle& style = {.picture = {.width_px = 2400, .height_px = 1100}});
+
+/// Draws a trajectory: horizontal displacement in body lengths over time, and the path seen from above.
+io::PictureOutcome plot_trajectory(const std::filesystem::path& file, const Trajectory& trajectory, double body_length_m,
+                                   const io::PictureStyle& style = {.width_px = 1600, .height_px = 800});
+
+}  // namespace menger::voxel

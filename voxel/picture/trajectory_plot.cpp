@@ -1,0 +1,35 @@
+#include "io/picture/chart.h"
+#include "meshes/load_cases/observables.h"
+#include "voxel/picture/preview.h"
+
+namespace menger::voxel {
+namespace {
+
+/// Axes cover at least this many body lengths, so that a body that stays where it is does not fill the plot with its tremor.
+constexpr double least_span = 0.02;
+
+}  // namespace
+
+io::PictureOutcome plot_trajectory(const std::filesystem::path& file, const Trajectory& trajectory, double body_length_m,
+                                   const io::PictureStyle& style) {
+  if (trajectory.size() < 2) return {.missing = "a trajectory of at least two records"};
+  io::ChartSeries over_time;
+  io::ChartSeries from_above;
+  for (const TrajectoryPoint& point : trajectory) {
+    const auto displacement = displacement_m(trajectory, point);
+    over_time.x.push_back(point.time_s);
+    over_time.y.push_back(materials::horizontal_displacement(displacement) / body_length_m);
+    from_above.x.push_back(displacement[0] / body_length_m);
+    from_above.y.push_back(displacement[1] / body_length_m);
+  }
+  const io::ChartPanel displacement{.x = {.title = "time (s)", .lowest = over_time.x.front(), .highest = over_time.x.back()},
+                                    .y = {.title = "horizontal displacement (body lengths)", .least_span = least_span},
+                                    .series = {over_time}};
+  const io::ChartPanel path{.x = {.title = "path from above: x (body lengths)", .least_span = least_span},
+                            .y = {.title = "y (body lengths)", .least_span = least_span},
+                            .series = {from_above},
+                            .equal_scale = true};
+  return io::write_chart(file, {.panels = {displacement, path}}, style);
+}
+
+}  // namespace menger::voxel

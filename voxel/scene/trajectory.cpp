@@ -1,0 +1,63 @@
+#include "voxel/scene/trajectory.h"
+
+#include <string>
+#include <utility>
+
+#include "meshes/load_cases/observables.h"
+
+namespace menger::voxel {
+namespace {
+
+/// The terms of the energy balance in the order of their columns.
+constexpr std::pair<const char*, double EnergyLedger::*> energy_columns[] = {
+    {"kinetic_J", &EnergyLedger::kinetic_J},
+    {"elastic_J", &EnergyLedger::elastic_J},
+    {"gravitational_J", &EnergyLedger::gravitational_J},
+    {"bond_damping_work_J", &EnergyLedger::bond_damping_work_J},
+    {"global_damping_work_J", &EnergyLedger::global_damping_work_J},
+    {"actuation_work_J", &EnergyLedger::actuation_work_J},
+    {"floor_normal_work_J", &EnergyLedger::floor_normal_work_J},
+    {"friction_work_J", &EnergyLedger::friction_work_J},
+    {"collision_work_J", &EnergyLedger::collision_work_J},
+    {"load_work_J", &EnergyLedger::load_work_J},
+};
+
+}  // namespace
+
+std::array<double, 3> displacement_m(const Trajectory& trajectory, const TrajectoryPoint& point) {
+  std::array<double, 3> displacement{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    displacement[axis] = point.centre_of_mass_m[axis] - trajectory.front().centre_of_mass_m[axis];
+  }
+  return displacement;
+}
+
+io::CsvTable trajectory_table(const Trajectory& trajectory, double body_length_m) {
+  const bool with_energy = !trajectory.empty() && trajectory.front().energy.has_value();
+  std::vector<std::string> columns{"time_s",
+                                   "centre_of_mass_x_m",
+                                   "centre_of_mass_y_m",
+                                   "centre_of_mass_z_m",
+                                   "horizontal_displacement_m",
+                                   "horizontal_displacement_body_lengths"};
+  if (with_energy) {
+    for (const auto& [name, term] : energy_columns) columns.emplace_back(name);
+    columns.emplace_back("energy_residual_J");
+  }
+
+  io::CsvTable table(columns);
+  for (const TrajectoryPoint& point : trajectory) {
+    const auto& centre = point.centre_of_mass_m;
+    const double displacement = materials::horizontal_displacement(displacement_m(trajectory, point));
+    std::vector<io::CsvCell> cells{point.time_s, centre[0], centre[1], centre[2], displacement, displacement / body_length_m};
+    if (with_energy) {
+      const EnergyLedger& energy = point.energy.value();
+      for (const auto& [name, term] : energy_columns) cells.emplace_back(energy.*term);
+      cells.emplace_back(energy.residual_J());
+    }
+    table.add_cells(cells);
+  }
+  return table;
+}
+
+}  // namespace menger::voxel

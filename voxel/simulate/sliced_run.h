@@ -1,0 +1,48 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+
+#include "io/text/run_status.h"
+#include "voxel/engine/simulation.h"
+
+namespace menger::voxel {
+
+/// How far a run is.
+struct RunProgress {
+  double time_s = 0.0;                  ///< simulated so far
+  double duration_s = 0.0;              ///< to be simulated
+  double simulated_s_per_second = 0.0;  ///< simulated time per wall time
+  double remaining_s = 0.0;             ///< expected wall time to the end
+};
+
+/// Advances a simulation in slices of about a tenth of a second of wall time, between which progress is reported. The steps are
+/// those of Simulation::advance_to.
+class SlicedRun {
+ public:
+  using Report = std::function<void(const RunProgress&)>;
+
+  /// The clock starts. @param simulation outlives this @param duration_s that is to be simulated in all @param progress may be
+  /// empty
+  SlicedRun(Simulation& simulation, double duration_s, const std::atomic<bool>* stop, Report progress);
+
+  /// @return see Simulation::advance_to
+  [[nodiscard]] io::RunStatus advance_to(double until_s);
+
+  void report() const;
+
+  [[nodiscard]] double seconds() const;  ///< wall time since the start
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Simulation* simulation_;
+  double duration_s_;
+  const std::atomic<bool>* stop_;
+  Report progress_;
+  Clock::time_point start_ = Clock::now();
+  double slice_steps_ = 1.0;
+};
+
+}  // namespace menger::voxel

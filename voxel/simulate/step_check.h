@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "io/text/csv_table.h"
+#include "io/text/run_status.h"
+#include "voxel/scene/scene.h"
+#include "voxel/scene/trajectory.h"
+
+namespace menger::voxel {
+
+struct RunOptions;
+struct SceneResult;
+
+/// What half the time step makes of a run.
+///
+/// Where a scheme of first order converges, as this one does, the run with the whole step is off by twice the difference, the
+/// one with half the step by once. Gaits that stick and slip converge unevenly: their differences show the size of the error, not
+/// its sign.
+struct StepCheck {
+  io::RunStatus status = io::RunStatus::stopped;        ///< of the run with half the step
+  std::string reason;                                   ///< empty when completed
+  std::optional<std::array<double, 3>> displacement_m;  ///< of the centre of mass with half the step; exists when completed
+
+  /// Horizontal displacement with half the step less that of the run, m; exists when both completed.
+  std::optional<double> horizontal_change_m;
+
+  double time_s = 0.0;  ///< reached
+  double time_step_s = 0.0;
+  std::uint64_t steps = 0;
+  Trajectory trajectory;                 ///< at the times of the run's records, as far as it got
+  double largest_distance_m = 0.0;       ///< between the centres of mass of both runs at the same time
+  double largest_distance_time_s = 0.0;  ///< when it was, the first time
+  double seconds = 0.0;                  ///< wall time
+};
+
+/// Runs a scene again with half the step and compares it with a run, record by record: every record of the run is taken after
+/// twice the steps, so that both are of the same time to the last bit. Of a run that diverged the comparison is of the records
+/// there are, and the check goes on to the scene's duration, to see whether the step was to blame.
+/// @param result of the scene, with at least one record
+StepCheck check_time_step(const Scene& scene, const SceneResult& result, const RunOptions& options);
+
+/// The check as a table: time_s, centre of mass with half the step, distance from that of the run.
+io::CsvTable step_check_table(const StepCheck& check, const Trajectory& whole);
+
+/// Checks the step of a run whose results lie in `folder`: writes check_dt.csv there, and result.toml anew with a table
+/// [check_dt]. A run that was stopped is not checked.
+/// @param result of the scene; gets the check
+void add_step_check(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options, SceneResult& result);
+
+/// The table [check_dt] of result.toml, without wall times.
+std::string step_check_text(const StepCheck& check, double body_length_m);
+
+}  // namespace menger::voxel

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "voxel/laws/beam.h"
+
+namespace menger::voxel {
+
+/// Position and orientation of a voxel or of a place on a plate, world.
+struct Pose {
+  Vector3<double> position{0.0, 0.0, 0.0};  ///< m
+  Quaternion<double> orientation{1.0, 0.0, 0.0, 0.0};
+};
+
+/// Loads on the ends of a beam in world axes: force (N) and moment (N m) on the lower end, then on the upper end.
+using EndLoads = Eigen::Matrix<double, 12, 1>;
+
+/// Loads of a beam and how they change.
+struct BeamTangent {
+  EndLoads loads;
+  /// minus the derivative of the loads with respect to displacement (m) and world rotation vector (rad) of the lower end, then of
+  /// the upper end; not symmetric where the beam carries load
+  Eigen::Matrix<double, 12, 12> stiffness;
+};
+
+/// A beam along an axis between two poses, in the permuted axes of BeamEnds.
+BeamEnds<double> beam_ends(const Pose& lower, const Pose& upper, int axis, double rest_length_m);
+
+/// Loads of a beam in a state that is given, small-angle or large-angle. @param axis 0, 1, 2, along which it lies undeformed
+EndLoads beam_end_loads(const BeamEnds<double>& ends, bool small, const BeamCoefficients<double>& coefficients, int axis);
+
+/// Loads and their derivatives at a fixed rest length: those with respect to the separation and to the rotation of the upper end
+/// by central differences (relative error 1e-9), those with respect to the rotation of the lower end because loads turn with the
+/// whole beam. @param length_m scale of the steps: the voxel edge
+BeamTangent beam_tangent(const BeamEnds<double>& ends, bool small, const BeamCoefficients<double>& coefficients, int axis,
+                         double length_m);
+
+}  // namespace menger::voxel

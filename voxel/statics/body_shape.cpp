@@ -1,0 +1,186 @@
+#include "voxel/statics/body_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "meshes/load_cases/body_extents.h"
+#include "voxel/statics/equilibrium.h"
+
+namespace menger::voxel {
+namespace {
+
+using meshes::Side;
+
+Side side_of(std::size_t axis, bool is_max) { return static_cast<Side>(2 * axis + (is_max ? 1 : 0)); }
+
+double coordinate(const Vector3<double>& v, std::size_t axis) { return std::array{v.x, v.y, v.z}[axis]; }
+
+/// The voxels of the top layer that are nearest to the middle of the bounding box, seen from above.
+struct TopMiddle {
+  std::vector<std::size_t> voxels;
+  bool covered = false;  ///< whether they reach the middle, where their walls bulge, or end before it
+};
+
+TopMiddle top_middle(const StaticBody& body) {
+  const double rounding = 1e-6 * body.edge_m;
+  double nearest = std::numeric_limits<double>::infinity();
+  TopMiddle top;
+  for (const std::size_t voxel : body.end_voxels(Side::z_max)) {
+    const double x = std::abs(body.rest[voxel].position.x - 0.5 * body.box_m[0]);
+    const double y = std::abs(body.rest[voxel].position.y - 0.5 * body.box_m[1]);
+    const double distance = std::hypot(x, y);
+    if (distance > nearest + rounding) continue;
+    if (distance < nearest - rounding) top.voxels.clear();
+    nearest = std::min(nearest, distance);
+    top.voxels.push_back(voxel);
+    top.covered = std::max(x, y) <= 0.5 * body.edge_m + rounding;
+  }
+  return top;
+}
+
+}  // namespace
+
+BodyShape::BodyShape(const StaticBody& body, const DrivenSizes& sizes, const std::vector<Pose>& poses)
+    : body_(&body), sizes_(&sizes), poses_(&poses) {}
+
+BodyShape::BodyShape(const Equilibrium& equilibrium)
+    : BodyShape(equilibrium.balance().body(), equilibrium.balance().sizes(), equilibrium.state().poses) {}
+
+double BodyShape::rest_length(std::size_t beam) const { return body_->rest_length(*sizes_, body_->beams[beam]); }
+
+double BodyShape::axial_strain(std::size_t beam) const {
+  const StaticBeam& ends = body_->beams[beam];
+  const Vector3<double> separation = (*poses_)[ends.upper].position - (*poses_)[ends.lower].position;
+  return std::sqrt(dot(separation, separation)) / rest_length(beam) - 1.0;
+}
+
+double BodyShape::half_length(std::size_t voxel, Side side) const {
+  const auto& beams = body_->beam_at[voxel];
+  if (const auto beam = beams[static_cast<std::size_t>(side)]) {
+    const StaticBeam& ends = body_->beams[*beam];
+    const bool whole = body_->is_voxel(ends.lower) && body_->is_voxel(ends.upper);
+    return (whole ? 0.5 : 1.0) * rest_length(*beam) * (1.0 + axial_strain(*beam));
+  }
+  const std::size_t axis = meshes::axis_of(side);
+  double across = 0.0;
+  for (std::size_t other = 0; other < 6; ++other) {
+    if (other / 2 != axis && beams[other]) across += 0.5 * axial_strain(*beams[other]);
+  }
+  return body_->half_length(*sizes_, voxel, axis) * (1.0 - body_->parameters.lateral_coupling * across);
+}
+
+double BodyShape::bulge(std::size_t voxel, Side side) const {
+  const auto at = static_cast<std::size_t>(side);
+  if (!body_->voxels.walled[voxel][at] || body_->beam_at[voxel][at]) return 0.0;
+  return body_->bulge(*sizes_, voxel, meshes::axis_of(side));
+}
+
+Vector3<double> BodyShape::face(std::size_t voxel, Side side, double bulge_factor) const {
+  const double distance = half_length(voxel, side) + bulge_factor * bulge(voxel, side);
+  const double away = meshes::is_max(side) ? distance : -distance;
+  std::array<double, 3> normal{};
+  normal[meshes::axis_of(side)] = away;
+  const Pose& pose = (*poses_)[voxel];
+  return pose.position + rotate(matrix(pose.orientation), Vector3<double>{normal[0], normal[1], normal[2]});
+}
+
+Vector3<double> BodyShape::mean_of_faces(Side side) const {
+  const std::vector<std::size_t> voxels = body_->end_voxels(side);
+  Vector3<double> sum{0.0, 0.0, 0.0};
+  for (const std::size_t voxel : voxels) sum = sum + face(voxel, side);
+  return (1.0 / static_cast<double>(voxels.size())) * sum;
+}
+
+Vector3<double> BodyShape::middle_of_top() const {
+  const TopMiddle top = top_middle(*body_);
+  Vector3<double> sum{0.0, 0.0, 0.0};
+  for (const std::size_t voxel : top.voxels) {
+    const double peak_ratio = body_->parameters.bulge_peak_ratio[body_->voxels.bulge_class[voxel][2]];
+    sum = sum + face(voxel, Side::z_max, top.covered ? peak_ratio : 0.0);
+  }
+  return (1.0 / static_cast<double>(top.voxels.size())) * sum;
+}
+
+double BodyShape::extent(std::size_t axis) const {
+  return coordinate(mean_of_faces(side_of(axis, true)) - mean_of_faces(side_of(axis, false)), axis);
+}
+
+double BodyShape::top_height() const { return middle_of_top().z - mean_of_faces(Side::z_min).z; }
+
+BodyShape::FreeSize BodyShape::free_size() const {
+  const auto place = [](const Vector3<double>& v) { return std::array{v.x, v.y, v.z}; };
+  materials::EndPoints reference{};
+  materials::EndPoints deformed{};
+  for (const Side side : meshes::all_sides) {
+    const std::size_t axis = meshes::axis_of(side);
+    const std::size_t end = meshes::is_max(side) ? 1 : 0;
+    deformed[axis][end] = place(mean_of_faces(side));
+    const std::vector<std::size_t> voxels = body_->end_voxels(side);
+    Vector3<double> sum{0.0, 0.0, 0.0};
+    for (const std::size_t voxel : voxels) sum = sum + body_->rest[voxel].position;
+    reference[axis][end] = place((1.0 / static_cast<double>(voxels.size())) * sum);
+    reference[axis][end][axis] = meshes::is_max(side) ? body_->box_m[axis] : 0.0;
+  }
+  const auto rotation = materials::rotation_of_body(reference, deformed);
+  const Vector3<double> top = middle_of_top() - mean_of_faces(Side::z_min);
+  // the last row of the transpose
+  const double height = rotation[0][2] * top.x + rotation[1][2] * top.y + rotation[2][2] * top.z;
+  return {.extents = materials::extents_without_rotation(reference, deformed), .top_height = height};
+}
+
+/// The thickness of a wall that lies on the voxel's side of its face.
+double BodyShape::wall_within(std::size_t voxel, Side side) const {
+  const bool is_shared = body_->voxels.shared[voxel][static_cast<std::size_t>(side)];
+  return (is_shared ? 0.5 : 1.0) * body_->parameters.wall_thickness_m;
+}
+
+double BodyShape::clearance(std::size_t voxel, std::size_t axis) const {
+  const Side low = side_of(axis, false);
+  const Side high = side_of(axis, true);
+  const auto above = static_cast<std::size_t>(high);
+  double depth = bulge(voxel, low) - wall_within(voxel, low);
+  for (std::size_t at = voxel;;) {
+    depth += half_length(at, low) + half_length(at, high);
+    if (body_->voxels.walled[at][above]) return depth + bulge(at, high) - wall_within(at, high);
+    at = body_->beams[*body_->beam_at[at][above]].upper;
+  }
+}
+
+std::optional<BodyShape::WallContact> BodyShape::wall_contact() const {
+  for (std::size_t voxel = 0; voxel < body_->voxel_count(); ++voxel) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool begins = body_->voxels.walled[voxel][2 * axis];
+      if (begins && clearance(voxel, axis) <= 0.0) return WallContact{voxel, axis};
+    }
+  }
+  return std::nullopt;
+}
+
+double BodyShape::tip_height() const { return mean_of_faces(Side::x_max).z; }
+
+double BodyShape::voxel_volume(std::size_t voxel) const {
+  std::array<double, 3> length{};
+  std::array<double, 3> bulges{};
+  for (const Side side : meshes::all_sides) {
+    length[meshes::axis_of(side)] += half_length(voxel, side);
+    bulges[meshes::axis_of(side)] += bulge(voxel, side);
+  }
+  return length[0] * length[1] * length[2] + bulges[0] * length[1] * length[2] + length[0] * bulges[1] * length[2] +
+         length[0] * length[1] * bulges[2];
+}
+
+double BodyShape::chamber_volume_change() const {
+  const double at_rest = body_->edge_m * body_->edge_m * body_->edge_m;
+  double chambers = 0.0;
+  double growth = 0.0;
+  for (std::size_t voxel = 0; voxel < body_->voxel_count(); ++voxel) {
+    chambers += at_rest - body_->voxels.wall_volume_m3[voxel];
+    growth += voxel_volume(voxel) - at_rest;
+  }
+  return growth / chambers;
+}
+
+}  // namespace menger::voxel

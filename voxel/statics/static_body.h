@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "meshes/design/side.h"
+#include "voxel/laws/lattice.h"
+#include "voxel/model/hollow_voxels.h"
+#include "voxel/model/surrogate_parameters.h"
+#include "voxel/statics/beam_tangent.h"
+
+namespace menger::voxel {
+
+/// A beam between two nodes: between voxels, of length L, or between a voxel and its place on a plate, of length L / 2.
+struct StaticBeam {
+  int axis = 0;
+  std::size_t lower = 0;  ///< node: a voxel, or voxel count + place
+  std::size_t upper = 0;
+  BeamCoefficients<double> coefficients{};
+};
+
+/// Where a plate holds the face of a voxel.
+struct PlatePlace {
+  std::size_t plate = 0;
+  std::size_t voxel = 0;
+};
+
+/// A rigid plate bonded to all faces of a body that lie in a plane of its bounding box.
+struct Plate {
+  meshes::Side side = meshes::Side::x_min;
+  Vector3<double> centre{0.0, 0.0, 0.0};  ///< middle of that side of the bounding box, m
+};
+
+/// Half lengths of voxels and the bulges of their walls under the pressure of their chambers.
+struct DrivenSizes {
+  std::vector<ByWallClass<double>> half_m;  ///< by chamber: (L / 2)(1 + extension)
+  std::vector<ByWallClass<double>> bulge;   ///< by chamber, fraction of L
+  std::vector<double> pressures_Pa;         ///< by chamber, gauge
+};
+
+/// A body of the surrogate at rest, with plates: what its equilibria and vibrations need and no load changes.
+///
+/// The lowest voxels stand on z = 0 and the bounding box of the body begins at the origin. Nodes are the voxels in grid order and
+/// after them the places on plates; those keep the distances that they have at rest.
+struct StaticBody {
+  StaticBody(const SurrogateParameters& body_parameters, HollowVoxels hollow, const std::vector<meshes::Side>& plate_sides);
+
+  SurrogateParameters parameters;
+  HollowVoxels voxels;
+  Lattice lattice;
+  double edge_m;                  ///< of a voxel, L
+  std::array<double, 3> box_m{};  ///< size of the bounding box
+  std::vector<StaticBeam> beams;  ///< along x, y, z, then those to plates
+  std::vector<Plate> plates;
+  std::vector<PlatePlace> places;
+  std::vector<Pose> rest;       ///< of all nodes
+  std::vector<double> mass_kg;  ///< of voxels
+  std::vector<double> inertia_kg_m2;
+  ByWallClass<bool> has_class{};                ///< whether any voxel has the class along any axis, of its walls or its bulge
+  std::vector<std::array<double, 6>> openings;  ///< see wall_openings
+  /// Per voxel and side the beam that leaves it there, if any.
+  std::vector<std::array<std::optional<std::size_t>, 6>> beam_at;
+
+  [[nodiscard]] std::size_t voxel_count() const { return lattice.voxel_count(); }
+  [[nodiscard]] bool is_voxel(std::size_t node) const { return node < voxel_count(); }
+
+  /// Voxels whose face on a side lies in that plane of the bounding box.
+  [[nodiscard]] std::vector<std::size_t> end_voxels(meshes::Side side) const;
+
+  /// The half length of a voxel along an axis, without lateral coupling, m.
+  [[nodiscard]] double half_length(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
+    return sizes.half_m[voxels.chamber[voxel]][voxels.wall_class[voxel][axis]];
+  }
+  /// Of a beam, without lateral coupling, m.
+  [[nodiscard]] double rest_length(const DrivenSizes& sizes, const StaticBeam& beam) const;
+  /// Mean bulge of a wall of a voxel across an axis, m.
+  [[nodiscard]] double bulge(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
+    return edge_m * sizes.bulge[voxels.chamber[voxel]][voxels.bulge_class[voxel][axis]];
+  }
+};
+
+/// Sizes under gauge pressures, one per chamber (Pa), of the wall classes that a body has; nothing where the law of one of them
+/// reaches its pole or a half length falls below a tenth of what it is at rest, so that there is no body to speak of.
+std::optional<DrivenSizes> driven_sizes(const StaticBody& body, const std::vector<double>& pressures_Pa);
+
+}  // namespace menger::voxel

@@ -1,0 +1,91 @@
+#include "voxel/validation/kept_fields.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkWarpVector.h>
+#include <vtkXMLGenericDataObjectReader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "io/text/input_error.h"
+#include "voxel/picture/vtk_output.h"
+
+namespace menger::voxel {
+
+namespace {
+
+namespace fs = std::filesystem;
+using State = std::vector<double>;
+
+/// A file of fields, which has displacements.
+vtkSmartPointer<vtkUnstructuredGrid> read_fields(const fs::path& file) {
+  std::error_code ignored;
+  vtkSmartPointer<vtkUnstructuredGrid> grid;
+  if (fs::is_regular_file(file, ignored)) {
+    vtkNew<vtkXMLGenericDataObjectReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    grid = vtkUnstructuredGrid::SafeDownCast(reader->GetOutput());
+  }
+  if (grid == nullptr || grid->GetPointData()->GetArray("displacement_m") == nullptr)
+    throw io::InputError(file.string() + ": is no file of fields with displacement_m");
+  return grid;
+}
+
+/// Of each row the step whose pressure is nearest, if it is near.
+FieldsByRow nearest_in_pressure(const std::vector<fs::path>& files, const std::vector<State>& states) {
+  constexpr double near_enough = 0.02;  // of the largest pressure: less than is seen in a picture
+  double largest_Pa = 0.0;
+  for (const State& state : states) largest_Pa = std::max(largest_Pa, std::abs(state.front()));
+  FieldsByRow by_row;
+  std::vector<double> distance_Pa(states.size(), near_enough * largest_Pa);
+  for (const fs::path& file : files) {
+    const vtkSmartPointer<vtkUnstructuredGrid> grid = read_fields(file);
+    vtkDataArray* pressures = grid->GetFieldData()->GetArray("plenum_pressures_Pa");
+    if (pressures == nullptr || pressures->GetNumberOfTuples() == 0) continue;
+    for (std::size_t row = 0; row < states.size(); ++row) {
+      const double distance = std::abs(pressures->GetComponent(0, 0) - states[row].front());
+      if (distance > distance_Pa[row]) continue;
+      distance_Pa[row] = distance;
+      by_row[row] = file;
+    }
+  }
+  return by_row;
+}
+
+}  // namespace
+
+std::optional<fs::path> field_collection(const fs::path& curve_file, const std::string& case_name) {
+  fs::path collection = curve_file.parent_path() / "fields" / case_name / "fields.pvd";
+  std::error_code ignored;
+  return fs::is_regular_file(collection, ignored) ? std::optional(collection) : std::nullopt;
+}
+
+FieldsByRow fields_by_row(const fs::path& collection, const std::vector<State>& states) {
+  std::vector<fs::path> files;
+  for (const CollectionEntry& entry : read_collection(collection)) files.push_back(collection.parent_path() / entry.file);
+  if (files.size() != states.size() && states.front().size() == 1) return nearest_in_pressure(files, states);
+  FieldsByRow by_row;
+  for (std::size_t row = 0; row < std::min(files.size(), states.size()); ++row) by_row[row] = files[row];
+  return by_row;
+}
+
+vtkSmartPointer<vtkPolyData> deformed_surface(const fs::path& file) {
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = read_fields(file);
+  grid->GetPointData()->SetActiveVectors("displacement_m");
+  vtkNew<vtkWarpVector> warp;
+  warp->SetInputData(grid);
+  warp->SetScaleFactor(1.0);
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputConnection(warp->GetOutputPort());
+  surface->Update();
+  return surface->GetOutput();
+}
+
+}  // namespace menger::voxel

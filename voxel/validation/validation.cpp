@@ -1,0 +1,282 @@
+#include "voxel/validation/validation.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <tuple>
+
+namespace menger::voxel {
+
+namespace {
+
+using materials::LoadCase;
+using materials::LoadCaseKind;
+using materials::ResponseCurve;
+
+ObservableKind kind_of(const std::string& column) {
+  if (column == "volume_change") return ObservableKind::volume;
+  if (column == "force_N" || column == "moment_N_m") return ObservableKind::force;
+  if (column == "frequency_1_Hz") return ObservableKind::frequency;
+  if (column.starts_with("frequency_")) return ObservableKind::higher_frequency;
+  return ObservableKind::displacement;
+}
+
+auto identity(const LoadCase& load_case) {
+  return std::tie(load_case.cells, load_case.digits, load_case.level, load_case.per_phase);
+}
+
+/// A name without the word for its kind and what joins the two.
+std::string without_kind(std::string name, LoadCaseKind kind) {
+  const std::string word(to_string(kind));
+  const auto joins = [](char sign) { return sign == '_' || sign == '-'; };
+  if (name.size() <= word.size() + 1) return name;
+  if (name.ends_with(word) && joins(name[name.size() - word.size() - 1])) {
+    name.resize(name.size() - word.size() - 1);
+  } else if (name.starts_with(word) && joins(name[word.size()])) {
+    name.erase(0, word.size() + 1);
+  }
+  return name;
+}
+
+double largest_magnitude(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// By column; 0 for abscissae.
+std::vector<double> scales_of(const ResponseCurve& curve) {
+  constexpr double least_share = 0.01;
+  const std::size_t first = materials::abscissa_count(curve.provenance.load_case.kind);
+  std::array<double, observable_kind_count> largest_of_kind{};
+  std::vector<double> scales(curve.columns.size(), 0.0);
+  for (std::size_t column = first; column < scales.size(); ++column) {
+    scales[column] = largest_magnitude(curve.values[column]);
+    double& largest = largest_of_kind.at(static_cast<std::size_t>(kind_of(curve.columns[column])));
+    largest = std::max(largest, scales[column]);
+  }
+  for (std::size_t column = first; column < scales.size(); ++column) {
+    const double of_kind = largest_of_kind.at(static_cast<std::size_t>(kind_of(curve.columns[column])));
+    scales[column] = std::max(scales[column], least_share * of_kind);
+  }
+  return scales;
+}
+
+void set_errors(ObservableError& error, double scale) {
+  constexpr double least_share = 1e-3;
+  const double difference = error.surrogate - error.reference;
+  error.error = difference / scale;
+  if (std::abs(error.reference) >= least_share * scale) error.pointwise_error = difference / std::abs(error.reference);
+}
+
+bool is_at_rest(const std::vector<double>& state) {
+  return std::all_of(state.begin(), state.end(), [](double abscissa) { return abscissa == 0.0; });
+}
+
+std::optional<double> imposed_of(const std::vector<double>& state) {
+  return state.size() > 1 ? std::optional(state[1]) : std::nullopt;
+}
+
+/// Slope of the straight line of least squares; nothing if all x are equal.
+std::optional<double> slope(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto count = static_cast<double>(x.size());
+  double mean_x = 0.0;
+  double mean_y = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += x[i] / count;
+    mean_y += y[i] / count;
+  }
+  double xx = 0.0;
+  double xy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mean_x) * (x[i] - mean_x);
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  if (!(xx > 0.0)) return std::nullopt;
+  return xy / xx;
+}
+
+std::vector<double> part(const std::vector<double>& values, std::size_t begin, std::size_t end) {
+  return {values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+/// Answers of a column to a run of rows; nothing if one has none.
+std::optional<std::vector<double>> answers_between(const CurveComparison& comparison, std::size_t column, std::size_t begin,
+                                                   std::size_t end) {
+  std::vector<double> answers;
+  for (std::size_t row = begin; row < end; ++row) {
+    if (!comparison.answer_rows[row]) return std::nullopt;
+    answers.push_back(comparison.answer.values[column][*comparison.answer_rows[row]]);
+  }
+  return answers;
+}
+
+/// The worst of a run of rows.
+Validity validity_of_rows(const std::vector<Validity>& validity, std::size_t begin, std::size_t end) {
+  const auto first = validity.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = validity.begin() + static_cast<std::ptrdiff_t>(end);
+  const auto outside = std::find_if(first, last, [](Validity of_row) { return of_row != Validity::inside; });
+  return outside == last ? Validity::inside : *outside;
+}
+
+/// Adds the errors of the slopes of column 2 over column 1 at each pressure.
+void add_stiffness(CurveComparison& comparison) {
+  const std::vector<Validity>& validity = comparison.validity;
+  const ResponseCurve& curve = comparison.curve;
+  const std::vector<double>& pressures = curve.values[0];
+  std::vector<ObservableError> errors;
+  double scale = 0.0;
+  for (std::size_t begin = 0, end = 0; begin < pressures.size(); begin = end) {
+    while (end < pressures.size() && pressures[end] == pressures[begin]) ++end;
+    const std::vector<double> imposed = part(curve.values[1], begin, end);
+    const std::optional<double> reference = slope(imposed, part(curve.values[2], begin, end));
+    if (!reference) continue;
+    scale = std::max(scale, std::abs(*reference));
+    const std::optional<std::vector<double>> forces = answers_between(comparison, 2, begin, end);
+    if (!forces) {
+      comparison.unanswered.push_back({ObservableKind::stiffness, validity_of_rows(validity, begin, end)});
+      continue;
+    }
+    ObservableError error;
+    error.kind = ObservableKind::stiffness;
+    error.observable = curve.columns[1] == "angle_rad" ? "stiffness_N_m_per_rad" : "stiffness_N_per_m";
+    error.pressure_Pa = pressures[begin];
+    error.reference = *reference;
+    error.surrogate = *slope(imposed, *forces);
+    error.validity = validity_of_rows(validity, begin, end);
+    errors.push_back(error);
+  }
+  if (!(scale > 0.0)) return;
+  for (ObservableError& error : errors) {
+    set_errors(error, scale);
+    comparison.errors.push_back(error);
+  }
+}
+
+void add_column(CurveComparison& comparison, std::size_t column, double scale, const std::vector<std::vector<double>>& states) {
+  const ResponseCurve& curve = comparison.curve;
+  const ObservableKind kind = kind_of(curve.columns[column]);
+  const std::vector<double>& answers = comparison.answer.values[column];
+  const bool says_something_at_rest = comparison.load_case().kind == LoadCaseKind::modes;
+  for (std::size_t row = 0; row < states.size(); ++row) {
+    if (is_at_rest(states[row]) && !says_something_at_rest) continue;
+    if (!comparison.answer_rows[row]) {
+      comparison.unanswered.push_back({kind, comparison.validity[row]});
+      continue;
+    }
+    ObservableError error;
+    error.kind = kind;
+    error.observable = curve.columns[column];
+    error.pressure_Pa = states[row].front();
+    error.imposed = imposed_of(states[row]);
+    error.reference = curve.values[column][row];
+    error.surrogate = answers[*comparison.answer_rows[row]];
+    error.validity = comparison.validity[row];
+    set_errors(error, scale);
+    comparison.errors.push_back(error);
+  }
+}
+
+/// Adds the answers to some rows of the curve, asked for in this order.
+void add_answers(CurveComparison& comparison, const std::vector<std::size_t>& rows, const LoadCaseResponse& part) {
+  LoadCaseResponse& answer = comparison.answer;
+  if (answer.status == io::RunStatus::completed) answer.status = part.status;
+  answer.smallest_strain = std::min(answer.smallest_strain, part.smallest_strain);
+  answer.largest_strain = std::max(answer.largest_strain, part.largest_strain);
+  answer.values.resize(comparison.curve.columns.size());  // without a state reached there may be no columns
+  if (part.values.empty()) return;
+  answer.columns = part.columns;
+  const std::size_t before = answer.values.front().size();
+  const std::size_t reached = std::min(rows.size(), part.values.front().size());
+  for (std::size_t n = 0; n < reached; ++n) comparison.answer_rows[rows[n]] = before + n;
+  for (std::size_t column = 0; column < part.values.size(); ++column)
+    answer.values[column].insert(answer.values[column].end(), part.values[column].begin(), part.values[column].end());
+}
+
+/// Sets the answer to all states.
+void answer_all(CurveComparison& comparison, const std::vector<std::vector<double>>& states,
+                const SurrogateParameters& parameters, const Responder& responder) {
+  std::vector<std::size_t> all;
+  std::vector<std::size_t> under_pressure;
+  std::vector<std::size_t> under_vacuum;
+  for (std::size_t row = 0; row < states.size(); ++row) {
+    all.push_back(row);
+    (states[row].front() < 0.0 ? under_vacuum : under_pressure).push_back(row);
+  }
+  std::reverse(under_vacuum.begin(), under_vacuum.end());
+  comparison.answer_rows.assign(states.size(), std::nullopt);
+  const LoadCaseResponse whole = responder(parameters, comparison.load_case(), states);
+  if (whole.status == io::RunStatus::completed || under_vacuum.empty()) return add_answers(comparison, all, whole);
+  for (const std::vector<std::size_t>& rows : {under_pressure, under_vacuum}) {
+    if (rows.empty()) continue;
+    std::vector<std::vector<double>> some;
+    some.reserve(rows.size());
+    for (const std::size_t row : rows) some.push_back(states[row]);
+    add_answers(comparison, rows, responder(parameters, comparison.load_case(), some));
+  }
+}
+
+/// What the parameters claim of each row.
+std::vector<Validity> claims(const CurveComparison& comparison, const std::vector<std::vector<double>>& states,
+                             const SurrogateParameters& parameters, const Responder& responder) {
+  std::vector<Validity> validity = validities(states, comparison.load_case(), comparison.answer, parameters, responder);
+  // beams that are in no equilibrium have no strain to blame
+  for (std::size_t row = 0; row < validity.size(); ++row) {
+    if (!comparison.answer_rows[row] && validity[row] == Validity::strain) validity[row] = Validity::inside;
+  }
+  return validity;
+}
+
+}  // namespace
+
+std::string_view to_string(ObservableKind kind) {
+  constexpr std::array<std::string_view, observable_kind_count> words{"displacement", "volume",    "force",
+                                                                      "stiffness",    "frequency", "higher_frequency"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
+std::vector<std::string> body_names(const std::vector<ResponseCurve>& curves) {
+  std::vector<std::string> names;
+  for (const ResponseCurve& curve : curves) {
+    const LoadCase& load_case = curve.provenance.load_case;
+    std::string name = without_kind(load_case.name, load_case.kind);
+    for (std::size_t other = 0; other < names.size(); ++other) {
+      if (identity(curves[other].provenance.load_case) == identity(load_case)) {
+        name = names[other];
+        break;
+      }
+      if (names[other] == name) name = load_case.name + "_" + std::to_string(names.size() + 1);
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::vector<double>> states_of(const ResponseCurve& curve) {
+  const std::size_t abscissae = materials::abscissa_count(curve.provenance.load_case.kind);
+  std::vector<std::vector<double>> states(curve.row_count());
+  for (std::size_t row = 0; row < states.size(); ++row) {
+    for (std::size_t column = 0; column < abscissae; ++column) states[row].push_back(curve.values[column][row]);
+  }
+  return states;
+}
+
+CurveComparison compare(const ResponseCurve& curve, const std::string& body, const SurrogateParameters& parameters,
+                        const Responder& responder, const std::optional<std::vector<Validity>>& validity) {
+  CurveComparison comparison{
+      .curve = curve, .body = body, .answer = {}, .answer_rows = {}, .validity = {}, .errors = {}, .unanswered = {}};
+  const std::vector<std::vector<double>> states = states_of(curve);
+  answer_all(comparison, states, parameters, responder);
+  assert(!validity || validity->size() == states.size());
+  comparison.validity = validity ? *validity : claims(comparison, states, parameters, responder);
+  const std::vector<double> scales = scales_of(curve);
+  for (std::size_t column = 0; column < scales.size(); ++column) {
+    if (scales[column] > 0.0) add_column(comparison, column, scales[column], states);
+  }
+  if (states.front().size() == 2 && kind_of(curve.columns[2]) == ObservableKind::force) add_stiffness(comparison);
+  return comparison;
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,182 @@
+#include "voxel/validation/validation_charts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "io/picture/chart.h"
+#include "voxel/validation/validation_summary.h"
+
+namespace menger::voxel {
+
+namespace {
+
+constexpr int panel_width_px = 900;
+constexpr int panel_height_px = 850;
+
+bool counts(const ObservableError& error) { return error.validity == Validity::inside; }
+
+io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, double aim) {
+  io::ChartPanel panel{.title = "how many numbers are met how well",
+                       .x = {.title = "error (%), at most; dashed: the aim", .lowest = 0.0},
+                       .y = {.title = "share of the numbers (%)", .lowest = 0.0, .highest = 100.0},
+                       .series = {},
+                       .markers = {{io::ChartMarker::Direction::vertical, 100.0 * aim, ""}}};
+  for (std::size_t kind = 0; kind < observable_kind_count; ++kind) {
+    std::vector<double> magnitudes;
+    for (const CurveComparison& comparison : comparisons) {
+      for (const ObservableError& error : comparison.errors) {
+        if (counts(error) && error.kind == static_cast<ObservableKind>(kind)) magnitudes.push_back(100.0 * std::abs(error.error));
+      }
+    }
+    if (magnitudes.empty()) continue;
+    std::sort(magnitudes.begin(), magnitudes.end());
+    io::ChartSeries series{.name = std::string(to_string(static_cast<ObservableKind>(kind))), .colour = io::chart_colour(kind)};
+    for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+      series.x.push_back(magnitudes[i]);
+      series.y.push_back(100.0 * static_cast<double>(i + 1) / static_cast<double>(magnitudes.size()));
+    }
+    if (magnitudes.size() == 1) series.marks = io::Marks::points;
+    panel.series.push_back(series);
+  }
+  return panel;
+}
+
+io::ChartPanel pressure_panel(const std::vector<CurveComparison>& comparisons, ObservableKind kind, double aim) {
+  io::ChartPanel panel{.title = "error in " + std::string(to_string(kind)),
+                       .x = {.title = "pressure (kPa)"},
+                       .y = {.title = "error (%) of the largest in the curve"},
+                       .series = {},
+                       .markers = {}};
+  const std::vector<std::string> bodies = bodies_of(comparisons);
+  double largest = 0.0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    io::ChartSeries series{.name = bodies[b], .marks = io::Marks::points, .colour = io::chart_colour(b)};
+    for (const CurveComparison& comparison : comparisons) {
+      if (comparison.body != bodies[b]) continue;
+      for (const ObservableError& error : comparison.errors) {
+        if (!counts(error) || error.kind != kind) continue;
+        series.x.push_back(1e-3 * error.pressure_Pa);
+        series.y.push_back(100.0 * error.error);
+        largest = std::max(largest, std::abs(error.error));
+      }
+    }
+    if (!series.x.empty()) panel.series.push_back(series);
+  }
+  // markers must lie within the axis
+  const double end = 110.0 * std::max(largest, aim);
+  panel.y.lowest = -end;
+  panel.y.highest = end;
+  for (const double at : {-aim, aim})
+    panel.markers.push_back({io::ChartMarker::Direction::horizontal, 100.0 * at, at > 0.0 ? "aim" : ""});
+  return panel;
+}
+
+/// How a column is shown: its title, and the factor to its unit.
+struct Shown {
+  std::string title;
+  double factor = 1.0;
+};
+
+Shown shown_as(const std::string& column) {
+  if (column == "pressure_Pa") return {"pressure (kPa)", 1e-3};
+  if (column == "displacement_m") return {"displacement (mm)", 1e3};
+  if (column == "angle_rad") return {"angle (degrees)", 57.29577951308232};
+  if (column == "gravity_factor") return {"gravity (g)", 1.0};
+  if (column == "volume_change") return {"change of chamber volume (%)", 100.0};
+  if (column == "force_N") return {"force (N)", 1.0};
+  if (column == "moment_N_m") return {"moment (N mm)", 1e3};
+  if (column.ends_with("_Hz")) return {"natural frequency (Hz)", 1.0};
+  return {"displacement (mm)", 1e3};
+}
+
+std::string short_name(const std::string& column) { return column.substr(0, column.find_last_of('_')); }
+
+std::string kilopascals(double pressure_Pa) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g kPa", 1e-3 * pressure_Pa);
+  return text.data();
+}
+
+/// One line of a panel: rows of a column, of both models.
+struct CurvePart {
+  std::string name;
+  std::size_t column = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// A column at once, or apart for each pressure if something else is imposed.
+std::vector<CurvePart> parts_of(const CurveComparison& comparison, std::size_t column) {
+  const std::vector<double>& pressures = comparison.curve.values[0];
+  const std::string name = short_name(comparison.curve.columns[column]);
+  if (materials::abscissa_count(comparison.load_case().kind) == 1) return {{name, column, 0, pressures.size()}};
+  std::vector<CurvePart> parts;
+  for (std::size_t begin = 0, end = 0; begin < pressures.size(); begin = end) {
+    while (end < pressures.size() && pressures[end] == pressures[begin]) ++end;
+    parts.push_back({name + ", " + kilopascals(pressures[begin]), column, begin, end});
+  }
+  return parts;
+}
+
+void add_part(io::ChartPanel& panel, const CurveComparison& comparison, const CurvePart& part) {
+  const std::size_t abscissa = materials::abscissa_count(comparison.load_case().kind) - 1;
+  const double x_factor = shown_as(comparison.curve.columns[abscissa]).factor;
+  const double y_factor = shown_as(comparison.curve.columns[part.column]).factor;
+  const io::Colour colour = io::chart_colour(panel.series.size() / 2);
+  io::ChartSeries elements{.name = part.name, .marks = io::Marks::points, .colour = colour};
+  io::ChartSeries surrogate{.marks = io::Marks::line, .colour = colour};
+  const std::vector<double>& answers = comparison.answer.values[part.column];
+  for (std::size_t row = part.begin; row < part.end; ++row) {
+    const double x = x_factor * comparison.curve.values[abscissa][row];
+    elements.x.push_back(x);
+    elements.y.push_back(y_factor * comparison.curve.values[part.column][row]);
+    if (!comparison.answer_rows[row]) continue;
+    surrogate.x.push_back(x);
+    surrogate.y.push_back(y_factor * answers[*comparison.answer_rows[row]]);
+  }
+  if (surrogate.x.size() == 1) surrogate.marks = io::Marks::line_and_points;
+  panel.series.push_back(elements);
+  panel.series.push_back(surrogate);
+}
+
+io::PictureOutcome write(const std::filesystem::path& file, const io::Chart& chart) {
+  return io::write_chart(file, chart,
+                         {.width_px = panel_width_px * static_cast<int>(chart.panels.size()), .height_px = panel_height_px});
+}
+
+}  // namespace
+
+io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vector<CurveComparison>& comparisons, double aim) {
+  io::Chart chart{.title = "surrogate against finite elements, inside the range of validity", .panels = {}};
+  chart.panels.push_back(spread_panel(comparisons, aim));
+  // a marker must lie within the axis
+  double largest = 110.0 * aim;
+  for (const io::ChartSeries& series : chart.panels.front().series) largest = std::max(largest, 1.02 * series.x.back());
+  chart.panels.front().x.highest = largest;
+  for (const ObservableKind kind : {ObservableKind::displacement, ObservableKind::volume})
+    chart.panels.push_back(pressure_panel(comparisons, kind, aim));
+  return write(file, chart);
+}
+
+io::PictureOutcome draw_curve(const std::filesystem::path& file, const CurveComparison& comparison) {
+  io::Chart chart{.title = comparison.load_case().name + ": points finite elements, lines surrogate", .panels = {}};
+  const std::vector<std::string>& columns = comparison.curve.columns;
+  const std::size_t first = materials::abscissa_count(comparison.load_case().kind);
+  for (std::size_t column = first; column < columns.size(); ++column) {
+    const std::string title = shown_as(columns[column]).title;
+    auto panel = std::find_if(chart.panels.begin(), chart.panels.end(),
+                              [&](const io::ChartPanel& known) { return known.y.title == title; });
+    if (panel == chart.panels.end()) {
+      chart.panels.push_back(
+          {.title = "", .x = {.title = shown_as(columns[first - 1]).title}, .y = {.title = title}, .series = {}, .markers = {}});
+      panel = chart.panels.end() - 1;
+    }
+    for (const CurvePart& part : parts_of(comparison, column)) add_part(*panel, comparison, part);
+  }
+  return write(file, chart);
+}
+
+}  // namespace menger::voxel

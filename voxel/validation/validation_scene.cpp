@@ -1,0 +1,193 @@
+#include "voxel/validation/validation_scene.h"
+
+#include <vtkAppendFilter.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "io/text/whole_file.h"
+#include "io/vtk/vtk_file.h"
+#include "voxel/picture/vtk_output.h"
+#include "voxel/validation/body_boxes.h"
+#include "voxel/validation/kept_fields.h"
+#include "voxel/validation/rigid_part.h"
+#include "voxel/validation/side_by_side_picture.h"
+
+namespace menger::voxel {
+
+namespace {
+
+namespace fs = std::filesystem;
+using State = std::vector<double>;
+
+void add_field_value(vtkUnstructuredGrid& grid, const char* name, double value) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  grid.GetFieldData()->AddArray(array);
+}
+
+void write_state(const fs::path& file, vtkUnstructuredGrid& grid, std::size_t row, const State& state) {
+  add_field_value(grid, "TimeValue", static_cast<double>(row));
+  add_field_value(grid, "pressure_Pa", state.front());
+  if (state.size() > 1) add_field_value(grid, "imposed", state[1]);
+  io::write_vtu(file, grid);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> grid_of(const BodyBoxes& boxes) {
+  const auto count = static_cast<vtkIdType>(boxes.corners_m.size());
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> material;
+  material->SetName("material");
+  vtkNew<vtkDoubleArray> volume_change;
+  volume_change->SetName("volume_change");
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->AllocateExact(count, 8 * count);
+  for (std::size_t voxel = 0; voxel < boxes.corners_m.size(); ++voxel) {
+    std::array<vtkIdType, 8> corners{};
+    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+      corners.at(corner) = points->InsertNextPoint(boxes.corners_m[voxel].at(corner).data());
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners.data());
+    material->InsertNextValue(boxes.material[voxel]);
+    volume_change->InsertNextValue(boxes.volume_change[voxel]);
+  }
+  grid->SetPoints(points);
+  grid->GetCellData()->AddArray(material);
+  grid->GetCellData()->AddArray(volume_change);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> as_grid(vtkPolyData& surface) {
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(&surface);
+  append->Update();
+  return append->GetOutput();
+}
+
+std::string numbered(const char* kind, std::size_t row) {
+  std::array<char, 48> name{};
+  std::snprintf(name.data(), name.size(), "worst/%s_%04zu.vtu", kind, row);
+  return name.data();
+}
+
+/// Removes the files of an earlier run, and no other.
+void remove_earlier(const fs::path& folder) {
+  for (const char* name : {"worst.pvd", "worst.png"}) io::remove_if_there(folder / name);
+  std::vector<fs::path> files;  // collected first: whether a listing goes on over files that vanish is not defined
+  std::error_code no_such_folder;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "worst", no_such_folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_ours = name.starts_with("elements_") || name.starts_with("voxels_");
+    if (is_ours && entry.path().extension() == ".vtu") files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) io::remove_if_there(file);
+}
+
+/// The surrogate as boxes, at rest and by row of the curve.
+struct SurrogateStates {
+  BodyBoxes rest;
+  std::map<std::size_t, BodyBoxes> by_row;
+};
+
+SurrogateStates surrogate_states(const SideBySide& sides, const std::vector<State>& states) {
+  SurrogateStates found;
+  const materials::LoadCase& load_case = sides.comparison->load_case();
+  const State nothing_done(states.front().size(), 0.0);
+  (void)visit_states(sides.parameters, load_case, {nothing_done},
+                     [&](std::size_t, const Equilibrium& equilibrium) { found.rest = body_boxes(equilibrium); });
+  // as far as the comparison has answers, and in no state beyond
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < states.size(); ++row) {
+    const auto& answered = sides.comparison->answer_rows;
+    if (answered.empty() || answered[row]) rows.push_back(row);
+  }
+  std::vector<State> shown;
+  shown.reserve(rows.size());
+  for (const std::size_t row : rows) shown.push_back(states[row]);
+  if (shown.empty()) return found;
+  (void)visit_states(sides.parameters, load_case, shown, [&](std::size_t n, const Equilibrium& equilibrium) {
+    found.by_row.emplace(rows[n], body_boxes(equilibrium));
+  });
+  return found;
+}
+
+/// Where the surrogate is shown beside finite elements: half a body's width of air between them.
+Eigen::Isometry3d beside(const SideBySide& sides) {
+  const materials::LoadCase& load_case = sides.comparison->load_case();
+  double width_m = sides.parameters.cell_edge_m;
+  for (int level = 0; level < load_case.level; ++level) width_m *= load_case.cells[1];
+  return Eigen::Isometry3d(Eigen::Translation3d(0.0, -1.5 * width_m, 0.0));
+}
+
+std::string caption_of(const CurveComparison& comparison, const State& state) {
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "%s at %.3g kPa", comparison.load_case().name.c_str(), 1e-3 * state.front());
+  return text.data();
+}
+
+}  // namespace
+
+SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& sides, bool with_picture) {
+  remove_earlier(folder);
+  SideBySideOutcome outcome;
+  const std::vector<State> states = states_of(sides.comparison->curve);
+  SurrogateStates surrogate = surrogate_states(sides, states);
+  const FieldsByRow fields = sides.fields ? fields_by_row(*sides.fields, states) : FieldsByRow{};
+  if (!sides.fields) {
+    outcome.notes.emplace_back("no fields of finite elements are kept beside the curve: worst.pvd shows the surrogate alone");
+  } else if (fields.size() != states.size()) {
+    outcome.notes.push_back(sides.fields->string() + ": has steps for " + std::to_string(fields.size()) + " of " +
+                            std::to_string(states.size()) + " rows of the curve: those are shown");
+  }
+  std::vector<CollectionEntry> entries;
+  std::vector<std::size_t> shown;
+  // what holds the rigid motions of a free body is no part of its answer
+  const bool is_free = sides.comparison->load_case().kind == materials::LoadCaseKind::inflation;
+  for (auto& [row, body] : surrogate.by_row) {
+    const auto elements = fields.find(row);
+    if (sides.fields && elements == fields.end()) continue;
+    const auto time = static_cast<double>(row);
+    Eigen::Isometry3d motion = is_free ? rigid_part(surrogate.rest, body).inverse() : Eigen::Isometry3d::Identity();
+    if (sides.fields) {
+      const vtkSmartPointer<vtkPolyData> surface = deformed_surface(elements->second);
+      entries.push_back({time, numbered("elements", row), 0});
+      write_state(folder / entries.back().file, *as_grid(*surface), row, states[row]);
+      if (is_free) motion = rigid_part(*surface) * motion;
+      motion = beside(sides) * motion;
+    }
+    body = moved(std::move(body), motion);
+    entries.push_back({time, numbered("voxels", row), 1});
+    write_state(folder / entries.back().file, *grid_of(body), row, states[row]);
+    shown.push_back(row);
+  }
+  outcome.states = shown.size();
+  if (outcome.states == 0) {
+    outcome.notes.emplace_back(
+        "no state of the worst case has both an equilibrium of the surrogate and fields, so that there is nothing to show");
+    return outcome;
+  }
+  write_collection(folder / "worst.pvd", entries);
+  if (!with_picture) return outcome;
+  const auto not_before = std::lower_bound(shown.begin(), shown.end(), sides.pictured_row);
+  const std::size_t row = not_before == shown.end() ? shown.back() : *not_before;
+  outcome.picture = draw_side_by_side(folder / "worst.png", sides.fields ? deformed_surface(fields.at(row)) : nullptr,
+                                      surrogate.by_row.at(row), caption_of(*sides.comparison, states[row]));
+  return outcome;
+}
+
+}  // namespace menger::voxel

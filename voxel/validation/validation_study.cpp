@@ -1,0 +1,150 @@
+#include "voxel/validation/validation_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "io/text/content_hash.h"
+#include "io/text/input_error.h"
+#include "io/text/number_text.h"
+#include "io/text/toml_document.h"
+#include "meshes/load_cases/curve_folder.h"
+#include "meshes/load_cases/load_case_subject.h"
+
+namespace menger::voxel {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path table_beside(const fs::path& provenance) { return fs::path(provenance).replace_extension(".csv"); }
+
+bool is_folder(const fs::path& place) {
+  std::error_code ignored;
+  return fs::is_directory(place, ignored);
+}
+
+std::vector<fs::path> curve_files(const ValidationStudy& study) {
+  std::vector<fs::path> files;
+  std::set<fs::path> seen;
+  for (const fs::path& place : study.curves) {
+    const std::vector<fs::path> found = materials::response_curve_files(place);
+    if (found.empty()) throw io::InputError(place.string() + ": holds no response curve (NAME.toml beside NAME.csv)");
+    for (const fs::path& file : found) {
+      if (seen.insert(fs::weakly_canonical(file)).second) files.push_back(file);
+    }
+  }
+  return files;
+}
+
+std::string quoted(const std::string& text) { return io::toml_quoted(text); }
+
+bool agree(double a, double b) {
+  constexpr double rounding = 1e-9;
+  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
+
+/// @throws io::InputError unless a curve is of what the parameters hold for
+void check_subject(const HeldOutCurve& held_out, const SurrogateParameters& parameters, const fs::path& parameters_file) {
+  const materials::CurveProvenance& provenance = held_out.curve.provenance;
+  const auto refuse = [&](const std::string& key, const std::string& value, const std::string& wanted) {
+    throw io::InputError(held_out.file.string() + ": " + key + " = " + value + ": the parameters " + parameters_file.string() +
+                         " hold for " + wanted);
+  };
+  const auto check_number = [&](const std::string& key, double value, double wanted) {
+    if (!agree(value, wanted)) refuse(key, io::number_text(value), io::number_text(wanted));
+  };
+  if (provenance.silicone != parameters.silicone) refuse("silicone", quoted(provenance.silicone), quoted(parameters.silicone));
+  if (provenance.law != parameters.law) refuse("law", quoted(provenance.law), quoted(parameters.law));
+  check_number("density_kg_m3", provenance.density_kg_m3, parameters.density_kg_m3);
+  check_number("case.cell_edge_m", provenance.load_case.cell_edge_m, parameters.cell_edge_m);
+  check_number("case.wall_thickness_m", provenance.load_case.wall_thickness_m, parameters.wall_thickness_m);
+}
+
+/// @throws io::InputError if the parameters were fitted to a curve
+void check_is_held_out(const HeldOutCurve& held_out, const FitRecord& record, const fs::path& parameters_file) {
+  const auto refuse_if_known = [&](const fs::path& part, const std::string& key, const std::string& value,
+                                   const std::vector<std::string>& known) {
+    if (std::find(known.begin(), known.end(), value) == known.end()) return;
+    throw io::InputError(part.string() + ": " + key + " = " + quoted(value) + ": is not held out: the parameters " +
+                         parameters_file.string() + " were fitted to it");
+  };
+  for (const fs::path& part : {table_beside(held_out.file), held_out.file})
+    refuse_if_known(part, "content hash", io::file_hash(part), record.hashes);
+  refuse_if_known(held_out.file, "case", materials::subject_of(held_out.curve.provenance.load_case), record.subjects);
+}
+
+}  // namespace
+
+ValidationStudy read_validation_study(const fs::path& file, const ValidationPlaces& instead) {
+  const io::TomlTable top = io::read_toml(file);
+  ValidationStudy study{.file = file, .parameters = {}, .curves = {}};
+  if (top.has("parameters") || !instead.parameters) study.parameters = top.path("parameters");
+  if (instead.parameters) study.parameters = *instead.parameters;
+  study.load_cases = top.optional_path("load_cases");
+  if (top.has("curves") || (!study.load_cases && instead.curves.empty())) {
+    for (const std::string& name : top.texts("curves")) {
+      // a relative name counts from the folder of the study, as with TomlTable::path; an absolute one replaces it
+      study.curves.push_back(file.parent_path() / name);
+    }
+    if (study.curves.empty()) throw top.error("curves", "must name at least one folder or file of response curves");
+  }
+  if (!instead.curves.empty()) {
+    study.curves = instead.curves;
+    study.load_cases.reset();  // nothing is computed into folders of the user's
+  }
+  study.aim = top.number_or("aim", study.aim, io::positive());
+  study.actuation_pressure_Pa = top.number_or("actuation_pressure_Pa", study.actuation_pressure_Pa, io::positive());
+  study.actuation_amplitude = top.number_or("actuation_amplitude", study.actuation_amplitude, io::between(0.0, 1.0));
+  top.finish();
+  return study;
+}
+
+fs::path load_case_folder(ValidationStudy& study, const fs::path& fallback) {
+  if (study.curves.empty()) study.curves.push_back(fallback);
+  const fs::path& folder = study.curves.front();
+  std::error_code ignored;
+  if (fs::exists(folder, ignored) && !is_folder(folder)) {
+    throw io::InputError(study.file.string() + ": curves[1] = " + quoted(folder.string()) +
+                         ": must be the folder in which the curves of load_cases are made");
+  }
+  return folder;
+}
+
+FitRecord read_fit_record(const fs::path& parameters_file) {
+  FitRecord record;
+  const auto fit = io::read_toml(parameters_file).optional_table("fit");
+  if (!fit) return record;
+  for (const io::TomlTable& curve : fit->optional_tables("curves")) {
+    ++record.curve_count;
+    record.hashes.push_back(curve.text("hash"));
+    if (curve.has("table_hash")) record.hashes.push_back(curve.text("table_hash"));
+    if (curve.has("subject")) record.subjects.push_back(curve.text("subject"));
+  }
+  return record;
+}
+
+std::vector<HeldOutCurve> read_held_out_curves(const ValidationStudy& study, const SurrogateParameters& parameters,
+                                               const FitRecord& record) {
+  std::vector<HeldOutCurve> curves;
+  std::map<std::string, fs::path> known;
+  for (const fs::path& file : curve_files(study)) {
+    HeldOutCurve held_out{.file = file, .curve = materials::read_response_curve(file)};
+    const std::string& name = held_out.curve.provenance.load_case.name;
+    if (const auto [other, is_new] = known.emplace(name, file); !is_new) {
+      throw io::InputError(file.string() + ": case.name = " + quoted(name) + ": " + other->second.string() +
+                           " has the same name");
+    }
+    check_subject(held_out, parameters, study.parameters);
+    check_is_held_out(held_out, record, study.parameters);
+    // equal but for rounding, which the surrogate does not forgive
+    held_out.curve.provenance.load_case.cell_edge_m = parameters.cell_edge_m;
+    held_out.curve.provenance.load_case.wall_thickness_m = parameters.wall_thickness_m;
+    curves.push_back(std::move(held_out));
+  }
+  return curves;
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,156 @@
+#include "voxel/validation/validation_summary.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace menger::voxel {
+
+namespace {
+
+/// Errors of a kind on one side of the range of validity.
+struct Sample {
+  std::vector<double> magnitudes;
+  std::vector<double> pointwise;
+  ErrorSummary summary;
+
+  void add(const ObservableError& error, const CurveComparison& comparison) {
+    const double magnitude = std::abs(error.error);
+    if (!summary.worst || magnitude > *summary.worst) {
+      summary.worst = magnitude;
+      summary.worst_body = comparison.body;
+      summary.worst_case = comparison.load_case().name;
+    }
+    magnitudes.push_back(magnitude);
+    if (error.pointwise_error) pointwise.push_back(std::abs(*error.pointwise_error));
+  }
+
+  [[nodiscard]] ErrorSummary summarised() const {
+    ErrorSummary result = summary;
+    result.count = magnitudes.size();
+    result.median = quantile(magnitudes, 0.5, summary.unanswered);
+    result.percentile_90 = quantile(magnitudes, 0.9, summary.unanswered);
+    if (!pointwise.empty()) result.pointwise_median = quantile(pointwise, 0.5);
+    return result;
+  }
+};
+
+/// Inside the range of validity first.
+std::size_t side_of(Validity validity) { return validity == Validity::inside ? 0 : 1; }
+
+bool is_aimed_at(ObservableKind kind) { return kind == ObservableKind::displacement || kind == ObservableKind::volume; }
+
+std::optional<ErrorPlace> largest(const std::vector<CurveComparison>& comparisons,
+                                  const std::function<bool(const ObservableError&)>& counts) {
+  std::optional<ErrorPlace> place;
+  double magnitude = -1.0;
+  for (std::size_t c = 0; c < comparisons.size(); ++c) {
+    for (std::size_t e = 0; e < comparisons[c].errors.size(); ++e) {
+      const ObservableError& error = comparisons[c].errors[e];
+      if (!counts(error) || !(std::abs(error.error) > magnitude)) continue;
+      magnitude = std::abs(error.error);
+      place = ErrorPlace{c, e};
+    }
+  }
+  return place;
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double p) {
+  assert(!values.empty() && p >= 0.0 && p <= 1.0);
+  std::sort(values.begin(), values.end());
+  const double at = p * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+std::optional<double> quantile(std::vector<double> values, double p, std::size_t larger) {
+  const std::size_t known = values.size();
+  if (known == 0) return std::nullopt;
+  values.resize(known + larger, std::numeric_limits<double>::max());
+  const double at = p * static_cast<double>(values.size() - 1);
+  if (at > static_cast<double>(known - 1)) return std::nullopt;
+  return quantile(std::move(values), p);
+}
+
+std::vector<ErrorSummary> summarise(const std::vector<CurveComparison>& comparisons, const std::optional<std::string>& body) {
+  std::array<std::array<Sample, observable_kind_count>, 2> samples;
+  for (const CurveComparison& comparison : comparisons) {
+    if (body && comparison.body != *body) continue;
+    for (const ObservableError& error : comparison.errors) {
+      samples.at(side_of(error.validity)).at(static_cast<std::size_t>(error.kind)).add(error, comparison);
+    }
+    for (const UnansweredNumber& number : comparison.unanswered)
+      ++samples.at(side_of(number.validity)).at(static_cast<std::size_t>(number.kind)).summary.unanswered;
+  }
+  std::vector<ErrorSummary> summaries;
+  for (std::size_t side = 0; side < samples.size(); ++side) {
+    for (std::size_t kind = 0; kind < observable_kind_count; ++kind) {
+      const Sample& sample = samples.at(side).at(kind);
+      if (sample.magnitudes.empty() && sample.summary.unanswered == 0) continue;
+      summaries.push_back(sample.summarised());
+      summaries.back().kind = static_cast<ObservableKind>(kind);
+      summaries.back().inside = side == 0;
+    }
+  }
+  return summaries;
+}
+
+const ErrorSummary* find_summary(const std::vector<ErrorSummary>& summaries, ObservableKind kind) {
+  const auto found = std::find_if(summaries.begin(), summaries.end(),
+                                  [&](const ErrorSummary& summary) { return summary.inside && summary.kind == kind; });
+  return found == summaries.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> bodies_of(const std::vector<CurveComparison>& comparisons) {
+  std::vector<std::string> bodies;
+  for (const CurveComparison& comparison : comparisons) {
+    if (std::find(bodies.begin(), bodies.end(), comparison.body) == bodies.end()) bodies.push_back(comparison.body);
+  }
+  return bodies;
+}
+
+std::optional<ErrorPlace> worst_error(const std::vector<CurveComparison>& comparisons) {
+  auto place = largest(
+      comparisons, [](const ObservableError& error) { return is_aimed_at(error.kind) && error.validity == Validity::inside; });
+  if (!place) place = largest(comparisons, [](const ObservableError& error) { return is_aimed_at(error.kind); });
+  if (!place) place = largest(comparisons, [](const ObservableError&) { return true; });
+  return place;
+}
+
+std::vector<AimOutcome> judge(const std::vector<CurveComparison>& comparisons, double aim) {
+  std::vector<AimOutcome> outcomes;
+  for (const ObservableKind kind : {ObservableKind::displacement, ObservableKind::volume}) {
+    AimOutcome outcome{.kind = kind};
+    const std::vector<ErrorSummary> all = summarise(comparisons);
+    for (const ErrorSummary& summary : all) {
+      if (summary.kind == kind && !summary.inside) outcome.unanswered_outside = summary.unanswered;
+    }
+    if (const ErrorSummary* summary = find_summary(all, kind)) {
+      outcome.count = summary->count;
+      outcome.unanswered_inside = summary->unanswered;
+      outcome.median = summary->median;
+      outcome.met = summary->median.has_value() && *summary->median <= aim;
+    }
+    std::vector<std::pair<double, std::string>> beyond;
+    for (const std::string& body : bodies_of(comparisons)) {
+      const std::vector<ErrorSummary> of_body = summarise(comparisons, body);
+      const ErrorSummary* summary = find_summary(of_body, kind);
+      if (summary == nullptr) continue;
+      const double median = summary->median.value_or(std::numeric_limits<double>::max());
+      if (median > aim) beyond.emplace_back(-median, body);
+    }
+    std::stable_sort(beyond.begin(), beyond.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [median, body] : beyond) outcome.bodies_beyond.push_back(body);
+    outcomes.push_back(outcome);
+  }
+  return outcomes;
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,130 @@
+#include "voxel/validation/validation_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
+
+#include "io/text/formatted.h"
+#include "io/text/joined_text.h"
+
+namespace menger::voxel {
+
+namespace {
+
+std::string percent_or_nothing(const std::optional<double>& fraction) { return fraction ? percent(*fraction) : ""; }
+
+std::uint64_t number(std::size_t count) { return count; }
+
+std::string side_of(const ErrorSummary& summary) { return summary.inside ? "inside" : "outside"; }
+
+void add_summaries(io::CsvTable& table, const std::vector<CurveComparison>& comparisons, const std::optional<std::string>& body) {
+  for (const ErrorSummary& summary : summarise(comparisons, body)) {
+    table.add_row(body.value_or("all"), to_string(summary.kind), side_of(summary), number(summary.count),
+                  number(summary.unanswered), summary.median, summary.percentile_90, summary.worst, summary.pointwise_median,
+                  summary.worst_body, summary.worst_case);
+  }
+}
+
+/// What is to be said of numbers that have no answer; empty if all have one.
+std::string without_answer(const AimOutcome& outcome) {
+  std::string text;
+  if (outcome.unanswered_inside > 0) {
+    text += "; without an answer, and counted as missed, are " + std::to_string(outcome.unanswered_inside) + " of " +
+            std::to_string(outcome.count + outcome.unanswered_inside) + " numbers inside the range";
+  }
+  if (outcome.unanswered_outside > 0)
+    text += "; without an answer outside the range, and not counted, are " + std::to_string(outcome.unanswered_outside);
+  return text;
+}
+
+using Line = std::array<std::string, 9>;
+
+/// Text in columns, the first and the last to the left, numbers to the right.
+std::vector<std::string> aligned(const std::vector<Line>& lines) {
+  std::array<std::size_t, std::tuple_size_v<Line>> widths{};
+  for (const Line& line : lines) {
+    for (std::size_t i = 0; i < widths.size(); ++i) widths.at(i) = std::max(widths.at(i), line.at(i).size());
+  }
+  std::vector<std::string> texts;
+  for (const Line& line : lines) {
+    std::string text;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      const std::string fill(widths.at(i) - line.at(i).size(), ' ');
+      const bool to_the_left = i == 0 || i + 1 == widths.size();
+      text += (i == 0 ? "" : "  ") + (to_the_left ? line.at(i) + fill : fill + line.at(i));
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+}  // namespace
+
+std::string percent(double fraction) { return io::formatted("%.3g %%", 100.0 * fraction); }
+
+io::CsvTable errors_table(const std::vector<CurveComparison>& comparisons) {
+  io::CsvTable table({"case", "body", "kind", "observable", "pressure_Pa", "imposed", "finite_elements", "surrogate", "error",
+                      "pointwise_error", "validity"});
+  for (const CurveComparison& comparison : comparisons) {
+    for (const ObservableError& error : comparison.errors) {
+      table.add_row(comparison.load_case().name, comparison.body, to_string(error.kind), error.observable, error.pressure_Pa,
+                    error.imposed, error.reference, error.surrogate, error.error, error.pointwise_error,
+                    to_string(error.validity));
+    }
+  }
+  return table;
+}
+
+io::CsvTable summary_table(const std::vector<CurveComparison>& comparisons) {
+  io::CsvTable table({"body", "kind", "range", "count", "unanswered", "median", "percentile_90", "worst", "pointwise_median",
+                      "worst_body", "worst_case"});
+  add_summaries(table, comparisons, std::nullopt);
+  for (const std::string& body : bodies_of(comparisons)) add_summaries(table, comparisons, body);
+  return table;
+}
+
+io::CsvTable actuation_table(const std::vector<VolumeActuation>& actuations, const ActuationAim& aim) {
+  io::CsvTable table({"body", "chamber_share", "pressure_Pa", "outer_volume_change", "largest_change_aimed_at",
+                      "pressure_for_largest_Pa", "smallest_change_aimed_at", "pressure_for_smallest_Pa", "highest_pressure_Pa",
+                      "change_at_highest", "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"});
+  for (const VolumeActuation& actuation : actuations) {
+    table.add_row(actuation.body, actuation.chamber_share, aim.pressure_Pa, actuation.change_at_pressure, aim.largest_change,
+                  actuation.pressure_for_largest_Pa, aim.smallest_change, actuation.pressure_for_smallest_Pa,
+                  actuation.highest_pressure_Pa, actuation.change_at_highest, actuation.limit_pressure_Pa,
+                  actuation.lowest_pressure_Pa, actuation.change_at_lowest, actuation.contact_pressure_Pa);
+  }
+  return table;
+}
+
+std::vector<std::string> summary_lines(const std::vector<CurveComparison>& comparisons) {
+  std::vector<Line> lines{{"observable", "range", "number", "unanswered", "median", "90 %", "worst", "pointwise", "worst body"}};
+  for (const ErrorSummary& summary : summarise(comparisons)) {
+    lines.push_back({std::string(to_string(summary.kind)), side_of(summary), std::to_string(summary.count),
+                     std::to_string(summary.unanswered), percent_or_nothing(summary.median),
+                     percent_or_nothing(summary.percentile_90), percent_or_nothing(summary.worst),
+                     percent_or_nothing(summary.pointwise_median), summary.worst_body});
+  }
+  return aligned(lines);
+}
+
+std::vector<std::string> aim_sentences(const std::vector<CurveComparison>& comparisons, double aim) {
+  std::vector<std::string> sentences;
+  for (const AimOutcome& outcome : judge(comparisons, aim)) {
+    const std::string kind(to_string(outcome.kind));
+    const std::size_t inside = outcome.count + outcome.unanswered_inside;
+    if (inside == 0) {
+      sentences.push_back(kind + ": nothing was compared inside the range of validity, so that nothing can be said of the aim" +
+                          without_answer(outcome));
+      continue;
+    }
+    std::string text = kind + ": median error " + (outcome.median ? percent(*outcome.median) : "without an answer") + ", aim " +
+                       percent(aim) + (outcome.met ? ": met" : ": missed") + without_answer(outcome);
+    if (!outcome.bodies_beyond.empty()) text += "; bodies beyond it by themselves: " + io::joined(outcome.bodies_beyond);
+    sentences.push_back(text);
+  }
+  return sentences;
+}
+
+}  // namespace menger::voxel
