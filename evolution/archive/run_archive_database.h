@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "evolution/archive/run_archive.h"
-#include "io/process/archive_lock.h"
+#include "io/process/file_lock.h"
 #include "io/text/input_error.h"
 
 namespace menger::evolution {
@@ -19,11 +19,11 @@ namespace menger::evolution {
 /// The open database of an archive; the lock is let go of after the database is closed.
 class RunArchive::Database {
  public:
-  Database(std::filesystem::path archive, std::optional<ArchiveLock> held, SQLite::Database&& opened)
+  Database(std::filesystem::path archive, std::optional<io::FileLock> held, SQLite::Database&& opened)
       : file(std::move(archive)), lock(std::move(held)), connection(std::move(opened)) {}
 
   std::filesystem::path file;
-  std::optional<ArchiveLock> lock;
+  std::optional<io::FileLock> lock;
   mutable SQLite::Database connection;
 
   /// Calls `work()` and turns an error of the database into an InputError that names the archive.

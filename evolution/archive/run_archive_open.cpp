@@ -52,7 +52,7 @@ RunArchive RunArchive::open(const fs::path& file, std::string_view study, int ge
   std::error_code unknown;
   if (fs::is_directory(file, unknown)) refuse(file, "cannot be written: it is a folder");
   io::require_writable_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
-  ArchiveLock lock(file);
+  io::FileLock lock(file);
   // A process that died while it made the archive leaves nothing, an empty file or an empty database.
   std::error_code missing;
   if (fs::exists(file, missing) && fs::file_size(file, missing) > 0) require_database_header(file);
@@ -82,7 +82,7 @@ RunArchive RunArchive::open(const fs::path& file, std::string_view study, int ge
 RunArchive RunArchive::open_to_extend(const fs::path& file) {
   std::error_code missing;
   if (!fs::is_regular_file(file, missing)) refuse(file, "there is no such file");
-  ArchiveLock lock(file);
+  io::FileLock lock(file);
   require_database_header(file);
   try {
     SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE);

@@ -52,7 +52,7 @@ void add_path(io::Chart& chart, const Path& path, const std::string& name, std::
     lines[0].x.push_back(millimetres_per_metre * moved[0]);
     lines[0].y.push_back(millimetres_per_metre * moved[1]);
     lines[1].x.push_back(path.time_s[n]);
-    lines[1].y.push_back(materials::horizontal_displacement(moved) / body_length_m);
+    lines[1].y.push_back(meshes::horizontal_displacement(moved) / body_length_m);
     lines[2].x.push_back(path.time_s[n]);
     lines[2].y.push_back(millimetres_per_metre * moved[2]);
   }
@@ -108,7 +108,7 @@ io::Chart trajectories_chart(const ReevaluationStudy& study, const JudgedDesign&
   chart.panels = {{.title = "path seen from above", .x = {.title = "x (mm)"}, .y = {.title = "y (mm)"}, .equal_scale = true},
                   {.title = "distance from the start", .x = {.title = "time (s)"}, .y = {.title = "body lengths"}},
                   {.title = "height of the centre, from the start", .x = {.title = "time (s)"}, .y = {.title = "height (mm)"}}};
-  const double body_length_m = materials::body_length_m(study.level, study.search.search.cell_edge_m);
+  const double body_length_m = meshes::body_length_m(study.level, study.search.search.cell_edge_m);
   if (!design.elements.trajectory.empty())
     add_path(chart, path_of(design.elements.trajectory), "finite elements", 1, body_length_m);
   add_path(chart, path_of(design.surrogate.trajectory), "surrogate", 0, body_length_m);

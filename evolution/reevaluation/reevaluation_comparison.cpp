@@ -12,7 +12,7 @@ namespace {
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 double body_length_m(const ReevaluationStudy& study) {
-  return materials::body_length_m(study.level, study.search.search.cell_edge_m);
+  return meshes::body_length_m(study.level, study.search.search.cell_edge_m);
 }
 
 double least_m(const ReevaluationStudy& study) { return study.least_body_lengths * body_length_m(study); }
@@ -36,7 +36,7 @@ std::optional<TopRegret> regret_of(const std::vector<double>& surrogate, const s
 Motion motion_of(const ReevaluationStudy& study, const std::array<double, 3>& displacement_m) {
   constexpr double seconds_per_minute = 60.0;
   Motion motion;
-  motion.horizontal_m = materials::horizontal_displacement(displacement_m);
+  motion.horizontal_m = meshes::horizontal_displacement(displacement_m);
   const double angle = std::atan2(displacement_m[1], displacement_m[0]) * degrees_per_radian;
   if (is_enough(motion.horizontal_m, least_m(study))) motion.direction_deg = angle <= -180.0 ? 180.0 : angle;
   motion.body_lengths = motion.horizontal_m / body_length_m(study);
@@ -45,7 +45,7 @@ Motion motion_of(const ReevaluationStudy& study, const std::array<double, 3>& di
 }
 
 std::optional<double> angle_between_deg(const std::array<double, 3>& a, const std::array<double, 3>& b, double least) {
-  if (!is_enough(materials::horizontal_displacement(a), least) || !is_enough(materials::horizontal_displacement(b), least))
+  if (!is_enough(meshes::horizontal_displacement(a), least) || !is_enough(meshes::horizontal_displacement(b), least))
     return std::nullopt;
   const double along = a[0] * b[0] + a[1] * b[1];
   const double across = a[0] * b[1] - a[1] * b[0];
@@ -53,7 +53,7 @@ std::optional<double> angle_between_deg(const std::array<double, 3>& a, const st
 }
 
 std::optional<double> relative_change(const std::array<double, 3>& a, const std::array<double, 3>& b, double least) {
-  const double distance_m = materials::horizontal_displacement(a);
+  const double distance_m = meshes::horizontal_displacement(a);
   if (!is_enough(distance_m, least)) return std::nullopt;
   return std::hypot(b[0] - a[0], b[1] - a[1]) / distance_m;
 }
@@ -66,8 +66,8 @@ ModelGap gap_of(const ReevaluationStudy& study, const JudgedDesign& design) {
   ModelGap gap{.ratio = {},
                .angle_deg = angle_between_deg(*surrogate, *elements, least),
                .relative_error = relative_change(*elements, *surrogate, least)};
-  const double distance_m = materials::horizontal_displacement(*surrogate);
-  if (is_enough(distance_m, least)) gap.ratio = materials::horizontal_displacement(*elements) / distance_m;
+  const double distance_m = meshes::horizontal_displacement(*surrogate);
+  if (is_enough(distance_m, least)) gap.ratio = meshes::horizontal_displacement(*elements) / distance_m;
   return gap;
 }
 

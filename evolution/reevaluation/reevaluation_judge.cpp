@@ -50,7 +50,7 @@ std::vector<JudgeVariant> judge_variants(const ReevaluationStudy& study) {
 
 JudgeChange change_of(const ReevaluationStudy& study, const LocomotionRun& judge, const LocomotionRun& variant) {
   if (!judge.displacement_m || !variant.displacement_m) return {};
-  const double least_m = study.least_body_lengths * materials::body_length_m(study.level, study.search.search.cell_edge_m);
+  const double least_m = study.least_body_lengths * meshes::body_length_m(study.level, study.search.search.cell_edge_m);
   return {.relative = relative_change(*judge.displacement_m, *variant.displacement_m, least_m),
           .angle_deg = angle_between_deg(*judge.displacement_m, *variant.displacement_m, least_m)};
 }

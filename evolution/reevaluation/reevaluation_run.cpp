@@ -5,8 +5,8 @@
 
 #include "evolution/genome/balance.h"
 #include "evolution/reevaluation/reevaluation_output.h"
-#include "io/process/archive_lock.h"
 #include "io/process/child_program.h"
+#include "io/process/file_lock.h"
 #include "io/process/side_by_side.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
@@ -26,7 +26,7 @@ class Reevaluator {
 
   ReevaluationResult run() {
     const fs::path program = io::program_in(options_.programs, "menger-locomote");
-    { const ArchiveLock lock(archive_file_); }  // whoever else writes is found before the work begins
+    { const io::FileLock lock(archive_file_); }  // whoever else writes is found before the work begins
     choose();
     io::require_writable_folder(folder_);
     if (!walk_surrogates() || !walk_elements(program)) {

@@ -40,7 +40,7 @@ void add_name(Row& row, const ReevaluationStudy& study, const ChosenDesign& desi
 
 /// Distance before displacement counts; empty where it counts from the start.
 io::CsvCell left_out_cell(const std::optional<std::array<double, 3>>& left_out_m) {
-  return left_out_m ? io::cell(materials::horizontal_displacement(*left_out_m)) : io::CsvCell{};
+  return left_out_m ? io::cell(meshes::horizontal_displacement(*left_out_m)) : io::CsvCell{};
 }
 
 /// How far the centre was above its start at the lowest; below it, a body has fallen over or in.

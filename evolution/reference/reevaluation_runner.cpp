@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "io/process/archive_lock.h"
 #include "io/process/exit_code.h"
+#include "io/process/file_lock.h"
 #include "io/process/program_job.h"
 #include "io/process/side_by_side.h"
 #include "io/text/csv_table.h"
@@ -104,20 +104,20 @@ void end_by_limit(LocomotionRun& run, double time_limit_s, double seconds) {
   run.reason = "time limit of " + io::number_text(time_limit_s) + " s";
 }
 
-ProgramJob child_of(const LocomotionJob& job, const LocomotionRunOptions& options) {
-  ProgramJob child;
+io::ProgramJob child_of(const LocomotionJob& job, const LocomotionRunOptions& options) {
+  io::ProgramJob child;
   child.name = job.name;
   child.program = options.program;
   child.arguments = {"study.toml", "-o", result_folder, "--quiet", "--no-pictures"};
   child.inputs = {{"study.toml", job.study}, {"design.toml", job.design}, {"silicone.toml", job.silicone}};
-  child.kept_folder = fs::absolute(options.runs / job_hash(child));
+  child.kept_folder = fs::absolute(options.runs / io::job_hash(child));
   return child;
 }
 
 /// @return nothing if the user stopped it
 std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const LocomotionRunOptions& options,
                                             const std::function<void()>& waiting) {
-  ProgramJob child = child_of(job, options);
+  io::ProgramJob child = child_of(job, options);
   LocomotionRun run;
   run.folder = child.kept_folder / result_folder;
   Calls calls = read_calls(child.kept_folder);
@@ -131,13 +131,13 @@ std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const Loco
     return run;
   }
   child.time_limit_s = std::max(1e-3, options.time_limit_s - calls.seconds);
-  const ProgramJobOptions job_options{.runs = options.runs, .stop = options.stop, .waiting = [&](double) { waiting(); }};
-  ProgramJobResult result = run_job(child, job_options);
+  const io::ProgramJobOptions job_options{.runs = options.runs, .stop = options.stop, .waiting = [&](double) { waiting(); }};
+  io::ProgramJobResult result = io::run_job(child, job_options);
   std::error_code ignored;
   if (result.is_refused() && fs::exists(run.folder / checkpoint_name, ignored)) {
     // A checkpoint that is damaged, or was made by another program or instruction set, must not keep the run from being made.
     child.arguments.emplace_back("--restart");
-    result = run_job(child, job_options);
+    result = io::run_job(child, job_options);
   }
   calls.seconds += result.outcome.wall_s;
   calls.is_finished = result.has_result();
@@ -198,7 +198,7 @@ void require_accepted(std::span<const LocomotionRun> runs) {
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
                                                           const LocomotionRunOptions& options) {
   io::require_writable_folder(options.runs);
-  const ArchiveLock lock(options.runs);
+  const io::FileLock lock(options.runs);
   // Equal jobs share a folder: each is run once, for the first that asks for it.
   std::map<fs::path, std::size_t> place_of;
   std::vector<std::size_t> first;

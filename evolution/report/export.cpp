@@ -229,7 +229,7 @@ std::string export_text(const Study& study, const ExportResult& result) {
       continue;
     }
     const double lengths = body_lengths(*level.scene.displacement_m, level.level, study.search.cell_edge_m);
-    const double distance_m = materials::horizontal_displacement(*level.scene.displacement_m);
+    const double distance_m = meshes::horizontal_displacement(*level.scene.displacement_m);
     add(std::snprintf(line.data(), line.size(), "%5d %8zu %16.6f %14.4f %12.2f  %s\n", level.level, level.cells, distance_m,
                       lengths, lengths * 60.0 / study.duration_s, status.c_str()));
   }

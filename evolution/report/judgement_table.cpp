@@ -41,7 +41,7 @@ io::CsvTable judgement_table(const RunView& run) {
       return result.displacement_m ? std::optional(result.displacement_m->at(axis)) : std::nullopt;
     };
     std::optional<double> left_out_m;
-    if (result.left_out_m) left_out_m = materials::horizontal_displacement(*result.left_out_m);
+    if (result.left_out_m) left_out_m = meshes::horizontal_displacement(*result.left_out_m);
     table.add_row(one.generation, std::uint64_t{one.place}, one.individual, one.found.design_hash, one.form, one.surrogate,
                   one.score, end_of(one), result.reason, part(0), part(1), part(2), left_out_m, result.steps, one.element_steps,
                   so_far, result.seconds);

@@ -20,7 +20,7 @@ Phenotype as_simulated(const SearchPlan& plan, const Phenotype& phenotype) {
 }
 
 double body_lengths(const std::array<double, 3>& displacement_m, int level, double cell_edge_m) {
-  return materials::horizontal_displacement(displacement_m) / materials::body_length_m(level, cell_edge_m);
+  return meshes::horizontal_displacement(displacement_m) / meshes::body_length_m(level, cell_edge_m);
 }
 
 double level_score(const SearchPlan& plan, const std::array<double, 3>& displacement_m, int level) {

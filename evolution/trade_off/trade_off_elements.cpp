@@ -81,9 +81,9 @@ TradeRow element_row(const ElementFidelity& fidelity) {
   return row;
 }
 
-ProgramJob element_job(const TradeStudy& study, const ElementFidelity& fidelity, double pressure_Pa, const fs::path& program,
-                       std::uint64_t unknowns) {
-  ProgramJob job;
+io::ProgramJob element_job(const TradeStudy& study, const ElementFidelity& fidelity, double pressure_Pa, const fs::path& program,
+                           std::uint64_t unknowns) {
+  io::ProgramJob job;
   job.name = "finite elements: " + element_row(fidelity).label;
   job.program = program;
   job.arguments = {"inflate.toml", "-o", "result", "--no-pictures"};
@@ -96,7 +96,7 @@ ProgramJob element_job(const TradeStudy& study, const ElementFidelity& fidelity,
   return job;
 }
 
-void read_element_result(const TradeStudy& study, const ProgramJobResult& result, TradeRow& row) {
+void read_element_result(const TradeStudy& study, const io::ProgramJobResult& result, TradeRow& row) {
   const io::TomlTable summary = io::read_toml(result.folder / "result/result.toml");
   row.status = summary.text("status");
   row.reason = summary.text_or("reason", "");
@@ -108,7 +108,7 @@ void read_element_result(const TradeStudy& study, const ProgramJobResult& result
   for (std::size_t n = 0; n < study.observables.size(); ++n) row.values[n] = observed(study.observables[n], curves);
 }
 
-std::optional<double> limit_pressure_Pa(const ProgramJobResult& result) {
+std::optional<double> limit_pressure_Pa(const io::ProgramJobResult& result) {
   const io::TomlTable summary = io::read_toml(result.folder / "result/result.toml");
   std::optional<double> least;
   for (const io::TomlTable& limit : summary.optional_tables("limit_points")) {

@@ -29,13 +29,13 @@ TradeRow element_row(const ElementFidelity& fidelity);
 
 /// The fidelity's run of `menger inflate` to a pressure, free but for its rigid motions.
 /// @param program menger-inflate @param unknowns of count_elements, for the estimated time
-ProgramJob element_job(const TradeStudy& study, const ElementFidelity& fidelity, double pressure_Pa,
-                       const std::filesystem::path& program, std::uint64_t unknowns);
+io::ProgramJob element_job(const TradeStudy& study, const ElementFidelity& fidelity, double pressure_Pa,
+                           const std::filesystem::path& program, std::uint64_t unknowns);
 
 /// Reads what a run gave into a row; what cannot be read makes the row "failed" with the reason.
-void read_element_result(const TradeStudy& study, const ProgramJobResult& result, TradeRow& row);
+void read_element_result(const TradeStudy& study, const io::ProgramJobResult& result, TradeRow& row);
 
 /// The least limit pressure (Pa) that a run met, if any. Precondition: result.has_result()
-std::optional<double> limit_pressure_Pa(const ProgramJobResult& result);
+std::optional<double> limit_pressure_Pa(const io::ProgramJobResult& result);
 
 }  // namespace menger::evolution

@@ -85,8 +85,8 @@ SettledBody::Voxels frame_voxels(const fs::path& file) {
   return voxels;
 }
 
-void read_settling_result(const TradeStudy& study, const SettledBody& body, double pressure_Pa, const ProgramJobResult& result,
-                          TradeRow& row) {
+void read_settling_result(const TradeStudy& study, const SettledBody& body, double pressure_Pa,
+                          const io::ProgramJobResult& result, TradeRow& row) {
   if (!read_voxel_summary(result, row)) return;
   std::vector<fs::path> frames;
   for (const fs::directory_entry& entry : fs::directory_iterator(result.folder / "result/frames")) frames.push_back(entry.path());

@@ -16,7 +16,7 @@ SettledBody::Voxels frame_voxels(const std::filesystem::path& file);
 /// Reads what a settling run gave into a row; the reason names every observable that was still moving at the end, by more than a
 /// thousandth of its error_scales over the last tenth of the time.
 /// @throws io::InputError if the result cannot be read
-void read_settling_result(const TradeStudy& study, const SettledBody& body, double pressure_Pa, const ProgramJobResult& result,
-                          TradeRow& row);
+void read_settling_result(const TradeStudy& study, const SettledBody& body, double pressure_Pa,
+                          const io::ProgramJobResult& result, TradeRow& row);
 
 }  // namespace menger::evolution

@@ -120,7 +120,7 @@ class Trade {
     return count;
   }
 
-  [[nodiscard]] ProgramJob element_run(std::size_t n, double pressure_Pa) const {
+  [[nodiscard]] io::ProgramJob element_run(std::size_t n, double pressure_Pa) const {
     return element_job(study_, fidelities_[n], pressure_Pa, runner_.program("menger-inflate"), *body_rows_[n].unknowns);
   }
 
@@ -129,7 +129,7 @@ class Trade {
     result_.pressure_Pa = study_.pressure_Pa.value_or(usual_pressure_Pa);
     if (study_.pressure_Pa || body_rows_.empty()) return;
     const auto first = std::ranges::find_if(body_rows_, [](const TradeRow& row) { return row.unknowns.has_value(); });
-    const ProgramJob job = element_run(static_cast<std::size_t>(first - body_rows_.begin()), usual_pressure_Pa);
+    const io::ProgramJob job = element_run(static_cast<std::size_t>(first - body_rows_.begin()), usual_pressure_Pa);
     runner_.expect(job.estimated_s);
     const auto pilot = runner_.run(job);
     if (!pilot || !pilot->has_result()) return;
@@ -172,7 +172,7 @@ class Trade {
     for (std::size_t n = 0; n < fidelities_.size() && !runner_.is_stopped(); ++n) {
       if (!body_rows_[n].unknowns) continue;
       runner_.fill(body_rows_[n], element_run(n, result_.pressure_Pa),
-                   [&](const ProgramJobResult& result, TradeRow& row) { read_element_result(study_, result, row); });
+                   [&](const io::ProgramJobResult& result, TradeRow& row) { read_element_result(study_, result, row); });
     }
     TradeTable table{.observables = observable_columns(study_),
                      .fidelity_columns = {"degree", "elements_through_wall", "bulk_ratio", "force_tolerance", "number", "damping",
@@ -199,7 +199,7 @@ class Trade {
       TradeRow row = voxel_row(fidelity, body.voxels_per_cell());
       row.values.assign(study_.observables.size(), std::nullopt);
       runner_.fill(row, settling_job(study_, fidelity, result_.pressure_Pa, runner_.program("menger-simulate")),
-                   [&](const ProgramJobResult& result, TradeRow& read) {
+                   [&](const io::ProgramJobResult& result, TradeRow& read) {
                      read_settling_result(study_, body, result_.pressure_Pa, result, read);
                    });
       table.rows.push_back(std::move(row));

@@ -12,7 +12,7 @@ TradeRunner::TradeRunner(std::filesystem::path runs, TradeOptions options)
 
 std::filesystem::path TradeRunner::program(const std::string& name) const { return io::program_in(options_.programs, name); }
 
-std::optional<ProgramJobResult> TradeRunner::run(const ProgramJob& job) {
+std::optional<io::ProgramJobResult> TradeRunner::run(const io::ProgramJob& job) {
   is_stopped_ = is_stopped_ || (options_.stop != nullptr && options_.stop->load());
   if (is_stopped_) return std::nullopt;
   const auto tell = [&](double part) {
@@ -21,7 +21,7 @@ std::optional<ProgramJobResult> TradeRunner::run(const ProgramJob& job) {
   tell(0.0);
   // A run that takes longer than it was estimated to is almost done for ever.
   const auto waiting = [&](double seconds) { tell(std::min(seconds, 0.95 * job.estimated_s)); };
-  ProgramJobResult result = run_job(job, {.runs = runs_, .stop = options_.stop, .waiting = waiting});
+  io::ProgramJobResult result = io::run_job(job, {.runs = runs_, .stop = options_.stop, .waiting = waiting});
   is_stopped_ = result.is_stopped();
   if (is_stopped_) return std::nullopt;
   done_s_ += job.estimated_s;
@@ -30,9 +30,9 @@ std::optional<ProgramJobResult> TradeRunner::run(const ProgramJob& job) {
   return result;
 }
 
-std::optional<ProgramJobResult> TradeRunner::fill(TradeRow& row, const ProgramJob& job,
-                                                  const std::function<void(const ProgramJobResult&, TradeRow&)>& read) {
-  std::optional<ProgramJobResult> result = run(job);
+std::optional<io::ProgramJobResult> TradeRunner::fill(TradeRow& row, const io::ProgramJob& job,
+                                                      const std::function<void(const io::ProgramJobResult&, TradeRow&)>& read) {
+  std::optional<io::ProgramJobResult> result = run(job);
   if (!result) {
     row.status = "stopped";
     return std::nullopt;

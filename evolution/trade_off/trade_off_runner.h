@@ -37,13 +37,13 @@ class TradeRunner {
   /// Runs a job that was expected; none if the user stopped it or an earlier one. A program that refuses its input is a result
   /// like any other failure: one fidelity may be refused where others are not.
   /// @throws io::InputError if the program cannot be started or the folder cannot be written
-  std::optional<ProgramJobResult> run(const ProgramJob& job);
+  std::optional<io::ProgramJobResult> run(const io::ProgramJob& job);
 
   /// Runs a job and puts its costs, its status and by `read` its result into a row. A result that cannot be read makes the row
   /// "failed" with the reason, as does a program that fails or refuses its input, with its message; a time that was up "stopped".
   /// @return the result, if it could be read
-  std::optional<ProgramJobResult> fill(TradeRow& row, const ProgramJob& job,
-                                       const std::function<void(const ProgramJobResult&, TradeRow&)>& read);
+  std::optional<io::ProgramJobResult> fill(TradeRow& row, const io::ProgramJob& job,
+                                           const std::function<void(const io::ProgramJobResult&, TradeRow&)>& read);
 
   [[nodiscard]] bool is_stopped() const { return is_stopped_; }
   [[nodiscard]] std::size_t repeated() const { return repeated_; }  ///< runs made, not found

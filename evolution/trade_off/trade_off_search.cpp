@@ -47,17 +47,17 @@ class SearchTrader {
 
  private:
   /// Of a search, so that a longer one goes on from a shorter one.
-  [[nodiscard]] fs::path folder_of(const ProgramJob& job) const {
-    ProgramJob shared = job;
+  [[nodiscard]] fs::path folder_of(const io::ProgramJob& job) const {
+    io::ProgramJob shared = job;
     shared.arguments.clear();
-    return fs::absolute(runner_.runs() / ("search-" + job_hash(shared)));
+    return fs::absolute(runner_.runs() / ("search-" + io::job_hash(shared)));
   }
 
-  [[nodiscard]] ProgramJob search_job(const SearchRow& row) const {
+  [[nodiscard]] io::ProgramJob search_job(const SearchRow& row) const {
     TomlVariant variant(choice_.study);
     variant.set({"seed"}, row.seed);
     set_integration(variant, row.fidelity);
-    ProgramJob job;
+    io::ProgramJob job;
     job.name = "search: " + voxel_row(row.fidelity, std::nullopt).label + ", seed " + std::to_string(row.seed);
     job.program = runner_.program("menger-evolve");
     add_input(job, "study.toml", std::move(variant));
@@ -67,7 +67,7 @@ class SearchTrader {
   }
 
   /// Runs a job that must give a result. @return whether it did; the row says why not
-  std::optional<ProgramJobResult> run(const ProgramJob& job, SearchRow& row) {
+  std::optional<io::ProgramJobResult> run(const io::ProgramJob& job, SearchRow& row) {
     auto result = runner_.run(job);
     if (result && result->has_result()) return result;
     row.status = result ? "failed" : "stopped";
@@ -79,7 +79,7 @@ class SearchTrader {
   /// Searches generation by generation until the budget is spent, in larger strides while it is far.
   void search(SearchRow& row, double estimated_s) {
     constexpr double careful_part = 0.8;
-    ProgramJob job = search_job(row);
+    io::ProgramJob job = search_job(row);
     int goal = 0;
     for (int call = 0;; ++call) {
       job.arguments = {"study.toml", "-o", archive_name, "-t", std::to_string(choice_.threads), "-g", std::to_string(goal)};
@@ -103,7 +103,7 @@ class SearchTrader {
   }
 
   void export_champion(SearchRow& row) {
-    ProgramJob job;
+    io::ProgramJob job;
     job.name = "champion of seed " + std::to_string(row.seed);
     job.program = runner_.program("menger-export");
     job.arguments = {archive_name, "-o", "champion", "--levels", std::to_string(study_.level), "--no-frames", "--no-pictures"};
@@ -138,7 +138,7 @@ class SearchTrader {
     row.own_body_lengths = walked(level / "result.toml");
     TomlVariant scene(level / "scene.toml");
     set_integration(scene, finest);
-    ProgramJob job;
+    io::ProgramJob job;
     job.name = "champion by the finest surrogate";
     job.program = runner_.program("menger-simulate");
     job.arguments = {"scene.toml", "-o", "result", "--no-pictures"};
@@ -185,10 +185,10 @@ void inflate_champion(TradeStudy study, double pressure_Pa, TradeRunner& runner,
       element.reason =
           std::to_string(unknowns) + " unknowns, largest_unknowns is " + io::number_text(study.elements->largest_unknowns);
     } else {
-      const ProgramJob job = element_job(study, fidelity, pressure_Pa, runner.program("menger-inflate"), unknowns);
+      const io::ProgramJob job = element_job(study, fidelity, pressure_Pa, runner.program("menger-inflate"), unknowns);
       runner.expect(job.estimated_s);
       runner.fill(element, job,
-                  [&](const ProgramJobResult& result, TradeRow& read) { read_element_result(study, result, read); });
+                  [&](const io::ProgramJobResult& result, TradeRow& read) { read_element_result(study, result, read); });
     }
   } catch (const io::InputError& error) {  // a champion that cannot be cast
     element.status = "failed";

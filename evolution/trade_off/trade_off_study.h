@@ -16,7 +16,7 @@ namespace menger::evolution {
 enum class TradeObservable {
   volume_change,  ///< of all chambers together, by their volume at rest, minus 1
   extent_x,  ///< growth of the distance between the mean positions of the end faces along x after the rotation of the body is
-             ///< taken out (materials::extents_without_rotation), m
+             ///< taken out (meshes::extents_without_rotation), m
   extent_y,  ///< along y
   extent_z   ///< along z: how far the top rises from the bottom
 };

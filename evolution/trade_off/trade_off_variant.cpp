@@ -80,7 +80,7 @@ void set_integration(TomlVariant& variant, const VoxelFidelity& fidelity) {
   variant.set({"integration", "time_step_fraction"}, fidelity.time_step_fraction);
 }
 
-void add_input(ProgramJob& job, const std::string& name, TomlVariant variant) {
+void add_input(io::ProgramJob& job, const std::string& name, TomlVariant variant) {
   constexpr const char* copy = "parameters.toml";
   if (const auto parameters = variant.parameters()) {
     job.inputs[copy] = io::read_whole(*parameters);

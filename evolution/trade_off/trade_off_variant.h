@@ -7,9 +7,12 @@
 #include <string_view>
 #include <vector>
 
+namespace menger::io {
+struct ProgramJob;
+}
+
 namespace menger::evolution {
 
-struct ProgramJob;
 struct VoxelFidelity;
 
 /// A TOML file of the user's with some keys changed: a scene or study at another fidelity. File names in it (`design`,
@@ -51,6 +54,6 @@ void set_integration(TomlVariant& variant, const VoxelFidelity& fidelity);
 
 /// Gives a job the text as its input `name`, and a copy of the voxel parameters that it names: their content is part of the job's
 /// hash. @throws io::InputError if these cannot be read
-void add_input(ProgramJob& job, const std::string& name, TomlVariant variant);
+void add_input(io::ProgramJob& job, const std::string& name, TomlVariant variant);
 
 }  // namespace menger::evolution

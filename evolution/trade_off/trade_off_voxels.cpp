@@ -35,8 +35,8 @@ double estimated_s(const TradeStudy& study, const VoxelFidelity& fidelity, doubl
   return 0.3 + steps * voxels / usual_voxel_steps_per_s;
 }
 
-ProgramJob scene_job(const TradeStudy& study, const VoxelFidelity& fidelity, const fs::path& program, double duration_s) {
-  ProgramJob job;
+io::ProgramJob scene_job(const TradeStudy& study, const VoxelFidelity& fidelity, const fs::path& program, double duration_s) {
+  io::ProgramJob job;
   job.program = program;
   job.arguments = {"scene.toml", "-o", "result", "--no-pictures"};
   job.inputs = {{"design.toml", meshes::design_text(study.design)}};
@@ -93,10 +93,10 @@ std::string integration_text(const VoxelFidelity& fidelity) {
          "\ntime_step_fraction = " + io::number_text(fidelity.time_step_fraction) + "\n";
 }
 
-ProgramJob settling_job(const TradeStudy& study, const VoxelFidelity& fidelity, double pressure_Pa, const fs::path& program) {
+io::ProgramJob settling_job(const TradeStudy& study, const VoxelFidelity& fidelity, double pressure_Pa, const fs::path& program) {
   const SettlingChoice& choice = *study.settling;
   const double duration_s = choice.ramp_s + choice.settle_s;
-  ProgramJob job = scene_job(study, fidelity, program, duration_s);
+  io::ProgramJob job = scene_job(study, fidelity, program, duration_s);
   job.name = "settling: " + voxel_row(fidelity, std::nullopt).label;
   job.inputs["parameters.toml"] = io::read_whole(*fidelity.parameters);
   const std::string pressure = io::number_text(pressure_Pa);
@@ -111,9 +111,9 @@ ProgramJob settling_job(const TradeStudy& study, const VoxelFidelity& fidelity, 
   return job;
 }
 
-ProgramJob gait_job(const TradeStudy& study, const VoxelFidelity& fidelity, const fs::path& program) {
+io::ProgramJob gait_job(const TradeStudy& study, const VoxelFidelity& fidelity, const fs::path& program) {
   const GaitChoice& choice = *study.gait;
-  ProgramJob job = scene_job(study, fidelity, program, choice.duration_s);
+  io::ProgramJob job = scene_job(study, fidelity, program, choice.duration_s);
   job.name = "gait: " + voxel_row(fidelity, std::nullopt).label;
   TomlVariant scene = choice.scene ? TomlVariant(*choice.scene) : TomlVariant();
   scene.set({"design"}, "design.toml");
@@ -128,7 +128,7 @@ ProgramJob gait_job(const TradeStudy& study, const VoxelFidelity& fidelity, cons
   return job;
 }
 
-bool read_voxel_summary(const ProgramJobResult& result, TradeRow& row) {
+bool read_voxel_summary(const io::ProgramJobResult& result, TradeRow& row) {
   const io::TomlTable summary = io::read_toml(result.folder / "result/result.toml");
   row.status = summary.text("status");
   row.reason = summary.text_or("reason", "");
@@ -138,7 +138,7 @@ bool read_voxel_summary(const ProgramJobResult& result, TradeRow& row) {
   return row.status == "completed";
 }
 
-void read_gait_result(const ProgramJobResult& result, TradeRow& row) {
+void read_gait_result(const io::ProgramJobResult& result, TradeRow& row) {
   if (!read_voxel_summary(result, row)) return;
   row.values = {io::read_toml(result.folder / "result/result.toml").number("horizontal_displacement_m", io::non_negative())};
 }

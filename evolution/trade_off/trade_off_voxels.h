@@ -36,17 +36,17 @@ std::string integration_text(const VoxelFidelity& fidelity);
 
 /// A run of `menger simulate` in which the body is brought to the pressure and settles, without ground and weight.
 /// @param program menger-simulate
-ProgramJob settling_job(const TradeStudy& study, const VoxelFidelity& fidelity, double pressure_Pa,
-                        const std::filesystem::path& program);
+io::ProgramJob settling_job(const TradeStudy& study, const VoxelFidelity& fidelity, double pressure_Pa,
+                            const std::filesystem::path& program);
 
 /// A run of `menger simulate` in which the body walks, with the physics of the scene of the study or the engine's own.
-ProgramJob gait_job(const TradeStudy& study, const VoxelFidelity& fidelity, const std::filesystem::path& program);
+io::ProgramJob gait_job(const TradeStudy& study, const VoxelFidelity& fidelity, const std::filesystem::path& program);
 
 /// Reads status, voxels, steps and what of a run lay outside the range of validity. @return whether it completed @throws
 /// io::InputError if the result cannot be read
-bool read_voxel_summary(const ProgramJobResult& result, TradeRow& row);
+bool read_voxel_summary(const io::ProgramJobResult& result, TradeRow& row);
 
 /// Distance (m) that the centre of mass walked, from end to end, as the one value of the row.
-void read_gait_result(const ProgramJobResult& result, TradeRow& row);
+void read_gait_result(const io::ProgramJobResult& result, TradeRow& row);
 
 }  // namespace menger::evolution

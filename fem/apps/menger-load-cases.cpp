@@ -76,7 +76,7 @@ std::string shown_seconds(double seconds) {
 void print(const fem::CaseOutcome& outcome) {
   std::array<char, 160> line{};
   std::snprintf(line.data(), line.size(), "%-28s %-10s %3zu states  %-14s %s", outcome.name.c_str(),
-                std::string(materials::to_string(outcome.kind)).c_str(), outcome.states,
+                std::string(meshes::to_string(outcome.kind)).c_str(), outcome.states,
                 std::string(io::to_string(outcome.status)).c_str(),
                 outcome.from_cache ? "from the cache" : shown_seconds(outcome.seconds).c_str());
   std::cout << line.data() << '\n';

@@ -7,7 +7,7 @@
 
 #include "fem/explicit/box_mesh.h"
 #include "fem/explicit/explicit_kernel.h"
-#include "fem/statics/body.h"
+#include "fem/surfaces/support.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
 
 namespace menger::fem {

@@ -66,7 +66,7 @@ Point ExplicitDynamics::centre_of_mass_m() const {
   const std::vector<double> flat = positions_m();
   std::vector<Point> positions(body_.node_count());
   for (std::size_t n = 0; n < flat.size(); ++n) positions[n / 3][n % 3] = flat[n];
-  return materials::centre_of_mass(positions, body_.masses_kg());
+  return meshes::centre_of_mass(positions, body_.masses_kg());
 }
 
 const ExplicitReport& follow(ExplicitDynamics& dynamics, const std::vector<double>& times_s,

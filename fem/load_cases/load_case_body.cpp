@@ -12,8 +12,8 @@
 namespace menger::fem {
 namespace {
 
-using materials::LoadCase;
-using materials::LoadCaseKind;
+using meshes::LoadCase;
+using meshes::LoadCaseKind;
 
 constexpr double standard_gravity_m_per_s2 = 9.80665;
 
@@ -170,11 +170,11 @@ Point LoadCaseBody::top_displacement_m(const BodyState& state) const {
 
 double LoadCaseBody::top_rise_m(const BodyState& state) const {
   const Point& bottom = ends_->at_rest()[2][0];
-  const materials::EndPoints ends = ends_->deformed(state.displacements_m);
+  const meshes::EndPoints ends = ends_->deformed(state.displacements_m);
   const Point at_rest = difference(top_.front().point.position, bottom);
   const Point moved = sum(at_rest, difference(top_displacement_m(state), difference(ends[2][0], bottom)));
-  const auto height = [&](const materials::EndPoints& present, const Point& offset) {
-    const auto R = materials::rotation_of_body(ends_->at_rest(), present);
+  const auto height = [&](const meshes::EndPoints& present, const Point& offset) {
+    const auto R = meshes::rotation_of_body(ends_->at_rest(), present);
     return R[0][2] * offset[0] + R[1][2] * offset[1] + R[2][2] * offset[2];
   };
   return height(ends, moved) - height(ends_->at_rest(), at_rest);

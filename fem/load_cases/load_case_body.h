@@ -17,7 +17,7 @@ namespace menger::fem {
 class LoadCaseBody {
  public:
   /// @throws io::InputError naming the case and what cannot be meshed
-  LoadCaseBody(const materials::LoadCase& load_case, const StudyMaterial& material, const LoadCaseElements& elements,
+  LoadCaseBody(const meshes::LoadCase& load_case, const StudyMaterial& material, const LoadCaseElements& elements,
                MPI_Comm communicator);
   LoadCaseBody(const LoadCaseBody&) = delete;
   LoadCaseBody& operator=(const LoadCaseBody&) = delete;
@@ -41,7 +41,7 @@ class LoadCaseBody {
   /// Growth of the height of the top centre over the mean of the bottom faces, after the rotation of the body is taken out.
   [[nodiscard]] double top_rise_m(const BodyState& state) const;
 
-  materials::LoadCase load_case_;
+  meshes::LoadCase load_case_;
   Point low_{};
   Point high_{};
   Body body_;
@@ -53,6 +53,6 @@ class LoadCaseBody {
 };
 
 /// Meshes the body of a case and forgets it. @throws io::InputError naming the case and what cannot be meshed
-void require_meshable(const materials::LoadCase& load_case, const LoadCaseElements& elements);
+void require_meshable(const meshes::LoadCase& load_case, const LoadCaseElements& elements);
 
 }  // namespace menger::fem

@@ -9,7 +9,7 @@
 namespace menger::fem {
 namespace {
 
-using materials::ResponseCurve;
+using meshes::ResponseCurve;
 
 /// A column as the title of an axis, with the factor from its unit to that of the figure.
 struct Quantity {
@@ -48,7 +48,7 @@ std::vector<double> scaled_by(const std::vector<double>& values, double factor) 
 }
 
 io::ChartPanel panel_of(const ResponseCurve& curve, std::size_t ordinate) {
-  const std::size_t abscissa = materials::abscissa_count(curve.provenance.load_case.kind) - 1;
+  const std::size_t abscissa = meshes::abscissa_count(curve.provenance.load_case.kind) - 1;
   const Quantity x = quantity_of(curve.columns[abscissa]);
   const Quantity y = quantity_of(curve.columns[ordinate]);
   io::ChartPanel panel;
@@ -87,15 +87,14 @@ io::PictureOutcome draw_response_curve(const std::filesystem::path& file, const 
   io::Chart chart;
   chart.title = curve.provenance.load_case.name;
   switch (curve.provenance.load_case.kind) {
-    case materials::LoadCaseKind::inflation:
+    case meshes::LoadCaseKind::inflation:
       chart.panels = {panel_of(curve, 1), panel_of_all(curve, "growth (mm)", {2, 3, 4, 5})};
       break;
-    case materials::LoadCaseKind::modes:
+    case meshes::LoadCaseKind::modes:
       chart.panels = {panel_of_all(curve, "natural frequency (Hz)", {1, 2, 3})};
       break;
     default:
-      for (std::size_t column = materials::abscissa_count(curve.provenance.load_case.kind); column < curve.columns.size();
-           ++column)
+      for (std::size_t column = meshes::abscissa_count(curve.provenance.load_case.kind); column < curve.columns.size(); ++column)
         if (chart.panels.size() < 2) chart.panels.push_back(panel_of(curve, column));
       break;
   }

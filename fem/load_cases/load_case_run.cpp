@@ -13,7 +13,7 @@
 namespace menger::fem {
 namespace {
 
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 
 /// A state from which paths go on.
 struct Anchor {
@@ -96,7 +96,7 @@ class CaseRun {
       add_modes(pressure_Pa, anchor);
       return;
     }
-    if (materials::abscissa_count(kind_) == 1) {
+    if (meshes::abscissa_count(kind_) == 1) {
       add_row({pressure_Pa}, anchor);
       return;
     }
@@ -113,7 +113,7 @@ class CaseRun {
         leg.plena.front().values = {pressure_Pa};
         return leg;
       };
-      follow(anchor, targets, drives, "pressure_Pa = " + io::number_text(pressure_Pa) + ", " + materials::imposed_key(kind_),
+      follow(anchor, targets, drives, "pressure_Pa = " + io::number_text(pressure_Pa) + ", " + meshes::imposed_key(kind_),
              [&](double value, const Anchor& reached) {
                add_row({pressure_Pa, value}, reached);
              });
@@ -168,7 +168,7 @@ class CaseRun {
       return static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
     };
     const std::size_t pressure = place(answer_.pressures_Pa, row[0]);
-    if (materials::abscissa_count(kind_) == 1) return pressure;
+    if (meshes::abscissa_count(kind_) == 1) return pressure;
     return pressure * request_.load_case.imposed.size() + place(request_.load_case.imposed, row[1]);
   }
 
@@ -176,7 +176,7 @@ class CaseRun {
     if (options_.observer) options_.observer(place_of(row), body_.equilibrium(), anchor.point, anchor.state);
     answer_.rows.push_back(std::move(row));
     if (!options_.progress) return;
-    const std::size_t inner = materials::abscissa_count(kind_) == 1 ? 1 : request_.load_case.imposed.size();
+    const std::size_t inner = meshes::abscissa_count(kind_) == 1 ? 1 : request_.load_case.imposed.size();
     const auto total = static_cast<double>(answer_.pressures_Pa.size() * inner);
     options_.progress(static_cast<double>(answer_.rows.size()) / total,
                       std::to_string(answer_.rows.size()) + " of " + std::to_string(static_cast<int>(total)) + " states");

@@ -24,7 +24,7 @@ namespace menger::fem {
 namespace {
 
 namespace fs = std::filesystem;
-using materials::ResponseCurve;
+using meshes::ResponseCurve;
 using Clock = std::chrono::steady_clock;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -36,14 +36,14 @@ constexpr int inflation_measures_version = 1;
 static_assert(inflation_measures_version + 1 == static_cast<int>(meanings_of_inflation_measures.size()));
 
 /// Part of the key of a cached answer.
-std::string_view measures_of(materials::LoadCaseKind kind) {
-  return kind == materials::LoadCaseKind::inflation ? meanings_of_inflation_measures[inflation_measures_version] : "";
+std::string_view measures_of(meshes::LoadCaseKind kind) {
+  return kind == meshes::LoadCaseKind::inflation ? meanings_of_inflation_measures[inflation_measures_version] : "";
 }
 
 /// An inflation of the body of a case that finds its own pressures.
 CaseRequest inflation_of(const CaseRequest& request) {
   CaseRequest inflation = request;
-  inflation.load_case.kind = materials::LoadCaseKind::inflation;
+  inflation.load_case.kind = meshes::LoadCaseKind::inflation;
   inflation.load_case.pressures_Pa.clear();
   inflation.load_case.imposed.clear();
   inflation.pressure_fractions.clear();
@@ -108,7 +108,7 @@ class SetRun {
     curve->provenance.relative_uncertainty = study_.relative_uncertainty;
     curve->provenance.inputs = study_.inputs;
     on_first_rank(options_.communicator, [&] {
-      materials::write_response_curve(folder_, *curve);
+      meshes::write_response_curve(folder_, *curve);
       if (options_.pictures) draw_response_curve(folder_ / (request.load_case.name + ".png"), *curve);
     });
     return outcome;
@@ -192,7 +192,7 @@ class SetRun {
     if (with_fields) fields.publish();
     ResponseCurve curve = curve_of(request, answer);
     curve.provenance.load_case.name = key;
-    on_first_rank(options_.communicator, [&] { materials::write_response_curve(folder_ / "cache", curve); });
+    on_first_rank(options_.communicator, [&] { meshes::write_response_curve(folder_ / "cache", curve); });
     return curve;
   }
 
@@ -210,7 +210,7 @@ class SetRun {
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return std::nullopt;
     try {
-      return materials::read_response_curve(file);
+      return meshes::read_response_curve(file);
     } catch (const io::InputError&) {  // damaged: computed anew and written over
       return std::nullopt;
     }
@@ -218,7 +218,7 @@ class SetRun {
 
   [[nodiscard]] ResponseCurve curve_of(const CaseRequest& request, const CaseAnswer& answer) const {
     ResponseCurve curve;
-    materials::CurveProvenance& provenance = curve.provenance;
+    meshes::CurveProvenance& provenance = curve.provenance;
     provenance.load_case = request.load_case;
     provenance.load_case.pressures_Pa = answer.pressures_Pa;
     provenance.silicone = study_.material.silicone;
@@ -231,7 +231,7 @@ class SetRun {
     provenance.reason = answer.reason;
     provenance.limit_pressure_Pa = answer.limit_pressure_Pa;
     provenance.contact_pressure_Pa = answer.contact_pressure_Pa;
-    curve.columns = materials::response_columns(request.load_case.kind);
+    curve.columns = meshes::response_columns(request.load_case.kind);
     curve.values.resize(curve.columns.size());
     for (const std::vector<double>& row : answer.rows)
       for (std::size_t column = 0; column < row.size(); ++column) curve.values[column].push_back(row[column]);

@@ -13,7 +13,7 @@ namespace menger::fem {
 /// How one case of a set ended.
 struct CaseOutcome {
   std::string name{};
-  materials::LoadCaseKind kind = materials::LoadCaseKind::inflation;
+  meshes::LoadCaseKind kind = meshes::LoadCaseKind::inflation;
   io::RunStatus status = io::RunStatus::completed;
   std::string reason{};
   std::size_t states = 0;   ///< rows of the curve that was written; 0: none was

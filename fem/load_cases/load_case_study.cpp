@@ -18,9 +18,9 @@ std::string elements_text(const LoadCaseElements& elements) {
 }
 
 std::string case_text(const CaseRequest& request, const StudyMaterial& material) {
-  materials::LoadCase nameless = request.load_case;
+  meshes::LoadCase nameless = request.load_case;
   nameless.name = "case";
-  std::string text = materials::load_case_text(nameless);
+  std::string text = meshes::load_case_text(nameless);
   for (const double fraction : request.pressure_fractions) text += "pressure_fraction = " + io::number_text(fraction) + "\n";
   if (nameless.pressures_Pa.empty()) {
     text += "states = " + std::to_string(request.state_count) + "\n";

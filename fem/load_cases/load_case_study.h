@@ -24,7 +24,7 @@ std::string elements_text(const LoadCaseElements& elements);
 
 /// A load case as it is asked for: its pressures may still have to be found.
 struct CaseRequest {
-  materials::LoadCase load_case;  ///< pressures and imposed values ascending; no pressures: those below say which
+  meshes::LoadCase load_case;  ///< pressures and imposed values ascending; no pressures: those below say which
   /// Negative: of the pressure at which walls first touch under vacuum, or buckle before they do; positive: of `safe_share` of
   /// the limit pressure; of the same body and law. Ascending.
   std::vector<double> pressure_fractions;

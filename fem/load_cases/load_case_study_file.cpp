@@ -14,8 +14,8 @@ namespace menger::fem {
 namespace {
 
 namespace fs = std::filesystem;
-using materials::LoadCase;
-using materials::LoadCaseKind;
+using meshes::LoadCase;
+using meshes::LoadCaseKind;
 
 constexpr int most_states = 1000;
 
@@ -70,7 +70,7 @@ void read_pressures(const io::TomlTable& table, CaseRequest& request) {
 }
 
 void read_imposed(const io::TomlTable& table, LoadCase& load_case) {
-  const std::string key = materials::imposed_key(load_case.kind);
+  const std::string key = meshes::imposed_key(load_case.kind);
   if (key.empty()) return;
   load_case.imposed = ascending(table, key);
   const double length_m = load_case.cell_edge_m * load_case.cells[load_case.kind == LoadCaseKind::press ? 2 : 0];
@@ -85,8 +85,8 @@ CaseRequest read_case(const io::TomlTable& table, const BodyDefaults& defaults, 
                       const ReadInput& read_input) {
   CaseRequest request;
   LoadCase& load_case = request.load_case;
-  load_case.name = materials::read_case_name(table);
-  load_case.kind = table.word("kind", materials::load_case_kind_words());
+  load_case.name = meshes::read_case_name(table);
+  load_case.kind = table.word("kind", meshes::load_case_kind_words());
   if (const auto design_file = table.optional_path("design")) {
     for (const char* key : {"cells", "digits"})
       if (table.has(key)) throw table.error(key, "the design gives another body: keep one of them");
@@ -95,7 +95,7 @@ CaseRequest read_case(const io::TomlTable& table, const BodyDefaults& defaults, 
     load_case.cells = {body.nx(), body.ny(), body.nz()};
     load_case.digits = body.digits();
   } else {
-    materials::read_cells(table, load_case);
+    meshes::read_cells(table, load_case);
   }
   const BodyDefaults body = read_body(table, defaults);
   load_case.cell_edge_m = body.cell_edge_m;

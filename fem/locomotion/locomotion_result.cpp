@@ -57,7 +57,7 @@ std::optional<Travel> travel_of(const LocomotionResult& result) {
   if (result.status != io::RunStatus::completed || result.records.empty()) return std::nullopt;
   Travel travel;
   travel.displacement_m = difference(result.records.back().centre_of_mass_m, result.records.front().centre_of_mass_m);
-  travel.horizontal_displacement_m = materials::horizontal_displacement(travel.displacement_m);
+  travel.horizontal_displacement_m = meshes::horizontal_displacement(travel.displacement_m);
   travel.horizontal_displacement_body_lengths = travel.horizontal_displacement_m / result.body_length_m;
   const double duration_s = result.records.back().time_s - result.records.front().time_s;
   travel.body_lengths_per_minute = 60.0 * travel.horizontal_displacement_body_lengths / duration_s;
@@ -76,7 +76,7 @@ io::CsvTable trajectory_table(const LocomotionResult& result) {
   io::CsvTable table(columns_of(result));
   for (const LocomotionRecord& record : result.records) {
     const Point& centre = record.centre_of_mass_m;
-    const double displacement = materials::horizontal_displacement(difference(centre, result.records.front().centre_of_mass_m));
+    const double displacement = meshes::horizontal_displacement(difference(centre, result.records.front().centre_of_mass_m));
     std::vector<io::CsvCell> cells{record.time_s, centre[0],    centre[1],
                                    centre[2],     displacement, displacement / result.body_length_m};
     cells.insert(cells.end(), record.plenum_pressures_Pa.begin(), record.plenum_pressures_Pa.end());

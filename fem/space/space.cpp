@@ -63,7 +63,7 @@ class SpaceBuilder {
         mapping_(static_cast<unsigned>(degree)) {
     space_.communicator = communicator;
     space_.degree = degree;
-    meshes::make_triangulation(mesh, triangulation_);
+    make_triangulation(mesh, triangulation_);
     if (refinements > 0) triangulation_.refine_global(static_cast<unsigned>(refinements));
     dofs_.reinit(triangulation_);
     dofs_.distribute_dofs(element_);

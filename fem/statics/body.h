@@ -9,6 +9,7 @@
 #include "fem/elements/element_kernel.h"
 #include "fem/surfaces/ground.h"
 #include "fem/surfaces/point.h"
+#include "fem/surfaces/support.h"
 
 namespace menger::fem {
 
@@ -23,18 +24,6 @@ struct RegionMaterial {
 struct ChamberSurface {
   std::vector<std::size_t> labels;
   std::size_t plenum = 0;
-};
-
-/// Displacement components held at zero on all nodes of the faces with a label.
-struct Support {
-  std::size_t label;
-  std::array<bool, 3> held;
-};
-
-/// A displacement component held at zero at the node nearest to a point of the reference configuration.
-struct PointSupport {
-  Point position;
-  std::array<bool, 3> held;
 };
 
 /// A plane across an axis.

@@ -15,9 +15,9 @@ BodyEnds::BodyEnds(const Space& space, const Point& low, const Point& high) {
     for (std::size_t side = 0; side < 2; ++side) at_rest_[axis][side] = ends_[axis][side].position_m();
 }
 
-materials::EndPoints BodyEnds::deformed(std::span<const double> displacements_m) const {
+meshes::EndPoints BodyEnds::deformed(std::span<const double> displacements_m) const {
   assert(are_faces_);
-  materials::EndPoints ends = at_rest_;
+  meshes::EndPoints ends = at_rest_;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t side = 0; side < 2; ++side)
       ends[axis][side] = sum(ends[axis][side], ends_[axis][side].displacement_m(displacements_m));
@@ -36,8 +36,8 @@ Point BodyEnds::extent_changes_m(std::span<const double> displacements_m) const 
 
 Point BodyEnds::extent_changes_without_rotation_m(std::span<const double> displacements_m) const {
   // from the same function on both sides, so that rounding in it leaves nothing at rest
-  return difference(materials::extents_without_rotation(at_rest_, deformed(displacements_m)),
-                    materials::extents_without_rotation(at_rest_, at_rest_));
+  return difference(meshes::extents_without_rotation(at_rest_, deformed(displacements_m)),
+                    meshes::extents_without_rotation(at_rest_, at_rest_));
 }
 
 }  // namespace menger::fem

@@ -19,20 +19,20 @@ class BodyEnds {
   /// Whether every plane of the box holds faces; where one does not (a curved body), nothing below may be asked (asserts).
   [[nodiscard]] bool are_faces() const { return are_faces_; }
 
-  [[nodiscard]] const materials::EndPoints& at_rest() const { return at_rest_; }
-  [[nodiscard]] materials::EndPoints deformed(std::span<const double> displacements_m) const;
+  [[nodiscard]] const meshes::EndPoints& at_rest() const { return at_rest_; }
+  [[nodiscard]] meshes::EndPoints deformed(std::span<const double> displacements_m) const;
 
   /// Growth of the distance between the ends along each axis.
   [[nodiscard]] Point extent_changes_m(std::span<const double> displacements_m) const;
 
-  /// The same after the rotation of the body is taken out (see materials::extents_without_rotation): independent of how the rigid
+  /// The same after the rotation of the body is taken out (see meshes::extents_without_rotation): independent of how the rigid
   /// motions of a free body are held.
   [[nodiscard]] Point extent_changes_without_rotation_m(std::span<const double> displacements_m) const;
 
  private:
   std::vector<std::array<FaceMean, 2>> ends_;  ///< low and high, by axis
   bool are_faces_ = true;
-  materials::EndPoints at_rest_{};
+  meshes::EndPoints at_rest_{};
 };
 
 }  // namespace menger::fem

@@ -13,7 +13,7 @@
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 
-namespace menger::evolution {
+namespace menger::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,18 +21,18 @@ namespace fs = std::filesystem;
 constexpr const char* record_name = "run.toml";
 constexpr std::size_t hash_length = 16;  ///< of 64 digits: enough for folder names
 
-const io::Words<io::ChildEnd>& end_words() {
-  static const io::Words<io::ChildEnd> words{{"exited", io::ChildEnd::exited}, {"timed_out", io::ChildEnd::timed_out}};
+const Words<ChildEnd>& end_words() {
+  static const Words<ChildEnd> words{{"exited", ChildEnd::exited}, {"timed_out", ChildEnd::timed_out}};
   return words;
 }
 
-std::string record_text(const ProgramJob& job, const io::ChildOutcome& outcome) {
-  std::string text = "job = " + io::toml_quoted(job.name) + "\n";
-  text += "end = " + io::toml_quoted(outcome.end == io::ChildEnd::exited ? "exited" : "timed_out") + "\n";
+std::string record_text(const ProgramJob& job, const ChildOutcome& outcome) {
+  std::string text = "job = " + toml_quoted(job.name) + "\n";
+  text += "end = " + toml_quoted(outcome.end == ChildEnd::exited ? "exited" : "timed_out") + "\n";
   text += "exit_code = " + std::to_string(outcome.exit_code) + "\n";
-  text += "time_limit_s = " + io::number_text(job.time_limit_s) + "\n";
-  text += "seconds = " + io::number_text(outcome.wall_s) + "\n";
-  text += "cpu_seconds = " + io::number_text(outcome.cpu_s) + "\n";
+  text += "time_limit_s = " + number_text(job.time_limit_s) + "\n";
+  text += "seconds = " + number_text(outcome.wall_s) + "\n";
+  text += "cpu_seconds = " + number_text(outcome.cpu_s) + "\n";
   text += "peak_memory_bytes = " + std::to_string(outcome.peak_memory_bytes) + "\n";
   return text;
 }
@@ -42,22 +42,22 @@ std::optional<ProgramJobResult> recorded(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_regular_file(folder / record_name, ignored)) return std::nullopt;
   try {
-    const io::TomlTable table = io::read_toml(folder / record_name);
+    const TomlTable table = read_toml(folder / record_name);
     ProgramJobResult result{.folder = folder, .outcome = {}, .time_limit_s = 0.0, .repeated = false, .message = {}};
     result.outcome.end = table.word("end", end_words());
     result.outcome.exit_code = table.integer("exit_code");
     result.time_limit_s = table.number("time_limit_s");
-    result.outcome.wall_s = table.number("seconds", io::non_negative());
-    result.outcome.cpu_s = table.number("cpu_seconds", io::non_negative());
-    result.outcome.peak_memory_bytes = table.integer<std::uint64_t>("peak_memory_bytes", io::at_least(0));
+    result.outcome.wall_s = table.number("seconds", non_negative());
+    result.outcome.cpu_s = table.number("cpu_seconds", non_negative());
+    result.outcome.peak_memory_bytes = table.integer<std::uint64_t>("peak_memory_bytes", at_least(0));
     return result;
-  } catch (const io::InputError&) {
+  } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
 std::string last_line(const fs::path& file) {
-  std::string text = io::read_whole(file);
+  std::string text = read_whole(file);
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
   return text.substr(text.find_last_of("\n\r") + 1);
 }
@@ -65,25 +65,22 @@ std::string last_line(const fs::path& file) {
 void make_empty_folder(const fs::path& folder) {
   std::error_code error;
   fs::remove_all(folder, error);
-  if (error) throw io::InputError(folder.string() + ": cannot be emptied: " + error.message());
-  io::require_writable_folder(folder);
+  if (error) throw InputError(folder.string() + ": cannot be emptied: " + error.message());
+  require_writable_folder(folder);
 }
 
 }  // namespace
 
 bool ProgramJobResult::has_result() const {
-  return outcome.end == io::ChildEnd::exited &&
-         (outcome.exit_code == io::exit_code::done || outcome.exit_code == io::exit_code::numerical);
+  return outcome.end == ChildEnd::exited && (outcome.exit_code == exit_code::done || outcome.exit_code == exit_code::numerical);
 }
 
-bool ProgramJobResult::is_refused() const {
-  return outcome.end == io::ChildEnd::exited && outcome.exit_code == io::exit_code::bad_input;
-}
+bool ProgramJobResult::is_refused() const { return outcome.end == ChildEnd::exited && outcome.exit_code == exit_code::bad_input; }
 
 std::string ProgramJobResult::failure() const {
-  if (outcome.end == io::ChildEnd::timed_out) return "time limit of " + io::duration_text(time_limit_s);
-  if (outcome.end == io::ChildEnd::stopped) return "stopped by the user";
-  const bool by_signal = outcome.end == io::ChildEnd::signalled;
+  if (outcome.end == ChildEnd::timed_out) return "time limit of " + duration_text(time_limit_s);
+  if (outcome.end == ChildEnd::stopped) return "stopped by the user";
+  const bool by_signal = outcome.end == ChildEnd::signalled;
   std::string text = by_signal ? "ended by signal " + std::to_string(outcome.signal) + " (" + ::strsignal(outcome.signal) + ")"
                                : "exit code " + std::to_string(outcome.exit_code);
   if (!message.empty()) text += ": " + message;
@@ -91,35 +88,35 @@ std::string ProgramJobResult::failure() const {
 }
 
 std::string job_hash(const ProgramJob& job) {
-  std::string text = io::file_hash(job.program) + "\n";
-  for (const std::string& argument : job.arguments) text += io::content_hash(argument) + "\n";
-  for (const auto& [name, content] : job.inputs) text += name + "\n" + io::content_hash(content) + "\n";
-  return io::content_hash(text).substr(0, hash_length);
+  std::string text = file_hash(job.program) + "\n";
+  for (const std::string& argument : job.arguments) text += content_hash(argument) + "\n";
+  for (const auto& [name, content] : job.inputs) text += name + "\n" + content_hash(content) + "\n";
+  return content_hash(text).substr(0, hash_length);
 }
 
 ProgramJobResult run_job(const ProgramJob& job, const ProgramJobOptions& options) {
   const bool keeps = !job.kept_folder.empty();
   const fs::path folder = keeps ? job.kept_folder : options.runs / job_hash(job);
   if (auto earlier = keeps ? std::nullopt : recorded(folder)) {
-    const bool would_go_further = earlier->outcome.end == io::ChildEnd::timed_out && job.time_limit_s > earlier->time_limit_s;
+    const bool would_go_further = earlier->outcome.end == ChildEnd::timed_out && job.time_limit_s > earlier->time_limit_s;
     if (!would_go_further) return *earlier;
   }
   if (!keeps) make_empty_folder(folder);
-  for (const auto& [name, content] : job.inputs) io::write_whole(folder / name, content);
-  const io::ChildProgram child{.program = job.program,
-                               .arguments = job.arguments,
-                               .folder = folder,
-                               .out = folder / "stdout.txt",
-                               .err = folder / "stderr.txt",
-                               .time_limit_s = job.time_limit_s,
-                               .stop = options.stop,
-                               .waiting = options.waiting};
+  for (const auto& [name, content] : job.inputs) write_whole(folder / name, content);
+  const ChildProgram child{.program = job.program,
+                           .arguments = job.arguments,
+                           .folder = folder,
+                           .out = folder / "stdout.txt",
+                           .err = folder / "stderr.txt",
+                           .time_limit_s = job.time_limit_s,
+                           .stop = options.stop,
+                           .waiting = options.waiting};
   ProgramJobResult result{
-      .folder = folder, .outcome = io::run_child(child), .time_limit_s = job.time_limit_s, .repeated = true, .message = {}};
-  const bool is_known = result.has_result() || result.outcome.end == io::ChildEnd::timed_out;
-  if (is_known && !keeps) io::write_whole(folder / record_name, record_text(job, result.outcome));
+      .folder = folder, .outcome = run_child(child), .time_limit_s = job.time_limit_s, .repeated = true, .message = {}};
+  const bool is_known = result.has_result() || result.outcome.end == ChildEnd::timed_out;
+  if (is_known && !keeps) write_whole(folder / record_name, record_text(job, result.outcome));
   if (!result.has_result()) result.message = last_line(folder / "stderr.txt");
   return result;
 }
 
-}  // namespace menger::evolution
+}  // namespace menger::io

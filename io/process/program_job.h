@@ -9,7 +9,7 @@
 
 #include "io/process/child_program.h"
 
-namespace menger::evolution {
+namespace menger::io {
 
 /// A run of another program in a folder of its own, which holds all that it reads.
 struct ProgramJob {
@@ -28,14 +28,14 @@ struct ProgramJob {
 /// How a job ended.
 struct ProgramJobResult {
   std::filesystem::path folder;
-  io::ChildOutcome outcome;
+  ChildOutcome outcome;
   double time_limit_s = 0.0;  ///< under which it ran
   bool repeated = true;       ///< false: an earlier call had run it
   std::string message;        ///< last line on standard error, where it gave no result
 
   /// Whether the program gave a result, be it that the physics ended early.
   [[nodiscard]] bool has_result() const;
-  [[nodiscard]] bool is_stopped() const { return outcome.end == io::ChildEnd::stopped; }
+  [[nodiscard]] bool is_stopped() const { return outcome.end == ChildEnd::stopped; }
   [[nodiscard]] bool is_refused() const;  ///< whether the program called its input wrong
 
   /// Why there is no result: its time was up, a signal, or an exit code with the message. Precondition: !has_result()
@@ -56,7 +56,7 @@ std::string job_hash(const ProgramJob& job);
 /// Runs a job, where it has no folder to keep unless its folder holds a result from an earlier call. A run that failed or was
 /// stopped is run again, from its beginning, so that its times are those of a whole run; one whose time was up only if its limit
 /// is larger now.
-/// @throws io::InputError if the program cannot be started or the folder cannot be written
+/// @throws InputError if the program cannot be started or the folder cannot be written
 ProgramJobResult run_job(const ProgramJob& job, const ProgramJobOptions& options);
 
-}  // namespace menger::evolution
+}  // namespace menger::io

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-namespace menger::materials {
+namespace menger::meshes {
 namespace {
 
 using Points = Eigen::Matrix<double, 3, 6>;
@@ -68,4 +68,4 @@ std::array<double, 3> extents_without_rotation(const EndPoints& reference, const
   return extents;
 }
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace menger::materials {
+namespace menger::meshes {
 
 /// Mean positions of the end faces of a body in metres: [axis][low, high][coordinate]. The end faces of an axis are the faces
 /// that lie in the two planes of the body's bounding box across it at rest.
@@ -28,4 +28,4 @@ using EndPoints = std::array<std::array<std::array<double, 3>, 2>, 3>;
 /// by a rigid motion. Limits as for rotation_of_body; the result is finite in any case.
 [[nodiscard]] std::array<double, 3> extents_without_rotation(const EndPoints& reference, const EndPoints& deformed);
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

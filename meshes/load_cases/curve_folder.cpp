@@ -5,7 +5,7 @@
 
 #include "io/text/input_error.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 
 namespace fs = std::filesystem;
 
@@ -26,4 +26,4 @@ std::vector<fs::path> response_curve_files(const fs::path& place) {
   return files;
 }
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace menger::materials {
+namespace menger::meshes {
 
 /// The provenance files of response curves at a place, in the order of their names, so that the order of a folder does not
 /// matter.
@@ -13,4 +13,4 @@ namespace menger::materials {
 /// @throws io::InputError if nothing is there or a folder cannot be read, naming it
 std::vector<std::filesystem::path> response_curve_files(const std::filesystem::path& place);
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

@@ -6,7 +6,7 @@
 
 #include "meshes/load_cases/load_case_file.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 
 std::string_view to_string(LoadCaseKind kind) {
   for (const auto& [word, value] : load_case_kind_words()) {
@@ -78,4 +78,4 @@ std::size_t abscissa_count(LoadCaseKind kind) {
   return by_pressure_alone ? 1 : 2;
 }
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

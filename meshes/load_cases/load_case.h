@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace menger::materials {
+namespace menger::meshes {
 
 /// What is done to a body to learn how it answers. "Base" and "tip" are the planes of its bounding box with the least and largest
 /// x; a plate is bonded to all faces that lie in such a plane and moves as a rigid body. z points up.
@@ -84,4 +84,4 @@ std::vector<std::string> response_columns(LoadCaseKind kind);
 /// How many of them, from the left, are abscissae.
 std::size_t abscissa_count(LoadCaseKind kind);
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

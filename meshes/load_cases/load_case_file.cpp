@@ -6,7 +6,7 @@
 
 #include "io/text/number_text.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 
 namespace {
 
@@ -99,4 +99,4 @@ LoadCase read_load_case(const io::TomlTable& table) {
   return load_case;
 }
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

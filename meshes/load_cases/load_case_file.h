@@ -6,7 +6,7 @@
 #include "io/text/toml_document.h"
 #include "meshes/load_cases/load_case.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 
 /// The words for the kinds in files.
 const io::Words<LoadCaseKind>& load_case_kind_words();
@@ -31,4 +31,4 @@ void read_cells(const io::TomlTable& table, LoadCase& load_case);
 /// Reads a name that can be that of a file: letters, digits, "-" and "_". @throws io::InputError with file, key and value
 std::string read_case_name(const io::TomlTable& table);
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

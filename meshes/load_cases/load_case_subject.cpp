@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace menger::materials {
+namespace menger::meshes {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::string subject_of(const LoadCase& load_case) {
   return per_phase ? text + ", chambers per phase" : text;
 }
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

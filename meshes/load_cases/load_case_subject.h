@@ -4,7 +4,7 @@
 
 #include "meshes/load_cases/load_case.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 
 /// What a load case is about as a line of text, whatever it is called: its kind and the body, "inflation of 3x1x1:111, level 1".
 /// Cases of equal subject ask the same question of the same body, if at other pressures or imposed values.
@@ -15,4 +15,4 @@ namespace menger::materials {
 /// shifted within a module or mirrored counts as another. Neither the silicone nor the lengths of the cell are part of it.
 std::string subject_of(const LoadCase& load_case);
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

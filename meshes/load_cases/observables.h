@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-namespace menger::materials {
+namespace menger::meshes {
 
 /// Weighted mean of positions, sum(w_i x_i) / sum(w_i), in the unit of the positions; weights (masses) > 0, as many as positions.
 inline std::array<double, 3> centre_of_mass(std::span<const std::array<double, 3>> positions, std::span<const double> weights) {
@@ -30,4 +30,4 @@ inline double body_length_m(int level, double cell_edge_m) {
   return cells * cell_edge_m;
 }
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

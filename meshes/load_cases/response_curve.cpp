@@ -17,7 +17,7 @@
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/load_case_file.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 
 namespace {
 
@@ -178,4 +178,4 @@ ResponseCurve read_response_curve(const fs::path& provenance_file) {
   return curve;
 }
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

@@ -9,7 +9,7 @@
 #include "io/text/run_status.h"
 #include "meshes/load_cases/load_case.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 
 /// Where a response curve comes from. Without it a curve is refused.
 struct CurveProvenance {
@@ -48,4 +48,4 @@ void write_response_curve(const std::filesystem::path& folder, const ResponseCur
 /// strictly monotone along each run of equal outer abscissae
 ResponseCurve read_response_curve(const std::filesystem::path& provenance_file);
 
-}  // namespace menger::materials
+}  // namespace menger::meshes

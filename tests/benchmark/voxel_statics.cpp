@@ -15,7 +15,7 @@
 #include "voxel/statics/load_case_slopes.h"
 #include "voxel/statics/tangent_factors.h"
 
-namespace materials = menger::materials;
+namespace meshes = menger::meshes;
 namespace voxel = menger::voxel;
 
 namespace {
@@ -29,8 +29,8 @@ voxel::SurrogateParameters parameters_of(int voxels_per_cell) {
   return p;
 }
 
-materials::LoadCase inflated_cube() {
-  materials::LoadCase load_case;
+meshes::LoadCase inflated_cube() {
+  meshes::LoadCase load_case;
   load_case.name = "cube_inflation";
   load_case.cells = {3, 3, 3};
   load_case.digits = std::string(27, '1');
@@ -61,7 +61,7 @@ std::vector<voxel::ParameterSpan> spans_about(const voxel::SurrogateParameters& 
 
 /// The tangent of the inflated cube.
 Eigen::SparseMatrix<double> tangent_of(int voxels_per_cell) {
-  const materials::LoadCase load_case = inflated_cube();
+  const meshes::LoadCase load_case = inflated_cube();
   const voxel::StaticBody body = voxel::load_case_body(parameters_of(voxels_per_cell), load_case);
   voxel::Equilibrium equilibrium(body, voxel::load_case_supports(load_case.kind));
   static_cast<void>(equilibrium.load(voxel::load_case_loads(load_case.kind, body, {1000.0})));

@@ -12,7 +12,7 @@ namespace menger::extremes {
 namespace {
 
 namespace samples = voxel::samples;
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 using voxel::CalibrationFit;
 using voxel::Determination;
 using voxel::FittedCurve;
@@ -62,7 +62,7 @@ std::string names_of(const CalibrationFit& fit, Determination determination) {
 }
 
 void judge_single_point(Outcome& outcome) {
-  materials::LoadCase load_case = samples::load_cases().front();
+  meshes::LoadCase load_case = samples::load_cases().front();
   load_case.pressures_Pa = {5000.0};
   const std::vector<FittedCurve> curves{voxel::fitted_curve(samples::curve_of(load_case, calibration_truth()))};
   const voxel::CalibrationProblem problem = samples::problem(curves);

@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 class StudyFolder {
  public:
   StudyFolder() {
-    materials::LoadCase load_case = voxel::samples::load_cases().front();
+    meshes::LoadCase load_case = voxel::samples::load_cases().front();
     load_case.name = "tube";
-    materials::write_response_curve(folder_ / "curves", voxel::samples::curve_of(load_case, calibration_truth()));
+    meshes::write_response_curve(folder_ / "curves", voxel::samples::curve_of(load_case, calibration_truth()));
     write_study("", "0.002");
   }
 

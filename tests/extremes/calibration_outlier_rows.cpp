@@ -13,7 +13,7 @@ namespace menger::extremes {
 namespace {
 
 namespace samples = voxel::samples;
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 using voxel::CalibrationFit;
 using voxel::FittedCurve;
 

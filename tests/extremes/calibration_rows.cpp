@@ -45,10 +45,10 @@ const voxel::FittedValue& value_named(const voxel::CalibrationFit& fit, const st
   return *found;
 }
 
-voxel::FittedCurve& curve_of_kind(std::vector<voxel::FittedCurve>& curves, materials::LoadCaseKind kind) {
+voxel::FittedCurve& curve_of_kind(std::vector<voxel::FittedCurve>& curves, meshes::LoadCaseKind kind) {
   const auto found =
       std::find_if(curves.begin(), curves.end(), [&](const voxel::FittedCurve& curve) { return curve.load_case.kind == kind; });
-  if (found == curves.end()) throw std::out_of_range("no curve of " + std::string(materials::to_string(kind)));
+  if (found == curves.end()) throw std::out_of_range("no curve of " + std::string(meshes::to_string(kind)));
   return *found;
 }
 

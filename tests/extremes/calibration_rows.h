@@ -24,7 +24,7 @@ voxel::CalibrationPlan tube_plan();
 const voxel::FittedValue& value_named(const voxel::CalibrationFit& fit, const std::string& name);
 
 /// The first curve of a kind. @throws std::out_of_range if there is none
-voxel::FittedCurve& curve_of_kind(std::vector<voxel::FittedCurve>& curves, materials::LoadCaseKind kind);
+voxel::FittedCurve& curve_of_kind(std::vector<voxel::FittedCurve>& curves, meshes::LoadCaseKind kind);
 
 /// Place of an ordinate in a curve. @throws std::out_of_range if there is none
 std::size_t ordinate_index(const voxel::FittedCurve& curve, const std::string& ordinate);

@@ -19,7 +19,7 @@ voxel::CalibrationProblem inverted_problem() {
   std::vector<voxel::FittedCurve> curves = tube_curves(0, 0.0);
   for (voxel::FittedCurve& curve : curves) {
     const voxel::LoadCaseResponse response = voxel::respond(calibration_truth(), curve.load_case, curve.states);
-    materials::ResponseCurve answer{.provenance = samples::provenance(), .columns = response.columns, .values = response.values};
+    meshes::ResponseCurve answer{.provenance = samples::provenance(), .columns = response.columns, .values = response.values};
     answer.provenance.load_case = curve.load_case;
     curve = voxel::fitted_curve(answer);
   }

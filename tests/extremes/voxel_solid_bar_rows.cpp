@@ -53,14 +53,14 @@ double middle_width_m(const voxel::Equilibrium& equilibrium, int n) {
 /// An even number of voxels across.
 SolidBar surrogate_bar(Outcome& outcome, double poissons_ratio, int voxels_across) {
   const double pull_m = solid_bar_strain * bar_cells * edge_m;
-  const materials::LoadCase load_case{.name = "bar",
-                                      .kind = materials::LoadCaseKind::stretch,
-                                      .cells = {bar_cells, 1, 1},
-                                      .digits = std::string(bar_cells, '1'),
-                                      .cell_edge_m = edge_m,
-                                      .wall_thickness_m = 0.2 * edge_m,
-                                      .pressures_Pa = {0.0},
-                                      .imposed = {pull_m}};
+  const meshes::LoadCase load_case{.name = "bar",
+                                   .kind = meshes::LoadCaseKind::stretch,
+                                   .cells = {bar_cells, 1, 1},
+                                   .digits = std::string(bar_cells, '1'),
+                                   .cell_edge_m = edge_m,
+                                   .wall_thickness_m = 0.2 * edge_m,
+                                   .pressures_Pa = {0.0},
+                                   .imposed = {pull_m}};
   SolidBar found{poissons_ratio, std::nan(""), std::nan("")};
   double force_N = std::nan("");
   const voxel::LoadCaseResponse response = voxel::visit_states(

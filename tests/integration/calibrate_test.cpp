@@ -19,7 +19,7 @@ namespace menger {
 namespace {
 
 namespace fs = std::filesystem;
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 
 constexpr const char* study_text =
     "curves = [\"curves\"]\n"
@@ -45,8 +45,8 @@ class CalibrateProgram : public testing::Test {
     io::write_whole(folder_ / "study.toml", study_text);
   }
 
-  static materials::CurveProvenance provenance() {
-    materials::CurveProvenance made;
+  static meshes::CurveProvenance provenance() {
+    meshes::CurveProvenance made;
     made.load_case.cell_edge_m = 0.01;
     made.load_case.wall_thickness_m = 0.002;
     made.silicone = "Dragon Skin 10";
@@ -60,9 +60,9 @@ class CalibrateProgram : public testing::Test {
 
   void add_curve(const std::string& name, LoadCaseKind kind, const std::array<int, 3>& cells, std::vector<double> pressures_Pa,
                  std::vector<double> imposed) const {
-    materials::ResponseCurve curve;
+    meshes::ResponseCurve curve;
     curve.provenance = provenance();
-    materials::LoadCase& load_case = curve.provenance.load_case;
+    meshes::LoadCase& load_case = curve.provenance.load_case;
     load_case.name = name;
     load_case.kind = kind;
     load_case.cells = cells;
@@ -72,7 +72,7 @@ class CalibrateProgram : public testing::Test {
     const voxel::LoadCaseResponse response = voxel::respond(truth_, load_case);
     curve.columns = response.columns;
     curve.values = response.values;
-    materials::write_response_curve(folder_ / "curves", curve);
+    meshes::write_response_curve(folder_ / "curves", curve);
   }
 
   /// The exit code; what it printed goes to the files out and err.

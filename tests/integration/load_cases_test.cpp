@@ -49,11 +49,11 @@ TEST_F(LoadCasesProgram, WritesCurvesWithProvenancePicturesAndManifest) {
   write_set(cell("pull", "stretch", stretch) + cell("hold", "blocked", "pressures_Pa = [-500, 1000]\n"));
   const Outcome outcome = run({"set.toml", "-o", "out"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const materials::ResponseCurve pull = materials::read_response_curve(folder_ / "out/pull.toml");
+  const meshes::ResponseCurve pull = meshes::read_response_curve(folder_ / "out/pull.toml");
   EXPECT_EQ(pull.row_count(), 4U);
   EXPECT_EQ(pull.provenance.silicone, "Dragon Skin 10");
   EXPECT_EQ(pull.provenance.inputs.size(), 2U);
-  EXPECT_EQ(materials::read_response_curve(folder_ / "out/hold.toml").row_count(), 2U);
+  EXPECT_EQ(meshes::read_response_curve(folder_ / "out/hold.toml").row_count(), 2U);
   EXPECT_TRUE(fs::exists(folder_ / "out/manifest.json"));
   EXPECT_NE(outcome.out.find("pull"), std::string::npos);
   const Outcome again = run({"set.toml", "-o", "out", "--no-pictures"});
@@ -78,8 +78,8 @@ TEST_F(LoadCasesProgram, GoesOnAfterACaseThatEndsEarlyAndSaysSo) {
             cell("pull", "stretch", stretch));
   const Outcome outcome = run({"set.toml", "-o", "out", "--no-pictures"});
   EXPECT_EQ(outcome.code, 3) << outcome.out;
-  EXPECT_NE(materials::read_response_curve(folder_ / "out/crush.toml").provenance.status, io::RunStatus::completed);
-  EXPECT_EQ(materials::read_response_curve(folder_ / "out/pull.toml").provenance.status, io::RunStatus::completed);
+  EXPECT_NE(meshes::read_response_curve(folder_ / "out/crush.toml").provenance.status, io::RunStatus::completed);
+  EXPECT_EQ(meshes::read_response_curve(folder_ / "out/pull.toml").provenance.status, io::RunStatus::completed);
   EXPECT_EQ(run({"set.toml", "-o", "out", "--no-pictures"}).code, 3) << "also from the cache";
 }
 

@@ -102,7 +102,7 @@ TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
   const io::CsvContents table = io::read_csv(folder_ / "settled/tradeoff.csv");
   ASSERT_EQ(table.row_count(), 3U);
 
-  materials::LoadCase inflation;
+  meshes::LoadCase inflation;
   inflation.name = "bar";
   inflation.cells = {2, 1, 1};
   inflation.digits = "11";

@@ -19,7 +19,7 @@ namespace menger {
 namespace {
 
 namespace fs = std::filesystem;
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 
 voxel::SurrogateParameters truth() {
   voxel::SurrogateParameters parameters = tests::plain_surrogate_example();
@@ -40,8 +40,8 @@ class ValidateProgram : public testing::Test {
 
   void write_curve(const std::string& place, const std::string& name, LoadCaseKind kind, const std::vector<double>& pressures_Pa,
                    const std::vector<double>& imposed) const {
-    materials::ResponseCurve curve;
-    materials::LoadCase& load_case = curve.provenance.load_case;
+    meshes::ResponseCurve curve;
+    meshes::LoadCase& load_case = curve.provenance.load_case;
     load_case.name = name;
     load_case.kind = kind;
     load_case.cells = {3, 1, 1};
@@ -59,7 +59,7 @@ class ValidateProgram : public testing::Test {
     const voxel::LoadCaseResponse response = voxel::respond(truth(), load_case);
     curve.columns = response.columns;
     curve.values = response.values;
-    materials::write_response_curve(folder_ / place, curve);
+    meshes::write_response_curve(folder_ / place, curve);
   }
 
   void write_parameters(const voxel::SurrogateParameters& parameters, const std::string& fit = "") const {

@@ -42,7 +42,7 @@ class FakeEvaluator final : public evolution::DesignEvaluator {
     const double cells = static_cast<double>(body.nx()) * body.ny() * body.nz();
     double lengths = std::pow(static_cast<double>(body.count()) / cells, 1.0 / level) * (0.5 + fraction(hash, 8));
     if (options_.coarse) lengths = std::round(lengths * 10.0) / 10.0;
-    const double distance_m = lengths * materials::body_length_m(level, options_.cell_edge_m);
+    const double distance_m = lengths * meshes::body_length_m(level, options_.cell_edge_m);
     const double direction = 6.28 * fraction(hash, 16);
     result.status = io::RunStatus::completed;
     // Along an axis where many are to be equal, since rounding could tell them apart otherwise.

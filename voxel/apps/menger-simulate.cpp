@@ -83,7 +83,7 @@ std::string shown(double value, const char* format = "%.4g") { return io::format
 void print_check(const voxel::StepCheck& check, double body_length_m) {
   std::cout << "half the step, " << shown(check.time_step_s) << " s: " << io::to_string(check.status);
   if (check.displacement_m) {
-    const double distance_m = materials::horizontal_displacement(*check.displacement_m);
+    const double distance_m = meshes::horizontal_displacement(*check.displacement_m);
     std::cout << ", " << io::duration_text(check.seconds) << "; moved " << shown(distance_m)
               << " m = " << shown(distance_m / body_length_m) << " body lengths";
   } else {
@@ -99,7 +99,7 @@ void print_outcome(const voxel::SceneResult& result, const std::filesystem::path
   std::cout << io::to_string(result.status) << ": " << shown(result.time_s) << " s in " << result.steps << " steps of "
             << shown(result.time_step_s) << " s, " << result.voxels << " voxels, " << io::duration_text(result.seconds);
   if (result.displacement_m) {
-    const double distance_m = materials::horizontal_displacement(*result.displacement_m);
+    const double distance_m = meshes::horizontal_displacement(*result.displacement_m);
     std::cout << "; moved " << shown(distance_m) << " m = " << shown(distance_m / result.body_length_m) << " body lengths";
   } else {
     std::cout << "; " << result.reason;

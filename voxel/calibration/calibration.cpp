@@ -51,10 +51,10 @@ ValidityRange validity_of(const CalibrationProblem& problem, const SurrogatePara
     cover(validity, body_walls(curve.load_case), pressures.lowest, pressures.highest);
     validity.smallest_strain = std::min(validity.smallest_strain, response.smallest_strain);
     validity.largest_strain = std::max(validity.largest_strain, response.largest_strain);
-    const int cells = materials::longest_side_cells(curve.load_case.cells, curve.load_case.digits);
+    const int cells = meshes::longest_side_cells(curve.load_case.cells, curve.load_case.digits);
     validity.longest_body_cells = std::max(validity.longest_body_cells, cells);
     validity.longest_aggregate_modules =
-        std::max(validity.longest_aggregate_modules, materials::longest_side_modules(cells, curve.load_case.level));
+        std::max(validity.longest_aggregate_modules, meshes::longest_side_modules(cells, curve.load_case.level));
   }
   return validity;
 }

@@ -87,7 +87,7 @@ io::ChartPanel agreement_panel(const Calibration& calibration, const std::vector
                        .series = {},
                        .markers = {},
                        .equal_scale = true};
-  std::map<materials::LoadCaseKind, io::ChartSeries> by_kind;
+  std::map<meshes::LoadCaseKind, io::ChartSeries> by_kind;
   const CalibrationFit& fit = calibration.fit();
   for (std::size_t c = 0; c < fit.residuals.size(); ++c) {
     const FittedCurve& curve = curves[c];
@@ -103,7 +103,7 @@ io::ChartPanel agreement_panel(const Calibration& calibration, const std::vector
     }
   }
   for (auto& [kind, series] : by_kind) {
-    series.name = materials::to_string(kind);
+    series.name = meshes::to_string(kind);
     series.marks = io::Marks::points;
     panel.series.push_back(std::move(series));
   }
@@ -118,7 +118,7 @@ io::ChartPanel detail_panel(const Calibration& calibration, const std::vector<Fi
       .y = {.title = "RMS error (% of the largest of a curve)", .lowest = 0.0},
       .series = {},
       .markers = {{io::ChartMarker::Direction::vertical, static_cast<double>(calibration.fit().parameter_count), "chosen"}}};
-  std::set<materials::LoadCaseKind> kinds;
+  std::set<meshes::LoadCaseKind> kinds;
   for (const FittedCurve& curve : curves) kinds.insert(curve.load_case.kind);
   // a line joins the details that were kept, in the order of their number; those that were not are points beside it
   std::vector<const CalibrationStep*> steps;
@@ -127,9 +127,9 @@ io::ChartPanel detail_panel(const Calibration& calibration, const std::vector<Fi
     return a->fit.parameter_count < b->fit.parameter_count;
   });
   std::size_t number = 0;
-  for (const materials::LoadCaseKind kind : kinds) {
+  for (const meshes::LoadCaseKind kind : kinds) {
     const io::Colour colour = io::chart_colour(number++);
-    io::ChartSeries kept{.name = std::string(materials::to_string(kind)), .marks = io::Marks::line_and_points, .colour = colour};
+    io::ChartSeries kept{.name = std::string(meshes::to_string(kind)), .marks = io::Marks::line_and_points, .colour = colour};
     io::ChartSeries tried{.marks = io::Marks::points, .colour = colour};
     for (const CalibrationStep* step : steps) {
       const auto error = relative_error_of(kind, curves, step->fit);
@@ -149,8 +149,7 @@ io::ChartPanel detail_panel(const Calibration& calibration, const std::vector<Fi
 
 io::PictureOutcome draw_curve(const std::filesystem::path& file, const FittedCurve& curve, const std::vector<double>& residuals) {
   if (residuals.empty()) return {.written = false, .missing = "the surrogate has no answer to " + curve.load_case.name};
-  const std::string abscissa =
-      materials::response_columns(curve.load_case.kind)[materials::abscissa_count(curve.load_case.kind) - 1];
+  const std::string abscissa = meshes::response_columns(curve.load_case.kind)[meshes::abscissa_count(curve.load_case.kind) - 1];
   std::map<std::string, io::ChartPanel> by_unit;
   for (std::size_t o = 0; o < curve.ordinates.size(); ++o) {
     const std::string unit = unit_of(curve.ordinates[o]);

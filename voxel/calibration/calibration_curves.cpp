@@ -21,7 +21,7 @@ std::set<fs::path> provenance_files(const io::TomlTable& top, const std::vector<
   constexpr const char* none = "no response curve (NAME.toml and NAME.csv) is in this folder";
   std::set<fs::path> files;
   for (const fs::path& place : given) {
-    const std::vector<fs::path> found = materials::response_curve_files(place);
+    const std::vector<fs::path> found = meshes::response_curve_files(place);
     if (found.empty()) throw io::InputError(place.string() + ": " + none);
     files.insert(found.begin(), found.end());
   }
@@ -29,7 +29,7 @@ std::set<fs::path> provenance_files(const io::TomlTable& top, const std::vector<
   const std::vector<std::string> entries = top.texts("curves");
   if (!given.empty()) return files;
   for (std::size_t n = 0; n < entries.size(); ++n) {
-    const std::vector<fs::path> found = materials::response_curve_files(top.file().parent_path() / entries[n]);
+    const std::vector<fs::path> found = meshes::response_curve_files(top.file().parent_path() / entries[n]);
     if (found.empty()) throw top.error("curves", none, std::array{n});
     files.insert(found.begin(), found.end());
   }
@@ -38,8 +38,8 @@ std::set<fs::path> provenance_files(const io::TomlTable& top, const std::vector<
 }
 
 /// The states of a curve whose pressure lies in a range.
-materials::ResponseCurve within(const materials::ResponseCurve& curve, const ValueRange& pressures_Pa) {
-  materials::ResponseCurve kept{curve.provenance, curve.columns, std::vector<std::vector<double>>(curve.values.size())};
+meshes::ResponseCurve within(const meshes::ResponseCurve& curve, const ValueRange& pressures_Pa) {
+  meshes::ResponseCurve kept{curve.provenance, curve.columns, std::vector<std::vector<double>>(curve.values.size())};
   const std::vector<double>& pressure = curve.column("pressure_Pa");
   for (std::size_t row = 0; row < curve.row_count(); ++row) {
     if (pressure[row] < pressures_Pa.lowest || pressure[row] > pressures_Pa.highest) continue;
@@ -49,7 +49,7 @@ materials::ResponseCurve within(const materials::ResponseCurve& curve, const Val
 }
 
 void check_curve(const StudyCurve& curve, const CalibrationStudy& study, CurveSubject& wanted) {
-  const materials::CurveProvenance& provenance = curve.curve.provenance;
+  const meshes::CurveProvenance& provenance = curve.curve.provenance;
   const auto require_text = [&](std::string_view what, const std::string& has, const std::string& needs) {
     if (has == needs) return;
     throw io::InputError(curve.file.string() + ": " + std::string(what) + " = " + io::toml_quoted(has) + ": the study is for " +
@@ -68,7 +68,7 @@ void check_curve(const StudyCurve& curve, const CalibrationStudy& study, CurveSu
   require_length("wall_thickness_m", provenance.load_case.wall_thickness_m, wanted.wall_thickness_m);
   const auto layout = provenance.load_case.per_phase ? meshes::ChamberLayout::per_phase : meshes::ChamberLayout::single;
   require_text("chambers", std::string(to_string(layout)), std::string(to_string(study.chambers)));
-  const materials::CurveProvenance& first = study.curves.empty() ? provenance : study.curves.front().curve.provenance;
+  const meshes::CurveProvenance& first = study.curves.empty() ? provenance : study.curves.front().curve.provenance;
   require_length("density_kg_m3", provenance.density_kg_m3, first.density_kg_m3);
   require_length("shear_modulus_Pa", provenance.shear_modulus_Pa, first.shear_modulus_Pa);
 }
@@ -85,7 +85,7 @@ void read_curves(const io::TomlTable& top, const std::vector<fs::path>& given, C
   std::set<std::string> missing = cases;
   std::map<std::string, fs::path> known;
   for (const fs::path& file : provenance_files(top, given)) {
-    StudyCurve curve{materials::read_response_curve(file), file, io::file_hash(file),
+    StudyCurve curve{meshes::read_response_curve(file), file, io::file_hash(file),
                      io::file_hash(fs::path(file).replace_extension(".csv"))};
     const std::string& name = curve.curve.provenance.load_case.name;
     missing.erase(name);

@@ -28,11 +28,11 @@ std::string unit_of(const std::string& column) {
   return {};
 }
 
-FittedCurve fitted_curve(const materials::ResponseCurve& curve, double weight) {
+FittedCurve fitted_curve(const meshes::ResponseCurve& curve, double weight) {
   FittedCurve fitted;
   fitted.load_case = curve.provenance.load_case;
   fitted.weight = weight;
-  const std::size_t abscissae = materials::abscissa_count(fitted.load_case.kind);
+  const std::size_t abscissae = meshes::abscissa_count(fitted.load_case.kind);
   for (std::size_t row = 0; row < curve.row_count(); ++row) {
     std::vector<double> state;
     for (std::size_t a = 0; a < abscissae; ++a) state.push_back(curve.values[a][row]);

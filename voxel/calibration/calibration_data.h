@@ -13,7 +13,7 @@ namespace menger::voxel {
 
 /// A response curve as a fit sees it: the ordinates that say something, each with its standard deviation.
 struct FittedCurve {
-  materials::LoadCase load_case;
+  meshes::LoadCase load_case;
   std::vector<std::vector<double>> states;     ///< abscissae by row
   std::vector<std::string> ordinates;          ///< names of columns
   std::vector<std::vector<double>> reference;  ///< by ordinate, then row
@@ -28,7 +28,7 @@ struct FittedCurve {
 /// Prepares a curve. The standard deviation of an ordinate is the stated relative uncertainty times its largest magnitude, but
 /// not less than a hundredth of what the largest ordinate of the same unit has: an ordinate that hardly answers is not known to
 /// five per cent of nearly nothing. Ordinates that are zero throughout together with all others of their unit are left out.
-FittedCurve fitted_curve(const materials::ResponseCurve& curve, double weight = 1.0);
+FittedCurve fitted_curve(const meshes::ResponseCurve& curve, double weight = 1.0);
 
 /// The surrogate's ordinates at the states of a curve, by ordinate; nothing where it has no equilibrium at one of them.
 std::optional<std::vector<std::vector<double>>> answers_of(const FittedCurve& curve, const LoadCaseResponse& response);

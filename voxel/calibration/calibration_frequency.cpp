@@ -11,7 +11,7 @@ namespace {
 
 using meshes::Side;
 
-HollowVoxels voxels_of(const SurrogateParameters& parameters, const materials::LoadCase& body) {
+HollowVoxels voxels_of(const SurrogateParameters& parameters, const meshes::LoadCase& body) {
   return hollow_voxels(meshes::Polycube::from_digits(body.cells[0], body.cells[1], body.cells[2], body.digits),
                        {.cell_edge_m = parameters.cell_edge_m,
                         .wall_thickness_m = parameters.wall_thickness_m,
@@ -34,7 +34,7 @@ double magnitude_in(const io::CsvContents& table, std::size_t row, const std::st
 
 }  // namespace
 
-std::vector<std::optional<double>> harmonic_gains(const SurrogateParameters& parameters, const materials::LoadCase& body,
+std::vector<std::optional<double>> harmonic_gains(const SurrogateParameters& parameters, const meshes::LoadCase& body,
                                                   double pressure_Pa, BodyEnd end, std::span<const double> frequencies_Hz) {
   const Eigen::Index axis = end == BodyEnd::tip ? 0 : 2;
   const StaticBody statics(parameters, voxels_of(parameters, body), {end == BodyEnd::tip ? Side::x_min : Side::z_min});

@@ -27,7 +27,7 @@ enum class BodyEnd {
 /// Magnitudes of the steady motion of the end of a body, undamped, about its equilibrium under a pressure: the solution of
 /// (K - omega^2 M) x = b of small_motion in the mean over the voxels at the end, and the growth of their half lengths and, at the
 /// middle of their walls, of the bulge. @param body of which the shape counts, not the kind @param frequencies_Hz >= 0
-std::vector<std::optional<double>> harmonic_gains(const SurrogateParameters& parameters, const materials::LoadCase& body,
+std::vector<std::optional<double>> harmonic_gains(const SurrogateParameters& parameters, const meshes::LoadCase& body,
                                                   double pressure_Pa, BodyEnd end, std::span<const double> frequencies_Hz);
 
 /// A reference to compare with: a table with frequency_Hz and either `gain_m_per_Pa`, or the real and imaginary part of an
@@ -35,7 +35,7 @@ std::vector<std::optional<double>> harmonic_gains(const SurrogateParameters& par
 struct FrequencyReference {
   std::filesystem::path file;
   std::string column;  ///< COLUMN; empty: gain_m_per_Pa
-  materials::LoadCase body;
+  meshes::LoadCase body;
   double pressure_Pa = 0.0;
   BodyEnd end = BodyEnd::tip;
 };

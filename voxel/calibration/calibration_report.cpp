@@ -90,7 +90,7 @@ std::string parameters_text(const Calibration& calibration, const CalibrationStu
   std::string curves;
   for (const StudyCurve& curve : study.curves) {
     curves += "[[fit.curves]]\nname = " + io::toml_quoted(curve.curve.provenance.load_case.name) +
-              "\nsubject = " + io::toml_quoted(materials::subject_of(curve.curve.provenance.load_case)) +
+              "\nsubject = " + io::toml_quoted(meshes::subject_of(curve.curve.provenance.load_case)) +
               "\nhash = " + io::toml_quoted(curve.hash) + "\ntable_hash = " + io::toml_quoted(curve.table_hash) + "\n";
   }
   return surrogate_text(reported_parameters(calibration, study)) + table.text() + intervals.text() + curves;

@@ -35,7 +35,7 @@ double wall_share(std::size_t wall_class, double t) {
 
 }  // namespace
 
-SurrogateParameters rough_parameters(const materials::CurveProvenance& provenance, int voxels_per_cell) {
+SurrogateParameters rough_parameters(const meshes::CurveProvenance& provenance, int voxels_per_cell) {
   const double a = provenance.load_case.cell_edge_m;
   const double t = provenance.load_case.wall_thickness_m;
   const double b = a - 2.0 * t;

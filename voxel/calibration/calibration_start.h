@@ -14,6 +14,6 @@ namespace menger::voxel {
 /// These are of the closed cell; other wall classes have stiffness and extension by their share of wall, and the bulge of the
 /// span that they are part of. No softening, no lateral coupling, no effect of joints.
 /// @param provenance of any curve of the fit
-SurrogateParameters rough_parameters(const materials::CurveProvenance& provenance, int voxels_per_cell);
+SurrogateParameters rough_parameters(const meshes::CurveProvenance& provenance, int voxels_per_cell);
 
 }  // namespace menger::voxel

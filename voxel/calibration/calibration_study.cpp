@@ -38,7 +38,7 @@ CurveSubject read_holds_for(const io::TomlTable& table, CalibrationStudy& study)
 }
 
 void read_weights(const io::TomlTable& table, CalibrationStudy& study) {
-  for (const auto& [word, kind] : materials::load_case_kind_words()) {
+  for (const auto& [word, kind] : meshes::load_case_kind_words()) {
     const double weight = table.number_or(word, 1.0, io::positive());
     for (StudyCurve& curve : study.curves) {
       if (curve.curve.provenance.load_case.kind == kind) curve.weight = weight;
@@ -110,7 +110,7 @@ void read_record(const io::TomlTable& top, const std::string& silicone, Calibrat
 }
 
 /// Frequency responses are solved with dense matrices of six unknowns per voxel.
-void check_voxel_count(const io::TomlTable& table, const materials::LoadCase& body, int voxels_per_cell) {
+void check_voxel_count(const io::TomlTable& table, const meshes::LoadCase& body, int voxels_per_cell) {
   constexpr double most_voxels = 500.0;  // 70 MB per matrix and a few seconds per frequency
   const auto cells =
       static_cast<double>(body.digits.size()) - static_cast<double>(std::count(body.digits.begin(), body.digits.end(), '0'));
@@ -125,7 +125,7 @@ FrequencyReference read_frequency_response(const io::TomlTable& table, Calibrati
   FrequencyReference reference;
   reference.file = table.path("file");
   reference.column = table.text_or("column", "");
-  materials::read_cells(table, reference.body);
+  meshes::read_cells(table, reference.body);
   reference.body.level = table.integer_or("level", 1, io::within(1, 3));
   check_voxel_count(table, reference.body, study.voxels_per_cell);
   reference.pressure_Pa = table.number_or("pressure_Pa", 0.0);

@@ -15,7 +15,7 @@ namespace menger::voxel {
 
 /// A curve of a study, with where it came from.
 struct StudyCurve {
-  materials::ResponseCurve curve;
+  meshes::ResponseCurve curve;
   std::filesystem::path file;  ///< of the provenance
   std::string hash;            ///< of that file, which holds the hash of the table
   std::string table_hash;      ///< of the table beside it

@@ -7,7 +7,7 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 
 /// Kinds among the curves, in the order of the enumeration.
 std::set<LoadCaseKind> kinds_of(const std::vector<FittedCurve>& curves) {
@@ -66,7 +66,7 @@ std::optional<double> relative_error_of(LoadCaseKind kind, const std::vector<Fit
   return std::sqrt(square / count);
 }
 
-std::string body_text(const materials::LoadCase& load_case) {
+std::string body_text(const meshes::LoadCase& load_case) {
   std::string text;
   for (const int cells : load_case.cells) text.append(text.empty() ? "" : "x").append(std::to_string(cells));
   if (load_case.level > 1) text.append(" level ").append(std::to_string(load_case.level));
@@ -78,7 +78,7 @@ io::CsvTable detail_table(const Calibration& calibration, const std::vector<Fitt
   std::vector<std::string> columns{"detail",    "joined_with", "kept",         "status", "parameters",
                                    "residuals", "chi2",        "reduced_chi2", "aic"};
   const std::set<LoadCaseKind> kinds = kinds_of(curves);
-  for (const LoadCaseKind kind : kinds) columns.push_back("relative_rms_" + std::string(materials::to_string(kind)));
+  for (const LoadCaseKind kind : kinds) columns.push_back("relative_rms_" + std::string(meshes::to_string(kind)));
   io::CsvTable table(columns);
   for (const CalibrationStep& step : calibration.steps) {
     const CalibrationFit& fit = step.fit;
@@ -128,8 +128,8 @@ io::CsvTable correlation_table(const CalibrationFit& fit) {
 io::CsvTable residual_table(const std::vector<FittedCurve>& curves, const CalibrationFit& fit) {
   io::CsvTable table({"case", "kind", "body", "ordinate", "rms", "worst", "unit", "relative"});
   for (const OrdinateError& error : ordinate_errors(curves, fit)) {
-    const materials::LoadCase& load_case = curves[error.curve].load_case;
-    table.add_row(load_case.name, materials::to_string(load_case.kind), body_text(load_case), error.ordinate, error.rms,
+    const meshes::LoadCase& load_case = curves[error.curve].load_case;
+    table.add_row(load_case.name, meshes::to_string(load_case.kind), body_text(load_case), error.ordinate, error.rms,
                   error.worst, unit_of(error.ordinate), error.relative);
   }
   return table;
@@ -143,7 +143,7 @@ io::CsvTable answer_table(const std::vector<FittedCurve>& curves, const Calibrat
     for (std::size_t n = 0; n < fit.residuals[c].size(); ++n) {
       const std::vector<double>& state = curve.states[n % rows];
       const auto imposed = state.size() > 1 ? std::optional(state[1]) : std::nullopt;
-      table.add_row(curve.load_case.name, materials::to_string(curve.load_case.kind), body_text(curve.load_case), state[0],
+      table.add_row(curve.load_case.name, meshes::to_string(curve.load_case.kind), body_text(curve.load_case), state[0],
                     imposed, curve.ordinates[n / rows], curve.reference[n / rows][n % rows],
                     answer_at(curve, fit.residuals[c], n), curve.sigma[n / rows]);
     }

@@ -20,11 +20,11 @@ struct OrdinateError {
 std::vector<OrdinateError> ordinate_errors(const std::vector<FittedCurve>& curves, const CalibrationFit& fit);
 
 /// Root of the mean square of the relative errors of a kind of load case; nothing if there is none.
-std::optional<double> relative_error_of(materials::LoadCaseKind kind, const std::vector<FittedCurve>& curves,
+std::optional<double> relative_error_of(meshes::LoadCaseKind kind, const std::vector<FittedCurve>& curves,
                                         const CalibrationFit& fit);
 
 /// A body for people: "3x1x1", with its level where that is not 1.
-std::string body_text(const materials::LoadCase& load_case);
+std::string body_text(const meshes::LoadCase& load_case);
 
 /// What each detail buys: detail, joined_with, kept, status, parameters, residuals, chi2, reduced_chi2, aic, and
 /// relative_rms_KIND for every kind among the curves; no numbers for a fit that ended without an answer.

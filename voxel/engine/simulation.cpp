@@ -151,7 +151,7 @@ std::array<double, 3> Simulation::centre_of_mass_m() const {
   std::vector<std::array<double, 3>> positions;
   positions.reserve(voxel_count());
   for (std::size_t i = 0; i < voxel_count(); ++i) positions.push_back(engine_->view(i).position_m);
-  return materials::centre_of_mass(positions, engine_->mass_kg);
+  return meshes::centre_of_mass(positions, engine_->mass_kg);
 }
 
 Frame Simulation::frame() const {

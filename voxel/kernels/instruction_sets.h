@@ -6,6 +6,7 @@
 #include "voxel/kernels/kernel_choice.h"
 #include "voxel/kernels/lane_data.h"
 #include "voxel/kernels/step_data.h"
+#include "voxel/model/parameters.h"
 
 namespace menger::voxel {
 

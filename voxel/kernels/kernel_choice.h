@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "voxel/model/parameters.h"
-
 namespace menger::voxel {
 
 /// Instruction set of the step's kernels. The results of all of them are the same bytes: no kernel fuses a multiplication with an

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "voxel/laws/rotation.h"
-#include "voxel/model/parameters.h"
 
 namespace menger::voxel {
 

@@ -70,7 +70,7 @@ std::vector<std::string> faults_of(const CalibratedBody& calibrated, const BodyW
     faults.push_back("the body is " + std::to_string(longest_body_cells) + " cells long, the longest of the fit was " +
                      std::to_string(parameters.validity.longest_body_cells));
   }
-  const int modules = materials::longest_side_modules(longest_body_cells, calibrated.level);
+  const int modules = meshes::longest_side_modules(longest_body_cells, calibrated.level);
   if (modules > parameters.validity.longest_aggregate_modules) {
     faults.push_back("the body is " + std::to_string(modules) + " modules long, the longest of the fit was " +
                      std::to_string(parameters.validity.longest_aggregate_modules));
@@ -142,7 +142,7 @@ std::vector<std::string> sizeless_walls(const CalibratedBody& calibrated) {
 
 std::vector<std::string> outside_validity(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
   return faults_of(calibrated, body_walls(basal_body, calibrated.level, calibrated.chambers),
-                   materials::longest_side_cells({basal_body.nx(), basal_body.ny(), basal_body.nz()}, basal_body.digits()));
+                   meshes::longest_side_cells({basal_body.nx(), basal_body.ny(), basal_body.nz()}, basal_body.digits()));
 }
 
 std::vector<std::string> outside_validity(const CalibratedBody& calibrated, int longest_body_cells) {

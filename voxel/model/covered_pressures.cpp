@@ -58,7 +58,7 @@ BodyWalls body_walls(const meshes::Polycube& basal_body, int level, meshes::Cham
   return walls;
 }
 
-BodyWalls body_walls(const materials::LoadCase& load_case) {
+BodyWalls body_walls(const meshes::LoadCase& load_case) {
   const auto& [nx, ny, nz] = load_case.cells;
   return body_walls(meshes::Polycube::from_digits(nx, ny, nz, load_case.digits), load_case.level,
                     load_case.per_phase ? meshes::ChamberLayout::per_phase : meshes::ChamberLayout::single);

@@ -18,7 +18,7 @@ struct BodyWalls {
 
 /// The walls of the fractal of a basal body. All modules have the same; at level 2 and above they are bonded.
 BodyWalls body_walls(const meshes::Polycube& basal_body, int level, meshes::ChamberLayout chambers);
-BodyWalls body_walls(const materials::LoadCase& load_case);
+BodyWalls body_walls(const meshes::LoadCase& load_case);
 
 /// Every wall that a body may have. @param has_joints whether it may consist of several modules or chambers
 BodyWalls all_walls(bool has_joints);

@@ -73,8 +73,8 @@ struct ValidityRange {
   double highest_joint_pressure_Pa = 0.0;           ///< >= 0
   double smallest_strain = 0.0;                     ///< of beams, axial, beyond the rest length
   double largest_strain = 0.0;
-  int longest_body_cells = 0;         ///< see materials::longest_side_cells, of the modules of the fit
-  int longest_aggregate_modules = 1;  ///< see materials::longest_side_modules, of the bodies of the fit; 1: single modules
+  int longest_body_cells = 0;         ///< see meshes::longest_side_cells, of the modules of the fit
+  int longest_aggregate_modules = 1;  ///< see meshes::longest_side_modules, of the bodies of the fit; 1: single modules
 
   /// The same pressures for all walls and joints.
   void set_pressures(double lowest_Pa, double highest_Pa) {

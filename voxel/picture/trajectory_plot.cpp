@@ -18,7 +18,7 @@ io::PictureOutcome plot_trajectory(const std::filesystem::path& file, const Traj
   for (const TrajectoryPoint& point : trajectory) {
     const auto displacement = displacement_m(trajectory, point);
     over_time.x.push_back(point.time_s);
-    over_time.y.push_back(materials::horizontal_displacement(displacement) / body_length_m);
+    over_time.y.push_back(meshes::horizontal_displacement(displacement) / body_length_m);
     from_above.x.push_back(displacement[0] / body_length_m);
     from_above.y.push_back(displacement[1] / body_length_m);
   }

@@ -48,7 +48,7 @@ io::CsvTable trajectory_table(const Trajectory& trajectory, double body_length_m
   io::CsvTable table(columns);
   for (const TrajectoryPoint& point : trajectory) {
     const auto& centre = point.centre_of_mass_m;
-    const double displacement = materials::horizontal_displacement(displacement_m(trajectory, point));
+    const double displacement = meshes::horizontal_displacement(displacement_m(trajectory, point));
     std::vector<io::CsvCell> cells{point.time_s, centre[0], centre[1], centre[2], displacement, displacement / body_length_m};
     if (with_energy) {
       const EnergyLedger& energy = point.energy.value();

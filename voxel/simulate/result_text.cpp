@@ -49,7 +49,7 @@ std::string result_text(const SceneResult& result) {
   add_line(text, "records", std::to_string(result.trajectory.size()));
   add_line(text, "body_length_m", io::number_text(result.body_length_m));
   if (result.displacement_m) {
-    const double distance_m = materials::horizontal_displacement(*result.displacement_m);
+    const double distance_m = meshes::horizontal_displacement(*result.displacement_m);
     const auto& [x, y, z] = *result.displacement_m;
     add_line(text, "displacement_m", list_text({io::number_text(x), io::number_text(y), io::number_text(z)}));
     add_line(text, "horizontal_displacement_m", io::number_text(distance_m));

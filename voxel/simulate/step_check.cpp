@@ -43,7 +43,7 @@ void compare(const SceneResult& result, StepCheck& check) {
   }
   if (!check.displacement_m || !result.displacement_m) return;
   check.horizontal_change_m =
-      materials::horizontal_displacement(*check.displacement_m) - materials::horizontal_displacement(*result.displacement_m);
+      meshes::horizontal_displacement(*check.displacement_m) - meshes::horizontal_displacement(*result.displacement_m);
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ std::string step_check_text(const StepCheck& check, double body_length_m) {
   if (!check.reason.empty()) table.word("reason", check.reason);
   table.number("time_step_s", check.time_step_s).add("steps", std::to_string(check.steps));
   if (check.displacement_m) {
-    const double moved_m = materials::horizontal_displacement(*check.displacement_m);
+    const double moved_m = meshes::horizontal_displacement(*check.displacement_m);
     table.numbers("displacement_m", *check.displacement_m)
         .number("horizontal_displacement_m", moved_m)
         .number("horizontal_displacement_body_lengths", moved_m / body_length_m);

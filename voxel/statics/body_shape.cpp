@@ -112,8 +112,8 @@ double BodyShape::top_height() const { return middle_of_top().z - mean_of_faces(
 
 BodyShape::FreeSize BodyShape::free_size() const {
   const auto place = [](const Vector3<double>& v) { return std::array{v.x, v.y, v.z}; };
-  materials::EndPoints reference{};
-  materials::EndPoints deformed{};
+  meshes::EndPoints reference{};
+  meshes::EndPoints deformed{};
   for (const Side side : meshes::all_sides) {
     const std::size_t axis = meshes::axis_of(side);
     const std::size_t end = meshes::is_max(side) ? 1 : 0;
@@ -124,11 +124,11 @@ BodyShape::FreeSize BodyShape::free_size() const {
     reference[axis][end] = place((1.0 / static_cast<double>(voxels.size())) * sum);
     reference[axis][end][axis] = meshes::is_max(side) ? body_->box_m[axis] : 0.0;
   }
-  const auto rotation = materials::rotation_of_body(reference, deformed);
+  const auto rotation = meshes::rotation_of_body(reference, deformed);
   const Vector3<double> top = middle_of_top() - mean_of_faces(Side::z_min);
   // the last row of the transpose
   const double height = rotation[0][2] * top.x + rotation[1][2] * top.y + rotation[2][2] * top.z;
-  return {.extents = materials::extents_without_rotation(reference, deformed), .top_height = height};
+  return {.extents = meshes::extents_without_rotation(reference, deformed), .top_height = height};
 }
 
 /// The thickness of a wall that lies on the voxel's side of its face.

@@ -47,7 +47,7 @@ class BodyShape {
     double top_height = 0.0;
   };
 
-  /// The same after the rotation of the body is taken out (materials::rotation_of_body), for a body that is free but for its
+  /// The same after the rotation of the body is taken out (meshes::rotation_of_body), for a body that is free but for its
   /// rigid motions: where an unsymmetric one is held turns it, and says nothing.
   [[nodiscard]] FreeSize free_size() const;
 

@@ -6,8 +6,8 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCase;
-using materials::LoadCaseKind;
+using meshes::LoadCase;
+using meshes::LoadCaseKind;
 using meshes::Side;
 
 constexpr double standard_gravity_m_s2 = 9.80665;
@@ -79,7 +79,7 @@ Supports load_case_supports(LoadCaseKind kind) {
 StaticLoads load_case_loads(LoadCaseKind kind, const StaticBody& body, const std::vector<double>& state) {
   StaticLoads loads;
   loads.pressures_Pa.assign(body.voxels.chamber_count, state.at(0));
-  if (materials::abscissa_count(kind) < 2) return loads;
+  if (meshes::abscissa_count(kind) < 2) return loads;
   if (kind == LoadCaseKind::sag) {
     loads.gravity_m_s2 = standard_gravity_m_s2 * state.at(1);
   } else {
@@ -92,8 +92,8 @@ StaticLoads load_case_loads(LoadCaseKind kind, const StaticBody& body, const std
 std::vector<std::vector<double>> load_case_states(const LoadCase& load_case) {
   std::vector<std::vector<double>> states;
   for (const double pressure : load_case.pressures_Pa) {
-    if (materials::abscissa_count(load_case.kind) == 1) states.push_back({pressure});
-    if (materials::abscissa_count(load_case.kind) == 2) {
+    if (meshes::abscissa_count(load_case.kind) == 1) states.push_back({pressure});
+    if (meshes::abscissa_count(load_case.kind) == 2) {
       for (const double imposed : load_case.imposed) states.push_back({pressure, imposed});
     }
   }

@@ -9,15 +9,15 @@ namespace menger::voxel {
 
 /// The body of a load case with the plates that its kind asks for.
 /// @throws std::invalid_argument if cell edge or wall thickness are not those of the parameters
-StaticBody load_case_body(const SurrogateParameters& parameters, const materials::LoadCase& load_case);
+StaticBody load_case_body(const SurrogateParameters& parameters, const meshes::LoadCase& load_case);
 
 /// What else holds a body in load cases of a kind.
-Supports load_case_supports(materials::LoadCaseKind kind);
+Supports load_case_supports(meshes::LoadCaseKind kind);
 
 /// What a body of a load case bears in a state. @param state abscissae
-StaticLoads load_case_loads(materials::LoadCaseKind kind, const StaticBody& body, const std::vector<double>& state);
+StaticLoads load_case_loads(meshes::LoadCaseKind kind, const StaticBody& body, const std::vector<double>& state);
 
 /// Rows of abscissae of a load case.
-std::vector<std::vector<double>> load_case_states(const materials::LoadCase& load_case);
+std::vector<std::vector<double>> load_case_states(const meshes::LoadCase& load_case);
 
 }  // namespace menger::voxel

@@ -8,7 +8,7 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 using meshes::Side;
 
 double force_on(LoadCaseKind kind, const Equilibrium& equilibrium) {
@@ -54,7 +54,7 @@ double observed(const std::string& column, LoadCaseKind kind, const Equilibrium&
 
 std::vector<double> load_case_ordinates(const std::vector<std::string>& columns, LoadCaseKind kind,
                                         const Equilibrium& equilibrium) {
-  const std::size_t first = materials::abscissa_count(kind);
+  const std::size_t first = meshes::abscissa_count(kind);
   const std::size_t count = columns.size() - first;
   if (kind == LoadCaseKind::modes) {
     const Vibrations vibrations = natural_vibrations(small_motion(equilibrium), count);

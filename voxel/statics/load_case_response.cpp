@@ -11,8 +11,8 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCase;
-using materials::LoadCaseKind;
+using meshes::LoadCase;
+using meshes::LoadCaseKind;
 
 /// Which wall class ends at a pressure.
 std::string beyond_laws(const StaticBody& body, double pressure_Pa) {
@@ -47,7 +47,7 @@ LoadCaseResponse visit_states(const SurrogateParameters& parameters, const LoadC
   const StaticBody body = load_case_body(parameters, load_case);
   Equilibrium equilibrium(body, load_case_supports(kind));
   LoadCaseResponse response;
-  response.columns = materials::response_columns(kind);
+  response.columns = meshes::response_columns(kind);
   response.values.resize(response.columns.size());
   for (const std::vector<double>& state : states.empty() ? load_case_states(load_case) : states) {
     response.status = equilibrium.load(load_case_loads(kind, body, state));
@@ -58,7 +58,7 @@ LoadCaseResponse visit_states(const SurrogateParameters& parameters, const LoadC
       response.reason = contact_text(body, *contact);
       return response;
     }
-    std::vector<double> row(state.begin(), state.begin() + static_cast<std::ptrdiff_t>(materials::abscissa_count(kind)));
+    std::vector<double> row(state.begin(), state.begin() + static_cast<std::ptrdiff_t>(meshes::abscissa_count(kind)));
     const std::vector<double> answer = load_case_ordinates(response.columns, kind, equilibrium);
     if (answer.empty()) {
       response.status = io::RunStatus::limit_point;

@@ -14,9 +14,9 @@ namespace menger::voxel {
 /// same beams that Simulation steps, found by Newton's method (see equilibrium.h), and small vibrations about them.
 ///
 /// Plates are joined to the voxels at the end of the body by half beams of length L / 2 of those voxels' own class.
-/// @param states rows of abscissae, as many as materials::abscissa_count(kind) each; empty: those of the load case
+/// @param states rows of abscissae, as many as meshes::abscissa_count(kind) each; empty: those of the load case
 /// @throws std::invalid_argument if cell edge or wall thickness are not those of the parameters
-LoadCaseResponse respond(const SurrogateParameters& parameters, const materials::LoadCase& load_case,
+LoadCaseResponse respond(const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                          const std::vector<std::vector<double>>& states = {});
 
 class Equilibrium;
@@ -25,7 +25,7 @@ class Equilibrium;
 using StateVisitor = std::function<void(std::size_t row, const Equilibrium& equilibrium)>;
 
 /// The same, and shows its equilibria on the way.
-LoadCaseResponse visit_states(const SurrogateParameters& parameters, const materials::LoadCase& load_case,
+LoadCaseResponse visit_states(const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                               const std::vector<std::vector<double>>& states, const StateVisitor& visit);
 
 }  // namespace menger::voxel

@@ -12,8 +12,8 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCase;
-using materials::LoadCaseKind;
+using meshes::LoadCase;
+using meshes::LoadCaseKind;
 
 /// A surrogate of other parameters beside an equilibrium.
 class Neighbour {
@@ -68,7 +68,7 @@ class SlopeSweep {
  public:
   SlopeSweep(const LoadCase& load_case, const std::vector<ParameterSpan>& spans)
       : kind_(load_case.kind),
-        columns_(materials::response_columns(kind_)),
+        columns_(meshes::response_columns(kind_)),
         spans_(spans),
         neighbours_(spans.size()),
         slopes_(spans.size(), ResponseSlope(columns_.size())) {}
@@ -151,7 +151,7 @@ void SlopeSweep::visit(const Equilibrium& equilibrium) {
   });
   const Eigen::MatrixXd rates = has_answer ? factors_.solve(loads) : loads;
   const std::vector<double> here = load_case_ordinates(columns_, kind_, equilibrium);
-  const std::size_t abscissae = materials::abscissa_count(kind_);
+  const std::size_t abscissae = meshes::abscissa_count(kind_);
   tbb::parallel_for(std::size_t{0}, spans_.size(), [&](std::size_t n) {
     if (!slopes_[n]) return;
     const auto row = ordinate_slope(n, rates.col(static_cast<Eigen::Index>(n)), here);

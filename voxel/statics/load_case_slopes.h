@@ -11,7 +11,7 @@ namespace menger::voxel {
 /// of the width of a span. Beams stay in the small- or large-angle state that they have in the equilibrium.
 /// @param states rows of abscissae; empty: those of the load case
 /// @throws std::invalid_argument if cell edge or wall thickness are not those of the parameters
-ResponseSlopes respond_with_slopes(const SurrogateParameters& parameters, const materials::LoadCase& load_case,
+ResponseSlopes respond_with_slopes(const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                                    const Responder::States& states, const std::vector<ParameterSpan>& spans);
 
 /// Answers of the surrogate by its equilibria: respond and respond_with_slopes.

@@ -18,8 +18,8 @@ bool is_like(const LoadCaseResponse& response, const LoadCaseResponse& other) {
 
 }  // namespace
 
-ResponseSlopes Responder::slopes(const SurrogateParameters& parameters, const materials::LoadCase& load_case,
-                                 const States& states, const std::vector<ParameterSpan>& spans) const {
+ResponseSlopes Responder::slopes(const SurrogateParameters& parameters, const meshes::LoadCase& load_case, const States& states,
+                                 const std::vector<ParameterSpan>& spans) const {
   if (slopes_) return slopes_(parameters, load_case, states, spans);
   ResponseSlopes result;
   result.response = answer_(parameters, load_case, states);

@@ -21,7 +21,7 @@ struct LoadCaseResponse {
   /// have met (BodyShape::wall_contact), beyond which beams would go on as if they passed through each other
   io::RunStatus status = io::RunStatus::completed;
   std::string reason{};                     ///< why, where there is more to say than the status
-  std::vector<std::string> columns;         ///< materials::response_columns(kind)
+  std::vector<std::string> columns;         ///< meshes::response_columns(kind)
   std::vector<std::vector<double>> values;  ///< by column; rows as in the load case; only the rows reached
   double smallest_strain = 0.0;             ///< of any beam in any state, axial, beyond the rest length
   double largest_strain = 0.0;
@@ -49,8 +49,8 @@ struct ResponseSlopes {
 class Responder {
  public:
   using States = std::vector<std::vector<double>>;
-  using Answer = std::function<LoadCaseResponse(const SurrogateParameters&, const materials::LoadCase&, const States&)>;
-  using Slopes = std::function<ResponseSlopes(const SurrogateParameters&, const materials::LoadCase&, const States&,
+  using Answer = std::function<LoadCaseResponse(const SurrogateParameters&, const meshes::LoadCase&, const States&)>;
+  using Slopes = std::function<ResponseSlopes(const SurrogateParameters&, const meshes::LoadCase&, const States&,
                                               const std::vector<ParameterSpan>&)>;
 
   Responder() = default;
@@ -62,14 +62,14 @@ class Responder {
 
   Responder(Answer answer, Slopes slopes) : answer_(std::move(answer)), slopes_(std::move(slopes)) {}
 
-  LoadCaseResponse operator()(const SurrogateParameters& parameters, const materials::LoadCase& load_case,
+  LoadCaseResponse operator()(const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                               const States& states) const {
     return answer_(parameters, load_case, states);
   }
 
   /// The answer of parameters, and its derivatives. From answers alone they are differences: central ones, one-sided where one
   /// side is not known or has no answer.
-  [[nodiscard]] ResponseSlopes slopes(const SurrogateParameters& parameters, const materials::LoadCase& load_case,
+  [[nodiscard]] ResponseSlopes slopes(const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                                       const States& states, const std::vector<ParameterSpan>& spans) const;
 
  private:

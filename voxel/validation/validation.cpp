@@ -11,9 +11,9 @@ namespace menger::voxel {
 
 namespace {
 
-using materials::LoadCase;
-using materials::LoadCaseKind;
-using materials::ResponseCurve;
+using meshes::LoadCase;
+using meshes::LoadCaseKind;
+using meshes::ResponseCurve;
 
 ObservableKind kind_of(const std::string& column) {
   if (column == "volume_change") return ObservableKind::volume;
@@ -49,7 +49,7 @@ double largest_magnitude(const std::vector<double>& values) {
 /// By column; 0 for abscissae.
 std::vector<double> scales_of(const ResponseCurve& curve) {
   constexpr double least_share = 0.01;
-  const std::size_t first = materials::abscissa_count(curve.provenance.load_case.kind);
+  const std::size_t first = meshes::abscissa_count(curve.provenance.load_case.kind);
   std::array<double, observable_kind_count> largest_of_kind{};
   std::vector<double> scales(curve.columns.size(), 0.0);
   for (std::size_t column = first; column < scales.size(); ++column) {
@@ -255,7 +255,7 @@ std::vector<std::string> body_names(const std::vector<ResponseCurve>& curves) {
 }
 
 std::vector<std::vector<double>> states_of(const ResponseCurve& curve) {
-  const std::size_t abscissae = materials::abscissa_count(curve.provenance.load_case.kind);
+  const std::size_t abscissae = meshes::abscissa_count(curve.provenance.load_case.kind);
   std::vector<std::vector<double>> states(curve.row_count());
   for (std::size_t row = 0; row < states.size(); ++row) {
     for (std::size_t column = 0; column < abscissae; ++column) states[row].push_back(curve.values[column][row]);

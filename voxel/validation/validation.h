@@ -48,7 +48,7 @@ struct UnansweredNumber {
 
 /// A response curve and what the surrogate makes of it.
 struct CurveComparison {
-  materials::ResponseCurve curve;
+  meshes::ResponseCurve curve;
   std::string body;                                       ///< see body_names
   LoadCaseResponse answer;                                ///< at the states of the curve, as far as it goes
   std::vector<std::optional<std::size_t>> answer_rows{};  ///< by row of the curve that of the answer, if there is one
@@ -56,15 +56,15 @@ struct CurveComparison {
   std::vector<ObservableError> errors;                    ///< by observable, then row; slopes last
   std::vector<UnansweredNumber> unanswered;               ///< in the same order
 
-  [[nodiscard]] const materials::LoadCase& load_case() const { return curve.provenance.load_case; }
+  [[nodiscard]] const meshes::LoadCase& load_case() const { return curve.provenance.load_case; }
 };
 
 /// Names for the bodies of curves: the name of the case without the word for its kind ("menger_inflation": "menger"). Curves of
 /// equal bodies (cells, digits, level, chambers) bear the name of the first of them, different bodies different names.
-std::vector<std::string> body_names(const std::vector<materials::ResponseCurve>& curves);
+std::vector<std::string> body_names(const std::vector<meshes::ResponseCurve>& curves);
 
 /// Rows of abscissae of a curve.
-std::vector<std::vector<double>> states_of(const materials::ResponseCurve& curve);
+std::vector<std::vector<double>> states_of(const meshes::ResponseCurve& curve);
 
 /// Compares the surrogate with a curve, state by state. Where it does not come to the end of the curve, vacuum and pressure are
 /// asked for apart, each from rest on, so that an end under vacuum leaves the answers under pressure and those of milder vacuum.
@@ -76,7 +76,7 @@ std::vector<std::vector<double>> states_of(const materials::ResponseCurve& curve
 /// squares through force over imposed value; it needs two values.
 /// @param validity what is claimed of each row of the curve, for judging several parameters by the same numbers; worked out from
 /// the parameters if not given
-CurveComparison compare(const materials::ResponseCurve& curve, const std::string& body, const SurrogateParameters& parameters,
+CurveComparison compare(const meshes::ResponseCurve& curve, const std::string& body, const SurrogateParameters& parameters,
                         const Responder& responder, const std::optional<std::vector<Validity>>& validity = std::nullopt);
 
 }  // namespace menger::voxel

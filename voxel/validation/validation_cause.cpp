@@ -10,8 +10,8 @@ namespace menger::voxel {
 
 namespace {
 
-using materials::LoadCaseKind;
-using Curves = std::vector<materials::ResponseCurve>;
+using meshes::LoadCaseKind;
+using Curves = std::vector<meshes::ResponseCurve>;
 
 bool is_size(Quantity quantity) {
   switch (quantity) {
@@ -56,7 +56,7 @@ bool belongs(Quantity quantity, OwnPart part) {
 Curves fitted_of(const Curves& curves, OwnPart part) {
   if (part != OwnPart::sizes) return curves;
   Curves inflations;
-  for (const materials::ResponseCurve& curve : curves) {
+  for (const meshes::ResponseCurve& curve : curves) {
     if (curve.provenance.load_case.kind == LoadCaseKind::inflation) inflations.push_back(curve);
   }
   return inflations.empty() ? curves : inflations;
@@ -104,7 +104,7 @@ CalibrationFit fit_own(const Curves& curves, OwnPart part, const SurrogateParame
   CalibrationProblem problem;
   problem.start = parameters;
   problem.responder = responder;
-  for (const materials::ResponseCurve& curve : fitted_of(curves, part)) problem.curves.push_back(fitted_curve(curve));
+  for (const meshes::ResponseCurve& curve : fitted_of(curves, part)) problem.curves.push_back(fitted_curve(curve));
   const ValueRange pressures = pressure_range_Pa(problem.curves);
   problem.bounds = default_bounds(parameters, pressures.lowest, pressures.highest);
   const DetailSet missing = missing_details(parameters, part);
@@ -119,8 +119,8 @@ CalibrationFit fit_own(const Curves& curves, OwnPart part, const SurrogateParame
 }
 
 /// The rows of a curve that count.
-materials::ResponseCurve counting_part(const CurveComparison& comparison, bool inside) {
-  materials::ResponseCurve part = comparison.curve;
+meshes::ResponseCurve counting_part(const CurveComparison& comparison, bool inside) {
+  meshes::ResponseCurve part = comparison.curve;
   for (std::size_t column = 0; column < part.values.size(); ++column) {
     part.values[column].clear();
     for (std::size_t row = 0; row < comparison.validity.size(); ++row) {
@@ -141,9 +141,9 @@ CauseReport explain_miss(const std::vector<CurveComparison>& comparisons, const 
   }
   report.inside = has_inside(present);
   SurrogateParameters own_sizes = parameters;
-  std::vector<materials::ResponseCurve> curves;
+  std::vector<meshes::ResponseCurve> curves;
   for (const CurveComparison& comparison : present) {
-    const materials::ResponseCurve counting = counting_part(comparison, report.inside);
+    const meshes::ResponseCurve counting = counting_part(comparison, report.inside);
     if (counting.row_count() > 0) curves.push_back(counting);
   }
   for (const OwnPart part : {OwnPart::nothing, OwnPart::sizes, OwnPart::stiffness, OwnPart::both}) {

@@ -112,7 +112,7 @@ struct CurvePart {
 std::vector<CurvePart> parts_of(const CurveComparison& comparison, std::size_t column) {
   const std::vector<double>& pressures = comparison.curve.values[0];
   const std::string name = short_name(comparison.curve.columns[column]);
-  if (materials::abscissa_count(comparison.load_case().kind) == 1) return {{name, column, 0, pressures.size()}};
+  if (meshes::abscissa_count(comparison.load_case().kind) == 1) return {{name, column, 0, pressures.size()}};
   std::vector<CurvePart> parts;
   for (std::size_t begin = 0, end = 0; begin < pressures.size(); begin = end) {
     while (end < pressures.size() && pressures[end] == pressures[begin]) ++end;
@@ -122,7 +122,7 @@ std::vector<CurvePart> parts_of(const CurveComparison& comparison, std::size_t c
 }
 
 void add_part(io::ChartPanel& panel, const CurveComparison& comparison, const CurvePart& part) {
-  const std::size_t abscissa = materials::abscissa_count(comparison.load_case().kind) - 1;
+  const std::size_t abscissa = meshes::abscissa_count(comparison.load_case().kind) - 1;
   const double x_factor = shown_as(comparison.curve.columns[abscissa]).factor;
   const double y_factor = shown_as(comparison.curve.columns[part.column]).factor;
   const io::Colour colour = io::chart_colour(panel.series.size() / 2);
@@ -164,7 +164,7 @@ io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vec
 io::PictureOutcome draw_curve(const std::filesystem::path& file, const CurveComparison& comparison) {
   io::Chart chart{.title = comparison.load_case().name + ": points finite elements, lines surrogate", .panels = {}};
   const std::vector<std::string>& columns = comparison.curve.columns;
-  const std::size_t first = materials::abscissa_count(comparison.load_case().kind);
+  const std::size_t first = meshes::abscissa_count(comparison.load_case().kind);
   for (std::size_t column = first; column < columns.size(); ++column) {
     const std::string title = shown_as(columns[column]).title;
     auto panel = std::find_if(chart.panels.begin(), chart.panels.end(),

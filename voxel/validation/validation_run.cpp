@@ -15,7 +15,7 @@ namespace menger::voxel {
 namespace {
 
 namespace fs = std::filesystem;
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 
 /// Shares of the work, roughly by time.
 constexpr double comparing = 0.6;
@@ -29,7 +29,7 @@ bool is_stopped(const ValidationRunOptions& options) { return options.stop != nu
 
 void compare_all(ValidationResult& result, const SurrogateParameters& parameters, const std::vector<HeldOutCurve>& curves,
                  const ValidationRunOptions& options) {
-  std::vector<materials::ResponseCurve> plain;
+  std::vector<meshes::ResponseCurve> plain;
   plain.reserve(curves.size());
   for (const HeldOutCurve& held_out : curves) plain.push_back(held_out.curve);
   const std::vector<std::string> bodies = body_names(plain);
@@ -55,7 +55,7 @@ void add_notes(ValidationResult& result, const FitRecord& record) {
   }
   for (const CurveComparison& comparison : result.comparisons) {
     const std::string& name = comparison.load_case().name;
-    const materials::CurveProvenance& provenance = comparison.curve.provenance;
+    const meshes::CurveProvenance& provenance = comparison.curve.provenance;
     if (provenance.status != io::RunStatus::completed) {
       result.notes.push_back(name + ": finite elements ended early (" + std::string(io::to_string(provenance.status)) +
                              (provenance.reason.empty() ? "" : ", " + provenance.reason) +

@@ -106,7 +106,7 @@ struct SurrogateStates {
 
 SurrogateStates surrogate_states(const SideBySide& sides, const std::vector<State>& states) {
   SurrogateStates found;
-  const materials::LoadCase& load_case = sides.comparison->load_case();
+  const meshes::LoadCase& load_case = sides.comparison->load_case();
   const State nothing_done(states.front().size(), 0.0);
   (void)visit_states(sides.parameters, load_case, {nothing_done},
                      [&](std::size_t, const Equilibrium& equilibrium) { found.rest = body_boxes(equilibrium); });
@@ -128,7 +128,7 @@ SurrogateStates surrogate_states(const SideBySide& sides, const std::vector<Stat
 
 /// Where the surrogate is shown beside finite elements: half a body's width of air between them.
 Eigen::Isometry3d beside(const SideBySide& sides) {
-  const materials::LoadCase& load_case = sides.comparison->load_case();
+  const meshes::LoadCase& load_case = sides.comparison->load_case();
   double width_m = sides.parameters.cell_edge_m;
   for (int level = 0; level < load_case.level; ++level) width_m *= load_case.cells[1];
   return Eigen::Isometry3d(Eigen::Translation3d(0.0, -1.5 * width_m, 0.0));
@@ -157,7 +157,7 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
   std::vector<CollectionEntry> entries;
   std::vector<std::size_t> shown;
   // what holds the rigid motions of a free body is no part of its answer
-  const bool is_free = sides.comparison->load_case().kind == materials::LoadCaseKind::inflation;
+  const bool is_free = sides.comparison->load_case().kind == meshes::LoadCaseKind::inflation;
   for (auto& [row, body] : surrogate.by_row) {
     const auto elements = fields.find(row);
     if (sides.fields && elements == fields.end()) continue;

@@ -30,7 +30,7 @@ std::vector<fs::path> curve_files(const ValidationStudy& study) {
   std::vector<fs::path> files;
   std::set<fs::path> seen;
   for (const fs::path& place : study.curves) {
-    const std::vector<fs::path> found = materials::response_curve_files(place);
+    const std::vector<fs::path> found = meshes::response_curve_files(place);
     if (found.empty()) throw io::InputError(place.string() + ": holds no response curve (NAME.toml beside NAME.csv)");
     for (const fs::path& file : found) {
       if (seen.insert(fs::weakly_canonical(file)).second) files.push_back(file);
@@ -48,7 +48,7 @@ bool agree(double a, double b) {
 
 /// @throws io::InputError unless a curve is of what the parameters hold for
 void check_subject(const HeldOutCurve& held_out, const SurrogateParameters& parameters, const fs::path& parameters_file) {
-  const materials::CurveProvenance& provenance = held_out.curve.provenance;
+  const meshes::CurveProvenance& provenance = held_out.curve.provenance;
   const auto refuse = [&](const std::string& key, const std::string& value, const std::string& wanted) {
     throw io::InputError(held_out.file.string() + ": " + key + " = " + value + ": the parameters " + parameters_file.string() +
                          " hold for " + wanted);
@@ -73,7 +73,7 @@ void check_is_held_out(const HeldOutCurve& held_out, const FitRecord& record, co
   };
   for (const fs::path& part : {table_beside(held_out.file), held_out.file})
     refuse_if_known(part, "content hash", io::file_hash(part), record.hashes);
-  refuse_if_known(held_out.file, "case", materials::subject_of(held_out.curve.provenance.load_case), record.subjects);
+  refuse_if_known(held_out.file, "case", meshes::subject_of(held_out.curve.provenance.load_case), record.subjects);
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ std::vector<HeldOutCurve> read_held_out_curves(const ValidationStudy& study, con
   std::vector<HeldOutCurve> curves;
   std::map<std::string, fs::path> known;
   for (const fs::path& file : curve_files(study)) {
-    HeldOutCurve held_out{.file = file, .curve = materials::read_response_curve(file)};
+    HeldOutCurve held_out{.file = file, .curve = meshes::read_response_curve(file)};
     const std::string& name = held_out.curve.provenance.load_case.name;
     if (const auto [other, is_new] = known.emplace(name, file); !is_new) {
       throw io::InputError(file.string() + ": case.name = " + quoted(name) + ": " + other->second.string() +

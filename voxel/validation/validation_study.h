@@ -41,7 +41,7 @@ std::filesystem::path load_case_folder(ValidationStudy& study, const std::filesy
 struct FitRecord {
   std::size_t curve_count = 0;          ///< 0: the parameters do not say what they were fitted to
   std::vector<std::string> hashes{};    ///< content hashes of the curves that were fitted, of provenances and tables
-  std::vector<std::string> subjects{};  ///< what they are about, see materials::subject_of; fewer than curves in older files
+  std::vector<std::string> subjects{};  ///< what they are about, see meshes::subject_of; fewer than curves in older files
 };
 
 /// Reads `[[fit.curves]]` of voxel parameters, each with `name`, `hash`, and if stated `table_hash` and `subject`. @throws
@@ -51,7 +51,7 @@ FitRecord read_fit_record(const std::filesystem::path& parameters_file);
 /// A curve and the file of its provenance.
 struct HeldOutCurve {
   std::filesystem::path file;
-  materials::ResponseCurve curve;
+  meshes::ResponseCurve curve;
 };
 
 /// Reads the curves of a study, those of a folder in the order of their names, each once. In a folder, every .toml with a .csv of

@@ -10,7 +10,7 @@ namespace menger::voxel {
 
 namespace {
 
-using materials::LoadCase;
+using meshes::LoadCase;
 
 bool within(double value, double lowest, double highest) {
   constexpr double rounding = 1e-9;
@@ -27,9 +27,9 @@ bool strains_inside(const LoadCaseResponse& answer, const ValidityRange& range) 
 Validity claimed(const SurrogateParameters& parameters, const LoadCase& load_case) {
   const bool per_phase = parameters.chambers == meshes::ChamberLayout::per_phase;
   if (load_case.per_phase != per_phase) return Validity::chambers;
-  const int cells = materials::longest_side_cells(load_case.cells, load_case.digits);
+  const int cells = meshes::longest_side_cells(load_case.cells, load_case.digits);
   const bool is_longer = cells > parameters.validity.longest_body_cells ||
-                         materials::longest_side_modules(cells, load_case.level) > parameters.validity.longest_aggregate_modules;
+                         meshes::longest_side_modules(cells, load_case.level) > parameters.validity.longest_aggregate_modules;
   return is_longer ? Validity::size : Validity::inside;
 }
 

@@ -22,7 +22,7 @@ std::string_view to_string(Validity validity);
 /// The answer knows the strains of all states together; where these leave the range, each state is asked for alone. Lengths and
 /// pressures at the end of a range are inside but for rounding.
 /// @param states rows of abscissae @param answer to all of them
-std::vector<Validity> validities(const std::vector<std::vector<double>>& states, const materials::LoadCase& load_case,
+std::vector<Validity> validities(const std::vector<std::vector<double>>& states, const meshes::LoadCase& load_case,
                                  const LoadCaseResponse& answer, const SurrogateParameters& parameters,
                                  const Responder& responder);
 

@@ -15,7 +15,7 @@ namespace menger::voxel {
 namespace {
 
 /// Share of the chambers in the outer volume of a body.
-double chamber_share(const materials::LoadCase& load_case) {
+double chamber_share(const meshes::LoadCase& load_case) {
   const auto& [nx, ny, nz] = load_case.cells;
   const HollowVoxels hollow =
       hollow_voxels(meshes::Polycube::from_digits(nx, ny, nz, load_case.digits),
@@ -32,7 +32,7 @@ double chamber_share(const materials::LoadCase& load_case) {
 using Point = std::array<double, 2>;
 
 /// Ascending in pressure, the state at rest included.
-std::vector<Point> points_of(const materials::ResponseCurve& curve, double share) {
+std::vector<Point> points_of(const meshes::ResponseCurve& curve, double share) {
   std::vector<Point> points;
   const std::vector<double>& pressures = curve.column("pressure_Pa");
   const std::vector<double>& changes = curve.column("volume_change");
@@ -88,8 +88,8 @@ ActuationAim actuation_aim(double pressure_Pa, double amplitude) {
           .smallest_change = std::pow(1.0 - amplitude, 3) - 1.0};
 }
 
-VolumeActuation volume_actuation(const materials::ResponseCurve& curve, const std::string& body, const ActuationAim& aim) {
-  assert(curve.provenance.load_case.kind == materials::LoadCaseKind::inflation);
+VolumeActuation volume_actuation(const meshes::ResponseCurve& curve, const std::string& body, const ActuationAim& aim) {
+  assert(curve.provenance.load_case.kind == meshes::LoadCaseKind::inflation);
   VolumeActuation actuation{.body = body, .chamber_share = chamber_share(curve.provenance.load_case)};
   const std::vector<Point> points = points_of(curve, actuation.chamber_share);
   actuation.lowest_pressure_Pa = points.front()[0];

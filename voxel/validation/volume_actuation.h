@@ -37,7 +37,7 @@ struct VolumeActuation {
 /// Reads the change of outer volume off an inflation curve: change of chamber volume times the chamber's share of the outer
 /// volume, since the wall is nearly incompressible; linear between the states of the curve and the state at rest.
 /// @param curve of kind inflation
-VolumeActuation volume_actuation(const materials::ResponseCurve& curve, const std::string& body, const ActuationAim& aim);
+VolumeActuation volume_actuation(const meshes::ResponseCurve& curve, const std::string& body, const ActuationAim& aim);
 
 /// What it means, in sentences for people.
 std::vector<std::string> actuation_sentences(const VolumeActuation& actuation, const ActuationAim& aim);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "io/process/archive_lock.h"
+#include "io/process/file_lock.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
@@ -313,7 +313,7 @@ TEST_F(ReevaluationRun, ACheckpointThatIsRefusedIsLeftAside) {
 TEST_F(ReevaluationRun, EqualVariantsAndASecondProcessAreRefused) {
   EXPECT_THROW((void)run(1, 0, "[judge]\nyoungs_moduli_Pa = [2e5, 2e5]\n"), io::InputError);
   fs::create_directories(folder_ / "out/runs");
-  const ArchiveLock lock(folder_ / "out/runs");
+  const io::FileLock lock(folder_ / "out/runs");
   const std::string message = tests::message_of([&] { (void)run(1); });
   EXPECT_NE(message.find("another process"), std::string::npos) << message;
   EXPECT_EQ(calls(), 0U);
@@ -389,7 +389,7 @@ TEST_F(ReevaluationRun, DesignsThatCannotBeCastAreWrongInput) {
 
 TEST_F(ReevaluationRun, AMissingProgramOrAnArchiveInUseIsFoundBeforeAnythingRuns) {
   {
-    const ArchiveLock lock(archive_);
+    const io::FileLock lock(archive_);
     EXPECT_THROW((void)run(1), io::InputError);
   }
   fs::remove(folder_ / "bin/menger-locomote");

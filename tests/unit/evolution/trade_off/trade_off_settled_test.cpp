@@ -70,7 +70,7 @@ class SettledBodyTest : public testing::Test {
 
   /// The surrogate's own equilibrium under a pressure, as a frame would show it.
   [[nodiscard]] static SettledBody::Voxels equilibrium(const voxel::SurrogateParameters& parameters,
-                                                       const materials::LoadCase& load_case, voxel::LoadCaseResponse& response) {
+                                                       const meshes::LoadCase& load_case, voxel::LoadCaseResponse& response) {
     SettledBody::Voxels voxels;
     response = voxel::visit_states(parameters, load_case, {}, [&](std::size_t, const voxel::Equilibrium& now) {
       voxels.clear();
@@ -86,8 +86,8 @@ class SettledBodyTest : public testing::Test {
   const tests::TestFolder folder_;
 };
 
-materials::LoadCase inflation_of(const TradeStudy& study, double pressure_Pa) {
-  materials::LoadCase load_case;
+meshes::LoadCase inflation_of(const TradeStudy& study, double pressure_Pa) {
+  meshes::LoadCase load_case;
   load_case.name = "case";
   load_case.cells = {study.design.body.nx(), study.design.body.ny(), study.design.body.nz()};
   load_case.digits = study.design.body.digits();

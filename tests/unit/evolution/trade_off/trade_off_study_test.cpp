@@ -124,12 +124,12 @@ TEST_F(TradeStudyTest, ParametersOfAVariantArePartOfTheJob) {
   io::write_whole(folder_ / "scene.toml", "[surrogate]\nparameters = \"p.toml\"\n");
   const auto hash = [&](const std::string& content) {
     io::write_whole(folder_ / "p.toml", content);
-    ProgramJob job;
+    io::ProgramJob job;
     job.program = folder_ / "scene.toml";  // any file
     add_input(job, "scene.toml", TomlVariant(folder_ / "scene.toml"));
     EXPECT_EQ(job.inputs.at("parameters.toml"), content);
     EXPECT_EQ(io::parse_toml(job.inputs.at("scene.toml"), "scene.toml").table("surrogate").text("parameters"), "parameters.toml");
-    return job_hash(job);
+    return io::job_hash(job);
   };
   const std::string first = hash("first");
   EXPECT_NE(hash("second"), first);

@@ -20,7 +20,7 @@ namespace menger::fem {
 namespace {
 
 namespace fs = std::filesystem;
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 
 StudyMaterial silicone() {
   StudyMaterial material;
@@ -49,7 +49,7 @@ CaseRequest row_of_cells(LoadCaseKind kind, int count, std::vector<double> press
 CaseAnswer completed(const CaseRequest& request) {
   CaseAnswer answer = run_load_case(request, silicone());
   EXPECT_EQ(answer.status, io::RunStatus::completed) << answer.reason;
-  const std::size_t columns = materials::response_columns(request.load_case.kind).size();
+  const std::size_t columns = meshes::response_columns(request.load_case.kind).size();
   const std::size_t inner = std::max<std::size_t>(request.load_case.imposed.size(), 1);
   EXPECT_EQ(answer.rows.size(), answer.pressures_Pa.size() * inner);
   EXPECT_TRUE(std::is_sorted(answer.rows.begin(), answer.rows.end()));
@@ -255,7 +255,7 @@ TEST_F(LoadCaseSet, AnswersAnUnchangedCaseFromTheCache) {
   study_.cases.front().load_case.name = "renamed";
   study_.relative_uncertainty = 0.1;
   EXPECT_TRUE(run().from_cache);
-  const materials::ResponseCurve curve = materials::read_response_curve(folder_ / "renamed.toml");
+  const meshes::ResponseCurve curve = meshes::read_response_curve(folder_ / "renamed.toml");
   EXPECT_EQ(curve.provenance.load_case, study_.cases.front().load_case);
   EXPECT_EQ(curve.provenance.relative_uncertainty, 0.1);
 }
@@ -276,8 +276,8 @@ TEST_F(LoadCaseSet, FindsFractionsOfTheRangeOnceForABody) {
   study_.cases[1].pressure_fractions = {-0.5, 1.0};
   const auto outcomes = run_load_case_set(study_, folder_, {.pictures = false});
   ASSERT_EQ(outcomes.size(), 2U);
-  const materials::ResponseCurve free = materials::read_response_curve(folder_ / "case.toml");
-  const materials::ResponseCurve blocked = materials::read_response_curve(folder_ / "blocked.toml");
+  const meshes::ResponseCurve free = meshes::read_response_curve(folder_ / "case.toml");
+  const meshes::ResponseCurve blocked = meshes::read_response_curve(folder_ / "blocked.toml");
   ASSERT_TRUE(free.provenance.limit_pressure_Pa && free.provenance.contact_pressure_Pa);
   EXPECT_DOUBLE_EQ(blocked.values[0][0], 0.5 * *free.provenance.contact_pressure_Pa);
   EXPECT_DOUBLE_EQ(blocked.values[0][1], 0.8 * *free.provenance.limit_pressure_Pa);
@@ -302,7 +302,7 @@ TEST_F(LoadCaseSet, SaysThatTheInflationOfItsRangeEndedEarly) {
     EXPECT_NE(outcome.reason.find("the inflation that gives its pressures ended early (not_converged)"), std::string::npos)
         << outcome.reason;
     EXPECT_EQ(outcome.states, 2U);
-    const materials::CurveProvenance written = materials::read_response_curve(folder_ / "case.toml").provenance;
+    const meshes::CurveProvenance written = meshes::read_response_curve(folder_ / "case.toml").provenance;
     EXPECT_EQ(written.status, outcome.status);
     EXPECT_EQ(written.reason, outcome.reason);
   }

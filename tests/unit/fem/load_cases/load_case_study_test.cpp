@@ -15,7 +15,7 @@ namespace menger::fem {
 namespace {
 
 namespace fs = std::filesystem;
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 
 const std::string head =
     "[material]\nrecord = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n"

@@ -6,7 +6,7 @@
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
 
-namespace menger::evolution {
+namespace menger::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,7 +18,7 @@ class ProgramJobTest : public testing::Test {
 
   [[nodiscard]] ProgramJob script(const std::string& lines) const {
     const fs::path file = folder_ / "script";
-    io::write_whole(file, "#!/bin/sh\necho call >>'" + (folder_ / "calls").string() + "'\n" + lines + "\n");
+    write_whole(file, "#!/bin/sh\necho call >>'" + (folder_ / "calls").string() + "'\n" + lines + "\n");
     fs::permissions(file, fs::perms::owner_all);
     ProgramJob job;
     job.name = "job";
@@ -28,7 +28,7 @@ class ProgramJobTest : public testing::Test {
     return job;
   }
 
-  [[nodiscard]] std::size_t calls() const { return io::read_whole(folder_ / "calls").size() / 5; }
+  [[nodiscard]] std::size_t calls() const { return read_whole(folder_ / "calls").size() / 5; }
 
   const tests::TestFolder folder_;
   ProgramJobOptions options_;
@@ -38,7 +38,7 @@ TEST_F(ProgramJobTest, RunsInAFolderWithItsInputs) {
   const ProgramJobResult result = run_job(script("cp \"$1\" copy"), options_);
   EXPECT_TRUE(result.has_result());
   EXPECT_TRUE(result.repeated);
-  EXPECT_EQ(io::read_whole(result.folder / "copy"), "content");
+  EXPECT_EQ(read_whole(result.folder / "copy"), "content");
 }
 
 TEST_F(ProgramJobTest, FinishedRunsAreNotRepeatedAndKeepTheirCosts) {
@@ -80,7 +80,7 @@ TEST_F(ProgramJobTest, FailuresAreToldAndTriedAgain) {
 TEST_F(ProgramJobTest, ARunWhoseTimeWasUpIsTriedAgainWithMoreTimeOnly) {
   ProgramJob job = script("trap 'exit 130' INT; while :; do sleep 0.02; done");
   job.time_limit_s = 0.1;
-  EXPECT_EQ(run_job(job, options_).outcome.end, io::ChildEnd::timed_out);
+  EXPECT_EQ(run_job(job, options_).outcome.end, ChildEnd::timed_out);
   const ProgramJobResult again = run_job(job, options_);
   EXPECT_EQ(calls(), 1U);
   EXPECT_FALSE(again.has_result());
@@ -108,14 +108,14 @@ TEST_F(ProgramJobTest, AKeptFolderKeepsWhatIsThereAndIsAlwaysCalled) {
   job.kept_folder = folder_ / "kept";
   (void)run_job(job, options_);
   (void)run_job(job, options_);
-  EXPECT_EQ(io::read_whole(job.kept_folder / "grows"), "x\nx\n");
+  EXPECT_EQ(read_whole(job.kept_folder / "grows"), "x\nx\n");
 }
 
 TEST_F(ProgramJobTest, AMissingProgramIsWrongInput) {
   ProgramJob job = script("");
   job.program = folder_ / "missing";
-  EXPECT_THROW((void)run_job(job, options_), io::InputError);
+  EXPECT_THROW((void)run_job(job, options_), InputError);
 }
 
 }  // namespace
-}  // namespace menger::evolution
+}  // namespace menger::io

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace menger::materials {
+namespace menger::meshes {
 namespace {
 
 // positions are of the order of 0.03 m: the rounding of a few operations on them, and of a rotation known to 1e-14
@@ -97,4 +97,4 @@ TEST(BodyExtents, AreFiniteForEndsOnOneLine) {
 }
 
 }  // namespace
-}  // namespace menger::materials
+}  // namespace menger::meshes

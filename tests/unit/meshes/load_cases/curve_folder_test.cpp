@@ -8,7 +8,7 @@
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,4 +41,4 @@ TEST_F(CurveFolder, MustBeThere) {
 }
 
 }  // namespace
-}  // namespace menger::materials
+}  // namespace menger::meshes

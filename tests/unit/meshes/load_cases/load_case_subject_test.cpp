@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace menger::materials {
+namespace menger::meshes {
 namespace {
 
 LoadCase bar() { return {.name = "bar", .kind = LoadCaseKind::stretch, .cells = {3, 1, 1}, .digits = "112"}; }
@@ -76,4 +76,4 @@ TEST(LoadCaseSubject, TellsOtherLoadsAndLevelsApart) {
 }
 
 }  // namespace
-}  // namespace menger::materials
+}  // namespace menger::meshes

@@ -8,7 +8,7 @@
 #include "io/text/input_error.h"
 #include "meshes/load_cases/load_case_file.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 namespace {
 
 LoadCase bar() {
@@ -108,4 +108,4 @@ TEST(LoadCase, HasModulesByTheCellsOfTheBasalBodyAndItsLevel) {
 }
 
 }  // namespace
-}  // namespace menger::materials
+}  // namespace menger::meshes

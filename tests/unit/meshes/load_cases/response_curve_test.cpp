@@ -12,7 +12,7 @@
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
 
-namespace menger::materials {
+namespace menger::meshes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ TEST_F(ResponseCurveFile, RefusesFaultsOfTheProvenanceWithFileKeyAndValue) {
 }
 
 }  // namespace
-}  // namespace menger::materials
+}  // namespace menger::meshes

@@ -99,8 +99,7 @@ TEST(CalibrationEvaluation, HasNoLinearisationWhereThereIsNoAnswer) {
 
 TEST(CalibrationEvaluation, DropsWhatNoCurveDependsOn) {
   Case fit = off_the_truth();
-  std::erase_if(fit.problem.curves,
-                [](const FittedCurve& curve) { return curve.load_case.kind == materials::LoadCaseKind::press; });
+  std::erase_if(fit.problem.curves, [](const FittedCurve& curve) { return curve.load_case.kind == meshes::LoadCaseKind::press; });
   CalibrationEvaluation evaluation = fit.evaluation();
   const Eigen::VectorXd before = evaluation.residuals(fit.unknowns).value();
   std::vector<double> unknowns = fit.unknowns;

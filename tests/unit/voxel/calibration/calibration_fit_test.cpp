@@ -85,7 +85,7 @@ TEST(CalibrationFit, AStartAtABoundIsMovedInside) {
 
 /// Closed forms that have no answer for ground stiffnesses in a range.
 Responder without_answers_in(double lowest_N_per_m, double highest_N_per_m) {
-  return [=](const SurrogateParameters& p, const materials::LoadCase& load_case, const Responder::States& states) {
+  return [=](const SurrogateParameters& p, const meshes::LoadCase& load_case, const Responder::States& states) {
     const double stiffness = p.ground_stiffness_N_per_m;
     if (stiffness > lowest_N_per_m && stiffness < highest_N_per_m)
       return LoadCaseResponse{.status = io::RunStatus::not_converged, .columns = {}, .values = {}};

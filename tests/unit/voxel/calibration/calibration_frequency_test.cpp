@@ -29,8 +29,8 @@ SurrogateParameters bar_parameters() {
   return p;
 }
 
-materials::LoadCase bar(int length) {
-  materials::LoadCase body;
+meshes::LoadCase bar(int length) {
+  meshes::LoadCase body;
   body.cells = {length, 1, 1};
   body.digits = std::string(static_cast<std::size_t>(length), '1');
   return body;

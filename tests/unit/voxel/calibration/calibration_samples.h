@@ -18,21 +18,21 @@ namespace menger::voxel::samples {
 inline constexpr std::size_t corner_wall_class = 2;
 
 /// Wall class along the bar, told apart by the number of cells across.
-inline std::size_t class_of(const materials::LoadCase& load_case) {
+inline std::size_t class_of(const meshes::LoadCase& load_case) {
   return load_case.cells[1] == 1 ? closed_wall_class : corner_wall_class;
 }
 
 /// Bars of two halves in series, plates on the ends, a joint where the level is 2.
-inline LoadCaseResponse closed_forms(const SurrogateParameters& p, const materials::LoadCase& load_case,
+inline LoadCaseResponse closed_forms(const SurrogateParameters& p, const meshes::LoadCase& load_case,
                                      const std::vector<std::vector<double>>& states) {
-  using materials::LoadCaseKind;
+  using meshes::LoadCaseKind;
   const std::size_t c = class_of(load_case);
   const double edge = p.voxel_edge_m();
   const double length = edge * load_case.cells[0];
   const double joint_axial = load_case.level == 2 ? p.joint.axial : 1.0;
   const double axial_N = joint_axial * p.axial_Pa[c] * edge * edge;
   LoadCaseResponse response;
-  response.columns = materials::response_columns(load_case.kind);
+  response.columns = meshes::response_columns(load_case.kind);
   response.values.resize(response.columns.size());
   for (const std::vector<double>& state : states) {
     const double extension = p.extension[c].value(state[0]);
@@ -74,8 +74,8 @@ inline LoadCaseResponse closed_forms(const SurrogateParameters& p, const materia
   return response;
 }
 
-inline materials::CurveProvenance provenance() {
-  materials::CurveProvenance made;
+inline meshes::CurveProvenance provenance() {
+  meshes::CurveProvenance made;
   made.load_case.cell_edge_m = 0.01;
   made.load_case.wall_thickness_m = 0.002;
   made.silicone = "Dragon Skin 10";
@@ -112,8 +112,8 @@ inline SurrogateParameters truth() {
   return p;
 }
 
-inline materials::ResponseCurve curve_of(const materials::LoadCase& load_case, const SurrogateParameters& parameters) {
-  materials::ResponseCurve curve;
+inline meshes::ResponseCurve curve_of(const meshes::LoadCase& load_case, const SurrogateParameters& parameters) {
+  meshes::ResponseCurve curve;
   curve.provenance = provenance();
   curve.provenance.load_case = load_case;
   std::vector<std::vector<double>> states;
@@ -128,14 +128,14 @@ inline materials::ResponseCurve curve_of(const materials::LoadCase& load_case, c
 }
 
 /// Load cases on a tube of three cells and on a bar of 3 x 2 x 2 cells.
-inline std::vector<materials::LoadCase> load_cases() {
-  using materials::LoadCaseKind;
-  std::vector<materials::LoadCase> cases;
+inline std::vector<meshes::LoadCase> load_cases() {
+  using meshes::LoadCaseKind;
+  std::vector<meshes::LoadCase> cases;
   for (const int across : {1, 2}) {
     const auto add = [&](LoadCaseKind kind, std::vector<double> pressures_Pa, std::vector<double> imposed) {
-      materials::LoadCase load_case = provenance().load_case;
+      meshes::LoadCase load_case = provenance().load_case;
       load_case.kind = kind;
-      load_case.name = (across == 1 ? "tube_" : "bar_") + std::string(materials::to_string(kind));
+      load_case.name = (across == 1 ? "tube_" : "bar_") + std::string(meshes::to_string(kind));
       load_case.cells = {3, across, across};
       load_case.digits = std::string(static_cast<std::size_t>(3 * across * across), '1');
       load_case.pressures_Pa = std::move(pressures_Pa);
@@ -156,7 +156,7 @@ inline std::vector<FittedCurve> noisy_curves(const SurrogateParameters& paramete
   std::mt19937_64 stream(seed);
   std::normal_distribution<double> normal;
   std::vector<FittedCurve> curves;
-  for (const materials::LoadCase& load_case : load_cases()) {
+  for (const meshes::LoadCase& load_case : load_cases()) {
     curves.push_back(fitted_curve(curve_of(load_case, parameters)));
     FittedCurve& curve = curves.back();
     for (std::size_t o = 0; o < curve.ordinates.size(); ++o) {

@@ -28,8 +28,8 @@ CalibrationPlan plan_by_class() {
 }
 
 TEST(CalibrationData, SmallOrdinatesAreNotTakenForPrecise) {
-  materials::LoadCase load_case = samples::load_cases()[1];
-  materials::ResponseCurve curve = samples::curve_of(load_case, samples::truth());
+  meshes::LoadCase load_case = samples::load_cases()[1];
+  meshes::ResponseCurve curve = samples::curve_of(load_case, samples::truth());
   for (double& value : curve.values[4]) value = 1e-9;  // extent_y_m
   for (double& value : curve.values[5]) value = 2e-3;  // extent_z_m
   const FittedCurve fitted = fitted_curve(curve, 4.0);
@@ -40,7 +40,7 @@ TEST(CalibrationData, SmallOrdinatesAreNotTakenForPrecise) {
 }
 
 TEST(CalibrationData, OrdinatesWithoutAnyAnswerAreLeftOut) {
-  materials::ResponseCurve curve = samples::curve_of(samples::load_cases()[1], samples::truth());
+  meshes::ResponseCurve curve = samples::curve_of(samples::load_cases()[1], samples::truth());
   for (double& value : curve.values[3]) value = 0.0;  // volume_change, the only one without unit
   const FittedCurve fitted = fitted_curve(curve);
   EXPECT_EQ(fitted.ordinates, (std::vector<std::string>{"force_N", "extent_y_m", "extent_z_m"}));
@@ -176,7 +176,7 @@ TEST(Calibration, ValidityIsTheRangeOfTheLoadCasesByWallClass) {
 }
 
 TEST(Calibration, ASinglePointDeterminesNearlyNothing) {
-  materials::LoadCase load_case = samples::load_cases()[0];
+  meshes::LoadCase load_case = samples::load_cases()[0];
   load_case.pressures_Pa = {5000.0};
   const std::vector<FittedCurve> curves{fitted_curve(samples::curve_of(load_case, samples::truth()))};
   const Calibration found = calibrate(samples::problem(curves), plan_of({CalibrationDetail::uniform}));
@@ -211,7 +211,7 @@ TEST(Calibration, ContradictoryCurvesAreNotExplained) {
 
 TEST(Calibration, AnOutlierIsNamedAndARobustLossBearsIt) {
   std::vector<FittedCurve> curves = noisy_curves(samples::truth(), 11);
-  ASSERT_EQ(curves[2].load_case.kind, materials::LoadCaseKind::bending);
+  ASSERT_EQ(curves[2].load_case.kind, meshes::LoadCaseKind::bending);
   curves[2].reference[0][2] *= 3.0;
   CalibrationPlan plan = plan_by_class();
   const double truth = samples::truth().bending_Pa[closed_wall_class];
@@ -252,7 +252,7 @@ TEST(Calibration, AStartWithoutEquilibriumIsPulledBack) {
 // Nothing has an answer with lateral coupling, which the third detail begins with.
 TEST(Calibration, ADetailThatCannotBeFittedLeavesThoseThatCan) {
   CalibrationProblem problem = samples::problem(noisy_curves(samples::truth(), 15));
-  problem.responder = [](const SurrogateParameters& p, const materials::LoadCase& load_case, const Responder::States& states) {
+  problem.responder = [](const SurrogateParameters& p, const meshes::LoadCase& load_case, const Responder::States& states) {
     if (p.lateral_coupling > 0.0) return LoadCaseResponse{.status = io::RunStatus::not_converged, .columns = {}, .values = {}};
     return samples::closed_forms(p, load_case, states);
   };
@@ -284,7 +284,7 @@ TEST(Calibration, ADetailIsNeverWorseThanTheFitThatItHolds) {
   truth.extension.fill(truth.extension[closed_wall_class]);
   CalibrationProblem problem = samples::problem(noisy_curves(truth, 15));
   // answers only about the truth, but for a valley far away from it
-  problem.responder = [&](const SurrogateParameters& p, const materials::LoadCase& load_case, const Responder::States& states) {
+  problem.responder = [&](const SurrogateParameters& p, const meshes::LoadCase& load_case, const Responder::States& states) {
     const double ratio = p.bulge[samples::corner_wall_class].slope_per_Pa / truth.bulge[samples::corner_wall_class].slope_per_Pa;
     if (ratio > 5.0 && ratio < 20.0) return LoadCaseResponse{.status = io::RunStatus::not_converged, .columns = {}, .values = {}};
     return samples::closed_forms(p, load_case, states);
@@ -299,7 +299,7 @@ TEST(Calibration, ADetailIsNeverWorseThanTheFitThatItHolds) {
 
 TEST(Calibration, SaysWhereThereIsNoAnswerAtAll) {
   CalibrationProblem problem = samples::problem(noisy_curves(samples::truth(), 15));
-  problem.responder = [](const SurrogateParameters&, const materials::LoadCase&, const std::vector<std::vector<double>>&) {
+  problem.responder = [](const SurrogateParameters&, const meshes::LoadCase&, const std::vector<std::vector<double>>&) {
     return LoadCaseResponse{.status = io::RunStatus::not_converged, .columns = {}, .values = {}};
   };
   const Calibration found = calibrate(problem, plan_of({CalibrationDetail::uniform}));

@@ -15,8 +15,8 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCase;
-using materials::LoadCaseKind;
+using meshes::LoadCase;
+using meshes::LoadCaseKind;
 
 LoadCase load_case(LoadCaseKind kind, int length, std::vector<double> pressures, std::vector<double> imposed = {}) {
   LoadCase result;
@@ -205,7 +205,7 @@ TEST(LoadCaseResponse, OfModesOfOneCellIsThatOfAMassOnAHalfBeam) {
 TEST(LoadCaseResponse, HasARowForEveryStateInOrder) {
   const LoadCase of = load_case(LoadCaseKind::stretch, 1, {0.0, 1000.0}, {0.0, 0.001, 0.002});
   const LoadCaseResponse response = respond(driven_parameters(), of);
-  EXPECT_EQ(response.columns, materials::response_columns(LoadCaseKind::stretch));
+  EXPECT_EQ(response.columns, meshes::response_columns(LoadCaseKind::stretch));
   EXPECT_EQ(response.values[0], (std::vector<double>{0.0, 0.0, 0.0, 1000.0, 1000.0, 1000.0}));
   EXPECT_EQ(response.values[1], (std::vector<double>{0.0, 0.001, 0.002, 0.0, 0.001, 0.002}));
   const LoadCaseResponse one = respond(driven_parameters(), of, {{1000.0, 0.001}});

@@ -13,8 +13,8 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCase;
-using materials::LoadCaseKind;
+using meshes::LoadCase;
+using meshes::LoadCaseKind;
 
 LoadCase load_case(LoadCaseKind kind, std::array<int, 3> cells, std::vector<double> pressures, std::vector<double> imposed = {}) {
   LoadCase result;
@@ -80,7 +80,7 @@ void expect_slopes_of_whole_answers(const SurrogateParameters& parameters, const
   const ResponseSlopes expected = whole_answers.slopes(parameters, of, {}, spans);
   ASSERT_EQ(found.response.status, io::RunStatus::completed);
   EXPECT_EQ(found.response.values, expected.response.values);
-  for (std::size_t c = materials::abscissa_count(of.kind); c < found.response.columns.size(); ++c) {
+  for (std::size_t c = meshes::abscissa_count(of.kind); c < found.response.columns.size(); ++c) {
     double largest = 0.0;
     double error = 0.0;
     for (std::size_t n = 0; n < spans.size(); ++n) {
@@ -91,7 +91,7 @@ void expect_slopes_of_whole_answers(const SurrogateParameters& parameters, const
       }
     }
     // What equilibria leave of their tolerance by the width of the span, 1e-11 / 1e-4, and times ten for a body that is soft.
-    EXPECT_LE(error, 1e-6 * largest) << materials::to_string(of.kind) << " " << found.response.columns[c];
+    EXPECT_LE(error, 1e-6 * largest) << meshes::to_string(of.kind) << " " << found.response.columns[c];
     EXPECT_GT(largest, 0.0) << found.response.columns[c];
   }
 }

@@ -6,7 +6,7 @@ namespace menger::voxel {
 namespace {
 
 /// y = axial^3 p, with an answer up to axial = 2.
-LoadCaseResponse cubic(const SurrogateParameters& parameters, const materials::LoadCase&, const Responder::States& states) {
+LoadCaseResponse cubic(const SurrogateParameters& parameters, const meshes::LoadCase&, const Responder::States& states) {
   LoadCaseResponse response;
   const double a = parameters.axial_Pa[0];
   if (a > 2.0) response.status = io::RunStatus::limit_point;

@@ -7,25 +7,25 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 using samples::bar_curve;
 using samples::validation_parameters;
 
 /// Curves of a bar whose true parameters are known: the surrogate answers in place of finite elements.
-std::vector<materials::ResponseCurve> curves_of(const SurrogateParameters& truth) {
-  std::vector<materials::ResponseCurve> curves{bar_curve("bar_inflation", LoadCaseKind::inflation, {}),
-                                               bar_curve("bar_sag", LoadCaseKind::sag, {}),
-                                               bar_curve("bar_stretch", LoadCaseKind::stretch, {})};
+std::vector<meshes::ResponseCurve> curves_of(const SurrogateParameters& truth) {
+  std::vector<meshes::ResponseCurve> curves{bar_curve("bar_inflation", LoadCaseKind::inflation, {}),
+                                            bar_curve("bar_sag", LoadCaseKind::sag, {}),
+                                            bar_curve("bar_stretch", LoadCaseKind::stretch, {})};
   curves[0].provenance.load_case.pressures_Pa = {-2e3, 2e3, 4e3, 6e3};
   curves[1].provenance.load_case.imposed = {0.5, 1.0};
   curves[2].provenance.load_case.imposed = {0.0, 5e-4, 1e-3};
-  for (materials::ResponseCurve& curve : curves) curve.values = respond(truth, curve.provenance.load_case).values;
+  for (meshes::ResponseCurve& curve : curves) curve.values = respond(truth, curve.provenance.load_case).values;
   return curves;
 }
 
 CauseReport explained(const SurrogateParameters& truth, const SurrogateParameters& parameters, const CauseOptions& options = {}) {
   std::vector<CurveComparison> comparisons;
-  for (const materials::ResponseCurve& curve : curves_of(truth)) {
+  for (const meshes::ResponseCurve& curve : curves_of(truth)) {
     comparisons.push_back(compare(curve, "bar", parameters, respond));
     comparisons.push_back(compare(curve, "another", parameters, respond));
   }
@@ -94,13 +94,13 @@ TEST(ValidationCause, CountsWhatIsInsideTheRangeAlone) {
   // beyond the range of 8 kPa the curve is nonsense, and beyond 9.5 kPa there is no answer to it
   SurrogateParameters truth = validation_parameters();
   for (PressureLaw& law : truth.extension) law.slope_per_Pa *= 1.5;
-  materials::ResponseCurve curve = bar_curve("bar_inflation", LoadCaseKind::inflation, {});
+  meshes::ResponseCurve curve = bar_curve("bar_inflation", LoadCaseKind::inflation, {});
   curve.provenance.load_case.pressures_Pa = {2e3, 4e3, 6e3, 9e3, 10e3};
   curve.values = respond(truth, curve.provenance.load_case).values;
   for (std::size_t column = 1; column < curve.values.size(); ++column) {
     for (const std::size_t row : {3U, 4U}) curve.values[column][row] *= -2.0;
   }
-  const Responder responder = [](const SurrogateParameters& parameters, const materials::LoadCase& load_case,
+  const Responder responder = [](const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                                  const std::vector<std::vector<double>>& states) {
     std::vector<std::vector<double>> answered = states;
     std::erase_if(answered, [](const std::vector<double>& state) { return state[0] > 9.5e3; });
@@ -169,7 +169,7 @@ TEST(ValidationCause, PoolsTheErrorsOfSeveralBodies) {
 
 TEST(ValidationCause, SaysSoWhereNoParametersFollowTheBody) {
   // A body that grows half as much again, or half, in turn with the pressure: no law has that shape.
-  materials::ResponseCurve curve = bar_curve("bar_inflation", LoadCaseKind::inflation, {});
+  meshes::ResponseCurve curve = bar_curve("bar_inflation", LoadCaseKind::inflation, {});
   curve.provenance.load_case.pressures_Pa = {1e3, 2e3, 3e3, 4e3, 5e3, 6e3, 7e3, 8e3};
   curve.values = respond(validation_parameters(), curve.provenance.load_case).values;
   for (std::size_t column = 1; column < curve.values.size(); ++column) {

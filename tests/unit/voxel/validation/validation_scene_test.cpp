@@ -28,12 +28,12 @@ namespace menger::voxel {
 namespace {
 
 namespace fs = std::filesystem;
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 using samples::bar_curve;
 using samples::validation_parameters;
 
 TEST(BodyBoxes, HaveTheSizeThatTheExtentsAreMeasuredOn) {
-  const materials::LoadCase load_case = bar_curve("bar", LoadCaseKind::inflation, {}).provenance.load_case;
+  const meshes::LoadCase load_case = bar_curve("bar", LoadCaseKind::inflation, {}).provenance.load_case;
   std::size_t states = 0;
   (void)visit_states(validation_parameters(), load_case, {{0.0}, {5e3}}, [&](std::size_t row, const Equilibrium& equilibrium) {
     const BodyBoxes boxes = body_boxes(equilibrium);

@@ -12,7 +12,7 @@ namespace menger::voxel {
 namespace {
 
 namespace fs = std::filesystem;
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 using samples::bar_curve;
 using samples::validation_parameters;
 
@@ -25,10 +25,10 @@ class ValidationStudyFile : public testing::Test {
 
   /// A curve in the folder "curves".
   void write_curve(const std::string& name, const std::string& silicone = "test silicone", double edge_m = 0.01) const {
-    materials::ResponseCurve curve = bar_curve(name, LoadCaseKind::blocked, {{1e3, 2e3}, {-0.1, -0.2}, {0.1, 0.2}});
+    meshes::ResponseCurve curve = bar_curve(name, LoadCaseKind::blocked, {{1e3, 2e3}, {-0.1, -0.2}, {0.1, 0.2}});
     curve.provenance.silicone = silicone;
     curve.provenance.load_case.cell_edge_m = edge_m;
-    materials::write_response_curve(folder_ / "curves", curve);
+    meshes::write_response_curve(folder_ / "curves", curve);
   }
 
   /// What reading the curves of a study on the folder "curves" complains of; empty if it does not.

@@ -11,7 +11,7 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 using samples::answering;
 using samples::bar_curve;
 using samples::validation_parameters;
@@ -104,10 +104,10 @@ TEST(Validation, TellsWhichNumbersHaveNoAnswer) {
 }
 
 TEST(Validation, MarksWhatTheParametersSayNothingOf) {
-  const auto first_validity = [](const materials::ResponseCurve& curve, double largest_strain = 0.1) {
+  const auto first_validity = [](const meshes::ResponseCurve& curve, double largest_strain = 0.1) {
     return compare(curve, "bar", validation_parameters(), answering(curve.values, largest_strain)).errors.back().validity;
   };
-  materials::ResponseCurve curve = bar_curve("bar", LoadCaseKind::blocked, {{8e3}, {-0.4}, {0.1}});
+  meshes::ResponseCurve curve = bar_curve("bar", LoadCaseKind::blocked, {{8e3}, {-0.4}, {0.1}});
   EXPECT_EQ(first_validity(curve), Validity::inside);
   EXPECT_EQ(first_validity(curve, 0.6), Validity::strain);
   curve.values[0] = {8.1e3};
@@ -124,10 +124,10 @@ TEST(Validation, MarksWhatTheParametersSayNothingOf) {
 }
 
 TEST(Validation, BlamesStrainOnlyOnTheStatesThatHaveIt) {
-  const Responder responder = [](const SurrogateParameters&, const materials::LoadCase& load_case,
+  const Responder responder = [](const SurrogateParameters&, const meshes::LoadCase& load_case,
                                  const std::vector<std::vector<double>>& states) {
     LoadCaseResponse response;
-    response.columns = materials::response_columns(load_case.kind);
+    response.columns = meshes::response_columns(load_case.kind);
     response.values = states.size() == 3 ? blocked_table : std::vector<std::vector<double>>{{1.0}, {1.0}, {1.0}};
     for (const auto& state : states) response.largest_strain = std::max(response.largest_strain, 4e-4 * state[0]);
     return response;
@@ -140,10 +140,10 @@ TEST(Validation, BlamesStrainOnlyOnTheStatesThatHaveIt) {
 
 TEST(Validation, DoesNotBlameStrainForAMissingAnswer) {
   // the state that has an answer leaves the range of strains; what the other would do to the beams nobody knows
-  const Responder responder = [](const SurrogateParameters&, const materials::LoadCase& load_case,
+  const Responder responder = [](const SurrogateParameters&, const meshes::LoadCase& load_case,
                                  const std::vector<std::vector<double>>& states) {
     LoadCaseResponse response;
-    response.columns = materials::response_columns(load_case.kind);
+    response.columns = meshes::response_columns(load_case.kind);
     response.status = io::RunStatus::not_converged;
     response.largest_strain = 0.9;
     response.values = {{0.0, 1e3}, {0.0, -0.1}, {0.0, 0.02}};
@@ -157,10 +157,10 @@ TEST(Validation, DoesNotBlameStrainForAMissingAnswer) {
 }
 
 /// An answer ends where walls touch, beyond -1 kPa, and what comes after has none.
-LoadCaseResponse touching_walls(const SurrogateParameters&, const materials::LoadCase& load_case,
+LoadCaseResponse touching_walls(const SurrogateParameters&, const meshes::LoadCase& load_case,
                                 const std::vector<std::vector<double>>& states) {
   LoadCaseResponse response;
-  response.columns = materials::response_columns(load_case.kind);
+  response.columns = meshes::response_columns(load_case.kind);
   response.values.resize(3);
   for (const auto& state : states) {
     if (state[0] < -1e3) {
@@ -205,7 +205,7 @@ TEST(Validation, JudgesByTheClaimsItIsGiven) {
 }
 
 TEST(Validation, NamesBodiesAfterTheirCases) {
-  std::vector<materials::ResponseCurve> curves{
+  std::vector<meshes::ResponseCurve> curves{
       bar_curve("bar3_inflation", LoadCaseKind::inflation, {}), bar_curve("stretch-long", LoadCaseKind::stretch, {}),
       bar_curve("modes", LoadCaseKind::modes, {}), bar_curve("bar3_blocked", LoadCaseKind::blocked, {})};
   curves[2].provenance.load_case.digits = "110";

@@ -9,7 +9,7 @@
 namespace menger::voxel {
 namespace {
 
-using materials::LoadCaseKind;
+using meshes::LoadCaseKind;
 using samples::bar_curve;
 
 // Sums and quotients of a few numbers of order one.
@@ -19,7 +19,7 @@ constexpr double rounding = 1e-12;
 constexpr double chamber_share = 0.026 * 0.006 * 0.006 / (0.03 * 0.01 * 0.01);
 
 /// An inflation curve with these changes of outer volume.
-materials::ResponseCurve curve_of(const std::vector<double>& pressures_Pa, std::vector<double> outer_changes) {
+meshes::ResponseCurve curve_of(const std::vector<double>& pressures_Pa, std::vector<double> outer_changes) {
   for (double& change : outer_changes) change /= chamber_share;
   const std::vector<double> zeros(pressures_Pa.size(), 0.0);
   return bar_curve("bar_inflation", LoadCaseKind::inflation, {pressures_Pa, outer_changes, zeros, zeros, zeros, zeros});
@@ -32,7 +32,7 @@ TEST(VolumeActuation, AimsAtTheVolumesOfSolidVoxels) {
 }
 
 TEST(VolumeActuation, ReadsTheCurveBetweenItsStates) {
-  materials::ResponseCurve curve = curve_of({-4e3, -2e3, 5e3, 10e3, 20e3}, {-0.4, -0.2, 0.1, 0.3, 0.9});
+  meshes::ResponseCurve curve = curve_of({-4e3, -2e3, 5e3, 10e3, 20e3}, {-0.4, -0.2, 0.1, 0.3, 0.9});
   const VolumeActuation actuation =
       volume_actuation(curve, "bar", {.pressure_Pa = 6e3, .largest_change = 0.5, .smallest_change = -0.3});
   EXPECT_NEAR(actuation.chamber_share, chamber_share, rounding);
@@ -50,7 +50,7 @@ TEST(VolumeActuation, KnowsTheStateAtRestWithoutARowForIt) {
 }
 
 TEST(VolumeActuation, ReadsOffNothingBeyondTheCurve) {
-  materials::ResponseCurve curve = curve_of({-4e3, 0.0, 5e3}, {-0.1, 0.0, 0.2});
+  meshes::ResponseCurve curve = curve_of({-4e3, 0.0, 5e3}, {-0.1, 0.0, 0.2});
   curve.provenance.limit_pressure_Pa = 6.25e3;
   curve.provenance.contact_pressure_Pa = -4e3;
   const ActuationAim aim = actuation_aim(6e3, 0.144714);

@@ -1,4 +1,4 @@
-#include "io/process/archive_lock.h"
+#include "io/process/file_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -12,7 +12,7 @@
 
 #include "io/text/input_error.h"
 
-namespace menger::evolution {
+namespace menger::io {
 
 namespace {
 
@@ -26,31 +26,31 @@ bool is_file(int descriptor, const std::filesystem::path& file) {
 
 }  // namespace
 
-ArchiveLock::ArchiveLock(const std::filesystem::path& archive) : file_(archive.string() + ".lock") {
+FileLock::FileLock(const std::filesystem::path& target) : file_(target.string() + ".lock") {
   while (true) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // NOLINT(cppcoreguidelines-pro-type-vararg)
     if (descriptor_ < 0) {
-      throw io::InputError(file_.string() + ": cannot be written: " + std::generic_category().message(errno));
+      throw InputError(file_.string() + ": cannot be written: " + std::generic_category().message(errno));
     }
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
       ::close(descriptor_);
-      if (error == EWOULDBLOCK) throw io::InputError(archive.string() + ": another process is writing to it");
-      throw io::InputError(file_.string() + ": cannot be locked: " + std::generic_category().message(error));
+      if (error == EWOULDBLOCK) throw InputError(target.string() + ": another process is writing to it");
+      throw InputError(file_.string() + ": cannot be locked: " + std::generic_category().message(error));
     }
     if (is_file(descriptor_, file_)) return;
     ::close(descriptor_);
   }
 }
 
-ArchiveLock::ArchiveLock(ArchiveLock&& other) noexcept
+FileLock::FileLock(FileLock&& other) noexcept
     : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
 
-ArchiveLock::~ArchiveLock() {
+FileLock::~FileLock() {
   if (descriptor_ < 0) return;
   std::error_code ignored;
   std::filesystem::remove(file_, ignored);  // while the lock is held, so that nobody else's is removed
   ::close(descriptor_);
 }
 
-}  // namespace menger::evolution
+}  // namespace menger::io
