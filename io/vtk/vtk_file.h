@@ -13,7 +13,7 @@ enum class IndexWidth { bits_32, bits_64 };
 /// describes it, compressed by zlib in blocks and in base64, which takes a third more room than raw bytes; never in an appended
 /// section, which is no XML and stops the ParaView of an up-to-date Debian 12. Values come back bit for bit.
 ///
-/// On a full disk a writer of VTK may call its work done all the same, so that the end of the file is looked at, too.
+/// The text is made in memory and then written.
 /// @param indices bits_32 for files of at most 2^31 - 1 points, half as large
 /// @throws InputError naming the target if the file was not written to its end
 void write_vtu(const std::filesystem::path& target, vtkUnstructuredGrid& grid, IndexWidth indices = IndexWidth::bits_32);

@@ -99,7 +99,7 @@ TEST_F(SurrogateFile, NamesWhatIsWrong) {
   const auto expect = [&](const std::string& part, const std::string& by, const std::string& message) {
     const std::string found = fault(part, by);
     EXPECT_NE(found.find(message), std::string::npos) << found;
-    EXPECT_NE(found.find("surrogate_file_test.toml"), std::string::npos) << found;
+    EXPECT_NE(found.find("surrogate.toml"), std::string::npos) << found;
   };
   expect("cell_edge_m = 0.01", "cell_edge_m = -0.01", "holds_for.cell_edge_m = -0.01: must be > 0");
   expect("cell_edge_m = 0.01", "cell_edge_mm = 10", "cell_edge_m");
