@@ -16,7 +16,7 @@ constexpr double moment_s = 1e-9;  // too short for a step: accelerations would 
 
 const ImplicitReport& ImplicitDynamics::advance_to(double time_s) {
   while (report_.status == io::RunStatus::completed && state_.time_s < time_s) {
-    if (is_told_to_stop()) {
+    if (is_told_to_stop(options_.stop, space().communicator)) {
       fail(io::RunStatus::stopped, "interrupted");
     } else if (time_s - state_.time_s < moment_s) {
       state_.time_s = time_s;
@@ -27,18 +27,11 @@ const ImplicitReport& ImplicitDynamics::advance_to(double time_s) {
   return report_;
 }
 
-/// The same on all ranks, whichever of them was told.
-bool ImplicitDynamics::is_told_to_stop() const {
-  int stops = options_.stop != nullptr && *options_.stop ? 1 : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &stops, 1, MPI_INT, MPI_MAX, space().communicator);
-  return stops != 0;
-}
-
 void ImplicitDynamics::fail(io::RunStatus status, const std::string& reason) {
   report_ = {status, reason + " at " + io::number_text(state_.time_s) + " s"};
 }
 
-/// One good step, the last of equal ones to a time where it is near.
+/// One good step, the last of equal ones to a time where it is near; none where told to stop within it.
 void ImplicitDynamics::pass_step(double end_s) {
   std::vector<double> u;
   for (;;) {
@@ -53,6 +46,7 @@ void ImplicitDynamics::pass_step(double end_s) {
       accept(std::move(u));
       return;
     }
+    if (judgement == Judgement::stopped) return;
     ++state_.rejected_steps;
     state_.next_step_s = judgement == Judgement::inaccurate ? std::min(0.9 * step, next_step_s(step, error_, step)) : 0.4 * step;
     if (state_.next_step_s >= options_.smallest_step_s) continue;
@@ -78,11 +72,14 @@ ImplicitDynamics::Judgement ImplicitDynamics::try_step(double step_s, std::vecto
   u = state_.displacements_m;
   for (std::size_t n = 0; n < u.size(); ++n)
     u[n] += step_s * (state_.velocities_m_per_s[n] + 0.5 * step_s * state_.accelerations_m_per_s2[n]);
-  if (std::max(step_s, factorised_step_s_) > close_steps * std::min(step_s, factorised_step_s_)) newton_.forget_factorisation();
-  const NewtonOutcome outcome = newton_.solve(u, options_.newton_tolerance * tolerance_m_);
+  if (std::max(step_s, factorised_step_s_) > close_steps * std::min(step_s, factorised_step_s_)) newton_.forget_tangent();
+  copy_owned(u, unknown_);
+  const NewtonOutcome outcome = newton_.solve(unknown_, options_.stop);
+  if (outcome.end == NewtonEnd::stopped) return Judgement::stopped;
   state_.iterations += static_cast<std::size_t>(outcome.iterations);
-  if (outcome.kind == NewtonOutcome::Kind::no_answer) return Judgement::inverted;
-  if (outcome.kind != NewtonOutcome::Kind::found) return Judgement::unsolved;
+  if (outcome.end == NewtonEnd::no_residual) return Judgement::inverted;
+  if (outcome.end != NewtonEnd::solved) return Judgement::unsolved;
+  copy_owned(unknown_, u);
   error_ = error_of_step() / tolerance_m_;
   if (!(error_ <= 1.0)) return Judgement::inaccurate;
   return look_at_walls(u);
@@ -99,7 +96,7 @@ double ImplicitDynamics::error_of_step() {
   copy_owned(error, work_in_);
   petsc(VecScale(work_in_, mass_factor));
   petsc(MatMult(mass_, work_in_, work_out_));
-  if (!newton_.apply_inverse(work_out_, work_in_)) return size_of(error);
+  if (!linear_.solve(work_out_, work_in_)) return size_of(error);
   const double* data = nullptr;
   petsc(VecGetArrayRead(work_in_, &data));
   std::copy_n(data, 3 * masses_.size(), error.begin());

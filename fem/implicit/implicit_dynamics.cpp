@@ -42,10 +42,12 @@ ImplicitDynamics::ImplicitDynamics(const Space& space, const Body& body, Implici
       assembly_(space, body),
       viscosity_(space, options_.viscosities_Pa_s),
       gaps_(space, body),
-      newton_(assembly_, options_.linear, equation()),
+      linear_(assembly_, options_.linear),
+      unknown_(linear_.make_vector()),
+      newton_(unknown_, problem(), newton_options()),
       mass_(assembly_.make_matrix(true)),
-      work_in_(newton_.make_vector()),
-      work_out_(newton_.make_vector()) {
+      work_in_(linear_.make_vector()),
+      work_out_(linear_.make_vector()) {
   if (options_.schedules.empty()) options_.schedules.resize(body.plenum_count);
   check(body);
   if (options_.ground) contact_.emplace(assembly_, body, *options_.ground, options_.stick_stiffness);
@@ -86,10 +88,18 @@ void ImplicitDynamics::check(const Body& body) const {
 }
 
 void ImplicitDynamics::copy_owned(std::span<const double> field, Vec vector) const {
-  double* data = nullptr;
-  petsc(VecGetArrayWrite(vector, &data));
-  std::copy_n(field.begin(), 3 * space().owned_count, data);
-  petsc(VecRestoreArrayWrite(vector, &data));
+  const VectorWriter data(vector);
+  std::copy_n(field.begin(), 3 * space().owned_count, data.data());
+}
+
+/// @param field 3 per local node, ghosts up to date afterwards
+void ImplicitDynamics::copy_owned(Vec vector, std::vector<double>& field) const {
+  field.resize(3 * space().positions.size());
+  {
+    const VectorReader data(vector);
+    std::copy_n(data.data(), 3 * space().owned_count, field.begin());
+  }
+  assembly_.exchange().update_ghosts(field);
 }
 
 double ImplicitDynamics::sum_over_ranks(double value) const {
@@ -134,17 +144,25 @@ void ImplicitDynamics::add_masses(double factor, Mat matrix) const {
 }
 
 /// Root mean square by mass.
-double ImplicitDynamics::size_of(std::span<const double> field) {
+double ImplicitDynamics::size_of(std::span<const double> field) const {
   double square = 0.0;
   for (std::size_t n = 0; n < 3 * masses_.size(); ++n) square += masses_[n / 3] * field[n] * field[n];
   return std::sqrt(sum_over_ranks(square) / mass_kg_);
 }
 
-NodalEquation ImplicitDynamics::equation() {
-  return {[this](std::span<const double> u, std::span<double> residual) { return compute_residual(u, residual); },
-          [this](std::span<const double> u, Mat matrix) { compute_matrix(u, matrix); },
-          [this](std::span<const double> u) { return size_of(u); },
-          [this](std::span<const double> residual) { return is_balanced(residual); }};
+NewtonProblem ImplicitDynamics::problem() {
+  return {.residual = [this](Vec x, Vec residual) { return compute_residual(x, residual); },
+          .prepare_tangent = [this](Vec x) { return prepare_matrix(x); },
+          .solve_tangent = [this](Vec b, Vec y) { return linear_.solve(b, y); },
+          .judge = [this](const NewtonIterate& iterate) { return judge(iterate); }};
+}
+
+NewtonOptions ImplicitDynamics::newton_options() {
+  const auto size = [this](Vec step) {
+    const VectorReader data(step);
+    return size_of(std::span(data.data(), 3 * masses_.size()));
+  };
+  return {.most_iterations = 20, .steps = BracketedSteps{}, .reuse = ReuseWhileStepsShrink{.step_size = size}};
 }
 
 void ImplicitDynamics::set_state(ImplicitState state) {
@@ -168,7 +186,7 @@ void ImplicitDynamics::set_state(ImplicitState state) {
   state_.ground_nodes = forces_.ground_nodes;
   if (is_new) start_from_forces();
   if (state_.next_step_s == 0.0) state_.next_step_s = options_.first_step_s;
-  newton_.forget_factorisation();
+  newton_.forget_tangent();
   gap_m_.reset();
   gap_displacements_.clear();
   if (state_.at_start_J) return;

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "fem/implicit/implicit_contact.h"
-#include "fem/implicit/implicit_newton.h"
 #include "fem/implicit/implicit_scheme.h"
 #include "fem/implicit/implicit_viscosity.h"
 #include "fem/motion/implicit_state.h"
 #include "fem/pneumatics/pressure_schedule.h"
+#include "fem/space/petsc_handle.h"
 #include "fem/statics/chamber_gap.h"
+#include "fem/statics/linear_solver.h"
+#include "fem/statics/newton_solver.h"
 #include "io/text/run_status.h"
 
 namespace menger::fem {
@@ -103,7 +105,7 @@ class ImplicitDynamics {
   [[nodiscard]] const std::vector<double>& masses_kg() const { return masses_; }  ///< row sums of M per owned node
   [[nodiscard]] double mass_kg() const { return mass_kg_; }
   [[nodiscard]] Point centre_of_mass_m() const;
-  [[nodiscard]] int factorisations() const { return newton_.factorisations(); }
+  [[nodiscard]] int factorisations() const { return newton_.tangents(); }
 
  private:
   /// Forces at a time but for inertia, as a residual, and what comes with them.
@@ -123,22 +125,26 @@ class ImplicitDynamics {
     std::vector<double> accelerations;
     std::vector<double> velocities;
     Forces forces;
+    std::vector<double> displacements{};  ///< of the state that Newton's method has evaluated last, and its residual
+    std::vector<double> residual{};
   };
-  enum class Judgement { good, inaccurate, unsolved, inverted, crossing };
+  enum class Judgement { good, inaccurate, unsolved, inverted, crossing, stopped };
 
   void check(const Body& body) const;
   void weigh();
   void add_masses(double factor, Mat matrix) const;
-  [[nodiscard]] NodalEquation equation();
+  [[nodiscard]] NewtonProblem problem();
+  [[nodiscard]] NewtonOptions newton_options();
   bool compute_forces(std::span<const double> u, Forces& forces, bool are_remembered = false);
   void add_mass_damping(Forces& forces);
   void follow_displacements(std::span<const double> u);
-  bool compute_residual(std::span<const double> u, std::span<double> residual);
+  bool compute_residual(Vec x, Vec residual);
+  bool prepare_matrix(Vec x);
   void compute_matrix(std::span<const double> u, Mat matrix);
   void add_inertia(std::span<double> residual);
+  [[nodiscard]] NewtonVerdict judge(const NewtonIterate& iterate) const;
   [[nodiscard]] bool is_balanced(std::span<const double> residual) const;
-  [[nodiscard]] bool is_told_to_stop() const;
-  [[nodiscard]] double size_of(std::span<const double> field);
+  [[nodiscard]] double size_of(std::span<const double> field) const;
   void start_from_forces();
   Judgement try_step(double step_s, std::vector<double>& u);
   [[nodiscard]] double error_of_step();
@@ -152,6 +158,7 @@ class ImplicitDynamics {
   [[nodiscard]] StepMotion motion_to(std::span<const double> u) const;
   [[nodiscard]] double sum_over_ranks(double value) const;
   void copy_owned(std::span<const double> field, Vec vector) const;
+  void copy_owned(Vec vector, std::vector<double>& field) const;
 
   const Body& body_;
   ImplicitOptions options_;
@@ -160,7 +167,9 @@ class ImplicitDynamics {
   ImplicitViscosity viscosity_;
   std::optional<ImplicitContact> contact_;
   ChamberGaps gaps_;
-  ImplicitNewton newton_;
+  LinearSolver linear_;
+  VectorHandle unknown_;
+  NewtonSolver newton_;
   MatrixHandle mass_;
   VectorHandle work_in_;
   VectorHandle work_out_;

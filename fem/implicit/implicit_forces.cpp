@@ -65,13 +65,23 @@ void ImplicitDynamics::follow_displacements(std::span<const double> u) {
 }
 
 /// The scheme's equation over 1 - alpha_f: S1 + M [(1 - am) a1 + am a0] / (1 - af) + af / (1 - af) S0.
-bool ImplicitDynamics::compute_residual(std::span<const double> u, std::span<double> residual) {
-  follow_displacements(u);
-  if (!compute_forces(u, trial_.forces)) return false;
+bool ImplicitDynamics::compute_residual(Vec x, Vec residual) {
+  copy_owned(x, trial_.displacements);
+  follow_displacements(trial_.displacements);
+  if (!compute_forces(trial_.displacements, trial_.forces)) return false;
   const double share = scheme_.alpha_f / (1.0 - scheme_.alpha_f);
-  for (std::size_t n = 0; n < 3 * masses_.size(); ++n) residual[n] = trial_.forces.residual_N[n] + share * forces_.residual_N[n];
-  add_inertia(residual);
+  trial_.residual.resize(3 * masses_.size());
+  for (std::size_t n = 0; n < trial_.residual.size(); ++n)
+    trial_.residual[n] = trial_.forces.residual_N[n] + share * forces_.residual_N[n];
+  add_inertia(trial_.residual);
+  copy_owned(trial_.residual, residual);
   return true;
+}
+
+/// Solved where what is left of the displacements is within the tolerance and forces on the ground are in balance.
+NewtonVerdict ImplicitDynamics::judge(const NewtonIterate& iterate) const {
+  const bool is_near = iterate.distance <= options_.newton_tolerance * tolerance_m_;
+  return is_near && is_balanced(trial_.residual) ? NewtonVerdict::solved : NewtonVerdict::go_on;
 }
 
 /// A force that Newton's method leaves on nodes of the ground works like one from outside, as friction does, and small ones in
@@ -100,6 +110,12 @@ void ImplicitDynamics::add_inertia(std::span<double> residual) {
   petsc(VecGetArrayRead(work_out_, &out));
   for (std::size_t n = 0; n < 3 * masses_.size(); ++n) residual[n] += out[n];
   petsc(VecRestoreArrayRead(work_out_, &out));
+}
+
+bool ImplicitDynamics::prepare_matrix(Vec x) {
+  copy_owned(x, trial_.displacements);
+  compute_matrix(trial_.displacements, linear_.matrix());
+  return linear_.prepare();
 }
 
 void ImplicitDynamics::compute_matrix(std::span<const double> u, Mat matrix) {

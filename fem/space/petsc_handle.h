@@ -3,6 +3,7 @@
 #include <petscksp.h>
 #include <petscsnes.h>
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -46,6 +47,36 @@ class PetscHandle {
     object_ = nullptr;
   }
   Object object_ = nullptr;
+};
+
+/// The numbers of a vector on this rank, to read as long as this lives.
+class VectorReader {
+ public:
+  explicit VectorReader(Vec vector) : vector_(vector) { petsc(VecGetArrayRead(vector_, &data_)); }
+  ~VectorReader() { VecRestoreArrayRead(vector_, &data_); }
+  VectorReader(const VectorReader&) = delete;
+  VectorReader& operator=(const VectorReader&) = delete;
+  [[nodiscard]] const double* data() const { return data_; }
+  double operator[](std::size_t n) const { return data_[n]; }
+
+ private:
+  Vec vector_;
+  const double* data_ = nullptr;
+};
+
+/// The numbers of a vector on this rank, to change as long as this lives.
+class VectorWriter {
+ public:
+  explicit VectorWriter(Vec vector) : vector_(vector) { petsc(VecGetArray(vector_, &data_)); }
+  ~VectorWriter() { VecRestoreArray(vector_, &data_); }
+  VectorWriter(const VectorWriter&) = delete;
+  VectorWriter& operator=(const VectorWriter&) = delete;
+  [[nodiscard]] double* data() const { return data_; }
+  double& operator[](std::size_t n) const { return data_[n]; }
+
+ private:
+  Vec vector_;
+  double* data_ = nullptr;
 };
 
 using VectorHandle = PetscHandle<Vec, VecDestroy>;

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <atomic>
-#include <memory>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "fem/space/petsc_handle.h"
 #include "fem/statics/assembly.h"
 #include "fem/statics/linear_solver.h"
+#include "fem/statics/newton_solver.h"
 #include "fem/surfaces/gas_law.h"
 #include "io/text/run_status.h"
 
@@ -49,7 +52,7 @@ struct EquilibriumReport {
 
 /// Finds equilibria of a body: zeros of the residual of Assembly, together with the equation of every plenum.
 ///
-/// Newton's method by PETSc's SNES. Unknowns are the displacements and the pressures of plena that are not given (bordered
+/// Newton's method, see NewtonSolver. Unknowns are the displacements and the pressures of plena that are not given (bordered
 /// system, eliminated with the factorisation of the stiffness). Full steps, cut back only where volume ratios would not stay
 /// positive: the residual's norm may grow by orders of magnitude on the way to a bent wall, so it does not steer the steps. A
 /// factorisation is used again as long as the residual falls fast with it.
@@ -59,8 +62,8 @@ struct EquilibriumReport {
 /// part of the way, and the next ones the rest.
 class Equilibrium {
  public:
+  /// Keeps references.
   Equilibrium(const Space& space, const Body& body, const EquilibriumOptions& options);
-  ~Equilibrium();
   Equilibrium(const Equilibrium&) = delete;
   Equilibrium& operator=(const Equilibrium&) = delete;
 
@@ -85,13 +88,86 @@ class Equilibrium {
   BodyTotals totals(const BodyState& state, double dead_load_factor);
   [[nodiscard]] std::vector<double> plenum_volumes(const BodyTotals& totals) const;
 
-  [[nodiscard]] Assembly& assembly();
-  [[nodiscard]] const Space& space() const;
-  [[nodiscard]] const Body& body() const;
+  [[nodiscard]] Assembly& assembly() { return assembly_; }
+  [[nodiscard]] const Space& space() const { return space_; }
+  [[nodiscard]] const Body& body() const { return body_; }
 
  private:
-  class Search;
-  std::unique_ptr<Search> search_;
+  /// A component that a plate holds: its place among the owned ones, and where it is to be.
+  struct PlateComponent {
+    std::size_t place;
+    double imposed_m;
+  };
+
+  [[nodiscard]] VectorHandle make_unknowns() const;
+  [[nodiscard]] NewtonProblem problem();
+  [[nodiscard]] NewtonOptions newton_options() const;
+  void begin(const BodyState& state, std::span<const PlenumControl> controls, std::span<const double> first_pressures);
+  [[nodiscard]] EquilibriumReport report_of(const NewtonOutcome& outcome) const;
+  [[nodiscard]] std::string reason_of(const NewtonOutcome& outcome) const;
+  [[nodiscard]] Loads loads(std::span<const double> pressures) const { return {pressures, dead_load_factor_, motions_}; }
+  void unpack(Vec x, std::vector<double>& displacements, std::vector<double>& pressures) const;
+  void pack(const BodyState& state, Vec x) const;
+  bool evaluate(Vec x);
+  bool compute_residual(Vec x, Vec residual);
+  bool close_plena();
+  void measure_plates();
+  void assemble_stiffness(std::span<const double> displacements, std::span<const double> pressures);
+  bool prepare_stiffness(Vec x);
+  bool solve_linear(Vec right_hand_side, Vec solution);
+  std::vector<double> eliminate_plena();
+  [[nodiscard]] double times_gradient(std::size_t plenum, Vec vector) const;
+  void carry_along(Vec trial, Vec from, double length) const;
+  void follow_step(Vec from);
+  [[nodiscard]] NewtonVerdict judge();
+  [[nodiscard]] bool is_free(std::size_t plenum) const { return !std::holds_alternative<PressureControl>(controls_[plenum]); }
+  [[nodiscard]] std::size_t owned_components() const { return 3 * static_cast<std::size_t>(space_.owned_count); }
+  [[nodiscard]] double norm_of_owned(std::span<const double> field) const;
+
+  const Space& space_;
+  const Body& body_;
+  EquilibriumOptions options_;
+  int rank_;
+  Assembly assembly_;
+  LinearSolver linear_;
+  /// Vectors of the unknowns hold the owned displacement components and, on the first rank, the pressures of all plena; those
+  /// that are given have the residual zero and do not change.
+  VectorHandle unknown_;
+  NewtonSolver newton_;
+  VectorHandle displacement_part_;
+  VectorHandle particular_;
+  std::vector<VectorHandle> influences_;  ///< K^-1 dV/du of each plenum that is free
+  std::vector<PlateMotion> motions_;
+  std::vector<PlateComponent> plate_components_;
+  bool is_held_;  ///< MUMPS does not notice a singular stiffness
+  double diameter_m_ = 0.0;
+  double floor_N_ = 0.0;
+  double dead_load_norm_N_ = 0.0;
+  double dead_load_factor_ = 1.0;
+
+  // Of the running search.
+  std::span<const PlenumControl> controls_;
+  std::span<const double> first_pressures_;  ///< until the first stiffness has been assembled
+  int growing_steps_ = 0;
+  double residual_before_N_ = 0.0;
+  double largest_step_m_ = 0.0;
+  bool runs_away_ = false;
+
+  // Of the state that was evaluated last.
+  std::vector<double> displacements_;
+  std::vector<double> pressures_;
+  std::vector<double> residual_;
+  std::vector<std::vector<double>> volume_gradients_;
+  std::vector<PlenumClosure> closures_;
+  BodyTotals totals_;
+  double residual_N_ = 0.0;
+  double reference_N_ = 0.0;
+  double plate_distance_m_ = 0.0;  ///< largest distance of a held component from where its plate carries it
+
+  // Of the stiffness that is factorised.
+  std::vector<std::vector<double>> gradients_of_factor_;
+  std::vector<double> plate_step_m_;        ///< per local component, minus what is left of the way
+  std::vector<double> plate_step_force_N_;  ///< K times it
 };
 
 }  // namespace menger::fem

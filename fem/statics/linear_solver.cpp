@@ -62,7 +62,6 @@ void LinearSolver::set_up_iterative(const Assembly& assembly, double tolerance) 
 }
 
 bool LinearSolver::prepare() {
-  ++factorisations_;
   for (; workspace_percent_ <= largest_workspace_percent; workspace_percent_ *= 2) {
     petsc(KSPSetOperators(solver_, matrix_, matrix_));
     petsc(KSPSetUp(solver_));

@@ -44,8 +44,6 @@ class LinearSolver {
   /// A vector of the unknowns, owned components of this rank.
   [[nodiscard]] VectorHandle make_vector() const;
 
-  [[nodiscard]] int factorisations() const { return factorisations_; }
-
  private:
   void set_up_direct();
   void set_up_iterative(const Assembly& assembly, double tolerance);
@@ -53,7 +51,6 @@ class LinearSolver {
   MatrixHandle matrix_;
   LinearSolverHandle solver_;
   bool direct_;
-  int factorisations_ = 0;
   int workspace_percent_ = 20;  ///< of MUMPS beyond its estimate
 };
 
