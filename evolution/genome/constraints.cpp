@@ -100,13 +100,6 @@ std::string_view to_string(DisconnectedPolicy policy) {
   return {};
 }
 
-std::optional<DisconnectedPolicy> disconnected_policy_from_string(std::string_view word) {
-  for (const auto policy : {DisconnectedPolicy::reject, DisconnectedPolicy::penalise, DisconnectedPolicy::allow}) {
-    if (word == to_string(policy)) return policy;
-  }
-  return std::nullopt;
-}
-
 bool replacement_is_connected(const Polycube& mask, const Polycube& block) {
   const std::vector<CellIndex> places = mask.occupied();
   const std::vector<CellIndex> cells = block.occupied();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -17,7 +16,6 @@ enum class DisconnectedPolicy {
   allow      ///< it is simulated in pieces
 };
 std::string_view to_string(DisconnectedPolicy policy);  ///< "reject", "penalise" or "allow"
-std::optional<DisconnectedPolicy> disconnected_policy_from_string(std::string_view word);
 
 struct ConstraintOptions {
   std::size_t smallest_body = 3;            ///< fractal plans: cells of the basal body, at least
@@ -53,7 +51,6 @@ enum class Refusal {
   falls_apart,  ///< in pieces at a level where it must not be
   weak_contact  ///< two cells of the basal body touch only along an edge or at a corner: no casting
 };
-inline constexpr std::array all_refusals{Refusal::too_small, Refusal::falls_apart, Refusal::weak_contact};
 std::string_view to_string(Refusal refusal);  ///< "too small", "falls apart" or "weak contact"
 
 /// The first reason against a design, or nothing if it may live. A fractal's basal body must not be smaller than the smallest

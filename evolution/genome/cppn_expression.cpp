@@ -71,19 +71,7 @@ std::string_view to_string(Expression expression) {
   return expression == Expression::every_consumer_activated ? "every-consumer" : "first-consumer";
 }
 
-std::optional<Expression> expression_from_string(std::string_view word) {
-  if (word == to_string(Expression::every_consumer_activated)) return Expression::every_consumer_activated;
-  if (word == to_string(Expression::first_consumer_activated)) return Expression::first_consumer_activated;
-  return std::nullopt;
-}
-
 std::string_view to_string(AxisMap axes) { return axes == AxisMap::xyz ? "xyz" : "zyx"; }
-
-std::optional<AxisMap> axis_map_from_string(std::string_view word) {
-  if (word == to_string(AxisMap::xyz)) return AxisMap::xyz;
-  if (word == to_string(AxisMap::zyx)) return AxisMap::zyx;
-  return std::nullopt;
-}
 
 double activate(Activation activation, double sum) {
   switch (activation) {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -23,7 +22,6 @@ enum class Expression {
                             ///< remembers values)
 };
 std::string_view to_string(Expression expression);  ///< "every-consumer" or "first-consumer"
-std::optional<Expression> expression_from_string(std::string_view word);
 
 /// How the axes of the network lie in the robot.
 enum class AxisMap {
@@ -31,7 +29,6 @@ enum class AxisMap {
   zyx   ///< network x → robot z (up), y → y, z → x
 };
 std::string_view to_string(AxisMap axes);  ///< "xyz" or "zyx"
-std::optional<AxisMap> axis_map_from_string(std::string_view word);
 
 struct ExpressionOptions {
   Expression expression = Expression::every_consumer_activated;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace menger::evolution {
@@ -46,19 +47,7 @@ std::optional<std::size_t> find_loose_node(const Cppn& network, bool enters) {
 
 std::string_view to_string(ActivationSet set) { return set == ActivationSet::paper ? "paper" : "released-code"; }
 
-std::optional<ActivationSet> activation_set_from_string(std::string_view word) {
-  if (word == to_string(ActivationSet::paper)) return ActivationSet::paper;
-  if (word == to_string(ActivationSet::released_code)) return ActivationSet::released_code;
-  return std::nullopt;
-}
-
 std::string_view to_string(OutputFunction function) { return function == OutputFunction::kept ? "kept" : "mutable"; }
-
-std::optional<OutputFunction> output_function_from_string(std::string_view word) {
-  if (word == to_string(OutputFunction::kept)) return OutputFunction::kept;
-  if (word == to_string(OutputFunction::mutable_)) return OutputFunction::mutable_;
-  return std::nullopt;
-}
 
 std::span<const Activation> activations_of(ActivationSet set) {
   if (set == ActivationSet::paper) return paper_activations;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -16,7 +15,6 @@ enum class ActivationSet {
   released_code  ///< sin, ±abs, ±square, ±sqrt(abs), ±sign
 };
 std::string_view to_string(ActivationSet set);  ///< "paper" or "released-code"
-std::optional<ActivationSet> activation_set_from_string(std::string_view word);
 
 /// What variation may do to the sigmoid of an output.
 enum class OutputFunction {
@@ -25,7 +23,6 @@ enum class OutputFunction {
   mutable_  // NOLINT(readability-identifier-naming): the plain word is a keyword
 };
 std::string_view to_string(OutputFunction function);  ///< "kept" or "mutable"
-std::optional<OutputFunction> output_function_from_string(std::string_view word);
 
 struct VariationOptions {
   ActivationSet activations = ActivationSet::paper;

@@ -24,13 +24,6 @@ std::string_view to_string(BodyPlan plan) {
   return {};
 }
 
-std::optional<BodyPlan> body_plan_from_string(std::string_view word) {
-  for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator}) {
-    if (word == to_string(plan)) return plan;
-  }
-  return std::nullopt;
-}
-
 std::vector<NetworkPlan> networks_of(BodyPlan plan) {
   switch (plan) {
     case BodyPlan::fractal:

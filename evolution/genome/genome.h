@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +19,6 @@ enum class BodyPlan {
   single_actuator  ///< one network (shape): a fractal of material 1 only
 };
 std::string_view to_string(BodyPlan plan);  ///< "fractal", "nonfractal" or "single-actuator"
-std::optional<BodyPlan> body_plan_from_string(std::string_view word);
 
 /// What one network of a body plan looks like.
 struct NetworkPlan {

@@ -19,14 +19,4 @@ MaxwellBranch maxwell_branch(double shear_modulus_Pa, const materials::LossData&
           .relaxation_time_s = 1.0 / (2.0 * std::numbers::pi * loss.frequency_Hz * std::sqrt(1.0 + ratio))};
 }
 
-MaterialDamping damping_of(const materials::SiliconeRecord& record) {
-  MaterialDamping damping;
-  damping.is_measured = record.loss.has_value();
-  damping.loss = record.loss.value_or(assumed_silicone_loss());
-  const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(record.recommended.law);
-  damping.branch = maxwell_branch(shear_modulus_Pa, damping.loss);
-  damping.viscosity_Pa_s = viscosity_Pa_s(shear_modulus_Pa, damping.loss);
-  return damping;
-}
-
 }  // namespace menger::fem

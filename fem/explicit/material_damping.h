@@ -11,14 +11,6 @@ enum class DampingModel {
   kelvin_voigt,  ///< by a viscosity: see viscosity_Pa_s
 };
 
-/// What damps in a material by one model or the other, and what it comes from.
-struct MaterialDamping {
-  MaxwellBranch branch;
-  double viscosity_Pa_s = 0.0;  ///< eta of ExplicitMaterial
-  materials::LossData loss;     ///< with its source
-  bool is_measured = false;     ///< false: `assumed_silicone_loss`
-};
-
 /// What stands in where damping was not measured: loss modulus a tenth of the storage modulus at 30 Hz, in the range of the first
 /// natural frequencies of hollow modules of centimetres. An assumption, whose influence a study has to show by varying it.
 materials::LossData assumed_silicone_loss();
@@ -39,8 +31,5 @@ double viscosity_Pa_s(double shear_modulus_Pa, const materials::LossData& loss);
 /// at steps of 0.9, 0.8 and 0.6 of the stable one, and 2.8, 2.8 and 2.6 mm with the viscosity, at steps 1.7 times as short.
 /// @param shear_modulus_Pa mu at rest, > 0
 MaxwellBranch maxwell_branch(double shear_modulus_Pa, const materials::LossData& loss);
-
-/// Damping of a silicone with the stiffness of its recommended law.
-MaterialDamping damping_of(const materials::SiliconeRecord& record);
 
 }  // namespace menger::fem

@@ -55,10 +55,10 @@ LinearisedBody::LinearisedBody(Equilibrium& equilibrium, const BodyState& state,
       mass_(equilibrium.assembly().make_matrix(true)),
       displacements_(state.displacements_m),
       volume_gradients_(equilibrium.body().plenum_count),
-      total_mass_kg_(mass_of(equilibrium.space(), equilibrium.body())),
       diameter_m_(diameter_m(equilibrium.space())) {
-  assert(total_mass_kg_ > 0.0);
-  elastic_scale_ = elastic_scale_of(equilibrium.space(), equilibrium.body(), total_mass_kg_, diameter_m_);
+  const double mass_kg = mass_of(equilibrium.space(), equilibrium.body());
+  assert(mass_kg > 0.0);
+  elastic_scale_ = elastic_scale_of(equilibrium.space(), equilibrium.body(), mass_kg, diameter_m_);
   Assembly& assembly = equilibrium.assembly();
   // the pressures that elements predicted in a search belong to it; the tangent is that of the displacements
   assembly.elements().forget_prediction();

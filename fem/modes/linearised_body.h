@@ -29,11 +29,9 @@ class LinearisedBody {
   [[nodiscard]] const Assembly& assembly() const { return assembly_; }
   [[nodiscard]] Mat stiffness() const { return stiffness_; }
   [[nodiscard]] Mat mass() const { return mass_; }
-  [[nodiscard]] double total_mass_kg() const { return total_mass_kg_; }
 
   /// (rad/s)^2; minus 1e-4 times the square of the frequency that stands for the body's elastic ones.
   [[nodiscard]] double shift() const { return -relative_shift * elastic_scale_; }
-  [[nodiscard]] double elastic_scale() const { return elastic_scale_; }
 
   /// Number of eigenvalues of K x = lambda M x below the shift: > 0 where the state is unstable. Nothing if K - shift M could not
   /// be factorised.
@@ -64,7 +62,6 @@ class LinearisedBody {
   MatrixHandle mass_;
   std::vector<double> displacements_;
   std::vector<std::vector<double>> volume_gradients_;
-  double total_mass_kg_ = 0.0;
   double elastic_scale_ = 0.0;
   double diameter_m_ = 0.0;
   std::optional<int> below_shift_;

@@ -25,7 +25,6 @@ class StatePredictor {
   [[nodiscard]] int present_order() const;
 
   [[nodiscard]] const BodyState& last() const { return states_.back(); }
-  [[nodiscard]] double last_s() const { return s_.back(); }
   [[nodiscard]] const std::vector<double>& path_parameters() const { return s_; }  ///< oldest first
   [[nodiscard]] const std::vector<BodyState>& states() const { return states_; }
 

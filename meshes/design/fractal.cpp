@@ -31,12 +31,6 @@ std::size_t grid_bytes(const Sides& cells) {
 
 }  // namespace
 
-std::size_t aggregate_count(const Polycube& aggregate, const Polycube& body) { return product(aggregate.count(), body.count()); }
-
-std::size_t aggregate_grid_bytes(const Polycube& aggregate, const Polycube& body) {
-  return grid_bytes(product(sides(aggregate), sides(body)));
-}
-
 Polycube replace_cells(const Polycube& aggregate, const Polycube& body) {
   Polycube result(aggregate.nx() * body.nx(), aggregate.ny() * body.ny(), aggregate.nz() * body.nz());
   const std::vector<CellIndex> pattern = body.occupied();

@@ -6,12 +6,6 @@
 
 namespace menger::meshes {
 
-/// Cells that one aggregation would occupy (count(aggregate) * count(body)), computed without building it; saturates at SIZE_MAX.
-std::size_t aggregate_count(const Polycube& aggregate, const Polycube& body);
-
-/// Bytes of the grid that `aggregate` with every cell replaced by `body` needs; saturates at SIZE_MAX.
-std::size_t aggregate_grid_bytes(const Polycube& aggregate, const Polycube& body);
-
 /// Every occupied cell of `aggregate` replaced by `body` with the body's own materials; empty cells by an empty block.
 Polycube replace_cells(const Polycube& aggregate, const Polycube& body);
 

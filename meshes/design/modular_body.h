@@ -34,9 +34,6 @@ class ModularBody {
   [[nodiscard]] const std::vector<CellIndex>& modules() const { return modules_; }  ///< positions in modules, in grid order
   [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }     ///< one per chamber, by module and first cell
 
-  /// Size of a module in cells.
-  [[nodiscard]] std::array<int, 3> module_size() const { return module_size_; }
-
   /// The region of a cell; nothing for an empty cell and outside the grid.
   [[nodiscard]] std::optional<std::size_t> region_of(const CellIndex& cell) const;
 

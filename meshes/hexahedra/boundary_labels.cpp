@@ -28,10 +28,4 @@ std::size_t region_index(const HexahedralMesh& mesh, std::string_view region) {
   return index_in(mesh.region_names, region, "region");
 }
 
-std::size_t chamber_index(const HexahedralMesh& mesh, std::string_view chamber) {
-  std::vector<std::string> names;
-  for (const Chamber& each : mesh.chambers) names.push_back(each.name);
-  return index_in(names, chamber, "chamber");
-}
-
 }  // namespace menger::meshes

@@ -13,7 +13,4 @@ std::size_t label_index(const HexahedralMesh& mesh, std::string_view label);
 /// Index of a region. @throws io::InputError naming the region and those that the mesh has
 std::size_t region_index(const HexahedralMesh& mesh, std::string_view region);
 
-/// Index of a chamber. @throws io::InputError naming the chamber and those that the mesh has
-std::size_t chamber_index(const HexahedralMesh& mesh, std::string_view chamber);
-
 }  // namespace menger::meshes

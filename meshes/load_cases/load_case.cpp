@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
 #include "meshes/load_cases/load_case_file.h"
 
@@ -13,13 +12,6 @@ std::string_view to_string(LoadCaseKind kind) {
     if (value == kind) return word;
   }
   return "";
-}
-
-LoadCaseKind load_case_kind(std::string_view word) {
-  for (const auto& [known, kind] : load_case_kind_words()) {
-    if (known == word) return kind;
-  }
-  throw std::invalid_argument("no kind of load case: \"" + std::string(word) + "\"");
 }
 
 CellBox occupied_box(const std::array<int, 3>& cells, std::string_view digits) {

@@ -23,8 +23,6 @@ enum class LoadCaseKind {
 };
 
 std::string_view to_string(LoadCaseKind kind);
-/// @throws std::invalid_argument for any other word
-LoadCaseKind load_case_kind(std::string_view word);
 
 /// One load case on one hollow body, in full: equal load cases have equal answers.
 ///

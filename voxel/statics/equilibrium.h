@@ -49,7 +49,6 @@ class Equilibrium {
   [[nodiscard]] const StaticState& state() const { return state_; }
   [[nodiscard]] const Pose& pose(std::size_t node) const { return state_.poses[node]; }
   [[nodiscard]] const ForceBalance& balance() const { return balance_; }
-  [[nodiscard]] std::size_t iteration_count() const { return iterations_; }  ///< since the beginning
 
   [[nodiscard]] PlateLoad plate_load(std::size_t plate) const;
   [[nodiscard]] double ground_force_N() const;                   ///< upwards, sum over all voxels

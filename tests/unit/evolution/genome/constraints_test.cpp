@@ -144,12 +144,5 @@ TEST(Constraints, AControlIsJudgedByItsLevelThreeBody) {
       is_valid(phenotype_from_key("111111111111111111111111111|" + cell + "|" + cell), {28, 27, DisconnectedPolicy::allow, {1}}));
 }
 
-TEST(Constraints, PoliciesHaveOneWordEach) {
-  for (const auto policy : {DisconnectedPolicy::reject, DisconnectedPolicy::penalise, DisconnectedPolicy::allow}) {
-    EXPECT_EQ(disconnected_policy_from_string(to_string(policy)), policy);
-  }
-  EXPECT_FALSE(disconnected_policy_from_string("forbid"));
-}
-
 }  // namespace
 }  // namespace menger::evolution

@@ -98,14 +98,5 @@ TEST(CppnExpression, InputsAreTheSameForEveryConsumer) {
   EXPECT_EQ(values[0], values[1]);
 }
 
-TEST(CppnExpression, OptionsHaveOneWordEach) {
-  for (const auto expression : {Expression::every_consumer_activated, Expression::first_consumer_activated}) {
-    EXPECT_EQ(expression_from_string(to_string(expression)), expression);
-  }
-  for (const auto axes : {AxisMap::xyz, AxisMap::zyx}) EXPECT_EQ(axis_map_from_string(to_string(axes)), axes);
-  EXPECT_FALSE(expression_from_string("first"));
-  EXPECT_FALSE(axis_map_from_string("yxz"));
-}
-
 }  // namespace
 }  // namespace menger::evolution

@@ -49,10 +49,5 @@ TEST(Genome, RefusesTextsThatAreNoGenome) {
   }
 }
 
-TEST(Genome, PlansHaveOneWordEach) {
-  for (const BodyPlan plan : plans) EXPECT_EQ(body_plan_from_string(to_string(plan)), plan);
-  EXPECT_FALSE(body_plan_from_string("cube"));
-}
-
 }  // namespace
 }  // namespace menger::evolution

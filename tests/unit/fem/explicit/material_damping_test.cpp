@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 namespace menger::fem {
@@ -30,25 +29,6 @@ TEST(MaterialDamping, BranchDampsMostAtTheFrequencyOfTheData) {
     EXPECT_NEAR(loss_factor(5.0 * (2.0 + std::sqrt(3.0))), 0.5 * tan_delta, 1e-14);
   }
   EXPECT_FALSE(maxwell_branch(80e3, {.source = "test", .tan_delta = 0.0, .frequency_Hz = 5.0}).is_there());
-}
-
-TEST(MaterialDamping, SaysWhetherItWasMeasured) {
-  const auto file = std::filesystem::path(MENGER_SOURCE_DIR) / "materials/data/dragon_skin_10.toml";
-  materials::SiliconeRecord record = materials::read_silicone(file);
-  const MaterialDamping assumed = damping_of(record);
-  EXPECT_EQ(assumed.is_measured, record.loss.has_value());
-  EXPECT_FALSE(assumed.loss.source.empty());
-  if (!assumed.is_measured) {
-    // a tenth of the storage modulus at 30 Hz
-    const double rest_modulus = materials::shear_modulus_at_rest_Pa(record.recommended.law);
-    EXPECT_NEAR(assumed.viscosity_Pa_s, 0.1 * rest_modulus / (60.0 * std::numbers::pi), 1e-12 * rest_modulus);
-  }
-  record.loss = materials::LossData{.source = "test", .tan_delta = 0.3, .frequency_Hz = 10.0};
-  const MaterialDamping measured = damping_of(record);
-  EXPECT_TRUE(measured.is_measured);
-  const double shear_modulus = materials::shear_modulus_at_rest_Pa(record.recommended.law);
-  EXPECT_NEAR(measured.viscosity_Pa_s, shear_modulus * 0.3 / (20.0 * std::numbers::pi), 1e-12 * shear_modulus);
-  EXPECT_EQ(measured.branch.shear_modulus_Pa, maxwell_branch(shear_modulus, *record.loss).shear_modulus_Pa);
 }
 
 }  // namespace

@@ -63,7 +63,6 @@ TEST(StatePredictor, KeepsTheLastThreeStatesForARestart) {
   EXPECT_EQ(predictor.path_parameters(), (std::vector{0.3, 0.4, 0.9}));
   ASSERT_EQ(predictor.states().size(), 3U);
   EXPECT_EQ(predictor.last().plenum_pressures_Pa, state_at(0.9, 2).plenum_pressures_Pa);
-  EXPECT_EQ(predictor.last_s(), 0.9);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -74,23 +73,12 @@ TEST(Fractal, ReplacesCellsOfAnyBodyByAnother) {
   EXPECT_EQ(result, Polycube::from_digits(3, 2, 1, "202101"));
 }
 
-TEST(Fractal, CountsAndMeasuresAnAggregateWithoutBuildingIt) {
-  const Polycube aggregate = fractal(menger_sponge(), 2);
-  EXPECT_EQ(aggregate_count(aggregate, menger_sponge()), 8000U);
-  EXPECT_EQ(aggregate_grid_bytes(aggregate, menger_sponge()), 19683 * sizeof(Material));
-}
-
 TEST(Fractal, RefusesAGridLargerThanAllowedBeforeBuildingIt) {
   EXPECT_NO_THROW(fractal(menger_sponge(), 2, 729));
   EXPECT_THROW(fractal(menger_sponge(), 2, 728), std::length_error);
   EXPECT_THROW(fractal(menger_sponge(), 1, 26), std::length_error);
   EXPECT_THROW(fractal(menger_sponge(), 7), std::length_error) << "10 GB, more than the default allows";
   EXPECT_THROW(fractal(menger_sponge(), 40), std::length_error) << "3^40 cells along an axis fit no int, (3^40)^3 no size_t";
-}
-
-TEST(Fractal, SaturatesWhereASizeFitsNoInteger) {
-  const Polycube long_bar(50000, 1, 1);
-  EXPECT_EQ(aggregate_grid_bytes(long_bar, long_bar), std::numeric_limits<std::size_t>::max());
 }
 
 TEST(Fractal, RefusesALevelBelowOne) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <stdexcept>
 
 #include "io/text/input_error.h"
 #include "meshes/load_cases/load_case_file.h"
@@ -49,13 +48,9 @@ std::string with(const std::string& key, const std::string& value) {
   return text.replace(start, end - start, value);
 }
 
-TEST(LoadCase, KindsAreReadBackFromTheirWords) {
-  for (const auto& [word, kind] : load_case_kind_words()) {
-    EXPECT_EQ(to_string(kind), word);
-    EXPECT_EQ(load_case_kind(word), kind);
-  }
+TEST(LoadCase, EveryKindHasItsWord) {
+  for (const auto& [word, kind] : load_case_kind_words()) EXPECT_EQ(to_string(kind), word);
   EXPECT_EQ(load_case_kind_words().size(), 9U);
-  EXPECT_THROW(load_case_kind("bend"), std::invalid_argument);
 }
 
 TEST(LoadCase, EveryKindHasAbscissaeAndAtLeastOneOrdinate) {
