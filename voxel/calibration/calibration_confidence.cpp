@@ -2,6 +2,7 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 
@@ -12,7 +13,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double normal_quantile_95 = 1.959964;
 constexpr double least_singular_value = 1e-6;  // differences know the columns no better
 
 bool is_at_bound(const FittedValue& value) {
@@ -85,7 +85,7 @@ void set_confidence(CalibrationFit& fit, const Eigen::MatrixXd& jacobian, const 
   const bool widened = !fit.explained && has_freedom;
   const double factor = widened ? materials::student_quantile_95(static_cast<int>(fit.residual_count - fit.parameter_count)) *
                                       std::sqrt(fit.reduced_chi2())
-                                : normal_quantile_95;
+                                : boost::math::quantile(boost::math::normal(), 0.975);
   std::vector<Index> known;  // places among the free columns
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto at = static_cast<Index>(i);

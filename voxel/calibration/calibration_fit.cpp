@@ -3,6 +3,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
 #include "voxel/calibration/calibration_confidence.h"
@@ -82,11 +83,8 @@ void judge_residuals(CalibrationFit& fit, const std::vector<FittedCurve>& curves
   const double mean_weight = weights > 0.0 ? weights / static_cast<double>(fit.residual_count) : 1.0;
   fit.aic = akaike(weighted / mean_weight, fit.residual_count, fit.parameter_count);
   if (fit.residual_count <= fit.parameter_count) return;
-  // Wilson and Hilferty's approximation of the quantile: to a few parts in a thousand from three degrees of freedom on
-  const auto freedom = static_cast<double>(fit.residual_count - fit.parameter_count);
-  const double spread = 2.0 / (9.0 * freedom);
-  constexpr double normal_quantile_99 = 2.326348;
-  fit.explained = fit.chi2 <= freedom * std::pow(1.0 - spread + normal_quantile_99 * std::sqrt(spread), 3);
+  const boost::math::chi_squared expected(static_cast<double>(fit.residual_count - fit.parameter_count));
+  fit.explained = fit.chi2 <= boost::math::quantile(expected, 0.99);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "voxel/calibration/identifiability.h"
 
 #include <algorithm>
-#include <cmath>
+#include <boost/math/distributions/binomial.hpp>
 #include <random>
 
 namespace menger::voxel {
@@ -92,16 +92,11 @@ std::vector<FittedParameter> claimed_parameters(const CalibrationFit& fit) {
 }
 
 std::pair<int, int> likely_hits(int n, double probability) {
+  using boost::math::policies::discrete_quantile;
+  using Upwards = boost::math::policies::policy<discrete_quantile<boost::math::policies::integer_round_up>>;
   constexpr double tail = 0.005;
-  const auto share = [&](int k) {
-    const double ways = std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
-    return std::exp(ways + k * std::log(probability) + (n - k) * std::log1p(-probability));
-  };
-  int lowest = 0;
-  for (double below = share(0); below <= tail && lowest < n; below += share(lowest)) ++lowest;
-  int highest = n;
-  for (double above = share(n); above <= tail && highest > 0; above += share(highest)) --highest;
-  return {lowest, highest};
+  const boost::math::binomial_distribution<double, Upwards> hits(n, probability);
+  return {static_cast<int>(quantile(hits, tail)), static_cast<int>(quantile(complement(hits, tail)))};
 }
 
 io::CsvTable identifiability_table(const Identifiability& result) {

@@ -145,7 +145,7 @@ TEST(StudentQuantile, IsThatOfTheTables) {
   EXPECT_NEAR(student_quantile_95(2), 0.95 * std::sqrt(2.0 / (1.0 - 0.95 * 0.95)), 1e-12);
   EXPECT_NEAR(student_quantile_95(5), 2.570582, 1e-6);
   EXPECT_NEAR(student_quantile_95(29), 2.045230, 1e-6);
-  // The expansion that takes over at 200 meets the sum at 199.
+  // Falls ever more slowly, without a jump between one way of computing it and another.
   const double step = student_quantile_95(198) - student_quantile_95(199);
   EXPECT_NEAR(student_quantile_95(199) - student_quantile_95(200), step, 0.02 * step);
   EXPECT_NEAR(student_quantile_95(100000000), 1.959964, 1e-6);

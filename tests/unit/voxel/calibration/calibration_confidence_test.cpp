@@ -8,7 +8,7 @@
 namespace menger::voxel {
 namespace {
 
-constexpr double normal_quantile_95 = 1.959964;
+constexpr double normal_quantile_95 = 1.959963984540054;
 
 /// Values of zero far from their bounds, explained by their residuals.
 CalibrationFit fit_of(std::size_t parameter_count, std::size_t residual_count) {
