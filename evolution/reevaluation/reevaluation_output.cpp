@@ -1,11 +1,10 @@
 #include "evolution/reevaluation/reevaluation_output.h"
 
-#include <array>
-#include <cstdio>
 #include <system_error>
 
 #include "evolution/reevaluation/reevaluation_chart.h"
 #include "evolution/reevaluation/reevaluation_scene.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/design_file.h"
@@ -27,11 +26,7 @@ void remove_earlier(const fs::path& folder) {
   for (const fs::path& file : files) io::remove_if_there(file);
 }
 
-std::string rank_file(std::size_t rank) {
-  std::array<char, 40> name{};
-  std::snprintf(name.data(), name.size(), "rank_%04zu.csv", rank);
-  return name.data();
-}
+std::string rank_file(std::size_t rank) { return "rank_" + io::padded(rank, 4) + ".csv"; }
 
 void note_missing(const std::string& file, const io::PictureOutcome& picture, std::vector<std::string>& notes) {
   if (!picture.written && !picture.missing.empty()) notes.push_back(file + ": not drawn: " + picture.missing);

@@ -1,12 +1,11 @@
 #include "evolution/reevaluation/reevaluation_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <system_error>
 
 #include "evolution/reevaluation/reevaluation_strip.h"
+#include "io/text/formatted.h"
 #include "io/text/whole_file.h"
 #include "voxel/picture/picture_view.h"
 #include "voxel/picture/vtk_output.h"
@@ -18,11 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t strip_columns = 5;
 
-std::string voxel_file(std::size_t number) {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "voxels_%04zu.vtu", number);
-  return name.data();
-}
+std::string voxel_file(std::size_t number) { return "voxels_" + io::padded(number, 4) + ".vtu"; }
 
 void remove_earlier(const fs::path& folder) {
   for (const char* name : {"both.pvd", "strip.png"}) io::remove_if_there(folder / name);

@@ -44,13 +44,11 @@ Sample sample_of(const SearchTrade& trade, const VoxelFidelity& fidelity, Judgem
   return sample;
 }
 
-std::string shown(double value) { return io::formatted("%.4g", value); }
-
 std::string sample_text(const Sample& sample) {
   if (sample.values.empty()) return "no champion";
-  std::string text = shown(sample.mean());
+  std::string text = io::shown(sample.mean());
   if (sample.values.size() > 1) {
-    text += " +- " + shown(std::sqrt(sample.variance_of_mean() * static_cast<double>(sample.values.size())));
+    text += " +- " + io::shown(std::sqrt(sample.variance_of_mean() * static_cast<double>(sample.values.size())));
   }
   return text + " (" + std::to_string(sample.values.size()) + " seeds)";
 }
@@ -68,7 +66,7 @@ std::string comparison_text(const Sample& sample, const Sample& finest) {
   const bool is_resolved = std::abs(difference) > least;
   const std::string start =
       is_resolved ? "resolved: differs from the finest by " : "not resolved: the difference to the finest, ";
-  return start + shown(difference) + (is_resolved ? ", more than " : ", is less than ") + shown(least) +
+  return start + io::shown(difference) + (is_resolved ? ", more than " : ", is less than ") + io::shown(least) +
          " that the spread over seeds explains";
 }
 
@@ -135,7 +133,7 @@ io::CsvTable search_csv(const SearchTrade& trade) {
 }
 
 std::string search_text(const SearchTrade& trade) {
-  std::string text = "searches of " + shown(trade.voxel_steps) + " voxel steps each\n";
+  std::string text = "searches of " + io::shown(trade.voxel_steps) + " voxel steps each\n";
   const std::vector<VoxelFidelity> all = fidelities_of(trade);
   for (std::size_t n = 0; n < all.size(); ++n)
     text += "  " + std::to_string(n + 1) + ": " + voxel_row(all[n], std::nullopt).label + "\n";

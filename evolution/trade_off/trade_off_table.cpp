@@ -43,14 +43,12 @@ double known_error(const TradeTable& table, std::size_t n) {
   return std::max(*table.rows[n].error, table.reference_error.value_or(0.0));
 }
 
-std::string shown(double value, const char* format) { return io::formatted(format, value); }
-
-std::string percent(double fraction) { return shown(100.0 * fraction, "%.2g") + " %"; }
+std::string percent(double fraction) { return io::shown(100.0 * fraction, 2) + " %"; }
 
 std::string cost_text(const TradeRow& row) {
   const double seconds = row.seconds.value_or(0.0);
-  std::string text = seconds < 10.0 ? shown(seconds, "%.2g") + " s" : io::duration_text(seconds);
-  if (row.peak_megabytes) text += " and " + shown(*row.peak_megabytes, "%.0f") + " MB";
+  std::string text = seconds < 10.0 ? io::shown(seconds, 2) + " s" : io::duration_text(seconds);
+  if (row.peak_megabytes) text += " and " + io::formatted("%.0f", *row.peak_megabytes) + " MB";
   return text;
 }
 

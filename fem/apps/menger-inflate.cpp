@@ -52,12 +52,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   return io::parse_arguments(app, argc, argv);
 }
 
-std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
-
 /// What is smaller than a nanometre is zero but for the tolerances of the solver.
 std::string millimetres(double length_m) {
   constexpr double noise_m = 1e-9;
-  return shown(std::abs(length_m) < noise_m ? 0.0 : 1e3 * length_m);
+  return io::shown(std::abs(length_m) < noise_m ? 0.0 : 1e3 * length_m);
 }
 
 void print(const fem::InflationResult& result, const std::filesystem::path& folder) {
@@ -68,20 +66,20 @@ void print(const fem::InflationResult& result, const std::filesystem::path& fold
   if (!result.path.reason.empty()) std::cout << "; " << result.path.reason;
   std::cout << '\n';
   for (const fem::LimitPoint& limit : result.path.limit_points) {
-    std::cout << "limit point of " << result.plenum_names[limit.plenum] << ": " << shown(1e-3 * limit.pressure_Pa) << " kPa at "
-              << shown(1e6 * limit.volume_m3) << " cm3" << (limit.passed ? "" : " (not passed)") << '\n';
+    std::cout << "limit point of " << result.plenum_names[limit.plenum] << ": " << io::shown(1e-3 * limit.pressure_Pa)
+              << " kPa at " << io::shown(1e6 * limit.volume_m3) << " cm3" << (limit.passed ? "" : " (not passed)") << '\n';
   }
   if (!result.path.points.empty()) {
     const fem::PathPoint& first = result.path.points.front();
     const fem::PathPoint& last = result.path.points.back();
     for (std::size_t p = 0; p < std::min<std::size_t>(result.plenum_names.size(), 4); ++p) {
-      std::cout << result.plenum_names[p] << ": " << shown(1e-3 * last.pressures_Pa[p]) << " kPa, volume "
-                << shown(100.0 * (last.plenum_volumes_m3[p] / first.plenum_volumes_m3[p] - 1.0), "%+.4g") << " %\n";
+      std::cout << result.plenum_names[p] << ": " << io::shown(1e-3 * last.pressures_Pa[p]) << " kPa, volume "
+                << io::formatted("%+.4g", 100.0 * (last.plenum_volumes_m3[p] / first.plenum_volumes_m3[p] - 1.0)) << " %\n";
     }
     for (std::size_t p = 0; p < result.point_names.size(); ++p) {
       const auto& [u, stretch] = result.observations.back()[p];
       std::cout << result.point_names[p] << ": moved (" << millimetres(u[0]) << ", " << millimetres(u[1]) << ", "
-                << millimetres(u[2]) << ") mm, largest stretch " << shown(stretch) << '\n';
+                << millimetres(u[2]) << ") mm, largest stretch " << io::shown(stretch) << '\n';
     }
   }
   std::cout << "results in " << folder.string() << '\n' << std::flush;
@@ -107,7 +105,7 @@ int run(int argc, const char* const* argv, bool speaks) {
   fem::InflationOptions options{.restart = arguments.restart, .strict = arguments.strict, .stop = &io::interrupted()};
   options.progress = [&](const fem::PathPoint& point, double start_s, double end_s) {
     if (!progress) progress = std::make_unique<io::Progress>(arguments.study.stem().string(), end_s - start_s);
-    progress->update(point.s - start_s, shown(1e-3 * point.pressures_Pa.front(), "%.3g") + " kPa");
+    progress->update(point.s - start_s, io::shown(1e-3 * point.pressures_Pa.front(), 3) + " kPa");
   };
   const auto begin = [&](int) { progress.reset(); };
   const bool compares = arguments.refinements > 0;

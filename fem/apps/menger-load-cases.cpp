@@ -18,6 +18,7 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 
 namespace {
@@ -67,10 +68,7 @@ void keep_only(fem::LoadCaseStudy& study, const std::vector<std::string>& names)
 }
 
 std::string shown_seconds(double seconds) {
-  if (seconds >= 100.0) return io::duration_text(seconds);
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
-  return text.data();
+  return seconds >= 100.0 ? io::duration_text(seconds) : io::formatted("%.1f s", seconds);
 }
 
 void print(const fem::CaseOutcome& outcome) {

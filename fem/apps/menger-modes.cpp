@@ -54,8 +54,6 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   return code;
 }
 
-std::string shown(double value) { return io::formatted("%.4g", value); }
-
 void print(const fem::ModesResult& result, const std::filesystem::path& folder) {
   for (const std::string& note : result.notes) std::cout << "  " << note << '\n';
   std::cout << io::to_string(result.status) << ": " << result.states.size() << " states, " << result.elements << " elements, "
@@ -64,8 +62,8 @@ void print(const fem::ModesResult& result, const std::filesystem::path& folder) 
   std::cout << '\n';
   for (const fem::ModesState& state : result.states) {
     const auto [low, high] = std::minmax_element(state.pressures_Pa.begin(), state.pressures_Pa.end());
-    std::cout << shown(1e-3 * *low) << (*low == *high ? "" : " to " + shown(1e-3 * *high)) << " kPa:";
-    for (const double frequency_Hz : state.vibrations.frequencies_Hz) std::cout << ' ' << shown(frequency_Hz);
+    std::cout << io::shown(1e-3 * *low) << (*low == *high ? "" : " to " + io::shown(1e-3 * *high)) << " kPa:";
+    for (const double frequency_Hz : state.vibrations.frequencies_Hz) std::cout << ' ' << io::shown(frequency_Hz);
     std::cout << (state.vibrations.frequencies_Hz.empty() ? " " + state.vibrations.reason : " Hz") << '\n';
   }
   std::cout << "results in " << folder.string() << '\n' << std::flush;

@@ -1,14 +1,13 @@
 #include "fem/inflation/field_output.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "fem/inflation/field_grid.h"
 #include "fem/space/rank_agreement.h"
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/vtk_file.h"
@@ -29,11 +28,7 @@ bool is_step_file(const std::string& name) {
          name.substr(file_start.size(), name.find('.') - file_start.size()).find_first_not_of("0123456789_") == std::string::npos;
 }
 
-std::string numbered(int step) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%s%04d", std::string(file_start).c_str(), step);
-  return text.data();
-}
+std::string numbered(int step) { return std::string(file_start) + io::padded(static_cast<std::size_t>(step), 4); }
 
 }  // namespace
 

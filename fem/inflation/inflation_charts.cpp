@@ -1,8 +1,8 @@
 #include "fem/inflation/inflation_charts.h"
 
-#include <array>
-#include <cstdio>
 #include <utility>
+
+#include "io/text/formatted.h"
 
 namespace menger::fem {
 namespace {
@@ -16,11 +16,7 @@ double on_axis(VolumeScale scale, double volume_m3, double rest_m3) {
   return scale == VolumeScale::cubic_centimetres ? 1e6 * volume_m3 : 100.0 * (volume_m3 / rest_m3 - 1.0);
 }
 
-std::string limit_label(const LimitPoint& limit) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "limit point %.4g kPa", 1e-3 * limit.pressure_Pa);
-  return text.data();
-}
+std::string limit_label(const LimitPoint& limit) { return "limit point " + io::shown(1e-3 * limit.pressure_Pa) + " kPa"; }
 
 io::ChartPanel panel(const InflationResult& result, VolumeScale scale) {
   io::ChartPanel panel;

@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "fem/inflation/inflation_tables.h"
 #include "fem/space/rank_agreement.h"
+#include "io/text/formatted.h"
 
 namespace menger::fem {
 namespace {
@@ -17,12 +17,12 @@ std::vector<std::pair<std::string, double>> observables_of(const InflationResult
   std::vector<std::pair<std::string, double>> values;
   const PathPoint& last = result.path.points.back();
   for (std::size_t p = 0; p < result.plenum_names.size(); ++p) {
-    values.emplace_back(column_part(result.plenum_names[p]) + "_pressure_Pa", last.pressures_Pa[p]);
-    values.emplace_back(column_part(result.plenum_names[p]) + "_volume_m3", last.plenum_volumes_m3[p]);
+    values.emplace_back(io::column_part(result.plenum_names[p]) + "_pressure_Pa", last.pressures_Pa[p]);
+    values.emplace_back(io::column_part(result.plenum_names[p]) + "_volume_m3", last.plenum_volumes_m3[p]);
   }
   for (std::size_t p = 0; p < result.point_names.size(); ++p) {
     const PointObservation& observation = result.observations.back()[p];
-    const std::string name = column_part(result.point_names[p]);
+    const std::string name = io::column_part(result.point_names[p]);
     for (std::size_t i = 0; i < 3; ++i)
       values.emplace_back(name + "_displacement_" + "xyz"[i] + "_m", observation.displacement_m[i]);
     values.emplace_back(name + "_largest_stretch", observation.largest_stretch);

@@ -36,8 +36,6 @@ struct EndOfPath {
   std::string reason;
 };
 
-std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
-
 /// Whether a drive asks for less air than at rest.
 bool is_vacuum(const PlenumDrive& drive) {
   const double rest = drive.kind == DriveKind::pressure ? 0.0 : 1.0;
@@ -251,9 +249,9 @@ class InflationRun {
       const StudyMaterial& material = material_of(points_[p].region);
       const double factor = observations[p].largest_stretch / material.largest_stretch;
       if (factor <= 1.0 || (largest && factor <= largest->factor)) continue;
-      largest = {factor, "the stretch at \"" + points_[p].point.name + "\" reaches " + shown(observations[p].largest_stretch) +
-                             ", beyond the range of its law (" + material.name +
-                             "): largest_stretch = " + shown(material.largest_stretch)};
+      largest = {factor, "the stretch at \"" + points_[p].point.name + "\" reaches " +
+                             io::shown(observations[p].largest_stretch) + ", beyond the range of its law (" + material.name +
+                             "): largest_stretch = " + io::shown(material.largest_stretch)};
     }
     return largest;
   }
@@ -308,8 +306,8 @@ class InflationRun {
     double after = 0.0;
     for (const double volume : first.plenum_volumes_m3) before += volume;
     for (const double volume : last.plenum_volumes_m3) after += volume;
-    std::string text = shown(1e-3 * *low) + (*low == *high ? "" : " to " + shown(1e-3 * *high)) + " kPa, chamber volume ";
-    return text + shown(100.0 * (after / before - 1.0), "%+.3g") + " %";
+    std::string text = io::shown(1e-3 * *low) + (*low == *high ? "" : " to " + io::shown(1e-3 * *high)) + " kPa, chamber volume ";
+    return text + io::formatted("%+.3g", 100.0 * (after / before - 1.0)) + " %";
   }
 
   const InflationStudy& study_;

@@ -1,10 +1,10 @@
 #include "fem/inflation/inflation_tables.h"
 
-#include <cctype>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 
@@ -20,17 +20,17 @@ void add_count(std::string& text, std::string_view key, std::uint64_t value) { a
 std::vector<std::string> columns_of(const InflationResult& result) {
   std::vector<std::string> columns{"step", "s"};
   for (const std::string& plenum : result.plenum_names) {
-    columns.push_back(column_part(plenum) + "_pressure_Pa");
-    columns.push_back(column_part(plenum) + "_volume_m3");
+    columns.push_back(io::column_part(plenum) + "_pressure_Pa");
+    columns.push_back(io::column_part(plenum) + "_volume_m3");
   }
-  for (const std::string& chamber : result.chamber_names) columns.push_back(column_part(chamber) + "_volume_m3");
+  for (const std::string& chamber : result.chamber_names) columns.push_back(io::column_part(chamber) + "_volume_m3");
   for (const std::string& plate : result.plate_names) {
-    for (const char* axis : {"x", "y", "z"}) columns.push_back(column_part(plate) + "_force_" + axis + "_N");
-    for (const char* axis : {"x", "y", "z"}) columns.push_back(column_part(plate) + "_moment_" + axis + "_N_m");
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(io::column_part(plate) + "_force_" + axis + "_N");
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(io::column_part(plate) + "_moment_" + axis + "_N_m");
   }
   for (const std::string& point : result.point_names) {
-    for (const char* axis : {"x", "y", "z"}) columns.push_back(column_part(point) + "_displacement_" + axis + "_m");
-    columns.push_back(column_part(point) + "_largest_stretch");
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(io::column_part(point) + "_displacement_" + axis + "_m");
+    columns.push_back(io::column_part(point) + "_largest_stretch");
   }
   for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string("extent_change_") + axis + "_m");
   for (const char* name : {"strain_energy_J", "work_J", "dead_load_work_J", "smallest_gap_m", "ground_force_N",
@@ -41,14 +41,6 @@ std::vector<std::string> columns_of(const InflationResult& result) {
 }
 
 }  // namespace
-
-std::string column_part(const std::string& name) {
-  std::string part = name;
-  for (char& sign : part) {
-    if (std::isalnum(static_cast<unsigned char>(sign)) == 0) sign = '_';
-  }
-  return part;
-}
 
 io::CsvTable curves_table(const InflationResult& result) {
   io::CsvTable table(columns_of(result));

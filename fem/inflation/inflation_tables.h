@@ -7,9 +7,6 @@
 
 namespace menger::fem {
 
-/// A name as part of a column or key: spaces and other signs become underscores.
-std::string column_part(const std::string& name);
-
 /// One row per point of the path: step, s; <plenum>_pressure_Pa and <plenum>_volume_m3 per plenum; <chamber>_volume_m3 per
 /// chamber; <plate>_force_x_N, _y_N, _z_N and <plate>_moment_x_N_m, _y_N_m, _z_N_m per plate, of the plate on the body, moments
 /// about the present position of its centre; <point>_displacement_x_m, _y_m, _z_m and <point>_largest_stretch per named point;

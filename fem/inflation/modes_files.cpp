@@ -6,15 +6,14 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 #include <system_error>
 
 #include "fem/inflation/field_grid.h"
 #include "fem/inflation/inflation_tables.h"
 #include "io/picture/chart.h"
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
@@ -65,7 +64,7 @@ io::ChartPanel panel_of(const ModesResult& result, const std::string& title, std
 
 io::CsvTable modes_table(const ModesResult& result) {
   std::vector<std::string> columns{"s"};
-  for (const std::string& plenum : result.plenum_names) columns.push_back(column_part(plenum) + "_pressure_Pa");
+  for (const std::string& plenum : result.plenum_names) columns.push_back(io::column_part(plenum) + "_pressure_Pa");
   for (const char* name : {"rigid_modes", "mode", "frequency_Hz"}) columns.emplace_back(name);
   io::CsvTable table(columns);
   for (const ModesState& state : result.states) {
@@ -89,7 +88,7 @@ io::CsvTable frequency_response_table(const ModesResult& result) {
   std::vector<std::string> columns{"frequency_Hz"};
   for (const ModesCurve& curve : result.curves) {
     for (const char* part : {"real", "imaginary"})
-      columns.push_back(column_part(curve.name) + "_" + part + "_" + curve.unit + "_per_Pa");
+      columns.push_back(io::column_part(curve.name) + "_" + part + "_" + curve.unit + "_per_Pa");
   }
   io::CsvTable table(columns);
   for (std::size_t f = 0; f < result.frequencies_Hz.size(); ++f) {
@@ -147,9 +146,7 @@ void write_mode_shapes(const fs::path& folder, const Space& space, std::span<con
     frequency->SetName("frequency_Hz");
     frequency->InsertNextValue(vibrations.frequencies_Hz[m]);
     grid->GetFieldData()->AddArray(frequency);
-    std::array<char, 32> name{};
-    std::snprintf(name.data(), name.size(), "%s%02zu.vtu", shape_prefix.data(), m + 1);
-    io::write_vtu(folder / name.data(), *grid);
+    io::write_vtu(folder / (std::string(shape_prefix) + io::padded(m + 1, 2) + ".vtu"), *grid);
   }
 }
 

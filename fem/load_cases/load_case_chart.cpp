@@ -1,10 +1,10 @@
 #include "fem/load_cases/load_case_chart.h"
 
 #include <array>
-#include <cstdio>
 #include <utility>
 
 #include "io/picture/chart.h"
+#include "io/text/formatted.h"
 
 namespace menger::fem {
 namespace {
@@ -35,11 +35,7 @@ Quantity quantity_of(const std::string& column) {
   return {column, 1.0};
 }
 
-std::string pressure_label(double pressure_Pa) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g kPa", 1e-3 * pressure_Pa);
-  return text.data();
-}
+std::string pressure_label(double pressure_Pa) { return io::shown(1e-3 * pressure_Pa, 3) + " kPa"; }
 
 std::vector<double> scaled_by(const std::vector<double>& values, double factor) {
   std::vector<double> result = values;

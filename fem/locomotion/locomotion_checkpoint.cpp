@@ -18,6 +18,12 @@ using Json = nlohmann::json;
 constexpr std::string_view title = "menger locomotion checkpoint 3\n";
 constexpr std::size_t hash_length = 64;
 
+/// Reads values that stand one after the other, from a place on.
+template <class... Values>
+void take(const Json& json, std::size_t first, Values&... values) {
+  (json.at(first++).get_to(values), ...);
+}
+
 // Bindings name all members of a struct, so that one that is added does not compile until it is kept here, too.
 
 Json to_json(const ExplicitWork& work) {
@@ -28,9 +34,7 @@ Json to_json(const ExplicitWork& work) {
 ExplicitWork work_from(const Json& json) {
   ExplicitWork work;
   auto& [pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = work;
-  std::size_t at = 0;
-  for (double* value : {&pressure, &gravity, &contact, &self_contact, &friction, &viscous, &mass_damping})
-    json.at(at++).get_to(*value);
+  take(json, 0, pressure, gravity, contact, self_contact, friction, viscous, mass_damping);
   return work;
 }
 
@@ -44,10 +48,7 @@ PneumaticState air_from(const Json& json) {
   PneumaticState air;
   auto& [time, volumes, plenum_air, piston_air, source_air, work] = air;
   auto& [piston, source, plenum, line] = work;
-  json.at(0).get_to(time);
-  std::size_t at = 1;
-  for (std::vector<double>* values : {&volumes, &plenum_air, &piston_air, &source_air}) json.at(at++).get_to(*values);
-  for (double* value : {&piston, &source, &plenum, &line}) json.at(at++).get_to(*value);
+  take(json, 0, time, volumes, plenum_air, piston_air, source_air, piston, source, plenum, line);
   return air;
 }
 
@@ -59,13 +60,7 @@ Json to_json(const ContactMemory& memory) {
 ContactMemory memory_from(const Json& json) {
   ContactMemory memory;
   auto& [node, face, depth, pressed, paid, slip, is_sliding] = memory;
-  json.at(0).get_to(node);
-  json.at(1).get_to(face);
-  json.at(2).get_to(depth);
-  json.at(3).get_to(pressed);
-  json.at(4).get_to(paid);
-  json.at(5).get_to(slip);
-  json.at(6).get_to(is_sliding);
+  take(json, 0, node, face, depth, pressed, paid, slip, is_sliding);
   return memory;
 }
 
@@ -83,8 +78,7 @@ Json to_json(const BranchState& branches) {
 BranchState branches_from(const Json& json) {
   BranchState branches;
   auto& [tensors, age] = branches;
-  json.at(0).get_to(tensors);
-  json.at(1).get_to(age);
+  take(json, 0, tensors, age);
   return branches;
 }
 
@@ -110,13 +104,7 @@ ExplicitState explicit_state_from(const Json& json) {
   ExplicitState state;
   auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air, contact,
          branches] = state;
-  json.at(0).get_to(time);
-  json.at(1).get_to(displacements);
-  json.at(2).get_to(velocities);
-  json.at(3).get_to(last_step);
-  json.at(4).get_to(steps);
-  json.at(5).get_to(steps_to_bound);
-  json.at(6).get_to(step_share);
+  take(json, 0, time, displacements, velocities, last_step, steps, steps_to_bound, step_share);
   work = work_from(json.at(7));
   json.at(8).get_to(turnover);
   if (!json.at(9).is_null()) at_start = json.at(9).get<double>();
@@ -137,10 +125,7 @@ Json to_json(const GroundNode& node) {
 GroundNode ground_node_from(const Json& json) {
   GroundNode node;
   auto& [touches, slides, anchor, friction] = node;
-  json.at(0).get_to(touches);
-  json.at(1).get_to(slides);
-  json.at(2).get_to(anchor);
-  json.at(3).get_to(friction);
+  take(json, 0, touches, slides, anchor, friction);
   return node;
 }
 
@@ -166,15 +151,9 @@ ImplicitState implicit_state_from(const Json& json) {
   ImplicitState state;
   auto& [time, displacements, velocities, accelerations, ground_nodes, next_step, steps, rejected, iterations, work, at_start] =
       state;
-  json.at(0).get_to(time);
-  json.at(1).get_to(displacements);
-  json.at(2).get_to(velocities);
-  json.at(3).get_to(accelerations);
+  take(json, 0, time, displacements, velocities, accelerations);
   for (const Json& node : json.at(4)) ground_nodes.push_back(ground_node_from(node));
-  json.at(5).get_to(next_step);
-  json.at(6).get_to(steps);
-  json.at(7).get_to(rejected);
-  json.at(8).get_to(iterations);
+  take(json, 5, next_step, steps, rejected, iterations);
   work = work_from(json.at(9));
   if (!json.at(10).is_null()) at_start = json.at(10).get<double>();
   return state;
@@ -200,15 +179,9 @@ LocomotionRecord record_from(const Json& json) {
   LocomotionRecord record;
   auto& [time, centre, pressures, volumes, energies, ground_force] = record;
   auto& [kinetic, strain, work, at_start] = energies;
-  json.at(0).get_to(time);
-  json.at(1).get_to(centre);
-  json.at(2).get_to(pressures);
-  json.at(3).get_to(volumes);
-  json.at(4).get_to(kinetic);
-  json.at(5).get_to(strain);
+  take(json, 0, time, centre, pressures, volumes, kinetic, strain);
   work = work_from(json.at(6));
-  json.at(7).get_to(at_start);
-  json.at(8).get_to(ground_force);
+  take(json, 7, at_start, ground_force);
   return record;
 }
 

@@ -11,10 +11,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <optional>
 #include <system_error>
 
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/vtk_file.h"
@@ -27,11 +27,7 @@ namespace fs = std::filesystem;
 constexpr const char* collection_name = "frames.pvd";
 
 /// Relative to the folder of the run.
-fs::path frame_file(std::size_t number) {
-  std::array<char, 40> name{};
-  std::snprintf(name.data(), name.size(), "frame_%04zu.vtu", number);
-  return fs::path("frames") / name.data();
-}
+fs::path frame_file(std::size_t number) { return fs::path("frames") / ("frame_" + io::padded(number, 4) + ".vtu"); }
 
 bool is_there(const fs::path& file) {
   std::error_code ignored;

@@ -52,16 +52,14 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   return io::parse_arguments(app, argc, argv);
 }
 
-std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
-
 void print(const LocomotionResult& result) {
-  std::cout << io::to_string(result.status) << ": " << shown(result.time_s) << " s in " << result.steps << " steps, "
+  std::cout << io::to_string(result.status) << ": " << io::shown(result.time_s) << " s in " << result.steps << " steps, "
             << result.elements << " elements, " << io::duration_text(result.seconds);
   if (const auto travel = travel_of(result)) {
-    std::cout << "; moved " << shown(1e3 * travel->horizontal_displacement_m)
-              << " mm = " << shown(travel->horizontal_displacement_body_lengths) << " body lengths ("
-              << shown(travel->body_lengths_per_minute) << " per minute) towards " << shown(travel->direction_deg, "%.0f")
-              << " degrees from x";
+    std::cout << "; moved " << io::shown(1e3 * travel->horizontal_displacement_m)
+              << " mm = " << io::shown(travel->horizontal_displacement_body_lengths) << " body lengths ("
+              << io::shown(travel->body_lengths_per_minute) << " per minute) towards "
+              << io::formatted("%.0f", travel->direction_deg) << " degrees from x";
   } else {
     std::cout << "; " << result.reason;
   }
@@ -94,7 +92,7 @@ class StudyProgress {
       line_.reset();
       line_.emplace(study_.design.name, left_s, quiet_ ? io::ProgressStyle{} : io::terminal_progress());
     };
-    options.progress = [this](double time_s) { line_->update(time_s - start_s_, shown(time_s, "%.3g") + " s simulated"); };
+    options.progress = [this](double time_s) { line_->update(time_s - start_s_, io::shown(time_s, 3) + " s simulated"); };
   }
   void end_case() {
     ++done_;

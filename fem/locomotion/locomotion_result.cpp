@@ -1,12 +1,12 @@
 #include "fem/locomotion/locomotion_result.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string_view>
 #include <utility>
 
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "meshes/load_cases/observables.h"
@@ -22,23 +22,10 @@ constexpr std::pair<const char*, double ExplicitWork::*> work_columns[] = {
     {"mass_damping_loss_J", &ExplicitWork::mass_damping_J},
 };
 
-/// A name as part of the name of a column.
-std::string column_part(std::string name) {
-  for (char& sign : name) {
-    if (std::isalnum(static_cast<unsigned char>(sign)) == 0) sign = '_';
-  }
-  return name;
-}
-
 std::vector<std::string> columns_of(const LocomotionResult& result) {
-  std::vector<std::string> columns{"time_s",
-                                   "centre_of_mass_x_m",
-                                   "centre_of_mass_y_m",
-                                   "centre_of_mass_z_m",
-                                   "horizontal_displacement_m",
-                                   "horizontal_displacement_body_lengths"};
-  for (const std::string& plenum : result.plenum_names) columns.push_back(column_part(plenum) + "_pressure_Pa");
-  for (const std::string& chamber : result.chamber_names) columns.push_back(column_part(chamber) + "_volume_m3");
+  std::vector<std::string> columns(meshes::locomotion_columns.begin(), meshes::locomotion_columns.end());
+  for (const std::string& plenum : result.plenum_names) columns.push_back(io::column_part(plenum) + "_pressure_Pa");
+  for (const std::string& chamber : result.chamber_names) columns.push_back(io::column_part(chamber) + "_volume_m3");
   columns.insert(columns.end(), {"kinetic_J", "strain_J"});
   for (const auto& [name, work] : work_columns) columns.emplace_back(name);
   columns.insert(columns.end(), {"imbalance_J", "ground_force_N"});

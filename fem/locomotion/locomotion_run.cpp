@@ -32,8 +32,6 @@ constexpr std::string_view checkpoint_name = "locomotion.checkpoint";
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::string shown(double value, const char* format) { return io::formatted(format, value); }
-
 /// One study on its way through its records.
 class LocomotionRun {
  public:
@@ -186,8 +184,8 @@ class LocomotionRun {
   void draw() {
     const LocomotionRecord& last = result_.records.back();
     const Point way = difference(last.centre_of_mass_m, result_.records.front().centre_of_mass_m);
-    const std::string caption = study_.design.name + " after " + shown(result_.time_s, "%.3g") + " s: its centre moved by (" +
-                                shown(1e3 * way[0], "%.2f") + ", " + shown(1e3 * way[1], "%.2f") + ") mm";
+    const std::string caption = study_.design.name + " after " + io::shown(result_.time_s, 3) + " s: its centre moved by (" +
+                                io::formatted("%.2f", 1e3 * way[0]) + ", " + io::formatted("%.2f", 1e3 * way[1]) + ") mm";
     const std::vector<double> displacements = dynamics_->displacements_m();
     const std::vector<double> velocities = dynamics_->velocities_m_per_s();
     const io::PictureOutcome robot =

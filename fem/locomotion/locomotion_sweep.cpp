@@ -1,12 +1,11 @@
 #include "fem/locomotion/locomotion_sweep.h"
 
-#include <array>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 
 #include "fem/locomotion/locomotion_study_file.h"
 #include "io/picture/chart.h"
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_substitution.h"
 #include "io/text/whole_file.h"
@@ -18,11 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr double least_span = 0.02;  ///< body lengths
 
-fs::path case_folder(std::size_t number) {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "case_%02zu", number);
-  return name.data();
-}
+fs::path case_folder(std::size_t number) { return "case_" + io::padded(number, 2); }
 
 /// Paths from above.
 io::ChartPanel paths_panel(const std::vector<SweepCase>& cases) {

@@ -23,10 +23,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "fem/surfaces/point.h"
+#include "io/text/formatted.h"
 
 namespace menger::fem {
 namespace {
@@ -192,9 +192,7 @@ void add_scale_bar(vtkRenderer& renderer, double pixels_per_m, const io::Picture
   actor->GetProperty()->SetColor(ink[0], ink[1], ink[2]);
   actor->GetProperty()->SetLineWidth(2.5F * io::supersampling);
   renderer.AddViewProp(actor);
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g mm", 1e3 * length_m);
-  add_text(renderer, text.data(), x + 0.5 * length, y + 2.0 * tick, style);
+  add_text(renderer, io::shown(1e3 * length_m, 6) + " mm", x + 0.5 * length, y + 2.0 * tick, style);
 }
 
 void add_colour_bar(vtkRenderer& renderer, const std::string& title, double highest, const io::PictureStyle& style) {

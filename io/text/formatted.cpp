@@ -1,6 +1,6 @@
 #include "io/text/formatted.h"
 
-#include <cstddef>
+#include <cctype>
 #include <cstdio>
 
 namespace menger::io {
@@ -11,6 +11,20 @@ std::string formatted(const char* format, double value) {
   std::snprintf(text.data(), text.size(), format, value);
   text.pop_back();  // the null that ends it
   return text;
+}
+
+std::string shown(double value, int digits) { return formatted(("%." + std::to_string(digits) + "g").c_str(), value); }
+
+std::string padded(std::size_t number, std::size_t digits) {
+  const std::string text = std::to_string(number);
+  return text.size() < digits ? std::string(digits - text.size(), '0') + text : text;
+}
+
+std::string column_part(std::string name) {
+  for (char& sign : name) {
+    if (std::isalnum(static_cast<unsigned char>(sign)) == 0) sign = '_';
+  }
+  return name;
 }
 
 }  // namespace menger::io

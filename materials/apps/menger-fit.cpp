@@ -10,6 +10,7 @@
 
 #include "io/process/exit_code.h"
 #include "io/process/program.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/number_text.h"
@@ -67,12 +68,11 @@ void print(const materials::FitReport& report) {
                 "stable", "biaxial/uniaxial");
   std::cout << row.data() << '\n';
   for (const materials::LawFit& fit : report.ranking) {
-    std::array<char, 16> ratio{"-"};
-    if (fit.equibiaxial_ratio) std::snprintf(ratio.data(), ratio.size(), "%.4g", *fit.equibiaxial_ratio);
+    const std::string ratio = fit.equibiaxial_ratio ? io::shown(*fit.equibiaxial_ratio) : "-";
     const char* stable = !fit.stable ? "no" : fit.stable_with_margin ? "yes" : "barely";
     std::snprintf(row.data(), row.size(), "%-27s %10.4g %10.4g %9.6f %9.1f  %-8s %s%s", fit.name.c_str(),
                   1e-3 * materials::shear_modulus_at_rest_Pa(fit.law), 1e-3 * fit.rmse_Pa, fit.r_squared, fit.aic, stable,
-                  ratio.data(),
+                  ratio.c_str(),
                   !fit.plausible   ? " (not of silicone)"
                   : fit.cancelling ? " (terms cancel)"
                                    : "");

@@ -1,11 +1,11 @@
 #include "materials/fit/fit_chart.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <limits>
+#include <string>
 
 #include "io/picture/chart.h"
+#include "io/text/formatted.h"
 
 namespace menger::materials {
 namespace {
@@ -43,9 +43,8 @@ io::ChartSeries measured(const TensileTest& test, const Span& span) {
 }
 
 io::ChartSeries curve_of(const LawFit& fit, std::size_t place, const Span& span) {
-  std::array<char, 80> name{};
-  std::snprintf(name.data(), name.size(), "%zu  %s, %.3g kPa", place + 1, fit.name.c_str(), 1e-3 * fit.rmse_Pa);
-  io::ChartSeries series{.name = name.data(), .dashed = !fit.stable, .colour = io::chart_colour(place)};
+  const std::string name = std::to_string(place + 1) + "  " + fit.name + ", " + io::shown(1e-3 * fit.rmse_Pa, 3) + " kPa";
+  io::ChartSeries series{.name = name, .dashed = !fit.stable, .colour = io::chart_colour(place)};
   for (int i = 0; i <= parts; ++i) {
     const double stretch = span.low + (span.high - span.low) * i / parts;
     const NominalStress stress = nominal_stress(fit.law, LoadingMode::uniaxial, stretch);

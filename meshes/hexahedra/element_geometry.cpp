@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+
+#include "io/text/formatted.h"
 
 namespace menger::meshes {
 namespace {
@@ -30,9 +31,7 @@ double length(const Point& a) { return std::sqrt(dot(a, a)); }
 bool is_finite(const Point& place) { return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]); }
 
 std::string millimetre_text(const Point& place) {
-  std::array<char, 80> text{};
-  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g) mm", 1e3 * place[0], 1e3 * place[1], 1e3 * place[2]);
-  return text.data();
+  return "(" + io::shown(1e3 * place[0], 6) + ", " + io::shown(1e3 * place[1], 6) + ", " + io::shown(1e3 * place[2], 6) + ") mm";
 }
 
 CornerPoints corner_points(const HexahedralMesh& mesh, std::size_t element) {

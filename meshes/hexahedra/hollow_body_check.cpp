@@ -1,12 +1,11 @@
 #include "meshes/hexahedra/hollow_body_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "meshes/design/connectivity.h"
@@ -36,11 +35,7 @@ constexpr double most_elements_along_cell = 20'000.0;
 }
 
 /// A limit in a message, which nobody wants to read to the last bit.
-std::string limit_text(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
+std::string limit_text(double value) { return io::shown(value, 6); }
 
 bool is_length(double value) { return std::isfinite(value) && value > 0.0; }
 

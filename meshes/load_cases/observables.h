@@ -30,4 +30,13 @@ inline double body_length_m(int level, double cell_edge_m) {
   return cells * cell_edge_m;
 }
 
+/// What a table of a robot's motion begins with, from whichever model: time, centre of mass, and its horizontal displacement from
+/// the first row.
+inline constexpr std::array<const char*, 6> locomotion_columns{"time_s",
+                                                               "centre_of_mass_x_m",
+                                                               "centre_of_mass_y_m",
+                                                               "centre_of_mass_z_m",
+                                                               "horizontal_displacement_m",
+                                                               "horizontal_displacement_body_lengths"};
+
 }  // namespace menger::meshes

@@ -4,16 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
-#include <sstream>
 
 namespace menger::extremes {
-
-std::string shown(double value, int digits) {
-  std::ostringstream text;
-  text.precision(digits);
-  text << value;
-  return text.str();
-}
 
 void Outcome::add(bool holds, std::string_view text) {
   is_as_expected_ = is_as_expected_ && holds;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/text/formatted.h"
 #include "io/text/run_status.h"
 
 namespace menger::extremes {
@@ -75,7 +76,6 @@ struct RowResult {
 /// Runs a row; what it throws is an outcome that nobody expected.
 RowResult run_row(const Row& row);
 
-/// A number for people, with `digits` significant digits.
-std::string shown(double value, int digits = 4);
+using io::shown;
 
 }  // namespace menger::extremes

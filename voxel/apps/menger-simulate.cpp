@@ -78,29 +78,28 @@ void print_kernel_report(const std::vector<std::string>& lines) {
   std::cout << std::flush;
 }
 
-std::string shown(double value, const char* format = "%.4g") { return io::formatted(format, value); }
-
 void print_check(const voxel::StepCheck& check, double body_length_m) {
-  std::cout << "half the step, " << shown(check.time_step_s) << " s: " << io::to_string(check.status);
+  std::cout << "half the step, " << io::shown(check.time_step_s) << " s: " << io::to_string(check.status);
   if (check.displacement_m) {
     const double distance_m = meshes::horizontal_displacement(*check.displacement_m);
-    std::cout << ", " << io::duration_text(check.seconds) << "; moved " << shown(distance_m)
-              << " m = " << shown(distance_m / body_length_m) << " body lengths";
+    std::cout << ", " << io::duration_text(check.seconds) << "; moved " << io::shown(distance_m)
+              << " m = " << io::shown(distance_m / body_length_m) << " body lengths";
   } else {
     std::cout << ", " << check.reason;
   }
-  if (check.horizontal_change_m) std::cout << ", " << shown(*check.horizontal_change_m, "%+.3g") << " m";
-  std::cout << "; the centre of mass was up to " << shown(check.largest_distance_m, "%.3g") << " m away, at "
-            << shown(check.largest_distance_time_s) << " s\n";
+  if (check.horizontal_change_m) std::cout << ", " << io::formatted("%+.3g", *check.horizontal_change_m) << " m";
+  std::cout << "; the centre of mass was up to " << io::shown(check.largest_distance_m, 3) << " m away, at "
+            << io::shown(check.largest_distance_time_s) << " s\n";
 }
 
 void print_outcome(const voxel::SceneResult& result, const std::filesystem::path& folder) {
   for (const std::string& note : result.notes) std::cout << note << '\n';
-  std::cout << io::to_string(result.status) << ": " << shown(result.time_s) << " s in " << result.steps << " steps of "
-            << shown(result.time_step_s) << " s, " << result.voxels << " voxels, " << io::duration_text(result.seconds);
+  std::cout << io::to_string(result.status) << ": " << io::shown(result.time_s) << " s in " << result.steps << " steps of "
+            << io::shown(result.time_step_s) << " s, " << result.voxels << " voxels, " << io::duration_text(result.seconds);
   if (result.displacement_m) {
     const double distance_m = meshes::horizontal_displacement(*result.displacement_m);
-    std::cout << "; moved " << shown(distance_m) << " m = " << shown(distance_m / result.body_length_m) << " body lengths";
+    std::cout << "; moved " << io::shown(distance_m) << " m = " << io::shown(distance_m / result.body_length_m)
+              << " body lengths";
   } else {
     std::cout << "; " << result.reason;
   }
@@ -140,7 +139,7 @@ void check_step(const voxel::Scene& scene, const std::filesystem::path& folder, 
                 voxel::SceneResult& result, io::Manifest& manifest) {
   io::Progress progress(scene.design.name + ", half the step", scene.duration_s);
   options.progress = [&](const voxel::RunProgress& now) {
-    progress.update(now.time_s, shown(now.simulated_s_per_second, "%.3g") + " simulated s/s");
+    progress.update(now.time_s, io::shown(now.simulated_s_per_second, 3) + " simulated s/s");
   };
   voxel::add_step_check(scene, folder, options, result);
   if (!result.step_check) return;
@@ -170,7 +169,7 @@ int run(int argc, const char* const* argv) {
   options.scene_file = arguments.scene;
   options.started = print_kernel_report;
   options.progress = [&](const voxel::RunProgress& now) {
-    progress.update(now.time_s, shown(now.simulated_s_per_second, "%.3g") + " simulated s/s");
+    progress.update(now.time_s, io::shown(now.simulated_s_per_second, 3) + " simulated s/s");
   };
   voxel::SceneResult result = voxel::run_scene(scene, arguments.folder, options);
   manifest.seconds = result.seconds;

@@ -1,13 +1,12 @@
 #include "voxel/calibration/calibration_chart.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
 #include "io/picture/chart.h"
+#include "io/text/formatted.h"
 #include "voxel/calibration/calibration_tables.h"
 
 namespace menger::voxel {
@@ -35,12 +34,6 @@ std::string quantity_name(const std::string& column) {
   return name;
 }
 
-std::string pressure_text(double pressure_Pa) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g kPa", 1e-3 * pressure_Pa);
-  return text.data();
-}
-
 /// Rows of one line: all of a curve over pressure, those of one pressure over what is imposed.
 std::vector<std::vector<std::size_t>> runs_of(const FittedCurve& curve) {
   std::vector<std::vector<std::size_t>> runs;
@@ -61,7 +54,7 @@ void add_series(io::ChartPanel& panel, const FittedCurve& curve, const std::vect
   for (const std::vector<std::size_t>& run : runs) {
     const io::Colour colour = io::chart_colour(panel.series.size() / 2);
     std::string name = quantity_name(curve.ordinates[ordinate]);
-    if (runs.size() > 1) name += ", " + pressure_text(curve.states[run.front()][0]);
+    if (runs.size() > 1) name += ", " + io::shown(1e-3 * curve.states[run.front()][0], 3) + " kPa";
     io::ChartSeries reference{.marks = io::Marks::points, .colour = colour};
     io::ChartSeries surrogate{
         .name = name, .marks = run.size() > 1 ? io::Marks::line : io::Marks::line_and_points, .colour = colour};

@@ -12,10 +12,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string_view>
 #include <system_error>
 
+#include "io/text/formatted.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/vtk_file.h"
 #include "voxel/picture/cube.h"
@@ -118,9 +118,7 @@ void FrameSeries::finish() const { write_collection(collection_file(), entries_)
 std::filesystem::path FrameSeries::collection_file() const { return folder_ / (name_ + ".pvd"); }
 
 std::filesystem::path FrameSeries::frame_file(std::size_t index) const {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "frame_%04zu.vtu", index);
-  return std::filesystem::path(name_) / name.data();
+  return std::filesystem::path(name_) / ("frame_" + io::padded(index, 4) + ".vtu");
 }
 
 }  // namespace menger::voxel

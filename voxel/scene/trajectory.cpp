@@ -34,12 +34,7 @@ std::array<double, 3> displacement_m(const Trajectory& trajectory, const Traject
 
 io::CsvTable trajectory_table(const Trajectory& trajectory, double body_length_m) {
   const bool with_energy = !trajectory.empty() && trajectory.front().energy.has_value();
-  std::vector<std::string> columns{"time_s",
-                                   "centre_of_mass_x_m",
-                                   "centre_of_mass_y_m",
-                                   "centre_of_mass_z_m",
-                                   "horizontal_displacement_m",
-                                   "horizontal_displacement_body_lengths"};
+  std::vector<std::string> columns(meshes::locomotion_columns.begin(), meshes::locomotion_columns.end());
   if (with_energy) {
     for (const auto& [name, term] : energy_columns) columns.emplace_back(name);
     columns.emplace_back("energy_residual_J");

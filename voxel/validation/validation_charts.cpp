@@ -1,12 +1,11 @@
 #include "voxel/validation/validation_charts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "io/picture/chart.h"
+#include "io/text/formatted.h"
 #include "voxel/validation/validation_summary.h"
 
 namespace menger::voxel {
@@ -94,12 +93,6 @@ Shown shown_as(const std::string& column) {
 
 std::string short_name(const std::string& column) { return column.substr(0, column.find_last_of('_')); }
 
-std::string kilopascals(double pressure_Pa) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g kPa", 1e-3 * pressure_Pa);
-  return text.data();
-}
-
 /// One line of a panel: rows of a column, of both models.
 struct CurvePart {
   std::string name;
@@ -116,7 +109,7 @@ std::vector<CurvePart> parts_of(const CurveComparison& comparison, std::size_t c
   std::vector<CurvePart> parts;
   for (std::size_t begin = 0, end = 0; begin < pressures.size(); begin = end) {
     while (end < pressures.size() && pressures[end] == pressures[begin]) ++end;
-    parts.push_back({name + ", " + kilopascals(pressures[begin]), column, begin, end});
+    parts.push_back({name + ", " + io::shown(1e-3 * pressures[begin], 3) + " kPa", column, begin, end});
   }
   return parts;
 }

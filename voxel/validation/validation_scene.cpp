@@ -15,11 +15,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <map>
 #include <system_error>
 #include <utility>
 
+#include "io/text/formatted.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/vtk_file.h"
 #include "voxel/picture/vtk_output.h"
@@ -79,11 +79,7 @@ vtkSmartPointer<vtkUnstructuredGrid> as_grid(vtkPolyData& surface) {
   return append->GetOutput();
 }
 
-std::string numbered(const char* kind, std::size_t row) {
-  std::array<char, 48> name{};
-  std::snprintf(name.data(), name.size(), "worst/%s_%04zu.vtu", kind, row);
-  return name.data();
-}
+std::string numbered(const std::string& kind, std::size_t row) { return "worst/" + kind + "_" + io::padded(row, 4) + ".vtu"; }
 
 /// Removes the files of an earlier run, and no other.
 void remove_earlier(const fs::path& folder) {
@@ -135,9 +131,7 @@ Eigen::Isometry3d beside(const SideBySide& sides) {
 }
 
 std::string caption_of(const CurveComparison& comparison, const State& state) {
-  std::array<char, 80> text{};
-  std::snprintf(text.data(), text.size(), "%s at %.3g kPa", comparison.load_case().name.c_str(), 1e-3 * state.front());
-  return text.data();
+  return comparison.load_case().name + " at " + io::shown(1e-3 * state.front(), 3) + " kPa";
 }
 
 }  // namespace

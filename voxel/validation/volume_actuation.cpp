@@ -57,7 +57,7 @@ std::optional<double> crossing(const std::vector<Point>& points, double value, s
   return std::nullopt;
 }
 
-std::string kilopascals(double pressure_Pa) { return io::formatted("%.3g kPa", 1e-3 * pressure_Pa); }
+std::string kilopascals(double pressure_Pa) { return io::shown(1e-3 * pressure_Pa, 3) + " kPa"; }
 std::string percent(double change) { return io::formatted("%+.3g %%", 100.0 * change); }
 
 std::string swelling_sentence(const VolumeActuation& a, const ActuationAim& aim) {
