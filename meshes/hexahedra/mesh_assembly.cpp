@@ -1,6 +1,8 @@
 #include "meshes/hexahedra/mesh_assembly.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -9,7 +11,6 @@
 #include "meshes/hexahedra/chamber_surface.h"
 #include "meshes/hexahedra/element_geometry.h"
 #include "meshes/hexahedra/mesh_quality.h"
-#include "meshes/hexahedra/used_points.h"
 
 namespace menger::meshes {
 namespace {
@@ -172,6 +173,51 @@ void add_cap(HexahedralMesh& mesh, const NamedCap& cap, const std::string& sourc
     return;
   }
   throw io::InputError(source + ": \"" + cap.name + "\" closes no chamber: the surface of none ends at all of its edges");
+}
+
+/// Whether an edge lies in a plane of symmetry, which bounds a cap without any edge of an element.
+bool in_coordinate_plane(const Point& a, const Point& b) {
+  const double tolerance = 1e-6 * length(difference(b, a));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (std::max(std::abs(a[axis]), std::abs(b[axis])) <= tolerance) return true;
+  }
+  return false;
+}
+
+/// Leaves only the points of elements, numbered in the order in which elements use them: other programs keep those of curves, of
+/// unused surfaces and in the middle of edges. Edges of caps that lie in a plane of symmetry and not on the solid are dropped,
+/// too.
+/// @param source what messages begin with, such as the name of the file
+/// @throws io::InputError if a named face or any other edge of a cap has a point of no element
+void drop_unused_points(NamedHexahedra& input, const std::string& source) {
+  constexpr std::size_t unused = SIZE_MAX;
+  std::vector<std::size_t> kept(input.points.size(), unused);
+  std::vector<Point> points;
+  for (ElementCorners& element : input.elements) {
+    for (std::size_t& corner : element) {
+      if (kept[corner] == unused) {
+        kept[corner] = points.size();
+        points.push_back(input.points[corner]);
+      }
+      corner = kept[corner];
+    }
+  }
+  for (NamedFace& face : input.faces) {
+    for (std::size_t& corner : face.corners) {
+      if (kept[corner] == unused)
+        throw io::InputError(source + ": \"" + input.label_names[face.label] + "\" has points of no hexahedron");
+      corner = kept[corner];
+    }
+  }
+  for (NamedCap& cap : input.caps) {
+    std::erase_if(cap.rim, [&](const std::array<std::size_t, 2>& edge) {
+      if (kept[edge[0]] != unused && kept[edge[1]] != unused) return false;
+      if (in_coordinate_plane(input.points[edge[0]], input.points[edge[1]])) return true;
+      throw io::InputError(source + ": the rim of \"" + cap.name + "\" has points of no hexahedron");
+    });
+    for (std::array<std::size_t, 2>& edge : cap.rim) edge = {kept[edge[0]], kept[edge[1]]};
+  }
+  input.points = std::move(points);
 }
 
 }  // namespace
