@@ -9,7 +9,7 @@
 #include "io/text/joined_text.h"
 #include "meshes/design/fractal.h"
 #include "meshes/hexahedra/hollow_body_check.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 #include "voxel/scene/scene.h"
 
 namespace menger::evolution {

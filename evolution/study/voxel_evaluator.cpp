@@ -12,9 +12,9 @@
 
 #include "io/text/joined_text.h"
 #include "io/text/number_text.h"
-#include "voxel/engine/simulation.h"
 #include "voxel/lanes/lane_packing.h"
 #include "voxel/lanes/lanes.h"
+#include "voxel/lanes/simulation.h"
 #include "voxel/scene/physics_file.h"
 
 namespace menger::evolution {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evolution/evaluation/evaluator.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 #include "voxel/model/parameters.h"
 
 namespace menger::evolution {

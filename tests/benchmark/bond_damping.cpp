@@ -18,7 +18,7 @@
 #include "io/text/formatted.h"
 #include "meshes/design/fractal.h"
 #include "meshes/load_cases/observables.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace {
 

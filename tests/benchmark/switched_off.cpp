@@ -20,7 +20,7 @@
 #include "meshes/design/fractal.h"
 #include "meshes/design/reference_shapes.h"
 #include "tests/support/temporary_folder.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 #include "voxel/picture/vtk_output.h"
 #include "voxel/scene/scene_file.h"
 

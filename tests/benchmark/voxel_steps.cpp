@@ -12,8 +12,8 @@
 #include "meshes/design/connectivity.h"
 #include "meshes/design/fractal.h"
 #include "meshes/design/reference_shapes.h"
-#include "voxel/engine/simulation.h"
 #include "voxel/lanes/lanes.h"
+#include "voxel/lanes/simulation.h"
 
 namespace {
 

@@ -7,6 +7,7 @@
 
 #include "meshes/design/reference_shapes.h"
 #include "tests/extremes/voxel_rows.h"
+#include "voxel/engine/time_step.h"
 
 namespace menger::extremes {
 

@@ -6,7 +6,7 @@
 
 #include "meshes/design/polycube.h"
 #include "tests/extremes/row.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::extremes {
 

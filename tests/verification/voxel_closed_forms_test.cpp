@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "meshes/design/reference_shapes.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 namespace {

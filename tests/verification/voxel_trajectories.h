@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "meshes/design/fractal.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 

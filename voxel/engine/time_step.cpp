@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "voxel/model/calibrated_body.h"
 #include "voxel/model/wall_feet.h"
 
 namespace menger::voxel {
@@ -90,6 +91,14 @@ double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classe
     recommended_s = std::min(recommended_s, 0.5 * standing_s);
   }
   return recommended_s;
+}
+
+double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics) {
+  if (!physics.surrogate) return recommended_time_step_s(Lattice(body), cell_edge_m, physics);
+  const HollowVoxels voxels = calibrated_voxels(body, *physics.surrogate);
+  const Lattice lattice(voxels.body);
+  return recommended_time_step_s(lattice, calibrated_classes(lattice, voxels, physics, {}),
+                                 physics.surrogate->parameters.voxel_edge_m(), physics);
 }
 
 }  // namespace menger::voxel

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshes/design/polycube.h"
 #include "voxel/engine/voxel_classes.h"
 #include "voxel/laws/lattice.h"
 #include "voxel/model/parameters.h"
@@ -22,6 +23,9 @@ double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const
 /// stiffness over the mass of every voxel; of solid voxels all but the torsion are E L / m. Phi is that of the beam's shear, 0 if
 /// it does not shear; see beam_coefficients. Where there is a floor the step is at most half of the largest_standing_step_s.
 double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classes, double edge_m, const Physics& physics);
+
+/// The same of a body, solid or calibrated. @param cell_edge_m of a design's cell
+double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics);
 
 /// Largest stable step, s, of a voxel that stands on all feet of a wall (FootContact) and rocks on them without sliding.
 /// @param edge_m of the voxel

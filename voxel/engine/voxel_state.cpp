@@ -80,13 +80,13 @@ BeamCoefficients<Real> rounded(const BeamCoefficients<double>& c) {
 }  // namespace
 
 template <class Real>
-VoxelState<Real>::VoxelState(const Lattice& lattice, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
-                             const BodyClasses& classes, bool own_lengths)
-    : edge_(cell_edge_m), uniform_(classes.uniform && !own_lengths), phases_(actuation_phases(lattice, physics.actuation)) {
-  allocate(lattice);
+VoxelState<Real>::VoxelState(const VoxelBody& body, const VoxelLoads& loads)
+    : edge_(body.edge_m), uniform_(body.classes.uniform && !body.hollow) {
+  const BodyClasses& classes = body.classes;
+  allocate(body.lattice);
   fill_tables(classes);
-  place_voxels(lattice, physics, loads, classes);
-  fill_beams(lattice, classes, own_lengths);
+  place_voxels(body, loads);
+  fill_beams(body);
   data.voxel = rounded<Real>(classes.voxel[classes.voxel_class.front()]);
   data.beam = rounded<Real>(classes.beam[classes.beam_of_uniform]);
 }
@@ -133,6 +133,26 @@ std::array<double, 3> VoxelState<Real>::position_m(std::size_t voxel) const {
     position[axis] = origin_[axis] + (static_cast<double>(pose_[at]) - static_cast<double>(residual_[at]));
   }
   return position;
+}
+
+/// Three numbers of a voxel's motion times a coefficient of its class.
+template <class Real>
+std::array<double, 3> VoxelState<Real>::rate_of(std::size_t voxel, int first, int inverse) const {
+  const Real* motion = motion_.data() + line_size * voxel + first;
+  const Real* coefficients = voxel_table_.data() + line_size * static_cast<std::size_t>(voxel_class_[voxel]);
+  const auto factor = static_cast<double>(coefficients[inverse]);
+  return {factor * static_cast<double>(motion[0]), factor * static_cast<double>(motion[1]),
+          factor * static_cast<double>(motion[2])};
+}
+
+template <class Real>
+std::array<double, 3> VoxelState<Real>::velocity_m_s(std::size_t voxel) const {
+  return rate_of(voxel, slot::px, class_slot::inverse_mass);
+}
+
+template <class Real>
+std::array<double, 3> VoxelState<Real>::angular_velocity_rad_s(std::size_t voxel) const {
+  return rate_of(voxel, slot::hx, class_slot::inverse_inertia);
 }
 
 template <class Real>
@@ -184,15 +204,16 @@ void VoxelState<Real>::place_on_grid(const Lattice& lattice, const std::vector<s
 }
 
 template <class Real>
-void VoxelState<Real>::place_voxels(const Lattice& lattice, const Physics& physics, const VoxelLoads& loads,
-                                    const BodyClasses& classes) {
+void VoxelState<Real>::place_voxels(const VoxelBody& body, const VoxelLoads& loads) {
   const auto put3 = [](Real* to, const std::array<double, 3>& v, double factor) {
     for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = static_cast<Real>(factor * v[axis]);
   };
   const bool loaded = !loads.force_N.empty() || !loads.moment_N_m.empty();
   if (loaded) external_.assign(line_size * all_voxels_, Real(0));
-  const bool driven = is_driven(physics.actuation) && !physics.surrogate;
-  place_on_grid(lattice, loads.initial_displacement_m);
+  const BodyClasses& classes = body.classes;
+  const Actuation& actuation = body.physics.actuation;
+  const bool driven = is_driven(actuation) && !body.hollow;
+  place_on_grid(body.lattice, loads.initial_displacement_m);
   for (std::size_t i = 0; i < all_voxels_; ++i) {
     Real* pose = pose_.data() + line_size * i;
     pose[slot::size] = static_cast<Real>(edge_);
@@ -204,9 +225,9 @@ void VoxelState<Real>::place_voxels(const Lattice& lattice, const Physics& physi
     }
     voxel_class_[i] = static_cast<std::int32_t>(2 * classes.voxel_class[i]);
 
-    const double angle = 2.0 * std::numbers::pi * phases_[i];
+    const double angle = 2.0 * std::numbers::pi * body.phases[i];
     const double size = edge_ * (loads.size_factor.empty() ? 1.0 : loads.size_factor[i]);
-    const double amplitude = driven ? physics.actuation.amplitude * size : 0.0;
+    const double amplitude = driven ? actuation.amplitude * size : 0.0;
     size_base_[i] = static_cast<Real>(size);
     size_sine_[i] = static_cast<Real>(amplitude * std::cos(angle));
     size_cosine_[i] = static_cast<Real>(amplitude * std::sin(angle));
@@ -234,9 +255,10 @@ void VoxelState<Real>::place_voxels(const Lattice& lattice, const Physics& physi
 }
 
 template <class Real>
-void VoxelState<Real>::fill_beams(const Lattice& lattice, const BodyClasses& classes, bool own_lengths) {
+void VoxelState<Real>::fill_beams(const VoxelBody& body) {
+  const bool own_lengths = body.hollow.has_value();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const AxisBeams& beams = lattice.beams[axis];
+    const AxisBeams& beams = body.lattice.beams[axis];
     const std::size_t count = padded<Real>(beams.lower.size());
     lower_[axis] = beams.lower;
     upper_[axis] = beams.upper;
@@ -244,7 +266,7 @@ void VoxelState<Real>::fill_beams(const Lattice& lattice, const BodyClasses& cla
     upper_[axis].resize(count, static_cast<std::int32_t>(data.padded_voxels + 1 + axis));
     beam_class_[axis].assign(count, 0);
     for (std::size_t i = 0; i < beams.lower.size(); ++i)
-      beam_class_[axis][i] = static_cast<std::int32_t>(2 * classes.beam_class[axis][i]);
+      beam_class_[axis][i] = static_cast<std::int32_t>(2 * body.classes.beam_class[axis][i]);
     constexpr auto values = static_cast<std::size_t>(history_values);
     history_[axis].assign(values * count, Real(0));
     for (std::size_t i = 0; i < count; ++i) history_[axis][(values - 1) * count + i] = Real(1);

@@ -6,10 +6,9 @@
 #include <vector>
 #include <xsimd/xsimd.hpp>
 
-#include "voxel/engine/simulation.h"
-#include "voxel/engine/voxel_classes.h"
+#include "voxel/engine/voxel_body.h"
+#include "voxel/engine/voxel_loads.h"
 #include "voxel/kernels/step_data.h"
-#include "voxel/laws/lattice.h"
 #include "voxel/model/actuation.h"
 
 namespace menger::voxel {
@@ -21,9 +20,8 @@ using AlignedArray = std::vector<Real, xsimd::aligned_allocator<Real, 64>>;
 template <class Real>
 class VoxelState {
  public:
-  /// @param own_lengths beams keep their own rest lengths; they start as the edge
-  VoxelState(const Lattice& lattice, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
-             const BodyClasses& classes, bool own_lengths);
+  /// Beams of a calibrated body keep their own rest lengths, which start as the edge.
+  VoxelState(const VoxelBody& body, const VoxelLoads& loads);
   VoxelState(const VoxelState&) = delete;
   VoxelState& operator=(const VoxelState&) = delete;
 
@@ -36,12 +34,15 @@ class VoxelState {
   /// Centre of a voxel in the world, m, with what rounding left out.
   [[nodiscard]] std::array<double, 3> position_m(std::size_t voxel) const;
 
+  /// Momentum over mass, m/s, and moment of momentum over moment of inertia, rad/s.
+  [[nodiscard]] std::array<double, 3> velocity_m_s(std::size_t voxel) const;
+  [[nodiscard]] std::array<double, 3> angular_velocity_rad_s(std::size_t voxel) const;
+
   /// Moves the origin to the body if the middle of the body is farther than eight edges from where it was. Positions in the world
   /// stay to 1e-7 of a rounding. Returns whether it was moved.
   bool take_origin_along();
 
   [[nodiscard]] bool uniform() const { return uniform_; }
-  [[nodiscard]] const std::vector<double>& phases() const { return phases_; }
 
   /// Puts the drive at sin and cos into all sizes and their rates; the kernels do this for the following steps.
   void set_sizes(double sine, double cosine);
@@ -54,16 +55,16 @@ class VoxelState {
   void put_position(std::size_t voxel, const std::array<double, 3>& world_m);
   [[nodiscard]] bool move_origin(const std::vector<std::array<double, 3>>& positions_m);
   void place_on_grid(const Lattice& lattice, const std::vector<std::array<double, 3>>& displacements_m);
-  void place_voxels(const Lattice& lattice, const Physics& physics, const VoxelLoads& loads, const BodyClasses& classes);
+  void place_voxels(const VoxelBody& body, const VoxelLoads& loads);
   void fill_tables(const BodyClasses& classes);
-  void fill_beams(const Lattice& lattice, const BodyClasses& classes, bool own_lengths);
+  void fill_beams(const VoxelBody& body);
+  [[nodiscard]] std::array<double, 3> rate_of(std::size_t voxel, int first, int inverse) const;
 
   double edge_;
   std::size_t all_voxels_ = 0;  ///< with padding and the four ends of padding beams
   bool uniform_ = true;
   std::array<double, 3> origin_{};       ///< m
   std::array<double, 3> grid_middle_{};  ///< mean of the positions on the grid, m
-  std::vector<double> phases_;
   AlignedArray<Real> pose_, motion_, load_, residual_, external_;
   AlignedArray<Real> size_base_, size_sine_, size_cosine_;
   AlignedArray<Real> voxel_table_, beam_table_;

@@ -32,6 +32,9 @@ struct KernelOptions {
   bool blocks_in_lanes = true;  ///< of an aggregate, where that is faster; otherwise voxel by voxel
   int threads = 1;              ///< >= 1, that share every step of an aggregate whose blocks go in lanes
   bool energy_ledger = false;   ///< keep the energy balance (slow: scalar, with separate sums for every kind of force)
+
+  /// That these options ask for, one by one or all together.
+  [[nodiscard]] KeptTerms kept_terms() const { return every_term ? all_terms : kept; }
 };
 
 /// Work done for collisions.

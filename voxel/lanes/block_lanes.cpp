@@ -5,8 +5,6 @@
 #include <thread>
 #include <utility>
 
-#include "voxel/model/actuation.h"
-
 namespace menger::voxel {
 
 namespace {
@@ -39,8 +37,8 @@ LaneMoves<Real> moves_of(const std::vector<std::int32_t>& origins) {
 }  // namespace
 
 template <class Real>
-BlockLanes<Real>::BlockLanes(EngineOf<Real>& engine, BlockBody body, const LaneKernels<Real>& kernels, int threads)
-    : engine_(engine),
+BlockLanes<Real>::BlockLanes(MovingBody<Real>& moving, BlockBody body, const LaneKernels<Real>& kernels, int threads)
+    : moving_(moving),
       body_(std::move(body)),
       block_(body_.block),
       kernels_(kernels),
@@ -150,13 +148,13 @@ void BlockLanes<Real>::join(std::size_t axis) {
   find_histories(axis);
 }
 
-/// Finds where the histories of the engine's beams stand in lanes.
+/// Finds where the histories of the body's beams stand in lanes.
 template <class Real>
 void BlockLanes<Real>::find_histories(std::size_t axis) {
   const AxisBeams& inside = block_.beams[axis];
   const auto& pairs = body_.neighbours[axis];
   const auto& faces = body_.faces[axis];
-  const AxisBeams& beams = engine_.lattice->beams[axis];
+  const AxisBeams& beams = moving_.body().lattice.beams[axis];
   for (std::size_t i = 0; i < beams.lower.size(); ++i) {
     const auto lower = static_cast<std::size_t>(beams.lower[i]);
     const auto upper = static_cast<std::size_t>(beams.upper[i]);
@@ -189,8 +187,7 @@ std::size_t BlockLanes<Real>::lanes_used(std::size_t group) const {
 
 template <class Real>
 void BlockLanes<Real>::put() {
-  const EngineOf<Real>& engine = engine_;
-  const StepData<Real>& d = engine.state_->data;
+  const StepData<Real>& d = moving_.data();
   std::fill(load_.begin(), load_.end(), Real(0));
   for (std::size_t slot = 0; slot < slots_; ++slot) {
     const std::size_t block = slot < body_.count ? slot : 0;
@@ -217,15 +214,13 @@ void BlockLanes<Real>::put() {
       group.displacement_limit2[lane] = d.displacement_limit2;
     }
   }
-  next_sine_ = d.next_sine;
-  next_cosine_ = d.next_cosine;
   for (std::size_t g = 0; g < groups_.size(); ++g) put_spheres(g);
 }
 
 template <class Real>
 void BlockLanes<Real>::put_histories() {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const BeamAxisData<Real>& beams = engine_.state_->data.axis[axis];
+    const BeamAxisData<Real>& beams = moving_.data().axis[axis];
     for (std::size_t i = 0; i < remembered_[axis].size(); ++i) {
       for (std::size_t k = 0; k < history_size; ++k) remembered_[axis][i][k * lanes_] = beams.history[k * beams.count + i];
     }
@@ -243,7 +238,7 @@ void BlockLanes<Real>::put_histories() {
 /// Puts positions again whose origin has moved.
 template <class Real>
 void BlockLanes<Real>::put_positions() {
-  const StepData<Real>& d = engine_.state_->data;
+  const StepData<Real>& d = moving_.data();
   for (std::size_t block = 0; block < body_.count; ++block) {
     for (std::size_t place = 0; place < places_; ++place) {
       const auto voxel = static_cast<std::size_t>(body_.voxel[block * places_ + place]);
@@ -259,7 +254,7 @@ void BlockLanes<Real>::put_positions() {
 
 template <class Real>
 void BlockLanes<Real>::take_poses() {
-  const StepData<Real>& d = engine_.state_->data;
+  const StepData<Real>& d = moving_.data();
   for (std::size_t block = 0; block < body_.count; ++block) {
     for (std::size_t place = 0; place < places_; ++place) {
       const auto voxel = static_cast<std::size_t>(body_.voxel[block * places_ + place]);
@@ -272,7 +267,7 @@ void BlockLanes<Real>::take_poses() {
 template <class Real>
 void BlockLanes<Real>::take() {
   take_poses();
-  StepData<Real>& d = engine_.state_->data;
+  StepData<Real>& d = moving_.data();
   for (std::size_t block = 0; block < body_.count; ++block) {
     for (std::size_t place = 0; place < places_; ++place) {
       const auto voxel = static_cast<std::size_t>(body_.voxel[block * places_ + place]);
@@ -285,26 +280,105 @@ void BlockLanes<Real>::take() {
       for (std::size_t k = 0; k < history_size; ++k) beams.history[k * beams.count + i] = remembered_[axis][i][k * lanes_];
     }
   }
-  d.rate_scale = groups_.front().rate_scale;
 }
 
 /// Sets what all groups have in common in the next step, and finds its contacts; or says that there is no next step.
 template <class Real>
 void BlockLanes<Real>::begin_step() {
-  const EngineOf<Real>& engine = engine_;
-  done_ = engine.steps == last_step_ || engine.divergence || (stop_ != nullptr && stop_->load(std::memory_order_relaxed));
+  const RunRecord& record = moving_.record();
+  done_ = record.steps == last_step_ || record.divergence || (stop_ != nullptr && stop_->load(std::memory_order_relaxed));
   if (done_) return;
+  moving_.begin_step();
   may_touch_ = prepare_contacts();
-  if (!engine.actuated_) return;
-  const DriveAngle next =
-      drive_angle(static_cast<double>(engine.steps + 1) * engine.time_step_s, engine.physics.actuation.period_s);
-  next_sine_ = static_cast<Real>(next.sine);
-  next_cosine_ = static_cast<Real>(next.cosine);
+}
+
+/// Renews what is known of close pairs where it must be. @return whether any pair may touch
+template <class Real>
+bool BlockLanes<Real>::prepare_contacts() {
+  ClosePairs<Real>* pairs = moving_.close_pairs();
+  if (pairs == nullptr) return false;
+  if (pairs->looks_at_positions()) take_positions();
+  pairs->renew(moving_.data().pose);
+  if (!pairs->may_touch()) return false;
+  if (list_of_spheres_ != pairs->list().number()) number_spheres();
+  const auto size_of = [&](std::int32_t voxel) {
+    return spheres_[4 * static_cast<std::size_t>(sphere_of_[static_cast<std::size_t>(voxel)]) + slot::size];
+  };
+  pairs->search(spheres(), first_.data(), second_.data(), size_of);
+  return true;
+}
+
+/// Takes out the positions alone, which the list of close pairs is made of.
+template <class Real>
+void BlockLanes<Real>::take_positions() {
+  const StepData<Real>& d = moving_.data();
+  for (std::size_t voxel = 0; voxel < sphere_of_.size(); ++voxel) {
+    const Real* from = spheres_.data() + 4 * static_cast<std::size_t>(sphere_of_[voxel]);
+    for (std::size_t axis = 0; axis < 3; ++axis) d.pose[line_size * voxel + axis] = from[axis];
+  }
+}
+
+/// Names the spheres of the close pairs.
+template <class Real>
+void BlockLanes<Real>::number_spheres() {
+  const VerletList& list = moving_.close_pairs()->list();
+  const auto number = [&](const std::vector<std::int32_t>& voxels, std::vector<std::int32_t>& spheres) {
+    spheres.clear();
+    for (const std::int32_t voxel : voxels) spheres.push_back(sphere_of_[static_cast<std::size_t>(voxel)]);
+  };
+  number(list.first(), first_);
+  number(list.second(), second_);
+  list_of_spheres_ = list.number();
+}
+
+template <class Real>
+void BlockLanes<Real>::put_spheres(std::size_t group) {
+  if (moving_.close_pairs() != nullptr) kernels_.put_spheres(groups_[group], spheres_.data() + 4 * group * places_ * lanes_);
+}
+
+/// Finds the contact forces of a part's share of the near pairs, which threads take in their order.
+template <class Real>
+void BlockLanes<Real>::find_contacts(Part& part) {
+  for (std::vector<Contact>& of_group : part.contacts) of_group.clear();
+  if (!may_touch_) return;
+  const auto sphere = [&](std::int32_t voxel) {
+    const Real* values = spheres_.data() + 4 * static_cast<std::size_t>(sphere_of_[static_cast<std::size_t>(voxel)]);
+    return std::array<Real, 4>{values[slot::x], values[slot::y], values[slot::z], values[slot::size]};
+  };
+  const auto line_of = [&](std::int32_t voxel) { return line_of_[static_cast<std::size_t>(voxel)]; };
+  const StepData<Real>& d = moving_.data();
+  const auto end = [&](std::int32_t voxel) {
+    const Real* motion = motion_.data() + line_of(voxel);
+    const Vector3<Real> momentum{motion[slot::px * lanes_], motion[slot::py * lanes_], motion[slot::pz * lanes_]};
+    return ContactEnd<Real>{d.voxel.inverse_mass * momentum, d.voxel.floor.stiffness, d.voxel.floor.damping};
+  };
+  const auto add = [&](std::int32_t voxel, const Vector3<Real>& force) {
+    const auto group = static_cast<std::size_t>(body_.block_of[static_cast<std::size_t>(voxel)]) / lanes_;
+    part.contacts[group].push_back({line_of(voxel), force});
+  };
+  const ClosePairs<Real>& pairs = *moving_.close_pairs();
+  const ContactSearch<Real>& search = pairs.search();
+  const auto [first, last] = share(search.near_count(), part);
+  add_contact_loads<Real>(search.touching(spheres(), first, last, part.touching), pairs.list().pairs(), sphere, end, add);
+}
+
+/// Adds the contact forces on a group to its loads, those of the first part first: so a voxel gets its forces in the order of the
+/// pairs.
+template <class Real>
+void BlockLanes<Real>::add_contacts(std::size_t group) {
+  for (const Part& part : parts_) {
+    for (const Contact& contact : part.contacts[group]) {
+      Real* load = load_.data() + contact.at;
+      load[slot::fx * lanes_] += contact.force.x;
+      load[slot::fy * lanes_] += contact.force.y;
+      load[slot::fz * lanes_] += contact.force.z;
+    }
+  }
 }
 
 template <class Real>
 void BlockLanes<Real>::find_joint_loads(Part& part) {
-  const bool velocity = engine_.physics.integration.damping == DampingMode::velocity;
+  const bool velocity = moving_.body().physics.integration.damping == DampingMode::velocity;
   part.strained = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // Pairs stand in the order of their lower blocks: a thread finds nearly all of these in its own groups, and so in its cache.
@@ -320,9 +394,9 @@ void BlockLanes<Real>::find_joint_loads(Part& part) {
 /// one on the upper face the other way round.
 template <class Real>
 void BlockLanes<Real>::move_groups(Part& part) {
-  const bool velocity = engine_.physics.integration.damping == DampingMode::velocity;
-  part.too_fast = false;
-  part.largest_displacement2 = 0.0;
+  const bool velocity = moving_.body().physics.integration.damping == DampingMode::velocity;
+  const StepConstants<Real>& constants = moving_.data();
+  part.seen = {};
   const auto [first, last] = share(groups_.size(), part);
   for (std::size_t g = first; g < last; ++g) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -331,63 +405,41 @@ void BlockLanes<Real>::move_groups(Part& part) {
       kernels_.add_joint_loads(data_, axis, 0, g);
     }
     add_contacts(g);
-    groups_[g].next_sine = next_sine_;
-    groups_[g].next_cosine = next_cosine_;
+    groups_[g].next_sine = constants.next_sine;
+    groups_[g].next_cosine = constants.next_cosine;
     alignas(64) Real largest2[most_lanes] = {};
     const std::uint32_t bits = kernels_.voxels[true][true](groups_[g], largest2);
     for (std::size_t lane = 0; lane < lanes_used(g); ++lane) {
-      if (((bits >> lane) & 1U) != 0) part.too_fast = true;
-      const auto one = static_cast<double>(largest2[lane]);
-      if (one > part.largest_displacement2) part.largest_displacement2 = one;
+      if (((bits >> lane) & 1U) != 0) part.seen.out_of_range = true;
+      part.seen.largest_displacement2 = std::max(part.seen.largest_displacement2, static_cast<double>(largest2[lane]));
     }
     put_spheres(g);
   }
 }
 
-/// What the engine does at the end of its own step.
+/// Puts together what the threads saw.
 template <class Real>
 void BlockLanes<Real>::end_step() {
-  EngineOf<Real>& engine = engine_;
   std::exception_ptr failure;
   for (Part& part : parts_) {
     if (part.failure) failure = std::exchange(part.failure, nullptr);
   }
   if (failure) std::rethrow_exception(failure);
   bool strained = false;
-  bool too_fast = false;
-  double largest2 = 0.0;
+  VoxelSweep seen;
   for (const Part& part : parts_) {
     strained = strained || part.strained;
-    too_fast = too_fast || part.too_fast;
-    largest2 = std::max(largest2, part.largest_displacement2);
+    seen.out_of_range = seen.out_of_range || part.seen.out_of_range;
+    seen.largest_displacement2 = std::max(seen.largest_displacement2, part.seen.largest_displacement2);
   }
   if (strained) {
-    // The engine looks at beams before voxels have got their next sizes.
     take();
-    if (engine.actuated_) {
-      const DriveAngle start =
-          drive_angle(static_cast<double>(engine.steps) * engine.time_step_s, engine.physics.actuation.period_s);
-      engine.state_->set_sizes(start.sine, start.cosine);
-    }
-    engine.note_strain();
+    moving_.check_strains_after_move(true);
   }
-  const double largest_displacement_m = std::sqrt(largest2);
-  const auto rate_scale = static_cast<Real>(1.0 / engine.time_step_s);
-  if (groups_.front().rate_scale != rate_scale) {  // what all threads read is left alone
-    for (LaneData<Real>& group : groups_) group.rate_scale = rate_scale;
-  }
-  ++engine.steps;
-  if (engine.close_pairs_) engine.close_pairs_->moved(largest_displacement_m);
-  if (too_fast) {
-    take();
-    engine.note_speed();
-  } else {
-    const bool looks = engine.looks_at_origin_after(largest_displacement_m);
-    if (looks) take_poses();
-    engine.stay_near_origin(largest_displacement_m);
-    if (looks) put_positions();
-  }
-  if (engine.divergence) engine.divergence->time_s = static_cast<double>(engine.steps) * engine.time_step_s;
+  moving_.end_step(seen, Lanes{*this});
+  const Real rate_scale = moving_.data().rate_scale;
+  if (groups_.front().rate_scale == rate_scale) return;  // what all threads read is left alone
+  for (LaneData<Real>& group : groups_) group.rate_scale = rate_scale;
 }
 
 /// What is not shared of a step. Where it throws, the others must be told, or they would wait for ever.
@@ -425,7 +477,7 @@ void BlockLanes<Real>::do_part(Part& part) {
 template <class Real>
 void BlockLanes<Real>::advance(std::uint64_t count, const std::atomic<bool>* stop) {
   put();
-  last_step_ = engine_.steps + count;
+  last_step_ = moving_.record().steps + count;
   stop_ = stop;
   enum class Start { not_yet, now, never };
   std::atomic<Start> start{Start::not_yet};

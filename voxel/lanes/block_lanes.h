@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "voxel/engine/engine.h"
-#include "voxel/engine/voxel_state.h"
+#include "voxel/engine/moving_body.h"
 #include "voxel/kernels/block_data.h"
 #include "voxel/lanes/blocks.h"
 #include "voxel/lanes/spin_barrier.h"
@@ -23,15 +22,16 @@ namespace menger::voxel {
 template <class Real>
 class BlockLanes {
  public:
-  /// @param engine outlives this @param kernels with more than one lane @param threads that share every step, >= 1
-  BlockLanes(EngineOf<Real>& engine, BlockBody body, const LaneKernels<Real>& kernels, int threads);
+  /// @param moving outlives this @param body its blocks @param kernels with more than one lane @param threads that share every
+  /// step, >= 1
+  BlockLanes(MovingBody<Real>& moving, BlockBody body, const LaneKernels<Real>& kernels, int threads);
   BlockLanes(const BlockLanes&) = delete;
   BlockLanes& operator=(const BlockLanes&) = delete;
 
   /// So many threads share the steps from now on. @param threads >= 1
   void set_threads(int threads);
 
-  /// Takes `count` steps unless the robot diverges or `stop` becomes true, and puts what it came to into the engine.
+  /// Takes `count` steps unless the robot diverges or `stop` becomes true, and puts what it came to into the moving body.
   void advance(std::uint64_t count, const std::atomic<bool>* stop);
 
  private:
@@ -45,8 +45,7 @@ class BlockLanes {
   struct alignas(64) Part {
     std::size_t number = 0;
     bool strained = false;
-    bool too_fast = false;
-    double largest_displacement2 = 0.0;
+    VoxelSweep seen;
     std::vector<std::vector<Contact>> contacts;  ///< that it found, per group, in the order of their pairs
     std::vector<std::int32_t> touching;          ///< room for finding them
     std::exception_ptr failure;
@@ -56,6 +55,15 @@ class BlockLanes {
   [[nodiscard]] std::pair<std::size_t, std::size_t> share(std::size_t count, const Part& part) const {
     return {count * part.number / parts_.size(), count * (part.number + 1) / parts_.size()};
   }
+
+  /// See MovingBody::end_step.
+  struct Lanes {
+    BlockLanes& blocks;
+
+    void take() const { blocks.take(); }
+    void take_poses() const { blocks.take_poses(); }
+    void put_positions() const { blocks.put_positions(); }
+  };
 
   void allocate();
   void join(std::size_t axis);
@@ -85,7 +93,7 @@ class BlockLanes {
   [[nodiscard]] std::size_t lanes_used(std::size_t group) const;
   [[nodiscard]] Spheres<Real> spheres() const { return {spheres_.data(), 4}; }
 
-  EngineOf<Real>& engine_;
+  MovingBody<Real>& moving_;
   BlockBody body_;
   Lattice block_;
   const LaneKernels<Real>& kernels_;
@@ -106,7 +114,6 @@ class BlockLanes {
   std::vector<std::int32_t> first_, second_;  ///< spheres of the close pairs, in their order
   std::uint64_t list_of_spheres_ = 0;         ///< that these are of, by the number of lists made
   bool may_touch_ = false;                    ///< any pair, in this step
-  Real next_sine_ = 0, next_cosine_ = 0;      ///< at the end of this step
 
   std::vector<Part, xsimd::aligned_allocator<Part, 64>> parts_;  ///< one per thread
   SpinBarrier barrier_;
@@ -115,7 +122,7 @@ class BlockLanes {
   std::uint64_t last_step_ = 0;
   const std::atomic<bool>* stop_ = nullptr;
 
-  /// Per axis and beam of the engine: where its history stands, a pack from one remembered value to the next.
+  /// Per axis and beam of the body: where its history stands, a pack from one remembered value to the next.
   std::array<std::vector<Real*>, 3> remembered_;
   std::array<std::vector<std::pair<Real*, Real*>>, 3> repeated_;  ///< histories of left over lanes, and those that they repeat
 };

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <span>
 #include <vector>
 
-#include "voxel/engine/engine.h"
+#include "voxel/engine/moving_body.h"
 #include "voxel/kernels/lane_data.h"
 #include "voxel/lanes/lane_state.h"
 
@@ -20,27 +18,35 @@ namespace menger::voxel {
 template <class Real>
 class LaneGroup {
  public:
-  /// @param robots 1 to kernels.lanes engines that run in lanes, of equal physics, time step and steps so far, not diverged; they
+  /// @param robots 1 to kernels.lanes bodies that run in lanes, of equal physics, time step and steps so far, not diverged; they
   /// outlive the group
-  LaneGroup(const std::vector<EngineOf<Real>*>& robots, const LaneKernels<Real>& kernels);
+  LaneGroup(const std::vector<MovingBody<Real>*>& robots, const LaneKernels<Real>& kernels);
 
-  /// Takes `count` steps unless all robots diverge or `stop` becomes true, and puts what the lanes came to into the engines.
+  /// Takes `count` steps unless all robots diverge or `stop` becomes true, and puts what the lanes came to into the robots.
   void advance(std::uint64_t count, const std::atomic<bool>* stop);
 
  private:
   struct Robot {
-    EngineOf<Real>* engine;
+    MovingBody<Real>* moving;
     LanePlaces places;
     bool in_lane = true;
   };
 
-  static Lattice shared_lattice(const std::vector<EngineOf<Real>*>& robots);
+  /// One robot's lane, see MovingBody::end_step.
+  struct Lane {
+    LaneGroup& group;
+    std::size_t number;
+
+    void take() const;
+    void take_poses() const;
+    void put_positions() const;
+  };
+
+  static Lattice shared_lattice(const std::vector<MovingBody<Real>*>& robots);
   void choose_kernels(const LaneKernels<Real>& kernels);
   void step();
   void add_contacts();
   void renew_pairs();
-  void end_step(std::size_t lane, bool out_of_range, double largest_displacement_m);
-  void take_out(std::size_t lane);
   void fill_lanes();
 
   Lattice lattice_;
@@ -51,8 +57,8 @@ class LaneGroup {
   typename LaneKernels<Real>::VoxelSweepFunction voxels_ = nullptr;
   typename LaneKernels<Real>::PairSweep pairs_ = nullptr;
   int lanes_ = 1;
-  std::uint64_t steps_ = 0;
-  std::size_t in_lanes_ = 0;  ///< robots that have not diverged
+  std::size_t leader_ = 0;    ///< the first robot that has not diverged
+  std::size_t in_lanes_ = 0;  ///< robots that have not
   bool collide_ = false;      ///< any of them
   bool pairs_changed_ = false;
 };

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "voxel/engine/simulation.h"
+#include "voxel/engine/time_step.h"
 #include "voxel/kernels/instruction_sets.h"
 #include "voxel/model/actuation.h"
 

@@ -1,11 +1,13 @@
 #include "voxel/lanes/lanes.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <type_traits>
 
 #include "voxel/engine/engine.h"
 #include "voxel/kernels/instruction_sets.h"
+#include "voxel/lanes/aggregate_engine.h"
 #include "voxel/lanes/lane_group.h"
 #include "voxel/lanes/lane_packing.h"
 
@@ -14,9 +16,11 @@ namespace menger::voxel {
 namespace {
 
 /// Whether two robots that run in lanes can do so side by side.
-bool go_together(const Simulation::Engine& a, const Simulation::Engine& b) {
-  return a.steps == b.steps && a.time_step_s == b.time_step_s && a.cell_edge_m == b.cell_edge_m &&
-         a.lattice->grid == b.lattice->grid && a.physics == b.physics;
+bool go_together(const Engine& one, const Engine& other) {
+  const VoxelBody& a = one.body();
+  const VoxelBody& b = other.body();
+  return one.record().steps == other.record().steps && a.time_step_s == b.time_step_s && a.edge_m == b.edge_m &&
+         a.lattice.grid == b.lattice.grid && a.physics == b.physics;
 }
 
 template <class Real>
@@ -28,9 +32,10 @@ void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t step
                   InstructionSet set, LaneUse use) {
   std::vector<std::vector<bool>> cells;
   std::vector<std::size_t> left;
+  const std::array<int, 3>& grid = robots.front()->body().lattice.grid;
   for (const EngineOf<Real>* robot : robots) {
     left.push_back(cells.size());
-    cells.push_back(cells_of(robot->lattice->grid, robot->lattice->cells));
+    cells.push_back(cells_of(grid, robot->body().lattice.cells));
   }
   const auto lanes = static_cast<std::size_t>(lane_kernels_for<Real>(set, robots.size()).lanes);
   const std::size_t widest = most_lanes_of(number_type_of<Real>, set);  // which a robot by itself has
@@ -42,8 +47,10 @@ void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t step
       together.push_back(robots[i]);
       of_register.push_back(cells[i]);
     }
-    if (use == LaneUse::always || lanes_pay(of_register, robots.front()->lattice->grid, widest)) {
-      LaneGroup<Real>(together, lane_kernels_for<Real>(set, together.size())).advance(steps, stop);
+    if (use == LaneUse::always || lanes_pay(of_register, grid, widest)) {
+      std::vector<MovingBody<Real>*> bodies;
+      for (EngineOf<Real>* robot : together) bodies.push_back(&robot->moving_body());
+      LaneGroup<Real>(bodies, lane_kernels_for<Real>(set, bodies.size())).advance(steps, stop);
     } else {
       for (EngineOf<Real>* robot : together) static_cast<void>(robot->advance(steps, stop));
     }
@@ -52,13 +59,14 @@ void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t step
 
 /// Steps all robots of one number type that run in lanes; the others stay as they are.
 template <class Real>
-void advance_in_lanes(std::span<Simulation::Engine* const> engines, double time_s, const std::atomic<bool>* stop,
-                      InstructionSet requested, LaneUse use) {
+void advance_in_lanes(std::span<Engine* const> engines, double time_s, const std::atomic<bool>* stop, InstructionSet requested,
+                      LaneUse use) {
   std::vector<std::vector<EngineOf<Real>*>> kinds;
-  for (Simulation::Engine* engine : engines) {
-    if (engine->physics.integration.number != number_type_of<Real>) continue;
+  for (Engine* engine : engines) {
+    const VoxelBody& body = engine->body();
+    if (body.physics.integration.number != number_type_of<Real>) continue;
     auto* robot = static_cast<EngineOf<Real>*>(engine);
-    if (!robot->runs_in_lanes() || robot->steps >= steps_until(time_s, robot->time_step_s)) continue;
+    if (!runs_in_lanes(*robot) || robot->record().steps >= steps_until(time_s, body.time_step_s)) continue;
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return go_together(*one.front(), *robot); });
     if (kind == kinds.end()) {
@@ -69,7 +77,8 @@ void advance_in_lanes(std::span<Simulation::Engine* const> engines, double time_
   }
   const InstructionSet set = resolve(requested);
   for (std::vector<EngineOf<Real>*>& kind : kinds) {
-    const std::uint64_t steps = steps_until(time_s, kind.front()->time_step_s) - kind.front()->steps;
+    const EngineOf<Real>& first = *kind.front();
+    const std::uint64_t steps = steps_until(time_s, first.body().time_step_s) - first.record().steps;
     advance_kind(kind, steps, stop, set, use);
   }
 }
@@ -78,7 +87,7 @@ void advance_in_lanes(std::span<Simulation::Engine* const> engines, double time_
 
 std::vector<io::RunStatus> advance_together_to(std::span<Simulation> simulations, double time_s, const std::atomic<bool>* stop,
                                                InstructionSet instruction_set, LaneUse use) {
-  std::vector<Simulation::Engine*> engines;
+  std::vector<Engine*> engines;
   for (Simulation& simulation : simulations) engines.push_back(simulation.engine_.get());
   advance_in_lanes<double>(engines, time_s, stop, instruction_set, use);
   advance_in_lanes<float>(engines, time_s, stop, instruction_set, use);

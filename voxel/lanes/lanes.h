@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/text/run_status.h"
-#include "voxel/engine/simulation.h"
 #include "voxel/kernels/kernel_choice.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "io/text/run_status.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 

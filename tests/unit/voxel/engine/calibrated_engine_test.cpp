@@ -9,7 +9,8 @@
 #include "meshes/design/reference_shapes.h"
 #include "tests/support/surrogate_example.h"
 #include "voxel/engine/scale_check.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/engine/time_step.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 namespace {

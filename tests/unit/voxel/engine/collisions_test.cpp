@@ -13,9 +13,9 @@
 #include "meshes/design/fractal.h"
 #include "meshes/design/reference_shapes.h"
 #include "voxel/engine/contact_search.h"
-#include "voxel/engine/simulation.h"
 #include "voxel/engine/voxel_state.h"
 #include "voxel/kernels/instruction_sets.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 namespace {

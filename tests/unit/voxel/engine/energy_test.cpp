@@ -4,7 +4,7 @@
 
 #include "meshes/design/fractal.h"
 #include "meshes/design/reference_shapes.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 namespace {

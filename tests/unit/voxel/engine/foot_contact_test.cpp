@@ -7,7 +7,7 @@
 
 #include "meshes/design/reference_shapes.h"
 #include "tests/support/surrogate_example.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 namespace {

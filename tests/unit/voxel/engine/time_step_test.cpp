@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "meshes/design/reference_shapes.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 namespace {

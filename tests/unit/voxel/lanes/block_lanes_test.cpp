@@ -14,9 +14,9 @@
 #include "meshes/design/fractal.h"
 #include "meshes/design/reference_shapes.h"
 #include "tests/unit/voxel/lanes/robot_numbers.h"
-#include "voxel/engine/simulation.h"
 #include "voxel/kernels/instruction_sets.h"
 #include "voxel/lanes/blocks.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <vector>
 
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "meshes/design/reference_shapes.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 namespace menger::voxel {
 namespace {

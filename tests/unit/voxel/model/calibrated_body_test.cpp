@@ -11,8 +11,8 @@
 
 #include "meshes/design/fractal.h"
 #include "meshes/design/reference_shapes.h"
-#include "voxel/engine/simulation.h"
 #include "voxel/engine/voxel_classes.h"
+#include "voxel/lanes/simulation.h"
 #include "voxel/model/surrogate_beams.h"
 
 namespace menger::voxel {

@@ -16,7 +16,7 @@
 #include "meshes/design/fractal.h"
 #include "meshes/design/reference_shapes.h"
 #include "tests/support/surrogate_example.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 #include "voxel/scene/physics_file.h"
 
 namespace menger::voxel {

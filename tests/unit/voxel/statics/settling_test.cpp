@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "tests/support/surrogate_example.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 #include "voxel/statics/equilibrium.h"
 
 namespace menger::voxel {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "tests/unit/voxel/statics/static_samples.h"
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 #include "voxel/model/surrogate_beams.h"
 #include "voxel/statics/vibration.h"
 

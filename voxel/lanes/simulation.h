@@ -13,41 +13,18 @@
 
 #include "io/text/run_status.h"
 #include "meshes/design/polycube.h"
+#include "voxel/engine/divergence.h"
 #include "voxel/engine/energy_ledger.h"
 #include "voxel/engine/frame.h"
+#include "voxel/engine/voxel_loads.h"
 #include "voxel/kernels/kernel_choice.h"
 #include "voxel/model/parameters.h"
 #include "voxel/model/strain_range.h"
 
 namespace menger::voxel {
 
-/// Loads and constraints on single voxels, for verification and for scenes beyond a free robot. Empty arrays: none; otherwise one
-/// entry per voxel.
-struct VoxelLoads {
-  std::vector<std::array<double, 3>> force_N;                 ///< constant, world axes
-  std::vector<std::array<double, 3>> moment_N_m;              ///< constant, world axes
-  std::vector<std::array<double, 3>> initial_displacement_m;  ///< from the grid
-  std::vector<std::array<double, 3>>
-      initial_velocity_m_s;  ///< a voxel that starts with a horizontal one starts in kinetic friction
-  std::vector<std::array<double, 3>> initial_angular_velocity_rad_s;
-  std::vector<double> size_factor;  ///< constant factor > 0 on the driven size (a voxel warmer or colder than the others)
-  std::vector<bool> fixed;          ///< held in all six degrees of freedom
-};
-
+class Engine;
 enum class LaneUse;
-
-/// Where and how a run left the range of the model.
-struct Divergence {
-  std::size_t voxel = 0;        ///< index in grid order
-  meshes::CellIndex cell;       ///< its cell
-  std::string quantity;         ///< "speed" (m/s), "strain" (1), "strain outside the range of validity" (1) or "not finite"
-  std::optional<double> value;  ///< the largest of all voxels; none where it was not finite
-  double limit = 0.0;           ///< that the value passed
-  double time_s = 0.0;          ///< at the end of the step
-};
-
-/// Where and how a run diverged, in a line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in m/s.
-std::string divergence_text(const Divergence& divergence);
 
 /// A calibrated body that with its drive lies outside the range of validity, with OutsideRange::refuse, or whose walls have no
 /// size under its drive, whatever the rule; see voxel::outside_validity and sizeless_walls, whose sentences what() joins by "; ".
@@ -127,16 +104,12 @@ class Simulation {
   /// The energy balance from the start to the beginning of the last step; only with KernelOptions::energy_ledger.
   [[nodiscard]] const std::optional<EnergyLedger>& energy() const;
 
-  class Engine;  ///< the implementation for one number type
-
  private:
   friend std::vector<io::RunStatus> advance_together_to(std::span<Simulation>, double, const std::atomic<bool>*, InstructionSet,
                                                         LaneUse);
 
   std::unique_ptr<Engine> engine_;
+  std::vector<std::string> outside_validity_;  ///< of a calibrated body and its drive, known from the start
 };
-
-/// Recommended time step (s) of a body, solid or calibrated; see voxel/engine/time_step.h.
-double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics);
 
 }  // namespace menger::voxel

@@ -1,4 +1,4 @@
-#include "voxel/engine/simulation.h"
+#include "voxel/lanes/simulation.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -9,7 +9,7 @@
 #include "meshes/load_cases/observables.h"
 #include "voxel/engine/engine.h"
 #include "voxel/engine/scale_check.h"
-#include "voxel/engine/time_step.h"
+#include "voxel/lanes/aggregate_engine.h"
 #include "voxel/model/actuation.h"
 
 namespace menger::voxel {
@@ -98,23 +98,14 @@ std::vector<std::string> check(const meshes::Polycube& body, double cell_edge_m,
 
 }  // namespace
 
-std::string divergence_text(const Divergence& divergence) {
-  const meshes::CellIndex& cell = divergence.cell;
-  std::string text = "voxel " + std::to_string(divergence.voxel) + " (cell " + std::to_string(cell.x) + ", " +
-                     std::to_string(cell.y) + ", " + std::to_string(cell.z) + "): " + divergence.quantity;
-  if (divergence.value) text += " " + io::number_text(*divergence.value) + ", limit " + io::number_text(divergence.limit);
-  return text + ", at " + io::number_text(divergence.time_s) + " s";
-}
-
 Simulation::Simulation(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
-                       const KernelOptions& options) {
-  std::vector<std::string> outside = check(body, cell_edge_m, physics, loads);
+                       const KernelOptions& options)
+    : outside_validity_(check(body, cell_edge_m, physics, loads)) {
   if (physics.integration.number == NumberType::float64) {
-    engine_ = std::make_unique<EngineOf<double>>(body, cell_edge_m, physics, loads, options);
+    engine_ = std::make_unique<AggregateEngine<double>>(body, cell_edge_m, physics, loads, options);
   } else {
-    engine_ = std::make_unique<EngineOf<float>>(body, cell_edge_m, physics, loads, options);
+    engine_ = std::make_unique<AggregateEngine<float>>(body, cell_edge_m, physics, loads, options);
   }
-  engine_->outside_validity = std::move(outside);
 }
 
 Simulation::~Simulation() = default;
@@ -123,43 +114,33 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 io::RunStatus Simulation::advance(std::uint64_t steps, const std::atomic<bool>* stop) { return engine_->advance(steps, stop); }
 
-std::uint64_t steps_until(double time_s, double time_step_s) {
-  // Rounding of the quotient may be one off either way.
-  const double quotient = time_s / time_step_s;
-  if (!(quotient < 1e18)) throw std::invalid_argument("more steps than can be counted");
-  auto needed = quotient > 0.0 ? static_cast<std::uint64_t>(quotient) : 0;
-  while (needed > 0 && static_cast<double>(needed - 1) * time_step_s >= time_s) --needed;
-  while (static_cast<double>(needed) * time_step_s < time_s) ++needed;
-  return needed;
-}
-
 io::RunStatus Simulation::advance_to(double time, const std::atomic<bool>* stop) {
-  const std::uint64_t needed = steps_until(time, engine_->time_step_s);
-  return engine_->advance(needed > engine_->steps ? needed - engine_->steps : 0, stop);
+  const std::uint64_t needed = steps_until(time, time_step_s());
+  return engine_->advance(needed > steps() ? needed - steps() : 0, stop);
 }
 
 void Simulation::set_threads(int threads) { engine_->set_threads(threads); }
 
-double Simulation::time_s() const { return static_cast<double>(engine_->steps) * engine_->time_step_s; }
-std::uint64_t Simulation::steps() const { return engine_->steps; }
-double Simulation::time_step_s() const { return engine_->time_step_s; }
-std::size_t Simulation::voxel_count() const { return engine_->lattice->voxel_count(); }
-std::size_t Simulation::beam_count() const { return engine_->lattice->beam_count(); }
-const std::optional<Divergence>& Simulation::divergence() const { return engine_->divergence; }
+double Simulation::time_s() const { return static_cast<double>(steps()) * time_step_s(); }
+std::uint64_t Simulation::steps() const { return engine_->record().steps; }
+double Simulation::time_step_s() const { return engine_->body().time_step_s; }
+std::size_t Simulation::voxel_count() const { return engine_->body().lattice.voxel_count(); }
+std::size_t Simulation::beam_count() const { return engine_->body().lattice.beam_count(); }
+const std::optional<Divergence>& Simulation::divergence() const { return engine_->record().divergence; }
 
 std::array<double, 3> Simulation::centre_of_mass_m() const {
   std::vector<std::array<double, 3>> positions;
   positions.reserve(voxel_count());
   for (std::size_t i = 0; i < voxel_count(); ++i) positions.push_back(engine_->view(i).position_m);
-  return meshes::centre_of_mass(positions, engine_->mass_kg);
+  return meshes::centre_of_mass(positions, engine_->body().classes.mass_kg);
 }
 
 Frame Simulation::frame() const {
   Frame frame;
   frame.time_s = time_s();
-  frame.cell_edge_m = engine_->cell_edge_m;
-  frame.material.assign(engine_->lattice->material.begin(), engine_->lattice->material.end());
-  frame.phase = engine_->phases;
+  frame.cell_edge_m = engine_->body().edge_m;
+  frame.material.assign(engine_->body().lattice.material.begin(), engine_->body().lattice.material.end());
+  frame.phase = engine_->body().phases;
   frame.strain = engine_->strains();
   const std::vector<bool> touching = engine_->in_contact_with_others();
   for (std::size_t i = 0; i < voxel_count(); ++i) {
@@ -167,7 +148,7 @@ Frame Simulation::frame() const {
     frame.position_m.push_back(voxel.position_m);
     frame.orientation.push_back(voxel.orientation);
     frame.size_m.push_back(voxel.size_m);
-    if (engine_->physics.surrogate) frame.reach_m.push_back(voxel.reach_m);
+    if (engine_->body().physics.surrogate) frame.reach_m.push_back(voxel.reach_m);
     frame.speed_m_s.push_back(std::hypot(voxel.velocity_m_s[0], voxel.velocity_m_s[1], voxel.velocity_m_s[2]));
     std::uint8_t bits = touching[i] ? contact::other_voxel : contact::none;
     if (voxel.touches_floor)
@@ -186,14 +167,14 @@ std::array<double, 3> Simulation::angular_velocity_rad_s(std::size_t voxel) cons
 bool Simulation::is_in_static_friction(std::size_t voxel) const { return engine_->view(voxel).is_static; }
 std::size_t Simulation::large_angle_beams() const { return engine_->large_angle_beams(); }
 std::vector<std::string> Simulation::kernel_report() const { return engine_->kernel_report(); }
-CollisionCounts Simulation::collision_counts() const { return engine_->collision_counts; }
-std::optional<StrainRange> Simulation::strain_range() const { return engine_->strain_range; }
+CollisionCounts Simulation::collision_counts() const { return engine_->collision_counts(); }
+std::optional<StrainRange> Simulation::strain_range() const { return engine_->record().strain_range; }
 
 std::vector<std::string> Simulation::outside_validity() const {
-  std::vector<std::string> faults = engine_->outside_validity;
-  if (!engine_->physics.surrogate) return faults;
-  const ValidityRange& validity = engine_->physics.surrogate->parameters.validity;
-  const StrainRange& strains = *engine_->strain_range;
+  std::vector<std::string> faults = outside_validity_;
+  if (!engine_->body().physics.surrogate) return faults;
+  const ValidityRange& validity = engine_->body().physics.surrogate->parameters.validity;
+  const StrainRange& strains = *engine_->record().strain_range;
   if (strains.smallest < validity.smallest_strain || strains.largest > validity.largest_strain) {
     faults.push_back("beams were strained from " + io::number_text(strains.smallest) + " to " + io::number_text(strains.largest) +
                      ", those of the fit from " + io::number_text(validity.smallest_strain) + " to " +
@@ -202,14 +183,6 @@ std::vector<std::string> Simulation::outside_validity() const {
   return faults;
 }
 
-const std::optional<EnergyLedger>& Simulation::energy() const { return engine_->energy; }
-
-double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics) {
-  if (!physics.surrogate) return recommended_time_step_s(Lattice(body), cell_edge_m, physics);
-  const HollowVoxels voxels = calibrated_voxels(body, *physics.surrogate);
-  const Lattice lattice(voxels.body);
-  return recommended_time_step_s(lattice, calibrated_classes(lattice, voxels, physics, {}),
-                                 physics.surrogate->parameters.voxel_edge_m(), physics);
-}
+const std::optional<EnergyLedger>& Simulation::energy() const { return engine_->energy(); }
 
 }  // namespace menger::voxel

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <type_traits>
+
+#include "voxel/engine/close_pairs.h"
+#include "voxel/engine/divergence.h"
+#include "voxel/engine/pressure_drive.h"
+#include "voxel/engine/voxel_body.h"
+#include "voxel/engine/voxel_loads.h"
+#include "voxel/engine/voxel_state.h"
+#include "voxel/kernels/kernel_choice.h"
+#include "voxel/model/strain_range.h"
+
+namespace menger::voxel {
+
+/// What the steps so far have come to, beside the state.
+struct RunRecord {
+  std::uint64_t steps = 0;
+  std::optional<Divergence> divergence;
+  std::optional<StrainRange> strain_range;  ///< of a calibrated body
+};
+
+/// A body in motion, and all of a step that its sweeps do not do: the clock, the drive, the limits of the model, the close pairs,
+/// and the origin of positions that goes along with the body.
+///
+/// Whoever steps the body (EngineOf voxel by voxel, LaneGroup with robots and BlockLanes with blocks in SIMD lanes) brings the
+/// sweeps. A step is
+///
+///   begin_step(); the loads of all beams; check_strains(); the loads of contacts, with close_pairs(); the sweep over voxels;
+///   end_step().
+template <class Real>
+class MovingBody {
+ public:
+  /// @param kernels find the contacts; they outlive this @param options which terms are kept where they cannot matter
+  MovingBody(VoxelBody body, const VoxelLoads& loads, const StepKernels<Real>& kernels, const KernelOptions& options);
+  MovingBody(const MovingBody&) = delete;
+  MovingBody& operator=(const MovingBody&) = delete;
+
+  [[nodiscard]] const VoxelBody& body() const { return body_; }
+  [[nodiscard]] const RunRecord& record() const { return record_; }
+  [[nodiscard]] const VoxelState<Real>& state() const { return state_; }
+
+  /// What the sweeps read and write.
+  [[nodiscard]] StepData<Real>& data() { return state_.data; }
+  [[nodiscard]] const StepData<Real>& data() const { return state_.data; }
+
+  /// Null where no pair can collide.
+  [[nodiscard]] ClosePairs<Real>* close_pairs() { return close_pairs_.get(); }
+  [[nodiscard]] const ClosePairs<Real>* close_pairs() const { return close_pairs_.get(); }
+
+  /// Null but for a calibrated body.
+  [[nodiscard]] const PressureDrive<Real>* pressures() const { return pressures_.get(); }
+
+  /// Whether the sweep over voxels has the drive in it.
+  [[nodiscard]] bool sweep_drives() const { return sweep_drives_; }
+
+  /// Rest length (m) of a beam as it is now.
+  [[nodiscard]] double rest_length_m(std::size_t axis, std::size_t beam) const;
+
+  /// Puts the drive at the end of the step into the constants of the sweeps.
+  void begin_step();
+
+  /// Compares the strains of this step with the limits, before sizes and positions move on. @param out_of_range whether the sweep
+  /// over beams saw one beyond the limit, or not finite
+  void check_strains(bool out_of_range);
+
+  /// The same for voxels that have moved on: their sizes at the start of the step are set again.
+  void check_strains_after_move(bool out_of_range);
+
+  /// Ends the step: counts it, sets the drive where no sweep does, judges the speed, and takes the origin along.
+  /// @param lanes puts the body's numbers where this class looks at them, in the lines of data(): `take()` all of them,
+  /// `take_poses()`, and `put_positions()` back with floor_depth once the origin has moved
+  template <class Lanes>
+  void end_step(const VoxelSweep& seen, const Lanes& lanes);
+
+ private:
+  [[nodiscard]] double time_s() const { return static_cast<double>(record_.steps) * body_.time_step_s; }
+  void set_constants();
+  void find_close_pairs(const VoxelLoads& loads, const StepKernels<Real>& kernels, const KernelOptions& options);
+  void start_drive();
+  void drive_to(double time_s);
+  void note_strain();
+  void check_validity();
+  void note_speed();
+  [[nodiscard]] bool may_be_far(double displacement_m);
+  bool stay_near_origin();
+
+  VoxelBody body_;
+  VoxelState<Real> state_;
+  RunRecord record_;
+  bool sweep_drives_;
+  bool shaped_;  ///< sizes are set between the steps, because the drive is more than a sine
+  std::unique_ptr<PressureDrive<Real>> pressures_;
+  std::unique_ptr<ClosePairs<Real>> close_pairs_;
+  Real rate_scale_;       ///< of all steps but the first
+  double floor_depth_m_;  ///< of the floor under the world's z = 0
+  double way_m_ = 0.0;    ///< bound on how far any voxel went since the origin was last looked at
+};
+
+/// For a body whose numbers are in lines while it is stepped.
+struct InLines {
+  void take() const {}
+  void take_poses() const {}
+  void put_positions() const {}
+};
+
+/// Whether any voxel may have gone an edge since the origin was last looked at. Only where positions are rounded to single
+/// precision: in double a kilometre costs a tenth of a picometre.
+template <class Real>
+inline bool MovingBody<Real>::may_be_far(double displacement_m) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return false;
+  } else {
+    way_m_ += displacement_m;
+    return way_m_ >= body_.edge_m;
+  }
+}
+
+template <class Real>
+template <class Lanes>
+inline void MovingBody<Real>::end_step(const VoxelSweep& seen, const Lanes& lanes) {
+  const double largest_displacement_m = std::sqrt(seen.largest_displacement2);
+  if (close_pairs_) close_pairs_->moved(largest_displacement_m);
+  ++record_.steps;
+  state_.data.rate_scale = rate_scale_;
+  if (pressures_ || shaped_) drive_to(time_s());
+  if (seen.out_of_range) {
+    lanes.take();
+    note_speed();
+  } else if (may_be_far(largest_displacement_m)) {
+    lanes.take_poses();
+    if (stay_near_origin()) lanes.put_positions();
+  }
+  if (record_.divergence) record_.divergence->time_s = time_s();
+}
+
+}  // namespace menger::voxel
