@@ -1,47 +1,296 @@
 #include "evolution/archive/run_archive.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <utility>
 
-#include "evolution/archive/run_archive_database.h"
+#include "evolution/archive/run_archive_schema.h"
+#include "io/process/file_lock.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
+#include "io/text/run_status_words.h"
+#include "io/text/whole_file.h"
 
 namespace menger::evolution {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::array known_words{Knowledge::evaluated, Knowledge::failed, Knowledge::bounded, Knowledge::duplicate,
                                  Knowledge::penalised};
 
-/// The value that a word of the archive stands for.
-template <class Value, std::size_t count>
-Value from_word(const std::array<Value, count>& values, const std::string& word) {
-  const auto found = std::ranges::find_if(values, [&](Value value) { return to_string(value) == word; });
-  if (found == values.end()) throw io::InputError("\"" + word + "\" is not a word of an archive");
+Knowledge knowledge_of(const std::string& word) {
+  const auto found = std::ranges::find_if(known_words, [&](Knowledge knowledge) { return to_string(knowledge) == word; });
+  if (found == known_words.end()) throw io::InputError("\"" + word + "\" is not a word of an archive");
   return *found;
 }
 
-constexpr std::array statuses{io::RunStatus::completed,   io::RunStatus::diverged,         io::RunStatus::not_converged,
-                              io::RunStatus::limit_point, io::RunStatus::inverted_element, io::RunStatus::wall_contact};
+// SQLite counts with signed numbers.
+std::int64_t signed_number(std::uint64_t number) { return static_cast<std::int64_t>(number); }
+std::uint64_t count_in(const SQLite::Column& column) { return static_cast<std::uint64_t>(column.getInt64()); }
+
+void bind_optional(SQLite::Statement& row, const char* name, const std::optional<double>& value) {
+  value ? row.bind(name, *value) : row.bind(name);
+}
+
+void bind_optional(SQLite::Statement& row, const char* name, const std::optional<std::uint64_t>& value) {
+  value ? row.bind(name, signed_number(*value)) : row.bind(name);
+}
 
 std::optional<double> optional_double(const SQLite::Column& column) {
   return column.isNull() ? std::nullopt : std::optional(column.getDouble());
 }
 
-Contender read_contender(SQLite::Statement& row) {
-  Contender contender;
-  contender.id = static_cast<std::uint64_t>(row.getColumn(0).getInt64());
-  contender.age = row.getColumn(1).getInt();
-  contender.knowledge = from_word(known_words, row.getColumn(2).getString());
-  contender.fitness = optional_double(row.getColumn(3));
-  contender.fitness_bound = optional_double(row.getColumn(4));
-  if (!row.getColumn(5).isNull()) contender.survivor_rank = static_cast<std::size_t>(row.getColumn(5).getInt64());
-  return contender;
+std::optional<std::uint64_t> optional_count(const SQLite::Column& column) {
+  return column.isNull() ? std::nullopt : std::optional(count_in(column));
 }
 
-constexpr std::string_view reading = "cannot be read";
+constexpr std::array vector_columns{"dx_m", "dy_m", "dz_m"};
+constexpr std::array vector_parameters{":dx_m", ":dy_m", ":dz_m"};
+
+std::optional<std::array<double, 3>> vector_in(const SQLite::Statement& row) {
+  std::array<double, 3> vector{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const SQLite::Column part = row.getColumn(vector_columns.at(axis));
+    if (part.isNull()) return std::nullopt;
+    vector.at(axis) = part.getDouble();
+  }
+  return vector;
+}
+
+void bind_vector(SQLite::Statement& row, const std::optional<std::array<double, 3>>& vector) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    bind_optional(row, vector_parameters.at(axis), vector ? std::optional(vector->at(axis)) : std::nullopt);
+}
+
+/// Which result a row is of; the last of the key's hashes has a name of its own in every table.
+void bind_key(SQLite::Statement& row, const EvaluationKey& key) {
+  row.bind(":design_hash", key.design_hash);
+  row.bind(":level", key.level);
+  row.bind(":decided_by_hash", key.physics_hash);
+}
+
+/// A result's part of a row, in evaluations and re-evaluations alike: status, displacement, reason, steps and seconds. No status
+/// is that of a judge that failed.
+Evaluation read_result(const SQLite::Statement& row) {
+  Evaluation result;
+  if (const SQLite::Column status = row.getColumn("status"); !status.isNull())
+    result.status = io::run_status_of(status.getString());
+  result.displacement_m = vector_in(row);
+  result.reason = row.getColumn("reason").getString();
+  result.steps = count_in(row.getColumn("steps"));
+  result.seconds = row.getColumn("seconds").getDouble();
+  return result;
+}
+
+void bind_result(SQLite::Statement& row, const Evaluation& result, bool has_status) {
+  has_status ? row.bind(":status", std::string(io::to_string(result.status))) : row.bind(":status");
+  bind_vector(row, result.displacement_m);
+  row.bind(":reason", result.reason);
+  row.bind(":steps", signed_number(result.steps));
+  row.bind(":seconds", result.seconds);
+}
+
+/// What was left out of a displacement that does not count from the start; by what names a result: design, level, and the hash of
+/// what decides it beside the body.
+void insert_left_out(SQLite::Database& connection, const EvaluationKey& key, const Evaluation& result) {
+  if (!result.left_out_m) return;
+  add_left_out_table(connection);
+  SQLite::Statement row(connection,
+                        "INSERT OR REPLACE INTO left_out VALUES (:design_hash, :level, :decided_by_hash, :dx_m, :dy_m, :dz_m)");
+  bind_key(row, key);
+  bind_vector(row, result.left_out_m);
+  row.exec();
+}
+
+std::optional<std::array<double, 3>> find_left_out_m(const SQLite::Database& connection, const EvaluationKey& key) {
+  if (!connection.tableExists("left_out")) return std::nullopt;
+  SQLite::Statement row(connection,
+                        "SELECT dx_m, dy_m, dz_m FROM left_out "
+                        "WHERE design_hash = :design_hash AND level = :level AND decided_by_hash = :decided_by_hash");
+  bind_key(row, key);
+  return row.executeStep() ? vector_in(row) : std::nullopt;
+}
+
+/// An evaluation in a table that has the columns of `evaluation`; without what was left out.
+std::optional<ArchivedEvaluation> find_evaluation(const SQLite::Database& connection, const std::string& table,
+                                                  const EvaluationKey& key) {
+  SQLite::Statement row(connection,
+                        "SELECT generation, status, dx_m, dy_m, dz_m, reason, outside_validity, steps, seconds FROM " + table +
+                            " WHERE design_hash = :design_hash AND level = :level AND physics_hash = :decided_by_hash");
+  bind_key(row, key);
+  if (!row.executeStep()) return std::nullopt;
+  ArchivedEvaluation found{.generation = row.getColumn("generation").getInt(), .result = read_result(row)};
+  if (found.result.status == io::RunStatus::stopped) throw io::InputError("\"stopped\" is not a word of an archive");
+  found.result.outside_validity = row.getColumn("outside_validity").getString();
+  return found;
+}
+
+void insert_evaluation(SQLite::Database& connection, const std::string& table, const EvaluationKey& key,
+                       const ArchivedEvaluation& evaluation) {
+  SQLite::Statement row(connection, "INSERT INTO " + table +
+                                        " VALUES (:design_hash, :level, :decided_by_hash, :generation, :status, :dx_m, :dy_m, "
+                                        ":dz_m, :reason, :outside_validity, :steps, :seconds)");
+  bind_key(row, key);
+  row.bind(":generation", evaluation.generation);
+  bind_result(row, evaluation.result, true);
+  row.bind(":outside_validity", evaluation.result.outside_validity);
+  row.exec();
+}
+
+/// What a query for re-evaluations selects beside its own columns.
+constexpr const char* reevaluation_columns =
+    "design_hash, level, protocol.text AS protocol, variant, duration_s, status, dx_m, dy_m, dz_m, reason, steps, seconds";
+
+Reevaluation read_reevaluation(const SQLite::Database& connection, const SQLite::Statement& row) {
+  Reevaluation found;
+  found.design_hash = row.getColumn("design_hash").getString();
+  found.level = row.getColumn("level").getInt();
+  found.protocol = row.getColumn("protocol").getString();
+  found.variant = row.getColumn("variant").getString();
+  found.duration_s = row.getColumn("duration_s").getDouble();
+  found.has_result = !row.getColumn("status").isNull();
+  found.result = read_result(row);
+  found.result.left_out_m = find_left_out_m(connection, {found.design_hash, found.level, io::content_hash(found.protocol)});
+  return found;
+}
+
+void insert_reevaluation(SQLite::Database& connection, const Reevaluation& reevaluation) {
+  const EvaluationKey key{reevaluation.design_hash, reevaluation.level, io::content_hash(reevaluation.protocol)};
+  SQLite::Statement protocol(connection, "INSERT OR IGNORE INTO protocol VALUES (:hash, :text)");
+  protocol.bind(":hash", key.physics_hash);
+  protocol.bind(":text", reevaluation.protocol);
+  protocol.exec();
+  // A budget or a failure that ended a run says nothing of the robot: what another call found of it stays.
+  SQLite::Statement row(
+      connection,
+      "INSERT INTO reevaluation VALUES (:design_hash, :level, :decided_by_hash, :variant, :duration_s, :status, "
+      ":dx_m, :dy_m, :dz_m, :reason, :steps, :seconds) "
+      "ON CONFLICT (design_hash, level, protocol_hash) DO UPDATE SET variant = excluded.variant, "
+      "duration_s = excluded.duration_s, status = excluded.status, dx_m = excluded.dx_m, dy_m = excluded.dy_m, "
+      "dz_m = excluded.dz_m, reason = excluded.reason, steps = excluded.steps, seconds = excluded.seconds "
+      "WHERE COALESCE(excluded.status, 'stopped') != 'stopped' OR COALESCE(status, 'stopped') = 'stopped'");
+  bind_key(row, key);
+  row.bind(":variant", reevaluation.variant);
+  row.bind(":duration_s", reevaluation.duration_s);
+  bind_result(row, reevaluation.result, reevaluation.has_result);
+  row.exec();
+  insert_left_out(connection, key, reevaluation.result);
+}
+
+Judgement read_judgement(const SQLite::Database& connection, const SQLite::Statement& row) {
+  return {.generation = row.getColumn("generation").getInt(),
+          .place = count_in(row.getColumn("place")),
+          .individual = count_in(row.getColumn("individual")),
+          .form = row.getColumn("form").getString(),
+          .surrogate = row.getColumn("surrogate").getDouble(),
+          .score = optional_double(row.getColumn("score")),
+          .element_steps = count_in(row.getColumn("element_steps")),
+          .found = read_reevaluation(connection, row)};
+}
+
+void insert_judgement(SQLite::Database& connection, const Judgement& judgement) {
+  insert_reevaluation(connection, judgement.found);
+  SQLite::Statement row(connection,
+                        "INSERT INTO judgement VALUES (:generation, :place, :individual, :form, :surrogate, :score, "
+                        ":element_steps, :design_hash, :level, :decided_by_hash)");
+  row.bind(":generation", judgement.generation);
+  row.bind(":place", signed_number(judgement.place));
+  row.bind(":individual", signed_number(judgement.individual));
+  row.bind(":form", judgement.form);
+  row.bind(":surrogate", judgement.surrogate);
+  bind_optional(row, ":score", judgement.score);
+  row.bind(":element_steps", signed_number(judgement.element_steps));
+  bind_key(row, {judgement.found.design_hash, judgement.found.level, io::content_hash(judgement.found.protocol)});
+  row.exec();
+}
+
+Contender read_contender(const SQLite::Statement& row) {
+  return {.id = count_in(row.getColumn("id")),
+          .age = row.getColumn("age").getInt(),
+          .knowledge = knowledge_of(row.getColumn("knowledge").getString()),
+          .fitness = optional_double(row.getColumn("fitness")),
+          .fitness_bound = optional_double(row.getColumn("fitness_bound")),
+          .survivor_rank = optional_count(row.getColumn("survivor_rank"))};
+}
+
+void insert_contender(SQLite::Statement& row, int generation, const Contender& contender) {
+  row.reset();
+  row.bind(":generation", generation);
+  row.bind(":id", signed_number(contender.id));
+  row.bind(":age", contender.age);
+  row.bind(":knowledge", std::string(to_string(contender.knowledge)));
+  bind_optional(row, ":fitness", contender.fitness);
+  bind_optional(row, ":fitness_bound", contender.fitness_bound);
+  bind_optional(row, ":survivor_rank", contender.survivor_rank);
+  row.exec();
+}
+
+Individual read_individual(const SQLite::Statement& row) {
+  return {.id = count_in(row.getColumn("id")),
+          .generation = row.getColumn("generation").getInt(),
+          .parent = optional_count(row.getColumn("parent")),
+          .age = row.getColumn("age").getInt(),
+          .genome = genome_from_text(row.getColumn("genome").getString()),
+          .phenotype = phenotype_from_key(row.getColumn("phenotype").getString())};
+}
+
+void insert_individual(SQLite::Statement& row, const Individual& individual) {
+  row.reset();
+  row.bind(":id", signed_number(individual.id));
+  row.bind(":generation", individual.generation);
+  bind_optional(row, ":parent", individual.parent);
+  row.bind(":age", individual.age);
+  row.bind(":genome", to_text(individual.genome));
+  row.bind(":phenotype", phenotype_key(individual.phenotype));
+  row.exec();
+}
+
+GenerationRecord read_generation(const SQLite::Statement& row) {
+  return {.number = row.getColumn("number").getInt(),
+          .evaluations = count_in(row.getColumn("evaluations")),
+          .cached = count_in(row.getColumn("cached")),
+          .pruned = count_in(row.getColumn("pruned")),
+          .seconds = row.getColumn("seconds").getDouble(),
+          .variation_generator = row.getColumn("variation_generator").getString(),
+          .selection_generator = row.getColumn("selection_generator").getString()};
+}
+
+void insert_generation(SQLite::Database& connection, const GenerationRecord& record) {
+  SQLite::Statement row(connection,
+                        "INSERT INTO generation VALUES (:number, :evaluations, :cached, :pruned, :seconds, :variation_generator, "
+                        ":selection_generator)");
+  row.bind(":number", record.number);
+  row.bind(":evaluations", signed_number(record.evaluations));
+  row.bind(":cached", signed_number(record.cached));
+  row.bind(":pruned", signed_number(record.pruned));
+  row.bind(":seconds", record.seconds);
+  row.bind(":variation_generator", record.variation_generator);
+  row.bind(":selection_generator", record.selection_generator);
+  row.exec();
+}
+
+void require_same_study(const fs::path& file, std::string_view archived, std::string_view given) {
+  if (archived == given) return;
+  std::istringstream old_lines{std::string(archived)};
+  std::istringstream new_lines{std::string(given)};
+  std::string old_line;
+  std::string new_line;
+  std::string table;
+  do {
+    old_line.clear();
+    new_line.clear();
+    std::getline(old_lines, old_line);
+    std::getline(new_lines, new_line);
+    if (old_line.starts_with('[') && old_line == new_line) table = old_line + " ";
+  } while (old_line == new_line && old_lines && new_lines);
+  refuse_archive(file, "is the archive of another study: it has " + table + old_line + ", the study has " + table + new_line +
+                           "; give this study another archive");
+}
 
 }  // namespace
 
@@ -69,131 +318,300 @@ std::string_view to_string(Knowledge knowledge) {
   return {};
 }
 
+/// The open database of an archive; the lock is let go of after the database is closed.
+class RunArchive::Database {
+ public:
+  Database(fs::path archive, std::optional<io::FileLock> held, SQLite::Database&& opened)
+      : file_(std::move(archive)), lock_(std::move(held)), connection_(std::move(opened)) {}
+
+  [[nodiscard]] const fs::path& file() const { return file_; }
+
+  template <class Work>
+  auto read(const Work& work) {
+    return guarded("cannot be read", [&] { return work(connection_); });
+  }
+
+  /// Adds all that the work adds, or nothing.
+  template <class Work>
+  void write(const Work& work) {
+    guarded("cannot be written", [&] {
+      SQLite::Transaction transaction(connection_);
+      work(connection_);
+      transaction.commit();
+    });
+  }
+
+  /// Whoever copies the file alone then has everything; with readers about it is done when the last of them is gone.
+  void fold_log() {
+    guarded("cannot be written", [&] { connection_.exec("PRAGMA wal_checkpoint(TRUNCATE)"); });
+  }
+
+ private:
+  /// Turns an error of the database into an InputError that names the archive.
+  template <class Work>
+  auto guarded(const char* doing, const Work& work) -> decltype(work()) {
+    try {
+      return work();
+    } catch (const SQLite::Exception& error) {
+      refuse_archive(file_, std::string(doing) + ": " + error.what());
+    }
+  }
+
+  fs::path file_;
+  std::optional<io::FileLock> lock_;
+  SQLite::Database connection_;
+};
+
 RunArchive::RunArchive(std::unique_ptr<Database> database) : database_(std::move(database)) {}
 RunArchive::~RunArchive() = default;
 RunArchive::RunArchive(RunArchive&&) noexcept = default;
 RunArchive& RunArchive::operator=(RunArchive&&) noexcept = default;
 
-const std::filesystem::path& RunArchive::file() const { return database_->file; }
+RunArchive RunArchive::open(const fs::path& file, std::string_view study, int generations) {
+  // SQLite takes an empty name for a database of its own that vanishes.
+  if (file.empty()) throw io::InputError("the archive needs a file name");
+  std::error_code unknown;
+  if (fs::is_directory(file, unknown)) refuse_archive(file, "cannot be written: it is a folder");
+  io::require_writable_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
+  io::FileLock lock(file);
+  // A process that died while it made the archive leaves nothing, an empty file or an empty database.
+  std::error_code missing;
+  if (fs::exists(file, missing) && fs::file_size(file, missing) > 0) require_database_header(file);
+  try {
+    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    if (!is_empty_database(connection)) {
+      require_archive(file, connection);
+      require_same_study(file, connection.execAndGet("SELECT resolved FROM study").getString(), study);
+    }
+    connection.exec("PRAGMA journal_mode = WAL");
+    // What is committed survives the death of the process. A power failure may take the last commits, which are then made again,
+    // the same; to flush each of them would slow small bodies down by a tenth.
+    connection.exec("PRAGMA synchronous = NORMAL");
+    is_empty_database(connection) ? create_schema(connection, study, generations) : upgrade(connection);
+    if (connection.execAndGet("SELECT generations FROM study").getInt() != generations) {
+      SQLite::Statement update(connection, "UPDATE study SET generations = ?");
+      update.bind(1, generations);
+      update.exec();
+    }
+    return RunArchive(std::make_unique<Database>(file, std::move(lock), std::move(connection)));
+  } catch (const SQLite::Exception& error) {
+    refuse_archive(file, std::string("cannot be used as an archive: ") + error.what());
+  }
+}
+
+RunArchive RunArchive::open_to_extend(const fs::path& file) {
+  std::error_code missing;
+  if (!fs::is_regular_file(file, missing)) refuse_archive(file, "there is no such file");
+  io::FileLock lock(file);
+  require_database_header(file);
+  try {
+    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE);
+    require_archive(file, connection);
+    connection.exec("PRAGMA journal_mode = WAL");
+    upgrade(connection);
+    return RunArchive(std::make_unique<Database>(file, std::move(lock), std::move(connection)));
+  } catch (const SQLite::Exception& error) {
+    refuse_archive(file, std::string("cannot be extended: ") + error.what());
+  }
+}
+
+RunArchive RunArchive::open_to_read(const fs::path& file) {
+  std::error_code missing;
+  if (!fs::is_regular_file(file, missing)) refuse_archive(file, "there is no such file");
+  require_database_header(file);
+  try {
+    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READONLY, 10000);
+    require_archive(file, connection);
+    // One long read sees one state, whatever another process adds meanwhile.
+    connection.exec("BEGIN");
+    return RunArchive(std::make_unique<Database>(file, std::nullopt, std::move(connection)));
+  } catch (const SQLite::Exception& error) {
+    refuse_archive(file, std::string("cannot be read as an archive: ") + error.what());
+  }
+}
+
+const fs::path& RunArchive::file() const { return database_->file(); }
 
 std::string RunArchive::study() const {
-  return database_->guarded(reading, [&] { return database_->connection.execAndGet("SELECT resolved FROM study").getString(); });
+  return database_->read(
+      [](SQLite::Database& connection) { return connection.execAndGet("SELECT resolved FROM study").getString(); });
 }
 
 int RunArchive::generation_goal() const {
-  return database_->guarded(reading, [&] { return database_->connection.execAndGet("SELECT generations FROM study").getInt(); });
+  return database_->read(
+      [](SQLite::Database& connection) { return connection.execAndGet("SELECT generations FROM study").getInt(); });
 }
 
 std::optional<int> RunArchive::last_generation() const {
-  return database_->guarded(reading, [&]() -> std::optional<int> {
-    SQLite::Statement query(database_->connection, "SELECT MAX(number) FROM generation");
-    query.executeStep();
-    if (query.getColumn(0).isNull()) return std::nullopt;
-    return query.getColumn(0).getInt();
+  return database_->read([](SQLite::Database& connection) -> std::optional<int> {
+    const SQLite::Column last = connection.execAndGet("SELECT MAX(number) FROM generation");
+    return last.isNull() ? std::nullopt : std::optional(last.getInt());
   });
 }
 
 GenerationRecord RunArchive::generation(int number) const {
-  return database_->guarded(reading, [&] {
-    SQLite::Statement query(database_->connection,
-                            "SELECT evaluations, cached, pruned, seconds, variation_generator, selection_generator "
-                            "FROM generation WHERE number = ?");
-    query.bind(1, number);
-    if (!query.executeStep()) throw io::InputError(file().string() + ": holds no generation " + std::to_string(number));
-    const auto count = [&](int column) { return static_cast<std::uint64_t>(query.getColumn(column).getInt64()); };
-    return GenerationRecord{number,
-                            count(0),
-                            count(1),
-                            count(2),
-                            query.getColumn(3).getDouble(),
-                            query.getColumn(4).getString(),
-                            query.getColumn(5).getString()};
+  return database_->read([&](const SQLite::Database& connection) {
+    SQLite::Statement row(connection, "SELECT * FROM generation WHERE number = :number");
+    row.bind(":number", number);
+    if (!row.executeStep()) refuse_archive(file(), "holds no generation " + std::to_string(number));
+    return read_generation(row);
   });
 }
 
 std::vector<Contender> RunArchive::contenders(int generation) const {
-  return database_->guarded(reading, [&] {
-    SQLite::Statement query(database_->connection,
-                            "SELECT id, age, knowledge, fitness, fitness_bound, survivor_rank FROM contender "
-                            "WHERE generation = ? ORDER BY id");
-    query.bind(1, generation);
+  return database_->read([&](const SQLite::Database& connection) {
+    SQLite::Statement row(connection, "SELECT * FROM contender WHERE generation = :generation ORDER BY id");
+    row.bind(":generation", generation);
     std::vector<Contender> all;
-    while (query.executeStep()) all.push_back(read_contender(query));
+    while (row.executeStep()) all.push_back(read_contender(row));
     return all;
   });
 }
 
 Individual RunArchive::individual(std::uint64_t id) const {
-  return database_->guarded(reading, [&] {
-    SQLite::Statement query(database_->connection,
-                            "SELECT generation, parent, age, genome, phenotype FROM individual WHERE id = ?");
-    query.bind(1, signed_number(id));
-    if (!query.executeStep()) throw io::InputError(file().string() + ": holds no individual " + std::to_string(id));
-    Individual individual;
-    individual.id = id;
-    individual.generation = query.getColumn(0).getInt();
-    individual.age = query.getColumn(2).getInt();
-    if (!query.getColumn(1).isNull()) individual.parent = static_cast<std::uint64_t>(query.getColumn(1).getInt64());
-    individual.genome = genome_from_text(query.getColumn(3).getString());
-    individual.phenotype = phenotype_from_key(query.getColumn(4).getString());
-    return individual;
+  return database_->read([&](const SQLite::Database& connection) {
+    SQLite::Statement row(connection, "SELECT * FROM individual WHERE id = :id");
+    row.bind(":id", signed_number(id));
+    if (!row.executeStep()) refuse_archive(file(), "holds no individual " + std::to_string(id));
+    return read_individual(row);
   });
 }
 
 std::uint64_t RunArchive::next_id() const {
-  return database_->guarded(reading, [&] {
-    const auto next = database_->connection.execAndGet("SELECT COALESCE(MAX(id) + 1, 0) FROM individual").getInt64();
-    return static_cast<std::uint64_t>(next);
+  return database_->read([](SQLite::Database& connection) {
+    return count_in(connection.execAndGet("SELECT COALESCE(MAX(id) + 1, 0) FROM individual"));
   });
 }
 
 std::vector<std::string> RunArchive::phenotype_keys() const {
-  return database_->guarded(reading, [&] {
-    SQLite::Statement query(database_->connection, "SELECT DISTINCT phenotype FROM individual ORDER BY phenotype");
+  return database_->read([](const SQLite::Database& connection) {
+    SQLite::Statement row(connection, "SELECT DISTINCT phenotype FROM individual ORDER BY phenotype");
     std::vector<std::string> keys;
-    while (query.executeStep()) keys.push_back(query.getColumn(0).getString());
+    while (row.executeStep()) keys.push_back(row.getColumn("phenotype").getString());
     return keys;
   });
 }
 
-std::uint64_t RunArchive::evaluations_outside_validity(int generation) const {
-  return database_->guarded(reading, [&] {
-    SQLite::Statement query(database_->connection,
-                            "SELECT COUNT(*) FROM evaluation WHERE generation = ? AND outside_validity != ''");
-    query.bind(1, generation);
-    query.executeStep();
-    return static_cast<std::uint64_t>(query.getColumn(0).getInt64());
+std::vector<FitDesign> RunArchive::fit_designs() const {
+  return database_->read([](const SQLite::Database& connection) {
+    SQLite::Statement row(connection,
+                          "SELECT MIN(individual.id) AS first, individual.phenotype AS phenotype, MAX(contender.fitness) AS best "
+                          "FROM contender JOIN individual ON individual.id = contender.id WHERE contender.fitness IS NOT NULL "
+                          "GROUP BY individual.phenotype ORDER BY best DESC, MIN(individual.id)");
+    std::vector<FitDesign> designs;
+    while (row.executeStep()) {
+      designs.push_back({.individual = count_in(row.getColumn("first")),
+                         .phenotype = phenotype_from_key(row.getColumn("phenotype").getString()),
+                         .fitness = row.getColumn("best").getDouble()});
+    }
+    return designs;
   });
 }
 
-std::optional<ArchivedEvaluation> find_evaluation(const SQLite::Database& connection, const std::string& table,
-                                                  const EvaluationKey& key) {
-  SQLite::Statement query(connection,
-                          "SELECT generation, status, dx_m, dy_m, dz_m, reason, outside_validity, steps, seconds FROM " + table +
-                              " WHERE design_hash = ? AND level = ? AND physics_hash = ?");
-  query.bind(1, key.design_hash);
-  query.bind(2, key.level);
-  query.bind(3, key.physics_hash);
-  if (!query.executeStep()) return std::nullopt;
-  ArchivedEvaluation found;
-  found.generation = query.getColumn(0).getInt();
-  found.result.status = from_word(statuses, query.getColumn(1).getString());
-  if (!query.getColumn(2).isNull()) {
-    found.result.displacement_m = {query.getColumn(2).getDouble(), query.getColumn(3).getDouble(),
-                                   query.getColumn(4).getDouble()};
-  }
-  found.result.reason = query.getColumn(5).getString();
-  found.result.outside_validity = query.getColumn(6).getString();
-  found.result.steps = static_cast<std::uint64_t>(query.getColumn(7).getInt64());
-  found.result.seconds = query.getColumn(8).getDouble();
-  return found;
+void RunArchive::add_generation(const GenerationRecord& record, std::span<const Individual> born,
+                                std::span<const Contender> contenders) {
+  database_->write([&](SQLite::Database& connection) {
+    SQLite::Statement individuals(connection,
+                                  "INSERT INTO individual VALUES (:id, :generation, :parent, :age, :genome, :phenotype)");
+    for (const Individual& individual : born) insert_individual(individuals, individual);
+    SQLite::Statement entries(
+        connection,
+        "INSERT INTO contender VALUES (:generation, :id, :age, :knowledge, :fitness, :fitness_bound, :survivor_rank)");
+    for (const Contender& contender : contenders) insert_contender(entries, record.number, contender);
+    insert_generation(connection, record);
+  });
 }
 
 std::optional<ArchivedEvaluation> RunArchive::evaluation(const EvaluationKey& key) const {
-  return database_->guarded(reading, [&] {
-    std::optional<ArchivedEvaluation> found = find_evaluation(database_->connection, "evaluation", key);
-    if (found) found->result.left_out_m = left_out_m(database_->connection, key);
+  return database_->read([&](const SQLite::Database& connection) {
+    std::optional<ArchivedEvaluation> found = find_evaluation(connection, "evaluation", key);
+    if (found) found->result.left_out_m = find_left_out_m(connection, key);
     return found;
+  });
+}
+
+void RunArchive::add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation) {
+  database_->write([&](SQLite::Database& connection) {
+    insert_evaluation(connection, "evaluation", key, evaluation);
+    insert_left_out(connection, key, evaluation.result);
+  });
+}
+
+std::vector<EvaluationSteps> RunArchive::evaluation_steps() const {
+  return database_->read([](const SQLite::Database& connection) {
+    SQLite::Statement row(connection,
+                          "SELECT design_hash, level, steps FROM evaluation ORDER BY design_hash, level, physics_hash");
+    std::vector<EvaluationSteps> all;
+    while (row.executeStep()) {
+      all.push_back({.design_hash = row.getColumn("design_hash").getString(),
+                     .level = row.getColumn("level").getInt(),
+                     .steps = count_in(row.getColumn("steps"))});
+    }
+    return all;
+  });
+}
+
+std::uint64_t RunArchive::evaluations_outside_validity(int generation) const {
+  return database_->read([&](const SQLite::Database& connection) {
+    SQLite::Statement row(connection,
+                          "SELECT COUNT(*) AS outside FROM evaluation WHERE generation = :generation AND outside_validity != ''");
+    row.bind(":generation", generation);
+    row.executeStep();
+    return count_in(row.getColumn("outside"));
+  });
+}
+
+std::vector<Reevaluation> RunArchive::reevaluations() const {
+  return database_->read([](const SQLite::Database& connection) {
+    std::vector<Reevaluation> all;
+    if (!connection.tableExists("reevaluation")) return all;
+    SQLite::Statement row(connection, std::string("SELECT ") + reevaluation_columns +
+                                          " FROM reevaluation JOIN protocol ON protocol.hash = protocol_hash "
+                                          "ORDER BY design_hash, level, protocol_hash");
+    while (row.executeStep()) all.push_back(read_reevaluation(connection, row));
+    return all;
+  });
+}
+
+void RunArchive::add_reevaluations(std::span<const Reevaluation> reevaluations) {
+  database_->write([&](SQLite::Database& connection) {
+    for (const Reevaluation& reevaluation : reevaluations) insert_reevaluation(connection, reevaluation);
+  });
+  database_->fold_log();
+}
+
+std::vector<Judgement> RunArchive::judgements() const {
+  return database_->read([](const SQLite::Database& connection) {
+    std::vector<Judgement> all;
+    if (!connection.tableExists("judgement")) return all;
+    SQLite::Statement row(connection,
+                          std::string("SELECT generation, place, individual, form, surrogate, score, element_steps, ") +
+                              reevaluation_columns +
+                              " FROM judgement JOIN reevaluation USING (design_hash, level, protocol_hash) "
+                              "JOIN protocol ON protocol.hash = protocol_hash ORDER BY generation, place");
+    while (row.executeStep()) all.push_back(read_judgement(connection, row));
+    return all;
+  });
+}
+
+void RunArchive::add_judgements(std::span<const Judgement> judgements) {
+  database_->write([&](SQLite::Database& connection) {
+    add_judgement_table(connection);
+    for (const Judgement& judgement : judgements) insert_judgement(connection, judgement);
+  });
+}
+
+std::optional<ArchivedEvaluation> RunArchive::step_check(const EvaluationKey& key) const {
+  return database_->read([&](const SQLite::Database& connection) -> std::optional<ArchivedEvaluation> {
+    if (!connection.tableExists("step_check")) return std::nullopt;
+    return find_evaluation(connection, "step_check", key);
+  });
+}
+
+void RunArchive::add_step_check(const EvaluationKey& key, const ArchivedEvaluation& evaluation) {
+  database_->write([&](SQLite::Database& connection) {
+    add_step_check_table(connection);
+    insert_evaluation(connection, "step_check", key, evaluation);
   });
 }
 

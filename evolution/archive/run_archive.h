@@ -34,6 +34,13 @@ struct ArchivedEvaluation {
   Evaluation result;
 };
 
+/// The time steps that an evaluation took.
+struct EvaluationSteps {
+  std::string design_hash;
+  int level = 1;
+  std::uint64_t steps = 0;
+};
+
 /// An individual as it was born.
 struct Individual {
   std::uint64_t id = 0;
@@ -152,6 +159,8 @@ class RunArchive {
   [[nodiscard]] std::uint64_t next_id() const;                    ///< one more than the largest id, or 0
   [[nodiscard]] std::vector<std::string> phenotype_keys() const;  ///< of all individuals, each once
   [[nodiscard]] std::optional<ArchivedEvaluation> evaluation(const EvaluationKey& key) const;
+
+  [[nodiscard]] std::vector<EvaluationSteps> evaluation_steps() const;  ///< of all evaluations, by design, level and physics
 
   /// Results of which some model left its range of validity, first asked for by a generation.
   [[nodiscard]] std::uint64_t evaluations_outside_validity(int generation) const;

@@ -1,5 +1,7 @@
 #include "evolution/archive/run_archive_schema.h"
 
+#include <array>
+#include <fstream>
 #include <string>
 
 #include "evolution/archive/run_archive.h"
@@ -15,14 +17,17 @@ namespace fs = std::filesystem;
 /// Marks SQLite files as archives of menger: "mngr".
 constexpr int application_id = 0x6d6e6772;
 
-constexpr const char* schema = R"sql(
+constexpr const char* study_table = R"sql(
 CREATE TABLE study (
   row INTEGER PRIMARY KEY CHECK (row = 1),
   hash TEXT NOT NULL,
   resolved TEXT NOT NULL,
   generations INTEGER NOT NULL
 );
-CREATE TABLE evaluation (
+)sql";
+
+/// Of evaluations with the step of the search, and of those with half of it.
+constexpr const char* evaluation_columns = R"sql((
   design_hash TEXT NOT NULL,
   level INTEGER NOT NULL,
   physics_hash TEXT NOT NULL,
@@ -35,6 +40,9 @@ CREATE TABLE evaluation (
   seconds REAL NOT NULL,
   PRIMARY KEY (design_hash, level, physics_hash)
 ) WITHOUT ROWID;
+)sql";
+
+constexpr const char* search_tables = R"sql(
 CREATE TABLE individual (
   id INTEGER PRIMARY KEY,
   generation INTEGER NOT NULL,
@@ -86,15 +94,13 @@ CREATE TABLE reevaluation (
 )sql";
 constexpr int version_without_reevaluations = 2;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason) { throw io::InputError(file.string() + ": " + reason); }
-
 int version_of(SQLite::Database& connection) { return connection.execAndGet("PRAGMA user_version").getInt(); }
 
 /// What the pages cannot show: rows that contradict each other.
 void require_consistent_rows(const fs::path& file, SQLite::Database& connection) {
   const auto none = [&](const char* wrong_rows, const char* what) {
     if (connection.execAndGet(std::string("SELECT COUNT(*) FROM ") + wrong_rows).getInt() > 0)
-      refuse(file, std::string("is damaged: ") + what);
+      refuse_archive(file, std::string("is damaged: ") + what);
   };
   none("evaluation WHERE (status = 'completed') != (dx_m IS NOT NULL AND dy_m IS NOT NULL AND dz_m IS NOT NULL)",
        "an evaluation has a displacement without being completed, or none although it is");
@@ -112,6 +118,16 @@ void require_consistent_rows(const fs::path& file, SQLite::Database& connection)
 
 }  // namespace
 
+void refuse_archive(const fs::path& file, const std::string& reason) { throw io::InputError(file.string() + ": " + reason); }
+
+void require_database_header(const fs::path& file) {
+  constexpr std::string_view header("SQLite format 3\0", 16);
+  std::array<char, header.size()> begin{};
+  std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
+  if (std::string_view(begin.data(), begin.size()) != header)
+    refuse_archive(file, "is not an archive of menger: not an SQLite database");
+}
+
 bool is_empty_database(SQLite::Database& connection) {
   return connection.execAndGet("PRAGMA application_id").getInt() == 0 &&
          connection.execAndGet("SELECT COUNT(*) FROM sqlite_schema").getInt() == 0;
@@ -119,7 +135,9 @@ bool is_empty_database(SQLite::Database& connection) {
 
 void create_schema(SQLite::Database& connection, std::string_view study, int generations) {
   SQLite::Transaction transaction(connection);
-  connection.exec(schema);
+  connection.exec(study_table);
+  connection.exec(std::string("CREATE TABLE evaluation ") + evaluation_columns);
+  connection.exec(search_tables);
   connection.exec(reevaluation_schema);
   connection.exec("PRAGMA application_id = " + std::to_string(application_id));
   connection.exec("PRAGMA user_version = " + std::to_string(RunArchive::schema_version));
@@ -129,6 +147,40 @@ void create_schema(SQLite::Database& connection, std::string_view study, int gen
   insert.bind(3, generations);
   insert.exec();
   transaction.commit();
+}
+
+void add_left_out_table(SQLite::Database& connection) {
+  connection.exec(R"sql(
+CREATE TABLE IF NOT EXISTS left_out (
+  design_hash TEXT NOT NULL,
+  level INTEGER NOT NULL,
+  decided_by_hash TEXT NOT NULL,
+  dx_m REAL NOT NULL, dy_m REAL NOT NULL, dz_m REAL NOT NULL,
+  PRIMARY KEY (design_hash, level, decided_by_hash)
+) WITHOUT ROWID;
+)sql");
+}
+
+void add_judgement_table(SQLite::Database& connection) {
+  connection.exec(R"sql(
+CREATE TABLE IF NOT EXISTS judgement (
+  generation INTEGER NOT NULL,
+  place INTEGER NOT NULL,
+  individual INTEGER NOT NULL,
+  form TEXT NOT NULL,
+  surrogate REAL NOT NULL,
+  score REAL,
+  element_steps INTEGER NOT NULL,
+  design_hash TEXT NOT NULL,
+  level INTEGER NOT NULL,
+  protocol_hash TEXT NOT NULL,
+  PRIMARY KEY (generation, place)
+) WITHOUT ROWID;
+)sql");
+}
+
+void add_step_check_table(SQLite::Database& connection) {
+  connection.exec(std::string("CREATE TABLE IF NOT EXISTS step_check ") + evaluation_columns);
 }
 
 void upgrade(SQLite::Database& connection) {
@@ -141,19 +193,19 @@ void upgrade(SQLite::Database& connection) {
 
 void require_archive(const fs::path& file, SQLite::Database& connection) {
   if (connection.execAndGet("PRAGMA application_id").getInt() != application_id) {
-    refuse(file, "is not an archive of menger: an SQLite database of something else");
+    refuse_archive(file, "is not an archive of menger: an SQLite database of something else");
   }
   const int version = version_of(connection);
   if (version != RunArchive::schema_version && version != version_without_reevaluations) {
-    refuse(file, "is an archive of schema version " + std::to_string(version) + ", this menger has version " +
-                     std::to_string(RunArchive::schema_version));
+    refuse_archive(file, "is an archive of schema version " + std::to_string(version) + ", this menger has version " +
+                             std::to_string(RunArchive::schema_version));
   }
   const std::string check = connection.execAndGet("PRAGMA quick_check(1)").getString();
-  if (check != "ok") refuse(file, "is damaged: " + check);
-  if (connection.execAndGet("SELECT COUNT(*) FROM study").getInt() != 1) refuse(file, "is damaged: it names no study");
+  if (check != "ok") refuse_archive(file, "is damaged: " + check);
+  if (connection.execAndGet("SELECT COUNT(*) FROM study").getInt() != 1) refuse_archive(file, "is damaged: it names no study");
   if (io::content_hash(connection.execAndGet("SELECT resolved FROM study").getString()) !=
       connection.execAndGet("SELECT hash FROM study").getString()) {
-    refuse(file, "is damaged: its study is not the one it was made for");
+    refuse_archive(file, "is damaged: its study is not the one it was made for");
   }
   require_consistent_rows(file, connection);
 }

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "evolution/trade_off/trade_off_body.h"
+#include "evolution/trade_off/trade_off_runner.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
@@ -97,9 +98,7 @@ io::ProgramJob element_job(const TradeStudy& study, const ElementFidelity& fidel
 }
 
 void read_element_result(const TradeStudy& study, const io::ProgramJobResult& result, TradeRow& row) {
-  const io::TomlTable summary = io::read_toml(result.folder / "result/result.toml");
-  row.status = summary.text("status");
-  row.reason = summary.text_or("reason", "");
+  const io::TomlTable summary = read_summary(result, row);
   row.unknowns = summary.integer<std::uint64_t>("unknowns", io::at_least(0));
   row.steps = summary.integer<std::uint64_t>("accepted_newton_iterations", io::at_least(0));
   if (row.status != "completed") return;

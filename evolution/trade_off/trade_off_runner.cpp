@@ -7,6 +7,13 @@
 
 namespace menger::evolution {
 
+io::TomlTable read_summary(const io::ProgramJobResult& result, TradeRow& row) {
+  io::TomlTable summary = io::read_toml(result.folder / "result/result.toml");
+  row.status = summary.text("status");
+  row.reason = summary.text_or("reason", "");
+  return summary;
+}
+
 TradeRunner::TradeRunner(std::filesystem::path runs, TradeOptions options)
     : runs_(std::move(runs)), options_(std::move(options)) {}
 

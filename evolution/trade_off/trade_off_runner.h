@@ -9,6 +9,7 @@
 
 #include "evolution/trade_off/trade_off_table.h"
 #include "io/process/program_job.h"
+#include "io/text/toml_document.h"
 
 namespace menger::evolution {
 
@@ -21,6 +22,10 @@ struct TradeOptions {
   /// Called before, during and after every run. @param done, total estimated seconds of work @param name of the run
   std::function<void(double done, double total, const std::string& name)> progress{};
 };
+
+/// What a program says of its run in `result/result.toml`; its status and its reason go into the row.
+/// @throws io::InputError if that cannot be read
+io::TomlTable read_summary(const io::ProgramJobResult& result, TradeRow& row);
 
 /// Runs jobs one after the other and keeps count of the work.
 class TradeRunner {

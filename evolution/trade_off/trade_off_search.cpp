@@ -1,9 +1,12 @@
 #include "evolution/trade_off/trade_off_search.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/genome/decoder.h"
 #include "evolution/trade_off/trade_off_body.h"
 #include "evolution/trade_off/trade_off_elements.h"
 #include "evolution/trade_off/trade_off_variant.h"
@@ -198,6 +201,21 @@ void inflate_champion(TradeStudy study, double pressure_Pa, TradeRunner& runner,
   row.element_reason = element.reason;
   row.volume_change = element.values[0];
   row.extent_change_x_m = element.values[1];
+}
+
+std::uint64_t archived_voxel_steps(const fs::path& archive_file) {
+  const RunArchive archive = RunArchive::open_to_read(archive_file);
+  const std::vector<EvaluationSteps> evaluations = archive.evaluation_steps();
+  std::set<int> levels;
+  for (const EvaluationSteps& evaluated : evaluations) levels.insert(evaluated.level);
+  std::map<std::pair<std::string, int>, std::uint64_t> cells;
+  for (std::uint64_t id = 0; id < archive.next_id(); ++id) {
+    const Phenotype phenotype = archive.individual(id).phenotype;
+    for (const int level : levels) cells[{design_hash(phenotype, level), level}] = aggregate_cell_count(phenotype, level);
+  }
+  std::uint64_t sum = 0;
+  for (const EvaluationSteps& evaluated : evaluations) sum += evaluated.steps * cells[{evaluated.design_hash, evaluated.level}];
+  return sum;
 }
 
 SearchTrade run_search_trade(const TradeStudy& study, double pressure_Pa, TradeRunner& runner) {

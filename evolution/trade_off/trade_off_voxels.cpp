@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "evolution/trade_off/trade_off_runner.h"
 #include "evolution/trade_off/trade_off_variant.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
@@ -129,9 +130,7 @@ io::ProgramJob gait_job(const TradeStudy& study, const VoxelFidelity& fidelity, 
 }
 
 bool read_voxel_summary(const io::ProgramJobResult& result, TradeRow& row) {
-  const io::TomlTable summary = io::read_toml(result.folder / "result/result.toml");
-  row.status = summary.text("status");
-  row.reason = summary.text_or("reason", "");
+  const io::TomlTable summary = read_summary(result, row);
   row.voxels = summary.integer<std::uint64_t>("voxels", io::at_least(0));
   row.steps = summary.integer<std::uint64_t>("steps", io::at_least(0));
   if (const auto surrogate = summary.optional_table("surrogate")) row.outside_validity = surrogate->texts("outside_validity");

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "evolution/trade_off/trade_off_frames.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "tests/support/surrogate_example.h"
