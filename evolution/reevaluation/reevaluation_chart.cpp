@@ -32,18 +32,6 @@ Path path_of(const voxel::Trajectory& trajectory) {
   return path;
 }
 
-Path path_of(const std::vector<Position>& trajectory) {
-  Path path;
-  for (const Position& position : trajectory) {
-    path.time_s.push_back(position.time_s);
-    std::array<double, 3> moved{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      moved.at(axis) = position.centre_of_mass_m.at(axis) - trajectory.front().centre_of_mass_m.at(axis);
-    path.from_start_m.push_back(moved);
-  }
-  return path;
-}
-
 void add_path(io::Chart& chart, const Path& path, const std::string& name, std::size_t colour, double body_length_m) {
   const io::ChartSeries series{.name = name, .marks = io::Marks::line, .colour = io::chart_colour(colour)};
   std::array lines{series, series, series};

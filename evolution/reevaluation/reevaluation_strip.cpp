@@ -1,13 +1,9 @@
 #include "evolution/reevaluation/reevaluation_strip.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -49,33 +45,6 @@ Surface surface_of(const fs::path& file) {
   return filter->GetOutput();
 }
 
-Extent extent_of(vtkPolyData& surface) {
-  Extent extent;
-  for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i) {
-    Vector point{};
-    surface.GetPoint(i, point.data());
-    extent.add(point);
-  }
-  return extent;
-}
-
-void add_elements(vtkRenderer& renderer, vtkPolyData& surface) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(&surface);
-  mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkProperty& property = *actor->GetProperty();
-  property.SetColor(0.90, 0.78, 0.60);
-  property.SetAmbient(0.42);
-  property.SetDiffuse(0.72);
-  property.SetInterpolationToFlat();
-  property.EdgeVisibilityOn();
-  property.SetEdgeColor(0.55, 0.45, 0.32);
-  property.SetLineWidth(0.5F * io::supersampling);
-  renderer.AddActor(actor);
-}
-
 /// What the extent looks like, its box seen in the view.
 Extent seen_box(const Extent& box, const View& view) {
   Extent seen;
@@ -94,8 +63,8 @@ class Strip {
     for (const FramePair& pair : pairs) {
       elements_.push_back(surface_of(pair.elements));
       surrogates_.push_back(voxel::robot_surface({&pair.surrogate, {}}));
-      world_.unite(extent_of(*elements_.back()));
-      world_.unite(extent_of(*surrogates_.back()));
+      world_.unite(voxel::world_extent(*elements_.back()));
+      world_.unite(voxel::world_extent(*surrogates_.back()));
     }
     const double margin = 0.1 * std::max(world_.size(0), world_.size(1));
     for (const std::size_t axis : {0U, 1U}) {
@@ -123,11 +92,7 @@ class Strip {
 
  private:
   [[nodiscard]] Vector shift_of(std::size_t column, std::size_t row) const {
-    const double across = 1.05 * tile_.size(0) * static_cast<double>(column);
-    const double up = -1.05 * tile_.size(1) * static_cast<double>(row);
-    Vector shift{};
-    for (std::size_t axis = 0; axis < 3; ++axis) shift.at(axis) = across * view_.right.at(axis) + up * view_.up.at(axis);
-    return shift;
+    return view_.across(1.05 * tile_.size(0) * static_cast<double>(column), -1.05 * tile_.size(1) * static_cast<double>(row));
   }
 
   void add_tile(vtkRenderer& renderer, std::size_t column, std::size_t row, Extent& all) const {
@@ -143,7 +108,7 @@ class Strip {
     const double height = shift[2] + world_.low[2];
     voxel::add_floor(renderer, ground, height - 2.0 * layer);
     voxel::add_shadow(renderer, *body, height, height - layer);
-    if (row == 0) add_elements(renderer, *body);
+    if (row == 0) voxel::add_elements(renderer, *body, 0.5 * io::supersampling);
     if (row == 1) voxel::add_robot(renderer, *body, io::supersampling);
     const Vector in_view = view_.coordinates(shift);
     Extent seen = tile_;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "evolution/search/search_plan.h"
+#include "io/text/formatted.h"
 #include "meshes/load_cases/observables.h"
 
 namespace menger::evolution {
@@ -44,26 +45,93 @@ io::CsvCell left_out_cell(const std::optional<std::array<double, 3>>& left_out_m
 }
 
 /// How far the centre was above its start at the lowest; below it, a body has fallen over or in.
-template <class Trajectory>
-std::optional<double> lowest_rise_m(const Trajectory& trajectory) {
+std::optional<double> lowest_rise_m(const voxel::Trajectory& trajectory) {
   if (trajectory.empty()) return std::nullopt;
   double lowest = 0.0;
-  for (const auto& point : trajectory)
-    lowest = std::min(lowest, point.centre_of_mass_m[2] - trajectory.front().centre_of_mass_m[2]);
+  for (const voxel::TrajectoryPoint& point : trajectory) lowest = std::min(lowest, voxel::displacement_m(trajectory, point)[2]);
   return lowest;
 }
 
-/// Where the surrogate was at a time, of a trajectory in the order of time that goes so far.
-std::array<double, 3> interpolated(const voxel::Trajectory& trajectory, double time_s) {
-  const auto after = std::ranges::lower_bound(trajectory, time_s, {}, &voxel::TrajectoryPoint::time_s);
-  if (after == trajectory.begin()) return after->centre_of_mass_m;
-  if (after == trajectory.end()) return trajectory.back().centre_of_mass_m;
-  const auto before = after - 1;
-  const double part = (time_s - before->time_s) / (after->time_s - before->time_s);
-  std::array<double, 3> position{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    position.at(axis) = std::lerp(before->centre_of_mass_m.at(axis), after->centre_of_mass_m.at(axis), part);
-  return position;
+std::string number_or_dash(const std::optional<double>& value, const char* format) {
+  return value ? io::formatted(format, *value) : "-";
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text.size() >= width ? text : std::string(width - text.size(), ' ') + text;
+}
+
+std::string design_line(const ReevaluationStudy& study, const JudgedDesign& judged) {
+  const auto speed = [&](const std::optional<std::array<double, 3>>& displacement_m) {
+    return displacement_m ? std::optional(motion_of(study, *displacement_m).body_lengths_per_minute) : std::nullopt;
+  };
+  const ModelGap gap = gap_of(study, judged);
+  std::string line = padded(std::to_string(judged.design.rank), 5) + padded(judged.design.is_top ? "top" : "sample", 8) +
+                     padded(std::to_string(judged.design.individual), 11) +
+                     padded(number_or_dash(speed(judged.surrogate.result.displacement_m), "%.3f"), 13) +
+                     padded(number_or_dash(speed(judged.elements.displacement_m), "%.3f"), 13) +
+                     padded(number_or_dash(gap.ratio, "%.3f"), 9) + padded(number_or_dash(gap.angle_deg, "%.0f"), 8) + "  " +
+                     std::string(status_word(judged.elements));
+  if (!judged.elements.reason.empty()) line += ": " + judged.elements.reason;
+  const Evaluation& surrogate = judged.surrogate.result;
+  if (surrogate.status != io::RunStatus::completed)
+    line += "; surrogate " + std::string(io::to_string(surrogate.status)) + ": " + surrogate.reason;
+  if (!judged.is_balanced) line += "; falls over by itself";
+  return line + "\n";
+}
+
+std::string interval_text(const std::optional<Interval>& interval) {
+  if (!interval) return "no interval";
+  return "95 % interval " + io::formatted("%.2f", interval->low) + " to " + io::formatted("%.2f", interval->high);
+}
+
+std::string correlation_text(const char* name, const std::optional<RankCorrelation>& found) {
+  if (!found) return std::string(name) + " has no value";
+  return std::string(name) + " " + io::formatted("%.2f", found->value) + " (" + interval_text(found->interval) + ")";
+}
+
+std::string direction_text(const char* angle, const std::optional<Share>& found) {
+  if (!found) return "";
+  return "  directions within " + std::string(angle) + " degrees: " + std::to_string(found->count) + " of " +
+         std::to_string(found->of) + " (" + interval_text(found->interval) + ")\n";
+}
+
+std::string regret_text(std::size_t k, const std::optional<TopRegret>& found) {
+  if (!found) return "";
+  std::string text = "  looking only at the surrogate's best" + (k > 1 ? " " + std::to_string(k) : std::string()) + " loses " +
+                     io::formatted("%.3f", found->regret) + " body lengths per minute of the best's " +
+                     io::formatted("%.3f", found->best);
+  if (k > 1) text += "; " + std::to_string(found->shared) + " of both models' best " + std::to_string(k) + " are the same";
+  return text + "\n";
+}
+
+std::string ranking_text(const Ranking& ranking) {
+  std::string text = ranking.name + ": " + std::to_string(ranking.compared) + " of " + std::to_string(ranking.judged) +
+                     " designs completed in both models\n  rank correlation of the distances: " +
+                     correlation_text("Spearman", ranking.spearman) + ", " + correlation_text("Kendall", ranking.kendall) + "\n";
+  text += direction_text("45", ranking.within_45_deg) + direction_text("90", ranking.within_90_deg);
+  text += regret_text(1, ranking.best);
+  if (ranking.k > 1) text += regret_text(ranking.k, ranking.best_of_k);
+  return text;
+}
+
+std::string judge_text(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
+  std::string text;
+  for (const JudgeError& error : judge_errors(study, findings.designs, findings.variants)) {
+    text += error.kind == "numerical" ? "the judge's own error: " : "the silicone's uncertain stiffness: ";
+    text += "displacement changes by up to ";
+    text += error.largest_change ? io::formatted("%.0f", 100.0 * *error.largest_change) + " %" : "-";
+    text += ", direction by up to " + number_or_dash(error.largest_angle_deg, "%.0f") + " degrees, in " +
+            std::to_string(error.compared) + " of " + std::to_string(error.runs) + " runs\n";
+  }
+  std::vector<double> gaps;
+  for (const JudgedDesign& design : findings.designs) {
+    if (const auto error = gap_of(study, design).relative_error) gaps.push_back(*error);
+  }
+  if (text.empty() || gaps.empty()) return text;
+  std::ranges::sort(gaps);
+  return text + "the surrogate's displacement is off by " +
+         io::formatted("%.0f", 100.0 * 0.5 * (gaps[(gaps.size() - 1) / 2] + gaps[gaps.size() / 2])) + " % (median of " +
+         std::to_string(gaps.size()) + " designs)\n";
 }
 
 }  // namespace
@@ -178,24 +246,33 @@ io::CsvTable trajectory_comparison(const JudgedDesign& design) {
   io::CsvTable table({"time_s", "surrogate_dx_m", "surrogate_dy_m", "surrogate_dz_m", "elements_dx_m", "elements_dy_m",
                       "elements_dz_m", "separation_m"});
   const voxel::Trajectory& surrogate = design.surrogate.trajectory;
-  const std::vector<Position>& elements = design.elements.trajectory;
+  const voxel::Trajectory& elements = design.elements.trajectory;
   if (surrogate.empty() || elements.empty()) return table;
-  const std::array<double, 3> start = surrogate.front().centre_of_mass_m;
-  const std::array<double, 3> elements_start = elements.front().centre_of_mass_m;
-  for (std::size_t n = 0; n < elements.size(); ++n) {
-    const double time_s = elements[n].time_s;
+  for (const voxel::TrajectoryPoint& point : elements) {
     // The last record of a run that completed may lie a part of a step behind that of the other model.
-    const bool is_last = n + 1 == elements.size();
-    if (time_s > surrogate.back().time_s && !(is_last && design.surrogate.result.displacement_m)) break;
-    std::array<double, 3> a = interpolated(surrogate, time_s);
-    std::array<double, 3> b = elements[n].centre_of_mass_m;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      a.at(axis) -= start.at(axis);
-      b.at(axis) -= elements_start.at(axis);
-    }
-    table.add_row(time_s, a[0], a[1], a[2], b[0], b[1], b[2], std::hypot(b[0] - a[0], b[1] - a[1]));
+    const bool is_last = &point == &elements.back();
+    if (point.time_s > surrogate.back().time_s && !(is_last && design.surrogate.result.displacement_m)) break;
+    const std::array<double, 3> a = voxel::displacement_m(surrogate, voxel::point_at(surrogate, point.time_s));
+    const std::array<double, 3> b = voxel::displacement_m(elements, point);
+    table.add_row(point.time_s, a[0], a[1], a[2], b[0], b[1], b[2], std::hypot(b[0] - a[0], b[1] - a[1]));
   }
   return table;
+}
+
+std::string findings_text(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
+  std::string text =
+      std::to_string(findings.designs.size()) + " of " + std::to_string(findings.distinct) + " robots judged for " +
+      io::formatted("%.4g", study.duration_s) + " s" +
+      (study.measure_from_s > 0.0 ? " (the first " + io::formatted("%.4g", study.measure_from_s) + " s left out)" : "") +
+      ", body lengths per minute:\n" + padded("rank", 5) + padded("of", 8) + padded("individual", 11) + padded("surrogate", 13) +
+      padded("elements", 13) + padded("ratio", 9) + padded("angle", 8) + "  status\n";
+  for (const JudgedDesign& judged : findings.designs) text += design_line(study, judged);
+  if (!findings.refused.empty()) {
+    text += std::to_string(findings.refused.size()) + " designs in line could not be judged, the first (rank " +
+            std::to_string(findings.refused.front().rank) + "): " + findings.refused.front().reason + "\n";
+  }
+  for (const Ranking& ranking : findings.rankings) text += ranking_text(ranking);
+  return text + judge_text(study, findings);
 }
 
 }  // namespace menger::evolution

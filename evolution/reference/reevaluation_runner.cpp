@@ -1,7 +1,6 @@
 #include "evolution/reference/reevaluation_runner.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <system_error>
@@ -54,16 +53,17 @@ void write_calls(const fs::path& folder, const Calls& calls) {
                                             "\ntime_limit_s = " + io::number_text(calls.time_limit_s) + "\n");
 }
 
-std::vector<Position> read_trajectory(const fs::path& file) {
+voxel::Trajectory read_trajectory(const fs::path& file) {
   const io::CsvContents table = io::read_csv(file);
-  std::vector<Position> positions;
+  voxel::Trajectory trajectory;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
-    positions.push_back({table.number(row, "time_s"),
-                         {table.number(row, "centre_of_mass_x_m"), table.number(row, "centre_of_mass_y_m"),
-                          table.number(row, "centre_of_mass_z_m")}});
+    trajectory.push_back({.time_s = table.number(row, "time_s"),
+                          .centre_of_mass_m = {table.number(row, "centre_of_mass_x_m"), table.number(row, "centre_of_mass_y_m"),
+                                               table.number(row, "centre_of_mass_z_m")},
+                          .energy = {}});
   }
-  if (positions.empty()) throw io::InputError(file.string() + ": holds no row");
-  return positions;
+  if (trajectory.empty()) throw io::InputError(file.string() + ": holds no row");
+  return trajectory;
 }
 
 void read_result(const fs::path& folder, LocomotionRun& run) {
@@ -163,20 +163,9 @@ std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const Loco
 std::string_view status_word(const LocomotionRun& run) { return run.status ? io::to_string(*run.status) : "failed"; }
 
 void leave_out(LocomotionRun& run, double until_s) {
-  if (until_s <= 0.0 || !run.displacement_m) return;
-  const std::vector<Position>& records = run.trajectory;
-  const std::array<double, 3>& start = records.front().centre_of_mass_m;
-  const auto after = std::ranges::lower_bound(records, until_s, {}, &Position::time_s);
-  if (after == records.begin()) return;
-  const Position& later = after == records.end() ? records.back() : *after;
-  const Position& earlier = *(after - 1);
-  const double part = after == records.end() ? 1.0 : (until_s - earlier.time_s) / (later.time_s - earlier.time_s);
-  run.left_out_m.emplace();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double then_m = std::lerp(earlier.centre_of_mass_m.at(axis), later.centre_of_mass_m.at(axis), part);
-    run.left_out_m->at(axis) = then_m - start.at(axis);
-    run.displacement_m->at(axis) -= run.left_out_m->at(axis);
-  }
+  if (until_s <= 0.0 || !run.displacement_m || until_s <= run.trajectory.front().time_s) return;
+  run.left_out_m = voxel::displacement_m(run.trajectory, voxel::point_at(run.trajectory, until_s));
+  for (std::size_t axis = 0; axis < 3; ++axis) run.displacement_m->at(axis) -= run.left_out_m->at(axis);
 }
 
 Evaluation evaluation_of(const LocomotionRun& run) {

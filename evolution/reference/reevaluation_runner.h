@@ -15,14 +15,9 @@
 #include "evolution/evaluation/evaluator.h"
 #include "evolution/reference/reevaluation_locomotion.h"
 #include "io/text/run_status.h"
+#include "voxel/scene/trajectory.h"
 
 namespace menger::evolution {
-
-/// Where a body was.
-struct Position {
-  double time_s = 0.0;
-  std::array<double, 3> centre_of_mass_m{};
-};
 
 /// What a run gave.
 struct LocomotionRun {
@@ -35,7 +30,7 @@ struct LocomotionRun {
   std::uint64_t elements = 0;
   double seconds = 0.0;            ///< wall time over all calls
   std::filesystem::path folder{};  ///< of the results
-  std::vector<Position> trajectory;
+  voxel::Trajectory trajectory;
   bool is_refused = false;   ///< the program called its input wrong
   bool is_repeated = false;  ///< by this call, not found
 };

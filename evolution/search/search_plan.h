@@ -1,14 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "evolution/genome/offspring.h"
-#include "evolution/search/judging_plan.h"
-#include "evolution/search/step_check_plan.h"
 
 namespace menger::evolution {
 
@@ -25,6 +25,28 @@ enum class DuplicatePolicy {
   culled            ///< it has no fitness
 };
 std::string_view to_string(DuplicatePolicy policy);  ///< "archived-result" or "culled"
+
+/// How a dearer judge takes part in a search. Budgets are counted in steps: an element-step is one finite element for one time
+/// step, a voxel-step one voxel for one time step.
+struct JudgingPlan {
+  int every = 10;                     ///< generations from one judging to the next, >= 1; the first is before generation `every`
+  std::size_t designs = 2;            ///< robots that are judged each time, >= 1
+  double budget_element_steps = 0.0;  ///< that judging may take over the whole search, >= 0
+  double voxel_steps_per_element_step = 2.6;  ///< what an element-step costs, > 0: joins both costs to one number
+
+  /// Hash of what decides the judge's results beside the body (DesignJudge::protocol): names the judge in the archive.
+  std::string protocol;
+
+  bool operator==(const JudgingPlan&) const = default;
+};
+
+/// How often a search looks at what its time step does to its best designs. Checks change nothing in the course of a search.
+struct StepCheckPlan {
+  int every = 25;           ///< generations from one check to the next, >= 1; the first is of generation 0
+  std::size_t designs = 1;  ///< the best distinct survivors that are checked each time, >= 1
+
+  bool operator==(const StepCheckPlan&) const = default;
+};
 
 /// All that decides the course of a search beside the evaluator.
 struct SearchPlan {

@@ -17,6 +17,9 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cassert>
+#include <vector>
+
 #include "io/picture/picture.h"
 #include "voxel/picture/cube.h"
 
@@ -42,22 +45,21 @@ void add_flat(vtkRenderer& renderer, vtkPolyData& surface, const std::array<doub
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> robot_surface(const Placed& robot) {
+vtkSmartPointer<vtkPolyData> box_surface(std::span<const std::array<Vector, 8>> corners_m,
+                                         std::span<const meshes::Material> materials) {
   constexpr std::array<std::array<vtkIdType, 4>, 6> faces{
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  const Frame& frame = *robot.frame;
+  assert(corners_m.size() == materials.size());
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
-  for (std::size_t voxel = 0; voxel < frame.position_m.size(); ++voxel) {
+  for (std::size_t box = 0; box < corners_m.size(); ++box) {
     const vtkIdType first = points->GetNumberOfPoints();
-    for (const Vector& corner : cube_corners_m(frame, voxel)) {
-      points->InsertNextPoint(corner[0] + robot.shift[0], corner[1] + robot.shift[1], corner[2] + robot.shift[2]);
-    }
+    for (const Vector& corner : corners_m[box]) points->InsertNextPoint(corner.data());
     for (const auto& face : faces) {
       quads->InsertNextCell({first + face[0], first + face[1], first + face[2], first + face[3]});
-      colours->InsertNextTypedTuple(material_colours.at(frame.material[voxel] - 1U).data());
+      colours->InsertNextTypedTuple(material_colours.at(materials[box] - 1U).data());
     }
   }
   auto surface = vtkSmartPointer<vtkPolyData>::New();
@@ -65,6 +67,17 @@ vtkSmartPointer<vtkPolyData> robot_surface(const Placed& robot) {
   surface->SetPolys(quads);
   surface->GetCellData()->SetScalars(colours);
   return surface;
+}
+
+vtkSmartPointer<vtkPolyData> robot_surface(const Placed& robot) {
+  const Frame& frame = *robot.frame;
+  std::vector<std::array<Vector, 8>> corners_m;
+  for (std::size_t voxel = 0; voxel < frame.position_m.size(); ++voxel) {
+    corners_m.push_back(cube_corners_m(frame, voxel));
+    for (Vector& corner : corners_m.back())
+      for (std::size_t axis = 0; axis < 3; ++axis) corner.at(axis) += robot.shift.at(axis);
+  }
+  return box_surface(corners_m, frame.material);
 }
 
 void add_robot(vtkRenderer& renderer, vtkPolyData& surface, double line_width) {
@@ -79,6 +92,25 @@ void add_robot(vtkRenderer& renderer, vtkPolyData& surface, double line_width) {
   property.EdgeVisibilityOn();
   property.SetEdgeColor(0.10, 0.16, 0.20);
   property.SetLineWidth(static_cast<float>(line_width));
+  renderer.AddActor(actor);
+}
+
+void add_elements(vtkRenderer& renderer, vtkPolyData& surface, double line_width) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(&surface);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty& property = *actor->GetProperty();
+  property.SetColor(0.90, 0.78, 0.60);
+  property.SetAmbient(0.42);
+  property.SetDiffuse(0.72);
+  if (line_width > 0.0) {
+    property.SetInterpolationToFlat();
+    property.EdgeVisibilityOn();
+    property.SetEdgeColor(0.55, 0.45, 0.32);
+    property.SetLineWidth(static_cast<float>(line_width));
+  }
   renderer.AddActor(actor);
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "meshes/design/polycube.h"
 #include "voxel/engine/frame.h"
 #include "voxel/picture/picture_view.h"
 
@@ -18,6 +19,10 @@ struct Placed {
   const Frame* frame;
   Vector shift;
 };
+
+/// The sides of boxes with the colours of their materials, one each. @param corners_m in the order of VTK_HEXAHEDRON
+vtkSmartPointer<vtkPolyData> box_surface(std::span<const std::array<Vector, 8>> corners_m,
+                                         std::span<const meshes::Material> materials);
 
 /// The sides of all cubes with the colours of their materials.
 vtkSmartPointer<vtkPolyData> robot_surface(const Placed& robot);
@@ -32,6 +37,9 @@ Vector shadow_of(const Vector& point, double ground_height);
 /// coincide.
 void add_light(vtkRenderer& renderer);
 void add_robot(vtkRenderer& renderer, vtkPolyData& surface, double line_width);
+
+/// Finite elements. @param line_width of their edges; 0: no edges
+void add_elements(vtkRenderer& renderer, vtkPolyData& surface, double line_width);
 void add_floor(vtkRenderer& renderer, const Extent& ground, double height);
 void add_shadow(vtkRenderer& renderer, vtkPolyData& surface, double ground_height, double height);
 void add_trail(vtkRenderer& renderer, std::span<const Vector> trail);

@@ -26,9 +26,26 @@ Extent extent_of(const Frame& frame, const Coordinates& coordinates) {
   return extent;
 }
 
+template <class Coordinates>
+Extent extent_of(vtkPolyData& surface, const Coordinates& coordinates) {
+  Extent extent;
+  for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i) {
+    Vector point{};
+    surface.GetPoint(i, point.data());
+    extent.add(coordinates(point));
+  }
+  return extent;
+}
+
 }  // namespace
 
 Vector View::coordinates(const Vector& point) const { return {dot(right, point), dot(up, point), dot(eye, point)}; }
+
+Vector View::across(double to_right, double upward) const {
+  Vector vector{};
+  for (std::size_t axis = 0; axis < 3; ++axis) vector.at(axis) = to_right * right.at(axis) + upward * up.at(axis);
+  return vector;
+}
 
 View isometric_view() {
   constexpr double azimuth = -0.95;   // radians from the x axis: not symmetric, so that faces and edges do not line up
@@ -56,6 +73,14 @@ Extent world_extent(const Frame& frame) {
 
 Extent view_extent(const Frame& frame, const View& view) {
   return extent_of(frame, [&](const Vector& point) { return view.coordinates(point); });
+}
+
+Extent world_extent(vtkPolyData& surface) {
+  return extent_of(surface, [](const Vector& point) { return point; });
+}
+
+Extent view_extent(vtkPolyData& surface, const View& view) {
+  return extent_of(surface, [&](const Vector& point) { return view.coordinates(point); });
 }
 
 void aim(vtkRenderer& renderer, const View& view, const Extent& extent, double aspect, double margin) {

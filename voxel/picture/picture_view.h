@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vtkPolyData.h>
 #include <vtkRenderer.h>
 
 #include <array>
@@ -17,6 +18,9 @@ struct View {
 
   /// Coordinates of a point along right, up and eye.
   [[nodiscard]] Vector coordinates(const Vector& point) const;
+
+  /// The vector that leads so far to the right and up in the picture.
+  [[nodiscard]] Vector across(double to_right, double upward) const;
 };
 
 /// From above at an angle, parallel projection.
@@ -37,6 +41,10 @@ struct Extent {
 /// Extent of all cubes of a frame in world axes and along the axes of a view.
 Extent world_extent(const Frame& frame);
 Extent view_extent(const Frame& frame, const View& view);
+
+/// The same of the points of a surface.
+Extent world_extent(vtkPolyData& surface);
+Extent view_extent(vtkPolyData& surface, const View& view);
 
 /// Points the camera along the view so that the extent (in the axes of the view) fills the picture.
 /// @param aspect width by height of the picture @param margin fraction of the picture that is left free around

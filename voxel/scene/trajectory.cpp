@@ -1,5 +1,8 @@
 #include "voxel/scene/trajectory.h"
 
+#include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -30,6 +33,21 @@ std::array<double, 3> displacement_m(const Trajectory& trajectory, const Traject
     displacement[axis] = point.centre_of_mass_m[axis] - trajectory.front().centre_of_mass_m[axis];
   }
   return displacement;
+}
+
+TrajectoryPoint point_at(const Trajectory& trajectory, double time_s) {
+  assert(!trajectory.empty());
+  const auto after = std::ranges::lower_bound(trajectory, time_s, {}, &TrajectoryPoint::time_s);
+  TrajectoryPoint point{.time_s = time_s, .centre_of_mass_m = {}, .energy = {}};
+  if (after == trajectory.begin() || after == trajectory.end()) {
+    point.centre_of_mass_m = after == trajectory.begin() ? after->centre_of_mass_m : trajectory.back().centre_of_mass_m;
+    return point;
+  }
+  const TrajectoryPoint& before = *(after - 1);
+  const double part = (time_s - before.time_s) / (after->time_s - before.time_s);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    point.centre_of_mass_m.at(axis) = std::lerp(before.centre_of_mass_m.at(axis), after->centre_of_mass_m.at(axis), part);
+  return point;
 }
 
 io::CsvTable trajectory_table(const Trajectory& trajectory, double body_length_m) {

@@ -21,6 +21,10 @@ using Trajectory = std::vector<TrajectoryPoint>;
 /// Displacement (m) of the centre of mass from the first point of the trajectory.
 std::array<double, 3> displacement_m(const Trajectory& trajectory, const TrajectoryPoint& point);
 
+/// The body at a time, between records on the straight line, before the first and after the last as there; without energies.
+/// Precondition: the trajectory has points, in the order of time.
+TrajectoryPoint point_at(const Trajectory& trajectory, double time_s);
+
 /// The trajectory as a table: time_s, centre_of_mass_x_m, _y_m, _z_m, horizontal_displacement_m (from the first point),
 /// horizontal_displacement_body_lengths, and the terms of the energy balance if the first point has one.
 io::CsvTable trajectory_table(const Trajectory& trajectory, double body_length_m);

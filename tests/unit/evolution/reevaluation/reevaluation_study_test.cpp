@@ -177,7 +177,8 @@ TEST_F(ReevaluationStudyTest, TheSurrogateIsMeasuredAsInTheSearch) {
 TEST(LeaveOut, TakesWhatCameBeforeATimeOutOfTheDisplacement) {
   LocomotionRun run;
   run.displacement_m = {9.0, -3.0, 1.0};
-  run.trajectory = {{0.0, {1.0, 1.0, 0.0}}, {0.1, {2.0, 1.0, 0.0}}, {0.2, {4.0, 0.0, 0.5}}, {0.3, {10.0, -2.0, 1.0}}};
+  run.trajectory = {
+      {0.0, {1.0, 1.0, 0.0}, {}}, {0.1, {2.0, 1.0, 0.0}, {}}, {0.2, {4.0, 0.0, 0.5}, {}}, {0.3, {10.0, -2.0, 1.0}, {}}};
   LocomotionRun at_record = run;
   leave_out(at_record, 0.2);
   EXPECT_EQ(at_record.left_out_m, (std::array{3.0, -1.0, 0.5}));
