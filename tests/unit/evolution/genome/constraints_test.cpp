@@ -144,5 +144,11 @@ TEST(Constraints, AControlIsJudgedByItsLevelThreeBody) {
       is_valid(phenotype_from_key("111111111111111111111111111|" + cell + "|" + cell), {28, 27, DisconnectedPolicy::allow, {1}}));
 }
 
+TEST(Constraints, PoliciesHaveOneWordEach) {
+  EXPECT_EQ(to_string(DisconnectedPolicy::reject), "reject");
+  EXPECT_EQ(to_string(DisconnectedPolicy::penalise), "penalise");
+  EXPECT_EQ(to_string(DisconnectedPolicy::allow), "allow");
+}
+
 }  // namespace
 }  // namespace menger::evolution

@@ -98,5 +98,12 @@ TEST(CppnExpression, InputsAreTheSameForEveryConsumer) {
   EXPECT_EQ(values[0], values[1]);
 }
 
+TEST(CppnExpression, OptionsHaveOneWordEach) {
+  EXPECT_EQ(to_string(Expression::every_consumer_activated), "every-consumer");
+  EXPECT_EQ(to_string(Expression::first_consumer_activated), "first-consumer");
+  EXPECT_EQ(to_string(AxisMap::xyz), "xyz");
+  EXPECT_EQ(to_string(AxisMap::zyx), "zyx");
+}
+
 }  // namespace
 }  // namespace menger::evolution

@@ -49,5 +49,11 @@ TEST(Genome, RefusesTextsThatAreNoGenome) {
   }
 }
 
+TEST(Genome, PlansHaveOneWordEach) {
+  EXPECT_EQ(to_string(BodyPlan::fractal), "fractal");
+  EXPECT_EQ(to_string(BodyPlan::nonfractal), "nonfractal");
+  EXPECT_EQ(to_string(BodyPlan::single_actuator), "single-actuator");
+}
+
 }  // namespace
 }  // namespace menger::evolution
