@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -11,23 +10,13 @@
 
 #include "evolution/search/search.h"
 #include "io/text/csv_table.h"
-#include "tests/support/fake_evaluator.h"
-#include "tests/support/test_folder.h"
+#include "tests/support/search_fixture.h"
 
 namespace menger::evolution {
 namespace {
 
-namespace fs = std::filesystem;
 using test_support::FakeEvaluator;
-
-SearchPlan small_plan(std::uint64_t seed = 3) {
-  SearchPlan plan;
-  plan.seed = seed;
-  plan.generations = 6;
-  plan.survivors = 6;
-  plan.mutants = 6;
-  return plan;
-}
+using tests::small_plan;
 
 /// A finished search in a folder of its own, with the requests as they were made.
 class EvaluatedTasks : public testing::Test {

@@ -112,34 +112,33 @@ std::vector<Truth> random_pool(RandomStream& random) {
   return pool;
 }
 
-TEST(LazySelection, GivesTheSurvivorsAndTheDrawsOfFullEvaluation) {
-  RandomStream random(1, "pools");
-  for (int sample = 0; sample < 20000; ++sample) {
+/// Survivors and draws of lazy selection are those of full evaluation, in so many pools.
+void expect_as_fully_evaluated(int samples, RandomStream& random, const Policy& policy) {
+  for (int sample = 0; sample < samples; ++sample) {
     const std::vector<Truth> truths = random_pool(random);
     const std::size_t survivors = 1 + random.below(20);
     RandomStream full(static_cast<std::uint64_t>(sample), "selection");
     RandomStream lazy = full;
     const Ids expected = select_fully(truths, survivors, full);
-    ASSERT_EQ(select_lazily(truths, survivors, run_as_told, lazy).survivors, expected) << "pool " << sample;
+    ASSERT_EQ(select_lazily(truths, survivors, policy, lazy).survivors, expected) << "pool " << sample;
     ASSERT_EQ(lazy, full) << "pool " << sample;
   }
+}
+
+/// One of the blocking evaluations, drawn at random.
+Policy any_blocking(RandomStream& choice) {
+  return [&choice](const SelectionOutlook& seen) { return Ids{seen.blocking[choice.below(seen.blocking.size())]}; };
+}
+
+TEST(LazySelection, GivesTheSurvivorsAndTheDrawsOfFullEvaluation) {
+  RandomStream random(1, "pools");
+  expect_as_fully_evaluated(20000, random, run_as_told);
 }
 
 TEST(LazySelection, AnyOrderOfBlockingOnesLeadsToTheSameSurvivors) {
   RandomStream random(2, "pools");
   RandomStream choice(2, "choice");
-  for (int sample = 0; sample < 3000; ++sample) {
-    const std::vector<Truth> truths = random_pool(random);
-    const std::size_t survivors = 1 + random.below(20);
-    RandomStream full(static_cast<std::uint64_t>(sample), "selection");
-    RandomStream lazy = full;
-    const Ids expected = select_fully(truths, survivors, full);
-    const auto any_one = [&choice](const SelectionOutlook& seen) {
-      return Ids{seen.blocking[choice.below(seen.blocking.size())]};
-    };
-    ASSERT_EQ(select_lazily(truths, survivors, any_one, lazy).survivors, expected) << "pool " << sample;
-    ASSERT_EQ(lazy, full) << "pool " << sample;
-  }
+  expect_as_fully_evaluated(3000, random, any_blocking(choice));
 }
 
 TEST(LazySelection, FirstEvaluationsApartNoOtherOrderSavesAnEvaluation) {
@@ -151,10 +150,7 @@ TEST(LazySelection, FirstEvaluationsApartNoOtherOrderSavesAnEvaluation) {
     const std::size_t survivors = 1 + random.below(20);
     RandomStream draws(1, "selection");
     const Runs told = select_lazily(truths, survivors, run_as_told, draws).runs;
-    const auto any_one = [&choice](const SelectionOutlook& seen) {
-      return Ids{seen.blocking[choice.below(seen.blocking.size())]};
-    };
-    const Runs any = select_lazily(truths, survivors, any_one, draws).runs;
+    const Runs any = select_lazily(truths, survivors, any_blocking(choice), draws).runs;
     for (const auto& [id, level] : told) ASSERT_TRUE(level == 0 || any.contains({id, level})) << "pool " << sample;
     saved_over_any += any.size() > told.size() ? 1U : 0U;
   }

@@ -5,24 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 
 #include "evolution/report/judgement_table.h"
 #include "evolution/search/search.h"
 #include "io/text/content_hash.h"
-#include "tests/support/archive_content.h"
-#include "tests/support/fake_evaluator.h"
-#include "tests/support/fake_judge.h"
-#include "tests/support/test_folder.h"
+#include "tests/support/search_fixture.h"
 
 namespace menger::evolution {
 namespace {
 
-namespace fs = std::filesystem;
 using test_support::archive_content;
-using test_support::FakeEvaluator;
 using test_support::FakeJudge;
 
 SearchPlan judged_plan() {
@@ -37,21 +31,8 @@ SearchPlan judged_plan() {
   return plan;
 }
 
-class JudgedSearch : public testing::Test {
+class JudgedSearch : public tests::SearchFixture {
  protected:
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / (name + ".sqlite"); }
-  [[nodiscard]] RunArchive open(const std::string& name) const { return RunArchive::open(file(name), "a study", 1); }
-
-  io::RunStatus search(const std::string& name, const SearchPlan& plan, const SearchOptions& options = {}) {
-    RunArchive archive = open(name);
-    return run_search(plan, evaluator_, archive, options, plan.judging ? &judge_ : nullptr);
-  }
-
-  [[nodiscard]] RunArchive searched(const SearchPlan& plan, const std::string& name = "run") {
-    EXPECT_EQ(search(name, plan), io::RunStatus::completed);
-    return open(name);
-  }
-
   [[nodiscard]] std::optional<double> surrogate_score(const SearchPlan& plan, const RunArchive& archive,
                                                       const Phenotype& phenotype) const {
     const auto found =
@@ -67,10 +48,6 @@ class JudgedSearch : public testing::Test {
             .distinction = judge_.distinction(),
             .voxels_per_cell = 1};
   }
-
-  const tests::TestFolder folder_;
-  FakeEvaluator evaluator_{{.failing = 0.1, .coarse = false, .cell_edge_m = 0.01, .before_result = {}}};
-  FakeJudge judge_;
 };
 
 TEST_F(JudgedSearch, EveryFewGenerationsTheBestDistinctSurvivorsAreJudged) {
@@ -225,38 +202,13 @@ TEST_F(JudgedSearch, ScoresAreOverTheSameTime) {
   EXPECT_NEAR(one.score.value(), 4.0 * one.found.result.displacement_m.value()[0] / 0.03, 1e-12);
 }
 
-TEST_F(JudgedSearch, TheArchiveDoesNotDependOnThreads) {
-  const SearchPlan plan = judged_plan();
-  ASSERT_EQ(search("1", plan), io::RunStatus::completed);
-  for (const int threads : {2, 8}) {
-    SearchOptions options;
-    options.threads = threads;
-    ASSERT_EQ(search(std::to_string(threads), plan, options), io::RunStatus::completed);
-    EXPECT_EQ(archive_content(file(std::to_string(threads))), archive_content(file("1"))) << threads << " threads";
-  }
-}
+TEST_F(JudgedSearch, TheArchiveDoesNotDependOnThreads) { expect_the_same_for_any_threads(judged_plan()); }
 
 TEST_F(JudgedSearch, StoppedAtAnyCommitGoesOnToTheSameArchive) {
   SearchPlan plan = judged_plan();
   plan.generations = 5;
-  std::size_t commits = 0;
-  SearchOptions counting;
-  counting.after_commit = [&](std::size_t count) { commits = count; };
-  ASSERT_EQ(search("whole", plan, counting), io::RunStatus::completed);
-  const std::string expected = archive_content(file("whole"));
   // The last but one is the last evaluation, after which nothing remains to be stopped.
-  for (std::size_t last = 1; last + 1 < commits; ++last) {
-    const std::string name = "stopped_" + std::to_string(last);
-    std::atomic<bool> stop{false};
-    SearchOptions options;
-    options.stop = &stop;
-    options.after_commit = [&](std::size_t count) { stop = count >= last; };
-    ASSERT_EQ(search(name, plan, options), io::RunStatus::stopped) << last;
-    const std::uint64_t rounds = judge_.calls();
-    ASSERT_EQ(search(name, plan), io::RunStatus::completed);
-    EXPECT_EQ(archive_content(file(name)), expected) << "stopped after commit " << last;
-    EXPECT_LE(judge_.calls() - rounds, 2U);
-  }
+  expect_the_same_after_stops(plan, {.stride = 1, .spared = 1});
 }
 
 TEST_F(JudgedSearch, StoppedWhileTheJudgeWorksItAddsNothing) {

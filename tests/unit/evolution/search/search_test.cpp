@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 
@@ -13,25 +11,14 @@
 #include "evolution/search/age_fitness_pareto.h"
 #include "evolution/search/pool_judge.h"
 #include "io/text/content_hash.h"
-#include "tests/support/archive_content.h"
-#include "tests/support/fake_evaluator.h"
-#include "tests/support/test_folder.h"
+#include "tests/support/search_fixture.h"
 
 namespace menger::evolution {
 namespace {
 
-namespace fs = std::filesystem;
 using test_support::archive_content;
 using test_support::FakeEvaluator;
-
-SearchPlan small_plan(std::uint64_t seed = 3) {
-  SearchPlan plan;
-  plan.seed = seed;
-  plan.generations = 6;
-  plan.survivors = 6;
-  plan.mutants = 6;
-  return plan;
-}
+using tests::small_plan;
 
 SearchPlan released_plan(std::uint64_t seed = 3) {
   SearchPlan plan = small_plan(seed);
@@ -43,30 +30,11 @@ SearchPlan released_plan(std::uint64_t seed = 3) {
   return plan;
 }
 
-/// Archives in a folder of their own.
-class SearchRun : public testing::Test {
+class SearchRun : public tests::SearchFixture {
  protected:
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / (name + ".sqlite"); }
-
-  [[nodiscard]] RunArchive open(const std::string& name) const { return RunArchive::open(file(name), "a study", 1); }
-
-  io::RunStatus search(const std::string& name, const SearchPlan& plan, const SearchOptions& options = {}) const {
-    RunArchive archive = open(name);
-    return run_search(plan, evaluator_, archive, options);
-  }
-
-  /// The archive after a search that completes.
-  [[nodiscard]] RunArchive searched(const SearchPlan& plan, const std::string& name = "run") const {
-    EXPECT_EQ(search(name, plan), io::RunStatus::completed);
-    return open(name);
-  }
-
   [[nodiscard]] std::optional<ArchivedEvaluation> result(const RunArchive& archive, const Phenotype& phenotype, int level) const {
     return archive.evaluation({design_hash(phenotype, level), level, io::content_hash(evaluator_.physics())});
   }
-
-  const tests::TestFolder folder_;
-  FakeEvaluator evaluator_;
 };
 
 /// All that selection decided: who survived, in which order and state, and the random streams.
@@ -238,18 +206,8 @@ TEST_F(SearchRun, NoSurvivorIsOnlyBounded) {
 }
 
 TEST_F(SearchRun, ArchiveDoesNotDependOnThreads) {
-  for (const SearchPlan& plan : {small_plan(), released_plan()}) {
-    const std::string name(to_string(plan.duplicates));
-    ASSERT_EQ(search(name + "1", plan, {.threads = 1, .stop = {}, .generation_done = {}, .progress = {}, .after_commit = {}}),
-              io::RunStatus::completed);
-    for (const int threads : {2, 8}) {
-      SearchOptions options;
-      options.threads = threads;
-      ASSERT_EQ(search(name + std::to_string(threads), plan, options), io::RunStatus::completed);
-      EXPECT_EQ(archive_content(file(name + std::to_string(threads))), archive_content(file(name + "1")))
-          << threads << " threads";
-    }
-  }
+  for (const SearchPlan& plan : {small_plan(), released_plan()})
+    expect_the_same_for_any_threads(plan, std::string(to_string(plan.duplicates)));
 }
 
 TEST_F(SearchRun, AnotherSeedIsAnotherSearch) {
@@ -257,23 +215,7 @@ TEST_F(SearchRun, AnotherSeedIsAnotherSearch) {
 }
 
 TEST_F(SearchRun, StoppedAtAnyCommitGoesOnToTheSameArchive) {
-  const SearchPlan plan = small_plan();
-  std::size_t commits = 0;
-  SearchOptions counting;
-  counting.after_commit = [&](std::size_t count) { commits = count; };
-  ASSERT_EQ(search("whole", plan, counting), io::RunStatus::completed);
-  const std::string expected = archive_content(file("whole"));
-  for (std::size_t last = 1; last < commits; last += 7) {
-    const std::string name = "stopped_" + std::to_string(last);
-    std::atomic<bool> stop{false};
-    SearchOptions options;
-    options.threads = 2;
-    options.stop = &stop;
-    options.after_commit = [&](std::size_t count) { stop = count >= last; };
-    ASSERT_EQ(search(name, plan, options), io::RunStatus::stopped) << last;
-    ASSERT_EQ(search(name, plan), io::RunStatus::completed);
-    EXPECT_EQ(archive_content(file(name)), expected) << "stopped after commit " << last;
-  }
+  expect_the_same_after_stops(small_plan(), {.stride = 7, .threads = 2});
 }
 
 TEST_F(SearchRun, ALargerGoalContinuesAFinishedSearch) {

@@ -5,63 +5,32 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "evolution/report/step_check_table.h"
 #include "evolution/search/search.h"
-#include "io/text/content_hash.h"
-#include "tests/support/archive_content.h"
-#include "tests/support/fake_evaluator.h"
-#include "tests/support/test_folder.h"
+#include "tests/support/search_fixture.h"
 
 namespace menger::evolution {
 namespace {
 
-namespace fs = std::filesystem;
 using test_support::archive_content;
-using test_support::FakeEvaluator;
 
 SearchPlan checked_plan() {
-  SearchPlan plan;
-  plan.seed = 3;
-  plan.generations = 6;
-  plan.survivors = 6;
-  plan.mutants = 6;
+  SearchPlan plan = tests::small_plan();
   plan.offspring.constraints.levels = {1, 2};
   plan.step_checks = StepCheckPlan{.every = 2, .designs = 2};
   return plan;
 }
 
-/// Archives in a folder of their own; with "half the step" robots go whole tenths of body lengths, and more of them diverge.
-class CheckedSearch : public testing::Test {
+class CheckedSearch : public tests::SearchFixture {
  protected:
-  CheckedSearch() : half_({.failing = 0.3, .coarse = true, .cell_edge_m = 0.01, .before_result = {}}) {}
-
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / (name + ".sqlite"); }
-  [[nodiscard]] RunArchive open(const std::string& name) const { return RunArchive::open(file(name), "a study", 1); }
-
-  io::RunStatus search(const std::string& name, const SearchPlan& plan, const SearchOptions& options = {}) const {
-    RunArchive archive = open(name);
-    return run_search(plan, evaluator_, archive, options, nullptr, plan.step_checks ? &half_ : nullptr);
-  }
-
-  [[nodiscard]] RunArchive searched(const SearchPlan& plan, const std::string& name = "run") const {
-    EXPECT_EQ(search(name, plan), io::RunStatus::completed);
-    return open(name);
-  }
-
   [[nodiscard]] RunView view(const RunArchive& archive, const SearchPlan& plan) const {
     return {.archive = &archive, .plan = plan, .physics = evaluator_.physics(), .half_step_physics = half_.physics()};
   }
-
-  const tests::TestFolder folder_;
-  FakeEvaluator evaluator_;
-  FakeEvaluator half_;
 };
 
 /// The content of an archive without its table of checks.
@@ -118,33 +87,11 @@ TEST_F(CheckedSearch, NoDesignIsCheckedTwice) {
   EXPECT_EQ(half_.calls(), rows) << "a finished search checks nothing more";
 }
 
-TEST_F(CheckedSearch, IsTheSameForAnyNumberOfThreads) {
-  for (const int threads : {1, 2, 8}) {
-    SearchOptions options;
-    options.threads = threads;
-    ASSERT_EQ(search(std::to_string(threads), checked_plan(), options), io::RunStatus::completed);
-    EXPECT_EQ(archive_content(file(std::to_string(threads))), archive_content(file("1")));
-  }
-}
+TEST_F(CheckedSearch, IsTheSameForAnyNumberOfThreads) { expect_the_same_for_any_threads(checked_plan()); }
 
 TEST_F(CheckedSearch, StoppedAtAnyCommitGoesOnToTheSameArchive) {
-  const SearchPlan plan = checked_plan();
-  std::size_t commits = 0;
-  SearchOptions counting;
-  counting.after_commit = [&](std::size_t count) { commits = count; };
-  ASSERT_EQ(search("whole", plan, counting), io::RunStatus::completed);
-  const std::string expected = archive_content(file("whole"));
   // After the last check nothing but the generation itself is left, which a stop does not keep from its end.
-  for (std::size_t last = 1; last + 1 < commits; last += 3) {
-    const std::string name = "stopped_" + std::to_string(last);
-    std::atomic<bool> stop{false};
-    SearchOptions options;
-    options.stop = &stop;
-    options.after_commit = [&](std::size_t count) { stop = count >= last; };
-    ASSERT_EQ(search(name, plan, options), io::RunStatus::stopped) << last;
-    ASSERT_EQ(search(name, plan), io::RunStatus::completed);
-    EXPECT_EQ(archive_content(file(name)), expected) << "stopped after commit " << last;
-  }
+  expect_the_same_after_stops(checked_plan(), {.stride = 3, .spared = 1});
 }
 
 TEST_F(CheckedSearch, TheTableHoldsBothResultsOfEveryEliteAndLevel) {
