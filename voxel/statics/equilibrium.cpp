@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace menger::voxel {
@@ -36,12 +35,6 @@ StaticLoads between(const StaticLoads& a, const StaticLoads& b, double share) {
   return loads;
 }
 
-double size_of(const Eigen::VectorXd& residual) {
-  // maxCoeff passes over NaN; a sum does not.
-  const double sum = residual.cwiseAbs().sum();
-  return std::isfinite(sum) ? residual.lpNorm<Eigen::Infinity>() : std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
 
 Equilibrium::Equilibrium(const StaticBody& body, const Supports& supports, const EquilibriumOptions& options)
@@ -51,7 +44,7 @@ Equilibrium::Equilibrium(const StaticBody& body, const Supports& supports, const
 }
 
 io::RunStatus Equilibrium::load(const StaticLoads& target) {
-  iteration_limit_ = iterations_ + static_cast<std::size_t>(options_.largest_total_count);
+  iteration_limit_ = newton_.iteration_count() + static_cast<std::size_t>(options_.largest_total_count);
   const StaticLoads start = loads_;
   const io::RunStatus failure =
       driven_sizes(*body_, target.pressures_Pa) ? io::RunStatus::not_converged : io::RunStatus::limit_point;
@@ -68,10 +61,10 @@ io::RunStatus Equilibrium::load(const StaticLoads& target) {
       continue;
     }
     state_ = before;
-    factorised_ = false;
+    newton_.forget_tangent();
     static_cast<void>(balance_.set_loads(loads_));
     step *= 0.5;
-    if (step < options_.smallest_load_step || iterations_ >= iteration_limit_) return failure;
+    if (step < options_.smallest_load_step || newton_.iteration_count() >= iteration_limit_) return failure;
   }
   return io::RunStatus::completed;
 }
@@ -80,7 +73,7 @@ bool Equilibrium::place(const StaticLoads& loads, const StaticState& state) {
   if (!balance_.set_loads(loads)) return false;
   loads_ = loads;
   state_ = state;
-  factorised_ = false;
+  newton_.forget_tangent();
   return true;
 }
 
@@ -88,61 +81,43 @@ bool Equilibrium::solve() {
   constexpr int free_rounds = 4;
   balance_.place_plates(state_);
   for (int round = 0;; ++round) {
-    if (!newton()) return false;
+    if (!find_balance()) return false;
     if (!balance_.update_beam_states(state_, round >= free_rounds)) return true;
-    factorised_ = false;
+    newton_.forget_tangent();
   }
 }
 
-bool Equilibrium::newton() {
-  // Near rounding the residual stops falling; what it has reached by then is good enough if it is this small.
-  const double good_enough = 1e3 * options_.tolerance;
-  constexpr double rounding = 1e-13;
-  constexpr double fast = 0.2;
-  Eigen::VectorXd residual = balance_.residual(state_);
-  double size = size_of(residual);
-  // A slender body moves far under small loads: these must be balanced to six digits, too.
-  const double tolerance = std::clamp(1e-6 * size, rounding, std::max(rounding, options_.tolerance));
-  for (int i = 0; i < options_.largest_iteration_count; ++i) {
-    if (size <= tolerance) return true;
-    if (iterations_ >= iteration_limit_ || !std::isfinite(size)) return false;
-    ++iterations_;
-    const bool fresh = !factorised_;
-    if (fresh && !factorise()) return false;
-    const bool falls = search(factors_.solve(residual), residual);
-    const double now = size_of(residual);
-    if (!falls && fresh) return size <= good_enough;
-    factorised_ = falls && now <= fast * size;
-    size = now;
-  }
-  return size <= good_enough;
-}
-
-bool Equilibrium::factorise() {
-  static_cast<void>(balance_.linearise(state_));
-  factorised_ = factors_.factorise(balance_.stiffness());
-  return factorised_;
-}
-
-bool Equilibrium::search(const Eigen::VectorXd& step, Eigen::VectorXd& residual) {
-  constexpr double largest_step = 0.5;  // voxel edges or radians, beyond which a tangent says nothing
-  constexpr int cuts = 6;
-  const double length = size_of(step);
-  if (!std::isfinite(length)) return false;
-  const double before = residual.norm();
-  const StaticState start = state_;
-  double share = std::min(1.0, largest_step / std::max(length, largest_step));
-  for (int cut = 0; cut < cuts; ++cut) {
-    balance_.move(state_, share * step);
-    Eigen::VectorXd tried = balance_.residual(state_);
-    if (tried.norm() < before) {
-      residual = std::move(tried);
-      return true;
-    }
-    state_ = start;
-    share *= 0.5;
-  }
-  return false;
+bool Equilibrium::find_balance() {
+  // Rotations do not add up. The unknowns are steps from an origin, and the tangent is that of steps from where it is formed:
+  // there the origin moves to.
+  StaticState origin = state_;
+  StaticState moved = state_;
+  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(balance_.unknown_count());
+  Eigen::VectorXd at_origin = unknowns;
+  const auto move_to = [&](const Equations::Values& x) {
+    moved.poses = origin.poses;
+    balance_.move(moved, x - at_origin);
+  };
+  Equations equations;
+  equations.residual = [&](const Equations::Values& x, Eigen::Ref<Eigen::VectorXd> residual) {
+    move_to(x);
+    residual = -balance_.residual(moved);
+  };
+  equations.tangent = [&](const Equations::Values& x) -> const Eigen::SparseMatrix<double>& {
+    move_to(x);
+    std::swap(origin.poses, moved.poses);
+    at_origin = x;
+    static_cast<void>(balance_.linearise(origin));
+    return balance_.stiffness();
+  };
+  NewtonOptions options;
+  options.tolerance = options_.tolerance;
+  const std::size_t left = iteration_limit_ - std::min(iteration_limit_, newton_.iteration_count());
+  options.largest_iteration_count = std::min<long>(options_.largest_iteration_count, static_cast<long>(left));
+  const bool found = newton_.find_root(equations, unknowns, options);
+  move_to(unknowns);
+  state_.poses = moved.poses;
+  return found;
 }
 
 PlateLoad Equilibrium::plate_load(std::size_t plate) const {
@@ -176,7 +151,7 @@ double Equilibrium::axial_strain(std::size_t beam) const {
 
 const Eigen::SparseMatrix<double>& Equilibrium::linearise() {
   static_cast<void>(balance_.linearise(state_));
-  factorised_ = false;
+  newton_.forget_tangent();
   return balance_.stiffness();
 }
 

@@ -5,7 +5,7 @@
 
 #include "io/text/run_status.h"
 #include "voxel/statics/force_balance.h"
-#include "voxel/statics/tangent_factors.h"
+#include "voxel/statics/modified_newton.h"
 
 namespace menger::voxel {
 
@@ -25,8 +25,8 @@ struct PlateLoad {
 
 /// Equilibria of a body of the surrogate along a path of loads.
 ///
-/// Newton's method with the exact tangent, which is kept while the residual falls by a factor of five, and a line search on the
-/// size of the residual. Loads go to their target in one step if they can, else in smaller ones, all in proportion.
+/// Each is a root of the scaled residual of ForceBalance, found by Newton's method with the exact tangent (ModifiedNewton). Loads
+/// go to their target in one step if they can, else in smaller ones, all in proportion.
 ///
 /// Beams keep their small- or large-angle state during a solution; afterwards the engine's rule, hysteresis included, is applied
 /// to where they came from, and a change solves again. From the fourth change on beams only go over to the large-angle state, so
@@ -49,6 +49,8 @@ class Equilibrium {
   [[nodiscard]] const StaticState& state() const { return state_; }
   [[nodiscard]] const Pose& pose(std::size_t node) const { return state_.poses[node]; }
   [[nodiscard]] const ForceBalance& balance() const { return balance_; }
+  [[nodiscard]] std::size_t iteration_count() const { return newton_.iteration_count(); }          ///< since the beginning
+  [[nodiscard]] std::size_t factorisation_count() const { return newton_.factorisation_count(); }  ///< of tangents, since then
 
   [[nodiscard]] PlateLoad plate_load(std::size_t plate) const;
   [[nodiscard]] double ground_force_N() const;                   ///< upwards, sum over all voxels
@@ -57,18 +59,14 @@ class Equilibrium {
 
  private:
   [[nodiscard]] bool solve();
-  [[nodiscard]] bool newton();
-  [[nodiscard]] bool factorise();
-  [[nodiscard]] bool search(const Eigen::VectorXd& step, Eigen::VectorXd& residual);
+  [[nodiscard]] bool find_balance();
 
   const StaticBody* body_;
   EquilibriumOptions options_;
   ForceBalance balance_;
   StaticLoads loads_;
   StaticState state_;
-  TangentFactors factors_;
-  bool factorised_ = false;
-  std::size_t iterations_ = 0;
+  ModifiedNewton newton_;
   std::size_t iteration_limit_ = 0;
 };
 

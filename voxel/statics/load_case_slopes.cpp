@@ -8,6 +8,7 @@
 #include "voxel/statics/load_case_body.h"
 #include "voxel/statics/load_case_ordinates.h"
 #include "voxel/statics/load_case_response.h"
+#include "voxel/statics/tangent_factors.h"
 
 namespace menger::voxel {
 namespace {

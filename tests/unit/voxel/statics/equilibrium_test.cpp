@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
+#include <thread>
 #include <vector>
 
 #include "tests/unit/voxel/statics/static_samples.h"
@@ -293,6 +296,62 @@ TEST(Equilibrium, TakesALargeStepInParts) {
   const double scale = sample_bending() / sample_edge;
   EXPECT_NEAR(at_once.plate_load(1).moment.y, in_parts.plate_load(1).moment.y, 1e-6 * scale);
   EXPECT_NEAR(at_once.plate_load(1).moment.x, in_parts.plate_load(1).moment.x, 1e-6 * scale);
+}
+
+/// Whether an equilibrium lies where it did, with its loads.
+void expect_same(const Equilibrium& now, const StaticState& then, double pressure_Pa) {
+  EXPECT_EQ(now.loads().pressures_Pa, std::vector<double>{pressure_Pa});
+  for (std::size_t node = 0; node < then.poses.size(); ++node) {
+    EXPECT_EQ(now.pose(node).position.x, then.poses[node].position.x) << node;
+    EXPECT_EQ(now.pose(node).orientation.w, then.poses[node].orientation.w) << node;
+  }
+}
+
+TEST(Equilibrium, StaysTheLastOneWhereATangentIsSingular) {
+  const StaticBody body = sample_body(meshes::bar(3), {}, driven_parameters());
+  Equilibrium equilibrium(body);  // held by nothing
+  const StaticState before = equilibrium.state();
+  StaticLoads loads = under_pressure(100.0);
+  loads.points = {{0, {1e-3, 0.0, 0.0}, {}}};
+  EXPECT_EQ(equilibrium.load(loads), io::RunStatus::not_converged);
+  expect_same(equilibrium, before, 0.0);
+}
+
+TEST(Equilibrium, StaysTheLastOneWhereForcesAreNotFinite) {
+  const StaticBody body = sample_body(meshes::bar(3), both_ends, driven_parameters());
+  Equilibrium equilibrium(body);
+  ASSERT_EQ(equilibrium.load(under_pressure(500.0)), io::RunStatus::completed);
+  const StaticState before = equilibrium.state();
+  StaticLoads loads = under_pressure(1000.0);
+  loads.points = {{1, {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}, {}}};
+  EXPECT_EQ(equilibrium.load(loads), io::RunStatus::not_converged);
+  expect_same(equilibrium, before, 500.0);
+  EXPECT_EQ(equilibrium.load(under_pressure(1000.0)), io::RunStatus::completed);
+}
+
+// Factors are dear: along a path of pressures a tangent serves for several steps.
+TEST(Equilibrium, FactorisesFewTangents) {
+  SurrogateParameters parameters = driven_parameters();
+  parameters.lateral_coupling = 0.4;
+  const StaticBody body = sample_body(meshes::full_cube(3), {Side::z_min}, parameters);
+  Equilibrium equilibrium(body);
+  for (const double pressure : {500.0, 1000.0, 1500.0, 2000.0})
+    ASSERT_EQ(equilibrium.load(under_pressure(pressure)), io::RunStatus::completed);
+  EXPECT_GE(equilibrium.iteration_count(), 8U);
+  EXPECT_LE(2 * equilibrium.factorisation_count(), equilibrium.iteration_count());
+}
+
+TEST(Equilibrium, IsTheSameBesideOthersOnThreads) {
+  const auto moment_of = [](std::size_t i) {
+    const double turn = 0.2 + 0.05 * static_cast<double>(i);
+    return tip_load(4, {-0.01, 0.0, -0.01}, {0.1, turn, 0.0}).moment.y;
+  };
+  constexpr std::size_t count = 8;
+  std::array<double, count> side_by_side{};
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&, i] { side_by_side[i] = moment_of(i); });
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(side_by_side[i], moment_of(i)) << i;
 }
 
 }  // namespace
