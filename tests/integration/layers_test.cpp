@@ -1,98 +1,249 @@
-// The link graph is the architecture: which folder may include which, where libraries are used, and what programs load.
+// The link graph is the architecture: which room may include which, where libraries are used, and what programs load.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
+#include <optional>
+#include <regex>
 #include <set>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/test_folder.h"
 
 namespace menger {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders whose headers a folder may include, beside its own.
-const std::map<std::string, std::set<std::string>>& allowed_includes() {
-  static const std::map<std::string, std::set<std::string>> allowed = {{"io", {}},
-                                                                       {"materials", {"io"}},
-                                                                       {"meshes", {"io", "materials"}},
-                                                                       {"fem", {"io", "materials", "meshes"}},
-                                                                       {"voxel", {"io", "materials", "meshes"}},
-                                                                       {"evolution", {"io", "materials", "meshes"}}};
-  return allowed;
+using Words = std::set<std::string>;
+
+const std::vector<std::string>& folders() {
+  static const std::vector<std::string> names = {"io", "materials", "meshes", "voxel", "fem", "evolution"};
+  return names;
 }
 
-/// The adapters of the search, which are not part of it: they join it to the voxel engine.
-bool is_adapter(const fs::path& file) {
-  static const std::set<std::string> adapters = {"voxel_evaluator",    "study",
-                                                 "study_file",         "export",
-                                                 "menger-evolve",      "menger-export",
-                                                 "trade_off_settled",  "reevaluation_surrogate",
-                                                 "reevaluation_scene", "reevaluation_strip"};
-  return adapters.count(file.stem().string()) > 0;
+/// What a line of cmake/rooms.md says of a room.
+struct Room {
+  Words direct;     ///< what it stands on
+  Words below;      ///< that, and all that it stands on in turn
+  Words libraries;  ///< whose headers it may include
+};
+
+using Rooms = std::map<std::string, Room>;
+
+/// All matches of an expression in a text.
+Words words(const std::string& text, const std::string& expression) {
+  const std::regex word(expression);
+  return {std::sregex_token_iterator(text.begin(), text.end(), word), std::sregex_token_iterator()};
 }
 
-/// First folder of the quoted include on a line; empty if there is none.
-std::string included_folder(const std::string& line) {
-  const std::string start = "#include \"";
-  if (line.rfind(start, 0) != 0) return "";
-  const std::size_t slash = line.find('/', start.size());
-  return slash == std::string::npos ? "" : line.substr(start.size(), slash - start.size());
+/// The table of rooms; a line that names a room which no line above it describes is a failure.
+Rooms read_rooms(std::istream& table) {
+  static const std::regex row(R"(\| `([a-z_]+/[a-z_]+)` \|([^|]*)\|([^|]*)\|)");
+  Rooms rooms;
+  for (std::string line; std::getline(table, line);) {
+    std::smatch match;
+    if (!std::regex_match(line, match, row)) continue;
+    Room room;
+    room.direct = words(match[2], "[a-z_]+/[a-z_]+");
+    room.libraries = words(match[3], R"([A-Za-z0-9.+\-]+)");
+    for (const std::string& other : room.direct) {
+      const auto found = rooms.find(other);
+      if (found == rooms.end()) {
+        ADD_FAILURE() << match[1] << " stands on " << other << ", which is not a room above it";
+        continue;
+      }
+      room.below.insert(other);
+      room.below.insert(found->second.below.begin(), found->second.below.end());
+    }
+    EXPECT_TRUE(rooms.emplace(match[1], std::move(room)).second) << match[1] << " is there twice";
+  }
+  return rooms;
 }
 
-TEST(Layers, IncludeOnlyWhatStandsBelowThem) {
-  const fs::path root = MENGER_SOURCE_DIR;
-  int files = 0;
-  for (const auto& [folder, below] : allowed_includes()) {
+Rooms rooms_of_menger() {
+  std::ifstream table(fs::path(MENGER_SOURCE_DIR) / "cmake/rooms.md");
+  return read_rooms(table);
+}
+
+/// Beginnings of names of headers, each with its library.
+const std::map<std::string, std::string>& libraries() {
+  static const std::map<std::string, std::string> of_prefix = {{"boost/", "Boost"},
+                                                               {"ceres/", "Ceres"},
+                                                               {"CLI/", "CLI11"},
+                                                               {"deal.II/", "deal.II"},
+                                                               {"Eigen/", "Eigen"},
+                                                               {"glog/", "glog"},
+                                                               {"gmsh.h", "Gmsh"},
+                                                               {"mpi.h", "MPI"},
+                                                               {"nlohmann/", "nlohmann-json"},
+                                                               {"oneapi/tbb", "oneTBB"},
+                                                               {"GL/", "OpenGL"},
+                                                               {"openssl/", "OpenSSL"},
+                                                               {"petsc", "PETSc"},
+                                                               {"slepc", "SLEPc"},
+                                                               {"SQLiteCpp/", "SQLiteCpp"},
+                                                               {"arkode/", "SUNDIALS"},
+                                                               {"ida/", "SUNDIALS"},
+                                                               {"kinsol/", "SUNDIALS"},
+                                                               {"nvector/", "SUNDIALS"},
+                                                               {"sundials/", "SUNDIALS"},
+                                                               {"sunlinsol/", "SUNDIALS"},
+                                                               {"sunmatrix/", "SUNDIALS"},
+                                                               {"toml++/", "toml++"},
+                                                               {"vtk", "VTK"},
+                                                               {"X11/", "X11"},
+                                                               {"xsimd/", "xsimd"}};
+  return of_prefix;
+}
+
+/// The sources of a tree, each with its room: `fem/space` of `fem/space/space.cpp`, `fem` of a file that lies in no room.
+std::vector<std::pair<fs::path, std::string>> sources(const fs::path& root) {
+  std::vector<std::pair<fs::path, std::string>> files;
+  for (const std::string& folder : folders()) {
     if (!fs::exists(root / folder)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
-      const fs::path& path = entry.path();
-      if (path.extension() != ".h" && path.extension() != ".cpp") continue;
-      ++files;
-      std::ifstream file(path);
-      for (std::string line; std::getline(file, line);) {
-        const std::string other = included_folder(line);
-        if (other.empty() || other == folder || below.count(other) > 0) continue;
-        EXPECT_TRUE(folder == "evolution" && other == "voxel" && is_adapter(path)) << path << " includes " << line;
-      }
+      const std::string name = entry.path().filename().string();
+      if (name.ends_with(".h") || name.ends_with(".cpp") || name.ends_with(".cpp.in"))
+        files.emplace_back(entry.path(), fs::relative(entry.path().parent_path(), root).string());
     }
   }
-  EXPECT_GT(files, 50);
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
-/// Where the headers of a library may be included: folders, or files by their path without extension.
-const std::map<std::string, std::set<std::string>>& places_of_libraries() {
-  static const std::map<std::string, std::set<std::string>> places = {
-      {"deal.II/", {"meshes", "fem"}},
-      {"petsc", {"fem"}},
-      {"slepc", {"fem"}},
-      {"ceres/", {"materials/fit/separable_fit", "voxel/calibration/calibration_search"}}};
-  return places;
+/// What the lines `#include` of a file name, in angle brackets or in quotes.
+Words includes(const fs::path& file, bool quoted) {
+  static const std::regex in_quotes(R"re(\s*#\s*include\s*"([^"]+)".*)re");
+  static const std::regex in_brackets(R"re(\s*#\s*include\s*<([^>]+)>.*)re");
+  Words names;
+  std::ifstream text(file);
+  for (std::string line; std::getline(text, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, quoted ? in_quotes : in_brackets)) names.insert(match[1]);
+  }
+  return names;
 }
 
-TEST(Layers, SolversStayInTheirPlaces) {
+/// What a tree does that its table of rooms does not allow, a line each.
+std::vector<std::string> wrong_includes(const fs::path& root, const Rooms& rooms) {
+  std::vector<std::string> wrong;
+  for (const auto& [file, name] : sources(root)) {
+    const std::string path = fs::relative(file, root).string();
+    const auto room = rooms.find(name);
+    if (room == rooms.end()) {
+      wrong.push_back(path + " lies in no room of the table");
+      continue;
+    }
+    for (const std::string& include : includes(file, true)) {
+      const std::string other = fs::path(include).parent_path().string();
+      if (!fs::exists(root / include))
+        wrong.push_back(path + " includes " + include + ", which is not there");
+      else if (other != name && !room->second.below.contains(other))
+        wrong.push_back(path + " includes " + include + ", but " + name + " does not stand on " + other);
+    }
+    for (const std::string& include : includes(file, false)) {
+      for (const auto& [prefix, library] : libraries())
+        if (include.starts_with(prefix) && !room->second.libraries.contains(library))
+          wrong.push_back(path + " includes " + include + " of " + library);
+    }
+  }
+  return wrong;
+}
+
+TEST(Rooms, IncludeOnlyWhatTheTableAllows) {
+  const Rooms rooms = rooms_of_menger();
+  EXPECT_GT(rooms.size(), 40U);
+  EXPECT_GT(sources(MENGER_SOURCE_DIR).size(), 700U);
+  for (const std::string& wrong : wrong_includes(MENGER_SOURCE_DIR, rooms)) ADD_FAILURE() << wrong;
+}
+
+TEST(Rooms, APlantedIncludeIsFound) {
+  const tests::TestFolder folder;
+  const auto plant = [&](const std::string& file, const std::string& text) {
+    fs::create_directories((folder / file).parent_path());
+    std::ofstream(folder / file) << text << '\n';
+  };
+  std::istringstream table(
+      "| `io/text` | | toml++ |\n| `fem/space` | `io/text` | deal.II |\n| `fem/statics` | `fem/space` | |\n| `voxel/engine` | "
+      "`io/text` | |\n");
+  const Rooms rooms = read_rooms(table);
+  plant("io/text/a.h", "#include <vector>");
+  plant("fem/space/b.h", "#include <deal.II/base/point.h>\n#include \"io/text/a.h\"");
+  plant("fem/statics/c.cpp", "#include \"fem/space/b.h\"\n#include \"io/text/a.h\"");
+  plant("voxel/engine/d.h", "#include \"io/text/a.h\"");
+  EXPECT_EQ(wrong_includes(folder.path(), rooms), std::vector<std::string>{});
+
+  plant("fem/space/upwards.h", "  # include \"fem/statics/c.h\"");
+  plant("fem/statics/c.h", "");
+  plant("fem/statics/library.cpp", "#include <deal.II/fe/fe_q.h>");
+  plant("fem/statics/missing.cpp", "#include \"io/text/gone.h\"");
+  plant("io/text/sideways.cpp", "#include \"voxel/engine/d.h\"");
+  plant("voxel/roomless.cpp", "");
+  EXPECT_EQ(
+      wrong_includes(folder.path(), rooms),
+      (std::vector<std::string>{"fem/space/upwards.h includes fem/statics/c.h, but fem/space does not stand on fem/statics",
+                                "fem/statics/library.cpp includes deal.II/fe/fe_q.h of deal.II",
+                                "fem/statics/missing.cpp includes io/text/gone.h, which is not there",
+                                "io/text/sideways.cpp includes voxel/engine/d.h, but io/text does not stand on voxel/engine",
+                                "voxel/roomless.cpp lies in no room of the table"}));
+}
+
+TEST(Rooms, StandOnWhatTheyInclude) {
+  const Rooms rooms = rooms_of_menger();
+  std::map<std::string, Words> included_rooms;
+  std::map<std::string, Words> included_libraries;
+  for (const auto& [file, name] : sources(MENGER_SOURCE_DIR)) {
+    for (const std::string& include : includes(file, true)) included_rooms[name].insert(fs::path(include).parent_path().string());
+    for (const std::string& include : includes(file, false)) {
+      for (const auto& [prefix, library] : libraries())
+        if (include.starts_with(prefix)) included_libraries[name].insert(library);
+    }
+  }
+  for (const auto& [name, room] : rooms) {
+    for (const std::string& other : room.direct) {
+      EXPECT_TRUE(included_rooms[name].contains(other)) << name << " includes nothing of " << other;
+      for (const std::string& between : room.direct)
+        EXPECT_FALSE(rooms.at(between).below.contains(other)) << name << " stands on " << other << " by " << between << " anyway";
+    }
+    for (const std::string& library : room.libraries) {
+      EXPECT_TRUE(included_libraries[name].contains(library)) << name << " includes nothing of " << library;
+    }
+  }
+}
+
+TEST(Rooms, AreOfOneConceptEach) {
+  std::map<std::string, int> files;
+  for (const auto& [file, name] : sources(MENGER_SOURCE_DIR)) ++files[name];
+  for (const auto& [name, count] : files) EXPECT_LE(count, 38) << name << " holds more than one concept";
+}
+
+TEST(Rooms, AreInTheReadmeOfTheirFolder) {
   const fs::path root = MENGER_SOURCE_DIR;
-  std::map<std::string, int> found;
-  for (const auto& [folder, below] : allowed_includes()) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
-      if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
-      const std::string file = fs::relative(entry.path(), root).replace_extension("").string();
-      std::ifstream text(entry.path());
-      for (std::string line; std::getline(text, line);) {
-        for (const auto& [library, places] : places_of_libraries()) {
-          if (line.rfind("#include <" + library, 0) != 0) continue;
-          ++found[library];
-          EXPECT_TRUE(places.count(folder) > 0 || places.count(file) > 0) << entry.path() << " includes " << line;
-        }
-      }
+  static const std::regex row(R"(\| \[?`([a-z_]+)`\]?(?:\([^)]*\))? \| ([^|]+) \| `([a-z_0-9]+\.h)` \|)");
+  for (const std::string& folder : folders()) {
+    Words described;
+    std::ifstream text(root / folder / "README.md");
+    for (std::string line; std::getline(text, line);) {
+      std::smatch match;
+      if (!std::regex_match(line, match, row)) continue;
+      described.insert(folder + "/" + match[1].str());
+      EXPECT_TRUE(fs::exists(root / folder / match[1].str() / match[3].str())) << folder << "/README.md: " << line;
     }
+    Words there;
+    for (const auto& [name, room] : rooms_of_menger())
+      if (name.starts_with(folder + "/") && !name.ends_with("/apps")) there.insert(name);
+    EXPECT_EQ(described, there) << folder << "/README.md";
   }
-  EXPECT_EQ(found.size(), places_of_libraries().size()) << "a library that nobody includes, or by another name";
 }
 
 /// Names of the shared libraries that a program needs, directly or not.
@@ -105,7 +256,7 @@ std::string needed_libraries(const std::string& program) {
   return output;
 }
 
-TEST(Layers, OnlyProgramsOfFiniteElementsLoadTheirLibraries) {
+TEST(Programs, OnlyProgramsOfFiniteElementsLoadTheirLibraries) {
   for (const char* program : {"menger-evolve", "menger-simulate", "menger-export", "menger-calibrate", "menger-validate",
                               "menger-tradeoff", "menger-reevaluate", "menger-compare-searches", "menger-locomote",
                               "menger-stall-map", "menger-extremes-voxel", "menger-extremes-calibration"}) {
@@ -115,8 +266,10 @@ TEST(Layers, OnlyProgramsOfFiniteElementsLoadTheirLibraries) {
     EXPECT_EQ(libraries.find("libpetsc"), std::string::npos) << program;
     EXPECT_EQ(libraries.find("libslepc"), std::string::npos) << program;
   }
-  for (const char* program : {"menger-evolve", "menger-simulate"})
+  for (const char* program : {"menger-evolve", "menger-simulate"}) {
     EXPECT_EQ(needed_libraries(program).find("libceres"), std::string::npos) << program << " fits nothing";
+    EXPECT_EQ(needed_libraries(program).find("libsundials"), std::string::npos) << program << " solves no equations";
+  }
   EXPECT_EQ(needed_libraries("menger-evolve").find("libvtk"), std::string::npos) << "the search draws nothing";
 }
 
