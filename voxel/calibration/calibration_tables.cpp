@@ -129,8 +129,8 @@ io::CsvTable residual_table(const std::vector<FittedCurve>& curves, const Calibr
   io::CsvTable table({"case", "kind", "body", "ordinate", "rms", "worst", "unit", "relative"});
   for (const OrdinateError& error : ordinate_errors(curves, fit)) {
     const meshes::LoadCase& load_case = curves[error.curve].load_case;
-    table.add_row(load_case.name, meshes::to_string(load_case.kind), body_text(load_case), error.ordinate, error.rms,
-                  error.worst, unit_of(error.ordinate), error.relative);
+    table.add_row(load_case.name, meshes::to_string(load_case.kind), body_text(load_case), error.ordinate, error.rms, error.worst,
+                  unit_of(error.ordinate), error.relative);
   }
   return table;
 }
@@ -143,9 +143,9 @@ io::CsvTable answer_table(const std::vector<FittedCurve>& curves, const Calibrat
     for (std::size_t n = 0; n < fit.residuals[c].size(); ++n) {
       const std::vector<double>& state = curve.states[n % rows];
       const auto imposed = state.size() > 1 ? std::optional(state[1]) : std::nullopt;
-      table.add_row(curve.load_case.name, meshes::to_string(curve.load_case.kind), body_text(curve.load_case), state[0],
-                    imposed, curve.ordinates[n / rows], curve.reference[n / rows][n % rows],
-                    answer_at(curve, fit.residuals[c], n), curve.sigma[n / rows]);
+      table.add_row(curve.load_case.name, meshes::to_string(curve.load_case.kind), body_text(curve.load_case), state[0], imposed,
+                    curve.ordinates[n / rows], curve.reference[n / rows][n % rows], answer_at(curve, fit.residuals[c], n),
+                    curve.sigma[n / rows]);
     }
   }
   return table;
