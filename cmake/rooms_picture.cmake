@@ -1,5 +1,5 @@
 # Draws the rooms of cmake/rooms.md into it, as Mermaid's text: cmake -P cmake/rooms_picture.cmake. With -DCHECK=ON nothing is written,
-# and a picture that is not of today is an error.
+# and a picture that is out of date is an error.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/room_table.cmake)
 set(file ${CMAKE_CURRENT_LIST_DIR}/rooms.md)

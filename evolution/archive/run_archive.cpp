@@ -74,8 +74,8 @@ void bind_key(SQLite::Statement& row, const EvaluationKey& key) {
   row.bind(":decided_by_hash", key.physics_hash);
 }
 
-/// A result's part of a row, in evaluations and re-evaluations alike: status, displacement, reason, steps and seconds. No status
-/// is that of a judge that failed.
+/// A result's part of a row, in evaluations and re-evaluations alike: status, displacement, reason, steps and seconds. The
+/// status is NULL where the judge itself failed.
 Evaluation read_result(const SQLite::Statement& row) {
   Evaluation result;
   if (const SQLite::Column status = row.getColumn("status"); !status.isNull())

@@ -106,7 +106,6 @@ class ImplicitDynamics {
   [[nodiscard]] double mass_kg() const { return mass_kg_; }
   [[nodiscard]] Point centre_of_mass_m() const;
   [[nodiscard]] int factorisations() const { return newton_.tangents(); }
-  [[nodiscard]] long residual_evaluations() const { return newton_.residuals(); }  ///< in Newton's method
 
  private:
   /// Forces at a time but for inertia, as a residual, and what comes with them.

@@ -131,7 +131,6 @@ NewtonOutcome NewtonSolver::solve(Vec x, const std::atomic<bool>* stop) {
 /// PETSc gives up at the first number that is not finite; a state without a residual is dealt with in the search along the step.
 PetscErrorCode NewtonSolver::compute_function(SNES, Vec x, Vec f, void* context) {
   auto& self = *static_cast<NewtonSolver*>(context);
-  ++self.residuals_;
   self.has_residual_ = self.problem_.residual(x, f);
   if (self.has_residual_) {
     double norm = 0.0;

@@ -111,9 +111,8 @@ class NewtonSolver {
   /// The next step prepares a tangent of its own.
   void forget_tangent() { is_stale_ = true; }
 
-  /// How many tangents were prepared and how many residuals asked for by all solves.
+  /// How many tangents were prepared by all solves.
   [[nodiscard]] int tangents() const { return tangents_; }
-  [[nodiscard]] long residuals() const { return residuals_; }
 
  private:
   static PetscErrorCode compute_function(SNES snes, Vec x, Vec f, void* context);
@@ -141,7 +140,6 @@ class NewtonSolver {
   MPI_Comm communicator_;
   const std::atomic<bool>* stop_ = nullptr;
   int tangents_ = 0;
-  long residuals_ = 0;
   bool has_residual_ = false;  ///< the state that was evaluated last
   bool is_stale_ = true;
 

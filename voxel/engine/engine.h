@@ -76,7 +76,7 @@ class EngineOf : public Engine {
   [[nodiscard]] CollisionCounts collision_counts() const override;
   [[nodiscard]] std::vector<std::string> kernel_report() const override;
 
-  /// For who brings other sweeps.
+  /// The body itself, for engines that sweep it in another way (AggregateEngine, LaneGroup).
   [[nodiscard]] MovingBody<Real>& moving_body() { return moving_; }
   [[nodiscard]] const MovingBody<Real>& moving_body() const { return moving_; }
 

@@ -49,6 +49,7 @@ void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t step
     }
     if (use == LaneUse::always || lanes_pay(of_register, grid, widest)) {
       std::vector<MovingBody<Real>*> bodies;
+      bodies.reserve(together.size());
       for (EngineOf<Real>* robot : together) bodies.push_back(&robot->moving_body());
       LaneGroup<Real>(bodies, lane_kernels_for<Real>(set, bodies.size())).advance(steps, stop);
     } else {

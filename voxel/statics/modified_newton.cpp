@@ -71,7 +71,8 @@ struct ModifiedNewton::Solver {
   const Eigen::SparseMatrix<double>* tangent = nullptr;  ///< what the matrix stands for
   TangentFactors factors;
   bool has_factors = false;
-  bool is_new = false;  ///< whether they are those of the tangent where the next step begins
+  bool is_new = false;   ///< whether they are those of the tangent where the next step begins
+  bool was_old = false;  ///< whether the last step was one of older factors
 
   double size = infinity;         ///< of the residual that was evaluated last
   double size_before = infinity;  ///< of the residual where the last step began
@@ -132,7 +133,10 @@ int ModifiedNewton::Solver::evaluate(N_Vector x, N_Vector residual, void* solver
     self->equations->residual(view(x), f);
   }
   self->size = size_of(f);
-  if (!std::isfinite(self->size)) return too_far;
+  if (!std::isfinite(self->size)) {
+    if (self->halvings_left > 0) --self->halvings_left;
+    return too_far;
+  }
   if (self->halvings_left == 0) return accepted;
   if (f.norm() < self->norm_before) {
     self->halvings_left = 0;
@@ -169,6 +173,7 @@ int ModifiedNewton::Solver::solve(SUNLinearSolver linear, SUNMatrix /*tangent*/,
   const double length = size_of(p);
   if (!std::isfinite(length)) return self->is_new ? SUNLS_PACKAGE_FAIL_UNREC : SUNLS_CONV_FAIL;
   if (length > self->largest_step) p *= self->largest_step / length;
+  self->was_old = !self->is_new;
   self->is_new = false;
   self->size_before = size;
   self->norm_before = right.norm();
@@ -185,10 +190,23 @@ double ModifiedNewton::Solver::search(const Equations& of, Eigen::VectorXd& x, c
   halvings_left = 0;
   const auto unknowns = io::sundials_made<io::SundialsVector>(N_VMake_Serial(x.size(), x.data(), context.get()));
   KINSetFuncNormTol(kinsol.get(), tolerance);
-  KINSetNumMaxIters(kinsol.get(), options.largest_iteration_count);
-  const int outcome = KINSol(kinsol.get(), unknowns.get(), KIN_LINESEARCH, scale.get(), scale.get());
   long count = 0;
-  KINGetNumNonlinSolvIters(kinsol.get(), &count);
+  const auto run = [&] {
+    was_old = false;
+    KINSetNumMaxIters(kinsol.get(), options.largest_iteration_count - count);
+    const int end = KINSol(kinsol.get(), unknowns.get(), KIN_LINESEARCH, scale.get(), scale.get());
+    long more = 0;
+    KINGetNumNonlinSolvIters(kinsol.get(), &more);
+    count += more;
+    return end;
+  };
+  int outcome = run();
+  const auto leads_nowhere = [&] { return outcome == KIN_REPTD_SYSFUNC_ERR || outcome == KIN_SYSFUNC_FAIL; };
+  // KINSOL forms a new tangent where a step of old factors is too long, but ends where it has no residual all along.
+  while (leads_nowhere() && was_old && count < options.largest_iteration_count) {
+    has_factors = false;
+    outcome = run();
+  }
   iterations += static_cast<std::size_t>(count);
   if (outcome != KIN_SUCCESS) {
     // A search that failed has looked at other places after the one where it ends.
@@ -211,9 +229,10 @@ bool ModifiedNewton::find_root(const Equations& equations, Eigen::VectorXd& x, c
   const double start = size_of(residual);
   const double tolerance = std::clamp(1e-6 * start, rounding, std::max(rounding, options.tolerance));
   if (start <= tolerance) return true;
-  if (!std::isfinite(start) || options.largest_iteration_count <= 0) return false;
-  if (!solver_) solver_ = std::make_unique<Solver>(x.size());
   const double good_enough = 1e3 * options.tolerance;
+  if (!std::isfinite(start)) return false;
+  if (options.largest_iteration_count <= 0) return start <= good_enough;
+  if (!solver_) solver_ = std::make_unique<Solver>(x.size());
   return solver_->search(equations, x, residual, tolerance, options) <= std::max(tolerance, good_enough);
 }
 

@@ -29,11 +29,13 @@ struct NewtonOptions {
 /// (@cite hindmarsh2005sundials; its user guide, "Mathematical considerations"), with sparse LU factors behind its interfaces.
 ///
 /// - Tangent and factors are kept, from one search to the next too, while a step brings the largest residual below a fifth. The
-///   linear solver says when they are too old, and KINSOL forms new ones; it also does where a line search fails with old ones.
-///   Its own rules count iterations, and would use each tangent twice at least.
+///   linear solver says when they are too old, and KINSOL forms new ones; so it does where a line search fails with old ones.
+///   Where a step of old ones has no residual all along, which ends KINSOL's search, it is called again with a new tangent. Its
+///   own rules count iterations, and would use each tangent twice at least.
 /// - No unknown changes by more than the largest step at once: the whole step is cut. KINSOL's bound (KINSetMaxNewtonStep) is
 ///   one of the Euclidean norm, which grows with the number of unknowns; it cannot be below 1, and five such steps end a search.
-/// - A step that raises the residual is halved four times at most, and only then left to KINSOL's line search by parabolas,
+/// - A step that raises the residual, or at whose end there is none, is halved four times at most, and only then left to KINSOL's
+/// line search by parabolas,
 ///   which ends where half the square of the norm has fallen by 1e-4 of what the tangent promises. Its second condition, that
 ///   steps be not needlessly short, concerns those cut below 1 / 1.8; one that breaks it is taken all the same.
 ///

@@ -28,7 +28,8 @@ class OneEquation {
   bool can_solve = true;
   NewtonOptions options{.steps = HalvedSteps{}, .reuse = never};
 
-  std::vector<double> visited;    ///< by steps
+  std::vector<double> visited;
+  std::size_t evaluations = 0;    ///< of residuals, rejected trials included    ///< by steps
   std::vector<double> distances;  ///< that the judge was told
   double x = 0.0;
 
@@ -50,6 +51,7 @@ class OneEquation {
   NewtonProblem problem() {
     return {.residual =
                 [this](Vec at, Vec residual) {
+                  ++evaluations;
                   const std::optional<double> value = function(VectorReader(at)[0]);
                   if (value) VectorWriter{residual}[0] = residual_ = *value;
                   return value.has_value();
@@ -159,7 +161,7 @@ TEST(NewtonSolver, HalvesAStepThatLeavesTheDomain) {
   OneEquation equation = logarithm();
   EXPECT_EQ(equation.solve(3.0).end, NewtonEnd::solved);
   EXPECT_NEAR(equation.visited[1], 3.0 - 0.5 * 3.0 * std::log(3.0), 1e-15);
-  EXPECT_EQ(equation.solver().residuals(), static_cast<long>(equation.visited.size()) + 1) << "one of a trial that was rejected";
+  EXPECT_EQ(equation.evaluations, equation.visited.size() + 1) << "one of a trial that was rejected";
   EXPECT_NEAR(equation.x, 1.0, 1e-12);
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace menger::voxel {
@@ -128,6 +130,19 @@ TEST(ModifiedNewton, ShortensStepsToWhereThereAreResiduals) {
   VectorXd x = at(4.0);
   ASSERT_TRUE(newton.find_root(half_line.equations(), x, long_steps));
   EXPECT_LT(*std::min_element(half_line.places.begin(), half_line.places.end()), 0.0) << "no step led out of the half line";
+  EXPECT_NEAR(x[0], 1.0, 1e-11);
+}
+
+TEST(ModifiedNewton, FormsANewTangentWhereTheOldOneLeadsToNoResidual) {
+  OneEquation flat([](double x) { return 1e-4 * (x - 1.5); }, [](double) { return 1e-4; });
+  OneEquation half_line([](double x) { return std::log(x); }, [](double x) { return 1.0 / x; });
+  const NewtonOptions any_step{.largest_step = 1e6};
+  ModifiedNewton newton;
+  VectorXd x = at(2.0);
+  ASSERT_TRUE(newton.find_root(flat.equations(), x, any_step));
+  x = at(1.5);
+  ASSERT_TRUE(newton.find_root(half_line.equations(), x, any_step));
+  EXPECT_LT(*std::min_element(half_line.places.begin(), half_line.places.end()), -100.0) << "the old tangent led nowhere far";
   EXPECT_NEAR(x[0], 1.0, 1e-11);
 }
 
