@@ -78,7 +78,8 @@ std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::s
   for (std::size_t n = 1; n <= count; ++n) {
     if (!take_step(step_s)) return failure_in_element();
     state_.time_s = n == count ? end_s : start + static_cast<double>(n) * step_s;
-    if (!supply_air()) return failure(io::RunStatus::diverged, "a plenum has no volume or no air left");
+    const PneumaticReport air = supply_air();
+    if (air.status != io::RunStatus::completed) return failure(air.status, air.reason);
     if (walls_have_met()) break;
   }
   return judge();

@@ -63,6 +63,7 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
     throw io::InputError("explicit dynamics: schedules beside a supply of all plena");
   }
   check(mesh);
+  if (options_.supply->has_lines()) air_.emplace(*options_.supply);
   element_slots_.resize(24 * body.boxes().width() * body.boxes().batch_count());
   chamber_slots_.resize(chambers_.slot_count());
   outcomes_.resize(BlockLoop::block_count(body.boxes().batch_count(), batches_per_block));

@@ -15,6 +15,7 @@
 #include "fem/explicit/explicit_nodes.h"
 #include "fem/explicit/explicit_step_bound.h"
 #include "fem/motion/explicit_energy.h"
+#include "fem/pneumatics/pneumatic_integrator.h"
 #include "fem/pneumatics/pneumatic_supply.h"
 #include "fem/pneumatics/pressure_schedule.h"
 #include "io/text/input_error.h"
@@ -147,7 +148,7 @@ class ExplicitDynamics {
   [[nodiscard]] bool walls_have_met() const;
   void look_at_chambers();
   bool take_step(double step_s);
-  [[nodiscard]] bool supply_air();
+  [[nodiscard]] PneumaticReport supply_air();
   [[nodiscard]] double due_relaxation_s(double step_s) const;
   double compute_forces(double relaxed_s = 0.0);
   void find_touches();
@@ -165,6 +166,7 @@ class ExplicitDynamics {
   std::vector<double> areas_;
   NodeUpdate nodes_;
   BlockLoop loop_;
+  std::optional<PneumaticIntegrator> air_;  ///< where there are lines
   ExplicitState state_;
   ExplicitState last_good_;
   ExplicitReport report_;

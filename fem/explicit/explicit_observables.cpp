@@ -24,12 +24,10 @@ double ExplicitDynamics::plenum_pressure_Pa(std::size_t plenum) const {
 }
 
 /// Pressures at the time that the state has come to.
-bool ExplicitDynamics::supply_air() {
-  if (!options_.supply->has_lines()) {
-    state_.pneumatics->time_s = state_.time_s;
-    return true;
-  }
-  return options_.supply->advance(*state_.pneumatics, state_.time_s, plenum_volumes_m3());
+PneumaticReport ExplicitDynamics::supply_air() {
+  if (air_) return air_->advance(*state_.pneumatics, state_.time_s, plenum_volumes_m3());
+  state_.pneumatics->time_s = state_.time_s;
+  return {.time_s = state_.time_s};
 }
 
 ExplicitEnergies ExplicitDynamics::energies() {

@@ -26,4 +26,7 @@ double swept_volume_m3(const Piston& piston);
 /// Volume of the air in cylinder and dead volume at a time, m^3.
 double cylinder_volume_m3(const Piston& piston, double time_s);
 
+/// Its rate, m^3/s; at the end of the ramp that of later.
+double cylinder_rate_m3_per_s(const Piston& piston, double time_s);
+
 }  // namespace menger::fem

@@ -4,12 +4,13 @@
 
 namespace menger::fem {
 
-/// Energy that went through a supply since its start, J, by gauge pressures; errors are of second order in the step.
+/// Energy that went through a supply since its start, J, by gauge pressures; integrated along with the air and as exactly, see
+/// PneumaticAccuracy.
 struct PneumaticWork {
   double piston_J = 0.0;  ///< of pistons on their air
   double source_J = 0.0;  ///< carried out of sources by the air that left them
   double plenum_J = 0.0;  ///< int p dV of the plena that are supplied through lines
-  double line_J = 0.0;    ///< lost in lines, >= 0 but for those errors
+  double line_J = 0.0;    ///< lost in lines, >= 0 but for errors of that size
 };
 
 /// Where the air of a supply is at one time.

@@ -29,6 +29,10 @@ const PneumaticLine* PneumaticSupply::line(std::size_t plenum) const {
   return nullptr;
 }
 
+const PlenumSchedule& PneumaticSupply::source(const Group& group) const {
+  return std::get<LineSupply>(plena_[group.plena.front()]).source;
+}
+
 bool PneumaticSupply::has_line(std::size_t plenum) const { return line(plenum) != nullptr; }
 
 bool PneumaticSupply::has_lines() const {
@@ -74,7 +78,7 @@ std::vector<double> PneumaticSupply::pressures_Pa(const PneumaticState& state) c
 }
 
 double PneumaticSupply::root_pressure_Pa(const PneumaticState& state, const Group& group) const {
-  if (!group.piston) return fem::pressure_Pa(std::get<LineSupply>(plena_[group.plena.front()]).source, state.time_s);
+  if (!group.piston) return fem::pressure_Pa(source(group), state.time_s);
   return air_pressure_Pa(gas_, state.piston_air_m3[*group.piston], root_volume_m3(group, state.time_s));
 }
 

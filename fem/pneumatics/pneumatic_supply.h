@@ -9,11 +9,9 @@
 
 #include "fem/pneumatics/pneumatic_gas.h"
 #include "fem/pneumatics/pneumatic_line.h"
-#include "fem/pneumatics/pneumatic_manifold.h"
 #include "fem/pneumatics/pneumatic_piston.h"
 #include "fem/pneumatics/pneumatic_state.h"
 #include "fem/pneumatics/pressure_schedule.h"
-#include "fem/surfaces/plenum_compliance.h"
 
 namespace menger::fem {
 
@@ -32,14 +30,15 @@ struct PistonSupply {
 /// What drives a plenum: a pressure without a way, or air through a line.
 using PlenumSupply = std::variant<PlenumSchedule, LineSupply, PistonSupply>;
 
-/// All supplies of a body: from the volumes of its plena to their pressures.
-///
-/// Amounts of air are advanced with given volumes by an implicit Runge-Kutta rule of two stages (second order, L-stable and exact
-/// at its end where a line has no resistance: Alexander's SDIRK of 1977), so that no line is too short for a step. Air that
-/// leaves one volume enters another: amounts add up to rounding. An object has no state of its own and can be copied.
-/// @cite alexander1977diagonally
+/// All supplies of a body: from the volumes of its plena to their pressures. PneumaticIntegrator lets their air flow.
 class PneumaticSupply {
  public:
+  /// The plena that share a supply: one for a source, all of a piston.
+  struct Group {
+    std::optional<std::size_t> piston{};
+    std::vector<std::size_t> plena{};
+  };
+
   /// @param plena one per plenum; indices of pistons, volumes and pressures must make sense (asserts)
   PneumaticSupply(std::vector<PlenumSupply> plena, std::vector<Piston> pistons = {}, const PneumaticGas& gas = {});
 
@@ -48,21 +47,18 @@ class PneumaticSupply {
   [[nodiscard]] const std::vector<Piston>& pistons() const { return pistons_; }
   [[nodiscard]] const PneumaticGas& gas() const { return gas_; }
   [[nodiscard]] bool has_line(std::size_t plenum) const;
-  [[nodiscard]] bool has_lines() const;  ///< otherwise volumes do not matter
+  [[nodiscard]] bool has_lines() const;                                       ///< otherwise volumes do not matter
+  [[nodiscard]] const PneumaticLine* line(std::size_t plenum) const;          ///< null without a line
+  [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }  ///< pistons first, then sources
+  [[nodiscard]] const PlenumSchedule& source(const Group& group) const;       ///< of a group without a piston
 
   /// Air closed in at a time. @param volumes_m3 of each plenum, > 0 (asserts)
   [[nodiscard]] PneumaticState start(double time_s, std::span<const double> volumes_m3) const;
 
-  /// Lets air flow until a later time, while the volumes change evenly to those given.
-  /// @return false, and the state is as before, where a volume is not positive or the step would empty one
-  [[nodiscard]] bool advance(PneumaticState& state, double time_s, std::span<const double> volumes_m3) const;
-
-  /// The same for plena whose volume follows their pressure; nothing else moves them.
-  [[nodiscard]] bool advance(PneumaticState& state, double time_s, std::span<const PlenumCompliance> plena) const;
-
   /// Gauge pressure in a plenum, Pa.
   [[nodiscard]] double pressure_Pa(const PneumaticState& state, std::size_t plenum) const;
   [[nodiscard]] std::vector<double> pressures_Pa(const PneumaticState& state) const;
+  [[nodiscard]] double root_pressure_Pa(const PneumaticState& state, const Group& group) const;  ///< in the cylinder or source
   [[nodiscard]] double piston_pressure_Pa(const PneumaticState& state, std::size_t piston) const;
 
   /// Free air that flows into a plenum through its line now, m^3/s; nothing without a line or where the line has no resistance.
@@ -82,26 +78,7 @@ class PneumaticSupply {
   void check_resolved(std::span<const std::string> plenum_names, double step_s) const;
 
  private:
-  /// The plena that share a supply: one for a source, all of a piston.
-  struct Group {
-    std::optional<std::size_t> piston{};
-    std::vector<std::size_t> plena{};
-  };
-  /// Volumes of plena at the end of a step: given, or by compliance.
-  struct Walls {
-    std::span<const double> volumes_m3{};
-    std::span<const PlenumCompliance> compliances{};
-  };
-  [[nodiscard]] const PneumaticLine* line(std::size_t plenum) const;
   [[nodiscard]] double root_volume_m3(const Group& group, double time_s) const;
-  [[nodiscard]] double root_pressure_Pa(const PneumaticState& state, const Group& group) const;
-  [[nodiscard]] bool advance(PneumaticState& state, double time_s, const Walls& walls) const;
-  [[nodiscard]] std::optional<Manifold> flow(const PneumaticState& state, const Group& group, double time_s,
-                                             const Walls& walls) const;
-  void set_stage(const PneumaticState& state, const Group& group, const Walls& walls, double part, double time_s,
-                 Manifold& manifold) const;
-  [[nodiscard]] bool settle(const PneumaticState& from, const Group& group, const Manifold& end, double time_s,
-                            PneumaticState& to) const;
 
   std::vector<PlenumSupply> plena_;
   std::vector<Piston> pistons_;

@@ -41,6 +41,30 @@ double pressure_at(const PressureTable& table, double time_s) {
   return std::lerp(table.pressures_Pa[n - 1], table.pressures_Pa[n], part);
 }
 
+/// Of a square: the start and the end of its rise and of its fall.
+std::optional<double> corner_after(const SquarePressure& square, double after_s) {
+  const double rise = square.rise_s * square.frequency_Hz;
+  const double whole = std::floor(square.frequency_Hz * after_s + square.phase);
+  std::optional<double> first;
+  for (const double period : {whole, whole + 1.0}) {
+    for (const double part : {0.0, rise, square.duty, square.duty + rise}) {
+      const double corner = (period + part - square.phase) / square.frequency_Hz;
+      if (corner > after_s && (!first || corner < *first)) first = corner;
+    }
+  }
+  return first;
+}
+
+std::optional<double> corner_after(const PressureTable& table, double after_s) {
+  const auto next = std::upper_bound(table.times_s.begin(), table.times_s.end(), after_s);
+  return next == table.times_s.end() ? std::nullopt : std::optional(*next);
+}
+
+template <class Smooth>
+std::optional<double> corner_after(const Smooth&, double) {
+  return std::nullopt;
+}
+
 enum class Kind { constant, sine, square, table };
 
 SquarePressure read_square(const io::TomlTable& table) {
@@ -95,6 +119,12 @@ std::vector<Detail> details_of(const PlenumSchedule& plenum) {
 double pressure_Pa(const PlenumSchedule& plenum, double time_s) {
   const double pressure = std::visit([&](const auto& schedule) { return pressure_at(schedule, time_s); }, plenum.schedule);
   return time_s < plenum.ramp_s ? pressure * time_s / plenum.ramp_s : pressure;
+}
+
+std::optional<double> next_corner_s(const PlenumSchedule& plenum, double after_s) {
+  const std::optional<double> corner =
+      std::visit([&](const auto& schedule) { return corner_after(schedule, after_s); }, plenum.schedule);
+  return plenum.ramp_s > after_s ? std::min(plenum.ramp_s, corner.value_or(plenum.ramp_s)) : corner;
 }
 
 double lowest_pressure_Pa(const PlenumSchedule& plenum) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -51,6 +52,9 @@ struct PlenumSchedule {
 
 /// Gauge pressure at a time, Pa.
 double pressure_Pa(const PlenumSchedule& plenum, double time_s);
+
+/// First time after another at which the pressure jumps or its slope does, s; nothing if there is none.
+std::optional<double> next_corner_s(const PlenumSchedule& plenum, double after_s);
 
 /// Lowest gauge pressure at any time, Pa; at most 0 where there is a ramp.
 double lowest_pressure_Pa(const PlenumSchedule& plenum);

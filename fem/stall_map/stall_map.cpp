@@ -5,37 +5,41 @@
 #include <cmath>
 #include <numeric>
 
-#include "fem/pneumatics/pneumatic_supply.h"
+#include "fem/pneumatics/pneumatic_integrator.h"
 
 namespace menger::fem {
 namespace {
 
+/// What a state says of a period's extremes.
+void observe(const PneumaticSupply& supply, const PneumaticState& state, StallPoint& point) {
+  const double pressure = supply.pressure_Pa(state, 0);
+  point.peak_pressure_Pa = std::max(point.peak_pressure_Pa, pressure);
+  point.lowest_pressure_Pa = std::min(point.lowest_pressure_Pa, pressure);
+  point.piston_peak_pressure_Pa = std::max(point.piston_peak_pressure_Pa, supply.piston_pressure_Pa(state, 0));
+  point.largest_volume_m3 = std::max(point.largest_volume_m3, state.volumes_m3[0]);
+  point.smallest_volume_m3 = std::min(point.smallest_volume_m3, state.volumes_m3[0]);
+  point.largest_flow_m3_per_s = std::max(point.largest_flow_m3_per_s, std::abs(supply.flow_m3_per_s(state, 0).value_or(0.0)));
+}
+
 /// Moves a point on by a period and looks at its extremes. @return completed, diverged where the plenum left its curve, or
-/// not_converged where a step found no pressures
-io::RunStatus pass_period(const PneumaticSupply& supply, const std::vector<PlenumCompliance>& plena, std::size_t steps,
+/// not_converged where the integrator gave up
+io::RunStatus pass_period(const PneumaticSupply& supply, PneumaticIntegrator& air, const std::vector<PlenumCompliance>& plena,
                           PneumaticState& state, StallPoint& point) {
-  const double start_s = static_cast<double>(point.periods) / point.frequency_Hz;
-  const double period_s = 1.0 / point.frequency_Hz;
   point.peak_pressure_Pa = point.lowest_pressure_Pa = supply.pressure_Pa(state, 0);
   point.piston_peak_pressure_Pa = supply.piston_pressure_Pa(state, 0);
   point.largest_volume_m3 = point.smallest_volume_m3 = state.volumes_m3[0];
   point.largest_flow_m3_per_s = 0.0;
   // What a step misses must not count as suction beyond a curve that begins at the fill.
   const double error_Pa = 1e-4 * (plena[0].pressures_Pa.back() - plena[0].pressures_Pa.front());
-  for (std::size_t n = 1; n <= steps; ++n) {
-    const double part = static_cast<double>(n) / static_cast<double>(steps);
-    if (!supply.advance(state, start_s + part * period_s, plena)) return io::RunStatus::not_converged;
-    const double pressure = supply.pressure_Pa(state, 0);
-    point.peak_pressure_Pa = std::max(point.peak_pressure_Pa, pressure);
-    point.lowest_pressure_Pa = std::min(point.lowest_pressure_Pa, pressure);
-    point.piston_peak_pressure_Pa = std::max(point.piston_peak_pressure_Pa, supply.piston_pressure_Pa(state, 0));
-    point.largest_volume_m3 = std::max(point.largest_volume_m3, state.volumes_m3[0]);
-    point.smallest_volume_m3 = std::min(point.smallest_volume_m3, state.volumes_m3[0]);
-    point.largest_flow_m3_per_s = std::max(point.largest_flow_m3_per_s, std::abs(supply.flow_m3_per_s(state, 0).value_or(0.0)));
-    if (pressure > plena[0].pressures_Pa.back() || pressure < plena[0].pressures_Pa.front() - error_Pa)
-      return io::RunStatus::diverged;
-  }
-  return io::RunStatus::completed;
+  const auto stays_on_curve = [&](const PneumaticState& now) {
+    observe(supply, now, point);
+    const double pressure = supply.pressure_Pa(now, 0);
+    return pressure <= plena[0].pressures_Pa.back() && pressure >= plena[0].pressures_Pa.front() - error_Pa;
+  };
+  const double end_s = static_cast<double>(point.periods + 1) / point.frequency_Hz;
+  const io::RunStatus status = air.advance(state, end_s, plena, stays_on_curve).status;
+  if (status == io::RunStatus::stopped) return io::RunStatus::diverged;
+  return status == io::RunStatus::completed ? status : io::RunStatus::not_converged;
 }
 
 /// What is measured at a point, Pa.
@@ -73,6 +77,9 @@ StallPoint stall_point(const StallMapStudy& study, double frequency_Hz, double r
   piston.cylinder_length_m = study.cylinder_length_m.value_or(stroke_m);
   piston.frequency_Hz = frequency_Hz;
   const PneumaticSupply supply({PistonSupply{0, line_of(study, resistance_Pa_s_per_m3)}}, {piston}, study.gas);
+  PneumaticIntegrator air(supply, {.tolerance = 1e-6,
+                                   .largest_step_s = 1.0 / (frequency_Hz * static_cast<double>(study.steps_per_period)),
+                                   .with_works = false});
   const std::vector<PlenumCompliance> plena{study.plenum};
   PneumaticState state = supply.start(0.0, std::vector<double>{study.plenum.volume_m3(piston.fill_pressure_Pa)});
   StallPoint point{.frequency_Hz = frequency_Hz,
@@ -81,7 +88,7 @@ StallPoint stall_point(const StallMapStudy& study, double frequency_Hz, double r
                    .status = io::RunStatus::not_converged};
   double last_peak = 0.0;
   while (point.periods < study.most_periods) {
-    const io::RunStatus status = pass_period(supply, plena, study.steps_per_period, state, point);
+    const io::RunStatus status = pass_period(supply, air, plena, state, point);
     if (status != io::RunStatus::completed) {
       point.status = status;
       return point;

@@ -53,7 +53,7 @@ struct StallMapStudy {
   std::vector<double> isobars_Pa;               ///< > 0
   std::vector<StallMark> marks;
   std::optional<StallWalker> walker{};
-  std::size_t steps_per_period = 200;           ///< >= 20
+  std::size_t steps_per_period = 200;           ///< at least, >= 20; the integrator takes more where its tolerance asks for them
   std::size_t most_periods = 2000;              ///< >= 2
   double settled = 1e-6;                        ///< largest change of the peak from one period to the next, of the peak; > 0
   std::map<std::string, std::string> inputs{};  ///< content hash of every file that was read
@@ -61,8 +61,9 @@ struct StallMapStudy {
 
 /// A point of the map: the last period of a run that begins at the fill pressure with the piston withdrawn.
 ///
-/// `completed`: the peak has settled; `not_converged`: it has not after most_periods, or a step found no pressures; `diverged`:
-/// the pressure left the range of the plenum's curve, and all numbers are those of the period so far.
+/// Extremes are turning points, found between the integrator's steps. `completed`: the peak has settled; `not_converged`: it has
+/// not after most_periods, or no step kept the tolerance; `diverged`: the pressure left the range of the plenum's curve, and all
+/// numbers are those of the period so far.
 struct StallPoint {
   double frequency_Hz = 0.0;
   double resistance_Pa_s_per_m3 = 0.0;

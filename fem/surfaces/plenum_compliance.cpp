@@ -29,6 +29,18 @@ double PlenumCompliance::derivative_m3_per_Pa(double pressure_Pa) const {
   return (volumes_m3[n] - volumes_m3[n - 1]) / (pressures_Pa[n] - pressures_Pa[n - 1]);
 }
 
+double PlenumCompliance::work_J(double from_Pa, double to_Pa) const {
+  const double low = std::min(from_Pa, to_Pa);
+  const double high = std::max(from_Pa, to_Pa);
+  double work = 0.0;
+  for (std::size_t n = std::max<std::size_t>(1, after(*this, low)); n < pressures_Pa.size() && pressures_Pa[n - 1] < high; ++n) {
+    const double begin = std::max(low, pressures_Pa[n - 1]);
+    const double end = std::min(high, pressures_Pa[n]);
+    work += 0.5 * (begin + end) * (volumes_m3[n] - volumes_m3[n - 1]) / (pressures_Pa[n] - pressures_Pa[n - 1]) * (end - begin);
+  }
+  return from_Pa <= to_Pa ? work : -work;
+}
+
 bool PlenumCompliance::contains(double pressure_Pa) const {
   return pressure_Pa >= pressures_Pa.front() && pressure_Pa <= pressures_Pa.back();
 }

@@ -13,6 +13,7 @@ struct PlenumCompliance {
 
   [[nodiscard]] double volume_m3(double pressure_Pa) const;
   [[nodiscard]] double derivative_m3_per_Pa(double pressure_Pa) const;  ///< >= 0, to the right of a point
+  [[nodiscard]] double work_J(double from_Pa, double to_Pa) const;      ///< int p dV on the way between two pressures
   [[nodiscard]] bool contains(double pressure_Pa) const;
 };
 

@@ -63,7 +63,7 @@ TEST(StallMap, ShortLineReachesThePressureOfBoyle) {
 }
 
 // Little strokes about the withdrawn piston: K = V / P_ambient + dV/dp of the plenum and C of the cylinder take up air per
-// pressure, so the plenum's amplitude is half the stroke over |K + C (1 + i w R K)|. Peaks of 200 steps miss the crest by 1e-4.
+// pressure, so the plenum's amplitude is half the stroke over |K + C (1 + i w R K)|.
 TEST(StallMap, SwingFollowsTheLowPassOfTheLine) {
   StallMapStudy study = example();
   const double stroke = 1e-5;
