@@ -13,7 +13,7 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(Ceres REQUIRED)
 find_package(glog REQUIRED)  # in which Ceres writes its log
 find_package(Boost 1.74 REQUIRED)  # headers of Boost.Math
-find_package(SUNDIALS 6.4 REQUIRED COMPONENTS arkode kinsol)
+find_package(SUNDIALS 6.4 REQUIRED COMPONENTS arkode ida kinsol)
 
 find_package(VTK 9.1 REQUIRED COMPONENTS ChartsCore CommonColor CommonCore CommonDataModel FiltersCore FiltersGeneral FiltersGeometry FiltersSources
                                          IOImage IOXML IOXMLParser ImagingCore RenderingAnnotation RenderingContext2D RenderingContextOpenGL2
