@@ -112,13 +112,15 @@ TEST(InflationProblem, HoldsTheSixRigidMotionsOfAFreeBodyAndNoMore) {
 }
 
 TEST(InflationProblem, RefusesAFreeBodyWithAPlaneOfSymmetry) {
-  InflationStudy study = block_study("free", "symmetry x");
+  const tests::TestFolder folder;
+  InflationStudy study = block_study(folder / "free.vtu", "symmetry x");
   study.supports.kind = SupportKind::free;
   EXPECT_NE(refusal(study).find("symmetry"), std::string::npos) << refusal(study);
 }
 
 TEST(InflationProblem, RefusesToRestOnNothing) {
-  InflationStudy study = block_study("resting", "ground");
+  const tests::TestFolder folder;
+  InflationStudy study = block_study(folder / "resting.vtu", "ground");
   study.supports.kind = SupportKind::resting;
   study.gravity_m_per_s2 = 9.81;
   EXPECT_NE(refusal(study).find("no chamber"), std::string::npos) << "it stands on its left side";

@@ -56,16 +56,16 @@ TEST_F(ChildProgramTest, CountsProcessorTimeAndMemoryOfTheChild) {
 
 TEST_F(ChildProgramTest, EndsAChildThatExceedsItsTime) {
   ChildProgram child = script("trap 'exit 130' INT; while :; do sleep 0.05; done");
-  child.time_limit_s = 0.2;
+  child.time_limit_s = 0.5;  // within which the shell has set its trap on a busy machine, too
   const ChildOutcome outcome = run_child(child);
   EXPECT_EQ(outcome.end, ChildEnd::timed_out);
   EXPECT_EQ(outcome.exit_code, 130);
-  EXPECT_GE(outcome.wall_s, 0.2);
+  EXPECT_GE(outcome.wall_s, 0.5);
 }
 
 TEST_F(ChildProgramTest, KillsAChildThatDoesNotListen) {
   ChildProgram child = script("trap '' INT; while :; do sleep 0.05; done");
-  child.time_limit_s = 0.1;
+  child.time_limit_s = 0.5;
   child.patience_s = 0.2;
   const ChildOutcome outcome = run_child(child);
   EXPECT_EQ(outcome.end, ChildEnd::timed_out);
@@ -74,11 +74,10 @@ TEST_F(ChildProgramTest, KillsAChildThatDoesNotListen) {
 }
 
 TEST_F(ChildProgramTest, PassesARequestToStopOn) {
-  ChildProgram child = script("trap 'echo stopped; exit 130' INT; while :; do sleep 0.05; done");
+  ChildProgram child = script("trap 'echo stopped; exit 130' INT; touch ready; while :; do sleep 0.05; done");
   std::atomic<bool> stop{false};
-  int calls = 0;
   child.stop = &stop;
-  child.waiting = [&](double) { stop = ++calls > 1; };
+  child.waiting = [&](double) { stop = fs::exists(folder_ / "ready"); };
   const ChildOutcome outcome = run_child(child);
   EXPECT_EQ(outcome.end, ChildEnd::stopped);
   EXPECT_EQ(outcome.exit_code, 130);
