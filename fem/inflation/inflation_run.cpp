@@ -160,14 +160,12 @@ class InflationRun {
     const PathObserver observer = [this](const PathPoint& point, const BodyState& state, const PathRestart& restart) {
       accept(point, state, restart);
     };
-    // ranks see a signal at different times: with several of them accept() agrees on when to stop
-    const std::atomic<bool>* stop = rank_count_ == 1 ? options_.stop : nullptr;
     const PathRestart taken_up = progress_.restart;
     const bool goes_on = !taken_up.points.empty();
     PathOutcome outcome;
     try {
       const PathReport report = follow_path(equilibrium_, PathDrives{.plena = problem_.drives, .plates = problem_.plate_drives},
-                                            study_.path, observer, stop, goes_on ? &taken_up : nullptr);
+                                            study_.path, observer, options_.stop, goes_on ? &taken_up : nullptr);
       outcome = {report.status, report.reason, report.limit_points, report.rejected_steps};
       result_.path.factorisations = report.factorisations;
     } catch (const EndOfPath& end) {
@@ -217,9 +215,6 @@ class InflationRun {
       options_.progress(point, restart.points.front().s, static_cast<double>(problem_.drives.front().values.size()) - 1.0);
     }
     end_where_strict(progress_.observations.back());
-    int stopped = rank_count_ > 1 && options_.stop != nullptr && options_.stop->load() ? 1 : 0;
-    MPI_Allreduce(MPI_IN_PLACE, &stopped, 1, MPI_INT, MPI_MAX, options_.communicator);
-    if (stopped != 0) throw EndOfPath{io::RunStatus::stopped, "stopped by the user"};
   }
 
   [[nodiscard]] std::optional<Point> extent_changes_m(const BodyState& state) const {

@@ -71,10 +71,8 @@ PressureRange find_pressure_range(LoadCaseBody& body, std::optional<double> larg
   } else {
     add(range.reason, "walls were not found to touch under vacuum down to " + lowest + ": " + down.reason);
   }
-  if (stop != nullptr && stop->load()) {
-    range.stopped = true;
-    return range;
-  }
+  range.stopped = down.status == io::RunStatus::stopped;
+  if (range.stopped) return range;
   const PathReport up = follow_volume(body, largest_pressure_Pa, stop);
   for (const PathPoint& point : up.points) range.highest_pressure_Pa = std::max(range.highest_pressure_Pa, point.pressures_Pa[0]);
   if (!up.limit_points.empty()) {
@@ -83,7 +81,7 @@ PressureRange find_pressure_range(LoadCaseBody& body, std::optional<double> larg
     add(range.reason, "no limit point was found: " + up.reason);
   }
   if (largest_pressure_Pa) range.highest_pressure_Pa = std::min(range.highest_pressure_Pa, *largest_pressure_Pa);
-  range.stopped = stop != nullptr && stop->load();
+  range.stopped = up.status == io::RunStatus::stopped;
   return range;
 }
 

@@ -393,7 +393,7 @@ PathReport PathFollower::follow(const PathRestart* restart) {
     if (report_.points.empty()) return report_;
   }
   while (report_.points.back().s < schedule_.end() - 1e-12) {
-    if (stop_ != nullptr && stop_->load()) {
+    if (is_told_to_stop(stop_, equilibrium_.space().communicator)) {
       end(io::RunStatus::stopped, "stopped by the user");
       return report_;
     }

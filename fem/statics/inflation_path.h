@@ -84,7 +84,7 @@ using PathObserver = std::function<void(const PathPoint& point, const BodyState&
 ///
 /// Stability (limit points under control by pressure) is judged where all plena are driven by pressure and the linear solver is
 /// direct; with mixed drives a path that meets such a point ends `not_converged`.
-/// @param stop set on one rank only or on all at once; looked at between steps and iterations
+/// @param stop set on any rank, at any time; ranks agree on it between steps and iterations
 /// @param restart of an earlier, interrupted run with the same body and drives
 PathReport follow_path(Equilibrium& equilibrium, const PathDrives& drives, const PathOptions& options,
                        const PathObserver& observer, const std::atomic<bool>* stop = nullptr,

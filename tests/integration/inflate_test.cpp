@@ -51,11 +51,15 @@ class InflateProgram : public testing::Test {
   }
 
   /// The same with two ranks.
-  [[nodiscard]] Outcome run_parallel(std::vector<std::string> arguments) const {
+  [[nodiscard]] ProgramRun start_parallel(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"mpirun", "--oversubscribe", "-n", "2", MENGER_PROGRAM_DIR "/menger-inflate"});
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    return ProgramRun(folder_, "/usr/bin/env", std::move(arguments)).wait();
+    return {folder_, "/usr/bin/env", std::move(arguments)};
+  }
+
+  [[nodiscard]] Outcome run_parallel(std::vector<std::string> arguments) const {
+    return start_parallel(std::move(arguments)).wait();
   }
 
   [[nodiscard]] io::CsvContents curves(const std::string& output) const { return io::read_csv(folder_ / output / "curves.csv"); }
@@ -201,6 +205,20 @@ TEST_F(InflateProgram, TwoRanksGiveTheSameAnswer) {
   EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 98);
   ASSERT_NE(reader->GetOutput()->GetPointData()->GetArray("cauchy_stress_Pa"), nullptr);
   test_support::expect_opens_in_paraview(folder_ / "two");
+}
+
+// mpirun takes a second or two to pass Ctrl-C on, and leaves with a code of its own: a path of a thousand steps is long enough.
+TEST_F(InflateProgram, StopsOnTwoRanks) {
+  write_study("pressure_Pa = [0, 3000, 0]\nlargest_step = 0.002\nfirst_step = 0.002",
+              "[output]\nfields = false\npictures = false\n");
+  const ProgramRun program = start_parallel({"study.toml", "-o", "out"});
+  const auto has_rows = [&] { return has("out/curves.csv") && curves("out").row_count() >= 3; };
+  for (int n = 0; n < 6000 && !has_rows(); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.send(SIGINT);
+  EXPECT_NE(program.wait().code, 0);
+  ASSERT_TRUE(has("out/result.toml"));
+  EXPECT_EQ(io::read_toml(folder_ / "out/result.toml").text("status"), "stopped");
+  EXPECT_LT(curves("out").row_count(), 1001U);
 }
 
 TEST_F(InflateProgram, BadInputEndsAllRanks) {
