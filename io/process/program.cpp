@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -10,9 +11,27 @@
 
 #include "io/process/exit_code.h"
 #include "io/text/input_error.h"
+#include "io/text/near_miss.h"
 #include "io/text/version.h"
 
 namespace menger::io {
+namespace {
+
+/// What a mistyped option may have been: ", did you mean --refine?", or nothing.
+std::string meant_option(const CLI::App& app, int argc, const char* const* argv) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  for (int n = 1; n < argc; ++n) {
+    const std::string given = std::string(argv[n]).substr(0, std::string_view(argv[n]).find('='));
+    if (!given.starts_with("--") || std::ranges::find(known, given) != known.end()) continue;
+    if (const auto meant = near_miss(given, known)) return ", did you mean " + *meant + "?";
+  }
+  return "";
+}
+
+}  // namespace
 
 int run_program(std::string_view name, const std::function<int()>& body) {
   try {
@@ -40,7 +59,7 @@ std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* a
   } catch (const CLI::Success& success) {
     return app.exit(success, std::cout, std::cerr);
   } catch (const CLI::ParseError& error) {
-    throw InputError(std::string(error.what()) + " (see --help)");
+    throw InputError(std::string(error.what()) + meant_option(app, argc, argv) + " (see --help)");
   }
   return std::nullopt;
 }

@@ -39,7 +39,7 @@ double TomlTable::number_or(std::string_view key, double fallback, const Range& 
 }
 
 std::optional<double> TomlTable::optional_number(std::string_view key, const Range& range) const {
-  if (!ask(key)) return std::nullopt;
+  if (!asks_for(key)) return std::nullopt;
   return number(key, range);
 }
 
@@ -60,12 +60,12 @@ bool TomlTable::boolean(std::string_view key) const {
       .get();
 }
 
-bool TomlTable::boolean_or(std::string_view key, bool fallback) const { return ask(key) ? boolean(key) : fallback; }
+bool TomlTable::boolean_or(std::string_view key, bool fallback) const { return asks_for(key) ? boolean(key) : fallback; }
 
 std::string TomlTable::text(std::string_view key) const { return node_->text(std::string(key), node_->require(key, "a string")); }
 
 std::string TomlTable::text_or(std::string_view key, std::string_view fallback) const {
-  return ask(key) ? text(key) : std::string(fallback);
+  return asks_for(key) ? text(key) : std::string(fallback);
 }
 
 std::filesystem::path TomlTable::path(std::string_view key) const {
@@ -75,7 +75,7 @@ std::filesystem::path TomlTable::path(std::string_view key) const {
 }
 
 std::optional<std::filesystem::path> TomlTable::optional_path(std::string_view key) const {
-  if (!ask(key)) return std::nullopt;
+  if (!asks_for(key)) return std::nullopt;
   return path(key);
 }
 
@@ -121,8 +121,13 @@ TomlTable TomlTable::table(std::string_view key) const {
 }
 
 std::optional<TomlTable> TomlTable::optional_table(std::string_view key) const {
-  if (!ask(key)) return std::nullopt;
+  if (!asks_for(key)) return std::nullopt;
   return table(key);
+}
+
+TomlTable TomlTable::table_or_empty(std::string_view key) const {
+  static const toml::table none;
+  return asks_for(key) ? table(key) : TomlTable(node_->child(key, std::string(key), none));
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
@@ -141,13 +146,27 @@ std::vector<TomlTable> TomlTable::optional_tables(std::string_view key) const {
   return tables(key);
 }
 
-bool TomlTable::ask(std::string_view key) const { return node_->find(key) != nullptr; }
+bool TomlTable::asks_for(std::string_view key) const { return node_->find(key) != nullptr; }
 
 bool TomlTable::has(std::string_view key) const { return node_->table->contains(key); }
+
+bool TomlTable::is_table(std::string_view key) const {
+  const toml::node* node = node_->table->get(key);
+  return node != nullptr && node->is_table();
+}
+
+bool TomlTable::is_text(std::string_view key) const {
+  const toml::node* node = node_->table->get(key);
+  return node != nullptr && node->is_string();
+}
 
 const std::filesystem::path& TomlTable::file() const { return node_->source->file; }
 
 InputError TomlTable::error(std::string_view key, std::string_view reason, std::span<const std::size_t> entry) const {
+  if (const auto dot = key.find('.'); dot != std::string_view::npos && !has(key)) {
+    const toml::node* inner = node_->table->get(key.substr(0, dot));
+    if (inner != nullptr && inner->is_table()) return table(key.substr(0, dot)).error(key.substr(dot + 1), reason, entry);
+  }
   const toml::node* node = node_->table->get(key);
   std::string name(key);
   if (node == nullptr) return InputError{node_->where(*node_->table) + node_->prefix + name + ": " + std::string(reason)};

@@ -60,13 +60,18 @@ class TomlTable {
 
   TomlTable table(std::string_view key) const;
   std::optional<TomlTable> optional_table(std::string_view key) const;
+  TomlTable table_or_empty(std::string_view key) const;                ///< one without keys if there is none
   std::vector<TomlTable> tables(std::string_view key) const;           ///< an array of tables, at least one
   std::vector<TomlTable> optional_tables(std::string_view key) const;  ///< an array of tables, none if the key is missing
 
-  bool has(std::string_view key) const;  ///< does not count as asking for the key
+  bool has(std::string_view key) const;       ///< does not count as asking for the key
+  bool is_text(std::string_view key) const;   ///< whether the key has a string; does not count as asking for it
+  bool is_table(std::string_view key) const;  ///< the same for a table
+  bool asks_for(std::string_view key) const;  ///< whether the key exists; counts as asking for it
   const std::filesystem::path& file() const;
 
   /// The error for a value that was read but does not fit: `file:line: table.key = value: reason`.
+  /// @param key may lead through tables: "ground.height_m"
   /// @param entry position inside nested arrays, counted from 0 (written from 1)
   [[nodiscard]] InputError error(std::string_view key, std::string_view reason, std::span<const std::size_t> entry = {}) const;
 
@@ -79,7 +84,6 @@ class TomlTable {
   struct Node;
   explicit TomlTable(std::shared_ptr<Node> node) : node_(std::move(node)) {}
 
-  bool ask(std::string_view key) const;  ///< whether the key exists; counts as asking for it
   std::int64_t checked_integer(std::string_view key, const Range& range, std::int64_t lowest, std::int64_t highest) const;
   std::size_t checked_word(std::string_view key, std::span<const std::string_view> words) const;
 
@@ -108,7 +112,7 @@ Integer TomlTable::integer(std::string_view key, const Range& range) const {
 
 template <std::integral Integer>
 Integer TomlTable::integer_or(std::string_view key, Integer fallback, const Range& range) const {
-  if (!ask(key)) return fallback;
+  if (!asks_for(key)) return fallback;
   return integer<Integer>(key, range);
 }
 
@@ -121,7 +125,7 @@ Value TomlTable::word(std::string_view key, const Words<Value>& words) const {
 
 template <class Value>
 Value TomlTable::word_or(std::string_view key, Value fallback, const Words<Value>& words) const {
-  if (!ask(key)) return fallback;
+  if (!asks_for(key)) return fallback;
   return word(key, words);
 }
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <utility>
+
+#include "io/text/near_miss.h"
 
 namespace menger::io {
 
@@ -17,20 +18,6 @@ std::string value_text(const toml::node& node) {
   std::ostringstream text;
   text << toml::node_view<const toml::node>(node);
   return text.str();
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
 }
 
 }  // namespace
@@ -79,15 +66,12 @@ std::shared_ptr<TomlTable::Node> TomlTable::Node::child(std::string_view key, co
 }
 
 void TomlTable::Node::collect_unasked(std::vector<std::string>& faults) const {
+  const std::vector<std::string> known(asked.begin(), asked.end());
   for (const auto& [unasked, node] : *table) {
     const std::string_view key = unasked.str();
     if (asked.contains(key)) continue;
     std::string fault = where(node) + prefix + std::string(key) + ": unknown key";
-    const auto nearest = std::min_element(asked.begin(), asked.end(), [&](const std::string& a, const std::string& b) {
-      return edit_distance(a, key) < edit_distance(b, key);
-    });
-    const std::size_t near_miss = std::min<std::size_t>(3, 1 + key.size() / 5);
-    if (nearest != asked.end() && edit_distance(*nearest, key) <= near_miss) fault += ", did you mean " + *nearest + "?";
+    if (const auto nearest = near_miss(key, known)) fault += ", did you mean " + *nearest + "?";
     faults.push_back(std::move(fault));
   }
   for (const auto& [key, nodes] : children) {

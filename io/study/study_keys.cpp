@@ -1,0 +1,88 @@
+#include "io/study/study_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "io/study/key_text.h"
+#include "io/study/study_text.h"
+
+namespace menger::io {
+
+std::string StudyKeyTable::text() const {
+  const std::array columns{&KeyRow::name, &KeyRow::kind, &KeyRow::unit, &KeyRow::standard, &KeyRow::values};
+  const std::array<std::string_view, 5> titles{"key", "kind", "unit", "default", "values"};
+  std::array<std::size_t, 5> widths{};
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    widths.at(c) = titles.at(c).size();
+    for (const KeyRow& row : rows_) widths.at(c) = std::max(widths.at(c), (row.*columns.at(c)).size());
+  }
+  std::string all;
+  const auto add = [&](std::size_t c, std::string_view cell) { all.append(cell).append(widths.at(c) - cell.size() + 2, ' '); };
+  for (std::size_t c = 0; c < columns.size(); ++c) add(c, titles.at(c));
+  all += "meaning\n";
+  for (const KeyRow& row : rows_) {
+    for (std::size_t c = 0; c < columns.size(); ++c) add(c, row.*columns.at(c));
+    all += row.help + (row.condition.empty() ? "" : " Only with " + row.condition + ".") + "\n";
+  }
+  return all;
+}
+
+void StudyKeyTable::inside(std::string_view name, const std::function<void()>& describe) {
+  const std::string outer = prefix_;
+  prefix_.append(name).append(".");
+  describe();
+  prefix_ = outer;
+}
+
+void StudyKeyTable::under(std::string_view condition, const std::function<void()>& describe) {
+  const std::string outer = std::exchange(condition_, std::string(condition));
+  describe();
+  condition_ = outer;
+}
+
+void StudyKeyTable::visit(const StudyEntry& entry, std::optional<StudyValue>& value) {
+  KeyRow row{.name = prefix_ + std::string(entry.key.name),
+             .kind = std::string(kind_of(entry)),
+             .unit = unit_of(entry.key.name),
+             .standard = value ? study_value_text(*value) : "none",
+             .values = values_of(entry),
+             .help = std::string(entry.key.help),
+             .condition = condition_};
+  if (entry.is_required()) row.standard = "must be given";
+  const auto is_same = [&](const KeyRow& other) { return other.name == row.name && other.help == row.help; };
+  if (std::ranges::none_of(rows_, is_same)) rows_.push_back(std::move(row));
+}
+
+void StudyKeyTable::visit_table(const Key& key, const std::function<void()>& describe) { inside(key.name, describe); }
+
+void StudyKeyTable::visit_optional_table(const Key& key, bool has, const std::function<void(bool)>& set,
+                                         const std::function<void()>& describe) {
+  set(true);
+  inside(key.name, describe);
+  set(has);
+}
+
+void StudyKeyTable::visit_tables(const Key& key, const Count&, std::size_t size, const std::function<void(std::size_t)>& resize,
+                                 const std::function<void(std::size_t)>& describe) {
+  if (size == 0) resize(1);
+  inside(std::string(key.name) + "[]", [&] { describe(0); });
+  if (size == 0) resize(0);
+}
+
+void StudyKeyTable::visit_choice(const std::vector<Alternative>& alternatives, std::string_view) {
+  const Alternative* chosen = nullptr;
+  for (const Alternative& alternative : alternatives) {
+    if (alternative.is_chosen) chosen = &alternative;
+    alternative.choose();
+    alternative.describe();
+  }
+  if (chosen != nullptr) chosen->choose();
+}
+
+void StudyKeyTable::visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) {
+  if (holds) return describe();
+  under(condition, describe);
+}
+
+}  // namespace menger::io

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/study/study_visitor.h"
+
+namespace menger::io {
+
+/// A key of a study in the table of its keys.
+struct KeyRow {
+  std::string name;      ///< with the tables above it: "ground.height_m", "plates[].name"
+  std::string kind;      ///< "number", "word"
+  std::string unit;      ///< "m"; empty where there is none
+  std::string standard;  ///< the default in TOML, "must be given" or "none"
+  std::string values;    ///< "> 0"; empty if any of its kind
+  std::string help;
+  std::string condition;  ///< `method = "implicit"`; empty where the key always means something
+};
+
+/// Makes the table of the keys of a study. The study that is gone through must have its defaults before, and is of no use after.
+class StudyKeyTable : public StudyVisitor {
+ public:
+  [[nodiscard]] const std::vector<KeyRow>& rows() const { return rows_; }
+  /// The table for a terminal, a line a key, columns aligned.
+  [[nodiscard]] std::string text() const;
+
+ protected:
+  void visit(const StudyEntry& entry, std::optional<StudyValue>& value) override;
+  void visit_table(const Key& key, const std::function<void()>& describe) override;
+  void visit_optional_table(const Key& key, bool has, const std::function<void(bool)>& set,
+                            const std::function<void()>& describe) override;
+  void visit_tables(const Key& key, const Count& count, std::size_t size, const std::function<void(std::size_t)>& resize,
+                    const std::function<void(std::size_t)>& describe) override;
+  void visit_choice(const std::vector<Alternative>& alternatives, std::string_view missing) override;
+  void visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) override;
+
+ private:
+  void inside(std::string_view name, const std::function<void()>& describe);
+  void under(std::string_view condition, const std::function<void()>& describe);
+
+  std::vector<KeyRow> rows_;
+  std::string prefix_;
+  std::string condition_;
+};
+
+}  // namespace menger::io

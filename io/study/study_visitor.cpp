@@ -1,0 +1,37 @@
+#include "io/study/study_visitor.h"
+
+namespace menger::io {
+
+void StudyVisitor::boolean(const Key& key, bool& value) { value = visited({.key = key, .kind = ValueKind::boolean}, value); }
+
+void StudyVisitor::number(const Key& key, double& value, const Range& range) {
+  value = visited({.key = key, .kind = ValueKind::number, .range = range}, value);
+}
+
+void StudyVisitor::optional_number(const Key& key, std::optional<double>& value, const Range& range) {
+  value = visited({.key = key, .kind = ValueKind::number, .range = range, .is_optional = true}, value);
+}
+
+void StudyVisitor::text(const Key& key, std::string& value) { value = visited({.key = key, .kind = ValueKind::text}, value); }
+
+void StudyVisitor::optional_text(const Key& key, std::optional<std::string>& value) {
+  value = visited({.key = key, .kind = ValueKind::text, .is_optional = true}, value);
+}
+
+void StudyVisitor::path(const Key& key, std::filesystem::path& value) {
+  value = visited({.key = key, .kind = ValueKind::path}, value);
+}
+
+void StudyVisitor::optional_path(const Key& key, std::optional<std::filesystem::path>& value) {
+  value = visited({.key = key, .kind = ValueKind::path, .is_optional = true}, value);
+}
+
+void StudyVisitor::numbers(const Key& key, std::vector<double>& values, const Range& range, const Count& count) {
+  values = visited({.key = key, .kind = ValueKind::numbers, .range = range, .count = count}, values);
+}
+
+void StudyVisitor::texts(const Key& key, std::vector<std::string>& values, const Count& count) {
+  values = visited({.key = key, .kind = ValueKind::texts, .count = count}, values);
+}
+
+}  // namespace menger::io

@@ -1,0 +1,40 @@
+#include "io/text/near_miss.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace menger::io {
+namespace {
+
+/// Letters to replace, add or take away (Levenshtein's distance).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::optional<std::string> near_miss(std::string_view written, std::span<const std::string> words) {
+  std::size_t fewest = std::min<std::size_t>(3, 1 + written.size() / 5) + 1;
+  std::optional<std::string> nearest;
+  for (const std::string& word : words) {
+    const std::size_t distance = edit_distance(word, written);
+    if (distance >= fewest) continue;
+    fewest = distance;
+    nearest = word;
+  }
+  return nearest;
+}
+
+}  // namespace menger::io

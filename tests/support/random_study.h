@@ -1,0 +1,118 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/study/study_visitor.h"
+
+namespace menger::tests {
+
+/// Gives every key of a study a random value that the key takes on its own; demands on several keys at once may not hold.
+class RandomStudy : public io::StudyVisitor {
+ public:
+  explicit RandomStudy(std::uint64_t seed) : random_(seed) {}
+
+ protected:
+  void visit(const io::StudyEntry& entry, std::optional<io::StudyValue>& value) override {
+    if (entry.is_optional && is_tossed()) {
+      value.reset();
+      return;
+    }
+    value = random_value(entry);
+  }
+  void visit_table(const io::Key&, const std::function<void()>& describe) override { describe(); }
+  void visit_optional_table(const io::Key&, bool, const std::function<void(bool)>& set,
+                            const std::function<void()>& describe) override {
+    const bool has = is_tossed();
+    set(has);
+    if (has) describe();
+  }
+  void visit_tables(const io::Key&, const io::Count& count, std::size_t, const std::function<void(std::size_t)>& resize,
+                    const std::function<void(std::size_t)>& describe) override {
+    const std::size_t size = random_size(count);
+    resize(0);
+    resize(size);
+    for (std::size_t n = 0; n < size; ++n) describe(n);
+  }
+  void visit_choice(const std::vector<io::Alternative>& alternatives, std::string_view) override {
+    const io::Alternative& chosen = alternatives.at(below(alternatives.size()));
+    chosen.choose();
+    chosen.describe();
+  }
+  void visit_branch(bool holds, std::string_view, const std::function<void()>& describe) override {
+    if (holds) describe();
+  }
+
+ private:
+  std::size_t below(std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_); }
+  bool is_tossed() { return below(2) == 0; }
+  std::size_t random_size(const io::Count& count) {
+    return count.fewest + below(std::min<std::size_t>(count.most - count.fewest, 3) + 1);
+  }
+
+  /// Of any size where the range is open.
+  double random_number(const io::Range& range) {
+    const double lowest = std::max(range.lowest, range.highest < 1e3 ? range.highest - 1e3 : -1e3);
+    const double highest = std::min(range.highest, lowest + 2e3);
+    for (;;) {
+      const double value = lowest + (highest - lowest) * std::uniform_real_distribution<double>(0.0, 1.0)(random_);
+      if (range.contains(value)) return value;
+    }
+  }
+  std::int64_t random_integer(const io::StudyEntry& entry) {
+    const io::IntegerLimits& limits = entry.limits;
+    io::Range range = entry.range;
+    range.lowest = std::max(range.lowest, static_cast<double>(limits.lowest));
+    range.highest = std::min(range.highest, static_cast<double>(limits.highest));
+    for (;;) {
+      const double value = std::floor(random_number(range));
+      if (range.contains(value)) return static_cast<std::int64_t>(value);
+    }
+  }
+  std::string random_text(const io::StudyEntry& entry) {
+    if (!entry.words.empty()) return std::string(entry.words.at(below(entry.words.size())));
+    std::string text;
+    for (std::size_t n = 1 + below(8); n > 0; --n) text += "abz 09\"\\#=[]\n\t"[below(14)];
+    return text;
+  }
+  io::StudyValue random_value(const io::StudyEntry& entry) {
+    using io::ValueKind;
+    std::vector<std::int64_t> integers;
+    std::vector<double> numbers;
+    std::vector<std::string> texts;
+    const std::size_t size = random_size(entry.count);
+    switch (entry.kind) {
+      case ValueKind::boolean:
+        return is_tossed();
+      case ValueKind::integer:
+        if (!entry.words.empty() && is_tossed()) return random_text(entry);
+        return random_integer(entry);
+      case ValueKind::number:
+        return random_number(entry.range);
+      case ValueKind::text:
+        return random_text(entry);
+      case ValueKind::path:
+        return std::filesystem::path("folder/file_" + std::to_string(below(1000)));
+      case ValueKind::integers:
+        for (std::size_t n = 0; n < size; ++n) integers.push_back(random_integer(entry));
+        return integers;
+      case ValueKind::numbers:
+        for (std::size_t n = 0; n < size; ++n) numbers.push_back(random_number(entry.range));
+        return numbers;
+      case ValueKind::texts:
+        break;
+    }
+    for (std::size_t n = 0; n < size; ++n) texts.push_back(random_text(entry));
+    return texts;
+  }
+
+  std::mt19937_64 random_;
+};
+
+}  // namespace menger::tests

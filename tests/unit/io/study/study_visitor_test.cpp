@@ -1,0 +1,261 @@
+#include "io/study/study_visitor.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/study/study_keys.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_schema.h"
+#include "io/study/study_template.h"
+#include "io/study/study_text.h"
+#include "tests/support/input_error_message.h"
+#include "tests/support/random_study.h"
+
+namespace menger::io {
+namespace {
+
+enum class Method { direct, iterative };
+enum class Drive { pressure, volume };
+
+/// A study with a key of every kind.
+struct Garden {
+  struct Bed {
+    std::string name = "bed";
+    double length_m = 1.0;
+    bool operator==(const Bed&) const = default;
+  };
+  struct Pump {
+    double flow_m3 = 0.5;
+    bool operator==(const Pump&) const = default;
+  };
+
+  double size_m = 0.0;
+  int cats = 2;
+  std::optional<int> depth = 3;
+  bool is_sunny = true;
+  double frequency_Hz = 0.25;
+  Method method = Method::direct;
+  double tolerance = 1e-3;
+  Drive drive = Drive::pressure;
+  double amount = 100.0;
+  std::optional<double> height_m;
+  std::array<double, 3> centre_m{};
+  std::vector<int> levels{1, 2};
+  std::vector<std::string> plants;
+  std::vector<Method> methods{Method::iterative};
+  std::filesystem::path map = "map.csv";
+  std::vector<Bed> beds;
+  std::optional<Pump> pump;
+
+  bool operator==(const Garden&) const = default;
+};
+
+const Words<Method> method_words{{"direct", Method::direct}, {"iterative", Method::iterative}};
+
+void describe(StudyVisitor& visitor, Garden& garden) {
+  visitor.number({"size_m", "Length of a side.", "4", "/fence.extent_m"}, garden.size_m, positive());
+  visitor.table({"soil", "What lies below."}, [&] {
+    visitor.integer_or_word({"depth", "Layers."}, garden.depth, "off", at_least(1));
+    visitor.boolean({"is_sunny", "Whether the sun shines."}, garden.is_sunny);
+    const Key frequency{.name = "frequency_Hz", .help = "How often it rains.", .earlier = "period_s", .was_reciprocal = true};
+    visitor.number(frequency, garden.frequency_Hz, positive());
+  });
+  visitor.integer({"cats", "How many."}, garden.cats, within(0, 9));
+  visitor.word({"method", "How weeds are found."}, garden.method, method_words);
+  visitor.only_if(garden.method == Method::iterative, "method = \"iterative\"", [&] {
+    visitor.number({"tolerance", "Weeds that stay."}, garden.tolerance, positive());
+  });
+  const auto choose = [&](Drive drive) { return [&garden, drive] { garden.drive = drive; }; };
+  visitor.one_of({{"pressure_Pa", garden.drive == Drive::pressure, choose(Drive::pressure),
+                   [&] {
+                     visitor.number({"pressure_Pa", "Of the water."}, garden.amount);
+                   }},
+                  {"volume_m3", garden.drive == Drive::volume, choose(Drive::volume), [&] {
+                     visitor.number({"volume_m3", "Of the water."}, garden.amount);
+                   }}});
+  visitor.optional_number({"height_m", "Of the fence.", "1.5"}, garden.height_m, non_negative());
+  visitor.check(!garden.height_m || *garden.height_m < garden.size_m, "height_m", "must be less than size_m");
+  visitor.numbers({"centre_m", "Where the tree stands."}, garden.centre_m);
+  visitor.integers({"levels", "Terraces."}, garden.levels, within(1, 9), {.fewest = 1});
+  visitor.texts({"plants", "What grows."}, garden.plants);
+  visitor.words({"methods", "Others to try."}, garden.methods, method_words);
+  visitor.path({"map", "A table of places."}, garden.map);
+  visitor.tables({"beds", "Where plants grow."}, garden.beds, [&](Garden::Bed& bed) {
+    visitor.text({"name", "Of the bed.", "\"roses\""}, bed.name);
+    visitor.number({"length_m", "Along the path."}, bed.length_m, positive());
+  });
+  visitor.optional_table({"pump", "Brings water."}, garden.pump, [&](Garden::Pump& pump) {
+    visitor.number({"flow_m3", "In an hour."}, pump.flow_m3, positive());
+  });
+}
+
+Garden read(const std::string& text) {
+  Garden garden;
+  read_described(parse_toml(text, "garden.toml"), garden);
+  return garden;
+}
+
+std::string message(const std::string& text) {
+  return tests::message_of([&] { (void)read(text); });
+}
+
+TEST(StudyReader, KeepsDefaultsAndReadsTheRest) {
+  const Garden garden = read(
+      "size_m = 3\nmethod = \"iterative\"\ntolerance = 0.1\nvolume_m3 = 7\n[soil]\ndepth = \"off\"\n"
+      "[[beds]]\nname = \"a\"\n[[beds]]\nname = \"b\"\nlength_m = 2\n[pump]\n");
+  Garden expected;
+  expected.size_m = 3.0;
+  expected.method = Method::iterative;
+  expected.tolerance = 0.1;
+  expected.drive = Drive::volume;
+  expected.amount = 7.0;
+  expected.depth.reset();
+  expected.beds = {{"a", 1.0}, {"b", 2.0}};
+  expected.pump.emplace();
+  expected.map = "map.csv";
+  EXPECT_EQ(garden, expected);
+}
+
+TEST(StudyReader, NamesFileKeyAndValueOfBadInput) {
+  const std::vector<std::array<std::string, 2>> cases{
+      {"", "garden.toml:1: size_m is missing: a number is needed"},
+      {"size_m = 0", "garden.toml:1: size_m = 0: must be > 0"},
+      {"size_m = 1\ncats = 10", "garden.toml:2: cats = 10: must be in [0, 9]"},
+      {"size_m = 1\ncats = 1.5", "must be an integer"},
+      {"size_m = 1\ndog = 1", "garden.toml:2: dog: unknown key"},
+      {"size_m = 1\ncat = 1", "did you mean cats?"},
+      {"[fence]\nextent_m = 1", "garden.toml:2: fence.extent_m = 1: is called size_m now"},
+      {"size_m = 1\n[soil]\nperiod_s = 2", "soil.period_s = 2: is called soil.frequency_Hz now, the reciprocal of this number"},
+      {"size_m = 1\nmethod = \"guess\"", "must be \"direct\" | \"iterative\""},
+      {"size_m = 1\ntolerance = 1", "tolerance = 1: belongs to method = \"iterative\""},
+      {"size_m = 1\npressure_Pa = 1\nvolume_m3 = 1", "volume_m3 = 1: pressure_Pa beside it: keep one of them"},
+      {"size_m = 1\nheight_m = 2", "height_m = 2: must be less than size_m"},
+      {"size_m = 1\ncentre_m = [1, 2]", "must be three numbers, not 2"},
+      {"size_m = 1\nlevels = []", "needs at least one of its integers"},
+      {"size_m = 1\nlevels = [1.5]", "levels[1] = 1.5: must be an integer"},
+      {"size_m = 1\nmethods = [\"direct\", \"no\"]", "methods[2] = \"no\": must be \"direct\" | \"iterative\""},
+      {"size_m = 1\n[soil]\ndepth = 0", "soil.depth = 0: must be >= 1"},
+      {"size_m = 1\n[soil]\ndepth = \"no\"", "soil.depth = \"no\": must be an integer >= 1 or \"off\""},
+      {"size_m = 1\n[soil]\nsun = 1", "soil.sun: unknown key"},
+      {"size_m = 1\n[[beds]]\nlength_m = 1", "beds[1].name is missing: a string is needed"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_NE(message(text).find(expected), std::string::npos) << message(text);
+}
+
+TEST(StudyReader, ReadsEarlierNamesOfWhatProgramsWrote) {
+  Garden garden;
+  read_described(parse_toml("[fence]\nextent_m = 3\n[soil]\nperiod_s = 2\n", "archive"), garden, StudyReader::EarlierNames::read);
+  EXPECT_EQ(garden.size_m, 3.0);
+  EXPECT_EQ(garden.frequency_Hz, 0.5);
+}
+
+TEST(StudyText, IsReadBackToTheSameStudy) {
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Garden garden;
+    tests::RandomStudy random(seed);
+    describe(random, garden);
+    if (garden.height_m && *garden.height_m >= garden.size_m) continue;
+    const std::string text = described_text(garden);
+    EXPECT_EQ(described_text(read(text)), text);
+    EXPECT_EQ(read(text), garden) << text;
+    ++compared;
+  }
+  EXPECT_GT(compared, 100U);
+}
+
+TEST(StudyText, PutsTablesAfterValues) {
+  Garden garden;
+  garden.size_m = 2.0;
+  EXPECT_EQ(described_text(garden),
+            "size_m = 2\ncats = 2\nmethod = \"direct\"\npressure_Pa = 100\ncentre_m = [0, 0, 0]\nlevels = [1, 2]\nplants = []\n"
+            "methods = [\"iterative\"]\nmap = \"map.csv\"\n[soil]\ndepth = 3\nis_sunny = true\nfrequency_Hz = 0.25\n");
+}
+
+// The study that a template was made of has, at the end, what the template says.
+TEST(StudyTemplate, IsReadToTheDefaultsAndToEachAlternative) {
+  Garden garden;
+  StudyTemplateWriter usual;
+  describe(usual, garden);
+  EXPECT_EQ(garden.size_m, 4.0) << "an example where a value must be given";
+  EXPECT_EQ(read(usual.text()), garden) << usual.text();
+  EXPECT_EQ(described_text(garden), described_text(read("size_m = 4")));
+
+  // a word, a key beside another, a key that may be left out, an array and a table that are not there
+  ASSERT_EQ(usual.alternative_count(), 5U);
+  const std::array<std::string, 5> names{"method = \"iterative\"", "volume_m3", "height_m", "beds", "pump"};
+  for (std::size_t n = 0; n < usual.alternative_count(); ++n) {
+    Garden other;
+    StudyTemplateWriter writer(n);
+    describe(writer, other);
+    EXPECT_EQ(writer.enabled_name(), names.at(n));
+    EXPECT_NE(described_text(other), described_text(garden)) << names.at(n);
+    EXPECT_EQ(read(writer.text()), other) << writer.text();
+  }
+}
+
+TEST(StudyTemplate, ExplainsEveryKey) {
+  Garden garden;
+  StudyTemplateWriter writer;
+  describe(writer, garden);
+  const std::string text = writer.text();
+  for (const char* part :
+       {"# Length of a side. (m; > 0; must be given)\nsize_m = 4\n",
+        "# How weeds are found. (\"direct\" | \"iterative\")\nmethod = \"direct\"\n",
+        "# Only with method = \"iterative\":\n# Weeds that stay. (> 0)\n#tolerance = 0.001\n",
+        "# Of the water. (m3)\n#volume_m3 = 100\n", "# Of the fence. (m; >= 0; may be left out)\n#height_m = 1.5\n",
+        "# Where plants grow.\n#[[beds]]\n# Of the bed. (must be given)\n#name = \"roses\"\n",
+        "# Layers. (>= 1 | \"off\")\ndepth = 3\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+}
+
+TEST(StudySchema, HoldsKindsRangesWordsAndWhatExcludesWhat) {
+  Garden garden;
+  StudySchemaWriter writer;
+  describe(writer, garden);
+  const nlohmann::json schema = nlohmann::json::parse(writer.text("a garden"));
+  EXPECT_EQ(schema["title"], "a garden");
+  EXPECT_EQ(schema["required"], nlohmann::json::array({"size_m"}));
+  EXPECT_EQ(schema["additionalProperties"], false);
+  const auto& properties = schema["properties"];
+  EXPECT_EQ(properties["size_m"],
+            (nlohmann::json{{"type", "number"}, {"exclusiveMinimum", 0.0}, {"description", "Length of a side. (m)"}}));
+  EXPECT_EQ(properties["cats"]["maximum"], 9.0);
+  EXPECT_EQ(properties["cats"]["default"], 2);
+  EXPECT_EQ(properties["method"]["enum"], nlohmann::json::array({"direct", "iterative"}));
+  EXPECT_TRUE(properties.contains("tolerance"));
+  EXPECT_EQ(properties["centre_m"]["minItems"], 3);
+  EXPECT_EQ(properties["beds"]["items"]["required"], nlohmann::json::array({"name"}));
+  EXPECT_EQ(properties["soil"]["properties"]["depth"]["anyOf"].size(), 2U);
+  ASSERT_EQ(schema["allOf"].size(), 1U) << "one of two keys is the default, so that none is needed";
+  EXPECT_EQ(schema["allOf"][0]["not"]["required"], nlohmann::json::array({"pressure_Pa", "volume_m3"}));
+}
+
+TEST(StudyKeys, HaveARowForEveryKey) {
+  Garden garden;
+  StudyKeyTable table;
+  describe(table, garden);
+  const auto row = [&](std::string_view name) {
+    for (const KeyRow& candidate : table.rows())
+      if (candidate.name == name) return candidate;
+    ADD_FAILURE() << name;
+    return KeyRow{};
+  };
+  EXPECT_EQ(row("size_m").standard, "must be given");
+  EXPECT_EQ(row("size_m").unit, "m");
+  EXPECT_EQ(row("tolerance").condition, "method = \"iterative\"");
+  EXPECT_EQ(row("beds[].length_m").standard, "1");
+  EXPECT_EQ(row("pump.flow_m3").values, "> 0");
+  EXPECT_EQ(row("height_m").standard, "none");
+  EXPECT_EQ(row("levels").values, "1 or more values, each in [1, 9]");
+  EXPECT_EQ(table.rows().size(), 18U);
+  EXPECT_NE(table.text().find("size_m"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace menger::io

@@ -1,0 +1,27 @@
+#include "io/text/near_miss.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace menger::io {
+namespace {
+
+TEST(NearMiss, IsTheWordThatFewestChangesLeadTo) {
+  const std::vector<std::string> words{"time", "times", "duration_s", "ground"};
+  EXPECT_EQ(near_miss("tims", words), "time");
+  EXPECT_EQ(near_miss("timess", words), "times");
+  EXPECT_EQ(near_miss("durationn", words), "duration_s");
+  EXPECT_EQ(near_miss("gruond", words), "ground");
+}
+
+TEST(NearMiss, IsNothingForAnotherWord) {
+  const std::vector<std::string> words{"time", "ground"};
+  EXPECT_EQ(near_miss("gas", words), std::nullopt);
+  EXPECT_EQ(near_miss("friction", words), std::nullopt);
+  EXPECT_EQ(near_miss("time", {}), std::nullopt);
+}
+
+}  // namespace
+}  // namespace menger::io
