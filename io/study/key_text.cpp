@@ -77,6 +77,8 @@ std::string_view kind_of(const StudyEntry& entry) {
       return "list of numbers";
     case ValueKind::texts:
       return entry.words.empty() ? "list of texts" : "list of words";
+    case ValueKind::text_rows:
+      return "list of lists of texts";
   }
   return "";
 }

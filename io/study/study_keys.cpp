@@ -50,8 +50,13 @@ void StudyKeyTable::visit(const StudyEntry& entry, std::optional<StudyValue>& va
              .help = std::string(entry.key.help),
              .condition = condition_};
   if (entry.is_required()) row.standard = "must be given";
+  // a key that means the same under several conditions has one row
   const auto is_same = [&](const KeyRow& other) { return other.name == row.name && other.help == row.help; };
-  if (std::ranges::none_of(rows_, is_same)) rows_.push_back(std::move(row));
+  const auto same = std::ranges::find_if(rows_, is_same);
+  if (same == rows_.end())
+    rows_.push_back(std::move(row));
+  else if (!same->condition.empty() && same->condition != row.condition)
+    same->condition = row.condition.empty() ? "" : same->condition + " or " + row.condition;
 }
 
 void StudyKeyTable::visit_table(const Key& key, const std::function<void()>& describe) { inside(key.name, describe); }

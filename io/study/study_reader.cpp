@@ -108,14 +108,14 @@ StudyValue read_study_value(const TomlTable& table, const StudyEntry& entry) {
     case ValueKind::numbers:
       return read_numbers(table, entry);
     case ValueKind::texts:
+      return read_texts(table, entry);
+    case ValueKind::text_rows:
       break;
   }
-  return read_texts(table, entry);
+  return table.text_rows(name);
 }
 
-void StudyReader::refuse(std::string_view key) const {
-  if (table_.has(key)) throw table_.error(key, "belongs to " + refused_because_);
-}
+void StudyReader::refuse(std::string_view key) const { table_.belongs_to(key, refused_because_); }
 
 void StudyReader::inside(std::string_view name, const TomlTable& table, const std::function<void()>& describe) {
   const TomlTable outer = std::exchange(table_, table);
@@ -197,7 +197,8 @@ void StudyReader::visit_choice(const std::vector<Alternative>& alternatives, std
   }
   const Alternative* given = nullptr;
   for (const Alternative& alternative : alternatives) {
-    if (!table_.asks_for(alternative.key)) continue;
+    const Key key{.name = alternative.key, .help = {}, .earlier = alternative.earlier};
+    if (!table_.asks_for(alternative.key) && !find_earlier(key)) continue;
     if (given != nullptr) throw table_.error(alternative.key, std::string(given->key) + " beside it: keep one of them");
     given = &alternative;
   }
@@ -211,7 +212,7 @@ void StudyReader::visit_choice(const std::vector<Alternative>& alternatives, std
   if (missing.empty()) return;
   std::string keys;
   for (const Alternative& alternative : alternatives) keys.append(keys.empty() ? "" : " or ").append(alternative.key);
-  throw table_.error(keys, "is missing: " + std::string(missing));
+  throw table_.missing(keys, missing);
 }
 
 void StudyReader::visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) {

@@ -50,9 +50,11 @@ Json value_schema(const StudyEntry& entry) {
     case ValueKind::numbers:
       return list_schema(entry, number_schema(entry, "number"));
     case ValueKind::texts:
+      return list_schema(entry, text_schema(entry));
+    case ValueKind::text_rows:
       break;
   }
-  return list_schema(entry, text_schema(entry));
+  return list_schema(entry, list_schema(entry, text_schema(entry)));
 }
 
 Json value_json(const StudyValue& value) {

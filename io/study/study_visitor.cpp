@@ -34,4 +34,8 @@ void StudyVisitor::texts(const Key& key, std::vector<std::string>& values, const
   values = visited({.key = key, .kind = ValueKind::texts, .count = count}, values);
 }
 
+void StudyVisitor::text_rows(const Key& key, std::vector<std::vector<std::string>>& rows) {
+  rows = visited({.key = key, .kind = ValueKind::text_rows}, rows);
+}
+
 }  // namespace menger::io

@@ -38,10 +38,10 @@ struct Count {
 
 /// A value of a study as a file holds it. A path counts from the folder of the file.
 using StudyValue = std::variant<bool, std::int64_t, double, std::string, std::filesystem::path, std::vector<std::int64_t>,
-                                std::vector<double>, std::vector<std::string>>;
+                                std::vector<double>, std::vector<std::string>, std::vector<std::vector<std::string>>>;
 
 /// What may stand in place of a StudyValue, by its place among the types.
-enum class ValueKind { boolean, integer, number, text, path, integers, numbers, texts };
+enum class ValueKind { boolean, integer, number, text, path, integers, numbers, texts, text_rows };
 
 /// The least and the greatest integer that a type can hold.
 struct IntegerLimits {
@@ -67,6 +67,7 @@ struct Alternative {
   bool is_chosen = false;          ///< whether the study is one of these
   std::function<void()> choose;    ///< makes it one
   std::function<void()> describe;  ///< its keys, `key` among them
+  std::string_view earlier{};      ///< name of `key` in files of earlier versions, as in Key
 };
 
 /// What goes through a study key by key: it reads or writes the study, or tells people about it.
@@ -109,6 +110,7 @@ class StudyVisitor {
   template <std::integral Integer>
   void integers(const Key& key, std::vector<Integer>& values, const Range& range = any_number(), const Count& count = {});
   void texts(const Key& key, std::vector<std::string>& values, const Count& count = {});
+  void text_rows(const Key& key, std::vector<std::vector<std::string>>& rows);
   template <class Value>
   void words(const Key& key, std::vector<Value>& values, const Words<Value>& words, const Count& count = {});
 
@@ -135,9 +137,11 @@ class StudyVisitor {
   }
 
   /// Demands something of what was read. @param key whose value is shown; with the tables below this one, "ground.height_m"
+  /// @param entry of a list, from 0
   /// @throws InputError, of a reader, with file, key and value, unless it holds
-  void check(bool holds, std::string_view key, std::string_view reason) const {
-    if (const TomlTable* table = source(); table != nullptr && !holds) throw table->error(key, reason);
+  void check(bool holds, std::string_view key, std::string_view reason, std::initializer_list<std::size_t> entry = {}) const {
+    const TomlTable* table = source();
+    if (table != nullptr && !holds) throw table->error(key, reason, {entry.begin(), entry.size()});
   }
 
   /// The table that is being read; nullptr if nothing is read. For what only a reader does, like opening a file that was named.

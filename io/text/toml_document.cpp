@@ -148,6 +148,11 @@ std::vector<TomlTable> TomlTable::optional_tables(std::string_view key) const {
 
 bool TomlTable::asks_for(std::string_view key) const { return node_->find(key) != nullptr; }
 
+void TomlTable::belongs_to(std::string_view key, std::string_view condition) const {
+  std::string& known = node_->conditions[std::string(key)];
+  known.append(known.empty() ? "" : " or ").append(condition);
+}
+
 bool TomlTable::has(std::string_view key) const { return node_->table->contains(key); }
 
 bool TomlTable::is_table(std::string_view key) const {
@@ -177,6 +182,10 @@ InputError TomlTable::error(std::string_view key, std::string_view reason, std::
     name.append("[").append(std::to_string(index + 1)).append("]");
   }
   return node_->fault(name, *node, reason);
+}
+
+InputError TomlTable::missing(std::string_view keys, std::string_view reason) const {
+  return InputError(node_->where(*node_->table) + node_->prefix + std::string(keys) + " is missing: " + std::string(reason));
 }
 
 void TomlTable::finish() const {

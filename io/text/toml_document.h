@@ -64,6 +64,10 @@ class TomlTable {
   std::vector<TomlTable> tables(std::string_view key) const;           ///< an array of tables, at least one
   std::vector<TomlTable> optional_tables(std::string_view key) const;  ///< an array of tables, none if the key is missing
 
+  /// Tells what a key means elsewhere; finish() says so if the key is there and nobody asked for it.
+  /// @param condition under which it means something: `method = "implicit"`
+  void belongs_to(std::string_view key, std::string_view condition) const;
+
   bool has(std::string_view key) const;       ///< does not count as asking for the key
   bool is_text(std::string_view key) const;   ///< whether the key has a string; does not count as asking for it
   bool is_table(std::string_view key) const;  ///< the same for a table
@@ -74,6 +78,9 @@ class TomlTable {
   /// @param key may lead through tables: "ground.height_m"
   /// @param entry position inside nested arrays, counted from 0 (written from 1)
   [[nodiscard]] InputError error(std::string_view key, std::string_view reason, std::span<const std::size_t> entry = {}) const;
+
+  /// The error for keys of which one is needed: `file:line: table.side or label is missing: ...`.
+  [[nodiscard]] InputError missing(std::string_view keys, std::string_view reason) const;
 
   /// @throws InputError naming every key of this table, and of the tables taken from it, that was never asked for
   void finish() const;

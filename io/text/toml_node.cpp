@@ -70,9 +70,13 @@ void TomlTable::Node::collect_unasked(std::vector<std::string>& faults) const {
   for (const auto& [unasked, node] : *table) {
     const std::string_view key = unasked.str();
     if (asked.contains(key)) continue;
-    std::string fault = where(node) + prefix + std::string(key) + ": unknown key";
-    if (const auto nearest = near_miss(key, known)) fault += ", did you mean " + *nearest + "?";
-    faults.push_back(std::move(fault));
+    if (const auto elsewhere = conditions.find(key); elsewhere != conditions.end()) {
+      faults.emplace_back(fault(key, node, "belongs to " + elsewhere->second).what());
+      continue;
+    }
+    std::string message = where(node) + prefix + std::string(key) + ": unknown key";
+    if (const auto nearest = near_miss(key, known)) message += ", did you mean " + *nearest + "?";
+    faults.push_back(std::move(message));
   }
   for (const auto& [key, nodes] : children) {
     for (const auto& node : nodes) node->collect_unasked(faults);

@@ -35,6 +35,7 @@ struct TomlTable::Node {
   std::string prefix;                                                  ///< path of the table with a dot at the end
   std::set<std::string, std::less<>> asked;                            ///< keys, present or not
   std::map<std::string, std::vector<std::shared_ptr<Node>>> children;  ///< tables taken from it
+  std::map<std::string, std::string, std::less<>> conditions{};        ///< under which a key would mean something
 
   /// The value of a key, nullptr if there is none; counts as asking for the key.
   const toml::node* find(std::string_view key);

@@ -25,6 +25,8 @@ std::string toml_value_text(std::span<const std::string> values) {
   return list_text(std::vector<std::string_view>(values.begin(), values.end()));
 }
 
+std::string toml_value_text(std::span<const std::vector<std::string>> rows) { return list_text(rows); }
+
 TomlText& TomlText::line(std::string_view text) { return lines(std::string(text) + "\n"); }
 
 TomlText& TomlText::lines(std::string_view text) {

@@ -22,6 +22,7 @@ std::string toml_value_text(Integer value) {
 std::string toml_value_text(std::span<const double> values);
 std::string toml_value_text(std::span<const std::int64_t> values);
 std::string toml_value_text(std::span<const std::string> values);
+std::string toml_value_text(std::span<const std::vector<std::string>> rows);
 
 /// TOML made key by key, one `key = value` per line: the one writer of settings and results.
 class TomlText {

@@ -7,11 +7,7 @@
 
 namespace menger::materials {
 
-/// A law from a TOML table: `name` as in name_of and the parameters of that law.
-///
-/// neo_hookean: shear_modulus_Pa; mooney_rivlin: c10_Pa, c01_Pa; yeoh: c10_Pa, c20_Pa, c30_Pa; ogden1 to ogden3: moduli_Pa,
-/// exponents and optionally convention = "ogden" (W = sum mu/alpha (...), the default) or "abaqus" (W = sum 2 mu/alpha^2 (...)),
-/// which is converted; gent: shear_modulus_Pa, locking_excess; arruda_boyce: shear_modulus_Pa, locking_stretch.
+/// A law from a TOML table with its name and its parameters; see describe in study_law.h.
 /// @throws io::InputError with file, key and value for anything else, and if the shear modulus at rest is not positive
 HyperelasticLaw read_law(const io::TomlTable& table);
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "io/study/study_visitor.h"
 #include "io/text/toml_document.h"
 #include "meshes/design/polycube.h"
 
@@ -21,6 +23,14 @@ struct Design {
 /// string per row of constant y with y growing downwards in the file, x growing along the row.
 /// @throws io::InputError with file, key and value for anything that is not such a design, an empty body included
 Design read_design(const std::filesystem::path& file);
+
+/// The keys of a design file; see read_design.
+void describe(io::StudyVisitor& visitor, Design& design);
+
+/// The keys by which a table of a study gives a design: `file`, or the design itself in its layers, or as digits; with a file,
+/// cell_edge_m gives its cells another size. Texts have the design itself.
+/// @param file that was named, for a reader; nothing otherwise. A reader reads it.
+void describe_design(io::StudyVisitor& visitor, Design& design, std::optional<std::filesystem::path>& file);
 
 /// Reads a design that stands in a table of another file: name ("robot"), cells (three integers, [3, 3, 3]) and digits, one per
 /// cell with x fastest, then y, then z. Its edge stays the default. @throws io::InputError naming the key

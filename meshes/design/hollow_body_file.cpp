@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "io/study/study_reader.h"
 #include "io/text/number_text.h"
 
 namespace menger::meshes {
@@ -15,17 +16,13 @@ std::string word_of(Value value, const io::Words<Value>& words) {
   return {};
 }
 
-TubeHole read_tube(const io::TomlTable& table) {
-  TubeHole tube;
-  const std::vector<double> cell = table.numbers("cell", io::within(0.0, 1e6));
-  for (const double index : cell) {
-    if (index != static_cast<double>(static_cast<int>(index))) throw table.error("cell", "must hold three integers");
-  }
-  if (cell.size() != 3) throw table.error("cell", "must hold three integers");
-  tube.cell = {static_cast<int>(cell[0]), static_cast<int>(cell[1]), static_cast<int>(cell[2])};
-  tube.side = table.word("side", side_words());
-  tube.edge_m = table.number("edge_m", io::positive());
-  return tube;
+void describe(io::StudyVisitor& visitor, TubeHole& tube) {
+  std::vector<int> cell{tube.cell.x, tube.cell.y, tube.cell.z};
+  visitor.integers({"cell", "The cell: its place along x, y and z, from 0.", "[0, 0, 0]"}, cell, io::within(0.0, 1e6),
+                   {.fewest = 3, .most = 3});
+  if (cell.size() == 3) tube.cell = {cell[0], cell[1], cell[2]};
+  visitor.word({"side", "Side of the cell on which the hole opens.", "\"z max\""}, tube.side, side_words());
+  visitor.number({"edge_m", "Edge of the square hole.", "0.002"}, tube.edge_m, io::positive());
 }
 
 }  // namespace
@@ -49,18 +46,28 @@ const io::Words<Side>& side_words() {
   return words;
 }
 
+void describe(io::StudyVisitor& visitor, HollowBodyOptions& options) {
+  visitor.number({"wall_thickness_m", "Thickness of every outer wall."}, options.wall_thickness_m, io::positive());
+  visitor.integer({"elements_through_wall", "Least number of elements through a wall."}, options.elements_through_wall,
+                  io::within(1, 1000));
+  visitor.optional_number({"largest_element_m", "Edge that elements may grow to away from walls.", "0.005"},
+                          options.largest_element_m, io::positive());
+  visitor.number({"growth", "Largest ratio of neighbouring edges while they grow."}, options.growth, io::at_least(1.0));
+  visitor.word({"chambers", "Whether all cells of a module share one chamber, or those of each phase."}, options.chambers,
+               chamber_layout_words());
+  visitor.integer({"level", "Level of the fractal: 1 is the design itself, in 2 each cell is a copy of it."}, options.level,
+                  io::within(1, 10));
+  visitor.optional_number({"hole_edge_m", "Edge of the square holes between chambers of neighbouring modules.", "0.002"},
+                          options.hole_edge_m, io::positive());
+  visitor.tables({"tubes", "Holes for supply tubes."}, options.tubes, [&](TubeHole& tube) { describe(visitor, tube); });
+  visitor.word({"lid", "Wall of every module that is a region of its own, \"lid\"."}, options.lid, lid_place_words());
+  visitor.boolean({"joint_region", "Whether bonded walls are a region of their own, \"joint\"."}, options.joint_region);
+}
+
 HollowBodyOptions read_hollow_body_options(const io::TomlTable& table) {
   HollowBodyOptions options;
-  options.wall_thickness_m = table.number_or("wall_thickness_m", options.wall_thickness_m, io::positive());
-  options.elements_through_wall = table.integer_or("elements_through_wall", options.elements_through_wall, io::within(1, 1000));
-  options.largest_element_m = table.optional_number("largest_element_m", io::positive());
-  options.growth = table.number_or("growth", options.growth, io::at_least(1.0));
-  options.chambers = table.word_or("chambers", options.chambers, chamber_layout_words());
-  options.level = table.integer_or("level", options.level, io::within(1, 10));
-  options.hole_edge_m = table.optional_number("hole_edge_m", io::positive());
-  for (const io::TomlTable& tube : table.optional_tables("tubes")) options.tubes.push_back(read_tube(tube));
-  options.lid = table.word_or("lid", options.lid, lid_place_words());
-  options.joint_region = table.boolean_or("joint_region", options.joint_region);
+  io::StudyReader reader(table);
+  describe(reader, options);
   return options;
 }
 

@@ -3,11 +3,15 @@
 #include <filesystem>
 #include <string>
 
+#include "io/study/study_visitor.h"
 #include "io/text/toml_document.h"
 #include "meshes/design/design_file.h"
 #include "meshes/design/hollow_body_options.h"
 
 namespace menger::meshes {
+
+/// How a design is hollowed out and meshed: keys of the table of a design.
+void describe(io::StudyVisitor& visitor, HollowBodyOptions& options);
 
 /// Reads how a design is hollowed out and meshed from the keys of a table that bear the names of HollowBodyOptions:
 /// wall_thickness_m, elements_through_wall, largest_element_m, growth, chambers ("single" or "per-phase"), level, hole_edge_m,

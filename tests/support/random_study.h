@@ -81,6 +81,17 @@ class RandomStudy : public io::StudyVisitor {
     for (std::size_t n = 1 + below(8); n > 0; --n) text += "abz 09\"\\#=[]\n\t"[below(14)];
     return text;
   }
+  /// Rows of digits, all of one size: layers of a design.
+  std::vector<std::vector<std::string>> random_layers() {
+    const std::size_t width = 1 + below(3);
+    std::vector<std::vector<std::string>> layers(1 + below(3), std::vector<std::string>(1 + below(3)));
+    for (auto& rows : layers) {
+      for (std::string& row : rows) {
+        for (std::size_t n = 0; n < width; ++n) row += "012"[below(3)];
+      }
+    }
+    return layers;
+  }
   io::StudyValue random_value(const io::StudyEntry& entry) {
     using io::ValueKind;
     std::vector<std::int64_t> integers;
@@ -105,6 +116,8 @@ class RandomStudy : public io::StudyVisitor {
       case ValueKind::numbers:
         for (std::size_t n = 0; n < size; ++n) numbers.push_back(random_number(entry.range));
         return numbers;
+      case ValueKind::text_rows:
+        return random_layers();
       case ValueKind::texts:
         break;
     }

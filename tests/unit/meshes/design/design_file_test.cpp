@@ -4,12 +4,16 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/connectivity.h"
 #include "meshes/design/reference_shapes.h"
+#include "tests/support/described_study.h"
+#include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::meshes {
@@ -134,6 +138,51 @@ TEST(DesignFile, LeavesTheOldFileWhereAPlaceCannotBeWritten) {
   const Design design{.name = "a", .body = full_cube(1), .cell_edge_m = 0.01};
   EXPECT_THROW(write_design(file / "below_a_file.toml", design), io::InputError);
   EXPECT_EQ(io::read_whole(file), "old");
+}
+
+/// A design in the table of a study.
+struct GivenDesign {
+  Design design;
+  std::optional<fs::path> file;
+};
+
+void describe(io::StudyVisitor& visitor, GivenDesign& given) { describe_design(visitor, given.design, given.file); }
+
+GivenDesign parse_given(const std::string& text, const fs::path& file = "study.toml") {
+  GivenDesign given;
+  io::read_described(io::parse_toml(text, file), given);
+  return given;
+}
+
+TEST(DescribeDesign, TemplateIsReadWithLayersOrDigits) {
+  tests::expect_template_is_read<GivenDesign>([](const std::string& text) { return parse_given(text); },
+                                              {"file"});  // names a file that is not there
+}
+
+TEST(DescribeDesign, TakesAFileWithCellsOfItsOwnSizeOrAnother) {
+  const tests::TestFolder folder;
+  write_design(folder / "plus.toml", {"plus", meshes::bar(3), 0.02});
+  const GivenDesign given = parse_given("file = \"plus.toml\"\n", folder / "study.toml");
+  EXPECT_EQ(given.design, (Design{"plus", meshes::bar(3), 0.02}));
+  EXPECT_EQ(given.file, folder / "plus.toml");
+  EXPECT_EQ(parse_given("file = \"plus.toml\"\ncell_edge_m = 0.01\n", folder / "study.toml").design.cell_edge_m, 0.01);
+  const GivenDesign again = parse_given(io::described_text(given));
+  EXPECT_EQ(again.design, given.design) << "a text has the design itself";
+  EXPECT_EQ(again.file, std::nullopt);
+}
+
+TEST(DescribeDesign, NamesBadInput) {
+  const auto message = [](const std::string& text) { return tests::message_of([&] { (void)parse_given(text); }); };
+  for (const auto& [text, part] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"cell_edge_m = 1", "layers or digits or file is missing: a body is needed"},
+           {"layers = [[\"1\"]]", "cell_edge_m is missing"},
+           {"layers = [[\"1\"]]\ndigits = \"1\"", "digits = \"1\": layers beside it: keep one of them"},
+           {"digits = \"12\"\ncells = [1, 1, 2]\ncell_edge_m = 0", "cell_edge_m = 0: must be > 0"},
+           {"digits = \"1\"\ncells = [1, 1]\ncell_edge_m = 1", "must be three integers, not 2"},
+           {"digits = \"123\"\ncells = [3, 1, 1]\ncell_edge_m = 1", "digits = \"123\": "},
+           {"digits = \"000\"\ncells = [3, 1, 1]\ncell_edge_m = 1", "the body is empty"},
+           {"layers = [[\"13\"]]\ncell_edge_m = 1", "layers[1][1] = \"13\": must hold only 0, 1 and 2"}})
+    EXPECT_NE(message(text).find(part), std::string::npos) << message(text);
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <string>
 
+#include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/reference_shapes.h"
+#include "tests/support/described_study.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::meshes {
@@ -58,7 +60,7 @@ TEST(HollowBodyFile, NamesKeyAndValueOfWhatItRefuses) {
   expect("lid = \"side\"", "lid");
   expect("wall_thickness_mm = 2.0", "wall_thickness_mm");
   expect("[[tubes]]\ncell = [0, 0]\nside = \"x min\"\nedge_m = 0.002", "three integers");
-  expect("[[tubes]]\ncell = [0, 0.5, 0]\nside = \"x min\"\nedge_m = 0.002", "three integers");
+  expect("[[tubes]]\ncell = [0, 0.5, 0]\nside = \"x min\"\nedge_m = 0.002", "cell[2] = 0.5: must be an integer");
   expect("[[tubes]]\ncell = [0, 0, 0]\nside = \"left\"\nedge_m = 0.002", "x min");
   expect("[[tubes]]\ncell = [0, 0, 0]\nside = \"x min\"", "edge_m");
 }
@@ -77,6 +79,17 @@ TEST(MeshStudy, IsADesignOrNamesOne) {
   EXPECT_EQ(study.design_file, folder / "designs/bar.toml");
   io::write_whole(folder / "mesh.toml", "design = \"designs/bar.toml\"\nlevels = 2\n");
   EXPECT_THROW(static_cast<void>(read_mesh_study(folder / "mesh.toml")), io::InputError);
+}
+
+HollowBodyOptions parse_options(const std::string& text) {
+  HollowBodyOptions options;
+  io::read_described(io::parse_toml(text, "study.toml"), options);
+  return options;
+}
+
+TEST(HollowBodyOptions, TemplateAndTextsAreRead) {
+  tests::expect_template_is_read<HollowBodyOptions>(parse_options);
+  tests::expect_texts_are_read_back<HollowBodyOptions>(parse_options, 300);
 }
 
 }  // namespace

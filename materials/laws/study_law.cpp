@@ -1,0 +1,176 @@
+#include "materials/laws/study_law.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "io/text/number_text.h"
+#include "materials/laws/law_file.h"
+#include "materials/laws/silicone_library.h"
+
+namespace menger::materials {
+namespace {
+
+constexpr std::string_view recommended = "recommended";
+enum class Convention { ogden, abaqus };
+
+/// Laws by their names, without parameters.
+const io::Words<std::size_t>& law_words() {
+  static const io::Words<std::size_t> words = [] {
+    io::Words<std::size_t> all;
+    const std::vector<HyperelasticLaw> laws{NeoHookean{}, MooneyRivlin{}, Yeoh{}, Ogden<1>{},
+                                            Ogden<2>{},   Ogden<3>{},     Gent{}, ArrudaBoyce{}};
+    for (const HyperelasticLaw& law : laws) all.emplace_back(name_of(law), law.index());
+    return all;
+  }();
+  return words;
+}
+
+void describe_parameters(io::StudyVisitor& visitor, NeoHookean& law) {
+  visitor.number({"shear_modulus_Pa", "Shear modulus at rest.", "5e4"}, law.shear_modulus_Pa, io::positive());
+}
+
+void describe_parameters(io::StudyVisitor& visitor, MooneyRivlin& law) {
+  visitor.number({"c10_Pa", "Coefficient of I1 - 3.", "2e4"}, law.c10_Pa);
+  visitor.number({"c01_Pa", "Coefficient of I2 - 3.", "5e3"}, law.c01_Pa);
+}
+
+void describe_parameters(io::StudyVisitor& visitor, Yeoh& law) {
+  visitor.number({"c10_Pa", "Coefficient of I1 - 3.", "2e4"}, law.c10_Pa);
+  visitor.number({"c20_Pa", "Coefficient of (I1 - 3)^2.", "100"}, law.c20_Pa);
+  visitor.number({"c30_Pa", "Coefficient of (I1 - 3)^3.", "1"}, law.c30_Pa);
+}
+
+template <std::size_t n>
+void describe_parameters(io::StudyVisitor& visitor, Ogden<n>& law) {
+  constexpr std::array<std::string_view, 3> moduli_examples{"[5e4]", "[4e4, 100]", "[4e4, 100, -50]"};
+  constexpr std::array<std::string_view, 3> exponent_examples{"[2]", "[2, 6]", "[2, 6, -2]"};
+  std::vector<double> moduli_Pa;
+  std::vector<double> exponents;
+  for (const OgdenTerm& term : law.terms) {
+    moduli_Pa.push_back(term.modulus_Pa);
+    exponents.push_back(term.exponent);
+  }
+  Convention convention = Convention::ogden;
+  visitor.word({"convention", "What the moduli mean: W = sum mu/alpha (...), or W = sum 2 mu/alpha^2 (...)."}, convention,
+               io::Words<Convention>{{"ogden", Convention::ogden}, {"abaqus", Convention::abaqus}});
+  visitor.numbers({"moduli_Pa", "Modulus of each term.", moduli_examples.at(n - 1)}, moduli_Pa, io::any_number(),
+                  {.fewest = n, .most = n});
+  visitor.numbers({"exponents", "Exponent of each term, not 0.", exponent_examples.at(n - 1)}, exponents, io::any_number(),
+                  {.fewest = n, .most = n});
+  for (std::size_t p = 0; p < std::min({n, moduli_Pa.size(), exponents.size()}); ++p) {
+    visitor.check(exponents[p] != 0.0, "exponents", "must not be 0", {p});
+    law.terms[p] = convention == Convention::ogden ? OgdenTerm{moduli_Pa[p], exponents[p]}
+                                                   : OgdenTerm::from_shear_modulus(moduli_Pa[p], exponents[p]);
+  }
+}
+
+void describe_parameters(io::StudyVisitor& visitor, Gent& law) {
+  visitor.number({"shear_modulus_Pa", "Shear modulus at rest.", "5e4"}, law.shear_modulus_Pa, io::positive());
+  visitor.number({"locking_excess", "Excess of I1 at which the chains are taut, Jm.", "50"}, law.locking_excess, io::positive());
+}
+
+void describe_parameters(io::StudyVisitor& visitor, ArrudaBoyce& law) {
+  visitor.number({"shear_modulus_Pa", "Shear modulus at rest.", "5e4"}, law.shear_modulus_Pa, io::positive());
+  visitor.number({"locking_stretch", "Stretch at which the chains are taut.", "4"}, law.locking_stretch, io::positive());
+}
+
+/// The keys of one kind of law, which mean something if the law is of this kind.
+template <class Law>
+void describe_kind(io::StudyVisitor& visitor, HyperelasticLaw& law, std::size_t kind) {
+  Law own = std::holds_alternative<Law>(law) ? std::get<Law>(law) : Law{};
+  const HyperelasticLaw any = Law{};
+  const bool is_chosen = any.index() == kind;
+  visitor.only_if(is_chosen, "name = \"" + std::string(name_of(any)) + "\"", [&] { describe_parameters(visitor, own); });
+  if (is_chosen) law = own;
+}
+
+void choose_from_record(const io::TomlTable& table, const std::string& law_name, StudyLaw& law) {
+  const SiliconeRecord& record = *law.record;
+  SourcedLaw chosen = record.recommended;
+  law.count = 0;
+  if (law_name == recommended) {
+    if (law.variant != 1) throw table.error("law_variant", "there is one recommended law");
+  } else {
+    std::vector<const SourcedLaw*> matches;
+    std::string known(recommended);
+    for (const SourcedLaw& other : record.others) {
+      if (name_of(other.law) == law_name) matches.push_back(&other);
+      known.append(", ").append(name_of(other.law));
+    }
+    if (matches.empty()) throw table.error("law_name", "the record has " + known);
+    if (law.variant > matches.size())
+      throw table.error("law_variant", "the record has " + std::to_string(matches.size()) + " of " + law_name);
+    chosen = *matches[law.variant - 1];
+    law.count = matches.size();
+  }
+  law.law = chosen.law;
+  law.smallest_stretch = chosen.smallest_stretch;
+  law.largest_stretch = chosen.largest_stretch;
+  law.source = chosen.source;
+}
+
+void describe_silicone(io::StudyVisitor& visitor, StudyLaw& law) {
+  std::string silicone;
+  std::string law_name(recommended);
+  visitor.text({.name = "silicone",
+                .help = "A silicone of menger, or the file of one.",
+                .example = "\"dragon_skin_10\"",
+                .earlier = "record"},
+               silicone);
+  visitor.text({"law_name", "Law of the silicone's record: the recommended one, or the name of another."}, law_name);
+  visitor.integer({"law_variant", "Which of the laws with that name, where the record has several."}, law.variant,
+                  io::at_least(1));
+  const io::TomlTable* table = visitor.source();
+  if (table == nullptr) return;
+  law.file = silicone_file(*table, table->has("silicone") ? "silicone" : "record");
+  law.record = read_silicone(law.file);
+  choose_from_record(*table, law_name, law);
+}
+
+void describe_in_place(io::StudyVisitor& visitor, StudyLaw& law) {
+  visitor.check(visitor.source() == nullptr || !visitor.source()->is_text("law"), "law",
+                "is called law_name now, beside a silicone");
+  visitor.table({"law", "A hyperelastic law."}, [&] { describe(visitor, law.law); });
+  std::optional<double> largest;
+  if (std::isfinite(law.largest_stretch)) largest = law.largest_stretch;
+  visitor.number({"smallest_stretch", "Least stretch that the law was compared with; 1: never with compression; 0: not stated."},
+                 law.smallest_stretch, io::within(0.0, 1.0));
+  visitor.optional_number({"largest_stretch", "Largest stretch that the law was compared with.", "4"}, largest,
+                          io::at_least(1.0));
+  law.largest_stretch = largest.value_or(std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+std::string StudyLaw::name() const {
+  const std::string of_law(name_of(law));
+  return record ? record->name + ", " + of_law : "inline " + of_law;
+}
+
+void describe(io::StudyVisitor& visitor, HyperelasticLaw& law) {
+  std::size_t kind = law.index();
+  visitor.word({"name", "Kind of law.", "\"neo_hookean\""}, kind, law_words());
+  describe_kind<NeoHookean>(visitor, law, kind);
+  describe_kind<MooneyRivlin>(visitor, law, kind);
+  describe_kind<Yeoh>(visitor, law, kind);
+  describe_kind<Ogden<1>>(visitor, law, kind);
+  describe_kind<Ogden<2>>(visitor, law, kind);
+  describe_kind<Ogden<3>>(visitor, law, kind);
+  describe_kind<Gent>(visitor, law, kind);
+  describe_kind<ArrudaBoyce>(visitor, law, kind);
+  const double modulus_Pa = visitor.source() == nullptr ? 1.0 : shear_modulus_at_rest_Pa(law);
+  visitor.check(modulus_Pa > 0.0, "name", "the shear modulus at rest is " + io::number_text(modulus_Pa) + " Pa, it must be > 0");
+}
+
+void describe(io::StudyVisitor& visitor, StudyLaw& law) {
+  const bool has_law = shear_modulus_at_rest_Pa(law.law) > 0.0;
+  const auto keep = [] {};
+  std::vector<io::Alternative> alternatives{{"silicone", false, keep, [&] { describe_silicone(visitor, law); }, "record"},
+                                            {"law", has_law, keep, [&] { describe_in_place(visitor, law); }}};
+  visitor.one_of(alternatives, "a silicone is needed");
+}
+
+}  // namespace menger::materials
