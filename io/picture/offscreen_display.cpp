@@ -25,14 +25,14 @@ constexpr auto server_start = std::chrono::seconds(20);
 constexpr auto server_end = std::chrono::seconds(5);
 
 /// In the child of a fork: becomes the X server. Only calls that are safe after fork().
-[[noreturn]] void become_server(int number_pipe, const char* number_pipe_text, pid_t parent) {
+[[noreturn]] void become_server(int number_pipe, const char* number_pipe_text, const char* display, pid_t parent) {
   setpgid(0, 0);  // Ctrl-C in the terminal must not end the server while a picture is being drawn
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(exec_failed);
   fcntl(number_pipe, F_SETFD, 0);
   const int nowhere = open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-  execlp("Xvfb", "Xvfb", "-displayfd", number_pipe_text, "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset",
+  execlp("Xvfb", "Xvfb", display, "-displayfd", number_pipe_text, "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset",
          static_cast<char*>(nullptr));
   _exit(exec_failed);
 }
@@ -51,6 +51,16 @@ std::string read_line(int pipe) {
     if (letter == '\n') return line;
     line += letter;
   }
+}
+
+/// The display to try: another one for each program and each attempt.
+///
+/// Not those from 0 to 9, which Xvfb would take by itself: hwloc, with which Open MPI asks for the cores of a machine, connects
+/// to these to look for GPUs, and a program ends when a server that it is connected to ends.
+int display_number(int attempt) {
+  constexpr int first = 100;
+  constexpr int count = 50000;
+  return first + (getpid() + 7919 * attempt) % count;
 }
 
 }  // namespace
@@ -80,30 +90,37 @@ bool OffscreenDisplay::connect(const std::string& display) {
 }
 
 void OffscreenDisplay::start_server() {
-  std::array<int, 2> number_pipe{};
-  if (pipe2(number_pipe.data(), O_CLOEXEC) != 0) {
-    missing_ = "no pipe to start Xvfb with";
-    return;
+  constexpr int most_attempts = 20;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    const std::string number = started_server(":" + std::to_string(display_number(attempt)));
+    if (!number.empty() && connect(":" + number)) return;
+    if (!number.empty()) {
+      missing_ = "Xvfb offers no OpenGL: install the package libgl1-mesa-dri";
+      break;
+    }
+    // A server that could not be started, or whose display was taken, closes the pipe a moment before it ends.
+    const std::optional<int> status = wait_for_end(std::chrono::seconds(1));
+    if (status && WIFEXITED(*status) && WEXITSTATUS(*status) == exec_failed) {
+      missing_ = "no X display and no Xvfb to stand in for one: install the package xvfb";
+      return;
+    }
+    missing_ = "no X display, and Xvfb did not start";
+    if (!status) break;
   }
+  end_server();
+}
+
+std::string OffscreenDisplay::started_server(const std::string& display) {
+  std::array<int, 2> number_pipe{};
+  if (pipe2(number_pipe.data(), O_CLOEXEC) != 0) return {};
   const std::string number_pipe_text = std::to_string(number_pipe[1]);
   const pid_t parent = getpid();
   server_ = fork();
-  if (server_ == 0) become_server(number_pipe[1], number_pipe_text.c_str(), parent);
+  if (server_ == 0) become_server(number_pipe[1], number_pipe_text.c_str(), display.c_str(), parent);
   close(number_pipe[1]);
-  const std::string number = server_ > 0 ? read_line(number_pipe[0]) : std::string();
+  std::string number = server_ > 0 ? read_line(number_pipe[0]) : std::string();
   close(number_pipe[0]);
-  if (!number.empty() && connect(":" + number)) return;
-
-  // A server that could not even be started closes the pipe a moment before it ends.
-  const std::optional<int> status = number.empty() ? wait_for_end(std::chrono::seconds(1)) : std::nullopt;
-  if (status && WIFEXITED(*status) && WEXITSTATUS(*status) == exec_failed) {
-    missing_ = "no X display and no Xvfb to stand in for one: install the package xvfb";
-  } else if (number.empty()) {
-    missing_ = "no X display, and Xvfb did not start";
-  } else {
-    missing_ = "Xvfb offers no OpenGL: install the package libgl1-mesa-dri";
-  }
-  end_server();
+  return number;
 }
 
 std::optional<int> OffscreenDisplay::wait_for_end(std::chrono::milliseconds patience) {

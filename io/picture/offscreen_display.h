@@ -29,6 +29,8 @@ class OffscreenDisplay {
  private:
   bool connect(const std::string& display);
   void start_server();
+  /// Starts a server. @return the number of its display once it is ready; empty if it ended or took too long
+  std::string started_server(const std::string& display);
   void end_server();
 
   /// Exit status of the server if it ends in time.

@@ -16,6 +16,9 @@
 #include "tests/support/test_folder.h"
 #include "tests/unit/io/picture/picture_contents.h"
 
+// last: it defines words like None and Status
+#include <X11/Xlib.h>
+
 namespace menger::io {
 namespace {
 
@@ -99,6 +102,22 @@ TEST_F(Picture, LeavesNoServerBehind) {
     EXPECT_TRUE(has_children());
   }
   EXPECT_FALSE(has_children());
+}
+
+// hwloc, which every mpirun asks for the cores of the machine, connects to the displays 0 to 9 to look for GPUs: a server there
+// that ends while it looks would end the program, too.
+TEST_F(Picture, StartsServersWhereNobodyLooksForOne) {
+  const Environment display("DISPLAY", nullptr);
+  const OffscreenDisplay first;
+  if (!first.available()) GTEST_SKIP() << first.missing();
+  const OffscreenDisplay second;  // the display of the first is taken
+  ASSERT_TRUE(second.available()) << second.missing();
+  const auto number = [](const OffscreenDisplay& server) {
+    return std::stoi(std::string(DisplayString(static_cast<Display*>(server.connection()))).substr(1));
+  };
+  EXPECT_GE(number(first), 10);
+  EXPECT_GE(number(second), 10);
+  EXPECT_NE(number(first), number(second));
 }
 
 TEST_F(Picture, APlaceUnderAFileIsRefused) {
