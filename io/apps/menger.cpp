@@ -15,6 +15,7 @@
 #include "io/process/exit_code.h"
 #include "io/process/program.h"
 #include "io/text/input_error.h"
+#include "io/text/near_miss.h"
 #include "io/text/version.h"
 
 namespace {
@@ -66,7 +67,8 @@ std::vector<Command> present_commands() {
 
 void print_help(std::ostream& out) {
   out << "menger " << io::version() << ": evolve, simulate and judge pneumatic soft robots\n\n"
-      << "usage: menger <command> [arguments]   (menger <command> --help explains a command)\n\ncommands:\n";
+      << "usage: menger <command> [arguments]   (menger <command> --help explains a command, --template prints its "
+         "input)\n\ncommands:\n";
   const std::vector<Command> present = present_commands();
   if (present.empty()) out << "  none found in " << program_folder().string() << '\n';
   for (const Command& command : present) {
@@ -74,6 +76,14 @@ void print_help(std::ostream& out) {
         << "  " << std::setw(12) << ""
         << "e.g. " << command.example << '\n';
   }
+}
+
+/// What a mistyped command may have been: ", did you mean evolve?", or nothing.
+std::string meant(std::string_view command) {
+  std::vector<std::string> names;
+  for (const Command& known : present_commands()) names.emplace_back(known.name);
+  const auto name = io::near_miss(command, names);
+  return name ? ", did you mean " + *name + "?" : "";
 }
 
 int dispatch(int argc, char** argv) {
@@ -92,7 +102,7 @@ int dispatch(int argc, char** argv) {
   }
   const fs::path program = program_of(command);
   if (command.find('/') != std::string::npos || !is_program(program)) {
-    std::cerr << "menger: error: unknown command " << command << "\n\n";
+    std::cerr << "menger: error: unknown command " << command << meant(command) << "\n\n";
     print_help(std::cerr);
     return io::exit_code::bad_input;
   }

@@ -72,7 +72,7 @@ TEST_F(MengerProgram, RefusesAnUnknownCommandWithTheList) {
   const Outcome outcome = run("evolv study.toml");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err.rfind("menger: error: unknown command evolv\n", 0), 0U) << outcome.err;
+  EXPECT_EQ(outcome.err.rfind("menger: error: unknown command evolv, did you mean evolve?\n", 0), 0U) << outcome.err;
   EXPECT_NE(outcome.err.find("menger evolve study.toml"), std::string::npos);
 }
 

@@ -10,8 +10,10 @@
 #include <stdexcept>
 
 #include "io/process/exit_code.h"
+#include "io/process/study_help.h"
 #include "io/text/input_error.h"
 #include "io/text/version.h"
+#include "tests/support/input_error_message.h"
 
 namespace menger::io {
 namespace {
@@ -88,6 +90,29 @@ TEST_F(Arguments, AskingForHelpOrVersionEndTheProgram) {
 TEST_F(Arguments, ThatDoNotFitAreBadInput) {
   EXPECT_THROW(parse(std::array{"menger-x"}), InputError);
   EXPECT_THROW(parse(std::array{"menger-x", "a.toml", "--unknown"}), InputError);
+}
+
+TEST_F(Arguments, AreAskedForWhenMistyped) {
+  app_.add_option("--refine", file_);
+  const auto message = [&](const char* option) {
+    return tests::message_of([&] { (void)parse(std::array{"menger-x", "a.toml", option}); });
+  };
+  EXPECT_NE(message("--refin=2").find(", did you mean --refine? (see --help)"), std::string::npos) << message("--refin=2");
+  EXPECT_EQ(message("--colour").find("did you mean"), std::string::npos) << message("--colour");
+}
+
+// A program that reads a study tells about it before it asks for one.
+TEST_F(Arguments, AskingForTheKeysOfAStudyEndTheProgram) {
+  add_study_help(app_, [](StudyVisitor& visitor) {
+    double duration_s = 2.0;
+    visitor.number({"duration_s", "How long."}, duration_s, positive());
+  });
+  EXPECT_EQ(parse(std::array{"menger-x", "--template"}), exit_code::done);
+  EXPECT_NE(printed_.find("# How long. (s; > 0)\nduration_s = 2\n"), std::string::npos) << printed_;
+  EXPECT_EQ(parse(std::array{"menger-x", "--schema"}), exit_code::done);
+  EXPECT_NE(printed_.find("\"exclusiveMinimum\": 0.0"), std::string::npos) << printed_;
+  EXPECT_EQ(parse(std::array{"menger-x", "--keys"}), exit_code::done);
+  EXPECT_NE(printed_.find("duration_s  number  s     2        > 0     How long.\n"), std::string::npos) << printed_;
 }
 
 }  // namespace
