@@ -65,8 +65,8 @@ io::CsvTable search_csv(const SearchTrade& trade);
 /// inflations failed, and why.
 std::string search_text(const SearchTrade& trade);
 
-/// A panel for the champions' walk by the finest surrogate and one for their growth along x by finite elements: a point for
-/// every seed and one for their mean, one place for every fidelity.
+/// Two panels over the fidelity of the search: how far its champions walk by the finest surrogate, and how much they lengthen
+/// along x on finite elements. A point for each seed, and one for the mean.
 io::Chart search_chart(const SearchTrade& trade);
 
 }  // namespace menger::evolution

@@ -33,8 +33,8 @@ class LocomotionFrames {
  public:
   explicit LocomotionFrames(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Removes the frames that are there but for the first ones, which belong to a run that is taken up; the collection names those
-  /// of them that exist.
+  /// Prepares the folder for a run that is resumed: keeps its first frames, removes all later ones, and lists those that are left
+  /// for ParaView.
   /// @param times_s of the frames that stay
   void keep_only(const std::vector<double>& times_s);
 

@@ -33,7 +33,7 @@ struct ChartSeries {
   std::optional<Colour> colour{};  ///< chart_colour of the place among the series of the panel if there is none
 };
 
-/// A line across the whole panel, such as a limit; within the range of its axis.
+/// A straight line across the whole panel that marks a value, such as a limit. The axis is made long enough to show it.
 struct ChartMarker {
   enum class Direction { horizontal, vertical };
   Direction direction = Direction::horizontal;

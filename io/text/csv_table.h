@@ -87,7 +87,7 @@ class CsvContents {
 /// another number of cells
 CsvContents read_csv(const std::filesystem::path& file);
 
-/// The same from text that came from `file`, which is used for messages only.
+/// Reads a table from text in memory. @param file that the text came from, for messages only
 CsvContents parse_csv(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace menger::io

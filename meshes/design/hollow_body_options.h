@@ -17,7 +17,8 @@ enum class ChamberLayout {
 /// Which wall of every module is cast as a lid of its own.
 enum class LidPlace { none, bottom, top };
 
-/// A square hole through the outer wall for the supply tube, closed by a virtual cap in the outer surface.
+/// A square hole through the outer wall, where the supply tube enters. A chamber's volume and pressure end at an imagined lid,
+/// flush with the outside.
 struct TubeHole {
   CellIndex cell;           ///< of the whole body, that is of the fractal of the stated level
   Side side = Side::z_max;  ///< side of the cell on which the hole opens; no cell may lie behind it

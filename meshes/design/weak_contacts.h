@@ -17,7 +17,7 @@ using WeakContact = std::pair<CellIndex, CellIndex>;
 /// elsewhere.
 std::optional<WeakContact> first_weak_contact(const Polycube& body);
 
-/// How often two occupied cells share an edge while no other cell at that edge joins them; contacts at a corner are not counted.
+/// Counts the pairs of cells that touch along an edge only, with no cell beside them that joins both. Corners are not counted.
 std::size_t count_edge_contacts(const Polycube& body);
 
 /// A cell as messages name it: "(x, y, z)", counted from 0.

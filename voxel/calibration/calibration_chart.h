@@ -11,8 +11,9 @@ namespace menger::voxel {
 /// run of equal outer abscissae. @param curve place among the curves
 io::PictureOutcome draw_curve(const std::filesystem::path& file, const FittedCurve& curve, const std::vector<double>& residuals);
 
-/// Draws the surrogate's ordinates over the reference's, each by its largest magnitude, a panel for all kinds: points on the
-/// diagonal agree. Beside it what each detail leaves: the RMS error of every kind.
+/// Draws how closely calibrated voxels follow finite elements: the value of one over that of the other, as fractions of the
+/// largest in each curve, so that points on the diagonal agree. A second panel has the RMS error that each detail of the model
+/// leaves, by kind of load case.
 io::PictureOutcome draw_agreement(const std::filesystem::path& file, const Calibration& calibration,
                                   const std::vector<FittedCurve>& curves);
 

@@ -39,8 +39,9 @@ inline T picked(const T& a, const T& b, const typename LaneMoves<RealOf<T>>::Ind
 
 }  // namespace detail
 
-/// Packs put together from those of several sources. @param packs `Count` packs of source 0; those of the next stand `stride`
-/// numbers further
+/// Fills SIMD packs whose lanes come from several groups of blocks: the neighbour of a block need not lie in the same lane, nor
+/// in the same group.
+/// @param packs `Count` packs of group 0; those of the next group lie `stride` numbers further
 template <std::size_t Count, class T>
 inline void gather_packs(const RealOf<T>* packs, std::size_t stride, const LaneMoves<RealOf<T>>& moves, T (&values)[Count]) {
   const auto source = [&](int s) { return packs + static_cast<std::size_t>(moves.source[s]) * stride; };

@@ -10,15 +10,15 @@
 
 namespace menger::voxel {
 
-/// When several simulations are stepped in lanes, never what they come to.
+/// Chooses when several simulations run together in the lanes of SIMD registers. It changes their speed, never their results.
 enum class LaneUse {
   where_faster,  ///< see lanes_pay
   always         ///< for comparison
 };
 
-/// Does for every simulation what Simulation::advance_to does, several of them at a time, each in a SIMD lane of its own.
+/// Advances several simulations at once, each in a SIMD lane of its own: what Simulation::advance_to does for one.
 ///
-/// Every simulation comes to the same bytes as alone, whatever stands in the other lanes. Simulations of equal physics, cell
+/// Every simulation gives the same bytes as alone, whatever the other lanes hold. Simulations of equal physics, cell
 /// edge, grid, time step and steps so far go together, those of similar shape first; a lane also computes the voxels that only
 /// others have, so that robots of one shape are fastest, and those that differ too much go alone. Alone go also calibrated
 /// bodies, lateral coupling, external loads, drives that are not a sine from the start on, and the energy ledger.

@@ -12,10 +12,10 @@ class SpinBarrier {
   /// @param threads >= 1
   explicit SpinBarrier(int threads) : threads_(threads) {}
 
-  /// So many threads meet from now on. Precondition: none is on its way. @param threads >= 1
+  /// Sets how many threads meet from now on. Precondition: none is waiting. @param threads >= 1
   void set_threads(int threads) { threads_ = threads; }
 
-  /// Returns once all threads have come. What they wrote before is seen by all after.
+  /// Waits until all threads have called it. Afterwards each sees what the others wrote before.
   void meet() {
     meet([] {});
   }

@@ -63,7 +63,7 @@ inline T constant(double value) {
   return T(static_cast<RealOf<T>>(value));
 }
 
-/// x rounded to 24 bits, the precision of a float; a double stays a double. A float is returned as it is.
+/// Rounds a double to the precision of a float (24 bits) but returns it as a double; a float is returned as it is.
 ///
 /// Dekker's splitting: subtracting the large multiple and adding it back drops the lower 29 bits.
 template <class T>

@@ -4,17 +4,18 @@
 
 namespace menger::voxel {
 
-/// How a length answers to the gauge pressure p of its chamber, as a fraction of the voxel edge:
+/// How much longer a voxel or a bulge gets with the gauge pressure p of its chamber, as a fraction x of the voxel edge:
 ///
-///   x(p) = a p (w / (1 + k p) + (1 - w) / (1 - q+ p))  for p >= 0,    x(p) = a p / (1 - q- |p|)  for p < 0.
+///   p >= 0:  x(p) = a * p * (w / (1 + k * p) + (1 - w) / (1 - q * p))
+///   p < 0:   x(p) = a * p / (1 - v * |p|)
 ///
-/// Flat walls bend first and then stretch, so that the share w of the answer fades from p = 1 / k on; what is left softens
-/// towards the limit pressure 1 / q+, where there is no equilibrium any more (q+ < 0: it stiffens). One slope a at p = 0, so that
-/// x is continuously differentiable; another curvature for p < 0, because walls that fold inwards are not walls that stretch.
+/// Flat walls bend first and then stretch: the share w of bending fades beyond p = 1 / k. The rest softens towards the limit
+/// pressure 1 / q, where no equilibrium is left, or stiffens if q is negative. The slope at p = 0 is a from both sides. Vacuum
+/// has a softening v of its own, because walls that fold inwards are not walls that stretch.
 struct PressureLaw {
   double slope_per_Pa = 0.0;               ///< a
-  double pressure_softening_per_Pa = 0.0;  ///< q+
-  double vacuum_softening_per_Pa = 0.0;    ///< q-
+  double pressure_softening_per_Pa = 0.0;  ///< q, of either sign
+  double vacuum_softening_per_Pa = 0.0;    ///< v, of either sign
   double fading_share = 0.0;               ///< w, 0 <= w <= 1
   double fading_per_Pa = 0.0;              ///< k >= 0
 

@@ -38,12 +38,12 @@ struct Extent {
   [[nodiscard]] double centre(std::size_t axis) const { return 0.5 * (low[axis] + high[axis]); }
 };
 
-/// Extent of all cubes of a frame in world axes and along the axes of a view.
+/// The smallest box along the world's axes that holds all voxels of a moment, or all points of a surface.
 Extent world_extent(const Frame& frame);
-Extent view_extent(const Frame& frame, const View& view);
-
-/// The same of the points of a surface.
 Extent world_extent(vtkPolyData& surface);
+
+/// The same along the axes of a view: to the right, up, and towards the camera.
+Extent view_extent(const Frame& frame, const View& view);
 Extent view_extent(vtkPolyData& surface, const View& view);
 
 /// Points the camera along the view so that the extent (in the axes of the view) fills the picture.

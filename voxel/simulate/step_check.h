@@ -38,9 +38,11 @@ struct StepCheck {
   double seconds = 0.0;                  ///< wall time
 };
 
-/// Runs a scene again with half the step and compares it with a run, record by record: every record of the run is taken after
-/// twice the steps, so that both are of the same time to the last bit. Of a run that diverged the comparison is of the records
-/// there are, and the check goes on to the scene's duration, to see whether the step was to blame.
+/// Tells whether the time step of a run was small enough: runs its scene again with half the step and compares every record.
+///
+/// The second run takes each record after twice as many steps, so that the times are equal to the last bit. If the first run
+/// diverged, its records up to then are compared, and the second goes on to the scene's end, to show whether the step was the
+/// cause.
 /// @param result of the scene, with at least one record
 StepCheck check_time_step(const Scene& scene, const SceneResult& result, const RunOptions& options);
 

@@ -14,7 +14,8 @@
 
 namespace menger::voxel {
 
-/// A beam between two nodes: between voxels, of length L, or between a voxel and its place on a plate, of length L / 2.
+/// A beam of a body at rest: between two voxels (its length is the voxel edge), or between a voxel and a loading plate that holds
+/// its face (half the edge).
 struct StaticBeam {
   int axis = 0;
   std::size_t lower = 0;  ///< node: a voxel, or voxel count + place
