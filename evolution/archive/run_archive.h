@@ -53,7 +53,7 @@ struct Individual {
   bool operator==(const Individual&) const = default;
 };
 
-/// What is known of the fitness of an individual when survivors are selected.
+/// How well the fitness of an individual is known when survivors are selected.
 enum class Knowledge {
   evaluated,  ///< at all levels
   failed,     ///< some evaluation did not complete: no fitness

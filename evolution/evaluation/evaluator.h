@@ -63,8 +63,9 @@ class DesignEvaluator {
   [[nodiscard]] virtual std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
                                                                   const std::atomic<bool>& stop, const ThreadsNow& threads) const;
 
-  /// Which tasks are best judged at a time by so many workers: groups of positions, each position in one of them. Every task
-  /// alone unless an implementation knows better. @param workers >= 1
+  /// Divides tasks into groups that are evaluated together, for example in the lanes of one register.
+  /// @param workers threads that groups are shared among, >= 1
+  /// @return groups of indices into `tasks`, each index once; every task alone unless an implementation overrides this
   [[nodiscard]] virtual std::vector<std::vector<std::size_t>> groups(std::span<const EvaluationTask> tasks, int workers) const;
 
   /// All that decides a result beside the body and the level, as canonical text: equal text means equal results.

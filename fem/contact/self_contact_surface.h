@@ -18,7 +18,8 @@ double shortest_edge_m(const meshes::HexahedralMesh& mesh);
 /// numbered over all surfaces, one surface after the other; a node of the mesh on two surfaces is there twice.
 class ContactSurfaces {
  public:
-  /// Surface 0 is the outside, c + 1 that of chamber c. @param with_outside otherwise surface 0 is empty
+  /// Collects the surfaces of a mesh that may touch: surface 0 is the outside, surface c + 1 the wall of chamber c.
+  /// @param with_outside false leaves surface 0 empty
   explicit ContactSurfaces(const meshes::HexahedralMesh& mesh, bool with_outside = true);
 
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }

@@ -24,8 +24,10 @@ class ImplicitViscosity {
   double add_forces(std::span<const double> displacements_m, std::span<const double> velocities_m_per_s,
                     std::span<double> forces_N) const;
 
-  /// Adds factor times df/dv, symmetric and positive semidefinite, to a matrix of the structure of the stiffness that has not
-  /// been assembled since. That forces also change with the displacements is left out: by eta |d| / mu of the stiffness.
+  /// Adds `factor` times the damping matrix df/dv (f: viscous forces, v: velocities of nodes; symmetric, positive semidefinite).
+  /// That viscous forces change with displacements, too, is left out: a part eta |d| / mu of the stiffness, with the viscosity
+  /// eta, the rate of deformation d and the shear modulus mu.
+  /// @param matrix with the nonzeros of the stiffness; PETSc must still be adding to it (no MatAssemblyEnd before)
   void add_matrix(const Assembly& assembly, std::span<const double> displacements_m, double factor, Mat matrix) const;
 
  private:

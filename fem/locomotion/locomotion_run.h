@@ -15,7 +15,7 @@ struct LocomotionRunOptions {
   bool restart = false;                       ///< begin anew instead of going on where an earlier run was stopped
   const std::atomic<bool>* stop = nullptr;    ///< ends the run with status `stopped`; the same call goes on from there
   double checkpoint_interval_seconds = 20.0;  ///< wall time between two checkpoints
-  /// Called before the first step with the time that it is taken at, which is that of an earlier run where it is taken up.
+  /// Called once before the first step with its start time: later than 0 where an interrupted run is resumed.
   std::function<void(double time_s)> started{};
   /// Called after every record with the time that it is at.
   std::function<void(double time_s)> progress{};

@@ -44,9 +44,11 @@ struct HalvedSteps {
   double shortest = 1.0 / 64;  ///< part of the full step
 };
 
-/// Steps are full ones, unless y . R changes its sign along a step and is larger at its end than `tolerable_overshoot` of that at
-/// its start: the step went far beyond the least of a potential (two nodes that stick by turns). Then back to near there by false
-/// position.
+/// Full Newton steps, but a step that goes far beyond the minimum of the energy is shortened by false position.
+///
+/// With the step y and the residual R, the gradient of the energy, the slope along the step is y . R. A step goes too far if the
+/// slope has changed its sign at the end and is larger there than `tolerable_overshoot` times that at the start, as where two
+/// nodes stick by turns.
 struct BracketedSteps {
   int most_trials = 6;
   double tolerable_overshoot = 0.5;

@@ -6,8 +6,8 @@
 
 namespace menger::meshes {
 
-/// Refuses what cannot be hollowed out: options outside their range, a wall that is not thinner than half a cell, a design that
-/// is not face-connected or whose cells touch only along an edge or at a corner (it would not survive casting).
+/// Throws if a design cannot be made hollow: options outside their range, walls of half a cell or more, cells that are not all
+/// joined by whole faces, or cells that touch only along an edge or at a corner (a casting would break there).
 /// @throws io::InputError naming design, option or cells, and value
 void check_design(const Design& design, const HollowBodyOptions& options);
 

@@ -8,10 +8,11 @@ namespace menger::meshes {
 /// that lie in the two planes of the body's bounding box across it at rest.
 using EndPoints = std::array<std::array<std::array<double, 3>, 2>, 3>;
 
-/// The rotation R (det R = 1, R[row][column]) of a body that is also stretched along its axes: with the stretches
-/// D = diag(d_x, d_y, d_z) it fits the reference points X_i to the deformed points x_i best, sum_i |x_i - c - R D X_i|^2 -> min
-/// with X_i about their mean. Stretches are fitted together with the rotation because the ends of an unsymmetric body do not lie
-/// on its axes: to a rotation alone a stretch would look like a small turn.
+/// How a body has turned between two states, from the middles of its six ends.
+///
+/// The rotation R (det R = 1, R[row][column]) is fitted together with stretches D = diag(d_x, d_y, d_z) along the body's axes:
+/// sum_i |x_i - c - R D X_i|^2 -> min, with reference points X_i about their mean and deformed points x_i. Without the stretches
+/// a longer body would seem to have turned a little, because the ends of an unsymmetric body do not lie on its axes.
 ///
 /// A shear or a bend is not a stretch: what counts as rotation then is a mean over the body, and two models of a body agree in it
 /// only as far as they agree in the six points. @param reference must have low != high along each axis.

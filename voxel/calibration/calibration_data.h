@@ -18,8 +18,8 @@ struct FittedCurve {
   std::vector<std::string> ordinates;          ///< names of columns
   std::vector<std::vector<double>> reference;  ///< by ordinate, then row
   std::vector<double> sigma;                   ///< by ordinate, in its unit, > 0
-  /// Of the squares of the residuals in what a fit minimises and details are chosen by, > 0. It says how much a curve matters,
-  /// not how well it is known: residuals, chi2 and the claims of intervals are by sigma.
+  /// How much the curve counts in a fit, > 0: a factor of its squared residuals. It is not how well the curve is known:
+  /// residuals, chi2 and intervals use sigma.
   double weight = 1.0;
 
   [[nodiscard]] std::size_t residual_count() const { return ordinates.size() * states.size(); }

@@ -58,7 +58,8 @@ class ClosePairs {
   [[nodiscard]] const ContactSearch<Real>& search() const { return search_; }
 
  private:
-  /// Sizes of the two kinds of voxels that the list tells apart, or the largest there may be.
+  /// Sizes with which pairs are ruled out: those that voxels of the two kinds of a list have now (voxels that are driven alike
+  /// are of one kind), or the largest possible size twice where kinds are not told apart.
   template <class SizeOf>
   [[nodiscard]] std::array<double, 2> sizes_m(const SizeOf& size_of) const {
     if (!of_kind_) return {largest_size_m_, largest_size_m_};

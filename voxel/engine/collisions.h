@@ -51,13 +51,13 @@ class VerletList {
   template <class Real>
   void build(const Real* positions, std::size_t stride);
 
-  /// Notes that no voxel moved farther than `displacement_m` in a step.
+  /// Tells the list how far a voxel may have moved in a step, at most. It is made anew when these displacements add up.
   void moved(double displacement_m) {
     bound_m_ += displacement_m;
     way_m_ += displacement_m;
   }
 
-  /// The sum of all these displacements.
+  /// The sum of the displacements that it was told.
   [[nodiscard]] double way_m() const { return way_m_; }
 
   /// How often the list was made.

@@ -58,7 +58,8 @@ struct EndInertias {
   T lower_mass, upper_mass, lower_moment, upper_moment;
 };
 
-/// Rates of the ends from their motions; that of the rest length is the mean of their sizes' rates.
+/// Velocities and angular velocities of a beam's two ends, from the momenta of their voxels, and the rate of its rest length, the
+/// mean of the rates of their sizes.
 template <int Axis, class T>
 inline BeamEndRates<T> beam_end_rates(const EndInertias<T>& inverse, const Lines<T>& lower, const Lines<T>& upper) {
   return {inverse.lower_mass * permuted<Axis>(lower, slot::px), inverse.upper_mass * permuted<Axis>(upper, slot::px),

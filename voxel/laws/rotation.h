@@ -143,8 +143,8 @@ inline Vector3<T> rotation_vector(const Quaternion<T>& q) {
   return {factor * q.x, factor * q.y, factor * q.z};
 }
 
-/// Rate of the rotation vector v of a rotation that turns with angular velocity w (both in the frame it turns into), w - v x w /
-/// 2 + v x (v x w) / 12; the next term is of relative size |v|^4 / 720.
+/// Time derivative of a rotation vector v from the angular velocity w, both in the rotated frame:
+/// w - v x w / 2 + v x (v x w) / 12. The next term is of relative size |v|^4 / 720.
 template <class T>
 inline Vector3<T> rotation_vector_rate(const Vector3<T>& v, const Vector3<T>& w) {
   const Vector3<T> across = cross(v, w);

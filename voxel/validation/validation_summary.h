@@ -28,8 +28,9 @@ struct ErrorSummary {
 /// @param values not empty
 double quantile(std::vector<double> values, double p);
 
-/// The same where further values are larger than all others by an unknown amount; nothing if the quantile depends on them, or if
-/// there is no value at all.
+/// The p-quantile of values of which some are known only to exceed all others.
+/// @param values those that are known @param larger how many others there are, all of them larger
+/// @return nothing if the quantile lies among the others, or if there is no value at all
 std::optional<double> quantile(std::vector<double> values, double p, std::size_t larger);
 
 /// One summary for each kind and side of the range of validity that has errors or numbers without an answer, inside first.
