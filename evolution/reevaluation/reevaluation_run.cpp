@@ -23,14 +23,8 @@ namespace fs = std::filesystem;
 
 /// Removes what is of no use beside other results: files of earlier calls that this one may not write.
 void remove_earlier(const fs::path& folder) {
-  std::vector<fs::path> files{folder / "reevaluation_judge.csv", folder / "reevaluation.png", folder / "manifest.json",
-                              folder / "winner/trajectories.png"};
-  std::error_code no_such_folder;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "trajectories", no_such_folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("rank_") && entry.path().extension() == ".csv") files.push_back(entry.path());
-  }
-  for (const fs::path& file : files) io::remove_if_there(file);
+  io::remove_files(folder, {"reevaluation_judge.csv", "reevaluation.png", "manifest.json", "winner/trajectories.png",
+                            "trajectories/rank_*.csv"});
 }
 
 std::string rank_file(std::size_t rank) { return "rank_" + io::padded(rank, 4) + ".csv"; }

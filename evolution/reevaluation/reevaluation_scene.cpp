@@ -19,16 +19,7 @@ constexpr std::size_t strip_columns = 5;
 
 std::string voxel_file(std::size_t number) { return "voxels_" + io::padded(number, 4) + ".vtu"; }
 
-void remove_earlier(const fs::path& folder) {
-  for (const char* name : {"both.pvd", "strip.png"}) io::remove_if_there(folder / name);
-  std::vector<fs::path> files;
-  std::error_code no_such_folder;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, no_such_folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("voxels_") && entry.path().extension() == ".vtu") files.push_back(entry.path());
-  }
-  for (const fs::path& file : files) io::remove_if_there(file);
-}
+void remove_earlier(const fs::path& folder) { io::remove_files(folder, {"both.pvd", "strip.png", "voxels_*.vtu"}); }
 
 /// The surrogate counts from the centre of its first voxel, finite elements from the corner of the first cell.
 voxel::Frame in_world_of_elements(voxel::Frame frame) {

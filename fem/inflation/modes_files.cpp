@@ -150,15 +150,6 @@ void write_mode_shapes(const fs::path& folder, const Space& space, std::span<con
   }
 }
 
-void remove_mode_shapes(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error)) return;
-  std::vector<fs::path> shapes;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(shape_prefix) && name.ends_with(".vtu")) shapes.push_back(entry.path());
-  }
-  for (const fs::path& shape : shapes) io::remove_if_there(shape);
-}
+void remove_mode_shapes(const fs::path& folder) { io::remove_files(folder, {std::string(shape_prefix) + "*.vtu"}); }
 
 }  // namespace menger::fem

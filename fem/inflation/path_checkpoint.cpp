@@ -4,19 +4,16 @@
 #include <cstdint>
 #include <cstring>
 #include <string_view>
-#include <system_error>
 #include <type_traits>
 
 #include "fem/space/rank_agreement.h"
-#include "io/text/content_hash.h"
+#include "io/text/checkpoint_file.h"
 #include "io/text/input_error.h"
-#include "io/text/whole_file.h"
 
 namespace menger::fem {
 namespace {
 
-constexpr std::string_view title = "menger path checkpoint 3\n";
-constexpr std::size_t hash_length = 64;
+constexpr std::string_view title = "menger path checkpoint 3";
 
 template <class Transfer, class Value>
 void transfer(Transfer& stream, Value& value);
@@ -178,19 +175,6 @@ std::vector<std::string> gather(const std::string& bytes, MPI_Comm communicator)
   return parts;
 }
 
-std::string content_of(const std::filesystem::path& file, const std::string& identity) {
-  const std::string whole = io::read_whole(file);
-  Reader head(whole);
-  if (!std::string_view(whole).starts_with(title)) throw io::InputError("is no checkpoint of this version of menger");
-  head.take(title.size());
-  const std::string_view known = head.take(hash_length);
-  const std::string_view content_hash = head.take(hash_length);
-  if (known != io::content_hash(identity)) throw io::InputError("belongs to another study or another number of processes");
-  std::string content(head.take(whole.size() - title.size() - 2 * hash_length));
-  if (io::content_hash(content) != content_hash) throw io::InputError("is damaged");
-  return content;
-}
-
 /// What two runs must agree on: the states of a rank mean nothing to another number of ranks.
 std::string whole_identity(const std::string& identity, MPI_Comm communicator) {
   int count = 0;
@@ -214,9 +198,7 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& iden
       size(static_cast<std::uint64_t>(part.size()));
       content += size.bytes() + part;
     }
-    std::string text(title);
-    text += io::content_hash(whole_identity(identity, communicator)) + io::content_hash(content) + content;
-    io::write_whole(file, text);
+    io::CheckpointFile(file, title, whole_identity(identity, communicator)).write(content);
   });
 }
 
@@ -224,11 +206,11 @@ std::optional<PathProgress> read_checkpoint(const std::filesystem::path& file, c
                                             MPI_Comm communicator) {
   std::optional<PathProgress> progress;
   on_every_rank(communicator, [&] {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return;
+    const io::CheckpointFile checkpoint(file, title, whole_identity(identity, communicator));
+    const std::optional<std::string> content = checkpoint.read();
+    if (!content) return;
     try {
-      const std::string content = content_of(file, whole_identity(identity, communicator));
-      Reader reader(content);
+      Reader reader(*content);
       PathProgress& read = progress.emplace();
       transfer(reader, read);
       int rank = 0;
@@ -240,7 +222,7 @@ std::optional<PathProgress> read_checkpoint(const std::filesystem::path& file, c
         if (r == rank) states(read.restart.states);
       }
     } catch (const io::InputError& error) {
-      throw io::InputError(file.string() + ": " + error.what() + "; --restart begins anew");
+      throw checkpoint.error(error.what());
     }
   });
   return progress;

@@ -3,20 +3,16 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "io/text/content_hash.h"
-#include "io/text/input_error.h"
-#include "io/text/whole_file.h"
+#include "io/text/checkpoint_file.h"
 
 namespace menger::fem {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view title = "menger locomotion checkpoint 3\n";
-constexpr std::size_t hash_length = 64;
+constexpr std::string_view title = "menger locomotion checkpoint 3";
 
 /// Reads values that stand one after the other, from a place on.
 template <class... Values>
@@ -206,33 +202,21 @@ LocomotionProgress progress_from(std::string_view bytes) {
   return progress;
 }
 
-std::string checked_content(const std::string& whole, const std::string& identity) {
-  const std::size_t head = title.size() + 2 * hash_length;
-  if (!std::string_view(whole).starts_with(title) || whole.size() < head)
-    throw io::InputError("is no checkpoint of this version of menger");
-  if (whole.substr(title.size(), hash_length) != io::content_hash(identity)) throw io::InputError("belongs to another study");
-  std::string content = whole.substr(head);
-  if (whole.substr(title.size() + hash_length, hash_length) != io::content_hash(content)) throw io::InputError("is damaged");
-  return content;
-}
-
 }  // namespace
 
 void write_locomotion_checkpoint(const std::filesystem::path& file, const std::string& identity,
                                  const LocomotionProgress& progress) {
-  const std::string content = content_of(progress);
-  io::write_whole(file, std::string(title) + io::content_hash(identity) + io::content_hash(content) + content);
+  io::CheckpointFile(file, title, identity).write(content_of(progress));
 }
 
 std::optional<LocomotionProgress> read_locomotion_checkpoint(const std::filesystem::path& file, const std::string& identity) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  const io::CheckpointFile checkpoint(file, title, identity);
+  const std::optional<std::string> content = checkpoint.read();
+  if (!content) return std::nullopt;
   try {
-    return progress_from(checked_content(io::read_whole(file), identity));
-  } catch (const io::InputError& error) {
-    throw io::InputError(file.string() + ": " + error.what() + "; --restart begins anew");
+    return progress_from(*content);
   } catch (const Json::exception&) {  // the hash is that of its content, but another build arranged it
-    throw io::InputError(file.string() + ": is of another build of menger; --restart begins anew");
+    throw checkpoint.error("is of another build of menger");
   }
 }
 

@@ -42,6 +42,23 @@ void flush_to_disk(const fs::path& path, int flags) {
   if (failed != 0 && error != EINVAL) throw InputError(path.string() + ": cannot be written: " + reason_of(error));
 }
 
+/// The files whose name fits: the folder of `pattern`, and what stands before and after the star of its last part.
+std::vector<fs::path> matching_files(const fs::path& pattern) {
+  const std::string name = pattern.filename().string();
+  const auto star = name.find('*');
+  if (star == std::string::npos) return {pattern};
+  const std::string start = name.substr(0, star);
+  const std::string end = name.substr(star + 1);
+  std::vector<fs::path> files;
+  std::error_code no_such_folder;
+  for (const fs::directory_entry& entry : fs::directory_iterator(pattern.parent_path(), no_such_folder)) {
+    const std::string found = entry.path().filename().string();
+    if (found.size() >= start.size() + end.size() && found.starts_with(start) && found.ends_with(end))
+      files.push_back(entry.path());
+  }
+  return files;
+}
+
 }  // namespace
 
 PendingFile::PendingFile(fs::path target) : target_(std::move(target)), temporary_(temporary_name(target_)) {
@@ -76,6 +93,13 @@ void remove_if_there(const fs::path& file) {
   std::error_code error;
   fs::remove(file, error);
   if (error) throw InputError(file.string() + ": cannot be removed: " + error.message());
+}
+
+void remove_files(const fs::path& folder, const std::vector<std::string_view>& names) {
+  for (const std::string_view name : names) {
+    // listed first: whether a listing goes on over files that vanish is not defined
+    for (const fs::path& file : matching_files(folder / name)) remove_if_there(file);
+  }
 }
 
 std::string read_whole(const fs::path& file) {

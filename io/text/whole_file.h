@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace menger::io {
 
@@ -36,6 +37,10 @@ void write_whole(const std::filesystem::path& file, std::string_view content);
 
 /// Removes a file, or an empty folder, if it is there. @throws InputError naming path and reason
 void remove_if_there(const std::filesystem::path& file);
+
+/// Removes files that are there. Names count from the folder; the last part of a name may hold one `*`: "frames/frame_*.vtu".
+/// @throws InputError naming path and reason
+void remove_files(const std::filesystem::path& folder, const std::vector<std::string_view>& names);
 
 /// All bytes of a file. @throws InputError if it is missing, a folder or unreadable
 std::string read_whole(const std::filesystem::path& file);

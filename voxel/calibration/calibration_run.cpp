@@ -79,19 +79,10 @@ bool is_own_manifest(const fs::path& manifest) {
 /// Takes the results of an earlier run away, so that none of them passes for one of this run where that has no such result. Only
 /// in a folder that this program wrote; the manifest goes last.
 void remove_earlier_results(const fs::path& folder) {
-  std::error_code error;
-  const fs::path manifest = folder / "manifest.json";
-  if (!is_own_manifest(manifest)) return;
-  std::vector<fs::path> stale;
-  for (const char* name : {"parameters.toml", "result.toml", "details.csv", "parameters.csv", "correlation.csv", "residuals.csv",
-                           "answers.csv", "identifiability.csv", "frequency_response.csv", "agreement.png"})
-    stale.push_back(folder / name);
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".png" && entry.path().filename().string().starts_with("curve_"))
-      stale.push_back(entry.path());
-  }
-  stale.push_back(manifest);
-  for (const fs::path& file : stale) io::remove_if_there(file);
+  if (!is_own_manifest(folder / "manifest.json")) return;
+  io::remove_files(
+      folder, {"parameters.toml", "result.toml", "details.csv", "parameters.csv", "correlation.csv", "residuals.csv",
+               "answers.csv", "identifiability.csv", "frequency_response.csv", "agreement.png", "curve_*.png", "manifest.json"});
 }
 
 void write_tables(const fs::path& folder, const CalibrationRunResult& result) {

@@ -83,15 +83,7 @@ std::string numbered(const std::string& kind, std::size_t row) { return "worst/"
 
 /// Removes the files of an earlier run, and no other.
 void remove_earlier(const fs::path& folder) {
-  for (const char* name : {"worst.pvd", "worst.png"}) io::remove_if_there(folder / name);
-  std::vector<fs::path> files;  // collected first: whether a listing goes on over files that vanish is not defined
-  std::error_code no_such_folder;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "worst", no_such_folder)) {
-    const std::string name = entry.path().filename().string();
-    const bool is_ours = name.starts_with("elements_") || name.starts_with("voxels_");
-    if (is_ours && entry.path().extension() == ".vtu") files.push_back(entry.path());
-  }
-  for (const fs::path& file : files) io::remove_if_there(file);
+  io::remove_files(folder, {"worst.pvd", "worst.png", "worst/elements_*.vtu", "worst/voxels_*.vtu"});
 }
 
 /// The surrogate as boxes, at rest and by row of the curve.
