@@ -24,6 +24,7 @@
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
+#include "tests/support/two_processes.h"
 
 namespace menger {
 namespace {
@@ -52,10 +53,7 @@ class InflateProgram : public testing::Test {
 
   /// The same with two ranks.
   [[nodiscard]] ProgramRun start_parallel(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"mpirun", "--oversubscribe", "-n", "2", MENGER_PROGRAM_DIR "/menger-inflate"});
-    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
-    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    return {folder_, "/usr/bin/env", std::move(arguments)};
+    return test_support::start_two_processes(folder_, MENGER_PROGRAM_DIR "/menger-inflate", std::move(arguments));
   }
 
   [[nodiscard]] Outcome run_parallel(std::vector<std::string> arguments) const {
@@ -213,7 +211,7 @@ TEST_F(InflateProgram, StopsOnTwoRanks) {
               "[output]\nfields = false\npictures = false\n");
   const ProgramRun program = start_parallel({"study.toml", "-o", "out"});
   const auto has_rows = [&] { return has("out/curves.csv") && curves("out").row_count() >= 3; };
-  for (int n = 0; n < 6000 && !has_rows(); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  for (int n = 0; n < 60000 && !has_rows(); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   program.send(SIGINT);
   EXPECT_NE(program.wait().code, 0);
   ASSERT_TRUE(has("out/result.toml"));

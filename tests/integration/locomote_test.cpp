@@ -17,6 +17,7 @@
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
+#include "tests/support/two_processes.h"
 
 namespace menger {
 namespace {
@@ -50,10 +51,7 @@ class LocomoteProgram : public testing::Test {
 
   /// The same on two processes.
   [[nodiscard]] ProgramRun start_parallel(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"mpirun", "--oversubscribe", "-n", "2", MENGER_PROGRAM_DIR "/menger-locomote"});
-    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
-    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    return {folder_, "/usr/bin/env", std::move(arguments)};
+    return test_support::start_two_processes(folder_, MENGER_PROGRAM_DIR "/menger-locomote", std::move(arguments));
   }
   [[nodiscard]] Outcome run_parallel(std::vector<std::string> arguments) const {
     return start_parallel(std::move(arguments)).wait();
@@ -61,7 +59,7 @@ class LocomoteProgram : public testing::Test {
 
   /// Ctrl-C once a file is there.
   [[nodiscard]] Outcome interrupted_after(const ProgramRun& program, const std::string& file) const {
-    for (int n = 0; n < 6000 && !fs::exists(folder_ / file); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (int n = 0; n < 60000 && !fs::exists(folder_ / file); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     program.send(SIGINT);
     return program.wait();
   }

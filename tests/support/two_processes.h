@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/program_run.h"
+
+namespace menger::test_support {
+
+/// Starts a program as two processes of Open MPI. Ctrl-C that mpirun is sent may take a minute to end them on a machine that has
+/// other things to do: by itself mpirun would kill them after a second.
+inline ProgramRun start_two_processes(const std::filesystem::path& folder, const std::string& program,
+                                      std::vector<std::string> arguments) {
+  setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+  setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+  setenv("OMPI_MCA_odls_base_sigkill_timeout", "60", 1);
+  arguments.insert(arguments.begin(), {"mpirun", "--oversubscribe", "-n", "2", program});
+  return {folder, "/usr/bin/env", std::move(arguments)};
+}
+
+}  // namespace menger::test_support
