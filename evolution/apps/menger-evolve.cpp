@@ -24,6 +24,7 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/study_help.h"
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "voxel/scene/scene.h"
@@ -54,6 +55,10 @@ constexpr const char* description =
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   CLI::App app(description, "menger evolve");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    PresetStudy study;
+    describe(visitor, study);
+  });
   app.add_option("study", arguments.study, "Study file")->required();
   app.add_option("-o,--output", arguments.archive, "Archive of the run, made if there is none")->capture_default_str();
   app.add_option("-t,--threads", arguments.threads, "Threads; the result does not depend on them")

@@ -2,7 +2,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -15,8 +14,8 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
 #include "io/text/content_hash.h"
-#include "io/text/manifest.h"
 
 namespace {
 
@@ -61,7 +60,7 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
 }
 
 int export_archive(Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
+  const io::RunFolder folder("menger-export", arguments.folder);
   const RunArchive archive = RunArchive::open_to_read(arguments.archive);
   const Study study = archived_study(archive);
   io::catch_interrupts();
@@ -76,11 +75,8 @@ int export_archive(Arguments& arguments) {
   const ExportResult result = export_run(archive, arguments.folder, arguments.options);
   bar.reset();
 
-  io::Manifest manifest{
-      .program = "menger-export", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
-  manifest.inputs[arguments.archive.string() + " (study)"] = io::content_hash(archive.study());
-  manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  io::write_manifest(arguments.folder, manifest);
+  folder.finish(resolved_text(study), {{arguments.archive.string() + " (study)", io::content_hash(archive.study())}},
+                study.search.seed);
   for (const std::string& note : result.notes) std::cout << "note: " << note << "\n";
   if (!result.champion) {
     std::cout << "No design has a fitness: " << (arguments.folder / "generations.csv").string() << " is all there is.\n";
@@ -89,8 +85,7 @@ int export_archive(Arguments& arguments) {
   std::cout << "Champion: individual " << result.champion->individual.id << ", " << result.champion->cells << " cells, "
             << phenotype_key(result.champion->individual.phenotype) << "\n"
             << export_text(study, result) << "Written to " << arguments.folder.string() << "\n";
-  if (result.status == io::RunStatus::stopped) return io::exit_code::interrupted;
-  return result.status == io::RunStatus::completed ? io::exit_code::done : io::exit_code::numerical;
+  return io::exit_code_of(result.status);
 }
 
 }  // namespace

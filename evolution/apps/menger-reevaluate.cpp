@@ -3,9 +3,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,20 +14,21 @@
 
 #include "evolution/reevaluation/reevaluation_run.h"
 #include "evolution/reference/reevaluation_study.h"
+#include "evolution/study/study_file.h"
 #include "io/process/child_program.h"
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
+#include "io/process/study_help.h"
 #include "io/text/content_hash.h"
-#include "io/text/manifest.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 namespace io = menger::io;
 using namespace menger::evolution;
-using Clock = std::chrono::steady_clock;
 
 struct Arguments {
   ReevaluationRequest request;
@@ -47,6 +48,10 @@ constexpr const char* description =
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   CLI::App app(description, "menger reevaluate");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    ReevaluationStudy study;
+    describe(visitor, study);
+  });
   app.footer("Exit codes: 0 done, 2 wrong input, 3 no design completed in both models, 130 interrupted.");
   app.add_option("archive", arguments.request.archive, "Archive of a search (menger evolve)")->required();
   app.add_option("--top", arguments.request.top, "Best distinct designs to judge")
@@ -69,15 +74,11 @@ int usual_jobs(const ReevaluationStudy& study) {
 }
 
 int judge(const Arguments& arguments) {
-  const auto start = Clock::now();
+  const io::RunFolder folder("menger-reevaluate", arguments.folder);
   RunArchive archive = RunArchive::open_to_read(arguments.request.archive);
   const ReevaluationStudy study = read_reevaluation_study(arguments.request, archive);
-  io::Manifest manifest{.program = "menger-reevaluate",
-                        .parameters = resolved_text(study) + "# search\n" + resolved_text(study.search),
-                        .seed = study.sample_seed,
-                        .seconds = 0.0,
-                        .inputs = study.inputs};
-  manifest.inputs[arguments.request.archive.string() + " (study)"] = io::content_hash(archive.study());
+  std::map<std::string, std::string> inputs = study.inputs;
+  inputs[arguments.request.archive.string() + " (study)"] = io::content_hash(archive.study());
   io::catch_interrupts();
   std::unique_ptr<io::Progress> bar;
   ReevaluationOptions options{.programs = arguments.programs,
@@ -92,14 +93,13 @@ int judge(const Arguments& arguments) {
   bar.reset();
   if (result.status == io::RunStatus::stopped) {
     std::cout << "Stopped; what is done is kept. The same command goes on from there." << std::endl;
-    return io::exit_code::interrupted;
+    return io::exit_code_of(result.status);
   }
-  manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  io::write_manifest(arguments.folder, manifest);
+  folder.finish(resolved_text(study) + "# search\n" + resolved_text(study.search), inputs, study.sample_seed);
   for (const std::string& note : result.notes) std::cout << "note: " << note << "\n";
   std::cout << findings_text(study, result.findings) << result.repeated
             << " runs of finite elements made in this call\nresults in " << arguments.folder.string() << std::endl;
-  return result.status == io::RunStatus::completed ? io::exit_code::done : io::exit_code::numerical;
+  return io::exit_code_of(result.status);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -16,15 +15,15 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
+#include "io/process/study_help.h"
 #include "io/text/input_error.h"
-#include "io/text/manifest.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 namespace io = menger::io;
 using namespace menger::evolution;
-using Clock = std::chrono::steady_clock;
 
 struct Arguments {
   fs::path study;
@@ -46,6 +45,11 @@ constexpr const char* description =
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   CLI::App app(description, "menger tradeoff");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    TradeStudy study;
+    study.gait = GaitChoice{};  // something to run
+    describe(visitor, study);
+  });
   app.footer(
       "Exit codes: 0 done, 2 wrong input, 3 no run is fine enough to be the reference or no search found a champion, 130 "
       "interrupted.");
@@ -83,11 +87,9 @@ void print(const TradeStudy& study, const TradeResult& result, const fs::path& f
 }
 
 int trade(Arguments& arguments) {
-  const auto start = Clock::now();
   const TradeStudy study = read(arguments);
   if (arguments.folder.empty()) arguments.folder = study.file.stem();
-  io::Manifest manifest{
-      .program = "menger-tradeoff", .parameters = resolved_text(study), .seed = {}, .seconds = 0.0, .inputs = study.inputs};
+  const io::RunFolder folder("menger-tradeoff", arguments.folder);
   io::catch_interrupts();
   std::unique_ptr<io::Progress> bar;
   double bar_total = 0.0;
@@ -102,12 +104,11 @@ int trade(Arguments& arguments) {
   bar.reset();
   if (result.status == io::RunStatus::stopped) {
     std::cout << "Stopped; finished runs are kept. The same command goes on from there." << std::endl;
-    return io::exit_code::interrupted;
+    return io::exit_code_of(result.status);
   }
-  manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  io::write_manifest(arguments.folder, manifest);
+  folder.finish(resolved_text(study), study.inputs);
   print(study, result, arguments.folder);
-  return result.status == io::RunStatus::completed ? io::exit_code::done : io::exit_code::numerical;
+  return io::exit_code_of(result.status);
 }
 
 }  // namespace

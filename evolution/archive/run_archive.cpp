@@ -322,9 +322,20 @@ std::string_view to_string(Knowledge knowledge) {
 class RunArchive::Database {
  public:
   Database(fs::path archive, std::optional<io::FileLock> held, SQLite::Database&& opened)
-      : file_(std::move(archive)), lock_(std::move(held)), connection_(std::move(opened)) {}
+      : file_(std::move(archive)),
+        lock_(std::move(held)),
+        connection_(std::move(opened)),
+        has_earlier_keys_(has_earlier_keys(connection_)) {}
 
   [[nodiscard]] const fs::path& file() const { return file_; }
+
+  /// The key under which a table has a result.
+  [[nodiscard]] EvaluationKey key_in(const std::string& table, EvaluationKey key) const {
+    if (!has_earlier_keys_) return key;
+    SQLite::Statement row(connection_, "SELECT physics_hash FROM " + table + " LIMIT 1");
+    if (row.executeStep()) key.physics_hash = row.getColumn(0).getString();
+    return key;
+  }
 
   template <class Work>
   auto read(const Work& work) {
@@ -360,6 +371,7 @@ class RunArchive::Database {
   fs::path file_;
   std::optional<io::FileLock> lock_;
   SQLite::Database connection_;
+  bool has_earlier_keys_;
 };
 
 RunArchive::RunArchive(std::unique_ptr<Database> database) : database_(std::move(database)) {}
@@ -381,13 +393,14 @@ RunArchive RunArchive::open(const fs::path& file, std::string_view study, int ge
     SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     if (!is_empty_database(connection)) {
       require_archive(file, connection);
+      require_present_keys(file, connection);
       require_same_study(file, connection.execAndGet("SELECT resolved FROM study").getString(), study);
     }
     connection.exec("PRAGMA journal_mode = WAL");
     // What is committed survives the death of the process. A power failure may take the last commits, which are then made again,
     // the same; to flush each of them would slow small bodies down by a tenth.
     connection.exec("PRAGMA synchronous = NORMAL");
-    is_empty_database(connection) ? create_schema(connection, study, generations) : upgrade(connection);
+    if (is_empty_database(connection)) create_schema(connection, study, generations);
     if (connection.execAndGet("SELECT generations FROM study").getInt() != generations) {
       SQLite::Statement update(connection, "UPDATE study SET generations = ?");
       update.bind(1, generations);
@@ -522,8 +535,9 @@ void RunArchive::add_generation(const GenerationRecord& record, std::span<const 
   });
 }
 
-std::optional<ArchivedEvaluation> RunArchive::evaluation(const EvaluationKey& key) const {
+std::optional<ArchivedEvaluation> RunArchive::evaluation(const EvaluationKey& asked) const {
   return database_->read([&](const SQLite::Database& connection) {
+    const EvaluationKey key = database_->key_in("evaluation", asked);
     std::optional<ArchivedEvaluation> found = find_evaluation(connection, "evaluation", key);
     if (found) found->result.left_out_m = find_left_out_m(connection, key);
     return found;
@@ -604,7 +618,7 @@ void RunArchive::add_judgements(std::span<const Judgement> judgements) {
 std::optional<ArchivedEvaluation> RunArchive::step_check(const EvaluationKey& key) const {
   return database_->read([&](const SQLite::Database& connection) -> std::optional<ArchivedEvaluation> {
     if (!connection.tableExists("step_check")) return std::nullopt;
-    return find_evaluation(connection, "step_check", key);
+    return find_evaluation(connection, "step_check", database_->key_in("step_check", key));
   });
 }
 

@@ -129,8 +129,9 @@ struct GenerationRecord {
 /// number may read meanwhile. Calls from several threads must not overlap.
 class RunArchive {
  public:
-  /// Version 2 had no re-evaluations; it is read as it is, and brought to this version when it is opened for writing.
-  static constexpr int schema_version = 3;
+  /// Studies of versions 2 and 3 have keys of earlier names. Such an archive is read, and re-evaluations are added to it, but no
+  /// search goes on with it. Version 2 had no re-evaluations and becomes version 3 with the first.
+  static constexpr int schema_version = 4;
 
   /// Opens the archive of a study for writing, and makes it if there is none.
   /// @param study identity_text of the study @param generations that the run is to reach; kept for readers
@@ -158,6 +159,8 @@ class RunArchive {
   [[nodiscard]] Individual individual(std::uint64_t id) const;
   [[nodiscard]] std::uint64_t next_id() const;                    ///< one more than the largest id, or 0
   [[nodiscard]] std::vector<std::string> phenotype_keys() const;  ///< of all individuals, each once
+
+  /// An archive of an earlier version finds it by design and level: all its results are of one physics, whose text was another.
   [[nodiscard]] std::optional<ArchivedEvaluation> evaluation(const EvaluationKey& key) const;
 
   [[nodiscard]] std::vector<EvaluationSteps> evaluation_steps() const;  ///< of all evaluations, by design, level and physics
@@ -181,7 +184,7 @@ class RunArchive {
   /// Adds judgements and their re-evaluations in one transaction. Precondition: there is none of their generations and places.
   void add_judgements(std::span<const Judgement> judgements);
 
-  /// A result with half the time step, beside that of the search.
+  /// A result with half the time step, beside that of the search; found as evaluation() finds its own.
   [[nodiscard]] std::optional<ArchivedEvaluation> step_check(const EvaluationKey& key) const;
 
   /// Precondition: there is no check under this key, and its status is not `stopped`.

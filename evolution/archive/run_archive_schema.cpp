@@ -93,8 +93,13 @@ CREATE TABLE reevaluation (
 ) WITHOUT ROWID;
 )sql";
 constexpr int version_without_reevaluations = 2;
+constexpr int last_version_of_earlier_keys = 3;
 
-int version_of(SQLite::Database& connection) { return connection.execAndGet("PRAGMA user_version").getInt(); }
+int version_of(const SQLite::Database& connection) {
+  SQLite::Statement row(connection, "PRAGMA user_version");
+  row.executeStep();
+  return row.getColumn(0).getInt();
+}
 
 /// What the pages cannot show: rows that contradict each other.
 void require_consistent_rows(const fs::path& file, SQLite::Database& connection) {
@@ -187,8 +192,17 @@ void upgrade(SQLite::Database& connection) {
   if (version_of(connection) != version_without_reevaluations) return;
   SQLite::Transaction transaction(connection);
   connection.exec(reevaluation_schema);
-  connection.exec("PRAGMA user_version = " + std::to_string(RunArchive::schema_version));
+  connection.exec("PRAGMA user_version = " + std::to_string(last_version_of_earlier_keys));
   transaction.commit();
+}
+
+bool has_earlier_keys(const SQLite::Database& connection) { return version_of(connection) <= last_version_of_earlier_keys; }
+
+void require_present_keys(const fs::path& file, const SQLite::Database& connection) {
+  if (!has_earlier_keys(connection)) return;
+  refuse_archive(file, "is an archive of schema version " + std::to_string(version_of(connection)) +
+                           ", from before the keys of studies had their present names: menger export and menger reevaluate read "
+                           "it, a search cannot go on with it; give the study another archive");
 }
 
 void require_archive(const fs::path& file, SQLite::Database& connection) {
@@ -196,7 +210,7 @@ void require_archive(const fs::path& file, SQLite::Database& connection) {
     refuse_archive(file, "is not an archive of menger: an SQLite database of something else");
   }
   const int version = version_of(connection);
-  if (version != RunArchive::schema_version && version != version_without_reevaluations) {
+  if (version < version_without_reevaluations || version > RunArchive::schema_version) {
     refuse_archive(file, "is an archive of schema version " + std::to_string(version) + ", this menger has version " +
                              std::to_string(RunArchive::schema_version));
   }

@@ -28,8 +28,14 @@ void add_left_out_table(SQLite::Database& connection);
 void add_judgement_table(SQLite::Database& connection);
 void add_step_check_table(SQLite::Database& connection);
 
-/// Brings an archive of an older version that require_archive takes to the present one, in one transaction.
+/// Gives an archive the tables of re-evaluations if its version had none, in one transaction.
 void upgrade(SQLite::Database& connection);
+
+/// Whether the study of an archive has keys of earlier names, so that its texts and their hashes are others than today's.
+bool has_earlier_keys(const SQLite::Database& connection);
+
+/// @throws io::InputError if has_earlier_keys
+void require_present_keys(const std::filesystem::path& file, const SQLite::Database& connection);
 
 /// @throws io::InputError if the database is no archive, is of a version that this menger does not read, or is damaged, also
 /// where rows contradict each other, which the pages cannot show

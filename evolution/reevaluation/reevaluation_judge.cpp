@@ -25,21 +25,15 @@ std::vector<JudgeVariant> judge_variants(const ReevaluationStudy& study) {
     if (options == study.elements) return;
     variants.push_back({.name = std::move(name), .is_numerical = is_numerical, .options = options});
   };
-  if (judge.elements_through_wall) {
-    LocomotionOptions options = study.elements;
-    options.elements_through_wall = *judge.elements_through_wall;
-    add(std::to_string(options.elements_through_wall) + " elements through the wall", true, options);
-  }
-  if (judge.bulk_modulus_factor) {
-    LocomotionOptions options = study.elements;
-    options.bulk_modulus_ratio *= *judge.bulk_modulus_factor;
-    add("bulk modulus ratio " + io::number_text(options.bulk_modulus_ratio), true, options);
-  }
-  if (judge.step_factor) {
-    LocomotionOptions options = study.elements;
-    options.step_safety *= *judge.step_factor;
-    add("step safety " + io::number_text(options.step_safety), true, options);
-  }
+  LocomotionOptions through = study.elements;
+  through.elements_through_wall = judge.elements_through_wall;
+  add(std::to_string(through.elements_through_wall) + " elements through the wall", true, through);
+  LocomotionOptions stiffer = study.elements;
+  stiffer.bulk_modulus_ratio *= judge.bulk_modulus_factor;
+  add("bulk modulus ratio " + io::number_text(stiffer.bulk_modulus_ratio), true, stiffer);
+  LocomotionOptions slower = study.elements;
+  slower.step_safety *= judge.step_factor;
+  add("step safety " + io::number_text(slower.step_safety), true, slower);
   for (const double modulus_Pa : judge.youngs_moduli_Pa) {
     LocomotionOptions options = study.elements;
     options.youngs_modulus_Pa = modulus_Pa;

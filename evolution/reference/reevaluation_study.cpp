@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "evolution/study/study_file.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/content_hash.h"
-#include "io/text/joined_text.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "materials/laws/law_file.h"
 #include "materials/laws/silicone_library.h"
 #include "materials/laws/silicone_record.h"
@@ -20,6 +22,9 @@ namespace fs = std::filesystem;
 constexpr const char* usual_silicone = "dragon_skin_10";
 constexpr double most_records = 1e6;
 
+/// A factor that makes nothing larger.
+io::Range part_of_one() { return {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true}; }
+
 void require_calibrated_search(const Study& search, const fs::path& archive) {
   const auto refuse = [&](const std::string& why) {
     throw io::InputError(archive.string() + ": its search cannot be judged by finite elements: " + why);
@@ -31,74 +36,156 @@ void require_calibrated_search(const Study& search, const fs::path& archive) {
   if (!search.physics.floor) refuse("it had no floor");
 }
 
-int read_level(const io::TomlTable& table, const Study& search) {
-  const std::vector<int>& levels = search.search.levels();
-  if (!table.has("level") && levels.size() > 1)
-    throw io::InputError(table.file().string() + ": level is missing: the search judged its designs at several");
-  const int level = table.integer_or("level", levels.front(), io::within(1, 3));
-  if (!std::ranges::binary_search(levels, level)) throw table.error("level", "the search judged no design at this level");
-  return level;
+/// A value that is the search's where a file does not give it. @param describe names the key
+template <class Value, class Describe>
+void describe_own(bool has_search, Value& value, const Describe& describe) {
+  std::optional<Value> given;
+  if (has_search) given = value;
+  describe(given);
+  if (given) value = *given;
 }
 
-/// Factor 1 means: no such variant.
-std::optional<double> read_factor(const io::TomlTable& table, std::string_view key, std::optional<double> fallback,
-                                  const io::Range& range) {
-  const double factor = table.number_or(key, fallback.value_or(1.0), range);
-  return factor == 1.0 ? std::nullopt : std::optional(factor);
+void describe_level(io::StudyVisitor& visitor, bool has_search, ReevaluationStudy& study) {
+  std::optional<int> level;
+  if (has_search && study.level > 0) level = study.level;
+  visitor.optional_integer({"level", "Level of the bodies that are judged; the search's, if it has only one.", "1"}, level,
+                           io::within(1, 3));
+  if (level) study.level = *level;
+  const io::TomlTable* table = visitor.source();
+  if (table == nullptr) return;
+  if (!level) throw table->missing("level", "the search judged its designs at several");
+  visitor.check(std::ranges::binary_search(study.search.search.levels(), *level), "level",
+                "the search judged no design at this level");
 }
 
-LocomotionOptions read_elements(const io::TomlTable& table) {
-  LocomotionOptions options;
-  options.elements_through_wall = table.integer_or("elements_through_wall", options.elements_through_wall, io::within(1, 16));
-  options.bulk_modulus_ratio = table.number_or("bulk_modulus_ratio", options.bulk_modulus_ratio, io::within(1.0, 1e6));
-  options.step_safety =
-      table.number_or("step_safety", options.step_safety, {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
-  options.youngs_modulus_Pa = table.optional_number("youngs_modulus_Pa", io::positive());
-  options.damping_model = table.word_or<std::string>("damping_model", options.damping_model,
-                                                     {{"maxwell", "maxwell"}, {"kelvin_voigt", "kelvin_voigt"}});
-  options.threads = table.integer_or("threads", options.threads, io::within(1, 1024));
-  return options;
+bool is_usual(const fs::path& silicone) { return silicone.empty() || silicone.stem() == usual_silicone; }
+
+void describe_silicone(io::StudyVisitor& visitor, fs::path& file) {
+  std::string silicone = file.empty() ? usual_silicone : file.string();
+  visitor.text({"silicone", "The silicone: one of menger, or the file of one."}, silicone);
+  if (const io::TomlTable* table = visitor.source()) file = materials::silicone_file(*table, "silicone", usual_silicone);
 }
 
-JudgeOptions read_judge(const io::TomlTable& table, const LocomotionOptions& own, const fs::path& silicone) {
-  JudgeOptions options;
-  options.designs = table.integer_or<std::size_t>("designs", options.designs, io::at_least(1));
-  const int through = table.integer_or("elements_through_wall", options.elements_through_wall.value(), io::within(1, 16));
-  options.elements_through_wall = through == own.elements_through_wall ? std::nullopt : std::optional(through);
-  options.bulk_modulus_factor = read_factor(table, "bulk_modulus_factor", options.bulk_modulus_factor, io::positive());
-  options.step_factor =
-      read_factor(table, "step_factor", options.step_factor, {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
-  // What is stated of one silicone says nothing of another.
-  if (table.has("youngs_moduli_Pa") || silicone.stem() != usual_silicone)
-    options.youngs_moduli_Pa = table.numbers("youngs_moduli_Pa", io::positive());
-  std::vector<double> sorted = options.youngs_moduli_Pa;
-  std::ranges::sort(sorted);
-  if (std::ranges::adjacent_find(sorted) != sorted.end()) throw table.error("youngs_moduli_Pa", "must be different");
-  return options;
+bool is_multiple(double value, double of) {
+  constexpr double rounding = 1e-9;
+  const double count = value / of;
+  return std::abs(count - std::round(count)) <= rounding * count;
+}
+
+/// What is said against a time that may be the search's.
+io::InputError fault(const io::TomlTable& table, std::string_view key, double value, const std::string& reason) {
+  if (table.has(key)) return table.error(key, reason);
+  return io::InputError(table.file().string() + ": time." + std::string(key) + " = " + io::number_text(value) +
+                        " of the search: " + reason);
+}
+
+/// The usual interval is made a part of the time that is left out: finite elements tell where they were at records only.
+double usual_record_interval_s(const ReevaluationStudy& study) {
+  double interval_s = ReevaluationStudy{}.record_interval_s;
+  if (study.measure_from_s > 0.0) interval_s = study.measure_from_s / std::ceil(study.measure_from_s / interval_s);
+  return std::min(interval_s, study.duration_s);
+}
+
+double usual_frame_interval_s(const ReevaluationStudy& study) {
+  const double records = ReevaluationStudy{}.frame_interval_s / study.record_interval_s;
+  return study.record_interval_s * std::max(1.0, std::round(records));
+}
+
+/// An interval that has a value in a whole study, and in a file none but its own.
+template <class Usual>
+void describe_interval(io::StudyVisitor& visitor, const io::Key& key, bool has_search, double& interval_s, const io::Range& range,
+                       const Usual& usual) {
+  const bool is_read = visitor.source() != nullptr;
+  std::optional<double> given;
+  if (has_search && !is_read) given = interval_s;
+  visitor.optional_number(key, given, range);
+  if (given)
+    interval_s = *given;
+  else if (is_read)
+    interval_s = usual();
+}
+
+void describe_times(io::StudyVisitor& visitor, bool has_search, ReevaluationStudy& study) {
+  describe_own(has_search, study.duration_s, [&](std::optional<double>& given) {
+    visitor.optional_number(
+        {"duration_s", "How long bodies move, in both models; the search's, if left out.", "2", "/duration_s"}, given,
+        io::positive());
+  });
+  describe_own(has_search, study.measure_from_s, [&](std::optional<double>& given) {
+    visitor.optional_number(
+        {"measure_from_s", "Displacement counts from then on; the search's, if left out.", "0.5", "/measure_from_s"}, given,
+        io::non_negative());
+  });
+  const io::TomlTable* table = visitor.source();
+  if (table != nullptr && study.measure_from_s >= study.duration_s)
+    throw fault(*table, "measure_from_s", study.measure_from_s,
+                "must be less than duration_s = " + io::number_text(study.duration_s));
+  describe_interval(
+      visitor,
+      {"record_interval_s", "Time between records, of which measure_from_s is a multiple; about 0.02 s, if left out.", "0.02",
+       "/record_interval_s"},
+      has_search, study.record_interval_s,
+      has_search ? io::within(study.duration_s / most_records, study.duration_s) : io::positive(),
+      [&] { return usual_record_interval_s(study); });
+  describe_interval(visitor,
+                    {"frame_interval_s", "Time between frames, a multiple of record_interval_s; about 0.1 s, if left out.", "0.1",
+                     "/frame_interval_s"},
+                    has_search, study.frame_interval_s, has_search ? io::at_least(study.record_interval_s) : io::positive(),
+                    [&] { return usual_frame_interval_s(study); });
+  const std::string multiple = "must be a multiple of record_interval_s = " + io::number_text(study.record_interval_s);
+  visitor.check(is_multiple(study.frame_interval_s, study.record_interval_s), "frame_interval_s", multiple);
+  if (table != nullptr && !is_multiple(study.measure_from_s, study.record_interval_s))
+    throw fault(*table, "measure_from_s", study.measure_from_s, multiple);
+}
+
+void describe_elements(io::StudyVisitor& visitor, LocomotionOptions& options) {
+  visitor.integer({"elements_through_wall", "Elements through a wall."}, options.elements_through_wall, io::within(1, 16));
+  visitor.number({"bulk_modulus_ratio", "Bulk modulus by shear modulus at rest."}, options.bulk_modulus_ratio,
+                 io::within(1.0, 1e6));
+  visitor.number({"step_safety", "Part of the stable time step that is taken."}, options.step_safety, part_of_one());
+  visitor.optional_number({"youngs_modulus_Pa", "Young's modulus at rest; the record's, if left out.", "150000"},
+                          options.youngs_modulus_Pa, io::positive());
+  visitor.word({"damping_model", "How the silicone damps."}, options.damping_model,
+               io::Words<std::string>{{"maxwell", "maxwell"}, {"kelvin_voigt", "kelvin_voigt"}});
+  visitor.integer({"threads", "Threads of one run; results do not depend on them."}, options.threads, io::within(1, 1024));
 }
 
 /// One ground for the whole body and both models.
-void read_ground(const std::optional<io::TomlTable>& table, const fs::path& file, Study& search) {
-  auto& materials = search.physics.materials;
-  for (auto& material : materials) {
-    if (!table) break;
-    material.static_friction = table->number_or("static_friction", material.static_friction, io::non_negative());
-    material.kinetic_friction = table->number_or("kinetic_friction", material.kinetic_friction, io::non_negative());
-  }
-  if (materials[0].static_friction != materials[1].static_friction ||
-      materials[0].kinetic_friction != materials[1].kinetic_friction) {
-    throw io::InputError(file.string() +
-                         ": the materials of the search differ in friction, a cast body is of one silicone: "
-                         "ground.static_friction and ground.kinetic_friction are needed");
-  }
-  if (materials[0].kinetic_friction > materials[0].static_friction) {
-    throw io::InputError(file.string() + ": ground.kinetic_friction = " + io::number_text(materials[0].kinetic_friction) +
-                         ": must be at most static_friction = " + io::number_text(materials[0].static_friction));
-  }
+void describe_ground(io::StudyVisitor& visitor, bool has_search, Study& search) {
+  auto& [first, second] = search.physics.materials;
+  const auto describe_friction = [&](const io::Key& key, double& own, double& other) {
+    if (const io::TomlTable* table = visitor.source(); table != nullptr && own != other && !table->has(key.name))
+      throw table->missing(key.name, "the materials of the search differ in it, a cast body is of one silicone");
+    describe_own(has_search, own, [&](std::optional<double>& given) { visitor.optional_number(key, given, io::non_negative()); });
+    other = own;
+  };
+  describe_friction({"static_friction", "Static coefficient, of both models; the search's, if left out.", "1"},
+                    first.static_friction, second.static_friction);
+  describe_friction({"kinetic_friction", "Kinetic coefficient, of both models; the search's, if left out.", "0.5"},
+                    first.kinetic_friction, second.kinetic_friction);
+  const io::TomlTable* table = visitor.source();
+  if (table == nullptr || first.kinetic_friction <= first.static_friction) return;
+  throw io::InputError(table->file().string() + ": ground.kinetic_friction = " + io::number_text(first.kinetic_friction) +
+                       ": must be at most static_friction = " + io::number_text(first.static_friction));
 }
 
-void read_silicone_of(const io::TomlTable& table, ReevaluationStudy& study) {
-  study.silicone_file = materials::silicone_file(table, "silicone", usual_silicone);
+void describe_judge(io::StudyVisitor& visitor, const fs::path& silicone, JudgeOptions& options) {
+  visitor.integer({"designs", "The best designs that are judged again."}, options.designs, io::at_least(1));
+  visitor.integer({"elements_through_wall", "Elements through a wall in place of the judge's."}, options.elements_through_wall,
+                  io::within(1, 16));
+  visitor.number({"bulk_modulus_factor", "On the judge's bulk modulus; 1: no such variant."}, options.bulk_modulus_factor,
+                 io::positive());
+  visitor.number({"step_factor", "On the judge's time step; 1: no such variant."}, options.step_factor, part_of_one());
+  // what is stated of one silicone says nothing of another
+  visitor.numbers({"youngs_moduli_Pa", "Young's moduli that are stated of the silicone, each a variant.",
+                   is_usual(silicone) ? "" : "[107000, 264000]"},
+                  options.youngs_moduli_Pa, io::positive());
+  std::vector<double> sorted = options.youngs_moduli_Pa;
+  std::ranges::sort(sorted);
+  visitor.check(std::ranges::adjacent_find(sorted) == sorted.end(), "youngs_moduli_Pa", "must be different");
+}
+
+void require_calibrated_silicone(ReevaluationStudy& study) {
   const materials::SiliconeRecord record = materials::read_silicone(study.silicone_file);
   const voxel::SurrogateParameters& calibrated = study.search.physics.surrogate->parameters;
   const auto refuse = [&](const std::string& what, const std::string& here, const std::string& wanted) {
@@ -111,34 +198,23 @@ void read_silicone_of(const io::TomlTable& table, ReevaluationStudy& study) {
   study.inputs[study.silicone_file.string()] = io::file_hash(study.silicone_file);
 }
 
-bool is_multiple(double value, double of) {
-  constexpr double rounding = 1e-9;
-  const double count = value / of;
-  return std::abs(count - std::round(count)) <= rounding * count;
-}
-
-void read_times(const io::TomlTable& table, ReevaluationStudy& study) {
-  study.duration_s = table.number_or("duration_s", study.search.duration_s, io::positive());
-  study.measure_from_s = table.number_or("measure_from_s", study.search.measure_from_s, io::non_negative());
-  if (study.measure_from_s >= study.duration_s) {
-    throw io::InputError(table.file().string() + ": measure_from_s = " + io::number_text(study.measure_from_s) +
-                         ": must be less than duration_s = " + io::number_text(study.duration_s));
-  }
-  // The usual interval becomes a part of the time that is left out: finite elements tell where they were at records only.
-  if (study.measure_from_s > 0.0)
-    study.record_interval_s = study.measure_from_s / std::ceil(study.measure_from_s / study.record_interval_s);
-  const io::Range interval{.lowest = study.duration_s / most_records, .highest = study.duration_s};
-  study.record_interval_s = table.number_or("record_interval_s", std::min(study.record_interval_s, study.duration_s), interval);
-  const double usual_s = study.record_interval_s * std::max(1.0, std::round(study.frame_interval_s / study.record_interval_s));
-  study.frame_interval_s = table.number_or("frame_interval_s", usual_s, io::at_least(study.record_interval_s));
-  const std::string multiple = "must be a multiple of record_interval_s = " + io::number_text(study.record_interval_s);
-  if (!is_multiple(study.frame_interval_s, study.record_interval_s)) throw table.error("frame_interval_s", multiple);
-  if (!is_multiple(study.measure_from_s, study.record_interval_s)) {
-    throw io::InputError(table.file().string() + ": measure_from_s = " + io::number_text(study.measure_from_s) + ": " + multiple);
-  }
-}
-
 }  // namespace
+
+void describe(io::StudyVisitor& visitor, ReevaluationStudy& study) {
+  // without a search there is nothing to take values from: people are told what may be left out
+  const bool has_search = study.search.physics.surrogate.has_value();
+  describe_level(visitor, has_search, study);
+  describe_silicone(visitor, study.silicone_file);
+  visitor.integer({"sample_seed", "Decides which designs are sampled."}, study.sample_seed, io::at_least(0));
+  visitor.number({"least_body_lengths", "A design that moves less, in either model, has no direction."}, study.least_body_lengths,
+                 io::non_negative());
+  visitor.number({"time_limit_s", "Wall time of a run of finite elements, over all calls."}, study.time_limit_s, io::positive());
+  visitor.table({"time", "What is simulated and recorded."}, [&] { describe_times(visitor, has_search, study); });
+  visitor.table({"elements", "Finite elements that judge."}, [&] { describe_elements(visitor, study.elements); });
+  visitor.table({"ground", "What bodies stand on."}, [&] { describe_ground(visitor, has_search, study.search); });
+  visitor.optional_table({"judge", "How well the judge is known: the best designs again, with one thing different each time."},
+                         study.judge, [&](JudgeOptions& judge) { describe_judge(visitor, study.silicone_file, judge); });
+}
 
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const RunArchive& archive) {
   return read_reevaluation_study(request, archived_study(archive));
@@ -159,45 +235,18 @@ ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, co
   const bool is_given = !request.file.empty();
   const io::TomlTable table = is_given ? io::read_toml(request.file) : io::parse_toml("", "the study");
   if (is_given) study.inputs[request.file.string()] = io::file_hash(request.file);
-  study.level = read_level(table, study.search);
+  const std::vector<int>& levels = study.search.search.levels();
+  study.level = levels.size() == 1 ? levels.front() : 0;
+  study.duration_s = study.search.duration_s;
+  study.measure_from_s = study.search.measure_from_s;
+  io::read_described(table, study);
   study.search.physics.surrogate->level = study.level;
-  study.sample_seed = table.integer_or<std::uint64_t>("sample_seed", study.sample_seed, io::at_least(0));
-  study.least_body_lengths = table.number_or("least_body_lengths", study.least_body_lengths, io::non_negative());
-  study.time_limit_s = table.number_or("time_limit_s", study.time_limit_s, io::positive());
-  read_times(table, study);
-  read_silicone_of(table, study);
-  if (const auto elements = table.optional_table("elements")) study.elements = read_elements(*elements);
-  if (const auto judge = table.optional_table("judge")) study.judge = read_judge(*judge, study.elements, study.silicone_file);
-  read_ground(table.optional_table("ground"), table.file(), study.search);
-  table.finish();
+  require_calibrated_silicone(study);
   return study;
 }
 
 std::string resolved_text(const ReevaluationStudy& study) {
-  const auto line = [](std::string key, const std::string& value) { return std::move(key) + " = " + value + "\n"; };
-  const auto number = [&](std::string key, double value) { return line(std::move(key), io::number_text(value)); };
-  const LocomotionOptions& own = study.elements;
-  std::string text = line("top", std::to_string(study.top)) + line("sample", std::to_string(study.sample)) +
-                     line("sample_seed", std::to_string(study.sample_seed)) + line("level", std::to_string(study.level)) +
-                     number("duration_s", study.duration_s) + number("measure_from_s", study.measure_from_s) +
-                     number("record_interval_s", study.record_interval_s) + number("frame_interval_s", study.frame_interval_s) +
-                     number("least_body_lengths", study.least_body_lengths) + number("time_limit_s", study.time_limit_s) +
-                     line("silicone", io::toml_quoted(study.silicone_file.string()));
-  text += "[elements]\n" + line("elements_through_wall", std::to_string(own.elements_through_wall)) +
-          number("bulk_modulus_ratio", own.bulk_modulus_ratio) + number("step_safety", own.step_safety) +
-          line("damping_model", io::toml_quoted(own.damping_model)) + line("threads", std::to_string(own.threads));
-  if (own.youngs_modulus_Pa) text += number("youngs_modulus_Pa", *own.youngs_modulus_Pa);
-  const voxel::VoxelMaterial& ground = study.search.physics.materials[0];
-  text += "[ground]\n" + number("static_friction", ground.static_friction) + number("kinetic_friction", ground.kinetic_friction);
-  if (!study.judge) return text;
-  const JudgeOptions& judge = *study.judge;
-  text += "[judge]\n" + line("designs", std::to_string(judge.designs)) +
-          line("elements_through_wall", std::to_string(judge.elements_through_wall.value_or(own.elements_through_wall))) +
-          number("bulk_modulus_factor", judge.bulk_modulus_factor.value_or(1.0)) +
-          number("step_factor", judge.step_factor.value_or(1.0));
-  std::string moduli;
-  for (const double modulus : judge.youngs_moduli_Pa) moduli += (moduli.empty() ? "" : ", ") + io::number_text(modulus);
-  return text + line("youngs_moduli_Pa", "[" + moduli + "]");
+  return io::TomlText().add("top", study.top).add("sample", study.sample).lines(io::described_text(study)).text();
 }
 
 }  // namespace menger::evolution

@@ -10,6 +10,7 @@
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/study/study.h"
+#include "io/study/study_visitor.h"
 
 namespace menger::evolution {
 
@@ -27,12 +28,13 @@ struct LocomotionOptions {
   bool operator==(const LocomotionOptions&) const = default;
 };
 
-/// How well the judge is known: the best designs are judged again, each time with one thing different.
+/// How well the judge is known: the best designs are judged again, each time with one thing different. What is no different from
+/// the judge itself is left out.
 struct JudgeOptions {
   std::size_t designs = 3;                                    ///< the best ones
-  std::optional<int> elements_through_wall = 2;               ///< instead of the judge's own
-  std::optional<double> bulk_modulus_factor = 2.0;            ///< on the judge's own ratio
-  std::optional<double> step_factor = 0.5;                    ///< on the judge's own step
+  int elements_through_wall = 2;                              ///< instead of the judge's own
+  double bulk_modulus_factor = 2.0;                           ///< on the judge's own ratio
+  double step_factor = 0.5;                                   ///< on the judge's own step
   std::vector<double> youngs_moduli_Pa = {107'000, 264'000};  ///< what is stated of the silicone, lowest and highest
 };
 
@@ -68,16 +70,11 @@ struct ReevaluationRequest {
   std::size_t sample = 0;
 };
 
-/// Reads a study of re-evaluation:
-///
-/// - level (the only one of the search if not given), duration_s and measure_from_s (the search's), record_interval_s,
-///   frame_interval_s, silicone (a record of menger by its name, or a file), sample_seed, least_body_lengths, time_limit_s
-/// - `[elements]` elements_through_wall, bulk_modulus_ratio, step_safety, youngs_modulus_Pa, damping_model ("maxwell",
-///   "kelvin_voigt"), threads
-/// - `[ground]` static_friction, kinetic_friction: of both models, instead of the search's
-/// - `[judge]` designs, elements_through_wall, bulk_modulus_factor, step_factor, youngs_moduli_Pa; a factor of 1, the same number
-///   of elements and an empty list leave a variant out; youngs_moduli_Pa must be given for any silicone but the usual one
-///
+/// The keys of a study of re-evaluation, for people: `menger reevaluate --keys`. What a file does not give of level, times and
+/// ground is the search's, which a reader finds in the study.
+void describe(io::StudyVisitor& visitor, ReevaluationStudy& study);
+
+/// Reads a study of re-evaluation.
 /// @throws io::InputError with file, key and value; also if the search was not on a calibrated surrogate that is driven by
 /// pressure, has no such level, has two materials of different friction, or calibrated another silicone than the study names
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const RunArchive& archive);

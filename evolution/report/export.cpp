@@ -19,7 +19,7 @@
 #include "meshes/design/design_file.h"
 #include "meshes/load_cases/observables.h"
 #include "voxel/picture/preview.h"
-#include "voxel/scene/scene.h"
+#include "voxel/scene/scene_file.h"
 
 namespace menger::evolution {
 

@@ -4,72 +4,13 @@
 #include <limits>
 
 #include "io/text/number_text.h"
-#include "io/text/toml_document.h"
 #include "meshes/design/reference_shapes.h"
 #include "voxel/model/covered_pressures.h"
-#include "voxel/scene/physics_file.h"
 #include "voxel/scene/scene.h"
 
 namespace menger::evolution {
 
 namespace {
-
-void add_line(std::string& text, std::string_view key, std::string_view value) {
-  text.append(key).append(" = ").append(value).append("\n");
-}
-void add_number(std::string& text, std::string_view key, double value) { add_line(text, key, io::number_text(value)); }
-void add_count(std::string& text, std::string_view key, std::uint64_t value) { add_line(text, key, std::to_string(value)); }
-void add_word(std::string& text, std::string_view key, std::string_view word) { add_line(text, key, io::toml_quoted(word)); }
-
-std::string levels_text(const std::vector<int>& levels) {
-  std::string text = "[";
-  for (const int level : levels) text.append(text.size() > 1 ? ", " : "").append(std::to_string(level));
-  return text + "]";
-}
-
-void add_genome(std::string& text, const OffspringOptions& options) {
-  text += "[genome]\n";
-  add_word(text, "encoding", to_string(options.decoder.plan));
-  add_word(text, "activations", to_string(options.variation.activations));
-  add_word(text, "output_function", to_string(options.variation.output_function));
-  add_word(text, "expression", to_string(options.decoder.expression.expression));
-  add_word(text, "axes", to_string(options.decoder.expression.axes));
-  add_count(text, "largest_tries", options.largest_tries);
-}
-
-void add_body(std::string& text, const SearchPlan& plan) {
-  const ConstraintOptions& constraints = plan.offspring.constraints;
-  text += "[body]\n";
-  add_number(text, "cell_edge_m", plan.cell_edge_m);
-  add_line(text, "levels", levels_text(plan.levels()));
-  add_count(text, "smallest_body_cells", constraints.smallest_body);
-  add_count(text, "smallest_arranged_body_cells", constraints.smallest_arranged_body);
-  add_word(text, "disconnected", to_string(constraints.disconnected));
-  if (constraints.castable) add_line(text, "castable", "true");
-}
-
-void add_judging(std::string& text, const JudgingPlan& judging) {
-  text += "[judge]\n";
-  add_word(text, "protocol", judging.protocol);
-  add_line(text, "every", std::to_string(judging.every));
-  add_count(text, "designs", judging.designs);
-  add_number(text, "budget_element_steps", judging.budget_element_steps);
-  add_number(text, "voxel_steps_per_element_step", judging.voxel_steps_per_element_step);
-}
-
-void add_step_checks(std::string& text, const StepCheckPlan& checks) {
-  text += "[check_dt]\n";
-  add_line(text, "every", std::to_string(checks.every));
-  add_count(text, "designs", checks.designs);
-}
-
-/// The physics with poissons_ratio in its table [materials], which TOML may open only once.
-std::string physics_text_with_poissons_ratio(const voxel::Physics& physics) {
-  constexpr std::string_view header = "[materials]\n";
-  std::string text = voxel::physics_text(physics);
-  if (text.starts_with(header)) text.erase(0, header.size());
-  return std::string(header) + "poissons_ratio = 0\n" + text;
-}
 
 constexpr int longest_side = 3;  ///< cells of a basal body; a genome may grow any body of so many
 
@@ -110,32 +51,6 @@ std::vector<std::string> drive_beyond_every_wall(const voxel::CalibratedBody& bo
 }
 
 }  // namespace
-
-std::string identity_text(const Study& study) {
-  const SearchPlan& plan = study.search;
-  std::string text;
-  add_count(text, "seed", plan.seed);
-  text += "[population]\n";
-  add_line(text, "survivors", std::to_string(plan.survivors));
-  add_line(text, "mutants", std::to_string(plan.mutants));
-  add_line(text, "newcomers", std::to_string(plan.newcomers));
-  add_genome(text, plan.offspring);
-  add_body(text, plan);
-  text += "[evaluation]\n";
-  add_number(text, "duration_s", study.duration_s);
-  if (study.measure_from_s > 0.0) add_number(text, "measure_from_s", study.measure_from_s);
-  if (plan.stand) add_line(text, "stand", "true");
-  add_word(text, "objective", to_string(plan.objective));
-  add_word(text, "duplicates", to_string(plan.duplicates));
-  add_line(text, "pruning", plan.pruning ? "true" : "false");
-  if (plan.judging) add_judging(text, *plan.judging);
-  if (plan.step_checks) add_step_checks(text, *plan.step_checks);
-  return text + physics_text_with_poissons_ratio(study.physics);
-}
-
-std::string resolved_text(const Study& study) {
-  return "generations = " + std::to_string(study.search.generations) + "\n" + identity_text(study);
-}
 
 Distinction distinction_of(const Study& study) {
   const voxel::ActuationMode mode = study.physics.actuation.mode;

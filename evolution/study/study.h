@@ -25,13 +25,6 @@ struct Study {
   bool operator==(const Study&) const = default;
 };
 
-/// The study as TOML with every value spelled out, always in the same order and exact: equal text means equal studies, and
-/// reading it gives the study back, but for judge_file. Precondition: search.judging names its protocol, if there is one.
-std::string resolved_text(const Study& study);
-
-/// The same without the number of generations: what two runs must share so that one can continue the other.
-std::string identity_text(const Study& study);
-
 /// What makes two robots of a study different: a drive that is the same for all cells does not tell materials apart, and only a
 /// wave asks where a body stands.
 Distinction distinction_of(const Study& study);

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "voxel/engine/scale_check.h"
 #include "voxel/scene/calibrated_body_file.h"
 #include "voxel/scene/physics_file.h"
@@ -27,121 +31,121 @@ auto words_of(Values... values) {
 constexpr double largest_population = 1e6;
 constexpr double basal_cell_count = 27;
 
-void read_population(const io::TomlTable& table, SearchPlan& plan) {
-  plan.survivors = table.integer_or("survivors", plan.survivors, io::within(1, largest_population));
-  plan.mutants = table.integer_or("mutants", plan.mutants, io::within(0, largest_population));
-  plan.newcomers = table.integer_or("newcomers", plan.newcomers, io::within(0, largest_population));
+void describe_population(io::StudyVisitor& visitor, SearchPlan& plan) {
+  visitor.integer({"survivors", "Individuals that go on to the next generation, and those of the first."}, plan.survivors,
+                  io::within(1, largest_population));
+  visitor.integer({"mutants", "Children of the survivors in each generation."}, plan.mutants, io::within(0, largest_population));
+  visitor.integer({"newcomers", "Random individuals in each generation."}, plan.newcomers, io::within(0, largest_population));
 }
 
-void read_genome(const io::TomlTable& table, OffspringOptions& options) {
-  options.decoder.plan = table.word_or("encoding", options.decoder.plan,
-                                       words_of(BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator));
+void describe_genome(io::StudyVisitor& visitor, OffspringOptions& options) {
   VariationOptions& variation = options.variation;
-  variation.activations =
-      table.word_or("activations", variation.activations, words_of(ActivationSet::paper, ActivationSet::released_code));
-  variation.output_function =
-      table.word_or("output_function", variation.output_function, words_of(OutputFunction::kept, OutputFunction::mutable_));
   ExpressionOptions& expression = options.decoder.expression;
-  expression.expression = table.word_or("expression", expression.expression,
-                                        words_of(Expression::every_consumer_activated, Expression::first_consumer_activated));
-  expression.axes = table.word_or("axes", expression.axes, words_of(AxisMap::xyz, AxisMap::zyx));
-  options.largest_tries = table.integer_or("largest_tries", options.largest_tries, io::at_least(1));
+  visitor.word({"encoding", "What a genome becomes: a body that repeats itself at every level, or one with other arrangements."},
+               options.decoder.plan, words_of(BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator));
+  visitor.word({"activations", "Activation functions that nodes may have."}, variation.activations,
+               words_of(ActivationSet::paper, ActivationSet::released_code));
+  visitor.word({"output_function", "Whether the functions of outputs may be mutated."}, variation.output_function,
+               words_of(OutputFunction::kept, OutputFunction::mutable_));
+  visitor.word({"expression", "Whether all consumers of a node get its activated value, or the first alone."},
+               expression.expression, words_of(Expression::every_consumer_activated, Expression::first_consumer_activated));
+  visitor.word({"axes", "Which axes of the body the inputs x, y and z are."}, expression.axes,
+               words_of(AxisMap::xyz, AxisMap::zyx));
+  visitor.integer({"largest_tries", "Mutations that are tried until a body is valid."}, options.largest_tries, io::at_least(1));
 }
 
-std::vector<int> read_levels(const io::TomlTable& table) {
-  std::vector<int> levels;
-  for (const double level : table.numbers("levels", io::within(1, 100))) {
-    if (level != static_cast<int>(level)) throw table.error("levels", "must hold integers");
-    levels.push_back(static_cast<int>(level));
-  }
-  if (levels.empty()) throw table.error("levels", "must hold at least one level");
-  const bool ascending = std::ranges::adjacent_find(levels, std::ranges::greater_equal{}) == levels.end();
-  if (!ascending) throw table.error("levels", "must ascend");
-  return levels;
-}
-
-void read_body(const io::TomlTable& table, SearchPlan& plan) {
+void describe_body(io::StudyVisitor& visitor, SearchPlan& plan) {
   ConstraintOptions& constraints = plan.offspring.constraints;
-  plan.cell_edge_m = table.number_or("cell_edge_m", plan.cell_edge_m, io::positive());
-  if (table.has("levels")) constraints.levels = read_levels(table);
-  constraints.smallest_body = table.integer_or("smallest_body_cells", constraints.smallest_body, io::within(1, basal_cell_count));
-  constraints.smallest_arranged_body =
-      table.integer_or("smallest_arranged_body_cells", constraints.smallest_arranged_body, io::within(1, 19683));
-  constraints.disconnected =
-      table.word_or("disconnected", constraints.disconnected,
-                    words_of(DisconnectedPolicy::reject, DisconnectedPolicy::penalise, DisconnectedPolicy::allow));
-  constraints.castable = table.boolean_or("castable", constraints.castable);
+  visitor.number({"cell_edge_m", "Edge of a cell."}, plan.cell_edge_m, io::positive());
+  visitor.integers({"levels", "Levels at which each body is evaluated, ascending: 1, 2, 3 are 3, 9, 27 cells per side."},
+                   constraints.levels, io::within(1, 100), {.fewest = 1});
+  const bool is_ascending =
+      std::ranges::adjacent_find(constraints.levels, std::ranges::greater_equal{}) == constraints.levels.end();
+  visitor.check(is_ascending, "levels", "must ascend");
+  visitor.integer({"smallest_body_cells", "Fewest cells of a body."}, constraints.smallest_body, io::within(1, basal_cell_count));
+  visitor.integer({"smallest_arranged_body_cells", "Fewest cells of a nonfractal body at its second level."},
+                  constraints.smallest_arranged_body, io::within(1, 19683));
+  visitor.word({"disconnected", "What becomes of bodies in pieces."}, constraints.disconnected,
+               words_of(DisconnectedPolicy::reject, DisconnectedPolicy::penalise, DisconnectedPolicy::allow));
+  visitor.boolean({"castable", "Whether bodies must hold together by faces, so that they can be cast."}, constraints.castable);
 }
 
-void read_evaluation(const io::TomlTable& table, Study& study) {
+void describe_time(io::StudyVisitor& visitor, Study& study) {
+  visitor.number({"duration_s", "Simulated time of an evaluation.", "", "/evaluation.duration_s"}, study.duration_s,
+                 io::positive());
+  visitor.number({"measure_from_s", "Displacement counts from then on.", "", "/evaluation.measure_from_s"}, study.measure_from_s,
+                 io::non_negative());
+}
+
+void describe_evaluation(io::StudyVisitor& visitor, SearchPlan& plan) {
+  visitor.boolean({"stand", "Whether bodies stand on the ground from the start."}, plan.stand);
+  visitor.word({"objective", "What displacement is worth."}, plan.objective,
+               words_of(Objective::body_lengths, Objective::squared_metres_per_scale));
+  visitor.word({"duplicates", "What becomes of a body that was there before."}, plan.duplicates,
+               words_of(DuplicatePolicy::archived_result, DuplicatePolicy::culled));
+  visitor.boolean({"pruning", "Whether evaluations that cannot change who survives are left out."}, plan.pruning);
+}
+
+void describe_judging(io::StudyVisitor& visitor, Study& study, JudgingPlan& judging) {
+  const auto describe_study = [&] {
+    visitor.path({"study", "A study of menger reevaluate: how finite elements judge.", "\"judge.toml\""}, study.judge_file);
+  };
+  const auto describe_protocol = [&] {
+    visitor.text({"protocol", "Hash of what decides the judge; archives have it in place of its study.", "\"0\""},
+                 judging.protocol);
+  };
+  visitor.one_of({{"study", judging.protocol.empty(), [&] { judging.protocol.clear(); }, describe_study},
+                  {.key = "protocol",
+                   .is_chosen = !judging.protocol.empty(),
+                   .choose = [&] { study.judge_file.clear(); },
+                   .describe = describe_protocol,
+                   .is_for_programs = true}});
+  visitor.integer({"every", "Generations from one judging to the next."}, judging.every, io::at_least(1));
+  visitor.integer({"designs", "Survivors that are judged each time."}, judging.designs, io::within(1, largest_population));
+  visitor.number({"budget_element_steps", "Element-steps that judging may take over the whole search.", "1e9"},
+                 judging.budget_element_steps, io::non_negative());
+  visitor.number({"voxel_steps_per_element_step", "What an element-step costs in steps by voxels."},
+                 judging.voxel_steps_per_element_step, io::positive());
+}
+
+void describe_step_checks(io::StudyVisitor& visitor, StepCheckPlan& checks) {
+  visitor.integer({"every", "Generations from one check to the next."}, checks.every, io::at_least(1));
+  visitor.integer({"designs", "Best survivors that are checked each time."}, checks.designs, io::within(1, largest_population));
+}
+
+/// All keys but the number of generations.
+void describe_identity(io::StudyVisitor& visitor, Study& study) {
   SearchPlan& plan = study.search;
-  study.duration_s = table.number_or("duration_s", study.duration_s, io::positive());
-  plan.objective =
-      table.word_or("objective", plan.objective, words_of(Objective::body_lengths, Objective::squared_metres_per_scale));
-  plan.duplicates =
-      table.word_or("duplicates", plan.duplicates, words_of(DuplicatePolicy::archived_result, DuplicatePolicy::culled));
-  plan.pruning = table.boolean_or("pruning", plan.pruning);
-  plan.stand = table.boolean_or("stand", plan.stand);
-  study.measure_from_s = table.number_or("measure_from_s", study.measure_from_s, io::non_negative());
+  visitor.integer({"seed", "Decides what is random."}, plan.seed, io::at_least(0));
+  visitor.table({"population", "Who there is."}, [&] { describe_population(visitor, plan); });
+  visitor.table({"genome", "What bodies grow from."}, [&] { describe_genome(visitor, plan.offspring); });
+  visitor.table({"body", "Which bodies are valid."}, [&] { describe_body(visitor, plan); });
+  visitor.table({"time", "What is simulated."}, [&] { describe_time(visitor, study); });
+  visitor.table({"evaluation", "What counts."}, [&] { describe_evaluation(visitor, plan); });
+  visitor.optional_table({"judge", "Finite elements judge survivors on the way and correct the fitness of all; for one level."},
+                         plan.judging, [&](JudgingPlan& judging) { describe_judging(visitor, study, judging); });
+  visitor.optional_table({"check_dt", "Survivors are evaluated again with half the time step, which changes nothing else."},
+                         plan.step_checks, [&](StepCheckPlan& checks) { describe_step_checks(visitor, checks); });
+  voxel::describe(visitor, study.physics);
 }
 
-void read_judging(const io::TomlTable& table, Study& study) {
-  JudgingPlan judging;
-  if (table.has("protocol")) {
-    judging.protocol = table.text("protocol");
-  } else {
-    study.judge_file = table.path("study");
-  }
-  judging.every = table.integer_or("every", judging.every, io::at_least(1));
-  judging.designs = table.integer_or("designs", judging.designs, io::within(1, largest_population));
-  judging.budget_element_steps = table.number("budget_element_steps", io::non_negative());
-  judging.voxel_steps_per_element_step =
-      table.number_or("voxel_steps_per_element_step", judging.voxel_steps_per_element_step, io::positive());
-  study.search.judging = judging;
-}
-
-void read_step_checks(const io::TomlTable& table, SearchPlan& plan) {
-  StepCheckPlan checks;
-  checks.every = table.integer_or("every", checks.every, io::at_least(1));
-  checks.designs = table.integer_or("designs", checks.designs, io::within(1, largest_population));
-  plan.step_checks = checks;
-}
-
-void read_poissons_ratio(const io::TomlTable& table) {
-  if (table.number_or("poissons_ratio", 0.0) == 0.0) return;
-  throw table.error("poissons_ratio",
-                    "must be 0 (the paper states 0.5, its released files simulated 0); lateral_coupling makes bodies contract");
-}
-
-Study read_tables(const io::TomlTable& table, Study study) {
-  SearchPlan& plan = study.search;
-  plan.generations = table.integer_or("generations", plan.generations, io::at_least(0));
-  // TOML has no unsigned integers.
-  plan.seed =
-      static_cast<std::uint64_t>(table.integer_or<std::int64_t>("seed", static_cast<std::int64_t>(plan.seed), io::at_least(0)));
-  if (const auto population = table.optional_table("population")) read_population(*population, plan);
-  if (const auto genome = table.optional_table("genome")) read_genome(*genome, plan.offspring);
-  if (const auto body = table.optional_table("body")) read_body(*body, plan);
-  if (const auto evaluation = table.optional_table("evaluation")) read_evaluation(*evaluation, study);
-  if (const auto judge = table.optional_table("judge")) read_judging(*judge, study);
-  if (const auto checks = table.optional_table("check_dt")) read_step_checks(*checks, plan);
-  if (const auto materials = table.optional_table("materials")) read_poissons_ratio(*materials);
-  study.physics = voxel::read_physics(table, study.physics);
-  return study;
+/// A key of earlier versions that only ever had one value.
+void refuse_poissons_ratio(const io::TomlTable& table) {
+  const io::TomlTable materials = table.table_or_empty("materials");
+  if (!materials.asks_for("poissons_ratio")) return;
+  throw materials.error("poissons_ratio",
+                        "is no key any more, it had to be 0 (the paper states 0.5, its released files simulated 0); "
+                        "lateral_coupling makes bodies contract");
 }
 
 void apply(const StudyOverrides& values, Study& study) {
   // The overrides go through the same checks as the file, under a name that says where they come from.
-  std::string text;
-  if (values.generations) text += "generations = " + std::to_string(*values.generations) + "\n";
-  if (values.seed) text += "seed = " + std::to_string(*values.seed) + "\n";
-  if (values.levels) {
-    std::string list;
-    for (const int level : *values.levels) list.append(list.empty() ? "" : ", ").append(std::to_string(level));
-    text += "[body]\nlevels = [" + list + "]\n";
-  }
-  if (values.duration_s) text += "[evaluation]\nduration_s = " + io::number_text(*values.duration_s) + "\n";
-  study = read_tables(io::parse_toml(text, "command line"), study);
+  io::TomlText text;
+  if (values.generations) text.add("generations", *values.generations);
+  if (values.seed) text.add("seed", *values.seed);
+  if (values.levels) text.table("body").add("levels", std::vector<std::int64_t>(values.levels->begin(), values.levels->end()));
+  if (values.duration_s) text.table("time").add("duration_s", *values.duration_s);
+  io::read_described(io::parse_toml(text.text(), "command line"), study);
 }
 
 std::string gibibytes(std::size_t bytes) { return io::formatted("%.3g GiB", static_cast<double>(bytes) / 1073741824.0); }
@@ -157,7 +161,7 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
   };
   if (plan.judging && plan.levels().size() > 1) throw fault("with a table [judge] there must be one");
   if (study.measure_from_s >= study.duration_s) {
-    throw io::InputError(table.file().string() + ": evaluation.measure_from_s = " + io::number_text(study.measure_from_s) +
+    throw io::InputError(table.file().string() + ": time.measure_from_s = " + io::number_text(study.measure_from_s) +
                          ": must be less than duration_s = " + io::number_text(study.duration_s));
   }
   if (plan.offspring.decoder.plan == BodyPlan::nonfractal && plan.levels().back() > largest_arranged_level) {
@@ -177,7 +181,7 @@ std::string unusable_surrogate(const Study& study) {
     if (const std::vector<std::string> faults = outside_validity_of_all(study); !faults.empty()) return faults.front();
   }
   const voxel::ActuationMode mode = study.physics.actuation.mode;
-  const std::string given = "actuation.mode = \"" + std::string(to_string(mode)) + "\": ";
+  const std::string given = "drive.mode = \"" + std::string(to_string(mode)) + "\": ";
   if (mode == voxel::ActuationMode::wave) return given + "the cells of a chamber would need different phases";
   if (mode == voxel::ActuationMode::antiphase && body.chambers == meshes::ChamberLayout::single) {
     return given +
@@ -192,10 +196,32 @@ std::string unusable_surrogate(const Study& study) {
 
 }  // namespace
 
+void describe(io::StudyVisitor& visitor, Study& study) {
+  visitor.integer({"generations", "Generations after the first."}, study.search.generations, io::at_least(0));
+  describe_identity(visitor, study);
+}
+
+PresetStudy::PresetStudy() : study(study_from_text(preset_text(preset), preset + ".toml")) {}
+
+void describe(io::StudyVisitor& visitor, PresetStudy& file) {
+  const io::Words<std::string> presets{{"paper", "paper"}, {"released-code", "released-code"}};
+  visitor.word({"preset", "Whose values all keys have that are not given.", "\"paper\""}, file.preset, presets);
+  if (visitor.source() != nullptr) file.study = study_from_text(preset_text(file.preset), file.preset + ".toml");
+  describe(visitor, file.study);
+}
+
+std::string resolved_text(const Study& study) { return io::described_text(study); }
+
+std::string identity_text(const Study& study) {
+  Study described = study;
+  io::StudyTextWriter writer;
+  describe_identity(writer, described);
+  return writer.text();
+}
+
 Study study_from_text(std::string_view text, const std::filesystem::path& file) {
-  const io::TomlTable table = io::parse_toml(text, file);
-  Study study = read_tables(table, {});
-  table.finish();
+  Study study;
+  io::read_described(io::parse_toml(text, file), study);
   return study;
 }
 
@@ -205,10 +231,10 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
 
 Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides, std::size_t memory_bytes) {
   const io::TomlTable table = io::read_toml(file);
-  const io::Words<std::string_view> presets{{"paper", "paper"}, {"released-code", "released-code"}};
-  const std::string_view preset = table.word("preset", presets);
-  Study study = read_tables(table, study_from_text(preset_text(preset), std::string(preset) + ".toml"));
-  table.finish();
+  refuse_poissons_ratio(table);
+  PresetStudy over_preset;
+  io::read_described(table, over_preset);
+  Study study = std::move(over_preset.study);
   apply(overrides, study);
   check_whole(table, study, memory_bytes);
   if (study.search.judging && study.judge_file.empty())
@@ -225,7 +251,11 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
 }
 
 Study archived_study(const RunArchive& archive) {
-  Study study = study_from_text(archive.study(), archive.file());
+  const io::TomlTable table = io::parse_toml(archive.study(), archive.file());
+  // archives of earlier versions have it, always 0
+  (void)table.table_or_empty("materials").asks_for("poissons_ratio");
+  Study study;
+  io::read_described(table, study, io::StudyReader::EarlierNames::read);
   study.search.generations = archive.generation_goal();
   return study;
 }

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/study/study.h"
+#include "io/study/study_visitor.h"
 
 namespace menger::evolution {
 
@@ -20,25 +22,24 @@ struct StudyOverrides {
   std::optional<std::uint64_t> seed;
 };
 
-/// Reads a study from TOML. `preset = "paper"` or `"released-code"` must be given; every other key is one option, whose value is
-/// the preset's unless the study gives its own:
-///
-/// - generations, seed
-/// - `[population]` survivors, mutants, newcomers
-/// - `[genome]` encoding ("fractal", "nonfractal", "single-actuator"), activations ("paper", "released-code"), output_function
-///   ("kept", "mutable"), expression ("every-consumer", "first-consumer"), axes ("xyz", "zyx"), largest_tries
-/// - `[body]` cell_edge_m, levels, smallest_body_cells, smallest_arranged_body_cells, disconnected ("reject", "penalise",
-///   "allow"), castable
-/// - `[evaluation]` duration_s, objective ("body-lengths", "squared-metres-per-scale"), duplicates ("archived-result", "culled"),
-///   pruning, stand (bodies stand on the ground from the start), measure_from_s (displacement counts from then on)
-/// - `[judge]` study (a study of re-evaluation, see read_reevaluation_study), every, designs, budget_element_steps,
-///   voxel_steps_per_element_step: finite elements judge survivors and correct the fitness (see run_search); for one level only.
-///   In the text of an archive the hash `protocol` stands in place of `study`
-/// - `[check_dt]` every, designs: the best survivors of every so many generations are evaluated again with half the time step,
-///   which changes nothing in the search (see StepChecking)
-/// - `[materials]` poissons_ratio (only 0) and the tables of voxel::read_physics; with `[surrogate]` bodies are hollow cells with
-///   calibrated parameters, whose chambers must be able to follow the drive; with outside_range = "refuse" only what no body of
-///   the search could be inside of is wrong input (outside_validity_of_all), bodies are judged one by one
+/// The keys of a study, without its preset. With `[surrogate]` bodies are hollow cells with calibrated parameters, whose chambers
+/// must be able to follow the drive. Texts name the judge by the hash of its protocol, if it is known, and else by its study.
+void describe(io::StudyVisitor& visitor, Study& study);
+
+/// What a study file holds: a preset, and a study over it.
+struct PresetStudy {
+  PresetStudy();
+
+  std::string preset = "paper";  ///< or "released-code"
+  Study study;                   ///< that of the preset at first
+};
+
+/// The keys of a study file, for people: `menger evolve --keys`. A reader begins with the preset that is named.
+void describe(io::StudyVisitor& visitor, PresetStudy& file);
+
+/// Reads a study file. `preset` must be given; every other key is one option, whose value is the preset's unless the study gives
+/// its own. With `outside_range = "refuse"` beside a `[surrogate]` only what no body of the search could be inside of is wrong
+/// input (outside_validity_of_all), bodies are judged one by one.
 ///
 /// @param memory_bytes a study with one evaluation that may need more is refused
 /// @throws io::InputError with file, key and value
@@ -50,10 +51,18 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
 /// @throws io::InputError if the study cannot be read
 std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& file);
 
+/// The study as TOML with every value spelled out, always in the same order and exact: equal text means equal studies, and
+/// reading it gives the study back, but for judge_file. Precondition: search.judging names its protocol, if there is one.
+std::string resolved_text(const Study& study);
+
+/// The same without the number of generations: what two runs must share so that one can continue the other.
+std::string identity_text(const Study& study);
+
 /// The study that resolved_text wrote, or a preset. @param file for messages only @throws io::InputError as read_study does
 Study study_from_text(std::string_view text, const std::filesystem::path& file);
 
-/// The study of an archive. @throws io::InputError if the archive holds none that this menger understands
+/// The study of an archive, also of one from before keys had their present names. @throws io::InputError if the archive holds
+/// none that this menger understands
 Study archived_study(const RunArchive& archive);
 
 /// The text of a preset's file, "paper" or "released-code".

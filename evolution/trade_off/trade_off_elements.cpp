@@ -10,6 +10,7 @@
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/hollow_body_file.h"
 
@@ -19,15 +20,15 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string inflation_text(const TradeStudy& study, const ElementFidelity& fidelity, double pressure_Pa) {
-  std::string text = "[design]\nfile = \"design.toml\"\n";
-  text += meshes::hollow_body_text(hollow_options(study, fidelity.elements_through_wall));
-  text += "[material]\nrecord = \"silicone.toml\"\nbulk_modulus_Pa = " +
-          io::number_text(fidelity.bulk_ratio * study.shear_modulus_Pa) + "\n";
-  text += "[element]\ndegree = " + std::to_string(fidelity.degree) + "\n";
-  text += "[supports]\nkind = \"free\"\n";
-  text += "[path]\npressure_Pa = [0, " + io::number_text(pressure_Pa) + "]\n";
-  text += "[solver]\nforce_tolerance = " + io::number_text(fidelity.force_tolerance) + "\n";
-  return text + "[output]\nfields = false\npictures = false\n";
+  io::TomlText text;
+  text.table("design").add("file", "design.toml");
+  text.lines(meshes::hollow_body_text(hollow_options(study, fidelity.elements_through_wall), "design"));
+  text.table("material").add("silicone", "silicone.toml").add("bulk_modulus_Pa", fidelity.bulk_ratio * study.shear_modulus_Pa);
+  text.table("element").add("degree", fidelity.degree);
+  text.table("supports").add("kind", "free");
+  text.table("path").add("pressure_Pa", std::vector<double>{0.0, pressure_Pa});
+  text.table("solver").add("force_tolerance", fidelity.force_tolerance);
+  return text.table("output").add("fields", false).add("pictures", false).text();
 }
 
 /// Change from the first to the last row of a column.

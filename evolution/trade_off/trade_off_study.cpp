@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #include "evolution/trade_off/trade_off_variant.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/content_hash.h"
 #include "io/text/toml_document.h"
 #include "materials/laws/law_file.h"
@@ -22,54 +23,43 @@ const io::Words<TradeObservable> observable_words{{"volume_change", TradeObserva
                                                   {"extent_y", TradeObservable::extent_y},
                                                   {"extent_z", TradeObservable::extent_z}};
 
+void note_input(TradeStudy& study, const fs::path& file) { study.inputs[file.string()] = io::file_hash(file); }
+
+/// A scene or study and the voxel parameters that it names.
+void note_variant(TradeStudy& study, const fs::path& file) {
+  note_input(study, file);
+  if (const auto parameters = TomlVariant(file).parameters()) note_input(study, *parameters);
+}
+
+const io::Words<std::string> number_words{{"float64", "float64"}, {"float32", "float32"}};
+const io::Words<std::string> damping_words{{"increments", "increments"}, {"velocity", "velocity"}};
+const io::Words<std::string> chamber_words{{"single", "single"}, {"per-phase", "per-phase"}};
+
+constexpr io::Count some{.fewest = 1};
+
+/// Demands that no value of a list is there twice: every combination is run.
 template <class Value>
-void require_some(const io::TomlTable& table, std::string_view key, std::vector<Value>& values) {
-  if (values.empty()) throw table.error(key, "must hold at least one value");
-  for (std::size_t n = 1; n < values.size(); ++n) {
-    if (std::find(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n), values[n]) !=
-        values.begin() + static_cast<std::ptrdiff_t>(n)) {
-      throw table.error(key, "is given twice", std::array{n});
-    }
-  }
+void require_different(const io::StudyVisitor& visitor, std::string_view key, const std::vector<Value>& values) {
+  for (auto value = values.begin(); value != values.end(); ++value)
+    visitor.check(std::find(values.begin(), value, *value) == value, key, "is given twice",
+                  {static_cast<std::size_t>(value - values.begin())});
 }
 
-void read_numbers(const io::TomlTable& table, std::string_view key, std::vector<double>& values, const io::Range& range) {
-  if (!table.has(key)) return;
-  values = table.numbers(key, range);
-  require_some(table, key, values);
+void describe_numbers(io::StudyVisitor& visitor, const io::Key& key, std::vector<double>& values, const io::Range& range) {
+  visitor.numbers(key, values, range, some);
+  require_different(visitor, key.name, values);
 }
 
-void read_integers(const io::TomlTable& table, std::string_view key, std::vector<int>& values, const io::Range& range) {
-  if (!table.has(key)) return;
-  values.clear();
-  for (const double value : table.numbers(key, range)) {
-    if (value != std::floor(value)) throw table.error(key, "must be an integer", std::array{values.size()});
-    values.push_back(static_cast<int>(value));
-  }
-  require_some(table, key, values);
+void describe_integers(io::StudyVisitor& visitor, const io::Key& key, std::vector<int>& values, const io::Range& range,
+                       const io::Count& count = some) {
+  visitor.integers(key, values, range, count);
+  require_different(visitor, key.name, values);
 }
 
-/// An array of words, each accepted by `fits`.
-template <class Fits>
-void read_words(const io::TomlTable& table, std::string_view key, std::vector<std::string>& words, std::string_view demand,
-                const Fits& fits) {
-  if (!table.has(key)) return;
-  words = table.texts(key);
-  for (std::size_t n = 0; n < words.size(); ++n) {
-    if (!fits(words[n])) throw table.error(key, demand, std::array{n});
-  }
-  require_some(table, key, words);
-}
-
-ElementChoice read_elements(const io::TomlTable& table) {
-  ElementChoice choice;
-  read_integers(table, "degrees", choice.degrees, io::within(1, 2));
-  read_integers(table, "elements_through_wall", choice.elements_through_wall, io::within(1, 64));
-  read_numbers(table, "bulk_ratios", choice.bulk_ratios, io::within(1.0, 1e6));
-  read_numbers(table, "force_tolerances", choice.force_tolerances, {.lowest = 0.0, .highest = 1e-2, .lowest_excluded = true});
-  choice.largest_unknowns = table.number_or("largest_unknowns", choice.largest_unknowns, io::positive());
-  choice.time_limit_s = table.number_or("time_limit_s", choice.time_limit_s, io::positive());
-  return choice;
+template <class Value>
+void describe_words(io::StudyVisitor& visitor, const io::Key& key, std::vector<Value>& values, const io::Words<Value>& words) {
+  visitor.words(key, values, words, some);
+  require_different(visitor, key.name, values);
 }
 
 bool is_depth(const std::string& word) {
@@ -78,80 +68,92 @@ bool is_depth(const std::string& word) {
   return has_digits && word.front() != '0';
 }
 
-VoxelChoice read_voxels(const io::TomlTable& table) {
-  VoxelChoice choice;
-  read_words(table, "numbers", choice.numbers, "must be \"float64\" or \"float32\"",
-             [](const std::string& word) { return word == "float64" || word == "float32"; });
-  read_words(table, "dampings", choice.dampings, "must be \"increments\" or \"velocity\"",
-             [](const std::string& word) { return word == "increments" || word == "velocity"; });
-  read_numbers(table, "time_step_fractions", choice.time_step_fractions, io::within(1e-3, 1.5));
-  read_words(table, "exclusion_depths", choice.exclusion_depths, "must be \"off\" or an integer >= 1 in quotes", is_depth);
-  choice.time_limit_s = table.number_or("time_limit_s", choice.time_limit_s, io::positive());
-  return choice;
+void describe_body(io::StudyVisitor& visitor, TradeStudy& study) {
+  std::optional<fs::path> file;
+  meshes::describe_design(visitor, study.design, file);
+  if (file) note_input(study, *file);
+  visitor.number({"wall_thickness_m", "Thickness of every outer wall.", "", "/wall_thickness_m"}, study.wall_thickness_m,
+                 io::positive());
+  visitor.word({"chambers", "Whether all cells of a module share one chamber, or those of each phase.", "", "/chambers"},
+               study.chambers, chamber_words);
+  visitor.integer({"level", "Level of the fractal: 1 is the design itself, in 2 each cell is a copy of it.", "", "/level"},
+                  study.level, io::within(1, 3));
 }
 
-SettlingChoice read_settling(const io::TomlTable& table) {
-  SettlingChoice choice;
-  const std::vector<std::string> files = table.texts("parameters");
-  for (const std::string& file : files) choice.parameters.push_back(table.file().parent_path() / file);
-  require_some(table, "parameters", choice.parameters);
-  choice.ramp_s = table.number_or("ramp_s", choice.ramp_s, io::positive());
-  choice.settle_s = table.number_or("settle_s", choice.settle_s, io::positive());
-  choice.global_damping = table.number_or("global_damping", choice.global_damping, io::non_negative());
-  return choice;
+void describe_elements(io::StudyVisitor& visitor, ElementChoice& choice) {
+  describe_integers(visitor, {"degrees", "Q1/P0 or Q2/P1."}, choice.degrees, io::within(1, 2));
+  describe_integers(visitor, {"elements_through_wall", "Elements through a wall."}, choice.elements_through_wall,
+                    io::within(1, 64));
+  describe_numbers(visitor, {"bulk_ratios", "Bulk modulus by shear modulus at rest."}, choice.bulk_ratios, io::within(1.0, 1e6));
+  describe_numbers(visitor, {"force_tolerances", "Relative tolerances of Newton's method."}, choice.force_tolerances,
+                   {.lowest = 0.0, .highest = 1e-2, .lowest_excluded = true});
+  visitor.number({"largest_unknowns", "Finer ones are named in the table and left out."}, choice.largest_unknowns,
+                 io::positive());
+  visitor.number({"time_limit_s", "Wall time of a run."}, choice.time_limit_s, io::positive());
 }
 
-SearchChoice read_search(const io::TomlTable& table) {
-  SearchChoice choice;
-  choice.study = table.path("study");
-  read_integers(table, "seeds", choice.seeds, io::within(0, 1e9));
-  if (choice.seeds.size() < 3) throw table.error("seeds", "must be three at least: one search tells nothing of the spread");
-  choice.voxel_steps = table.number_or("voxel_steps", choice.voxel_steps, io::at_least(1.0));
-  choice.largest_generations = table.integer_or("largest_generations", choice.largest_generations, io::within(1, 1e6));
-  choice.threads = table.integer_or("threads", choice.threads, io::within(1, 1024));
-  choice.time_limit_s = table.number_or("time_limit_s", choice.time_limit_s, io::positive());
-  return choice;
+void describe_voxels(io::StudyVisitor& visitor, VoxelChoice& choice) {
+  describe_words(visitor, {"numbers", "Numbers that are computed with."}, choice.numbers, number_words);
+  describe_words(visitor, {"dampings", "What damping is made of; increments not with float32."}, choice.dampings, damping_words);
+  describe_numbers(visitor, {"time_step_fractions", "Parts of the recommended time step."}, choice.time_step_fractions,
+                   io::within(1e-3, 1.5));
+  visitor.texts({"exclusion_depths", "Collisions: \"off\", or beyond so many voxels of the body, in quotes."},
+                choice.exclusion_depths, some);
+  for (std::size_t n = 0; n < choice.exclusion_depths.size(); ++n)
+    visitor.check(is_depth(choice.exclusion_depths[n]), "exclusion_depths", "must be \"off\" or an integer >= 1 in quotes", {n});
+  require_different(visitor, "exclusion_depths", choice.exclusion_depths);
+  visitor.number({"time_limit_s", "Wall time of a run."}, choice.time_limit_s, io::positive());
 }
 
-void read_observables(const io::TomlTable& table, TradeStudy& study) {
-  if (!table.has("observables")) return;
-  study.observables.clear();
-  for (const std::string& word : table.texts("observables")) {
-    const auto found = std::ranges::find(observable_words, std::string_view(word), [](const auto& pair) { return pair.first; });
-    if (found == observable_words.end()) {
-      throw table.error("observables", "must be volume_change, extent_x, extent_y or extent_z",
-                        std::array{study.observables.size()});
-    }
-    study.observables.push_back(found->second);
-  }
-  require_some(table, "observables", study.observables);
+void describe_settling(io::StudyVisitor& visitor, SettlingChoice& choice) {
+  std::vector<std::string> names;
+  for (const fs::path& file : choice.parameters) names.push_back(file.string());
+  visitor.texts({"parameters", "Files of voxel parameters, one for each number of voxels per cell.", "[\"parameters.toml\"]"},
+                names, some);
+  const io::TomlTable* table = visitor.source();
+  choice.parameters.clear();
+  for (const std::string& name : names)
+    choice.parameters.push_back(table == nullptr ? fs::path(name) : table->file().parent_path() / name);
+  require_different(visitor, "parameters", choice.parameters);
+  visitor.number({"ramp_s", "The pressure grows for so long."}, choice.ramp_s, io::positive());
+  visitor.number({"settle_s", "The body comes to rest for so long."}, choice.settle_s, io::positive());
+  visitor.number({"global_damping", "Damping ratio; it changes the way to the equilibrium only."}, choice.global_damping,
+                 io::non_negative());
 }
 
-void read_tables(const io::TomlTable& table, TradeStudy& study) {
-  study.wall_thickness_m = table.number_or("wall_thickness_m", study.wall_thickness_m, io::positive());
-  study.chambers =
-      table.word_or("chambers", study.chambers, io::Words<std::string>{{"single", "single"}, {"per-phase", "per-phase"}});
-  study.level = table.integer_or("level", study.level, io::within(1, 3));
-  study.pressure_Pa = table.optional_number("pressure_Pa");
-  if (study.pressure_Pa == 0.0) throw table.error("pressure_Pa", "must not be 0: nothing would move");
-  read_observables(table, study);
-  read_numbers(table, "target_relative_errors", study.targets, io::positive());
-  std::ranges::sort(study.targets, std::ranges::greater{});
-  if (const auto elements = table.optional_table("finite_elements")) study.elements = read_elements(*elements);
-  if (const auto voxels = table.optional_table("voxels")) study.voxels = read_voxels(*voxels);
-  if (const auto settling = table.optional_table("settling")) study.settling = read_settling(*settling);
-  if (const auto gait = table.optional_table("gait")) {
-    study.gait = GaitChoice{gait->optional_path("scene"), gait->number_or("duration_s", GaitChoice{}.duration_s, io::positive())};
-  }
-  if (const auto search = table.optional_table("search")) study.search = read_search(*search);
+void describe_gait(io::StudyVisitor& visitor, GaitChoice& choice) {
+  visitor.optional_path({"scene", "A scene whose physics is used; the paper's, if left out.", "\"scene.toml\""}, choice.scene);
+  visitor.number({"duration_s", "Simulated time."}, choice.duration_s, io::positive());
 }
 
-void note_input(TradeStudy& study, const fs::path& file) { study.inputs[file.string()] = io::file_hash(file); }
+void describe_search(io::StudyVisitor& visitor, SearchChoice& choice) {
+  visitor.path({"study", "A study of menger evolve.", "\"evolve.toml\""}, choice.study);
+  // one search tells nothing of the spread
+  describe_integers(visitor, {"seeds", "Seeds of the searches of each fidelity."}, choice.seeds, io::within(0, 1e9),
+                    {.fewest = 3});
+  visitor.number({"voxel_steps", "Budget of a search: steps by voxels, over all evaluations."}, choice.voxel_steps,
+                 io::at_least(1.0));
+  visitor.integer({"largest_generations", "A search ends with this generation."}, choice.largest_generations, io::within(1, 1e6));
+  visitor.integer({"threads", "Threads of a search; results do not depend on them."}, choice.threads, io::within(1, 1024));
+  visitor.number({"time_limit_s", "Wall time of one call of a search."}, choice.time_limit_s, io::positive());
+}
 
-/// A scene or study and the voxel parameters that it names.
-void note_variant(TradeStudy& study, const fs::path& file) {
-  note_input(study, file);
-  if (const auto parameters = TomlVariant(file).parameters()) note_input(study, *parameters);
+/// Demands on several tables at once.
+void check_whole(const io::TomlTable& table, const TradeStudy& study) {
+  const auto fault = [&](const std::string& reason) { return io::InputError(table.file().string() + ": " + reason); };
+  if (!study.elements && !study.settling && !study.gait && !study.search)
+    throw fault("nothing to run: a table [finite_elements], [settling], [gait] or [search] is missing");
+  if (study.settling && !study.elements)
+    throw fault("[settling] is compared with finite elements: a table [finite_elements] is missing");
+}
+
+void read_silicone(const io::TomlTable& table, TradeStudy& study) {
+  study.silicone_file = materials::silicone_file(table, "silicone", study.silicone);
+  const materials::SiliconeRecord record = materials::read_silicone(study.silicone_file);
+  study.silicone_name = record.name;
+  study.law = materials::law_line(record.recommended.law);
+  study.shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(record.recommended.law);
+  note_input(study, study.silicone_file);
 }
 
 }  // namespace
@@ -175,36 +177,43 @@ std::size_t axis_of(TradeObservable observable) {
   return static_cast<std::size_t>(observable) - static_cast<std::size_t>(TradeObservable::extent_x);
 }
 
+void describe(io::StudyVisitor& visitor, TradeStudy& study) {
+  visitor.check(visitor.source() == nullptr || !visitor.source()->is_text("design"), "design", "is called design.file now");
+  visitor.table({"design", "The body and its walls."}, [&] { describe_body(visitor, study); });
+  visitor.text({"silicone", "The silicone: one of menger, or the file of one."}, study.silicone);
+  visitor.optional_number(
+      {"pressure_Pa", "In all chambers, not 0; if left out 6 kPa, or 0.8 of the limit if there is one before.", "3000"},
+      study.pressure_Pa);
+  visitor.check(study.pressure_Pa != 0.0, "pressure_Pa", "must not be 0: nothing would move");
+  describe_words(visitor, {"observables", "What is compared."}, study.observables, observable_words);
+  describe_numbers(visitor, {"target_relative_errors", "Errors to recommend fidelities for."}, study.targets, io::positive());
+  std::ranges::sort(study.targets, std::ranges::greater{});
+  visitor.optional_table({"finite_elements", "Inflate the body by finite elements: every combination is run."}, study.elements,
+                         [&](ElementChoice& choice) { describe_elements(visitor, choice); });
+  visitor.table({"voxels", "Fidelities of the voxel engine: every combination is run."},
+                [&] { describe_voxels(visitor, study.voxels); });
+  visitor.optional_table({"settling", "Inflate the body by calibrated voxels until it rests."}, study.settling,
+                         [&](SettlingChoice& choice) { describe_settling(visitor, choice); });
+  visitor.optional_table({"gait", "Let the body walk, by the voxel engine alone."}, study.gait,
+                         [&](GaitChoice& choice) { describe_gait(visitor, choice); });
+  visitor.optional_table({"search", "Searches of equal cost, one for each fidelity of the voxels and seed."}, study.search,
+                         [&](SearchChoice& choice) { describe_search(visitor, choice); });
+}
+
 TradeStudy read_trade_study(const fs::path& file) {
   const io::TomlTable table = io::read_toml(file);
   TradeStudy study;
   study.file = file;
   note_input(study, file);
   if (table.has("layers")) {
-    study.design = meshes::read_design(file);
+    io::read_described(table, study.design);
     study.elements = ElementChoice{};
     study.gait = GaitChoice{};
   } else {
-    const fs::path design = table.path("design");
-    study.design = meshes::read_design(design);
-    note_input(study, design);
-    study.silicone = table.text_or("silicone", study.silicone);
-    read_tables(table, study);
-    table.finish();
+    io::read_described(table, study);
+    check_whole(table, study);
   }
-  if (!study.elements && !study.settling && !study.gait && !study.search) {
-    throw io::InputError(file.string() +
-                         ": nothing to run: a table [finite_elements], [settling], [gait] or [search] is missing");
-  }
-  if (study.settling && !study.elements) {
-    throw io::InputError(file.string() + ": [settling] is compared with finite elements: a table [finite_elements] is missing");
-  }
-  study.silicone_file = materials::silicone_file(table, "silicone", study.silicone);
-  const materials::SiliconeRecord record = materials::read_silicone(study.silicone_file);
-  study.silicone_name = record.name;
-  study.law = materials::law_line(record.recommended.law);
-  study.shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(record.recommended.law);
-  note_input(study, study.silicone_file);
+  read_silicone(table, study);
   if (study.settling) {
     for (const fs::path& parameters : study.settling->parameters) note_input(study, parameters);
   }
@@ -212,5 +221,7 @@ TradeStudy read_trade_study(const fs::path& file) {
   if (study.search) note_variant(study, study.search->study);
   return study;
 }
+
+std::string resolved_text(const TradeStudy& study) { return io::described_text(study); }
 
 }  // namespace menger::evolution

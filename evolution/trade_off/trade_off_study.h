@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/study/study_visitor.h"
 #include "meshes/design/design_file.h"
 
 namespace menger::evolution {
@@ -91,18 +92,12 @@ struct TradeStudy {
   std::map<std::string, std::string> inputs;  ///< content hash of every file that was read
 };
 
-/// Reads a design file, for which everything else has its default (finite elements and a gait), or a study:
-///
-/// - `design` (file), wall_thickness_m, chambers ("single", "per-phase"), level, silicone (a record of menger by its name, or a
-///   file), pressure_Pa, observables ("volume_change", "extent_x", "extent_y", "extent_z"), target_relative_errors
-/// - `[finite_elements]` degrees, elements_through_wall, bulk_ratios, force_tolerances, largest_unknowns, time_limit_s
-/// - `[voxels]` numbers, dampings, time_step_fractions, exclusion_depths ("off" or a number in quotes), time_limit_s
-/// - `[settling]` parameters (files), ramp_s, settle_s, global_damping
-/// - `[gait]` scene (file), duration_s
-/// - `[search]` study (file), seeds, voxel_steps, largest_generations, threads, time_limit_s
-///
-/// What has no table is not run; `[voxels]` serves settling, gait and search. Files that a scene or a study of searches names as
-/// its voxel parameters are inputs, too.
+/// The keys of a study, for people: `menger tradeoff --keys`. What has no table is not run; `[voxels]` serves settling, gait and
+/// search.
+void describe(io::StudyVisitor& visitor, TradeStudy& study);
+
+/// Reads a design file, for which everything else has its default (finite elements and a gait), or a study. Files that a scene or
+/// a study of searches names as its voxel parameters are inputs, too.
 /// @throws io::InputError with file, key and value; also if nothing is to be run
 TradeStudy read_trade_study(const std::filesystem::path& file);
 

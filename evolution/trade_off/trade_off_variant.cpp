@@ -35,7 +35,7 @@ TomlVariant::TomlVariant(const std::filesystem::path& file) : content_(std::make
     throw io::InputError(file.string() + ":" + std::to_string(error.source().begin.line) + ": " +
                          std::string(error.description()));
   }
-  make_absolute(content_->top["design"], file.parent_path());
+  make_absolute(content_->top["design"]["file"], file.parent_path());
   make_absolute(content_->top["surrogate"]["parameters"], file.parent_path());
 }
 
@@ -58,6 +58,8 @@ void TomlVariant::set(const std::vector<std::string_view>& path, std::string_vie
 void TomlVariant::set(const std::vector<std::string_view>& path, double number) { put(path, number); }
 void TomlVariant::set(const std::vector<std::string_view>& path, int number) { put(path, std::int64_t{number}); }
 void TomlVariant::set(const std::vector<std::string_view>& path, bool value) { put(path, value); }
+
+void TomlVariant::remove(std::string_view name) { content_->top.erase(name); }
 
 std::optional<std::filesystem::path> TomlVariant::parameters() const {
   return content_->top["surrogate"]["parameters"].value<std::string>();

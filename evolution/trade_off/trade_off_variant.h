@@ -15,7 +15,7 @@ namespace menger::evolution {
 
 struct VoxelFidelity;
 
-/// A TOML file of the user's with some keys changed: a scene or study at another fidelity. File names in it (`design`,
+/// A TOML file of the user's with some keys changed: a scene or study at another fidelity. File names in it (`design.file`,
 /// `surrogate.parameters`) become absolute, so that the text can lie anywhere.
 class TomlVariant {
  public:
@@ -35,6 +35,9 @@ class TomlVariant {
   void set(const std::vector<std::string_view>& path, double number);
   void set(const std::vector<std::string_view>& path, int number);
   void set(const std::vector<std::string_view>& path, bool value);
+
+  /// Takes a table or key of the top away, if there is one.
+  void remove(std::string_view name);
 
   /// The file that `surrogate.parameters` names, absolute; none if it names none.
   [[nodiscard]] std::optional<std::filesystem::path> parameters() const;

@@ -10,6 +10,7 @@
 #include "evolution/trade_off/trade_off_variant.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/fractal.h"
 
@@ -26,8 +27,6 @@ constexpr double usual_voxel_steps_per_s = 1e7;
 double coarseness(const std::string& exclusion_depth) {
   return exclusion_depth == "off" ? std::numeric_limits<double>::infinity() : std::stod(exclusion_depth);
 }
-
-std::string depth_text(const std::string& depth) { return depth == "off" ? io::toml_quoted(depth) : depth; }
 
 double estimated_s(const TradeStudy& study, const VoxelFidelity& fidelity, double duration_s) {
   double voxels = 1.0;
@@ -89,9 +88,15 @@ TradeRow voxel_row(const VoxelFidelity& fidelity, std::optional<int> voxels_per_
 }
 
 std::string integration_text(const VoxelFidelity& fidelity) {
-  return "[collisions]\nexclusion_depth = " + depth_text(fidelity.exclusion_depth) +
-         "\n[integration]\nnumber = " + io::toml_quoted(fidelity.number) + "\ndamping = " + io::toml_quoted(fidelity.damping) +
-         "\ntime_step_fraction = " + io::number_text(fidelity.time_step_fraction) + "\n";
+  const std::string& depth = fidelity.exclusion_depth;
+  return io::TomlText()
+      .table("collisions")
+      .raw("exclusion_depth", depth == "off" ? io::toml_quoted(depth) : depth)
+      .table("integration")
+      .add("number", fidelity.number)
+      .add("damping", fidelity.damping)
+      .add("time_step_fraction", fidelity.time_step_fraction)
+      .text();
 }
 
 io::ProgramJob settling_job(const TradeStudy& study, const VoxelFidelity& fidelity, double pressure_Pa, const fs::path& program) {
@@ -100,15 +105,18 @@ io::ProgramJob settling_job(const TradeStudy& study, const VoxelFidelity& fideli
   io::ProgramJob job = scene_job(study, fidelity, program, duration_s);
   job.name = "settling: " + voxel_row(fidelity, std::nullopt).label;
   job.inputs["parameters.toml"] = io::read_whole(*fidelity.parameters);
-  const std::string pressure = io::number_text(pressure_Pa);
-  job.inputs["scene.toml"] =
-      "design = \"design.toml\"\nlevel = " + std::to_string(study.level) + "\nduration_s = " + io::number_text(duration_s) +
-      "\nrecord_interval_s = " + io::number_text(duration_s / records_of_settling) +
-      "\n[output]\nframes = true\npictures = false\n[environment]\ngravity_m_s2 = 0\nfloor = false\n[damping]\nglobal = " +
-      io::number_text(choice.global_damping) + "\n[actuation]\nmode = \"hold\"\nramp_s = " + io::number_text(choice.ramp_s) +
-      "\n[surrogate]\nparameters = \"parameters.toml\"\npressure_Pa = [" + pressure + ", " + pressure +
-      "]\nchambers = " + io::toml_quoted(study.chambers) + "\nwall_thickness_m = " + io::number_text(study.wall_thickness_m) +
-      "\noutside_range = \"warn\"\n" + integration_text(fidelity);
+  io::TomlText scene;
+  scene.table("design").add("file", "design.toml").add("level", study.level);
+  scene.table("time").add("duration_s", duration_s).add("record_interval_s", duration_s / records_of_settling);
+  scene.table("output").add("frames", true).add("pictures", false);
+  scene.table("loads").add("gravity_m_per_s2", 0.0);
+  scene.table("ground").add("present", false);
+  scene.table("damping").add("global", choice.global_damping);
+  scene.table("drive").add("mode", "hold").add("ramp_s", choice.ramp_s);
+  scene.add("pressure_Pa", std::vector<double>{pressure_Pa, pressure_Pa});
+  scene.table("surrogate").add("parameters", "parameters.toml").add("chambers", study.chambers);
+  scene.add("wall_thickness_m", study.wall_thickness_m).add("outside_range", "warn");
+  job.inputs["scene.toml"] = scene.lines(integration_text(fidelity)).text();
   return job;
 }
 
@@ -117,10 +125,11 @@ io::ProgramJob gait_job(const TradeStudy& study, const VoxelFidelity& fidelity, 
   io::ProgramJob job = scene_job(study, fidelity, program, choice.duration_s);
   job.name = "gait: " + voxel_row(fidelity, std::nullopt).label;
   TomlVariant scene = choice.scene ? TomlVariant(*choice.scene) : TomlVariant();
-  scene.set({"design"}, "design.toml");
-  scene.set({"level"}, study.level);
-  scene.set({"duration_s"}, choice.duration_s);
-  scene.set({"record_interval_s"}, choice.duration_s);
+  scene.remove("design");
+  scene.set({"design", "file"}, "design.toml");
+  scene.set({"design", "level"}, study.level);
+  scene.set({"time", "duration_s"}, choice.duration_s);
+  scene.set({"time", "record_interval_s"}, choice.duration_s);
   scene.set({"energy_ledger"}, false);
   scene.set({"output", "frames"}, false);
   scene.set({"output", "pictures"}, false);

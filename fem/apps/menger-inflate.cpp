@@ -19,6 +19,8 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
+#include "io/process/study_help.h"
 #include "io/text/formatted.h"
 
 namespace {
@@ -41,6 +43,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "writes cube/curves.csv, fields.pvd (open it in ParaView), chamber.png, pv_curve.png, result.toml and manifest.json.\n"
       "Ctrl-C keeps the steps done, and the same command goes on from there. In parallel: mpirun -n 2 menger-inflate ...\n"
       "Exit codes: 0 completed, 2 wrong input, 3 the path ended early (result.toml says why), 130 interrupted.");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    fem::InflationStudy study;
+    describe(visitor, study);
+  });
   app.add_option("study", arguments.study, "study file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--refine", arguments.refinements,
@@ -85,9 +91,9 @@ void print(const fem::InflationResult& result, const std::filesystem::path& fold
   std::cout << "results in " << folder.string() << '\n' << std::flush;
 }
 
-int exit_code_of(io::RunStatus status) {
-  if (status == io::RunStatus::completed) return io::exit_code::done;
-  return status == io::RunStatus::stopped && io::interrupted() ? io::exit_code::interrupted : io::exit_code::numerical;
+int code_of(io::RunStatus status) {
+  // without Ctrl-C a path is stopped by the range of a law
+  return status == io::RunStatus::stopped && !io::interrupted() ? io::exit_code::numerical : io::exit_code_of(status);
 }
 
 int run(int argc, const char* const* argv, bool speaks) {
@@ -117,7 +123,7 @@ int run(int argc, const char* const* argv, bool speaks) {
     for (std::size_t n = 0; n < results.size(); ++n)
       print(results[n], compares ? arguments.folder / ("refinement_" + std::to_string(n)) : arguments.folder);
   }
-  return exit_code_of(results.back().path.status);
+  return code_of(results.back().path.status);
 }
 
 }  // namespace

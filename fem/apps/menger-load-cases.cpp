@@ -18,6 +18,7 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/study_help.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 
@@ -45,6 +46,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "With --fields every case also gets curves/fields/NAME/fields.pvd (open it in ParaView), one step per row of its curve:\n"
       "`menger validate` then shows the worst body in both models side by side.\n"
       "Exit codes: 0 all cases completed, 2 wrong input, 3 a case ended early (its .toml says why), 130 interrupted.");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    fem::LoadCaseStudy study;
+    describe(visitor, study);
+  });
   app.add_option("set", arguments.set, "set of load cases (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the set file)");
   app.add_option("--only", arguments.only, "names of the cases to compute; the others are left alone")->delimiter(',');

@@ -16,6 +16,8 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
+#include "io/process/study_help.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 
@@ -38,6 +40,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "reads a study of menger inflate and writes cube_modes/modes.csv (frequencies at the knots and stations of its path),\n"
       "modes/mode_01.vtu, ... (shapes, for ParaView), frequency_response.csv and .png, result.toml and manifest.json.\n"
       "Exit codes: 0 completed, 2 wrong input, 3 no modes of some state (result.toml says why), 130 interrupted.");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    fem::InflationStudy study;
+    describe(visitor, study);
+  });
   app.add_option("study", arguments.study, "study file of menger inflate (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file and _modes)");
   app.add_option("--pressure", arguments.options.pressure_Pa, "gauge pressure of all chambers, Pa, instead of the study's path")
@@ -69,9 +75,9 @@ void print(const fem::ModesResult& result, const std::filesystem::path& folder) 
   std::cout << "results in " << folder.string() << '\n' << std::flush;
 }
 
-int exit_code_of(io::RunStatus status) {
-  if (status == io::RunStatus::completed) return io::exit_code::done;
-  return status == io::RunStatus::stopped && io::interrupted() ? io::exit_code::interrupted : io::exit_code::numerical;
+int code_of(io::RunStatus status) {
+  // without Ctrl-C a path is stopped by the range of a law
+  return status == io::RunStatus::stopped && !io::interrupted() ? io::exit_code::numerical : io::exit_code_of(status);
 }
 
 int run(int argc, const char* const* argv) {
@@ -91,7 +97,7 @@ int run(int argc, const char* const* argv) {
   const fem::ModesResult result = fem::run_modes(study, arguments.folder, arguments.options);
   progress.reset();
   print(result, arguments.folder);
-  return exit_code_of(result.status);
+  return code_of(result.status);
 }
 
 }  // namespace

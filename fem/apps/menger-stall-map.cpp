@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -17,7 +16,9 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
-#include "io/text/manifest.h"
+#include "io/process/run_folder.h"
+#include "io/process/study_help.h"
+#include "io/study/study_text.h"
 #include "io/text/whole_file.h"
 
 namespace {
@@ -43,17 +44,16 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "With [travel] in the study a robot of calibrated voxels walks at some points of the map: travel.csv, and travel/ keeps\n"
       "what is done.\n"
       "Exit codes: 0 done (points beyond the curve say diverged), 2 wrong input, 130 interrupted.");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    fem::StallMapStudy study;
+    fem::describe(visitor, study);
+  });
   app.add_option("study", arguments.study, "study file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("-j,--jobs", arguments.jobs, "walks at the same time")->check(CLI::Range(1, 1024))->capture_default_str();
   app.add_option("--programs", arguments.programs, "folder of the other programs of menger")->capture_default_str();
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG picture");
   return io::parse_arguments(app, argc, argv);
-}
-
-void remove_earlier_files(const fs::path& folder) {
-  for (const char* name : {"stall_map.csv", "isobars.csv", "travel.csv", "stall_map.png", "manifest.json"})
-    io::remove_if_there(folder / name);
 }
 
 void print(const fem::StallMapStudy& study, const fem::StallMap& map, double seconds) {
@@ -99,21 +99,16 @@ int run(int argc, const char* const* argv) {
   if (study.walker) static_cast<void>(io::program_in(arguments.programs, "menger-simulate"));  // before anything is written over
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
   io::require_writable_folder(arguments.folder);
-  remove_earlier_files(arguments.folder);
+  const io::RunFolder folder("menger-stall-map", arguments.folder);
+  folder.remove({"stall_map.csv", "isobars.csv", "travel.csv", "stall_map.png", "manifest.json"});
 
   io::catch_interrupts();
-  const auto start = std::chrono::steady_clock::now();
   auto progress = std::make_unique<io::Progress>(arguments.study.stem().string(), 1.0);
   const fem::StallMap map = fem::stall_map(study, &io::interrupted(), [&](double part) { progress->update(part); });
   progress.reset();
   const bool is_whole = write(arguments, study, map);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  io::write_manifest(arguments.folder, {.program = "menger-stall-map",
-                                        .parameters = fem::resolved_text(study),
-                                        .seed = {},
-                                        .seconds = seconds,
-                                        .inputs = study.inputs});
-  print(study, map, seconds);
+  folder.finish(io::described_text(study), study.inputs);
+  print(study, map, folder.seconds());
   if (!is_whole) std::cout << "Stopped; walks that are done are kept, the same command goes on from there.\n";
   std::cout << "results in " << arguments.folder.string() << '\n' << std::flush;
   return is_whole ? io::exit_code::done : io::exit_code::interrupted;

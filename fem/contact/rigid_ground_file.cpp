@@ -1,31 +1,53 @@
 #include "fem/contact/rigid_ground_file.h"
 
 #include <cmath>
-#include <vector>
 
 namespace menger::fem {
 namespace {
 
-DirectionalFriction read_directional(const io::TomlTable& table) {
-  const std::vector<double> forward = table.numbers("forward");
-  const double length = forward.size() == 2 ? std::hypot(forward[0], forward[1]) : 0.0;
-  if (length == 0.0) throw table.error("forward", "must be two numbers that are not both 0");
-  return {.forward = {forward[0] / length, forward[1] / length},
-          .backward_factor = table.number_or("backward_factor", 1.0, io::non_negative()),
-          .sideways_factor = table.number_or("sideways_factor", 1.0, io::non_negative())};
+void describe(io::StudyVisitor& visitor, DirectionalFriction& friction) {
+  visitor.numbers({"forward", "Direction in the plane in which friction is as stated, of any length.", "[1, 0]"},
+                  friction.forward);
+  visitor.check(std::hypot(friction.forward[0], friction.forward[1]) > 0.0, "forward", "must be two numbers that are not both 0");
+  visitor.number({"backward_factor", "Factor of the friction of sliding against that direction."}, friction.backward_factor,
+                 io::non_negative());
+  visitor.number({"sideways_factor", "Factor of the friction of sliding across it."}, friction.sideways_factor,
+                 io::non_negative());
 }
 
 }  // namespace
 
-RigidGround read_rigid_ground(const io::TomlTable& table, double stiffness_Pa_per_m) {
-  RigidGround ground;
-  ground.height_m = table.number_or("height_m", 0.0);
-  ground.stiffness_Pa_per_m = table.number_or("stiffness_Pa_per_m", stiffness_Pa_per_m, io::positive());
-  ground.friction.kinetic_coefficient = table.number("kinetic_coefficient", io::non_negative());
-  ground.friction.static_coefficient = table.number("static_coefficient", io::at_least(ground.friction.kinetic_coefficient));
-  ground.friction.regularisation_speed_m_per_s = table.number_or("regularisation_speed_m_per_s", 0.0, io::non_negative());
-  if (const auto directional = table.optional_table("directional")) ground.friction.directional = read_directional(*directional);
+RigidGround StudyGround::ground(double usual_height_m, double usual_stiffness_Pa_per_m) const {
+  RigidGround ground{.height_m = height_m.value_or(usual_height_m),
+                     .stiffness_Pa_per_m = stiffness_Pa_per_m.value_or(usual_stiffness_Pa_per_m),
+                     .friction = friction};
+  if (!ground.friction.directional) return ground;
+  auto& forward = ground.friction.directional->forward;
+  const double length = std::hypot(forward[0], forward[1]);
+  forward = {forward[0] / length, forward[1] / length};
   return ground;
+}
+
+void describe(io::StudyVisitor& visitor, StudyGround& ground) {
+  Friction& friction = ground.friction;
+  visitor.number({.name = "kinetic_friction",
+                  .help = "Coefficient of friction while sliding.",
+                  .example = "0.5",
+                  .earlier = "kinetic_coefficient"},
+                 friction.kinetic_coefficient, io::non_negative());
+  visitor.number({.name = "static_friction",
+                  .help = "Coefficient of friction at rest, at least the kinetic one.",
+                  .example = "1",
+                  .earlier = "static_coefficient"},
+                 friction.static_coefficient, io::at_least(friction.kinetic_coefficient));
+  visitor.optional_number({"height_m", "Height of the ground; that of the body's lowest point unless stated.", "0"},
+                          ground.height_m);
+  visitor.optional_number({"stiffness_Pa_per_m", "Pressure by depth; a fraction of that of an element unless stated.", "6e7"},
+                          ground.stiffness_Pa_per_m, io::positive());
+  visitor.number({"regularisation_speed_m_per_s", "Speed up to which friction grows; 0: points at rest stay at rest."},
+                 friction.regularisation_speed_m_per_s, io::non_negative());
+  visitor.optional_table({"directional", "Friction that depends on the direction of sliding."}, friction.directional,
+                         [&](DirectionalFriction& directional) { describe(visitor, directional); });
 }
 
 }  // namespace menger::fem

@@ -1,15 +1,23 @@
 #pragma once
 
+#include <optional>
+
 #include "fem/contact/rigid_ground.h"
-#include "io/text/toml_document.h"
+#include "io/study/study_visitor.h"
 
 namespace menger::fem {
 
-/// Reads a ground: `static_coefficient` and `kinetic_coefficient` (required), `height_m` (0), `stiffness_Pa_per_m`,
-/// `regularisation_speed_m_per_s` (0), and a table `directional` with `forward` (two numbers, any length), `backward_factor` and
-/// `sideways_factor` (1).
-/// @param stiffness_Pa_per_m where the file states none
-/// @throws io::InputError for values outside the ranges of RigidGround
-RigidGround read_rigid_ground(const io::TomlTable& table, double stiffness_Pa_per_m);
+/// A ground as a study gives it.
+struct StudyGround {
+  std::optional<double> height_m{};            ///< nothing: where the body's lowest point is
+  std::optional<double> stiffness_Pa_per_m{};  ///< > 0; nothing: see ground_stiffness_Pa_per_m
+  Friction friction;                           ///< its direction `forward` of any length but 0
+
+  /// What was given, stated and unit vectors made.
+  [[nodiscard]] RigidGround ground(double usual_height_m, double usual_stiffness_Pa_per_m) const;
+};
+
+/// The keys of a ground, with a table `directional` for friction that depends on the direction.
+void describe(io::StudyVisitor& visitor, StudyGround& ground);
 
 }  // namespace menger::fem

@@ -26,7 +26,7 @@ meshes::HexahedralMesh make_mesh(const InflationStudy& study) {
     try {
       return meshes::hollow_polycube(design->design, design->options).mesh;
     } catch (const io::InputError& error) {
-      throw io::InputError(design->file.string() + ": " + error.what());
+      throw io::InputError(design->file.value_or(study.file).string() + ": " + error.what());
     }
   }
   const auto& source = std::get<MeshSource>(study.source);

@@ -19,6 +19,7 @@
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/number_text.h"
+#include "io/text/toml_text.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
 
@@ -273,7 +274,7 @@ class InflationRun {
     on_first_rank(options_.communicator, [&] {
       io::write_whole(folder_ / "result.toml", result_text(result_));
       io::write_manifest(folder_, {.program = "menger-inflate",
-                                   .parameters = resolved_text(study_) + "processes = " + std::to_string(rank_count_) + "\n",
+                                   .parameters = io::TomlText().add("processes", rank_count_).lines(resolved_text(study_)).text(),
                                    .seed = std::nullopt,
                                    .seconds = result_.seconds,
                                    .inputs = study_.inputs});

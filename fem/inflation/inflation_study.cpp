@@ -1,159 +1,361 @@
 #include "fem/inflation/inflation_study.h"
 
-#include <cmath>
+#include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "fem/inflation/inflation_study_words.h"
+#include "io/study/study_text.h"
 #include "io/text/number_text.h"
-#include "io/text/toml_document.h"
-#include "materials/laws/law_file.h"
 #include "meshes/design/hollow_body_file.h"
 
 namespace menger::fem {
 namespace {
 
-void add_line(std::string& text, std::string_view key, std::string_view value) {
-  text.append(key).append(" = ").append(value).append("\n");
-}
-void add_number(std::string& text, std::string_view key, double value) { add_line(text, key, io::number_text(value)); }
-void add_word(std::string& text, std::string_view key, std::string_view word) { add_line(text, key, io::toml_quoted(word)); }
-void add_flag(std::string& text, std::string_view key, bool value) { add_line(text, key, value ? "true" : "false"); }
+constexpr double largest_refinement_count = 6;  ///< eight to its power elements for each
 
-void add_numbers(std::string& text, std::string_view key, const std::vector<double>& values) {
-  std::string list;
-  for (const double value : values) list.append(list.empty() ? "" : ", ").append(io::number_text(value));
-  add_line(text, key, "[" + list + "]");
-}
+// Maps of a study, as the lists that its file has.
+struct RegionMaterial {
+  std::string region{};
+  StudyMaterial material{};
+};
+struct NamedDrive {
+  std::string plenum{};
+  PlenumDrive drive{};
+};
 
 template <class Value>
-void add_word(std::string& text, std::string_view key, Value value, const io::Words<Value>& words) {
-  for (const auto& [word, meaning] : words) {
-    if (meaning == value) add_word(text, key, word);
+std::size_t count_of(const std::vector<Value>& values, const std::string& name, std::string Value::*member) {
+  return static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [&](const Value& value) { return value.*member == name; }));
+}
+
+/// A name that can stand in the head of a column, and no other value has.
+template <class Value>
+void describe_name(io::StudyVisitor& visitor, const io::Key& key, Value& value, const std::vector<Value>& all) {
+  visitor.text(key, value.name);
+  visitor.check(!value.name.empty() && value.name.find_first_of(",\"\n\r") == std::string::npos, key.name,
+                "must be a name without comma, quote or line break");
+  visitor.check(count_of(all, value.name, &Value::name) == 1, key.name, "is given twice");
+}
+
+void describe_design_table(io::StudyVisitor& visitor, InflationStudy& study) {
+  visitor.table({"design", "A body from a design: its cells are hollow."}, [&] {
+    auto& source = std::get<DesignSource>(study.source);
+    meshes::describe_design(visitor, source.design, source.file);
+    describe(visitor, source.options);
+  });
+}
+
+void describe_mesh_table(io::StudyVisitor& visitor, InflationStudy& study) {
+  visitor.table({"mesh", "A body from a mesh file."}, [&] {
+    auto& mesh = std::get<MeshSource>(study.source);
+    visitor.path({"file", "A mesh of Gmsh (.msh) or of menger (.vtu).", "\"body.msh\""}, mesh.file);
+    const bool is_vtu = mesh.file.extension() == ".vtu";
+    visitor.check(is_vtu || mesh.file.extension() == ".msh", "file", "must be a mesh file, .msh or .vtu");
+    visitor.only_if(!is_vtu, "a .msh, for a .vtu is in metres", [&] {
+      visitor.number({"length_unit_m", "Unit of length of a .msh."}, mesh.length_unit_m, io::positive());
+    });
+  });
+}
+
+void describe_source(io::StudyVisitor& visitor, InflationStudy& study) {
+  const auto* design = std::get_if<DesignSource>(&study.source);
+  const auto choose_design = [&] {
+    if (!std::holds_alternative<DesignSource>(study.source)) study.source = DesignSource{};
+  };
+  const auto choose_mesh = [&] {
+    if (!std::holds_alternative<MeshSource>(study.source)) study.source = MeshSource{};
+  };
+  visitor.one_of({{"design", design != nullptr && design->design.body.count() > 0, choose_design,
+                   [&] { describe_design_table(visitor, study); }},
+                  {"mesh", design == nullptr, choose_mesh, [&] { describe_mesh_table(visitor, study); }}},
+                 "a body is needed, as a table");
+}
+
+void describe_materials(io::StudyVisitor& visitor, InflationStudy& study) {
+  std::vector<RegionMaterial> regions;
+  for (const auto& [region, material] : study.region_materials) regions.push_back({region, material});
+  visitor.table({"material", "What the body is made of."}, [&] {
+    describe(visitor, study.material);
+    visitor.tables({"regions", "Regions of the body with a material of their own."}, regions, [&](RegionMaterial& entry) {
+      visitor.text({"region", "Name of the region.", "\"lid\""}, entry.region);
+      visitor.check(count_of(regions, entry.region, &RegionMaterial::region) == 1, "region", "is given twice");
+      describe(visitor, entry.material);
+    });
+  });
+  study.region_materials.clear();
+  for (const RegionMaterial& entry : regions) study.region_materials[entry.region] = entry.material;
+}
+
+void describe_element(io::StudyVisitor& visitor, InflationStudy& study) {
+  visitor.table({"element", "The finite elements."}, [&] {
+    visitor.integer({"degree", "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1."}, study.degree, io::within(1, 2));
+    visitor.word({"formulation", "Whether pressure and dilatation are fields of their own."}, study.formulation,
+                 formulation_words());
+    visitor.integer({"refinements", "How many times every element is split into eight."}, study.refinements,
+                    io::within(0, largest_refinement_count));
+  });
+}
+
+void describe(io::StudyVisitor& visitor, LabelSupport& support) {
+  visitor.text({"label", "Label of the faces.", "\"outer\""}, support.label);
+  std::vector<std::size_t> axes;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (support.held[axis]) axes.push_back(axis);
   }
+  visitor.words({"held", "Directions in which they do not move.", "[\"z\"]"}, axes, axis_words());
+  support.held = {};
+  for (const std::size_t axis : axes) support.held[axis] = true;
 }
 
-void add_material(std::string& text, const std::string& table, const StudyMaterial& material) {
-  text += "[" + table + ".law]\n" + materials::law_text(material.law);
-  text += "[" + table + ".volume]\n";
-  add_word(text, "volumetric", volumetric_word(material.volume));
-  add_number(text, "bulk_modulus_Pa", std::visit([](const auto& law) { return law.bulk_modulus_Pa; }, material.volume));
-  if (material.density_kg_per_m3) add_number(text, "density_kg_per_m3", *material.density_kg_per_m3);
-  add_number(text, "smallest_stretch", material.smallest_stretch);
-  if (std::isfinite(material.largest_stretch)) add_number(text, "largest_stretch", material.largest_stretch);
+void describe_supports(io::StudyVisitor& visitor, InflationStudy& study) {
+  StudySupports& supports = study.supports;
+  visitor.table({"supports", "How the body stands."}, [&] {
+    visitor.word({"kind", "On the ground, sliding or held; by its weight; free; or by labels alone."}, supports.kind,
+                 support_words());
+    visitor.only_if(supports.kind == SupportKind::resting, "kind = \"resting\"", [&] {
+      visitor.number({"ground_stiffness_Pa_per_m", "Pressure of the ground by depth."}, supports.ground_stiffness_Pa_per_m,
+                     io::positive());
+    });
+    visitor.tables({"labels", "Faces that are held besides."}, supports.labels,
+                   [&](LabelSupport& support) { describe(visitor, support); });
+  });
+  visitor.table({"loads", "What loads the body beside its path."}, [&] {
+    visitor.number({"gravity_m_per_s2", "Gravity, downwards."}, study.gravity_m_per_s2, io::non_negative());
+  });
 }
 
-void add_supports(std::string& text, const InflationStudy& study) {
-  text += "[supports]\n";
-  add_word(text, "kind", study.supports.kind, support_words());
-  add_number(text, "ground_stiffness_Pa_per_m", study.supports.ground_stiffness_Pa_per_m);
-  for (const LabelSupport& support : study.supports.labels) {
-    std::string held;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (support.held[axis]) held += axis_words()[axis];
-    }
-    text += "[[supports.labels]]\n";
-    add_word(text, "label", support.label);
-    add_word(text, "held", held);
+void describe_drive(io::StudyVisitor& visitor, PlenumDrive& drive) {
+  const bool is_pressure = drive.kind == DriveKind::pressure;
+  const std::string_view key = drive_key(drive.kind);
+  constexpr std::array<std::string_view, 3> helps{"Gauge pressure at the knots of the path, from 0.",
+                                                  "Volume of the air by that at rest at the knots of the path, from 1.",
+                                                  "Amount of gas by that at rest at the knots of the path, from 1."};
+  visitor.numbers({key, helps.at(static_cast<std::size_t>(drive.kind)), is_pressure ? "[0, 2000]" : "[1, 1.05]"}, drive.values,
+                  is_pressure ? io::any_number() : io::positive(), {.fewest = 2});
+  const double rest = is_pressure ? 0.0 : 1.0;
+  visitor.check(!drive.values.empty() && drive.values.front() == rest, key,
+                "must begin with " + io::number_text(rest) + ": a path begins at rest", {0});
+  if (drive.kind != DriveKind::gas) return;
+  visitor.number({"gas_exponent", "Of the gas law p V^n: 1 isothermal, 1.4 adiabatic air."}, drive.gas_exponent, io::positive());
+  visitor.number({"ambient_pressure_Pa", "Absolute pressure of the surroundings."}, drive.ambient_pressure_Pa, io::positive());
+}
+
+/// The ways to drive plena. @param choose is called with each
+std::vector<io::Alternative> drive_alternatives(io::StudyVisitor& visitor, PlenumDrive& drive,
+                                                const std::function<void()>& choose) {
+  std::vector<io::Alternative> alternatives;
+  for (const DriveKind kind : {DriveKind::pressure, DriveKind::volume, DriveKind::gas}) {
+    const auto choose_kind = [&drive, choose, kind] {
+      if (drive.kind != kind) drive = {.kind = kind, .values = {}};
+      choose();
+    };
+    alternatives.push_back({drive_key(kind), drive.kind == kind && !drive.values.empty(), choose_kind,
+                            [&visitor, &drive] { describe_drive(visitor, drive); }});
   }
-  text += "[loads]\n";
-  add_number(text, "gravity_m_per_s2", study.gravity_m_per_s2);
+  return alternatives;
 }
 
-void add_plates(std::string& text, const InflationStudy& study) {
-  for (const StudyPlate& plate : study.plates) {
-    text += "[[plates]]\n";
-    add_word(text, "name", plate.name);
-    if (plate.side) {
-      add_word(text, "side", meshes::to_string(*plate.side));
-    } else {
-      add_word(text, "label", plate.label);
-    }
-    add_word(text, "grip", plate.slides, grip_words());
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::vector<double> displacements_m;
-      std::vector<double> rotations_rad;
-      for (const PlateMotion& motion : plate.drive.values) {
-        displacements_m.push_back(motion.displacement_m[axis]);
-        rotations_rad.push_back(motion.rotation_rad[axis]);
-      }
-      add_numbers(text, plate_displacement_key(axis), displacements_m);
-      add_numbers(text, plate_rotation_key(axis), rotations_rad);
-    }
-  }
+constexpr std::string_view drive_missing = "must say how the plenum is driven";
+
+void describe_plena(io::StudyVisitor& visitor, std::vector<NamedDrive>& plena) {
+  const auto describe_plenum = [&](NamedDrive& entry) {
+    visitor.text({"name", "Name of the plenum.", "\"plenum 0\""}, entry.plenum);
+    visitor.check(!entry.plenum.empty(), "name", "must name a plenum");
+    visitor.check(count_of(plena, entry.plenum, &NamedDrive::plenum) == 1, "name", "this plenum is driven twice");
+    visitor.one_of(drive_alternatives(visitor, entry.drive, [] {}), drive_missing);
+    visitor.check(entry.drive.values.size() == plena.front().drive.values.size(), drive_key(entry.drive.kind),
+                  "all plena need equally many values");
+  };
+  visitor.tables({"plenum", "How each plenum is driven."}, plena, describe_plenum, {.fewest = 1});
 }
 
-void add_path(std::string& text, const InflationStudy& study) {
-  text += "[path]\n";
-  add_number(text, "first_step", study.path.first_step);
-  add_number(text, "largest_step", study.path.largest_step);
-  add_number(text, "smallest_step", study.path.smallest_step);
-  add_number(text, "desired_iterations", study.path.desired_iterations);
-  add_number(text, "predictor_order", study.path.predictor_order);
-  add_numbers(text, "stations", study.path.stations);
-  add_number(text, "touching_gap", study.path.touching_gap);
+void describe_drives(io::StudyVisitor& visitor, InflationStudy& study) {
+  PlenumDrive of_all;
+  std::vector<NamedDrive> plena;
   for (const auto& [name, drive] : study.drives) {
-    text += "[[path.plenum]]\n";
-    add_word(text, "name", name);
-    add_numbers(text, drive_key(drive.kind), drive.values);
-    if (drive.kind != DriveKind::gas) continue;
-    add_number(text, "gas_exponent", drive.gas_exponent);
-    add_number(text, "ambient_pressure_Pa", drive.ambient_pressure_Pa);
+    if (name.empty())
+      of_all = drive;
+    else
+      plena.push_back({name, drive});
   }
-  text += "[solver]\n";
-  add_number(text, "largest_iteration_count", study.solver.largest_iteration_count);
-  add_number(text, "force_tolerance", study.solver.relative_force_tolerance);
-  add_number(text, "volume_tolerance", study.solver.relative_volume_tolerance);
-  add_flag(text, "predict_pressure", study.solver.predict_pressure);
-  add_word(text, "linear", study.solver.linear.method, linear_words());
-  add_number(text, "largest_direct_size", study.solver.linear.largest_direct_size);
-  add_number(text, "linear_tolerance", study.solver.linear.relative_tolerance);
+  std::vector<io::Alternative> alternatives = drive_alternatives(visitor, of_all, [&] { plena.clear(); });
+  alternatives.push_back({"plenum", !plena.empty(), [&] { of_all = {}; }, [&] { describe_plena(visitor, plena); }});
+  visitor.one_of(alternatives, drive_missing);
+  study.drives.clear();
+  if (!of_all.values.empty()) study.drives[""] = of_all;
+  for (const NamedDrive& entry : plena) study.drives[entry.plenum] = entry.drive;
 }
 
-void add_source(std::string& text, const InflationStudy& study) {
-  if (const auto* design = std::get_if<DesignSource>(&study.source)) {
-    text += "[design]\n" + meshes::hollow_body_text(design->options);
-    text += "[design.body]\n" + meshes::design_text(design->design);
-    return;
+/// Knots of the path.
+std::size_t knot_count(const InflationStudy& study) {
+  return study.drives.empty() ? 2 : study.drives.begin()->second.values.size();
+}
+
+void describe_steps(io::StudyVisitor& visitor, PathOptions& path, std::size_t knots) {
+  const auto up_to = [](double most) { return io::Range{.lowest = 0.0, .highest = most, .lowest_excluded = true}; };
+  visitor.number({"largest_step", "Largest step, as a part of the leg between two knots."}, path.largest_step, up_to(1.0));
+  path.first_step = std::min(path.first_step, path.largest_step);
+  visitor.number({"first_step", "First step of a leg."}, path.first_step, up_to(path.largest_step));
+  path.smallest_step = std::min(path.smallest_step, path.first_step);
+  visitor.number({"smallest_step", "Smallest step: where even this one fails the path ends."}, path.smallest_step,
+                 up_to(path.first_step));
+  visitor.integer({"desired_iterations", "Steps grow when they take fewer iterations of Newton, and shrink when they take more."},
+                  path.desired_iterations, io::within(1, 100));
+  visitor.integer({"predictor_order", "What a step starts from: 0 the last state, 1 a secant, 2 a parabola."},
+                  path.predictor_order, io::within(0, 2));
+  visitor.numbers({"stations", "Values of the path parameter, knots at 0, 1, ..., that are met exactly beside the knots."},
+                  path.stations, io::within(0.0, static_cast<double>(knots - 1)));
+  std::sort(path.stations.begin(), path.stations.end());
+  visitor.number(
+      {"touching_gap", "Walls touch where their gap is this part of the chamber's size; 0: contact is not looked for."},
+      path.touching_gap, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
+}
+
+/// A part of the motion of a plate at the knots. @param part of a motion
+template <class Part>
+void describe_motion(io::StudyVisitor& visitor, const io::Key& key, bool may_move, std::vector<PlateMotion>& motions,
+                     const Part& part) {
+  std::vector<double> values;
+  values.reserve(motions.size());
+  for (PlateMotion& motion : motions) values.push_back(part(motion));
+  const std::string count = std::to_string(motions.size());
+  visitor.only_if(may_move, "grip = \"bonded\": a sliding plate moves along the normal of its side alone", [&] {
+    visitor.numbers(key, values);
+    visitor.check(values.size() == motions.size(), key.name,
+                  "must hold one value for each of the " + count + " knots of the path");
+    visitor.check(values.empty() || values.front() == 0.0, key.name, "must begin with 0: the path starts at rest");
+  });
+  if (values.size() != motions.size()) return;
+  for (std::size_t knot = 0; knot < motions.size(); ++knot) part(motions[knot]) = values[knot];
+}
+
+void describe_motions(io::StudyVisitor& visitor, StudyPlate& plate, std::size_t knots) {
+  constexpr std::array<std::string_view, 3> displacements{"displacement_x_m", "displacement_y_m", "displacement_z_m"};
+  constexpr std::array<std::string_view, 3> rotations{"rotation_x_rad", "rotation_y_rad", "rotation_z_rad"};
+  std::vector<PlateMotion>& motions = plate.drive.values;
+  motions.resize(knots);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool may_shift = !plate.slides || (plate.side && meshes::axis_of(*plate.side) == axis);
+    describe_motion(visitor, {displacements.at(axis), "Displacement at the knots of the path."}, may_shift, motions,
+                    [axis](PlateMotion& motion) -> double& { return motion.displacement_m[axis]; });
+    describe_motion(visitor, {rotations.at(axis), "Part of the rotation vector about the middle of its faces at the knots."},
+                    !plate.slides, motions, [axis](PlateMotion& motion) -> double& { return motion.rotation_rad[axis]; });
   }
-  const auto& mesh = std::get<MeshSource>(study.source);
-  text += "[mesh]\n";
-  add_word(text, "content", study.inputs.at(mesh.file.string()));
-  add_number(text, "length_unit_m", mesh.length_unit_m);
+}
+
+void describe_plate(io::StudyVisitor& visitor, StudyPlate& plate, std::size_t knots) {
+  const auto describe_side = [&] {
+    meshes::Side side = plate.side.value_or(meshes::Side::x_max);
+    visitor.word({"side", "Side of the body's bounding box whose faces it holds.", "\"x max\""}, side, meshes::side_words());
+    plate.side = side;
+  };
+  const auto choose_label = [&] { plate.side.reset(); };
+  visitor.one_of({{"side", plate.side.has_value(), [&] { plate.label.clear(); }, describe_side},
+                  {"label", !plate.side && !plate.label.empty(), choose_label,
+                   [&] {
+                     visitor.text({"label", "Label of the faces that it holds.", "\"ground\""}, plate.label);
+                   }}},
+                 "a plate holds faces");
+  visitor.word({"grip", "Whether the faces are bonded to the plate, or slide on it; then only it moves along the side's normal."},
+               plate.slides, grip_words());
+  visitor.check(!plate.slides || plate.side, "grip", "only the faces of a side slide");
+  describe_motions(visitor, plate, knots);
+}
+
+void describe_path(io::StudyVisitor& visitor, InflationStudy& study) {
+  visitor.table({"path", "The path along which equilibria are followed, through knots."}, [&] {
+    describe_drives(visitor, study);
+    describe_steps(visitor, study.path, knot_count(study));
+  });
+  visitor.tables({"plates", "Rigid plates on faces of the body. What a plate holds no support moves."}, study.plates,
+                 [&](StudyPlate& plate) {
+                   describe_name(visitor, {"name", "Name of the plate, in columns of results.", "\"tip\""}, plate, study.plates);
+                   describe_plate(visitor, plate, knot_count(study));
+                 });
+}
+
+void describe_solver(io::StudyVisitor& visitor, EquilibriumOptions& solver) {
+  const io::Range tolerance{.lowest = 0.0, .highest = 1e-2, .lowest_excluded = true};
+  visitor.table({"solver", "How each equilibrium is found."}, [&] {
+    visitor.word({"linear", "Linear solver; automatic: direct up to largest_direct_size."}, solver.linear.method, linear_words());
+    visitor.integer({"largest_direct_size", "Most unknowns of the direct linear solver where it is chosen automatically."},
+                    solver.linear.largest_direct_size, io::at_least(1));
+    visitor.number({"linear_tolerance", "Relative residual of the iterative linear solver."}, solver.linear.relative_tolerance,
+                   tolerance);
+    visitor.number({"force_tolerance", "Residual force by the force of the loads."}, solver.relative_force_tolerance, tolerance);
+    visitor.number({"volume_tolerance", "Relative error of a volume that drives a plenum."}, solver.relative_volume_tolerance,
+                   tolerance);
+    visitor.integer({"largest_iteration_count", "Most iterations of Newton of a step."}, solver.largest_iteration_count,
+                    io::within(1, 1000));
+    visitor.boolean({"predict_pressure", "Newton's method of the three fields; false: of the displacements alone."},
+                    solver.predict_pressure);
+  });
+}
+
+void check_gravity(const io::StudyVisitor& visitor, const InflationStudy& study) {
+  const bool is_weightless = study.gravity_m_per_s2 == 0.0;
+  visitor.check(study.supports.kind != SupportKind::resting || !is_weightless, "supports.kind",
+                "a body rests on the ground by its weight: loads.gravity_m_per_s2 must be > 0");
+  const auto has_density = [](const auto& entry) { return entry.second.density_kg_per_m3.has_value(); };
+  const bool has_densities =
+      study.material.density_kg_per_m3 && std::all_of(study.region_materials.begin(), study.region_materials.end(), has_density);
+  visitor.check(is_weightless || has_densities, "loads.gravity_m_per_s2", "needs material.density_kg_per_m3");
+}
+
+/// Whatever else holds or loads a body would pass forces into the three points.
+void check_freedom(const io::StudyVisitor& visitor, const InflationStudy& study) {
+  if (study.supports.kind != SupportKind::free) return;
+  visitor.check(study.supports.labels.empty(), "supports.kind", "nothing else may hold a free body: [[supports.labels]] does");
+  visitor.check(study.plates.empty(), "supports.kind", "nothing else may hold a free body: [[plates]] does");
+  visitor.check(study.gravity_m_per_s2 == 0.0, "supports.kind",
+                "nothing carries a free body's weight: loads.gravity_m_per_s2 must be 0");
+}
+
+/// All that decides the path.
+void describe_states(io::StudyVisitor& visitor, InflationStudy& study) {
+  describe_source(visitor, study);
+  describe_materials(visitor, study);
+  describe_element(visitor, study);
+  describe_supports(visitor, study);
+  describe_path(visitor, study);
+  describe_solver(visitor, study.solver);
+  check_gravity(visitor, study);
+  check_freedom(visitor, study);
+}
+
+void describe_output(io::StudyVisitor& visitor, StudyOutput& output) {
+  visitor.table({"output", "What is written."}, [&] {
+    visitor.boolean({"fields", "Whether displacements and stresses are written, for ParaView."}, output.fields);
+    visitor.integer({"fields_every", "States of the path for each that is written; the last one always is."}, output.fields_every,
+                    io::at_least(1));
+    visitor.boolean({"pictures", "Whether pictures are drawn."}, output.pictures);
+    visitor.tables({"points", "Points whose displacement and stretch are followed."}, output.points, [&](NamedPoint& point) {
+      describe_name(visitor, {"name", "Name of the point, in columns of results.", "\"foot\""}, point, output.points);
+      visitor.numbers({"position_m", "Where it is at rest.", "[0, 0, 0]"}, point.position);
+    });
+  });
 }
 
 }  // namespace
 
-std::string path_text(const InflationStudy& study) {
-  std::string text;
-  add_source(text, study);
-  add_material(text, "material", study.material);
-  for (const auto& [region, material] : study.region_materials) {
-    text += "[[material.regions]]\n";
-    add_word(text, "region", region);
-    add_material(text, "material.regions", material);
-  }
-  text += "[element]\n";
-  add_number(text, "degree", study.degree);
-  add_word(text, "formulation", study.formulation, formulation_words());
-  add_number(text, "refinements", study.refinements);
-  add_supports(text, study);
-  add_plates(text, study);
-  add_path(text, study);
-  return text;
+void describe(io::StudyVisitor& visitor, InflationStudy& study) {
+  describe_states(visitor, study);
+  describe_output(visitor, study.output);
 }
 
-std::string resolved_text(const InflationStudy& study) {
-  std::string text = path_text(study);
-  text += "[output]\n";
-  add_flag(text, "fields", study.output.fields);
-  add_number(text, "fields_every", study.output.fields_every);
-  add_flag(text, "pictures", study.output.pictures);
-  for (const NamedPoint& point : study.output.points) {
-    text += "[[output.points]]\n";
-    add_word(text, "name", point.name);
-    add_numbers(text, "position_m", {point.position.begin(), point.position.end()});
+std::string path_text(const InflationStudy& study) {
+  InflationStudy identified = study;
+  if (auto* mesh = std::get_if<MeshSource>(&identified.source)) {
+    // a mesh counts by its content, wherever it lies
+    mesh->file = study.inputs.at(mesh->file.string()) + mesh->file.extension().string();
   }
-  return text;
+  io::StudyTextWriter writer;
+  describe_states(writer, identified);
+  return writer.text();
 }
+
+std::string resolved_text(const InflationStudy& study) { return io::described_text(study); }
 
 }  // namespace menger::fem

@@ -13,6 +13,7 @@
 #include "fem/statics/equilibrium.h"
 #include "fem/statics/inflation_path.h"
 #include "fem/surfaces/point.h"
+#include "io/study/study_visitor.h"
 #include "meshes/design/design_file.h"
 #include "meshes/design/hollow_body_options.h"
 #include "meshes/design/side.h"
@@ -22,17 +23,22 @@ namespace menger::fem {
 /// A silicone as a study names it: a law with its range, a volumetric energy and a density.
 struct StudyMaterial {
   materials::HyperelasticLaw law;
-  VolumetricLaw volume;
+  VolumetricLaw volume = materials::SimoTaylorVolume{};
   std::optional<double> density_kg_per_m3;  ///< gravity needs one
   double smallest_stretch = 0.0;            ///< 1: never compared with compression; 0: no range is stated
   double largest_stretch = std::numeric_limits<double>::infinity();
   std::string name;                           ///< for messages: of the record and the law
   std::string silicone = "unnamed silicone";  ///< name of the record
+  std::optional<std::filesystem::path> file;  ///< of the record, if there is one
+  std::vector<std::string> notes;             ///< what was assumed, for people
 };
+
+/// The keys of a silicone (see materials::StudyLaw) with its volumetric energy and its density.
+void describe(io::StudyVisitor& visitor, StudyMaterial& material);
 
 /// A body from a design.
 struct DesignSource {
-  std::filesystem::path file;
+  std::optional<std::filesystem::path> file;  ///< nothing for one that is drawn in the study
   meshes::Design design;
   meshes::HollowBodyOptions options;
 };
@@ -107,11 +113,14 @@ struct InflationStudy {
   std::vector<std::string> notes;             ///< what was assumed or is doubtful, for people
 };
 
-/// All that decides the states of a path as text: settings with defaults filled in, and the hashes of design or mesh. Equal texts
-/// give equal paths; what is written about them does not enter.
+/// The keys of a study of `menger inflate`; `menger inflate --keys` lists them.
+void describe(io::StudyVisitor& visitor, InflationStudy& study);
+
+/// All that decides the states of a path as text: settings with defaults filled in, the design, and the hash of a mesh. Equal
+/// texts give equal paths; what is written about them does not enter.
 std::string path_text(const InflationStudy& study);
 
-/// path_text and the output: the resolved parameters for the manifest.
+/// The text of the study, from which it is read back: the resolved parameters for the manifest.
 std::string resolved_text(const InflationStudy& study);
 
 }  // namespace menger::fem

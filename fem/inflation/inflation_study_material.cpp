@@ -1,28 +1,23 @@
-#include <string_view>
-#include <vector>
+#include <cmath>
+#include <string>
 
-#include "fem/inflation/inflation_study_file.h"
+#include "fem/inflation/inflation_study.h"
 #include "fem/inflation/inflation_study_words.h"
 #include "io/text/number_text.h"
-#include "materials/laws/law_file.h"
-#include "materials/laws/record_law.h"
-#include "materials/laws/silicone_library.h"
-#include "materials/laws/silicone_record.h"
+#include "materials/laws/study_law.h"
 
 namespace menger::fem {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Bulk modulus by shear modulus where none is given: Poisson's ratio 0.490, as far as the volume of a silicone chamber's wall
 /// needs.
 constexpr double default_bulk_factor = 50.0;
 
 /// What is to be known of a law that is not the recommended one.
-std::string note_of(const materials::RecordLaw& chosen) {
-  return "material: " + std::string(materials::name_of(chosen.law.law)) + ", number " + std::to_string(chosen.variant) + " of " +
-         std::to_string(chosen.count) + " in the record, up to a stretch of " + io::number_text(chosen.law.largest_stretch) +
-         ": " + chosen.law.source;
+std::string note_of(const materials::StudyLaw& chosen) {
+  return "material: " + std::string(materials::name_of(chosen.law)) + ", number " + std::to_string(chosen.variant) + " of " +
+         std::to_string(chosen.count) + " in the record, up to a stretch of " + io::number_text(chosen.largest_stretch) + ": " +
+         chosen.source;
 }
 
 VolumetricLaw volumetric_law(std::size_t kind, double bulk_modulus_Pa) {
@@ -36,40 +31,45 @@ VolumetricLaw volumetric_law(std::size_t kind, double bulk_modulus_Pa) {
   }
 }
 
+/// The law of a material, or that of the silicone that is named.
+void describe_law(io::StudyVisitor& visitor, StudyMaterial& material) {
+  materials::StudyLaw chosen{.record = {},
+                             .law = material.law,
+                             .smallest_stretch = material.smallest_stretch,
+                             .largest_stretch = material.largest_stretch};
+  describe(visitor, chosen);
+  material.law = chosen.law;
+  material.smallest_stretch = chosen.smallest_stretch;
+  material.largest_stretch = chosen.largest_stretch;
+  if (visitor.source() != nullptr) material.name = chosen.name();
+  if (!chosen.record) return;
+  material.silicone = chosen.record->name;
+  material.file = chosen.file;
+  if (chosen.count > 0) material.notes.push_back(note_of(chosen));
+  if (!material.density_kg_per_m3) material.density_kg_per_m3 = chosen.record->data_sheet.density_kg_per_m3;
+}
+
 }  // namespace
 
-StudyMaterial read_study_material(const io::TomlTable& table, const std::function<void(const fs::path&)>& read_input,
-                                  std::vector<std::string>& notes) {
-  StudyMaterial material;
-  if (materials::has_inline_law(table)) {
-    if (table.has("record")) throw table.error("record", "a table [law] beside it gives another material: keep one of them");
-    material.law = materials::read_law(table.table("law"));
-    material.name = "inline " + std::string(materials::name_of(material.law));
-  } else {
-    const fs::path file = materials::silicone_file(table, "record");
-    read_input(file);
-    const materials::SiliconeRecord record = materials::read_silicone(file);
-    const materials::RecordLaw chosen = materials::choose_law(table, record);
-    if (chosen.count > 0) notes.push_back(note_of(chosen));
-    const materials::SourcedLaw& law = chosen.law;
-    material.law = law.law;
-    material.density_kg_per_m3 = record.data_sheet.density_kg_per_m3;
-    material.smallest_stretch = law.smallest_stretch;
-    material.largest_stretch = law.largest_stretch;
-    material.silicone = record.name;
-    material.name = record.name + ", " + std::string(materials::name_of(law.law));
-  }
-  const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law);
-  const std::size_t kind = table.word_or<std::size_t>("volumetric", 2, volumetric_words());
-  auto bulk_modulus_Pa = table.optional_number("bulk_modulus_Pa", io::positive());
-  if (!bulk_modulus_Pa) {
+void describe(io::StudyVisitor& visitor, StudyMaterial& material) {
+  std::optional<double> density = material.density_kg_per_m3;
+  describe_law(visitor, material);
+  std::size_t kind = material.volume.index();
+  visitor.word({"volumetric", "Energy of a change of volume."}, kind, volumetric_words());
+  std::optional<double> bulk_modulus_Pa;
+  if (const double known = bulk_modulus_of(material.volume); known > 0.0) bulk_modulus_Pa = known;
+  visitor.optional_number({"bulk_modulus_Pa", "Resistance to a change of volume; without one, 50 shear moduli.", "4e6"},
+                          bulk_modulus_Pa, io::positive());
+  if (const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law);
+      !bulk_modulus_Pa && shear_modulus_Pa > 0.0) {
     bulk_modulus_Pa = default_bulk_factor * shear_modulus_Pa;
-    notes.push_back("material: bulk_modulus_Pa = " + io::number_text(*bulk_modulus_Pa) + " is assumed, " +
-                    io::number_text(default_bulk_factor) + " shear moduli (" + material.name + ")");
+    material.notes.push_back("material: bulk_modulus_Pa = " + io::number_text(*bulk_modulus_Pa) + " is assumed, " +
+                             io::number_text(default_bulk_factor) + " shear moduli (" + material.name + ")");
   }
-  material.volume = volumetric_law(kind, *bulk_modulus_Pa);
-  if (const auto density = table.optional_number("density_kg_per_m3", io::positive())) material.density_kg_per_m3 = density;
-  return material;
+  material.volume = volumetric_law(kind, bulk_modulus_Pa.value_or(0.0));
+  visitor.optional_number({"density_kg_per_m3", "Density; without one, that of the silicone's record.", "1070"}, density,
+                          io::positive());
+  if (density) material.density_kg_per_m3 = density;
 }
 
 }  // namespace menger::fem

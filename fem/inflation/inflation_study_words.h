@@ -37,10 +37,6 @@ inline const io::Words<bool>& grip_words() {
   return words;
 }
 
-/// The key under which a study gives a part of a plate's motion at the knots.
-inline std::string plate_displacement_key(std::size_t axis) { return std::string("displacement_") + "xyz"[axis] + "_m"; }
-inline std::string plate_rotation_key(std::size_t axis) { return std::string("rotation_") + "xyz"[axis] + "_rad"; }
-
 /// Volumetric energies by their place in VolumetricLaw.
 inline const io::Words<std::size_t>& volumetric_words() {
   static const io::Words<std::size_t> words{{"quadratic", 0}, {"log_squared", 1}, {"simo_taylor", 2}};
@@ -49,8 +45,13 @@ inline const io::Words<std::size_t>& volumetric_words() {
 
 inline std::string_view volumetric_word(const VolumetricLaw& law) { return volumetric_words()[law.index()].first; }
 
-inline const std::array<std::string_view, 3>& axis_words() {
-  static const std::array<std::string_view, 3> words{"x", "y", "z"};
+inline double bulk_modulus_of(const VolumetricLaw& law) {
+  return std::visit([](const auto& any) { return any.bulk_modulus_Pa; }, law);
+}
+
+/// Axes by their number.
+inline const io::Words<std::size_t>& axis_words() {
+  static const io::Words<std::size_t> words{{"x", 0}, {"y", 1}, {"z", 2}};
   return words;
 }
 

@@ -2,20 +2,13 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "io/text/formatted.h"
-#include "io/text/number_text.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 
 namespace menger::fem {
 namespace {
-
-void add_line(std::string& text, std::string_view key, std::string_view value) {
-  text.append(key).append(" = ").append(value).append("\n");
-}
-void add_number(std::string& text, std::string_view key, double value) { add_line(text, key, io::number_text(value)); }
-void add_count(std::string& text, std::string_view key, std::uint64_t value) { add_line(text, key, std::to_string(value)); }
 
 std::vector<std::string> columns_of(const InflationResult& result) {
   std::vector<std::string> columns{"step", "s"};
@@ -77,29 +70,30 @@ io::CsvTable curves_table(const InflationResult& result) {
 }
 
 std::string result_text(const InflationResult& result) {
-  std::string text;
-  add_line(text, "status", io::toml_quoted(io::to_string(result.path.status)));
-  if (!result.path.reason.empty()) add_line(text, "reason", io::toml_quoted(result.path.reason));
-  add_count(text, "elements", result.elements);
-  add_count(text, "unknowns", result.unknowns);
-  add_number(text, "element_size_m", result.element_size_m);
-  add_count(text, "points", result.path.points.size());
+  io::TomlText text;
+  text.add("status", io::to_string(result.path.status));
+  if (!result.path.reason.empty()) text.add("reason", result.path.reason);
+  text.add("elements", result.elements);
+  text.add("unknowns", result.unknowns);
+  text.add("element_size_m", result.element_size_m);
+  text.add("points", result.path.points.size());
   std::uint64_t iterations = 0;
   for (const PathPoint& point : result.path.points) iterations += static_cast<std::uint64_t>(point.iterations);
-  add_count(text, "accepted_newton_iterations", iterations);
-  add_count(text, "rejected_steps", static_cast<std::uint64_t>(result.path.rejected_steps));
-  if (!result.path.points.empty()) add_number(text, "s", result.path.points.back().s);
-  text += "notes = [\n";
-  for (const std::string& note : result.notes) text += "  " + io::toml_quoted(note) + ",\n";
-  text += "]\n";
+  text.add("accepted_newton_iterations", iterations);
+  text.add("rejected_steps", result.path.rejected_steps);
+  if (!result.path.points.empty()) text.add("s", result.path.points.back().s);
+  text.line("notes = [");
+  for (const std::string& note : result.notes) text.line("  " + io::toml_quoted(note) + ",");
+  text.line("]");
   for (const LimitPoint& limit : result.path.limit_points) {
-    text += "\n[[limit_points]]\n";
-    add_line(text, "plenum", io::toml_quoted(result.plenum_names[limit.plenum]));
-    add_number(text, "pressure_Pa", limit.pressure_Pa);
-    add_number(text, "volume_m3", limit.volume_m3);
-    add_line(text, "passed", limit.passed ? "true" : "false");
+    text.line("")
+        .entry("limit_points")
+        .add("plenum", result.plenum_names[limit.plenum])
+        .add("pressure_Pa", limit.pressure_Pa)
+        .add("volume_m3", limit.volume_m3)
+        .add("passed", limit.passed);
   }
-  return text;
+  return text.text();
 }
 
 }  // namespace menger::fem

@@ -14,8 +14,8 @@
 #include "fem/inflation/inflation_tables.h"
 #include "io/picture/chart.h"
 #include "io/text/formatted.h"
-#include "io/text/number_text.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/vtk_file.h"
 
@@ -104,20 +104,20 @@ io::CsvTable frequency_response_table(const ModesResult& result) {
 }
 
 std::string modes_result_text(const ModesResult& result) {
-  std::string text = "status = " + io::toml_quoted(io::to_string(result.status)) + "\n";
-  if (!result.reason.empty()) text += "reason = " + io::toml_quoted(result.reason) + "\n";
-  text += "elements = " + std::to_string(result.elements) + "\n";
-  text += "unknowns = " + std::to_string(result.unknowns) + "\n";
-  text += "notes = [\n";
-  for (const std::string& note : result.notes) text += "  " + io::toml_quoted(note) + ",\n";
-  text += "]\n";
+  io::TomlText text;
+  text.add("status", io::to_string(result.status));
+  if (!result.reason.empty()) text.add("reason", result.reason);
+  text.add("elements", result.elements);
+  text.add("unknowns", result.unknowns);
+  text.line("notes = [");
+  for (const std::string& note : result.notes) text.line("  " + io::toml_quoted(note) + ",");
+  text.line("]");
   for (const ModesState& state : result.states) {
-    text += "\n[[states]]\ns = " + io::number_text(state.s) + "\n";
-    text += "status = " + io::toml_quoted(io::to_string(state.vibrations.status)) + "\n";
-    if (!state.vibrations.reason.empty()) text += "reason = " + io::toml_quoted(state.vibrations.reason) + "\n";
-    text += "rigid_modes = " + std::to_string(state.vibrations.rigid_modes) + "\n";
+    text.line("").entry("states").add("s", state.s).add("status", io::to_string(state.vibrations.status));
+    if (!state.vibrations.reason.empty()) text.add("reason", state.vibrations.reason);
+    text.add("rigid_modes", state.vibrations.rigid_modes);
   }
-  return text;
+  return text.text();
 }
 
 io::PictureOutcome draw_frequency_response(const fs::path& file, const ModesResult& result) {

@@ -11,6 +11,7 @@
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/number_text.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 
 namespace menger::fem {
@@ -189,8 +190,11 @@ class ModesRun {
     result_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     io::write_whole(folder_ / "result.toml", modes_result_text(result_));
     io::write_manifest(folder_, {.program = "menger-modes",
-                                 .parameters = resolved_text(study_) + "mode_count = " + std::to_string(options_.mode_count) +
-                                               "\nloss_factor = " + io::number_text(options_.loss_factor) + "\n",
+                                 .parameters = io::TomlText()
+                                                   .add("mode_count", options_.mode_count)
+                                                   .add("loss_factor", options_.loss_factor)
+                                                   .lines(resolved_text(study_))
+                                                   .text(),
                                  .seed = std::nullopt,
                                  .seconds = result_.seconds,
                                  .inputs = study_.inputs});

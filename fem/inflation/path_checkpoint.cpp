@@ -13,7 +13,7 @@
 namespace menger::fem {
 namespace {
 
-constexpr std::string_view title = "menger path checkpoint 3";
+constexpr std::string_view title = "menger path checkpoint 4";
 
 template <class Transfer, class Value>
 void transfer(Transfer& stream, Value& value);

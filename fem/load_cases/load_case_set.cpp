@@ -13,6 +13,7 @@
 #include "fem/load_cases/load_case_fields.h"
 #include "fem/load_cases/pressure_range.h"
 #include "fem/space/rank_agreement.h"
+#include "io/study/study_text.h"
 #include "io/text/content_hash.h"
 #include "io/text/manifest.h"
 #include "io/text/version.h"
@@ -66,7 +67,7 @@ class SetRun {
     }
     on_first_rank(options_.communicator, [&] {
       io::write_manifest(folder_, {.program = "menger-load-cases",
-                                   .parameters = parameters(),
+                                   .parameters = io::described_text(study_),
                                    .seed = std::nullopt,
                                    .seconds = std::chrono::duration<double>(Clock::now() - start).count(),
                                    .inputs = study_.inputs});
@@ -236,13 +237,6 @@ class SetRun {
     for (const std::vector<double>& row : answer.rows)
       for (std::size_t column = 0; column < row.size(); ++column) curve.values[column].push_back(row[column]);
     return curve;
-  }
-
-  [[nodiscard]] std::string parameters() const {
-    std::string text;
-    for (const CaseRequest& request : study_.cases)
-      text += "[[case]]  # " + request.load_case.name + "\n" + case_text(request, study_.material);
-    return text;
   }
 
   const LoadCaseStudy& study_;

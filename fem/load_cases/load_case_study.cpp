@@ -1,10 +1,8 @@
 #include "fem/load_cases/load_case_study.h"
 
-#include <algorithm>
-#include <variant>
-
 #include "fem/inflation/inflation_study_words.h"
 #include "io/text/number_text.h"
+#include "io/text/toml_text.h"
 #include "materials/laws/law_file.h"
 #include "meshes/load_cases/load_case_file.h"
 
@@ -20,18 +18,18 @@ std::string elements_text(const LoadCaseElements& elements) {
 std::string case_text(const CaseRequest& request, const StudyMaterial& material) {
   meshes::LoadCase nameless = request.load_case;
   nameless.name = "case";
-  std::string text = meshes::load_case_text(nameless);
-  for (const double fraction : request.pressure_fractions) text += "pressure_fraction = " + io::number_text(fraction) + "\n";
+  io::TomlText text;
+  text.lines(meshes::load_case_text(nameless));
+  for (const double fraction : request.pressure_fractions) text.add("pressure_fraction", fraction);
   if (nameless.pressures_Pa.empty()) {
-    text += "states = " + std::to_string(request.state_count) + "\n";
-    if (request.largest_pressure_Pa) text += "largest_pressure_Pa = " + io::number_text(*request.largest_pressure_Pa) + "\n";
+    text.add("states", request.state_count);
+    if (request.largest_pressure_Pa) text.add("largest_pressure_Pa", *request.largest_pressure_Pa);
   }
-  text += elements_text(request.elements) + ", growth " + io::number_text(request.elements.growth) + "\n";
-  text += materials::law_line(material.law) + "\n";
-  text += std::string(volumetric_word(material.volume)) + " " +
-          io::number_text(std::visit([](const auto& volume) { return volume.bulk_modulus_Pa; }, material.volume)) + "\n";
-  text += "density_kg_m3 = " + io::number_text(material.density_kg_per_m3.value_or(0.0)) + "\n";
-  return text;
+  text.line(elements_text(request.elements) + ", growth " + io::number_text(request.elements.growth));
+  text.line(materials::law_line(material.law));
+  text.line(std::string(volumetric_word(material.volume)) + " " + io::number_text(bulk_modulus_of(material.volume)));
+  text.add("density_kg_m3", material.density_kg_per_m3.value_or(0.0));
+  return text.text();
 }
 
 }  // namespace menger::fem

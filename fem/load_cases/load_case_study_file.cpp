@@ -1,13 +1,11 @@
 #include "fem/load_cases/load_case_study_file.h"
 
 #include <algorithm>
-#include <functional>
 #include <string_view>
 
-#include "fem/inflation/inflation_study_file.h"
+#include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
 #include "meshes/design/design_file.h"
-#include "meshes/design/hollow_body_file.h"
 #include "meshes/load_cases/load_case_file.h"
 
 namespace menger::fem {
@@ -19,118 +17,163 @@ using meshes::LoadCaseKind;
 
 constexpr int most_states = 1000;
 
-/// The part of a case that a table [body] may give for all; 0: not given.
-struct BodyDefaults {
-  double cell_edge_m = 0.0;
-  double wall_thickness_m = 0.0;
-  int level = 1;
-  meshes::ChamberLayout chambers = meshes::ChamberLayout::single;
-};
-
-BodyDefaults read_body(const io::TomlTable& table, BodyDefaults body) {
-  const auto length = [&](std::string_view key, double fallback) {
-    return fallback > 0.0 ? table.number_or(key, fallback, io::positive()) : table.number(key, io::positive());
+/// Lengths must be given where nothing gives them for all.
+void describe(io::StudyVisitor& visitor, CaseBody& body) {
+  const auto length = [&](std::string_view name, std::string_view help, std::string_view example, double& value) {
+    visitor.number({.name = name, .help = help, .example = value > 0.0 ? "" : example, .may_be_elsewhere = true}, value,
+                   io::positive());
   };
-  body.cell_edge_m = length("cell_edge_m", body.cell_edge_m);
-  body.wall_thickness_m = length("wall_thickness_m", body.wall_thickness_m);
-  if (!(body.wall_thickness_m < 0.5 * body.cell_edge_m))
-    throw table.error(table.has("wall_thickness_m") ? "wall_thickness_m" : "cell_edge_m",
-                      "the wall must be thinner than half a cell");
-  body.level = table.integer_or("level", body.level, io::within(1, 10));
-  body.chambers = table.word_or("chambers", body.chambers, meshes::chamber_layout_words());
-  return body;
+  length("cell_edge_m", "Edge of a cell.", "0.01", body.cell_edge_m);
+  length("wall_thickness_m", "Thickness of every outer wall.", "0.002", body.wall_thickness_m);
+  const io::TomlTable* table = visitor.source();
+  visitor.check(body.wall_thickness_m < 0.5 * body.cell_edge_m,
+                table != nullptr && !table->has("wall_thickness_m") ? "cell_edge_m" : "wall_thickness_m",
+                "the wall must be thinner than half a cell");
+  visitor.integer({"level", "Level of the fractal."}, body.level, io::within(1, 10));
+  visitor.word({"chambers", "Whether all cells of a module share one chamber, or those of each phase."}, body.per_phase,
+               meshes::case_chamber_words());
 }
 
-LoadCaseElements read_elements(const io::TomlTable& table, LoadCaseElements elements) {
-  elements.degree = table.integer_or("degree", elements.degree, io::within(1, 2));
-  elements.through_wall = table.integer_or("through_wall", elements.through_wall, io::within(1, 100));
-  if (const auto largest_m = table.optional_number("largest_element_m", io::positive())) elements.largest_element_m = largest_m;
-  elements.growth = table.number_or("growth", elements.growth, io::at_least(1.0));
-  return elements;
+void describe(io::StudyVisitor& visitor, LoadCaseElements& elements) {
+  visitor.integer({"degree", "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1."}, elements.degree, io::within(1, 2));
+  visitor.integer({"through_wall", "Least number of elements through a wall."}, elements.through_wall, io::within(1, 100));
+  visitor.optional_number({"largest_element_m", "Edge that elements may grow to away from walls.", "0.005"},
+                          elements.largest_element_m, io::positive());
+  visitor.number({"growth", "Largest ratio of neighbouring edges while they grow."}, elements.growth, io::at_least(1.0));
 }
 
-std::vector<double> ascending(const io::TomlTable& table, std::string_view key, const io::Range& range = io::any_number()) {
-  std::vector<double> values = table.numbers(key, range);
-  if (values.empty()) throw table.error(key, "must hold at least one value");
+/// A list of values in any order, each once.
+void describe_ascending(io::StudyVisitor& visitor, const io::Key& key, std::vector<double>& values,
+                        const io::Range& range = io::any_number()) {
+  visitor.numbers(key, values, range, {.fewest = 1});
   std::sort(values.begin(), values.end());
-  if (std::adjacent_find(values.begin(), values.end()) != values.end()) throw table.error(key, "must not hold a value twice");
-  return values;
+  visitor.check(std::adjacent_find(values.begin(), values.end()) == values.end(), key.name, "must not hold a value twice");
 }
 
-void read_pressures(const io::TomlTable& table, CaseRequest& request) {
-  const bool given = table.has("pressures_Pa");
-  const bool fractions = table.has("pressure_fractions");
-  if (given && fractions) throw table.error("pressure_fractions", "pressures_Pa beside them give others: keep one of them");
-  if (given) request.load_case.pressures_Pa = ascending(table, "pressures_Pa");
-  if (fractions) request.pressure_fractions = ascending(table, "pressure_fractions", io::within(-1.0, 1.0));
-  if (!given && !fractions && request.load_case.kind != LoadCaseKind::inflation)
-    throw table.error("kind", "needs pressures_Pa or pressure_fractions");
-  if (!given && !fractions) request.state_count = table.integer_or("states", request.state_count, io::within(3, most_states));
-  if (!given) request.largest_pressure_Pa = table.optional_number("largest_pressure_Pa", io::positive());
+void describe_design_file(io::StudyVisitor& visitor, CaseRequest& request) {
+  fs::path file;
+  visitor.path({"design", "A design file; its cell edge does not count.", "\"design.toml\""}, file);
+  if (visitor.source() == nullptr) return;
+  const meshes::Polycube body = meshes::read_design(file).body;
+  request.load_case.cells = {body.nx(), body.ny(), body.nz()};
+  request.load_case.digits = body.digits();
+  request.design_file = file;
 }
 
-void read_imposed(const io::TomlTable& table, LoadCase& load_case) {
-  const std::string key = meshes::imposed_key(load_case.kind);
-  if (key.empty()) return;
-  load_case.imposed = ascending(table, key);
-  const double length_m = load_case.cell_edge_m * load_case.cells[load_case.kind == LoadCaseKind::press ? 2 : 0];
-  const bool shortens = load_case.kind == LoadCaseKind::press || load_case.kind == LoadCaseKind::stretch;
-  const double most = load_case.kind == LoadCaseKind::press ? load_case.imposed.back() : -load_case.imposed.front();
-  if (shortens && load_case.level == 1 && !(most < length_m)) throw table.error(key, "leaves nothing of the length of the body");
-}
-
-using ReadInput = std::function<void(const fs::path&)>;
-
-CaseRequest read_case(const io::TomlTable& table, const BodyDefaults& defaults, const LoadCaseElements& elements,
-                      const ReadInput& read_input) {
-  CaseRequest request;
+/// @param has_body whether the case says which body already
+void describe_body(io::StudyVisitor& visitor, CaseRequest& request, bool has_body) {
   LoadCase& load_case = request.load_case;
-  load_case.name = meshes::read_case_name(table);
-  load_case.kind = table.word("kind", meshes::load_case_kind_words());
-  if (const auto design_file = table.optional_path("design")) {
-    for (const char* key : {"cells", "digits"})
-      if (table.has(key)) throw table.error(key, "the design gives another body: keep one of them");
-    read_input(*design_file);
-    const meshes::Polycube body = meshes::read_design(*design_file).body;
-    load_case.cells = {body.nx(), body.ny(), body.nz()};
-    load_case.digits = body.digits();
-  } else {
-    meshes::read_cells(table, load_case);
-  }
-  const BodyDefaults body = read_body(table, defaults);
+  const auto keep = [] {};
+  visitor.one_of({{"digits", has_body, keep, [&] { meshes::describe_cells(visitor, load_case); }},
+                  {"design", false, keep, [&] { describe_design_file(visitor, request); }}},
+                 "a body is needed");
+  CaseBody body{load_case.cell_edge_m, load_case.wall_thickness_m, load_case.level, load_case.per_phase};
+  describe(visitor, body);
   load_case.cell_edge_m = body.cell_edge_m;
   load_case.wall_thickness_m = body.wall_thickness_m;
   load_case.level = body.level;
-  load_case.per_phase = body.chambers == meshes::ChamberLayout::per_phase;
-  request.elements = read_elements(table, elements);
-  read_pressures(table, request);
-  read_imposed(table, load_case);
-  return request;
+  load_case.per_phase = body.per_phase;
+}
+
+void describe_pressures(io::StudyVisitor& visitor, CaseRequest& request) {
+  std::vector<double>& pressures_Pa = request.load_case.pressures_Pa;
+  std::vector<double>& fractions = request.pressure_fractions;
+  const bool finds_its_own = request.load_case.kind == LoadCaseKind::inflation && pressures_Pa.empty() && fractions.empty();
+  std::vector<io::Alternative> alternatives{
+      {"pressures_Pa", !pressures_Pa.empty(), [&] { fractions.clear(); },
+       [&] {
+         describe_ascending(visitor, {"pressures_Pa", "Gauge pressures of all chambers.", "[0, 1000]"}, pressures_Pa);
+       }},
+      {"pressure_fractions", !fractions.empty(), [&] { pressures_Pa.clear(); },
+       [&] {
+         describe_ascending(
+             visitor,
+             {"pressure_fractions",
+              "Pressures by that at which walls touch (negative) or by the safe part of the limit pressure.", "[0, 0.5]"},
+             fractions, io::within(-1.0, 1.0));
+       }}};
+  if (request.load_case.kind == LoadCaseKind::inflation) {
+    const auto find_own = [&] {
+      pressures_Pa.clear();
+      fractions.clear();
+    };
+    alternatives.push_back({"states", finds_its_own, find_own, [&] {
+                              visitor.integer({"states", "Pressures that an inflation finds on its own."}, request.state_count,
+                                              io::within(3, most_states));
+                            }});
+  }
+  visitor.one_of(alternatives, "a load case that is no inflation needs its pressures");
+  visitor.only_if(pressures_Pa.empty(), "pressures that are looked for", [&] {
+    visitor.optional_number({"largest_pressure_Pa", "Up to where a limit pressure is looked for.", "20000"},
+                            request.largest_pressure_Pa, io::positive());
+  });
+}
+
+/// A body of level 1 must stay longer than nothing.
+void check_length(const io::StudyVisitor& visitor, const LoadCase& load_case) {
+  if (load_case.imposed.empty() || load_case.level > 1) return;
+  const bool is_press = load_case.kind == LoadCaseKind::press;
+  if (!is_press && load_case.kind != LoadCaseKind::stretch) return;
+  const double length_m = load_case.cell_edge_m * load_case.cells[is_press ? 2 : 0];
+  const double most_m = is_press ? load_case.imposed.back() : -load_case.imposed.front();
+  visitor.check(most_m < length_m, "displacement_m", "leaves nothing of the length of the body");
+}
+
+void describe(io::StudyVisitor& visitor, CaseRequest& request, const LoadCaseStudy& study) {
+  LoadCase& load_case = request.load_case;
+  const bool is_new = load_case.cell_edge_m == 0.0;
+  if (is_new) {
+    const CaseBody body = study.body.value_or(CaseBody{});
+    load_case.cell_edge_m = body.cell_edge_m;
+    load_case.wall_thickness_m = body.wall_thickness_m;
+    load_case.level = body.level;
+    load_case.per_phase = body.per_phase;
+    request.elements = study.elements;
+  }
+  meshes::describe_name(visitor, load_case);
+  const auto same = [&](const CaseRequest& other) { return other.load_case.name == load_case.name; };
+  visitor.check(std::count_if(study.cases.begin(), study.cases.end(), same) <= 1, "name", "is given twice");
+  visitor.word({"kind", "What is done to the body.", "\"inflation\""}, load_case.kind, meshes::load_case_kind_words());
+  describe_body(visitor, request, !is_new);
+  describe(visitor, request.elements);
+  describe_pressures(visitor, request);
+  meshes::describe_imposed(visitor, load_case);
+  std::sort(load_case.imposed.begin(), load_case.imposed.end());
+  visitor.check(std::adjacent_find(load_case.imposed.begin(), load_case.imposed.end()) == load_case.imposed.end(),
+                meshes::imposed_key(load_case.kind), "must not hold a value twice");
+  check_length(visitor, load_case);
 }
 
 }  // namespace
 
+void describe(io::StudyVisitor& visitor, LoadCaseStudy& study) {
+  visitor.number({"relative_uncertainty", "Of every ordinate by its largest magnitude, where nothing better is known."},
+                 study.relative_uncertainty, io::positive());
+  const io::TomlTable* table = visitor.source();
+  visitor.check(table == nullptr || !table->has("material"), "material",
+                "its keys stand at the top now, without a table: silicone = ...");
+  describe(visitor, study.material);
+  visitor.check(study.material.density_kg_per_m3.has_value(), "law", "needs density_kg_per_m3 beside it");
+  visitor.optional_table({"body", "For cases that give none of their own."}, study.body,
+                         [&](CaseBody& body) { describe(visitor, body); });
+  visitor.table({"elements", "The finite elements, for cases that say nothing else."},
+                [&] { describe(visitor, study.elements); });
+  visitor.tables({"case", "The load cases."}, study.cases, [&](CaseRequest& request) { describe(visitor, request, study); },
+                 {.fewest = 1});
+}
+
 LoadCaseStudy read_load_case_study(const fs::path& file) {
-  const io::TomlTable top = io::read_toml(file);
   LoadCaseStudy study;
   study.file = file;
-  const ReadInput read_input = [&](const fs::path& input) { study.inputs[input.string()] = io::file_hash(input); };
-  read_input(file);
-  study.relative_uncertainty = top.number_or("relative_uncertainty", study.relative_uncertainty, io::positive());
-  const io::TomlTable material = top.table("material");
-  study.material = read_study_material(material, read_input, study.notes);
-  if (!study.material.density_kg_per_m3) throw material.error("law", "needs density_kg_per_m3 beside it");
-  BodyDefaults body;
-  if (const auto table = top.optional_table("body")) body = read_body(*table, body);
-  LoadCaseElements elements;
-  if (const auto table = top.optional_table("elements")) elements = read_elements(*table, elements);
-  for (const io::TomlTable& table : top.tables("case")) {
-    study.cases.push_back(read_case(table, body, elements, read_input));
-    const std::string& name = study.cases.back().load_case.name;
-    const auto same = [&](const CaseRequest& other) { return other.load_case.name == name; };
-    if (std::count_if(study.cases.begin(), study.cases.end(), same) > 1) throw table.error("name", "is given twice");
+  const io::TomlTable top = io::read_toml(file);
+  io::read_described(top, study);
+  const auto add_input = [&](const fs::path& input) { study.inputs[input.string()] = io::file_hash(input); };
+  add_input(file);
+  if (study.material.file) add_input(*study.material.file);
+  for (const CaseRequest& request : study.cases) {
+    if (request.design_file) add_input(*request.design_file);
   }
-  top.finish();
+  study.notes = study.material.notes;
   return study;
 }
 

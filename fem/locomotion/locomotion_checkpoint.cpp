@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view title = "menger locomotion checkpoint 3";
+constexpr std::string_view title = "menger locomotion checkpoint 4";
 
 /// Reads values that stand one after the other, from a place on.
 template <class... Values>

@@ -13,47 +13,15 @@
 namespace menger::fem {
 namespace {
 
-enum class Mode { none, in_phase, antiphase, wave, hold };
-
-/// When each cell is driven, as fraction of a period.
-struct CellPhases {
-  Mode mode = Mode::in_phase;
-  std::array<double, 2> material_phase{0.0, 0.5};
-  int wave_axis = 1;
-  double wave_periods_per_body = -1.0;
-  bool wave_over_gaps = false;
-
-  [[nodiscard]] double of(const meshes::Polycube& body, const meshes::CellIndex& cell) const {
-    if (mode == Mode::antiphase) return material_phase.at(body.at(cell) == 2 ? 1 : 0);
-    if (mode != Mode::wave) return 0.0;
-    const std::array<int, 3> position{cell.x, cell.y, cell.z};
-    const std::array<int, 3> widths{body.nx(), body.ny(), body.nz()};
-    const auto axis = static_cast<std::size_t>(wave_axis);
-    const int length = wave_over_gaps ? std::max(widths[axis] - 1, 1) : widths[axis];
-    return wave_periods_per_body * position[axis] / length;
-  }
-};
-
-CellPhases read_phases(const io::TomlTable& table, Mode mode) {
-  CellPhases phases{.mode = mode};
-  if (table.has("material_phase")) {
-    const std::vector<double> given = table.numbers("material_phase");
-    if (given.size() != 2) throw table.error("material_phase", "must be two numbers, not " + std::to_string(given.size()));
-    phases.material_phase = {given[0], given[1]};
-  }
-  phases.wave_axis = table.word_or<int>("wave_axis", phases.wave_axis, {{"x", 0}, {"y", 1}, {"z", 2}});
-  phases.wave_periods_per_body = table.number_or("wave_periods_per_body", phases.wave_periods_per_body);
-  phases.wave_over_gaps = table.boolean_or("wave_over_gaps", phases.wave_over_gaps);
-  return phases;
-}
-
-double read_period_s(const io::TomlTable& table, Mode mode) {
-  const bool is_given = table.has("period_s") || table.has("frequency_Hz");
-  if (mode == Mode::none && !is_given) return 1.0;  // nothing depends on it
-  if (table.has("period_s") && table.has("frequency_Hz"))
-    throw table.error("frequency_Hz", "period_s beside it: keep one of them");
-  return table.has("frequency_Hz") ? 1.0 / table.number("frequency_Hz", io::positive())
-                                   : table.number("period_s", io::positive());
+/// When a cell is driven, as fraction of a period.
+double phase_of(const SurrogateDrive& drive, const meshes::Polycube& body, const meshes::CellIndex& cell) {
+  if (drive.mode == DriveMode::antiphase) return drive.material_phase.at(body.at(cell) == 2 ? 1 : 0);
+  if (drive.mode != DriveMode::wave) return 0.0;
+  const std::array<int, 3> position{cell.x, cell.y, cell.z};
+  const std::array<int, 3> widths{body.nx(), body.ny(), body.nz()};
+  const auto axis = static_cast<std::size_t>(drive.wave_axis);
+  const int length = drive.wave_over_gaps ? std::max(widths[axis] - 1, 1) : widths[axis];
+  return drive.wave_periods_per_body * position[axis] / length;
 }
 
 /// Whether two phases are the same moment of a period, but for rounding.
@@ -64,7 +32,7 @@ std::string cell_text(const meshes::CellIndex& cell) {
 }
 
 /// The phase of each plenum, which all its cells must share.
-std::vector<double> plenum_phases(const io::TomlTable& table, const CellPhases& phases, const meshes::ModularBody& body,
+std::vector<double> plenum_phases(const io::TomlTable& table, const SurrogateDrive& drive, const meshes::ModularBody& body,
                                   const meshes::HexahedralMesh& mesh) {
   struct Found {
     meshes::CellIndex cell;
@@ -73,7 +41,7 @@ std::vector<double> plenum_phases(const io::TomlTable& table, const CellPhases& 
   std::vector<std::optional<Found>> found(mesh.plenum_names.size());
   for (const meshes::CellIndex& cell : body.cells().occupied()) {
     const std::size_t plenum = mesh.chambers[*body.region_of(cell)].plenum;
-    const double phase = phases.of(body.cells(), cell);
+    const double phase = phase_of(drive, body.cells(), cell);
     if (!found[plenum]) found[plenum] = Found{cell, phase};
     if (are_equal(found[plenum]->phase, phase)) continue;
     throw table.error("mode", "cells " + cell_text(found[plenum]->cell) + " and " + cell_text(cell) + " share the air of \"" +
@@ -88,32 +56,50 @@ std::vector<double> plenum_phases(const io::TomlTable& table, const CellPhases& 
 
 }  // namespace
 
-std::vector<PlenumSchedule> read_surrogate_drive(const io::TomlTable& table, const meshes::Design& design,
-                                                 const meshes::HollowBodyOptions& hollow, const meshes::HexahedralMesh& mesh) {
-  const std::vector<double> pressures = table.numbers("pressure_Pa");
-  if (pressures.size() != 2)
-    throw table.error("pressure_Pa",
-                      "must be the lowest and the highest pressure, not " + std::to_string(pressures.size()) + " numbers");
-  if (pressures[0] <= -standard_atmosphere_Pa) throw table.error("pressure_Pa", "reaches a perfect vacuum or less");
-  if (pressures[0] > pressures[1]) throw table.error("pressure_Pa", "must ascend: lowest, then highest");
-  const Mode mode = table.word<Mode>("mode", {{"none", Mode::none},
-                                              {"in_phase", Mode::in_phase},
-                                              {"antiphase", Mode::antiphase},
-                                              {"wave", Mode::wave},
-                                              {"hold", Mode::hold}});
-  const double period_s = read_period_s(table, mode);
-  const double ramp_s = table.number_or("ramp_s", period_s, io::non_negative());
-  const CellPhases phases = read_phases(table, mode);
-  const meshes::ModularBody body(design.body, hollow.level, hollow.chambers);
+void describe(io::StudyVisitor& visitor, SurrogateDrive& drive) {
+  visitor.word({"mode", "Which cells are driven when; hold: all by the highest pressure, none: not at all.", "\"in_phase\""},
+               drive.mode,
+               {{"none", DriveMode::none},
+                {"in_phase", DriveMode::in_phase},
+                {"antiphase", DriveMode::antiphase},
+                {"wave", DriveMode::wave},
+                {"hold", DriveMode::hold}});
+  visitor.numbers({"pressure_Pa", "Lowest and highest gauge pressure.", "[0, 6000]"}, drive.pressure_Pa);
+  visitor.check(drive.pressure_Pa[0] > -standard_atmosphere_Pa, "pressure_Pa", "reaches a perfect vacuum or less");
+  visitor.check(drive.pressure_Pa[0] <= drive.pressure_Pa[1], "pressure_Pa", "must ascend: lowest, then highest");
+  visitor.number({.name = "frequency_Hz",
+                  .help = "Periods in a second.",
+                  .example = drive.mode == DriveMode::none ? "" : "3",
+                  .earlier = "period_s",
+                  .was_reciprocal = true},
+                 drive.frequency_Hz, io::positive());
+  visitor.optional_number({"ramp_s", "Time in which the pressure grows to all of it; one period unless stated.", "0.1"},
+                          drive.ramp_s, io::non_negative());
+  visitor.only_if(drive.mode == DriveMode::antiphase, "mode = \"antiphase\"", [&] {
+    visitor.numbers({"material_phase", "Fraction of a period by which cells of materials 1 and 2 are ahead."},
+                    drive.material_phase);
+  });
+  visitor.only_if(drive.mode == DriveMode::wave, "mode = \"wave\"", [&] {
+    visitor.word({"wave_axis", "Axis along which the wave runs."}, drive.wave_axis, {{"x", 0}, {"y", 1}, {"z", 2}});
+    visitor.number({"wave_periods_per_body", "Periods over the length of the body."}, drive.wave_periods_per_body);
+    visitor.boolean({"wave_over_gaps", "Whether the length is that between the first cell and the last."}, drive.wave_over_gaps);
+  });
+}
 
+std::vector<PlenumSchedule> plenum_schedules(const SurrogateDrive& drive, const meshes::Design& design,
+                                             const meshes::HollowBodyOptions& hollow, const meshes::HexahedralMesh& mesh,
+                                             const io::TomlTable& table) {
+  const auto& [lowest_Pa, highest_Pa] = drive.pressure_Pa;
+  const double ramp_s = drive.ramp_s.value_or(1.0 / drive.frequency_Hz);
+  const meshes::ModularBody body(design.body, hollow.level, hollow.chambers);
   std::vector<PlenumSchedule> schedules;
-  for (const double phase : plenum_phases(table, phases, body, mesh)) {
+  for (const double phase : plenum_phases(table, drive, body, mesh)) {
     PlenumSchedule plenum{ConstantPressure{}, ramp_s};
-    if (mode == Mode::hold) plenum.schedule = ConstantPressure{pressures[1]};
+    if (drive.mode == DriveMode::hold) plenum.schedule = ConstantPressure{highest_Pa};
     // A sine is the lowered cosine of SinePressure a quarter of a period later.
-    if (mode != Mode::hold && mode != Mode::none)
+    if (drive.mode != DriveMode::hold && drive.mode != DriveMode::none)
       plenum.schedule =
-          SinePressure{.low_Pa = pressures[0], .high_Pa = pressures[1], .frequency_Hz = 1.0 / period_s, .phase = phase + 0.25};
+          SinePressure{.low_Pa = lowest_Pa, .high_Pa = highest_Pa, .frequency_Hz = drive.frequency_Hz, .phase = phase + 0.25};
     schedules.push_back(plenum);
   }
   return schedules;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "fem/pneumatics/pressure_schedule.h"
+#include "io/study/study_visitor.h"
 #include "io/text/toml_document.h"
 #include "meshes/design/design_file.h"
 #include "meshes/design/hollow_body_options.h"
@@ -10,17 +13,33 @@
 
 namespace menger::fem {
 
-/// Reads the pressure drive of the surrogate's scenes, so that both models get the same pressure in the same chamber at the same
-/// time: with the mean m and the amplitude a of `pressure_Pa = [lowest, highest]`, r = min(1, t / ramp_s) and the phase phi,
+/// Which cells are driven when; the words are those of the surrogate.
+enum class DriveMode { none, in_phase, antiphase, wave, hold };
+
+/// The pressure drive of the surrogate's scenes, so that both models get the same pressure in the same chamber at the same time:
+/// with the mean m and the amplitude a of lowest and highest pressure, r = min(1, t / ramp) and the phase phi of a cell,
 ///
-///   p(t) = r (m + a sin(2 pi (t / T + phi))).
+///   p(t) = r (m + a sin(2 pi (f t + phi))).
 ///
-/// Keys: `mode` ("in_phase", "antiphase", "wave", "hold": p = r highest, "none": p = 0), `period_s` or `frequency_Hz`, `ramp_s`
-/// (one period), `material_phase` (antiphase, [0, 0.5]), `wave_axis` ("y"), `wave_periods_per_body` (-1) and `wave_over_gaps`
-/// (false); all as in [actuation] there.
-/// @param mesh of the design hollowed out so @return one schedule per plenum
-/// @throws io::InputError with file, key and value; for a plenum whose cells differ in phase, too, which its air cannot realise
-std::vector<PlenumSchedule> read_surrogate_drive(const io::TomlTable& table, const meshes::Design& design,
-                                                 const meshes::HollowBodyOptions& hollow, const meshes::HexahedralMesh& mesh);
+/// `hold`: p = r highest; `none`: p = 0.
+struct SurrogateDrive {
+  DriveMode mode = DriveMode::in_phase;
+  std::array<double, 2> pressure_Pa{};             ///< lowest and highest, gauge
+  double frequency_Hz = 1.0;                       ///< f > 0
+  std::optional<double> ramp_s{};                  ///< >= 0; nothing: one period
+  std::array<double, 2> material_phase{0.0, 0.5};  ///< of antiphase
+  int wave_axis = 1;
+  double wave_periods_per_body = -1.0;
+  bool wave_over_gaps = false;
+};
+
+/// The keys of a drive.
+void describe(io::StudyVisitor& visitor, SurrogateDrive& drive);
+
+/// One schedule per plenum. @param mesh of the design hollowed out so @param table that the drive was read from
+/// @throws io::InputError for a plenum whose cells differ in phase, which its air cannot realise
+std::vector<PlenumSchedule> plenum_schedules(const SurrogateDrive& drive, const meshes::Design& design,
+                                             const meshes::HollowBodyOptions& hollow, const meshes::HexahedralMesh& mesh,
+                                             const io::TomlTable& table);
 
 }  // namespace menger::fem

@@ -4,42 +4,20 @@
 #include <string_view>
 
 #include "io/text/number_text.h"
-#include "materials/laws/law_file.h"
 #include "materials/laws/law_parameters.h"
-#include "materials/laws/record_law.h"
-#include "materials/laws/silicone_library.h"
 
 namespace menger::fem {
 namespace {
 
-/// Bulk modulus by shear modulus where none is given, as for inflation: Poisson's ratio 0.490.
-constexpr double default_bulk_ratio = 50.0;
-
-double read_stiffening(const io::TomlTable& table, const materials::HyperelasticLaw& law) {
-  const double factor = table.number_or("modulus_factor", 1.0, io::positive());
-  const auto youngs_modulus_Pa = table.optional_number("youngs_modulus_Pa", io::positive());
-  if (!youngs_modulus_Pa) return factor;
-  if (table.has("modulus_factor")) throw table.error("youngs_modulus_Pa", "modulus_factor beside it: keep one of them");
-  return *youngs_modulus_Pa / (3.0 * materials::shear_modulus_at_rest_Pa(law));
-}
-
-/// Damping that the study states itself.
-std::optional<materials::LossData> read_loss(const io::TomlTable& table) {
-  if (!table.has("loss_factor") && !table.has("loss_frequency_Hz")) return std::nullopt;
-  return materials::LossData{.source = "the study",
-                             .tan_delta = table.number("loss_factor", io::non_negative()),
-                             .frequency_Hz = table.number("loss_frequency_Hz", io::positive())};
-}
-
 /// Branch or viscosity of a material that has its law, and how well they are known.
-void read_damping(const io::TomlTable& table, DampingModel usual, const std::optional<materials::LossData>& recorded,
-                  LocomotionMaterial& material, std::vector<std::string>& notes) {
+void set_damping(const StudySilicone& given, LocomotionMaterial& material, std::vector<std::string>& notes) {
   const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law);
-  const std::optional<materials::LossData> stated = read_loss(table);
-  material.is_damping_measured = !stated && recorded;
-  material.loss = stated ? *stated : recorded.value_or(assumed_silicone_loss());
-  material.damping_model = table.word_or<DampingModel>(
-      "damping_model", usual, {{"maxwell", DampingModel::maxwell}, {"kelvin_voigt", DampingModel::kelvin_voigt}});
+  std::optional<materials::LossData> recorded;
+  if (given.law.record) recorded = given.law.record->loss;
+  material.is_damping_measured = !given.loss_factor && recorded;
+  material.loss = recorded.value_or(assumed_silicone_loss());
+  if (given.loss_factor)
+    material.loss = {.source = "the study", .tan_delta = *given.loss_factor, .frequency_Hz = given.loss_frequency_Hz};
   if (material.damping_model == DampingModel::maxwell)
     material.branch = maxwell_branch(shear_modulus_Pa, material.loss);
   else
@@ -47,9 +25,24 @@ void read_damping(const io::TomlTable& table, DampingModel usual, const std::opt
   if (material.is_damping_measured) return;
   notes.push_back("material: damping is not measured; loss factor " + io::number_text(material.loss.tan_delta) + " at " +
                   io::number_text(material.loss.frequency_Hz) + " Hz, " +
-                  (stated ? "stated by the study" : std::string(material.loss.source)) +
+                  (given.loss_factor ? "stated by the study" : std::string(material.loss.source)) +
                   (material.damping_model == DampingModel::maxwell ? "; a Maxwell branch damps most there"
                                                                    : "; of a viscosity, which damps more the faster the motion"));
+}
+
+void describe_stiffening(io::StudyVisitor& visitor, StudySilicone& silicone) {
+  const auto describe_factor = [&] {
+    visitor.number({"modulus_factor", "Factor of all moduli of the law."}, silicone.modulus_factor, io::positive());
+  };
+  const auto describe_modulus = [&] {
+    double modulus_Pa = silicone.youngs_modulus_Pa.value_or(0.0);
+    visitor.number({"youngs_modulus_Pa", "Young's modulus at rest to which the law is stiffened.", "1.5e5"}, modulus_Pa,
+                   io::positive());
+    silicone.youngs_modulus_Pa = modulus_Pa;
+  };
+  const bool has_modulus = silicone.youngs_modulus_Pa.has_value();
+  visitor.one_of({{"modulus_factor", !has_modulus, [&] { silicone.youngs_modulus_Pa.reset(); }, describe_factor},
+                  {"youngs_modulus_Pa", has_modulus, [] {}, describe_modulus}});
 }
 
 }  // namespace
@@ -61,31 +54,45 @@ materials::HyperelasticLaw stiffened(const materials::HyperelasticLaw& law, doub
   return materials::with_parameters(law, values);
 }
 
-LocomotionMaterial read_locomotion_material(const io::TomlTable& table, DampingModel usual,
-                                            const std::function<void(const std::filesystem::path&)>& read_input,
-                                            std::vector<std::string>& notes) {
-  LocomotionMaterial material;
-  std::optional<materials::LossData> recorded;
-  if (materials::has_inline_law(table)) {
-    if (table.has("record")) throw table.error("record", "a table [law] beside it gives another material: keep one of them");
-    material.law = materials::read_law(table.table("law"));
-    material.density_kg_per_m3 = table.number("density_kg_per_m3", io::positive());
-    material.name = "inline " + std::string(materials::name_of(material.law));
-  } else {
-    const std::filesystem::path file = materials::silicone_file(table, "record");
-    read_input(file);
-    const materials::SiliconeRecord record = materials::read_silicone(file);
-    material.law = materials::choose_law(table, record).law.law;
-    material.density_kg_per_m3 = table.number_or("density_kg_per_m3", record.data_sheet.density_kg_per_m3, io::positive());
-    material.name = record.name + ", " + std::string(materials::name_of(material.law));
-    recorded = record.loss;
-  }
-  material.law = stiffened(material.law, read_stiffening(table, material.law));
-  const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law);
-  material.bulk_modulus_Pa = shear_modulus_Pa * table.number_or("bulk_modulus_ratio", default_bulk_ratio, io::at_least(1.0));
-  if (!table.has("bulk_modulus_ratio"))
-    notes.push_back("material: bulk_modulus_ratio = " + io::number_text(default_bulk_ratio) + " is assumed");
-  read_damping(table, usual, recorded, material, notes);
+void describe(io::StudyVisitor& visitor, StudySilicone& silicone) {
+  describe(visitor, silicone.law);
+  describe_stiffening(visitor, silicone);
+  visitor.number({"bulk_modulus_ratio", "Bulk modulus by shear modulus at rest."}, silicone.bulk_modulus_ratio,
+                 io::at_least(1.0));
+  visitor.optional_number({"density_kg_per_m3", "Density, beside a law, or in place of the silicone's.", "1070"},
+                          silicone.density_kg_per_m3, io::positive());
+  visitor.optional_number({"loss_factor", "Loss factor of small shear, in place of the silicone's.", "0.1"}, silicone.loss_factor,
+                          io::non_negative());
+  visitor.only_if(silicone.loss_factor.has_value(), "loss_factor", [&] {
+    visitor.number({"loss_frequency_Hz", "Frequency of that loss factor.", "30"}, silicone.loss_frequency_Hz, io::positive());
+  });
+  visitor.optional_word({"damping_model",
+                         "A branch damps most at one frequency, a viscosity more the faster the motion; unless stated the former "
+                         "for explicit dynamics, the latter, which is all there is, for implicit.",
+                         "\"kelvin_voigt\""},
+                        silicone.damping_model,
+                        {{"maxwell", DampingModel::maxwell}, {"kelvin_voigt", DampingModel::kelvin_voigt}});
+  const io::TomlTable* table = visitor.source();
+  if (table == nullptr) return;
+  silicone.is_ratio_assumed = !table->has("bulk_modulus_ratio");
+  if (!silicone.density_kg_per_m3 && !silicone.law.record) throw table->missing("density_kg_per_m3", "a law in place has none");
+}
+
+LocomotionMaterial material_of(StudySilicone& given, DampingModel usual, std::vector<std::string>& notes) {
+  if (!given.density_kg_per_m3) given.density_kg_per_m3 = given.law.record->data_sheet.density_kg_per_m3;
+  if (!given.damping_model) given.damping_model = usual;
+  const materials::HyperelasticLaw& law = given.law.law;
+  const double factor = given.youngs_modulus_Pa ? *given.youngs_modulus_Pa / (3.0 * materials::shear_modulus_at_rest_Pa(law))
+                                                : given.modulus_factor;
+  LocomotionMaterial material{.law = stiffened(law, factor), .branch = {}, .loss = {}, .name = given.law.name()};
+  material.density_kg_per_m3 = *given.density_kg_per_m3;
+  material.bulk_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law) * given.bulk_modulus_ratio;
+  material.damping_model = *given.damping_model;
+  if (given.is_ratio_assumed)
+    notes.push_back("material: bulk_modulus_ratio = " + io::number_text(given.bulk_modulus_ratio) + " is assumed");
+  set_damping(given, material, notes);
+  given.loss_factor = material.loss.tan_delta;
+  given.loss_frequency_Hz = material.loss.frequency_Hz;
   return material;
 }
 

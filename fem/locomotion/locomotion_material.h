@@ -1,14 +1,14 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fem/explicit/material_damping.h"
-#include "io/text/toml_document.h"
+#include "io/study/study_visitor.h"
 #include "materials/laws/hyperelastic_law.h"
 #include "materials/laws/silicone_record.h"
+#include "materials/laws/study_law.h"
 
 namespace menger::fem {
 
@@ -28,15 +28,24 @@ struct LocomotionMaterial {
 /// The same law with all its moduli times a factor > 0, so that at equal stretches stresses are those times the factor.
 materials::HyperelasticLaw stiffened(const materials::HyperelasticLaw& law, double factor);
 
-/// Reads a silicone: `record` with `law` ("recommended", or one of the others of the record, `law_variant` if it has several), or
-/// a table `law` (see materials::read_law) and `density_kg_per_m3`; `modulus_factor` or `youngs_modulus_Pa` (three times the
-/// shear modulus at rest) to stiffen it; `bulk_modulus_ratio` (50) of bulk by shear modulus; `density_kg_per_m3` in place of the
-/// record's; `loss_factor` and `loss_frequency_Hz` in place of the record's damping; `damping_model` ("maxwell", "kelvin_voigt").
-/// @param usual model where none is named @param read_input is called with the file of the record @param notes what was assumed
-/// is added to it
-/// @throws io::InputError with file, key and value
-LocomotionMaterial read_locomotion_material(const io::TomlTable& table, DampingModel usual,
-                                            const std::function<void(const std::filesystem::path&)>& read_input,
-                                            std::vector<std::string>& notes);
+/// The silicone of a body as a study gives it.
+struct StudySilicone {
+  materials::StudyLaw law;
+  double modulus_factor = 1.0;                  ///< > 0, of all moduli of the law
+  std::optional<double> youngs_modulus_Pa{};    ///< > 0, three times the shear modulus at rest; in place of the factor
+  double bulk_modulus_ratio = 50.0;             ///< >= 1, of bulk by shear modulus; the default is that of inflation
+  bool is_ratio_assumed = false;                ///< whether a study that was read leaves it open
+  std::optional<double> density_kg_per_m3{};    ///< > 0; nothing: that of the record
+  std::optional<double> loss_factor{};          ///< >= 0; nothing: as the record has it
+  double loss_frequency_Hz = 30.0;              ///< > 0, of that factor
+  std::optional<DampingModel> damping_model{};  ///< nothing: what the dynamics usually have
+};
+
+/// The keys of a silicone.
+void describe(io::StudyVisitor& visitor, StudySilicone& silicone);
+
+/// Makes a material of what was given, and states there what it leaves open.
+/// @param usual model where none is named @param notes what was assumed is added to it
+LocomotionMaterial material_of(StudySilicone& given, DampingModel usual, std::vector<std::string>& notes);
 
 }  // namespace menger::fem

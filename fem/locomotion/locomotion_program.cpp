@@ -16,6 +16,8 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
+#include "io/process/study_help.h"
 #include "io/text/formatted.h"
 
 namespace menger::fem {
@@ -42,6 +44,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "Ctrl-C keeps what is done, and the same command goes on from there. Large bodies by implicit dynamics on several cores: "
       "mpirun -n 2 menger-locomote ...\n"
       "Exit codes: 0 completed, 2 wrong input, 3 the run ended early (locomotion.toml says why), 130 interrupted.");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    LocomotionStudy study;
+    describe(visitor, study);
+  });
   app.add_option("study", arguments.study, "study file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--threads", arguments.threads, "threads, instead of the study's; results do not depend on them")
@@ -64,11 +70,6 @@ void print(const LocomotionResult& result) {
     std::cout << "; " << result.reason;
   }
   std::cout << '\n' << std::flush;
-}
-
-int exit_code_of(io::RunStatus status) {
-  if (status == io::RunStatus::completed) return io::exit_code::done;
-  return status == io::RunStatus::stopped ? io::exit_code::interrupted : io::exit_code::numerical;
 }
 
 /// Of a sweep: that of the first case that did not complete, unless it was interrupted.
@@ -117,7 +118,7 @@ int run_one(const LocomotionStudy& study, const Arguments& arguments, Locomotion
     for (std::size_t n = study.notes.size(); n < result.notes.size(); ++n) std::cout << "  " << result.notes[n] << '\n';
     print(result);
   }
-  return exit_code_of(result.status);
+  return io::exit_code_of(result.status);
 }
 
 int run_all(const LocomotionStudy& study, const Arguments& arguments, LocomotionRunOptions options) {
@@ -127,7 +128,7 @@ int run_all(const LocomotionStudy& study, const Arguments& arguments, Locomotion
     progress.end_case();
     if (arguments.quiet) return;
     std::cout << number << " of " << study.sweep->values.size();
-    for (std::size_t k = 0; k < done.values.size(); ++k) std::cout << ", " << study.sweep->keys[k] << " = " << done.values[k];
+    for (const std::string& key : study.sweep->keys) std::cout << ", " << key << " = " << done.value;
     std::cout << '\n';
     print(done.result);
   };

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "io/text/formatted.h"
-#include "io/text/number_text.h"
-#include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "meshes/load_cases/observables.h"
 
 namespace menger::fem {
@@ -31,12 +31,6 @@ std::vector<std::string> columns_of(const LocomotionResult& result) {
   columns.insert(columns.end(), {"imbalance_J", "ground_force_N"});
   return columns;
 }
-
-void add_line(std::string& text, std::string_view key, std::string_view value) {
-  text.append(key).append(" = ").append(value).append("\n");
-}
-void add_number(std::string& text, std::string_view key, double value) { add_line(text, key, io::number_text(value)); }
-void add_count(std::string& text, std::string_view key, std::size_t value) { add_line(text, key, std::to_string(value)); }
 
 }  // namespace
 
@@ -77,28 +71,19 @@ io::CsvTable trajectory_table(const LocomotionResult& result) {
 }
 
 std::string result_text(const LocomotionResult& result) {
-  std::string text;
-  add_line(text, "status", io::toml_quoted(io::to_string(result.status)));
-  add_line(text, "reason", io::toml_quoted(result.reason));
-  add_number(text, "time_s", result.time_s);
-  add_count(text, "steps", result.steps);
-  add_count(text, "elements", result.elements);
-  add_count(text, "nodes", result.nodes);
-  add_count(text, "records", result.records.size());
-  add_number(text, "body_length_m", result.body_length_m);
+  io::TomlText text;
+  text.add("status", io::to_string(result.status)).add("reason", result.reason).add("time_s", result.time_s);
+  text.add("steps", result.steps).add("elements", result.elements).add("nodes", result.nodes);
+  text.add("records", result.records.size()).add("body_length_m", result.body_length_m);
   if (const auto travel = travel_of(result)) {
-    std::string list;
-    for (const double component : travel->displacement_m)
-      list.append(list.empty() ? "" : ", ").append(io::number_text(component));
-    add_line(text, "displacement_m", "[" + list + "]");
-    add_number(text, "horizontal_displacement_m", travel->horizontal_displacement_m);
-    add_number(text, "horizontal_displacement_body_lengths", travel->horizontal_displacement_body_lengths);
-    add_number(text, "body_lengths_per_minute", travel->body_lengths_per_minute);
-    add_number(text, "direction_deg", travel->direction_deg);
+    text.add("displacement_m", std::span<const double>(travel->displacement_m));
+    text.add("horizontal_displacement_m", travel->horizontal_displacement_m);
+    text.add("horizontal_displacement_body_lengths", travel->horizontal_displacement_body_lengths);
+    text.add("body_lengths_per_minute", travel->body_lengths_per_minute);
+    text.add("direction_deg", travel->direction_deg);
   }
-  add_number(text, "peak_height_m", peak_height_m(result));
-  add_number(text, "seconds", result.seconds);
-  return text;
+  text.add("peak_height_m", peak_height_m(result)).add("seconds", result.seconds);
+  return text.text();
 }
 
 }  // namespace menger::fem

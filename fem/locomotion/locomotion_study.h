@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "fem/contact/rigid_ground.h"
+#include "fem/contact/rigid_ground_file.h"
 #include "fem/explicit/explicit_dynamics.h"
+#include "fem/locomotion/locomotion_drive.h"
 #include "fem/locomotion/locomotion_material.h"
-#include "fem/pneumatics/pneumatic_supply.h"
+#include "fem/pneumatics/pneumatic_supply_file.h"
 #include "meshes/design/design_file.h"
 #include "meshes/design/hollow_body_options.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
@@ -26,8 +27,8 @@ struct LocomotionOutput {
 
 /// Numbers of a study that take several values, one run for each.
 struct LocomotionSweep {
-  std::vector<std::string> keys;            ///< "ground.static_coefficient", ...: numbers that the study states
-  std::vector<std::vector<double>> values;  ///< per case, one for each key
+  std::vector<std::string> keys;  ///< "ground.static_friction", ...: numbers that the study states
+  std::vector<double> values;     ///< per case, of all keys alike
 };
 
 /// How implicit dynamics moves the body of a study; see ImplicitOptions.
@@ -41,14 +42,15 @@ struct LocomotionImplicit {
 struct LocomotionStudy {
   std::filesystem::path file;  ///< that it came from, for messages
   std::string text;            ///< of that file
+
   meshes::Design design;
   meshes::HollowBodyOptions hollow;
-  meshes::HexahedralMesh mesh;  ///< of the two
-  LocomotionMaterial material;
-  RigidGround ground;
+  StudySilicone silicone;
+  StudyGround stated_ground;
   double gravity_m_per_s2 = 9.81;                ///< downwards, >= 0
   double mass_damping_per_s = 0.0;               ///< >= 0
-  std::optional<PneumaticSupply> supply{};       ///< of all plena; always there in a study that was read
+  std::optional<SurrogateDrive> drive{};         ///< of all plena
+  StudySupply stated_supply;                     ///< in place of that
   double duration_s = 5.0;                       ///< > 0
   double record_interval_s = 0.01;               ///< > 0, at most the duration
   std::optional<LocomotionImplicit> implicit{};  ///< nothing: explicit dynamics
@@ -59,6 +61,12 @@ struct LocomotionStudy {
   int threads = 1;  ///< >= 1; results do not depend on it
   LocomotionOutput output;
   std::optional<LocomotionSweep> sweep{};
+
+  // What follows from all that, once it was read.
+  meshes::HexahedralMesh mesh;  ///< of the design, hollow
+  LocomotionMaterial material;
+  RigidGround ground;
+  std::optional<PneumaticSupply> supply{};    ///< of all plena
   std::map<std::string, std::string> inputs;  ///< content hash of every file that was read, the study's included
   std::vector<std::string> notes;             ///< what was assumed or is doubtful, for people
 };
@@ -67,7 +75,8 @@ struct LocomotionStudy {
 /// cells.
 double body_length_m(const meshes::Design& design, int level);
 
-/// All that decides the records and frames of a run as text: settings with defaults filled in. Equal texts give equal files.
+/// All that decides the records and frames of a run: a study with defaults filled in and files put in place. Equal texts give
+/// equal files.
 std::string locomotion_text(const LocomotionStudy& study);
 
 /// What a body of the study is made of, and what moves it.

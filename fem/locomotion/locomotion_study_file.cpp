@@ -1,17 +1,15 @@
 #include "fem/locomotion/locomotion_study_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "fem/contact/rigid_ground_file.h"
 #include "fem/contact/self_contact_surface.h"
-#include "fem/locomotion/locomotion_drive.h"
-#include "fem/pneumatics/pneumatic_supply_file.h"
+#include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
@@ -23,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int schema_version = 1;
+constexpr int schema_version = 2;
 constexpr double largest_record_count = 1e6;
 
 /// Deepest fractal: 27 cells per side of a design of three.
@@ -31,32 +29,139 @@ constexpr int largest_level = 3;
 
 enum class Method { explicit_dynamics, implicit_dynamics };
 
-/// An optional table: the keys of one that is missing have their defaults.
-io::TomlTable table_or_empty(const io::TomlTable& table, std::string_view key) {
-  if (const auto found = table.optional_table(key)) return *found;
-  return io::parse_toml("", table.file());
+void note_input(LocomotionStudy& study, const std::optional<fs::path>& file) {
+  if (file) study.inputs[file->string()] = io::file_hash(*file);
 }
 
-void read_design_table(const io::TomlTable& table, LocomotionStudy& study) {
-  if (table.has("file")) {
-    if (table.has("digits")) throw table.error("digits", "a design file beside it gives another body: keep one of them");
-    const fs::path file = table.path("file");
-    study.inputs[file.string()] = io::file_hash(file);
-    study.design = meshes::read_design(file);
-    study.design.cell_edge_m = table.number_or("cell_edge_m", study.design.cell_edge_m, io::positive());
-  } else {
-    study.design = meshes::read_drawn_design(table);
-    study.design.cell_edge_m = table.number("cell_edge_m", io::positive());
-  }
-  study.hollow = meshes::read_hollow_body_options(table);
-  if (study.hollow.level > largest_level) throw table.error("level", "must be at most " + std::to_string(largest_level));
-  try {
-    study.mesh = meshes::hollow_polycube(study.design, study.hollow).mesh;
-  } catch (const io::InputError& error) {
-    throw io::InputError(table.file().string() + ": [design]: " + error.what());
-  } catch (const std::length_error& error) {
-    throw io::InputError(table.file().string() + ": [design]: " + error.what());
-  }
+void describe_version(io::StudyVisitor& visitor) {
+  int version = schema_version;
+  visitor.integer({"schema_version", "Version of these keys."}, version);
+  visitor.check(
+      version != 1, "schema_version",
+      "some keys have other names since then (menger locomote --keys lists all): remove this line, and the message names them");
+  visitor.check(version == 1 || version == schema_version, "schema_version", "must be " + std::to_string(schema_version));
+}
+
+void describe_body(io::StudyVisitor& visitor, LocomotionStudy& study) {
+  std::optional<fs::path> file;
+  meshes::describe_design(visitor, study.design, file);
+  note_input(study, file);
+  describe(visitor, study.hollow);
+  visitor.check(study.hollow.level <= largest_level, "level", "must be at most " + std::to_string(largest_level));
+}
+
+void describe_silicone(io::StudyVisitor& visitor, LocomotionStudy& study) {
+  describe(visitor, study.silicone);
+  if (visitor.source() != nullptr && study.silicone.law.record) note_input(study, study.silicone.law.file);
+}
+
+/// Either the surrogate's drive or what the study says of each plenum.
+void describe_pressures(io::StudyVisitor& visitor, LocomotionStudy& study) {
+  const auto choose_drive = [&] {
+    if (!study.drive) study.drive.emplace();
+  };
+  const auto describe_drive = [&] {
+    for (const char* other : {"piston", "gas"}) {
+      const bool has_other = visitor.source() != nullptr && visitor.source()->has(other);
+      visitor.check(!has_other, other, "a table [drive] beside it drives all plena: keep one of them");
+    }
+    visitor.table({"drive", "Pressure in all chambers, as the surrogate has it."}, [&] { describe(visitor, *study.drive); });
+  };
+  const auto describe_supply = [&] {
+    describe(visitor, study.stated_supply);
+    if (visitor.source() == nullptr) return;
+    for (const StudyPlenum& plenum : study.stated_supply.plena) note_input(study, plenum.file);
+  };
+  const bool has_plena = !study.drive && !study.stated_supply.plena.empty();
+  visitor.one_of({{"drive", study.drive.has_value(), choose_drive, describe_drive},
+                  {"pressure", has_plena, [&] { study.drive.reset(); }, describe_supply}},
+                 "a table [drive] or [[pressure]] is needed");
+}
+
+void describe_time(io::StudyVisitor& visitor, LocomotionStudy& study) {
+  visitor.number({"duration_s", "Time that is simulated.", "0.1"}, study.duration_s, io::positive());
+  study.record_interval_s = std::min(study.record_interval_s, study.duration_s);
+  visitor.number({"record_interval_s", "Time between the lines of trajectory.csv, at most the duration."},
+                 study.record_interval_s, {.lowest = 0.0, .highest = study.duration_s, .lowest_excluded = true});
+  const bool has_interval = visitor.source() != nullptr && visitor.source()->has("record_interval_s");
+  visitor.check(study.duration_s / study.record_interval_s <= largest_record_count,
+                has_interval ? "record_interval_s" : "duration_s", "makes more than a million records");
+}
+
+void describe_implicit(io::StudyVisitor& visitor, LocomotionImplicit& implicit) {
+  visitor.integer({"degree", "Of the elements: 1 (Q1/P0) or 2 (Q2/P1)."}, implicit.degree, io::within(1, 2));
+  visitor.number({"tolerance", "Largest error of a step, root mean square, by the diameter of the body."}, implicit.tolerance,
+                 io::positive());
+  visitor.number({"stick_stiffness", "Springs of points that stick, by those against depth."}, implicit.stick_stiffness,
+                 io::positive());
+}
+
+/// As on the ground where nothing else is stated.
+void describe_self_friction(io::StudyVisitor& visitor, const Friction& ground, SelfContactLaw& law) {
+  std::optional<double> kinetic;
+  std::optional<double> statical;
+  if (law.friction) kinetic = law.friction->kinetic_coefficient;
+  if (law.friction) statical = law.friction->static_coefficient;
+  visitor.optional_number({.name = "self_contact_kinetic_friction",
+                           .help = "Coefficient of friction of walls that slide on each other; the ground's unless stated.",
+                           .example = "0.5",
+                           .earlier = "self_contact_kinetic_coefficient"},
+                          kinetic, io::non_negative());
+  const double sliding = kinetic.value_or(ground.kinetic_coefficient);
+  visitor.optional_number({.name = "self_contact_static_friction",
+                           .help = "The same at rest, at least the kinetic one.",
+                           .example = "1",
+                           .earlier = "self_contact_static_coefficient"},
+                          statical, io::at_least(sliding));
+  law.friction.reset();
+  if (kinetic || statical)
+    law.friction = {.static_coefficient = statical.value_or(std::max(ground.static_coefficient, sliding)),
+                    .kinetic_coefficient = sliding};
+}
+
+void describe_explicit(io::StudyVisitor& visitor, LocomotionStudy& study) {
+  visitor.number({"step_safety", "Time step by the largest stable one."}, study.step_safety,
+                 {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
+  visitor.integer({"threads", "Threads; results do not depend on them."}, study.threads, io::within(1, 1024));
+  bool has_contact = study.self_contact.has_value();
+  visitor.boolean({"self_contact", "Whether walls may touch each other; without, that ends the run."}, has_contact);
+  SelfContactLaw law = study.self_contact.value_or(SelfContactLaw{});
+  visitor.only_if(has_contact, "self_contact = true", [&] {
+    visitor.optional_number({"self_contact_stiffness_Pa_per_m",
+                             "Pressure by depth of walls that touch; a fraction of that of an element unless stated.", "6e7"},
+                            law.stiffness_Pa_per_m, io::positive());
+    describe_self_friction(visitor, study.stated_ground.friction, law);
+  });
+  study.self_contact.reset();
+  if (has_contact) study.self_contact = law;
+}
+
+void describe_dynamics(io::StudyVisitor& visitor, LocomotionStudy& study) {
+  Method method = study.implicit ? Method::implicit_dynamics : Method::explicit_dynamics;
+  visitor.word({"method", "Explicit steps, many and cheap, or implicit ones with error control."}, method,
+               {{"explicit", Method::explicit_dynamics}, {"implicit", Method::implicit_dynamics}});
+  const bool is_implicit = method == Method::implicit_dynamics;
+  visitor.optional_number({"largest_step_s", "Largest time step.", "1e-3"}, study.largest_step_s, io::positive());
+  LocomotionImplicit implicit = study.implicit.value_or(LocomotionImplicit{});
+  visitor.only_if(is_implicit, "method = \"implicit\"", [&] { describe_implicit(visitor, implicit); });
+  visitor.only_if(!is_implicit, "method = \"explicit\"", [&] { describe_explicit(visitor, study); });
+  study.implicit.reset();
+  if (!is_implicit) return;
+  study.implicit = implicit;
+  study.self_contact.reset();
+}
+
+void describe_output(io::StudyVisitor& visitor, LocomotionOutput& output) {
+  visitor.boolean({"frames", "Whether frames for ParaView are written."}, output.frames);
+  visitor.boolean({"pictures", "Whether PNG pictures are made."}, output.pictures);
+  visitor.integer({"records_per_frame", "Lines of trajectory.csv by frame."}, output.records_per_frame, io::at_least(1));
+}
+
+void describe_sweep(io::StudyVisitor& visitor, LocomotionSweep& sweep) {
+  visitor.texts({"keys", "Numbers of this study, with their tables.", R"(["ground.kinetic_friction"])"}, sweep.keys,
+                {.fewest = 1});
+  visitor.numbers({"values", "Values that they take, all the same in each run.", "[0.4, 0.5]"}, sweep.values, io::any_number(),
+                  {.fewest = 1});
 }
 
 /// Where the body's lowest point is.
@@ -66,119 +171,82 @@ double lowest_m(const meshes::HexahedralMesh& mesh) {
   return lowest;
 }
 
-void read_ground_table(const io::TomlTable& table, LocomotionStudy& study) {
-  const double stiffness = ground_stiffness_Pa_per_m(study.material.bulk_modulus_Pa, shortest_edge_m(study.mesh));
-  study.ground = read_rigid_ground(table, stiffness);
+void mesh_body(const io::TomlTable& top, LocomotionStudy& study) {
+  try {
+    study.mesh = meshes::hollow_polycube(study.design, study.hollow).mesh;
+  } catch (const io::InputError& error) {
+    throw io::InputError(top.file().string() + ": [design]: " + error.what());
+  } catch (const std::length_error& error) {
+    throw io::InputError(top.file().string() + ": [design]: " + error.what());
+  }
+}
+
+void lay_ground(const io::TomlTable& top, LocomotionStudy& study) {
   const double lowest = lowest_m(study.mesh);
-  if (!table.has("height_m")) study.ground.height_m = lowest;
+  study.ground =
+      study.stated_ground.ground(lowest, ground_stiffness_Pa_per_m(study.material.bulk_modulus_Pa, shortest_edge_m(study.mesh)));
   // Springs that are loaded at the start would throw the body up.
   if (study.ground.height_m > lowest)
-    throw table.error("height_m", "is above the body's lowest point, which is at " + io::number_text(lowest));
+    throw top.error("ground.height_m", "is above the body's lowest point, which is at " + io::number_text(lowest));
+  study.stated_ground.height_m = study.ground.height_m;
+  study.stated_ground.stiffness_Pa_per_m = study.ground.stiffness_Pa_per_m;
+  const Friction& friction = study.ground.friction;
+  if (study.self_contact && !study.self_contact->friction)
+    study.self_contact->friction = {friction.static_coefficient, friction.kinetic_coefficient};
 }
 
-/// Branches, too, are moved by explicit dynamics alone.
-void refuse_branch(const io::TomlTable& top, const LocomotionStudy& study) {
-  if (study.implicit && study.material.damping_model == DampingModel::maxwell)
-    throw top.table("material").error("damping_model", "dynamics.method = \"implicit\" has \"kelvin_voigt\" alone");
-}
-
-/// Air through lines is moved by explicit dynamics alone.
-void refuse_lines(const io::TomlTable& top, const LocomotionStudy& study) {
-  if (!study.implicit || !study.supply->has_lines()) return;
-  for (const io::TomlTable& table : top.tables("pressure")) {
-    if (table.text_or("supply", "schedule") != "schedule")
-      throw table.error("supply", "dynamics.method = \"implicit\" has no lines: prescribe the pressure, or use \"explicit\"");
-  }
-}
-
-/// Either the surrogate's drive or what the study says of each plenum.
-void read_pressures(const io::TomlTable& top, LocomotionStudy& study) {
-  const auto drive = top.optional_table("drive");
-  if (drive) {
-    for (const char* other : {"pressure", "piston", "gas"})
-      if (top.has(other)) throw top.error(other, "a table [drive] beside it drives all plena: keep one of them");
-    const std::vector<PlenumSchedule> schedules = read_surrogate_drive(*drive, study.design, study.hollow, study.mesh);
-    study.supply.emplace(std::vector<PlenumSupply>(schedules.begin(), schedules.end()));
+void supply_air(const io::TomlTable& top, LocomotionStudy& study) {
+  if (!study.drive) {
+    study.supply = supply_of(study.stated_supply, study.mesh.plenum_names, top);
     return;
   }
-  if (!top.has("pressure")) throw io::InputError(top.file().string() + ": a table [drive] or [[pressure]] is missing");
-  study.supply = read_pneumatic_supply(top, study.mesh.plenum_names);
-  for (const io::TomlTable& table : top.tables("pressure")) {
-    if (!table.has("file")) continue;
-    const fs::path file = table.path("file");
-    study.inputs[file.string()] = io::file_hash(file);
+  if (!study.drive->ramp_s) study.drive->ramp_s = 1.0 / study.drive->frequency_Hz;
+  const std::vector<PlenumSchedule> schedules =
+      plenum_schedules(*study.drive, study.design, study.hollow, study.mesh, top.table("drive"));
+  study.supply.emplace(std::vector<PlenumSupply>(schedules.begin(), schedules.end()));
+}
+
+/// Branches and air through lines are moved by explicit dynamics alone.
+void refuse_what_implicit_has_not(const io::TomlTable& top, const LocomotionStudy& study) {
+  if (study.material.damping_model == DampingModel::maxwell)
+    throw top.error("material.damping_model", "dynamics.method = \"implicit\" has \"kelvin_voigt\" alone");
+  for (std::size_t n = 0; n < study.stated_supply.plena.size(); ++n) {
+    if (study.stated_supply.plena[n].supply == SupplyKind::schedule) continue;
+    throw top.tables("pressure")[n].error(
+        "supply", "dynamics.method = \"implicit\" has no lines: prescribe the pressure, or use \"explicit\"");
   }
 }
 
-void read_time(const io::TomlTable& table, LocomotionStudy& study) {
-  study.duration_s = table.number("duration_s", io::positive());
-  study.record_interval_s = table.number_or("record_interval_s", std::min(study.record_interval_s, study.duration_s),
-                                            {.lowest = 0.0, .highest = study.duration_s, .lowest_excluded = true});
-  if (study.duration_s / study.record_interval_s > largest_record_count)
-    throw table.error(table.has("record_interval_s") ? "record_interval_s" : "duration_s", "makes more than a million records");
-}
-
-/// Refuses what implicit dynamics has not, rather than leave it out.
-void read_implicit(const io::TomlTable& table, LocomotionStudy& study) {
-  for (const char* key : {"step_safety", "self_contact_stiffness_Pa_per_m", "threads"})
-    if (table.has(key)) throw table.error(key, "belongs to method = \"explicit\"");
-  if (table.boolean_or("self_contact", false)) throw table.error("self_contact", "method = \"implicit\" has none");
-  study.self_contact.reset();
-  LocomotionImplicit implicit;
-  implicit.degree = table.integer_or("degree", implicit.degree, io::within(1, 2));
-  implicit.tolerance = table.number_or("tolerance", implicit.tolerance, io::positive());
-  implicit.stick_stiffness = table.number_or("stick_stiffness", implicit.stick_stiffness, io::positive());
-  study.implicit = implicit;
+/// Makes of what was read all that follows from it, and states what it leaves open.
+void complete(const io::TomlTable& top, LocomotionStudy& study) {
+  mesh_body(top, study);
+  study.material = material_of(study.silicone, study.implicit ? DampingModel::kelvin_voigt : DampingModel::maxwell, study.notes);
+  lay_ground(top, study);
+  supply_air(top, study);
+  if (!study.implicit) return;
+  refuse_what_implicit_has_not(top, study);
   study.notes.push_back(
       "dynamics: without self-contact: walls that touch end the run, and so do other parts that go through each other");
 }
 
-/// As on the ground where nothing else is stated.
-SurfaceFriction read_self_friction(const io::TomlTable& table, const Friction& ground) {
-  SurfaceFriction friction;
-  friction.kinetic_coefficient =
-      table.number_or("self_contact_kinetic_coefficient", ground.kinetic_coefficient, io::non_negative());
-  friction.static_coefficient =
-      table.number_or("self_contact_static_coefficient", std::max(ground.static_coefficient, friction.kinetic_coefficient),
-                      io::at_least(friction.kinetic_coefficient));
-  return friction;
-}
-
-Method read_method(const io::TomlTable& table) {
-  return table.word_or<Method>("method", Method::explicit_dynamics,
-                               {{"explicit", Method::explicit_dynamics}, {"implicit", Method::implicit_dynamics}});
-}
-
-void read_dynamics(const io::TomlTable& table, Method method, LocomotionStudy& study) {
-  study.largest_step_s = table.optional_number("largest_step_s", io::positive());
-  if (method == Method::implicit_dynamics) {
-    read_implicit(table, study);
-    return;
-  }
-  for (const char* key : {"degree", "tolerance", "stick_stiffness"})
-    if (table.has(key)) throw table.error(key, "belongs to method = \"implicit\"");
-  study.step_safety = table.number_or("step_safety", study.step_safety, {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
-  const auto contact_stiffness = table.optional_number("self_contact_stiffness_Pa_per_m", io::positive());
-  study.self_contact = SelfContactLaw{contact_stiffness, read_self_friction(table, study.ground.friction)};
-  if (!table.boolean_or("self_contact", true)) {
-    for (const char* key :
-         {"self_contact_stiffness_Pa_per_m", "self_contact_static_coefficient", "self_contact_kinetic_coefficient"})
-      if (table.has(key)) throw table.error(key, "has no use with self_contact = false");
-    study.self_contact.reset();
-  }
-  study.threads = table.integer_or("threads", study.threads, io::within(1, 1024));
-}
-
-LocomotionSweep read_sweep(const io::TomlTable& table) {
-  LocomotionSweep sweep{.keys = table.texts("keys"), .values = {}};
-  if (sweep.keys.empty()) throw table.error("keys", "must name a number of the study at least");
-  const std::vector<double> values = table.numbers("values");
-  if (values.empty()) throw table.error("values", "must hold a value at least");
-  for (const double value : values) sweep.values.emplace_back(sweep.keys.size(), value);
-  return sweep;
-}
-
 }  // namespace
+
+void describe(io::StudyVisitor& visitor, LocomotionStudy& study) {
+  describe_version(visitor);
+  visitor.table({"design", "The body and how it is hollowed out."}, [&] { describe_body(visitor, study); });
+  visitor.table({"material", "What it is made of."}, [&] { describe_silicone(visitor, study); });
+  visitor.table({"ground", "A plane below it."}, [&] { describe(visitor, study.stated_ground); });
+  visitor.table({"loads", "Forces on all of it."}, [&] {
+    visitor.number({"gravity_m_per_s2", "Acceleration downwards."}, study.gravity_m_per_s2, io::non_negative());
+    visitor.number({"mass_damping_per_s", "Damping force by mass and velocity."}, study.mass_damping_per_s, io::non_negative());
+  });
+  describe_pressures(visitor, study);
+  visitor.table({"time", "How long."}, [&] { describe_time(visitor, study); });
+  visitor.table({"dynamics", "How it is moved."}, [&] { describe_dynamics(visitor, study); });
+  visitor.table({"output", "What is written."}, [&] { describe_output(visitor, study.output); });
+  visitor.optional_table({"sweep", "Runs the study with several values of some of its numbers."}, study.sweep,
+                         [&](LocomotionSweep& sweep) { describe_sweep(visitor, sweep); });
+}
 
 LocomotionStudy read_locomotion_study(const fs::path& file) { return parse_locomotion_study(io::read_whole(file), file); }
 
@@ -188,28 +256,8 @@ LocomotionStudy parse_locomotion_study(std::string_view text, const fs::path& fi
   study.file = file;
   study.text = text;
   study.inputs[file.string()] = io::content_hash(text);
-  (void)top.integer_or("schema_version", schema_version, io::within(schema_version, schema_version));
-  read_design_table(top.table("design"), study);
-  const auto read_input = [&](const fs::path& input) { study.inputs[input.string()] = io::file_hash(input); };
-  const io::TomlTable dynamics = table_or_empty(top, "dynamics");
-  const Method method = read_method(dynamics);
-  const DampingModel damping = method == Method::implicit_dynamics ? DampingModel::kelvin_voigt : DampingModel::maxwell;
-  study.material = read_locomotion_material(top.table("material"), damping, read_input, study.notes);
-  read_ground_table(top.table("ground"), study);
-  const io::TomlTable loads = table_or_empty(top, "loads");
-  study.gravity_m_per_s2 = loads.number_or("gravity_m_per_s2", study.gravity_m_per_s2, io::non_negative());
-  study.mass_damping_per_s = loads.number_or("mass_damping_per_s", study.mass_damping_per_s, io::non_negative());
-  read_pressures(top, study);
-  read_time(top.table("time"), study);
-  read_dynamics(dynamics, method, study);
-  refuse_branch(top, study);
-  refuse_lines(top, study);
-  const io::TomlTable output = table_or_empty(top, "output");
-  study.output.frames = output.boolean_or("frames", study.output.frames);
-  study.output.pictures = output.boolean_or("pictures", study.output.pictures);
-  study.output.records_per_frame = output.integer_or("records_per_frame", study.output.records_per_frame, io::at_least(1));
-  if (const auto sweep = top.optional_table("sweep")) study.sweep = read_sweep(*sweep);
-  top.finish();
+  io::read_described(top, study);
+  complete(top, study);
   return study;
 }
 

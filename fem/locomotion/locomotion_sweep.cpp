@@ -25,7 +25,7 @@ io::ChartPanel paths_panel(const std::vector<SweepCase>& cases) {
                        .y = {.title = "y (body lengths)", .least_span = least_span},
                        .equal_scale = true};
   for (const SweepCase& one : cases) {
-    io::ChartSeries path{.name = io::number_text(one.values.front())};
+    io::ChartSeries path{.name = io::number_text(one.value)};
     const LocomotionResult& result = one.result;
     for (const LocomotionRecord& record : result.records) {
       const Point way = difference(record.centre_of_mass_m, result.records.front().centre_of_mass_m);
@@ -45,7 +45,7 @@ io::ChartPanel speeds_panel(const LocomotionSweep& sweep, const std::vector<Swee
     const auto travel = travel_of(one.result);
     if (!travel) continue;
     const double per_minute = 60.0 / (one.result.body_length_m * one.result.time_s);
-    for (io::ChartSeries* series : {&along_x, &along_y}) series->x.push_back(one.values.front());
+    for (io::ChartSeries* series : {&along_x, &along_y}) series->x.push_back(one.value);
     along_x.y.push_back(per_minute * travel->displacement_m[0]);
     along_y.y.push_back(per_minute * travel->displacement_m[1]);
   }
@@ -59,9 +59,9 @@ io::ChartPanel speeds_panel(const LocomotionSweep& sweep, const std::vector<Swee
 
 std::vector<LocomotionStudy> sweep_studies(const LocomotionStudy& study) {
   std::vector<LocomotionStudy> studies;
-  for (const std::vector<double>& values : study.sweep->values) {
+  for (const double value : study.sweep->values) {
     std::string text = study.text;
-    for (std::size_t k = 0; k < values.size(); ++k) text = io::with_number(text, study.sweep->keys[k], values[k], study.file);
+    for (const std::string& key : study.sweep->keys) text = io::with_number(text, key, value, study.file);
     studies.push_back(parse_locomotion_study(text, study.file));
     studies.back().sweep.reset();
     studies.back().threads = study.threads;  // what the command line may have changed
@@ -103,7 +103,7 @@ io::CsvTable sweep_table(const LocomotionSweep& sweep, const std::vector<SweepCa
   for (std::size_t n = 0; n < cases.size(); ++n) {
     const LocomotionResult& result = cases[n].result;
     std::vector<io::CsvCell> row{io::cell(static_cast<std::uint64_t>(n + 1))};
-    for (const double value : cases[n].values) row.push_back(io::cell(value));
+    for (std::size_t k = 0; k < sweep.keys.size(); ++k) row.push_back(io::cell(cases[n].value));
     row.push_back(io::cell(io::to_string(result.status)));
     row.push_back(io::cell(std::string_view(result.reason)));
     const auto travel = travel_of(result);

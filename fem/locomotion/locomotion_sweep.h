@@ -14,7 +14,7 @@ namespace menger::fem {
 
 /// One run of a sweep.
 struct SweepCase {
-  std::vector<double> values;  ///< of the keys of the sweep
+  double value = 0.0;  ///< of the keys of the sweep
   LocomotionResult result;
 };
 

@@ -2,97 +2,142 @@
 
 #include <algorithm>
 
+#include "fem/pneumatics/pressure_schedule_file.h"
+
 namespace menger::fem {
 namespace {
 
-enum class Supply { schedule, line, piston };
-
-PneumaticLine read_line(const io::TomlTable& table) {
-  if (!table.has("length_m") && !table.has("diameter_m"))
-    return {.resistance_Pa_s_per_m3 = table.number("resistance_Pa_s_per_m3", io::non_negative()),
-            .volume_m3 = table.number_or("volume_m3", 0.0, io::non_negative())};
-  return round_line(
-      table.number("length_m", io::positive()),
-      {table.number("diameter_m", io::positive()), table.number_or("viscosity_Pa_s", air_viscosity_Pa_s, io::positive())});
+void describe_tube(io::StudyVisitor& visitor, StudyLine& line) {
+  StudyLine::Tube tube = line.tube.value_or(StudyLine::Tube{});
+  visitor.number({"length_m", "Length of a round tube.", "2"}, tube.length_m, io::positive());
+  visitor.number({"diameter_m", "Its inner diameter.", "0.003"}, tube.bore.diameter_m, io::positive());
+  visitor.number({"viscosity_Pa_s", "Dynamic viscosity of the gas in it."}, tube.bore.viscosity_Pa_s, io::positive());
+  line.tube = tube;
 }
 
-Piston read_piston(const io::TomlTable& table, const PneumaticGas& gas) {
-  Piston piston{.name = table.text("name"),
-                .bore_m = table.number("bore_m", io::positive()),
-                .cylinder_length_m = table.number("cylinder_length_m", io::positive()),
-                .stroke_m = table.number("stroke_m", io::positive()),
-                .dead_volume_m3 = table.number_or("dead_volume_m3", 0.0, io::non_negative()),
-                .frequency_Hz = table.number("frequency_Hz", io::positive()),
-                .phase = table.number_or("phase", 0.0),
-                .ramp_s = table.number_or("ramp_s", 0.0, io::non_negative())};
-  piston.fill_pressure_Pa =
-      table.number_or("fill_pressure_Pa", 0.0, {.lowest = -gas.ambient_pressure_Pa, .lowest_excluded = true});
-  if (piston.stroke_m > piston.cylinder_length_m) throw table.error("stroke_m", "is longer than the cylinder's air");
-  return piston;
+void describe_resistance(io::StudyVisitor& visitor, StudyLine& line) {
+  visitor.number({"resistance_Pa_s_per_m3", "Resistance of a line that stays laminar.", "1e8"}, line.resistance_Pa_s_per_m3,
+                 io::non_negative());
+  visitor.number({"volume_m3", "Its volume."}, line.volume_m3, io::non_negative());
 }
 
-/// The piston that a table names.
-std::size_t named_piston(const io::TomlTable& table, const std::vector<Piston>& pistons) {
-  const auto at = std::ranges::find(pistons, table.text("piston"), &Piston::name);
-  if (at != pistons.end()) return static_cast<std::size_t>(at - pistons.begin());
-  throw table.error("piston", pistons.empty() ? "the file has no [[piston]]" : "no piston has this name");
+void describe(io::StudyVisitor& visitor, StudyLine& line) {
+  visitor.one_of({{"resistance_Pa_s_per_m3", !line.tube, [&] { line.tube.reset(); }, [&] { describe_resistance(visitor, line); }},
+                  {"length_m", line.tube.has_value(), [] {}, [&] { describe_tube(visitor, line); }}});
 }
 
-PlenumSupply read_supply(const io::TomlTable& table, const std::vector<Piston>& pistons, const PneumaticGas& gas) {
-  const auto supply = table.word_or("supply", Supply::schedule,
-                                    {{"schedule", Supply::schedule}, {"line", Supply::line}, {"piston", Supply::piston}});
-  if (supply == Supply::piston) return PistonSupply{named_piston(table, pistons), read_line(table)};
-  const PlenumSchedule schedule = read_plenum_schedule(table);
-  if (lowest_pressure_Pa(schedule) <= -gas.ambient_pressure_Pa)
-    throw table.error("schedule", "reaches a perfect vacuum or less, beside the ambient pressure of the gas");
-  if (supply == Supply::line) return LineSupply{schedule, read_line(table)};
-  return schedule;
+void describe(io::StudyVisitor& visitor, Piston& piston, const PneumaticGas& gas) {
+  visitor.text({"name", "Name of the piston.", "\"cam\""}, piston.name);
+  visitor.number({"bore_m", "Diameter of the cylinder.", "0.02"}, piston.bore_m, io::positive());
+  visitor.number({"cylinder_length_m", "Length of the air before the withdrawn piston.", "0.02"}, piston.cylinder_length_m,
+                 io::positive());
+  visitor.number({"stroke_m", "Way of the piston into the cylinder.", "0.016"}, piston.stroke_m, io::positive());
+  visitor.check(piston.stroke_m <= piston.cylinder_length_m, "stroke_m", "is longer than the cylinder's air");
+  visitor.number({"dead_volume_m3", "Air in ports and fittings."}, piston.dead_volume_m3, io::non_negative());
+  visitor.number({"frequency_Hz", "Strokes in a second.", "3"}, piston.frequency_Hz, io::positive());
+  visitor.number({"phase", "Fraction of a period by which the piston is ahead."}, piston.phase);
+  visitor.number({"ramp_s", "Time in which the way grows to the whole stroke."}, piston.ramp_s, io::non_negative());
+  visitor.number({"fill_pressure_Pa", "Gauge pressure of all air of the piston at the start."}, piston.fill_pressure_Pa,
+                 {.lowest = -gas.ambient_pressure_Pa, .lowest_excluded = true});
 }
 
-void check_piston(const io::TomlTable& table, std::size_t piston, const Piston& values, const std::vector<PlenumSupply>& plena) {
+/// Whether an entry has a name that one before it has.
+template <class Entry>
+bool is_named_before(const std::vector<Entry>& entries, const Entry& entry, std::string Entry::*name) {
+  for (const Entry& other : entries) {
+    if (&other == &entry) return false;
+    if (other.*name == entry.*name) return true;
+  }
+  return false;
+}
+
+/// Place of a piston; that behind the last if there is none of this name.
+std::size_t place_of(const std::vector<Piston>& pistons, const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(pistons, name, &Piston::name) - pistons.begin());
+}
+
+void describe(io::StudyVisitor& visitor, StudyPlenum& plenum, const StudySupply& supply) {
+  visitor.text({"plenum", "Name of the plenum.", "\"plenum 0\""}, plenum.plenum);
+  visitor.check(!is_named_before(supply.plena, plenum, &StudyPlenum::plenum), "plenum", "has a supply already");
+  visitor.word({"supply", "What drives it: the pressure of a schedule, that of a source behind a line, or a piston."},
+               plenum.supply, {{"schedule", SupplyKind::schedule}, {"line", SupplyKind::line}, {"piston", SupplyKind::piston}});
+  const bool has_piston = plenum.supply == SupplyKind::piston;
+  visitor.only_if(has_piston, "supply = \"piston\"", [&] {
+    visitor.text({"piston", "Name of the piston.", "\"cam\""}, plenum.piston);
+    visitor.check(place_of(supply.pistons, plenum.piston) < supply.pistons.size(), "piston",
+                  supply.pistons.empty() ? "the file has no [[piston]]" : "no piston has this name");
+  });
+  visitor.only_if(!has_piston, "supply = \"schedule\" or \"line\"", [&] {
+    describe(visitor, plenum.schedule, plenum.file);
+    if (visitor.source() == nullptr) return;
+    visitor.check(lowest_pressure_Pa(plenum.schedule) > -supply.gas.ambient_pressure_Pa, "schedule",
+                  "reaches a perfect vacuum or less, beside the ambient pressure of the gas");
+  });
+  visitor.only_if(plenum.supply != SupplyKind::schedule, "supply = \"line\" or \"piston\"",
+                  [&] { describe(visitor, plenum.line); });
+}
+
+/// Demands on a piston and all that hangs on it. @param table of the piston
+void check_piston(const io::TomlTable& table, const Piston& piston, const std::vector<StudyPlenum>& plena) {
   bool is_used = false;
-  bool has_room = values.dead_volume_m3 > 0.0 || values.stroke_m < values.cylinder_length_m;
-  for (const PlenumSupply& plenum : plena) {
-    const auto* supply = std::get_if<PistonSupply>(&plenum);
-    if (supply == nullptr || supply->piston != piston) continue;
+  bool has_room = piston.dead_volume_m3 > 0.0 || piston.stroke_m < piston.cylinder_length_m;
+  for (const StudyPlenum& plenum : plena) {
+    if (plenum.supply != SupplyKind::piston || plenum.piston != piston.name) continue;
     is_used = true;
-    has_room = has_room || supply->line.volume_m3 > 0.0;
+    has_room = has_room || plenum.line.line().volume_m3 > 0.0;
   }
   if (!is_used) throw table.error("name", "this piston supplies no plenum");
   if (!has_room) throw table.error("stroke_m", "leaves the air no room, without dead volume and volume of lines");
 }
 
-}  // namespace
-
-PneumaticGas read_pneumatic_gas(const io::TomlTable& study) {
-  PneumaticGas gas;
-  if (const auto table = study.optional_table("gas")) {
-    gas.exponent = table->number_or("exponent", gas.exponent, io::positive());
-    gas.ambient_pressure_Pa = table->number_or("ambient_pressure_Pa", gas.ambient_pressure_Pa, io::positive());
+PlenumSupply supply_of(const StudyPlenum& plenum, const std::vector<Piston>& pistons) {
+  switch (plenum.supply) {
+    case SupplyKind::piston:
+      return PistonSupply{place_of(pistons, plenum.piston), plenum.line.line()};
+    case SupplyKind::line:
+      return LineSupply{plenum.schedule, plenum.line.line()};
+    case SupplyKind::schedule:
+      break;
   }
-  return gas;
+  return plenum.schedule;
 }
 
-PneumaticSupply read_pneumatic_supply(const io::TomlTable& study, std::span<const std::string> plenum_names) {
-  const PneumaticGas gas = read_pneumatic_gas(study);
-  std::vector<Piston> pistons;
-  const std::vector<io::TomlTable> piston_tables = study.optional_tables("piston");
-  for (const io::TomlTable& table : piston_tables) {
-    Piston piston = read_piston(table, gas);
-    if (std::ranges::find(pistons, piston.name, &Piston::name) != pistons.end())
-      throw table.error("name", "another piston has this name");
-    pistons.push_back(std::move(piston));
-  }
+}  // namespace
+
+PneumaticLine StudyLine::line() const {
+  if (tube) return round_line(tube->length_m, tube->bore);
+  return {.resistance_Pa_s_per_m3 = resistance_Pa_s_per_m3, .volume_m3 = volume_m3};
+}
+
+void describe(io::StudyVisitor& visitor, PneumaticGas& gas) {
+  visitor.number({"exponent", "1: air stays as warm as its surroundings; 1.4: it keeps its heat."}, gas.exponent, io::positive());
+  visitor.number({"ambient_pressure_Pa", "Absolute pressure of the surroundings."}, gas.ambient_pressure_Pa, io::positive());
+}
+
+void describe(io::StudyVisitor& visitor, StudySupply& supply) {
+  visitor.table({"gas", "Air in lines and cylinders."}, [&] { describe(visitor, supply.gas); });
+  visitor.tables({"piston", "Pistons that push closed air through lines."}, supply.pistons, [&](Piston& piston) {
+    describe(visitor, piston, supply.gas);
+    visitor.check(!is_named_before(supply.pistons, piston, &Piston::name), "name", "another piston has this name");
+  });
+  visitor.tables({"pressure", "What drives a plenum; one without a table stays at 0 Pa."}, supply.plena,
+                 [&](StudyPlenum& plenum) { describe(visitor, plenum, supply); }, {.fewest = 1});
+  if (visitor.source() == nullptr || supply.pistons.empty()) return;
+  const std::vector<io::TomlTable> tables = visitor.source()->tables("piston");
+  for (std::size_t p = 0; p < tables.size(); ++p) check_piston(tables[p], supply.pistons[p], supply.plena);
+}
+
+PneumaticSupply supply_of(const StudySupply& given, std::span<const std::string> plenum_names, const io::TomlTable& study) {
   std::vector<PlenumSupply> plena(plenum_names.size(), PlenumSchedule{ConstantPressure{}, 0.0});
-  std::vector<bool> is_named(plenum_names.size(), false);
-  for (const io::TomlTable& table : study.tables("pressure")) {
-    const std::size_t plenum = named_plenum(table, plenum_names);
-    if (is_named[plenum]) throw table.error("plenum", "has a supply already");
-    is_named[plenum] = true;
-    plena[plenum] = read_supply(table, pistons, gas);
+  std::string known;
+  for (const std::string& name : plenum_names) known += (known.empty() ? "\"" : ", \"") + name + "\"";
+  for (std::size_t n = 0; n < given.plena.size(); ++n) {
+    const auto at = std::ranges::find(plenum_names, given.plena[n].plenum);
+    if (at == plenum_names.end())
+      throw study.tables("pressure").at(n).error("plenum", "the body has " + (known.empty() ? "no plenum" : known));
+    plena[static_cast<std::size_t>(at - plenum_names.begin())] = supply_of(given.plena[n], given.pistons);
   }
-  for (std::size_t p = 0; p < pistons.size(); ++p) check_piston(piston_tables[p], p, pistons[p], plena);
-  return PneumaticSupply(std::move(plena), std::move(pistons), gas);
+  return {std::move(plena), given.pistons, given.gas};
 }
 
 }  // namespace menger::fem

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <string_view>
 
-#include "io/text/csv_table.h"
+#include "io/text/input_error.h"
 #include "io/text/number_text.h"
 
 namespace menger::fem {
@@ -65,32 +67,6 @@ std::optional<double> corner_after(const Smooth&, double) {
   return std::nullopt;
 }
 
-enum class Kind { constant, sine, square, table };
-
-SquarePressure read_square(const io::TomlTable& table) {
-  SquarePressure square{.low_Pa = table.number_or("low_Pa", 0.0),
-                        .high_Pa = table.number("high_Pa"),
-                        .frequency_Hz = table.number("frequency_Hz", io::positive()),
-                        .phase = table.number_or("phase", 0.0),
-                        .duty = table.number_or("duty", 0.5, io::between(0.0, 1.0)),
-                        .rise_s = table.number_or("rise_s", 0.0, io::non_negative())};
-  if (square.rise_s * square.frequency_Hz > std::min(square.duty, 1.0 - square.duty))
-    throw table.error("rise_s", "must not be longer than the pressure is high or low");
-  return square;
-}
-
-PressureSchedule read_schedule(const io::TomlTable& table) {
-  const Kind kind = table.word<Kind>(
-      "schedule", {{"constant", Kind::constant}, {"sine", Kind::sine}, {"square", Kind::square}, {"table", Kind::table}});
-  if (kind == Kind::constant) return ConstantPressure{table.number("pressure_Pa")};
-  if (kind == Kind::table) return read_pressure_table(table.path("file"));
-  if (kind == Kind::square) return read_square(table);
-  return SinePressure{.low_Pa = table.number_or("low_Pa", 0.0),
-                      .high_Pa = table.number("high_Pa"),
-                      .frequency_Hz = table.number("frequency_Hz", io::positive()),
-                      .phase = table.number_or("phase", 0.0)};
-}
-
 /// A time in which a schedule does something, with the steps that it needs.
 struct Detail {
   double duration_s;
@@ -136,44 +112,6 @@ double lowest_pressure_Pa(const PlenumSchedule& plenum) {
   };
   const double lowest = std::visit(Lowest{}, plenum.schedule);
   return plenum.ramp_s > 0.0 ? std::min(0.0, lowest) : lowest;
-}
-
-PressureTable read_pressure_table(const std::filesystem::path& file) {
-  const io::CsvContents csv = io::read_csv(file);
-  PressureTable table{csv.numbers("time_s"), csv.numbers("pressure_Pa")};
-  if (table.times_s.empty()) throw io::InputError(file.string() + ": has no rows");
-  for (std::size_t row = 1; row < table.times_s.size(); ++row) {
-    // The range names file, line, column and value.
-    static_cast<void>(csv.number(row, "time_s", {.lowest = table.times_s[row - 1], .lowest_excluded = true}));
-  }
-  return table;
-}
-
-PlenumSchedule read_plenum_schedule(const io::TomlTable& table) {
-  return {read_schedule(table), table.number_or("ramp_s", 0.0, io::non_negative())};
-}
-
-std::size_t named_plenum(const io::TomlTable& table, std::span<const std::string> plenum_names) {
-  const std::string name = table.text("plenum");
-  const auto at = std::ranges::find(plenum_names, name);
-  if (at != plenum_names.end()) return static_cast<std::size_t>(at - plenum_names.begin());
-  std::string known;
-  for (const std::string& plenum : plenum_names) known += (known.empty() ? "\"" : ", \"") + plenum + "\"";
-  throw table.error("plenum", "the body has " + (known.empty() ? "no plenum" : known));
-}
-
-std::vector<PlenumSchedule> read_plenum_schedules(std::span<const io::TomlTable> tables,
-                                                  std::span<const std::string> plenum_names) {
-  std::vector<std::optional<PlenumSchedule>> found(plenum_names.size());
-  for (const io::TomlTable& table : tables) {
-    auto& schedule = found[named_plenum(table, plenum_names)];
-    if (schedule) throw table.error("plenum", "has a schedule already");
-    schedule = read_plenum_schedule(table);
-  }
-  std::vector<PlenumSchedule> schedules;
-  schedules.reserve(found.size());
-  for (const auto& schedule : found) schedules.push_back(schedule.value_or(PlenumSchedule{ConstantPressure{}, 0.0}));
-  return schedules;
 }
 
 void check_resolved(std::span<const PlenumSchedule> schedules, std::span<const std::string> plenum_names, double step_s) {

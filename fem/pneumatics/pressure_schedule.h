@@ -1,14 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "io/text/toml_document.h"
 
 namespace menger::fem {
 
@@ -58,24 +55,6 @@ std::optional<double> next_corner_s(const PlenumSchedule& plenum, double after_s
 
 /// Lowest gauge pressure at any time, Pa; at most 0 where there is a ramp.
 double lowest_pressure_Pa(const PlenumSchedule& plenum);
-
-/// Reads the columns time_s and pressure_Pa of a CSV file. @throws io::InputError with file, line and value, also for times that
-/// run backwards or stand still
-PressureTable read_pressure_table(const std::filesystem::path& file);
-
-/// Reads the schedule of one table: the keys below but for the plenum's name. @throws io::InputError for values outside the
-/// ranges
-PlenumSchedule read_plenum_schedule(const io::TomlTable& table);
-
-/// Place of the plenum that a table names. @throws io::InputError listing the plena if there is none of that name
-std::size_t named_plenum(const io::TomlTable& table, std::span<const std::string> plenum_names);
-
-/// Reads one table per plenum: `plenum = "..."`, `schedule = "constant" | "sine" | "square" | "table"`, the members above as keys
-/// (`file` for a table) and `ramp_s`. Plena that no table names stay at 0 Pa.
-/// @param plenum_names of the mesh @return one schedule per plenum
-/// @throws io::InputError for a plenum that is unknown or named twice, and for values outside the ranges above
-std::vector<PlenumSchedule> read_plenum_schedules(std::span<const io::TomlTable> tables,
-                                                  std::span<const std::string> plenum_names);
 
 /// @throws io::InputError naming the plenum if a schedule has fewer than 20 steps in a period, or 2 in a rise, in a ramp or
 /// between two points of a table

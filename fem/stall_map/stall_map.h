@@ -14,6 +14,7 @@
 #include "fem/pneumatics/pneumatic_piston.h"
 #include "fem/surfaces/plenum_compliance.h"
 #include "io/text/run_status.h"
+#include "meshes/design/design_file.h"
 
 namespace menger::fem {
 
@@ -26,9 +27,8 @@ struct StallMark {
 
 /// A robot that walks at some points of the map, see stall_travels.
 struct StallWalker {
-  std::filesystem::path design{};      ///< basal body, see meshes::read_design
+  meshes::Design design{};             ///< basal body
   std::filesystem::path parameters{};  ///< of the voxels, see voxel::read_surrogate
-  std::string design_text{};
   std::string parameters_text{};
   int level = 1;                     ///< of the fractal, >= 1
   double static_friction = 1.0;      ///< >= kinetic
@@ -48,8 +48,8 @@ struct StallMapStudy {
   std::optional<double> line_length_m{};  ///< > 0; instead of that volume: the round tube of each resistance, see round_line_of
   PneumaticGas gas;
   std::vector<double> frequencies_Hz;           ///< > 0
-  std::vector<double> resistances_Pa_s_per_m3;  ///< > 0, increasing
-  std::vector<double> strokes_m;                ///< > 0, increasing, within the cylinder
+  std::vector<double> resistances_Pa_s_per_m3;  ///< > 0, increasing in equal ratios
+  std::vector<double> strokes_m;                ///< > 0, increasing in equal steps, the first from 0; within the cylinder
   std::vector<double> isobars_Pa;               ///< > 0
   std::vector<StallMark> marks;
   std::optional<StallWalker> walker{};

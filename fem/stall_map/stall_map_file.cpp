@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fem/pneumatics/pneumatic_supply_file.h"
+#include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
 #include "io/text/csv_table.h"
 #include "io/text/number_text.h"
@@ -15,139 +17,198 @@ namespace {
 
 namespace fs = std::filesystem;
 
-PlenumCompliance read_compliance(const io::TomlTable& table, std::map<std::string, std::string>& inputs) {
-  const fs::path file = table.path("curve");
-  const double count = table.integer_or("count", 1, io::at_least(1));
-  const std::string text = io::read_whole(file);
-  inputs[file.string()] = io::content_hash(text);
+/// Of one body.
+PlenumCompliance read_curve(const std::string& text, const fs::path& file) {
   const io::CsvContents csv = io::parse_csv(text, file);
-  PlenumCompliance plenum;
-  double last_volume_m3 = 0.0;  // of one body: count times it, divided again, would be rounded
+  PlenumCompliance curve;
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     // The ranges name file, line, column and value.
-    plenum.pressures_Pa.push_back(
+    curve.pressures_Pa.push_back(
         csv.number(row, "pressure_Pa",
-                   row == 0 ? io::any_number() : io::Range{.lowest = plenum.pressures_Pa.back(), .lowest_excluded = true}));
-    last_volume_m3 = csv.number(row, "volume_m3", row == 0 ? io::positive() : io::at_least(last_volume_m3));
-    plenum.volumes_m3.push_back(count * last_volume_m3);
+                   row == 0 ? io::any_number() : io::Range{.lowest = curve.pressures_Pa.back(), .lowest_excluded = true}));
+    curve.volumes_m3.push_back(csv.number(row, "volume_m3", row == 0 ? io::positive() : io::at_least(curve.volumes_m3.back())));
   }
-  if (plenum.pressures_Pa.size() < 2) throw io::InputError(file.string() + ": needs at least two rows");
-  return plenum;
+  if (curve.pressures_Pa.size() < 2) throw io::InputError(file.string() + ": needs at least two rows");
+  return curve;
 }
 
-void read_piston(const io::TomlTable& table, StallMapStudy& study) {
-  study.piston = {.name = "piston",
-                  .bore_m = table.number("bore_m", io::positive()),
-                  .dead_volume_m3 = table.number_or("dead_volume_m3", 0.0, io::non_negative())};
-  study.cylinder_length_m = table.optional_number("cylinder_length_m", io::positive());
-  study.piston.fill_pressure_Pa = table.number_or("fill_pressure_Pa", 0.0);
-  if (!study.plenum.contains(study.piston.fill_pressure_Pa))
-    throw table.error("fill_pressure_Pa", "lies outside the curve of the plenum");
+void describe_points(io::StudyVisitor& visitor, PlenumCompliance& curve) {
+  visitor.numbers({"pressures_Pa", "Gauge pressures, increasing.", "[0, 4000, 8000]"}, curve.pressures_Pa, io::any_number(),
+                  {.fewest = 2});
+  visitor.numbers({"volumes_m3", "Volumes of a body's plenum at these pressures, never decreasing.", "[1e-5, 1.2e-5, 1.5e-5]"},
+                  curve.volumes_m3, io::positive(), {.fewest = 2});
+  visitor.check(curve.volumes_m3.size() == curve.pressures_Pa.size(), "volumes_m3", "must be as many as pressures_Pa");
+  for (std::size_t n = 1; n < std::min(curve.pressures_Pa.size(), curve.volumes_m3.size()); ++n) {
+    visitor.check(curve.pressures_Pa[n] > curve.pressures_Pa[n - 1], "pressures_Pa", "must be more than the one before it", {n});
+    visitor.check(curve.volumes_m3[n] >= curve.volumes_m3[n - 1], "volumes_m3", "must not be less than the one before it", {n});
+  }
+}
+
+void describe_plenum(io::StudyVisitor& visitor, StallMapStudy& study) {
+  PlenumCompliance& curve = study.plenum;
+  const auto keep = [] {};
+  fs::path file;
+  const auto describe_file = [&] {
+    visitor.path({"curve", "A CSV table with the columns pressure_Pa and volume_m3.", "\"curve.csv\""}, file);
+    if (visitor.source() == nullptr) return;
+    const std::string text = io::read_whole(file);
+    study.inputs[file.string()] = io::content_hash(text);
+    curve = read_curve(text, file);
+  };
+  visitor.one_of({{"pressures_Pa", !curve.pressures_Pa.empty(), keep, [&] { describe_points(visitor, curve); }},
+                  {"curve", false, keep, describe_file}},
+                 "the volume over the pressure is needed");
+  int count = 1;  // of a study that was read: the curve is that of all bodies
+  visitor.integer({"count", "Equal bodies with this curve."}, count, io::at_least(1));
+  const io::TomlTable* table = visitor.source();
+  if (table == nullptr) return;
+  visitor.check(curve.pressures_Pa.front() > -study.gas.ambient_pressure_Pa, table->has("curve") ? "curve" : "pressures_Pa",
+                "begins at a perfect vacuum or less");
+  for (double& volume_m3 : curve.volumes_m3) volume_m3 *= count;
+}
+
+void describe_piston(io::StudyVisitor& visitor, StallMapStudy& study) {
+  study.piston.name = "piston";
+  visitor.number({"bore_m", "Diameter of the cylinder.", "0.02"}, study.piston.bore_m, io::positive());
+  visitor.optional_number(
+      {"cylinder_length_m", "Length of the air before the withdrawn piston; that of the stroke unless stated.", "0.1"},
+      study.cylinder_length_m, io::positive());
+  // the only room for air at the end of a stroke, unless something else is
+  const bool has_room = study.cylinder_length_m || study.line_length_m || study.line_volume_m3 > 0.0;
+  visitor.number({"dead_volume_m3", "Air in ports and fittings.", has_room ? "" : "1e-6"}, study.piston.dead_volume_m3,
+                 io::non_negative());
+  visitor.number({"fill_pressure_Pa", "Gauge pressure of all air at the start."}, study.piston.fill_pressure_Pa);
+  const bool is_on_curve = visitor.source() == nullptr || study.plenum.contains(study.piston.fill_pressure_Pa);
+  visitor.check(is_on_curve, "fill_pressure_Pa", "lies outside the curve of the plenum");
+}
+
+void describe_line(io::StudyVisitor& visitor, StallMapStudy& study) {
+  const auto describe_volume = [&] {
+    visitor.number({"volume_m3", "Volume of a line that stays laminar."}, study.line_volume_m3, io::non_negative());
+  };
+  const auto describe_length = [&] {
+    double length_m = study.line_length_m.value_or(0.0);
+    visitor.number({"length_m", "Length of a round tube, as wide as each resistance asks.", "2"}, length_m, io::positive());
+    study.line_length_m = length_m;
+  };
+  visitor.one_of({{"volume_m3", !study.line_length_m, [&] { study.line_length_m.reset(); }, describe_volume},
+                  {"length_m", study.line_length_m.has_value(), [] {}, describe_length}});
+}
+
+void describe_count(io::StudyVisitor& visitor, std::size_t& count, std::size_t fewest) {
+  visitor.integer({"count", "How many.", "5"}, count, io::within(static_cast<double>(fewest), 1000));
 }
 
 /// Numbers in equal ratios, the ends exact.
-std::vector<double> read_resistances(const io::TomlTable& table) {
-  const double lowest = table.number("lowest", io::positive());
-  const double highest = table.number("highest", {.lowest = lowest, .lowest_excluded = true});
-  const auto count = table.integer<std::size_t>("count", io::within(2, 1000));
-  std::vector<double> values;
+void describe_resistances(io::StudyVisitor& visitor, std::vector<double>& values) {
+  double lowest = values.empty() ? 0.0 : values.front();
+  double highest = values.empty() ? 0.0 : values.back();
+  std::size_t count = values.size();
+  visitor.number({"lowest", "The first.", "1e6"}, lowest, io::positive());
+  visitor.number({"highest", "The last, more than the first.", "1e9"}, highest, {.lowest = lowest, .lowest_excluded = true});
+  describe_count(visitor, count, 2);
+  values.clear();
   for (std::size_t n = 0; n < count; ++n)
     values.push_back(lowest * std::pow(highest / lowest, static_cast<double>(n) / static_cast<double>(count - 1)));
-  values.back() = highest;
-  return values;
+  if (!values.empty()) values.back() = highest;
 }
 
-std::vector<double> read_strokes(const io::TomlTable& table, const StallMapStudy& study) {
-  const double longest = table.number("longest", io::positive());
-  const auto count = table.integer<std::size_t>("count", io::within(1, 1000));
+/// Numbers in equal steps, the last exact.
+void describe_strokes(io::StudyVisitor& visitor, StallMapStudy& study) {
+  double longest = study.strokes_m.empty() ? 0.0 : study.strokes_m.back();
+  std::size_t count = study.strokes_m.size();
+  visitor.number({"longest", "The last, within the cylinder.", "0.02"}, longest, io::positive());
+  describe_count(visitor, count, 1);
   const double cylinder = study.cylinder_length_m.value_or(longest);
-  if (longest > cylinder) throw table.error("longest", "is longer than the cylinder's air");
-  if (longest == cylinder && study.piston.dead_volume_m3 == 0.0 && study.line_volume_m3 == 0.0 && !study.line_length_m)
-    throw table.error("longest", "leaves the air no room, without dead volume and volume of the line");
-  std::vector<double> values;
-  for (std::size_t n = 1; n <= count; ++n) values.push_back(longest * static_cast<double>(n) / static_cast<double>(count));
-  return values;
+  visitor.check(longest <= cylinder, "longest", "is longer than the cylinder's air");
+  const bool has_room =
+      longest < cylinder || study.piston.dead_volume_m3 > 0.0 || study.line_volume_m3 > 0.0 || study.line_length_m.has_value();
+  visitor.check(has_room, "longest", "leaves the air no room, without dead volume and volume of the line");
+  study.strokes_m.clear();
+  for (std::size_t n = 1; n <= count; ++n)
+    study.strokes_m.push_back(longest * static_cast<double>(n) / static_cast<double>(count));
+  if (!study.strokes_m.empty()) study.strokes_m.back() = longest;
 }
 
-/// Those that a stroke can have raised: above the fill, on the curve.
-io::Range reachable_pressures(const StallMapStudy& study) {
-  return {.lowest = std::max(0.0, study.piston.fill_pressure_Pa),
-          .highest = study.plenum.pressures_Pa.back(),
-          .lowest_excluded = true};
+/// Those that a stroke can have raised: above the fill, on the curve. A study that nobody reads need not have such.
+io::Range reachable_pressures(const io::StudyVisitor& visitor, const StallMapStudy& study) {
+  const std::vector<double>& curve_Pa = study.plenum.pressures_Pa;
+  const double lowest_Pa = std::max(0.0, study.piston.fill_pressure_Pa);
+  const bool has_some = !curve_Pa.empty() && curve_Pa.back() > lowest_Pa;
+  if (!has_some && visitor.source() == nullptr) return io::positive();
+  return {.lowest = lowest_Pa, .highest = curve_Pa.back(), .lowest_excluded = true};
 }
 
-void read_map(const io::TomlTable& table, StallMapStudy& study) {
-  study.frequencies_Hz = table.numbers("frequencies_Hz", io::positive());
-  study.resistances_Pa_s_per_m3 = read_resistances(table.table("resistances_Pa_s_per_m3"));
-  study.strokes_m = read_strokes(table.table("strokes_m"), study);
+void describe_map(io::StudyVisitor& visitor, StallMapStudy& study) {
+  visitor.numbers({"frequencies_Hz", "Strokes in a second, a map for each.", "[1, 3]"}, study.frequencies_Hz, io::positive(),
+                  {.fewest = 1});
   std::vector<double> frequencies = study.frequencies_Hz;
   std::ranges::sort(frequencies);
-  if (frequencies.empty() || std::ranges::adjacent_find(frequencies) != frequencies.end())
-    throw table.error("frequencies_Hz", "must be some frequencies, none of them twice");
-  if (table.has("isobars_Pa")) study.isobars_Pa = table.numbers("isobars_Pa", reachable_pressures(study));
-  study.steps_per_period = table.integer_or("steps_per_period", study.steps_per_period, io::within(20, 1e6));
-  study.most_periods = table.integer_or("most_periods", study.most_periods, io::within(2, 1e6));
-  study.settled = table.number_or("settled", study.settled, io::between(0.0, 1.0));
+  visitor.check(std::ranges::adjacent_find(frequencies) == frequencies.end(), "frequencies_Hz",
+                "must be some frequencies, none of them twice");
+  visitor.table({"resistances_Pa_s_per_m3", "Resistances of the line, evenly by their logarithms."},
+                [&] { describe_resistances(visitor, study.resistances_Pa_s_per_m3); });
+  visitor.table({"strokes_m", "Strokes of the piston, evenly up to the longest."}, [&] { describe_strokes(visitor, study); });
+  visitor.numbers({"isobars_Pa", "Pressures whose shortest strokes are looked for."}, study.isobars_Pa,
+                  reachable_pressures(visitor, study));
+  visitor.integer({"steps_per_period", "Steps of a period, at least."}, study.steps_per_period, io::within(20, 1e6));
+  visitor.integer({"most_periods", "Periods after which a cycle that has not settled is left."}, study.most_periods,
+                  io::within(2, 1e6));
+  visitor.number({"settled", "Change of the peak from one period to the next, by the peak, that counts as none."}, study.settled,
+                 io::between(0.0, 1.0));
 }
 
-StallWalker read_walker(const io::TomlTable& table, std::map<std::string, std::string>& inputs) {
-  const auto content = [&](const char* key) {
-    const fs::path file = table.path(key);
-    std::string text = io::read_whole(file);
-    inputs[file.string()] = io::content_hash(text);
-    return text;
-  };
-  StallWalker walker{.design = table.path("design"),
-                     .parameters = table.path("parameters"),
-                     .design_text = content("design"),
-                     .parameters_text = content("parameters")};
-  walker.level = table.integer_or("level", walker.level, io::within(1, 3));
-  walker.static_friction = table.number_or("static_friction", walker.static_friction, io::non_negative());
-  walker.kinetic_friction = table.number_or("kinetic_friction", walker.kinetic_friction, io::non_negative());
-  if (walker.kinetic_friction > walker.static_friction)
-    throw table.error("static_friction", "is less than kinetic_friction = " + io::number_text(walker.kinetic_friction));
-  walker.periods = table.integer_or("periods", walker.periods, io::within(2, 1000));
-  walker.every_resistance = table.integer_or("every_resistance", walker.every_resistance, io::within(1, 1000));
-  walker.every_stroke = table.integer_or("every_stroke", walker.every_stroke, io::within(1, 1000));
-  return walker;
+void describe_walker_design(io::StudyVisitor& visitor, StallWalker& walker, std::map<std::string, std::string>& inputs) {
+  std::optional<fs::path> file;
+  meshes::describe_design(visitor, walker.design, file);
+  if (file) inputs[file->string()] = io::file_hash(*file);
+  visitor.integer({.name = "level",
+                   .help = "Level of the fractal: 1 is the design itself, in 2 each cell is a copy of it.",
+                   .earlier = "/travel.level"},
+                  walker.level, io::within(1, 3));
 }
 
-std::string line(const char* key, double value) { return std::string(key) + " = " + io::number_text(value) + "\n"; }
-
-std::string list(const char* key, const std::vector<double>& values) {
-  std::string text = std::string(key) + " = [";
-  for (const double value : values) text += (text.back() == '[' ? "" : ", ") + io::number_text(value);
-  return text + "]\n";
+void describe_walker(io::StudyVisitor& visitor, StallWalker& walker, std::map<std::string, std::string>& inputs) {
+  const bool was_file = visitor.source() != nullptr && visitor.source()->is_text("design");
+  visitor.check(!was_file, "design", "is called design.file now, in a table with level");
+  visitor.table({"design", "The robot."}, [&] { describe_walker_design(visitor, walker, inputs); });
+  visitor.path({"parameters", "Voxel parameters of its cells.", "\"parameters.toml\""}, walker.parameters);
+  if (visitor.source() != nullptr) {
+    walker.parameters_text = io::read_whole(walker.parameters);
+    inputs[walker.parameters.string()] = io::content_hash(walker.parameters_text);
+  }
+  visitor.number({"kinetic_friction", "Coefficient of friction while sliding."}, walker.kinetic_friction, io::non_negative());
+  visitor.number({"static_friction", "Coefficient of friction at rest, at least the kinetic one."}, walker.static_friction,
+                 io::non_negative());
+  visitor.check(walker.static_friction >= walker.kinetic_friction, "static_friction",
+                "is less than kinetic_friction = " + io::number_text(walker.kinetic_friction));
+  visitor.integer({"periods", "Periods that are simulated; the first does not count."}, walker.periods, io::within(2, 1000));
+  visitor.integer({"every_resistance", "It walks at the first resistance, then at every so manieth."}, walker.every_resistance,
+                  io::within(1, 1000));
+  visitor.integer({"every_stroke", "It walks at the longest stroke, then at every so manieth down from it."}, walker.every_stroke,
+                  io::within(1, 1000));
 }
 
-std::string walker_text(const StallWalker& walker) {
-  return "[travel]\ndesign = " + io::toml_quoted(walker.design.string()) +
-         "\nparameters = " + io::toml_quoted(walker.parameters.string()) + "\n" + line("level", walker.level) +
-         line("static_friction", walker.static_friction) + line("kinetic_friction", walker.kinetic_friction) +
-         line("periods", static_cast<double>(walker.periods)) +
-         line("every_resistance", static_cast<double>(walker.every_resistance)) +
-         line("every_stroke", static_cast<double>(walker.every_stroke));
+void describe_mark(io::StudyVisitor& visitor, StallMark& mark, const StallMapStudy& study) {
+  visitor.text({"label", "What it is.", "\"here\""}, mark.label);
+  visitor.number({"pressure_Pa", "Gauge pressure.", "2000"}, mark.pressure_Pa, reachable_pressures(visitor, study));
+  visitor.number({"frequency_Hz", "One of map.frequencies_Hz.", "3"}, mark.frequency_Hz, io::positive());
+  visitor.check(std::ranges::find(study.frequencies_Hz, mark.frequency_Hz) != study.frequencies_Hz.end(), "frequency_Hz",
+                "is none of map.frequencies_Hz");
 }
 
 }  // namespace
 
-std::string resolved_text(const StallMapStudy& study) {
-  std::string text = "[plenum]\n" + list("pressures_Pa", study.plenum.pressures_Pa) + list("volumes_m3", study.plenum.volumes_m3);
-  text += "[piston]\n" + line("bore_m", study.piston.bore_m) + line("dead_volume_m3", study.piston.dead_volume_m3) +
-          line("fill_pressure_Pa", study.piston.fill_pressure_Pa);
-  if (study.cylinder_length_m) text += line("cylinder_length_m", *study.cylinder_length_m);
-  text += "[line]\n";
-  text += study.line_length_m ? line("length_m", *study.line_length_m) : line("volume_m3", study.line_volume_m3);
-  text += "[gas]\n" + line("exponent", study.gas.exponent) + line("ambient_pressure_Pa", study.gas.ambient_pressure_Pa);
-  text += "[map]\n" + list("frequencies_Hz", study.frequencies_Hz) +
-          list("resistances_Pa_s_per_m3", study.resistances_Pa_s_per_m3) + list("strokes_m", study.strokes_m) +
-          list("isobars_Pa", study.isobars_Pa) + line("steps_per_period", static_cast<double>(study.steps_per_period)) +
-          line("most_periods", static_cast<double>(study.most_periods)) + line("settled", study.settled);
-  if (study.walker) text += walker_text(*study.walker);
-  for (const StallMark& mark : study.marks)
-    text += "[[mark]]\nlabel = " + io::toml_quoted(mark.label) + "\n" + line("pressure_Pa", mark.pressure_Pa) +
-            line("frequency_Hz", mark.frequency_Hz);
-  return text;
+void describe(io::StudyVisitor& visitor, StallMapStudy& study) {
+  visitor.table({"gas", "Air in piston, line and plenum."}, [&] { describe(visitor, study.gas); });
+  visitor.table({"plenum", "What hangs on the piston's line."}, [&] { describe_plenum(visitor, study); });
+  visitor.table({"line", "Between piston and plenum."}, [&] { describe_line(visitor, study); });
+  visitor.table({"piston", "A piston that pushes closed air through the line."}, [&] { describe_piston(visitor, study); });
+  visitor.table({"map", "What is computed."}, [&] { describe_map(visitor, study); });
+  visitor.optional_table({"travel", "A robot of calibrated voxels that walks at some points of the map."}, study.walker,
+                         [&](StallWalker& walker) { describe_walker(visitor, walker, study.inputs); });
+  visitor.tables({"mark", "Pressures at a frequency that are to be found on the map."}, study.marks,
+                 [&](StallMark& mark) { describe_mark(visitor, mark, study); });
 }
 
 StallMapStudy read_stall_map_study(const fs::path& file) {
@@ -155,25 +216,7 @@ StallMapStudy read_stall_map_study(const fs::path& file) {
   study.file = file;
   const std::string text = io::read_whole(file);
   study.inputs[file.string()] = io::content_hash(text);
-  const io::TomlTable top = io::parse_toml(text, file);
-  study.plenum = read_compliance(top.table("plenum"), study.inputs);
-  study.gas = read_pneumatic_gas(top);
-  if (study.plenum.pressures_Pa.front() <= -study.gas.ambient_pressure_Pa)
-    throw top.table("plenum").error("curve", "begins at a perfect vacuum or less");
-  read_piston(top.table("piston"), study);
-  if (const auto line = top.optional_table("line")) {
-    study.line_length_m = line->optional_number("length_m", io::positive());
-    if (!study.line_length_m) study.line_volume_m3 = line->number_or("volume_m3", 0.0, io::non_negative());
-  }
-  read_map(top.table("map"), study);
-  if (const auto travel = top.optional_table("travel")) study.walker = read_walker(*travel, study.inputs);
-  for (const io::TomlTable& table : top.optional_tables("mark")) {
-    study.marks.push_back({table.text("label"), table.number("pressure_Pa", reachable_pressures(study)),
-                           table.number("frequency_Hz", io::positive())});
-    if (std::ranges::find(study.frequencies_Hz, study.marks.back().frequency_Hz) == study.frequencies_Hz.end())
-      throw table.error("frequency_Hz", "is none of map.frequencies_Hz");
-  }
-  top.finish();
+  io::read_described(io::parse_toml(text, file), study);
   return study;
 }
 

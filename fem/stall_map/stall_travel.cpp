@@ -11,8 +11,8 @@
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/joined_text.h"
-#include "io/text/number_text.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 
 namespace menger::fem {
@@ -39,8 +39,7 @@ class Walks {
 
   StallTravel walk(std::size_t place) const {
     const std::string scene = travel_scene(study_, map_.points[place]);
-    const std::string& design = study_.walker->design_text;
-    const std::string hash = io::content_hash(program_hash_ + scene + design + study_.walker->parameters_text);
+    const std::string hash = io::content_hash(program_hash_ + scene + study_.walker->parameters_text);
     const fs::path folder = options_.runs / hash.substr(0, 16);
     StallTravel travel{.point = place};
     if (!read(folder / "result", travel)) simulate(folder, scene, travel);
@@ -118,18 +117,17 @@ std::vector<std::size_t> travel_points(const StallMapStudy& study, const StallMa
 std::string travel_scene(const StallMapStudy& study, const StallPoint& point) {
   const StallWalker& walker = *study.walker;
   const double period_s = 1.0 / point.frequency_Hz;
-  const auto line = [](const char* key, const std::string& value) { return std::string(key) + " = " + value + "\n"; };
-  const auto quoted = [](const fs::path& file) { return io::toml_quoted(fs::absolute(file).lexically_normal().string()); };
-  return line("design", quoted(walker.design)) + line("level", std::to_string(walker.level)) +
-         line("duration_s", io::number_text(static_cast<double>(walker.periods) * period_s)) +
-         line("record_interval_s", io::number_text(period_s / records_per_period)) + "[output]\n" + line("frames", "false") +
-         "[materials]\n" + line("static_friction", io::number_text(walker.static_friction)) +
-         line("kinetic_friction", io::number_text(walker.kinetic_friction)) + "[surrogate]\n" +
-         line("parameters", quoted(walker.parameters)) +
-         line("pressure_Pa",
-              "[" + io::number_text(point.lowest_pressure_Pa) + ", " + io::number_text(point.peak_pressure_Pa) + "]") +
-         line("outside_range", "\"warn\"") + "[actuation]\n" + line("mode", "\"in_phase\"") +
-         line("period_s", io::number_text(period_s));
+  const fs::path parameters = fs::absolute(walker.parameters).lexically_normal();
+  io::TomlText scene;
+  scene.table("design").lines(meshes::design_text(walker.design)).add("level", walker.level);
+  scene.table("time").add("duration_s", static_cast<double>(walker.periods) * period_s);
+  scene.add("record_interval_s", period_s / records_per_period);
+  scene.table("output").add("frames", false);
+  scene.table("ground").add("static_friction", walker.static_friction).add("kinetic_friction", walker.kinetic_friction);
+  scene.table("surrogate").add("parameters", parameters.string()).add("outside_range", "warn");
+  scene.table("drive").add("mode", "in_phase").add("frequency_Hz", point.frequency_Hz);
+  scene.add("pressure_Pa", std::vector<double>{point.lowest_pressure_Pa, point.peak_pressure_Pa});
+  return scene.text();
 }
 
 std::optional<std::vector<StallTravel>> stall_travels(const StallMapStudy& study, const StallMap& map,

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "io/process/exit_code.h"
-#include "io/process/interrupt.h"
 #include "io/text/manifest.h"
 #include "io/text/whole_file.h"
 
@@ -12,8 +11,8 @@ void RunFolder::remove(const std::vector<std::string_view>& names) const { remov
 
 double RunFolder::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
-void RunFolder::write_manifest(std::string parameters, std::map<std::string, std::string> inputs,
-                               std::optional<std::uint64_t> seed) const {
+void RunFolder::finish(std::string parameters, std::map<std::string, std::string> inputs,
+                       std::optional<std::uint64_t> seed) const {
   io::write_manifest(folder_, {.program = program_,
                                .parameters = std::move(parameters),
                                .seed = seed,
@@ -23,7 +22,7 @@ void RunFolder::write_manifest(std::string parameters, std::map<std::string, std
 
 int exit_code_of(RunStatus status) {
   if (status == RunStatus::completed) return exit_code::done;
-  return status == RunStatus::stopped && interrupted() ? exit_code::interrupted : exit_code::numerical;
+  return status == RunStatus::stopped ? exit_code::interrupted : exit_code::numerical;
 }
 
 }  // namespace menger::io

@@ -32,10 +32,10 @@ class RunFolder {
   /// Seconds since this object was made.
   [[nodiscard]] double seconds() const;
 
-  /// Writes manifest.json. @param parameters everything that decided the results, defaults included, as TOML
+  /// Ends the run: writes manifest.json. @param parameters everything that decided the results, defaults included, as TOML
   /// @param inputs files that were read, with the hash of their content
-  void write_manifest(std::string parameters, std::map<std::string, std::string> inputs,
-                      std::optional<std::uint64_t> seed = std::nullopt) const;
+  void finish(std::string parameters, std::map<std::string, std::string> inputs,
+              std::optional<std::uint64_t> seed = std::nullopt) const;
 
  private:
   std::string program_;
@@ -43,7 +43,7 @@ class RunFolder {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// The exit code of a run with this status: done, interrupted if Ctrl-C stopped it, numerical for every other end.
+/// The exit code of a run with this status: done, interrupted if it was stopped, numerical for every other end.
 int exit_code_of(RunStatus status);
 
 }  // namespace menger::io

@@ -26,6 +26,9 @@ void add_study_help(CLI::App& app, const std::function<void(StudyVisitor&)>& des
   const auto print_schema = [=] {
     StudySchemaWriter writer;
     describe_default(writer);
+    StudySchemaWriter varied(true);
+    describe_default(varied);
+    writer.leave_out_what_differs(varied);
     end_with(writer.text("study of " + command));
   };
   const auto print_keys = [=] {

@@ -7,7 +7,7 @@ namespace menger::io {
 namespace {
 
 /// Longer ones first: "_m_per_s2" ends with "_s2", and "_Pa_s_per_m3" with "_m3".
-constexpr std::array<std::pair<std::string_view, std::string_view>, 21> units{{{"_Pa_s_per_m3", "Pa s/m3"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 22> units{{{"_Pa_s_per_m3", "Pa s/m3"},
                                                                                {"_N_per_m", "N/m"},
                                                                                {"_kg_per_m3", "kg/m3"},
                                                                                {"_Pa_per_m", "Pa/m"},
@@ -16,6 +16,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 21> units{{{
                                                                                {"_kg_m3", "kg/m3"},
                                                                                {"_m_s2", "m/s2"},
                                                                                {"_per_s", "1/s"},
+                                                                               {"_per_Pa", "1/Pa"},
                                                                                {"_Pa_s", "Pa s"},
                                                                                {"_rad", "rad"},
                                                                                {"_deg", "degrees"},

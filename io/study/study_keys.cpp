@@ -79,6 +79,7 @@ void StudyKeyTable::visit_choice(const std::vector<Alternative>& alternatives, s
   const Alternative* chosen = nullptr;
   for (const Alternative& alternative : alternatives) {
     if (alternative.is_chosen) chosen = &alternative;
+    if (alternative.is_for_programs) continue;
     alternative.choose();
     alternative.describe();
   }

@@ -1,5 +1,7 @@
 #include "io/study/study_schema.h"
 
+#include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -57,6 +59,53 @@ Json value_schema(const StudyEntry& entry) {
   return list_schema(entry, list_schema(entry, text_schema(entry)));
 }
 
+/// A number of the range that is likely to be no default.
+double varied_number(const Range& range) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double span = range.highest < infinity && range.lowest > -infinity ? range.highest - range.lowest : 1.0;
+  if (range.lowest > -infinity) return range.lowest + 0.37 * span;
+  return range.highest < infinity ? range.highest - 0.37 * span : 0.37;
+}
+
+/// Another value that the key takes, where that is easily found.
+std::optional<StudyValue> varied(const StudyEntry& entry, std::optional<StudyValue> value) {
+  if (!value) return value;
+  if (auto* truth = std::get_if<bool>(&*value)) *truth = !*truth;
+  if (auto* number = std::get_if<double>(&*value)) *number = varied_number(entry.range);
+  if (auto* numbers = std::get_if<std::vector<double>>(&*value))
+    numbers->assign(std::clamp<std::size_t>(numbers->size() + 2, entry.count.fewest, entry.count.most),
+                    varied_number(entry.range));
+  if (auto* text = std::get_if<std::string>(&*value)) {
+    const auto other = std::ranges::find_if(entry.words, [&](std::string_view word) { return word != *text; });
+    if (other != entry.words.end()) *text = *other;
+  }
+  return value;
+}
+
+/// Leaves out of a schema what another one of the same study has not, of all that is demanded of values.
+void keep_common(Json& schema, const Json& other) {
+  if (schema.is_array()) {
+    for (std::size_t n = 0; n < schema.size() && other.is_array() && n < other.size(); ++n) keep_common(schema[n], other[n]);
+    return;
+  }
+  if (!schema.is_object() || !other.is_object()) return;
+  for (const char* demand : {"minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum", "minItems", "maxItems"}) {
+    if (schema.contains(demand) && (!other.contains(demand) || other[demand] != schema[demand])) schema.erase(demand);
+  }
+  if (schema.contains("required") && schema["required"].is_array()) {
+    Json common = Json::array();
+    for (const Json& key : schema["required"]) {
+      const Json none = Json::array();
+      const Json& others = other.contains("required") ? other["required"] : none;
+      if (std::ranges::find(others, key) != others.end()) common.push_back(key);
+    }
+    schema["required"] = common;
+  }
+  for (const auto& [key, inner] : schema.items()) {
+    if (key != "required" && other.contains(key)) keep_common(inner, other[key]);
+  }
+}
+
 Json value_json(const StudyValue& value) {
   return std::visit(
       [](const auto& any) -> Json {
@@ -95,13 +144,20 @@ struct StudySchemaWriter::Table {
   }
 };
 
-StudySchemaWriter::StudySchemaWriter() : top_(std::make_unique<Table>()), table_(top_.get()) {}
+StudySchemaWriter::StudySchemaWriter(bool varies) : top_(std::make_unique<Table>()), table_(top_.get()), varies_(varies) {}
 StudySchemaWriter::~StudySchemaWriter() = default;
 
 std::string StudySchemaWriter::text(std::string_view title) const {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
   schema.update(top_->schema());
   return schema.dump(2) + "\n";
+}
+
+void StudySchemaWriter::leave_out_what_differs(const StudySchemaWriter& varied) {
+  Json common = top_->schema();
+  keep_common(common, varied.top_->schema());
+  top_->properties = common["properties"];
+  top_->required = common.value("required", Json::array());
 }
 
 void StudySchemaWriter::inside(Table& table, const std::function<void()>& describe) {
@@ -117,11 +173,12 @@ void StudySchemaWriter::visit(const StudyEntry& entry, std::optional<StudyValue>
   const std::string unit = unit_of(entry.key.name);
   schema["description"] = std::string(entry.key.help) + (unit.empty() ? "" : " (" + unit + ")");
   if (entry.is_required()) {
-    if (!may_be_missing_) table_->required.push_back(entry.key.name);
+    if (!may_be_missing_ && !entry.key.may_be_elsewhere) table_->required.push_back(entry.key.name);
   } else if (value) {
     schema["default"] = value_json(*value);
   }
   table_->add(entry.key.name, std::move(schema));
+  if (varies_) value = varied(entry, value);
 }
 
 void StudySchemaWriter::visit_table(const Key& key, const std::function<void()>& describe) {
@@ -160,15 +217,21 @@ void StudySchemaWriter::visit_tables(const Key& key, const Count& count, std::si
 }
 
 void StudySchemaWriter::visit_choice(const std::vector<Alternative>& alternatives, std::string_view missing) {
-  const Alternative* chosen = nullptr;
-  const bool outer = std::exchange(may_be_missing_, true);
-  for (const Alternative& alternative : alternatives) {
-    if (alternative.is_chosen) chosen = &alternative;
+  const auto found = std::ranges::find_if(alternatives, &Alternative::is_chosen);
+  const Alternative* const chosen = found == alternatives.end() ? nullptr : &*found;
+  // last, so that what follows is that of a study that is one of these
+  const Alternative& last = chosen != nullptr ? *chosen : alternatives.front();
+  const auto go_through = [](const Alternative& alternative) {
+    if (alternative.is_for_programs) return;
     alternative.choose();
     alternative.describe();
+  };
+  const bool outer = std::exchange(may_be_missing_, true);
+  for (const Alternative& alternative : alternatives) {
+    if (&alternative != &last) go_through(alternative);
   }
+  go_through(last);
   may_be_missing_ = outer;
-  if (chosen != nullptr) chosen->choose();
   Json keys = Json::array();
   for (const Alternative& alternative : alternatives) keys.push_back(Json{{"required", Json::array({alternative.key})}});
   for (std::size_t a = 0; a < alternatives.size(); ++a) {
@@ -179,8 +242,7 @@ void StudySchemaWriter::visit_choice(const std::vector<Alternative>& alternative
   if (must_have_one && !may_be_missing_) table_->demands.push_back(Json{{"anyOf", keys}});
 }
 
-void StudySchemaWriter::visit_branch(bool holds, std::string_view, const std::function<void()>& describe) {
-  if (holds) return describe();
+void StudySchemaWriter::visit_branch(bool, std::string_view, const std::function<void()>& describe) {
   const bool outer = std::exchange(may_be_missing_, true);
   describe();
   may_be_missing_ = outer;

@@ -102,11 +102,12 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
   if (written == nullptr && !missing.empty()) written = &alternatives.front();
   const Alternative* const usual = written;
   for (const Alternative& alternative : alternatives) {
-    if (&alternative != usual && takes_next(std::string(alternative.key))) written = &alternative;
+    if (&alternative != usual && !alternative.is_for_programs && takes_next(std::string(alternative.key))) written = &alternative;
   }
   // the one that is written comes last, so that the study is one of it afterwards
   for (const Alternative& alternative : alternatives) {
-    if (&alternative == written) continue;
+    if (&alternative == written || alternative.is_for_programs) continue;
+    if (written != nullptr) comment("In place of " + std::string(written->key) + ":");
     as_comment([&] {
       alternative.choose();
       alternative.describe();

@@ -15,6 +15,9 @@ std::string study_value_text(const StudyValue& value);
 /// reading the text gives the study back.
 class StudyTextWriter : public StudyVisitor {
  public:
+  /// @param table whose keys these are, for the names of the tables in it; its own header is left to the caller. Empty: the top
+  explicit StudyTextWriter(std::string_view table = {}) : prefix_(table.empty() ? "" : std::string(table) + ".") {}
+
   [[nodiscard]] std::string text() const { return top_.text(); }
 
  protected:
@@ -32,7 +35,7 @@ class StudyTextWriter : public StudyVisitor {
 
   StudySection top_{};
   StudySection* section_ = &top_;
-  std::string prefix_{};  ///< of the table that is open, with a dot at its end
+  std::string prefix_;  ///< of the table that is open, with a dot at its end
 };
 
 /// The text of a study that has a description. Works on a copy: descriptions take what they go through by reference.

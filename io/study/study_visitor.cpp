@@ -34,6 +34,26 @@ void StudyVisitor::texts(const Key& key, std::vector<std::string>& values, const
   values = visited({.key = key, .kind = ValueKind::texts, .count = count}, values);
 }
 
+void StudyVisitor::optional_numbers(const Key& key, std::optional<std::vector<double>>& values, const Range& range,
+                                    const Count& count) {
+  values = visited({.key = key, .kind = ValueKind::numbers, .range = range, .count = count, .is_optional = true}, values);
+}
+
+void StudyVisitor::optional_texts(const Key& key, std::optional<std::vector<std::string>>& values, const Count& count) {
+  values = visited({.key = key, .kind = ValueKind::texts, .count = count, .is_optional = true}, values);
+}
+
+void StudyVisitor::paths(const Key& key, std::vector<std::filesystem::path>& values, const Count& count) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& value : values) names.push_back(value.string());
+  texts(key, names, count);
+  const TomlTable* table = source();
+  if (table != nullptr && !table->has(key.name)) return;
+  const std::filesystem::path folder = table == nullptr ? std::filesystem::path() : table->file().parent_path();
+  values.clear();
+  for (const std::string& name : names) values.push_back(folder / name);
+}
+
 void StudyVisitor::text_rows(const Key& key, std::vector<std::vector<std::string>>& rows) {
   rows = visited({.key = key, .kind = ValueKind::text_rows}, rows);
 }

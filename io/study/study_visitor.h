@@ -28,6 +28,9 @@ struct Key {
   /// Its name in files of earlier versions: a key of the same table, or from the top of the file: "/actuation.period_s".
   std::string_view earlier{};
   bool was_reciprocal = false;  ///< whether the number stood there as its reciprocal, a period for a frequency
+  /// Whether another table, a file or the command line may give the value, so that a schema, which sees this table alone, cannot
+  /// ask for it.
+  bool may_be_elsewhere = false;
 };
 
 /// How many values a list may hold.
@@ -68,6 +71,7 @@ struct Alternative {
   std::function<void()> choose;    ///< makes it one
   std::function<void()> describe;  ///< its keys, `key` among them
   std::string_view earlier{};      ///< name of `key` in files of earlier versions, as in Key
+  bool is_for_programs = false;    ///< whether only programs say it in this way, so that people are not told of it
 };
 
 /// What goes through a study key by key: it reads or writes the study, or tells people about it.
@@ -105,11 +109,16 @@ class StudyVisitor {
   void optional_word(const Key& key, std::optional<Value>& value, const Words<Value>& words);
 
   void numbers(const Key& key, std::vector<double>& values, const Range& range = any_number(), const Count& count = {});
+  void optional_numbers(const Key& key, std::optional<std::vector<double>>& values, const Range& range = any_number(),
+                        const Count& count = {});
   template <std::size_t size>
   void numbers(const Key& key, std::array<double, size>& values, const Range& range = any_number());
   template <std::integral Integer>
   void integers(const Key& key, std::vector<Integer>& values, const Range& range = any_number(), const Count& count = {});
   void texts(const Key& key, std::vector<std::string>& values, const Count& count = {});
+  void optional_texts(const Key& key, std::optional<std::vector<std::string>>& values, const Count& count = {});
+  /// Files and folders; relative ones count from the folder of the file.
+  void paths(const Key& key, std::vector<std::filesystem::path>& values, const Count& count = {});
   void text_rows(const Key& key, std::vector<std::vector<std::string>>& rows);
   template <class Value>
   void words(const Key& key, std::vector<Value>& values, const Words<Value>& words, const Count& count = {});
@@ -272,6 +281,7 @@ template <class Value>
 void StudyVisitor::words(const Key& key, std::vector<Value>& values, const Words<Value>& words, const Count& count) {
   const StudyEntry entry{.key = key, .kind = ValueKind::texts, .words = names_of(words), .count = count};
   std::vector<std::string> names;
+  names.reserve(values.size());
   for (const Value& value : values) names.push_back(word_of(words, value));
   names = visited(entry, names);
   values.clear();

@@ -51,10 +51,11 @@ std::vector<fs::path> matching_files(const fs::path& pattern) {
   const std::string end = name.substr(star + 1);
   std::vector<fs::path> files;
   std::error_code no_such_folder;
-  for (const fs::directory_entry& entry : fs::directory_iterator(pattern.parent_path(), no_such_folder)) {
-    const std::string found = entry.path().filename().string();
+  fs::directory_iterator entry(folder_of(pattern), no_such_folder);
+  for (; !no_such_folder && entry != fs::directory_iterator(); entry.increment(no_such_folder)) {
+    const std::string found = entry->path().filename().string();
     if (found.size() >= start.size() + end.size() && found.starts_with(start) && found.ends_with(end))
-      files.push_back(entry.path());
+      files.push_back(entry->path());
   }
   return files;
 }

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -10,9 +9,10 @@
 
 #include "io/process/exit_code.h"
 #include "io/process/program.h"
+#include "io/process/run_folder.h"
+#include "io/text/content_hash.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
-#include "io/text/manifest.h"
 #include "io/text/number_text.h"
 #include "materials/fit/fit_chart.h"
 #include "materials/fit/tensile_cleaning.h"
@@ -93,7 +93,7 @@ int run(int argc, const char* const* argv) {
   if (const auto code = parse(argc, argv, arguments)) return *code;
   check(arguments);
   if (arguments.folder.empty()) arguments.folder = arguments.test.stem();
-  const auto start = std::chrono::steady_clock::now();
+  const io::RunFolder folder("menger-fit", arguments.folder);
 
   materials::TensileTest test = materials::read_tensile_test(arguments.test);
   materials::FitReport report;
@@ -112,16 +112,12 @@ int run(int argc, const char* const* argv) {
     throw io::InputError(arguments.test.string() + ": " + error.what());
   }
 
-  io::Manifest manifest;
-  manifest.program = "menger-fit";
-  manifest.parameters = parameter_text(arguments);
-  manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  io::add_input(manifest, arguments.test);
+  const std::string hash = io::file_hash(arguments.test);
   materials::write_fits(arguments.folder, report, test);
   const io::PictureOutcome chart = arguments.no_pictures
                                        ? io::PictureOutcome{.written = true}
                                        : materials::write_fit_chart(arguments.folder / "fits.png", report, test);
-  io::write_manifest(arguments.folder, manifest);
+  folder.finish(parameter_text(arguments), {{arguments.test.string(), hash}});
 
   print(report);
   if (!chart.written) std::cout << "no picture: " << chart.missing << '\n';

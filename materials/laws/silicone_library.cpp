@@ -31,9 +31,15 @@ std::string known_records() {
 fs::path silicone_file(const io::TomlTable& table, std::string_view key, const std::string& fallback) {
   const std::string name = fallback.empty() ? table.text(key) : table.text_or(key, fallback);
   if (name.find('/') != std::string::npos || fs::path(name).extension() == ".toml") return table.path(key);
-  std::error_code ignored;
-  if (fs::path file = record_folder() / (name + ".toml"); fs::is_regular_file(file, ignored)) return file;
+  if (const auto file = silicone_of_menger(name)) return *file;
   throw table.error(key, "is neither a file (.toml) nor one of " + known_records());
+}
+
+std::optional<fs::path> silicone_of_menger(std::string_view name) {
+  std::error_code ignored;
+  fs::path file = record_folder() / (std::string(name) + ".toml");
+  if (name.find('/') != std::string_view::npos || !fs::is_regular_file(file, ignored)) return std::nullopt;
+  return file;
 }
 
 }  // namespace menger::materials

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,5 +16,8 @@ namespace menger::materials {
 /// @throws io::InputError naming the key and the records there are, for a name that is none of them; and as TomlTable does for a
 /// key that is missing or no text
 std::filesystem::path silicone_file(const io::TomlTable& table, std::string_view key, const std::string& fallback = "");
+
+/// The file of a record of menger; nothing if there is none of that name.
+std::optional<std::filesystem::path> silicone_of_menger(std::string_view name);
 
 }  // namespace menger::materials

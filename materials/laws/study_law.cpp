@@ -87,6 +87,13 @@ void describe_kind(io::StudyVisitor& visitor, HyperelasticLaw& law, std::size_t 
   if (is_chosen) law = own;
 }
 
+void take(const SourcedLaw& chosen, StudyLaw& law) {
+  law.law = chosen.law;
+  law.smallest_stretch = chosen.smallest_stretch;
+  law.largest_stretch = chosen.largest_stretch;
+  law.source = chosen.source;
+}
+
 void choose_from_record(const io::TomlTable& table, const std::string& law_name, StudyLaw& law) {
   const SiliconeRecord& record = *law.record;
   SourcedLaw chosen = record.recommended;
@@ -106,10 +113,16 @@ void choose_from_record(const io::TomlTable& table, const std::string& law_name,
     chosen = *matches[law.variant - 1];
     law.count = matches.size();
   }
-  law.law = chosen.law;
-  law.smallest_stretch = chosen.smallest_stretch;
-  law.largest_stretch = chosen.largest_stretch;
-  law.source = chosen.source;
+  take(chosen, law);
+}
+
+/// Takes the law of the silicone that a template names, so that the study is what its text says.
+void take_example(const std::string& silicone, StudyLaw& law) {
+  const auto file = silicone_of_menger(silicone);
+  if (!file) return;
+  law.file = *file;
+  law.record = read_silicone(*file);
+  take(law.record->recommended, law);
 }
 
 void describe_silicone(io::StudyVisitor& visitor, StudyLaw& law) {
@@ -124,7 +137,7 @@ void describe_silicone(io::StudyVisitor& visitor, StudyLaw& law) {
   visitor.integer({"law_variant", "Which of the laws with that name, where the record has several."}, law.variant,
                   io::at_least(1));
   const io::TomlTable* table = visitor.source();
-  if (table == nullptr) return;
+  if (table == nullptr) return take_example(silicone, law);
   law.file = silicone_file(*table, table->has("silicone") ? "silicone" : "record");
   law.record = read_silicone(law.file);
   choose_from_record(*table, law_name, law);
@@ -168,8 +181,9 @@ void describe(io::StudyVisitor& visitor, HyperelasticLaw& law) {
 void describe(io::StudyVisitor& visitor, StudyLaw& law) {
   const bool has_law = shear_modulus_at_rest_Pa(law.law) > 0.0;
   const auto keep = [] {};
-  std::vector<io::Alternative> alternatives{{"silicone", false, keep, [&] { describe_silicone(visitor, law); }, "record"},
-                                            {"law", has_law, keep, [&] { describe_in_place(visitor, law); }}};
+  std::vector<io::Alternative> alternatives{
+      {"silicone", false, keep, [&] { describe_silicone(visitor, law); }, "record"},
+      {"law", has_law, [&] { law = StudyLaw{}; }, [&] { describe_in_place(visitor, law); }}};
   visitor.one_of(alternatives, "a silicone is needed");
 }
 

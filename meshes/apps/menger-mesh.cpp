@@ -8,6 +8,8 @@
 
 #include "io/process/exit_code.h"
 #include "io/process/program.h"
+#include "io/process/study_help.h"
+#include "io/study/study_text.h"
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/number_text.h"
@@ -46,11 +48,14 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.footer(
       "Example:\n  menger mesh meshes/designs/stand18.toml --elements-through-wall 2 --largest-element-m 0.002 -o stand18.vtu\n"
       "writes stand18.vtu (open it in ParaView), stand18_quality.csv and stand18_manifest.json.\n"
-      "The input is a design, or a file with the key design and options by the names of those below, with underscores\n"
-      "(wall_thickness_m = 0.002); such a file may also have tube holes:\n"
-      "  [[tubes]]\n  cell = [1, 1, 2]\n  side = \"z max\"\n  edge_m = 0.004\n"
+      "The input is a design, or a study with a table [design] that names or draws one and has the options below, with\n"
+      "underscores (wall_thickness_m = 0.002), and tube holes; --template prints one.\n"
       "A mesh of Gmsh (.msh) is read with its physical names: surfaces called chamber... are chambers, symmetry... planes of\n"
       "symmetry. Exit codes: 0 done, 2 wrong input.");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    meshes::MeshStudy study;
+    describe(visitor, study);
+  });
   app.add_option("input", arguments.input, "design or mesh study (TOML), or mesh of Gmsh (.msh)")->required();
   app.add_option("-o,--output", arguments.output, "mesh to write (default: the name of the input with .vtu, here)");
   app.add_option("--wall-thickness-m", arguments.wall_thickness_m, "thickness of every wall (default: 0.002)");
@@ -105,8 +110,8 @@ MeshToWrite convert(const Arguments& arguments, io::Manifest& manifest) {
 MeshToWrite mesh_design(const Arguments& arguments, io::Manifest& manifest) {
   meshes::MeshStudy study = meshes::read_mesh_study(arguments.input);
   override_options(arguments, study.options);
-  if (study.design_file != arguments.input) io::add_input(manifest, study.design_file);
-  manifest.parameters = meshes::design_text(study.design) + meshes::hollow_body_text(study.options);
+  if (study.design_file && *study.design_file != arguments.input) io::add_input(manifest, *study.design_file);
+  manifest.parameters = io::described_text(study);
   try {
     meshes::HollowBody body = meshes::hollow_polycube(study.design, study.options);
     const meshes::MeshQuality quality = meshes::mesh_quality(body);

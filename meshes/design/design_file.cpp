@@ -146,8 +146,8 @@ void describe_design(io::StudyVisitor& visitor, Design& design, std::optional<st
                   {"file", false, keep, describe_file}},
                  "a body is needed");
   // the edge of a design file may be replaced, a drawing has none of its own
-  const char* example = file ? "" : "0.01";
-  visitor.number({"cell_edge_m", "Edge of a cell.", example}, design.cell_edge_m, io::positive());
+  const io::Key edge{.name = "cell_edge_m", .help = "Edge of a cell.", .example = file ? "" : "0.01", .may_be_elsewhere = true};
+  visitor.number(edge, design.cell_edge_m, io::positive());
   if (design.name.empty()) design.name = "robot";
   visitor.text({"name", "Name of the design."}, design.name);
 }
@@ -155,27 +155,6 @@ void describe_design(io::StudyVisitor& visitor, Design& design, std::optional<st
 Design read_design(const std::filesystem::path& file) {
   Design design;
   io::read_described(io::read_toml(file), design);
-  return design;
-}
-
-Design read_drawn_design(const io::TomlTable& table) {
-  Design design;
-  design.name = table.text_or("name", "robot");
-  std::array<int, 3> cells{3, 3, 3};
-  if (table.has("cells")) {
-    const std::vector<double> sizes = table.numbers("cells", io::within(1, 1000));
-    if (sizes.size() != 3) throw table.error("cells", "must be three integers, not " + std::to_string(sizes.size()));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (sizes[axis] != std::floor(sizes[axis])) throw table.error("cells", "must be an integer", std::array{axis});
-      cells[axis] = static_cast<int>(sizes[axis]);
-    }
-  }
-  const std::string digits = table.text("digits");
-  try {
-    design.body = Polycube::from_digits(cells[0], cells[1], cells[2], digits);
-  } catch (const std::invalid_argument& fault) {
-    throw table.error("digits", fault.what());
-  }
   return design;
 }
 

@@ -32,10 +32,6 @@ void describe(io::StudyVisitor& visitor, Design& design);
 /// @param file that was named, for a reader; nothing otherwise. A reader reads it.
 void describe_design(io::StudyVisitor& visitor, Design& design, std::optional<std::filesystem::path>& file);
 
-/// Reads a design that stands in a table of another file: name ("robot"), cells (three integers, [3, 3, 3]) and digits, one per
-/// cell with x fastest, then y, then z. Its edge stays the default. @throws io::InputError naming the key
-Design read_drawn_design(const io::TomlTable& table);
-
 /// Writes a design so that read_design gives it back; whole or not at all. @throws io::InputError if the place cannot be written
 void write_design(const std::filesystem::path& file, const Design& design);
 

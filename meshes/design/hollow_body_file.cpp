@@ -3,18 +3,11 @@
 #include <vector>
 
 #include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/number_text.h"
 
 namespace menger::meshes {
 namespace {
-
-template <class Value>
-std::string word_of(Value value, const io::Words<Value>& words) {
-  for (const auto& [word, meaning] : words) {
-    if (meaning == value) return std::string(word);
-  }
-  return {};
-}
 
 void describe(io::StudyVisitor& visitor, TubeHole& tube) {
   std::vector<int> cell{tube.cell.x, tube.cell.y, tube.cell.z};
@@ -64,48 +57,29 @@ void describe(io::StudyVisitor& visitor, HollowBodyOptions& options) {
   visitor.boolean({"joint_region", "Whether bonded walls are a region of their own, \"joint\"."}, options.joint_region);
 }
 
-HollowBodyOptions read_hollow_body_options(const io::TomlTable& table) {
-  HollowBodyOptions options;
-  io::StudyReader reader(table);
-  describe(reader, options);
-  return options;
+void describe(io::StudyVisitor& visitor, MeshStudy& study) {
+  const io::TomlTable* table = visitor.source();
+  visitor.check(table == nullptr || !table->is_text("design"), "design",
+                "is a table now, [design] with this as its file, and has the keys of walls and elements, too");
+  visitor.table({"design", "The design, and how it is hollowed out and meshed."}, [&] {
+    describe_design(visitor, study.design, study.design_file);
+    describe(visitor, study.options);
+  });
 }
 
 MeshStudy read_mesh_study(const std::filesystem::path& file) {
   const io::TomlTable table = io::read_toml(file);
   if (!table.has("design")) return {file, read_design(file), {}};
   MeshStudy study;
-  study.design_file = table.path("design");
-  study.options = read_hollow_body_options(table);
-  table.finish();
-  study.design = read_design(study.design_file);
+  io::read_described(table, study);
   return study;
 }
 
-std::string hollow_body_text(const HollowBodyOptions& options) {
-  std::string text;
-  const auto add = [&](const std::string& key, const std::string& value) { text += key + " = " + value + "\n"; };
-  add("wall_thickness_m", io::number_text(options.wall_thickness_m));
-  add("elements_through_wall", std::to_string(options.elements_through_wall));
-  if (options.largest_element_m) add("largest_element_m", io::number_text(*options.largest_element_m));
-  add("growth", io::number_text(options.growth));
-  add("chambers", io::toml_quoted(word_of(options.chambers, chamber_layout_words())));
-  add("level", std::to_string(options.level));
-  if (options.hole_edge_m) add("hole_edge_m", io::number_text(*options.hole_edge_m));
-  add("lid", io::toml_quoted(word_of(options.lid, lid_place_words())));
-  add("joint_region", options.joint_region ? "true" : "false");
-  // Inline, so that the text can stand inside a table of another file.
-  if (!options.tubes.empty()) {
-    std::string tubes;
-    for (const TubeHole& tube : options.tubes) {
-      const CellIndex& cell = tube.cell;
-      tubes += (tubes.empty() ? "{cell = [" : ", {cell = [") + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " +
-               std::to_string(cell.z) + "], side = " + io::toml_quoted(to_string(tube.side)) +
-               ", edge_m = " + io::number_text(tube.edge_m) + "}";
-    }
-    add("tubes", "[" + tubes + "]");
-  }
-  return text;
+std::string hollow_body_text(const HollowBodyOptions& options, std::string_view table) {
+  HollowBodyOptions described = options;
+  io::StudyTextWriter writer(table);
+  describe(writer, described);
+  return writer.text();
 }
 
 }  // namespace menger::meshes

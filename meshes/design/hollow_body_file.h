@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/study/study_visitor.h"
 #include "io/text/toml_document.h"
@@ -13,26 +15,22 @@ namespace menger::meshes {
 /// How a design is hollowed out and meshed: keys of the table of a design.
 void describe(io::StudyVisitor& visitor, HollowBodyOptions& options);
 
-/// Reads how a design is hollowed out and meshed from the keys of a table that bear the names of HollowBodyOptions:
-/// wall_thickness_m, elements_through_wall, largest_element_m, growth, chambers ("single" or "per-phase"), level, hole_edge_m,
-/// lid ("none", "bottom", "top"), joint_region, and tables [[tubes]] with cell (three integers), side ("x min" ... "z max") and
-/// edge_m. Every key has the default of the struct; those of a tube have none. The caller finishes the table.
-/// @throws io::InputError with file, key and value for what cannot be so for any design
-HollowBodyOptions read_hollow_body_options(const io::TomlTable& table);
-
 /// A design and how to mesh it.
 struct MeshStudy {
-  std::filesystem::path design_file;
+  std::optional<std::filesystem::path> design_file;  ///< nothing for a design that is drawn in the study
   Design design;
   HollowBodyOptions options;
 };
 
-/// Reads either a design, meshed with the default options, or a file with the key `design` (a file name that counts from the
-/// folder of this file) and the keys of read_hollow_body_options. @throws io::InputError with file, key and value
+/// The keys of a study of `menger mesh`; `menger mesh --keys` lists them.
+void describe(io::StudyVisitor& visitor, MeshStudy& study);
+
+/// Reads either a design, meshed with the default options, or a study of `menger mesh`.
+/// @throws io::InputError with file, key and value
 MeshStudy read_mesh_study(const std::filesystem::path& file);
 
-/// All options as the TOML text that read_hollow_body_options gives back, for manifests.
-std::string hollow_body_text(const HollowBodyOptions& options);
+/// All options as the lines of a table, whose header is the caller's. @param table its name, for the tables in it; empty: the top
+std::string hollow_body_text(const HollowBodyOptions& options, std::string_view table = {});
 
 /// The words for the options that are one of a few.
 const io::Words<ChamberLayout>& chamber_layout_words();

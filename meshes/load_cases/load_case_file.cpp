@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <limits>
+#include <string_view>
+#include <vector>
 
-#include "io/text/number_text.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 
 namespace menger::meshes {
 
@@ -12,19 +14,22 @@ namespace {
 
 constexpr int most_cells = 1000;  ///< along an axis; more is a slip of the pen
 
-void add_line(std::string& text, std::string_view key, const std::string& value) {
-  text.append(key).append(" = ").append(value).append("\n");
+/// What is wrong with digits of so many cells; empty if nothing is.
+std::string fault_of(const std::string& digits, const std::array<int, 3>& cells) {
+  std::size_t count = 1;
+  for (const int along : cells) count *= static_cast<std::size_t>(along);
+  if (digits.size() != count) return "must be one digit for each of " + std::to_string(count) + " cells";
+  if (digits.find_first_not_of("012") != std::string::npos) return "must be of 0, 1 and 2";
+  return digits.find_first_of("12") == std::string::npos ? "leave the body without a cell" : "";
 }
 
-std::string list(const std::vector<double>& values) {
-  std::string text;
-  for (const double value : values) text.append(text.empty() ? "" : ", ").append(io::number_text(value));
-  return "[" + text + "]";
-}
-
-const io::Words<bool>& chamber_words() {
-  static const io::Words<bool> words{{"single", false}, {"per-phase", true}};
-  return words;
+/// The kinds that impose values under a key, for people: `kind = "bending" or "torsion"`.
+std::string kinds_with(std::string_view key) {
+  std::string kinds;
+  for (const auto& [word, kind] : load_case_kind_words()) {
+    if (imposed_key(kind) == key) kinds.append(kinds.empty() ? "kind = " : " or ").append(io::toml_quoted(word));
+  }
+  return kinds;
 }
 
 }  // namespace
@@ -37,66 +42,73 @@ const io::Words<LoadCaseKind>& load_case_kind_words() {
   return words;
 }
 
+const io::Words<bool>& case_chamber_words() {
+  static const io::Words<bool> words{{"single", false}, {"per-phase", true}};
+  return words;
+}
+
 std::string imposed_key(LoadCaseKind kind) { return abscissa_count(kind) < 2 ? "" : response_columns(kind)[1]; }
 
-std::string load_case_text(const LoadCase& load_case) {
-  std::string text;
-  add_line(text, "name", io::toml_quoted(load_case.name));
-  add_line(text, "kind", io::toml_quoted(to_string(load_case.kind)));
-  const auto& [nx, ny, nz] = load_case.cells;
-  add_line(text, "cells", "[" + std::to_string(nx) + ", " + std::to_string(ny) + ", " + std::to_string(nz) + "]");
-  add_line(text, "digits", io::toml_quoted(load_case.digits));
-  add_line(text, "level", std::to_string(load_case.level));
-  add_line(text, "chambers", io::toml_quoted(chamber_words()[load_case.per_phase ? 1 : 0].first));
-  add_line(text, "cell_edge_m", io::number_text(load_case.cell_edge_m));
-  add_line(text, "wall_thickness_m", io::number_text(load_case.wall_thickness_m));
-  add_line(text, "pressures_Pa", list(load_case.pressures_Pa));
-  if (const std::string key = imposed_key(load_case.kind); !key.empty()) add_line(text, key, list(load_case.imposed));
-  return text;
-}
-
-std::string read_case_name(const io::TomlTable& table) {
-  std::string name = table.text("name");
+void describe_name(io::StudyVisitor& visitor, LoadCase& load_case) {
+  std::string& name = load_case.name;
+  visitor.text({"name", "Name of the case and of its files: letters, digits, - and _.", "\"inflation\""}, name);
   const auto fits = [](char sign) { return std::isalnum(static_cast<unsigned char>(sign)) != 0 || sign == '-' || sign == '_'; };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
-    throw table.error("name", "must be a name of letters, digits, \"-\" and \"_\"");
-  return name;
+  visitor.check(!name.empty() && std::all_of(name.begin(), name.end(), fits), "name",
+                "must be a name of letters, digits, \"-\" and \"_\"");
 }
 
-void read_cells(const io::TomlTable& table, LoadCase& load_case) {
-  const std::vector<double> cells = table.numbers("cells", io::within(1, most_cells));
-  if (cells.size() != 3) throw table.error("cells", "must be three numbers, along x, y and z");
-  std::size_t count = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    load_case.cells[axis] = static_cast<int>(cells[axis]);
-    if (load_case.cells[axis] != cells[axis]) throw table.error("cells", "must be whole numbers", std::array{axis});
-    count *= static_cast<std::size_t>(load_case.cells[axis]);
-  }
-  load_case.digits = table.text("digits");
-  const std::string& digits = load_case.digits;
-  if (digits.size() != count) throw table.error("digits", "must be one digit for each of " + std::to_string(count) + " cells");
-  if (digits.find_first_not_of("012") != std::string::npos) throw table.error("digits", "must be of 0, 1 and 2");
-  if (digits.find_first_of("12") == std::string::npos) throw table.error("digits", "leave the body without a cell");
+void describe_cells(io::StudyVisitor& visitor, LoadCase& load_case) {
+  std::vector<int> cells(load_case.cells.begin(), load_case.cells.end());
+  visitor.integers({"cells", "Cells of the body along x, y and z.", "[1, 1, 1]"}, cells, io::within(1, most_cells),
+                   {.fewest = 3, .most = 3});
+  if (cells.size() == 3) std::copy(cells.begin(), cells.end(), load_case.cells.begin());
+  visitor.text({"digits", "A digit for each cell, x fastest, then y, then z: 0 is empty, 1 and 2 are phases.", "\"1\""},
+               load_case.digits);
+  const std::string fault = fault_of(load_case.digits, load_case.cells);
+  visitor.check(fault.empty(), "digits", fault);
 }
+
+void describe_imposed(io::StudyVisitor& visitor, LoadCase& load_case) {
+  const auto add = [&](const io::Key& key) {
+    const bool is_imposed = imposed_key(load_case.kind) == key.name;
+    std::vector<double> values;
+    if (is_imposed) values = load_case.imposed;
+    visitor.only_if(is_imposed, kinds_with(key.name), [&] { visitor.numbers(key, values, io::any_number(), {.fewest = 1}); });
+    if (is_imposed) load_case.imposed = values;
+  };
+  add({"displacement_m", "Displacements of the tip or the top.", "[0.001]"});
+  add({"angle_rad", "Angles by which the tip is turned.", "[0.1]"});
+  add({"gravity_factor", "Gravity by that of the earth.", "[1]"});
+}
+
+void describe(io::StudyVisitor& visitor, LoadCase& load_case) {
+  describe_name(visitor, load_case);
+  visitor.word({"kind", "What is done to the body.", "\"inflation\""}, load_case.kind, load_case_kind_words());
+  describe_cells(visitor, load_case);
+  visitor.integer({"level", "Level of the fractal.", "1"}, load_case.level, io::within(1, 10));
+  visitor.word({"chambers", "Whether all cells of a module share one chamber, or those of each phase.", "\"single\""},
+               load_case.per_phase, case_chamber_words());
+  visitor.number({"cell_edge_m", "Edge of a cell.", "0.01"}, load_case.cell_edge_m, io::positive());
+  visitor.number({"wall_thickness_m", "Thickness of every outer wall.", "0.002"}, load_case.wall_thickness_m, io::positive());
+  visitor.check(load_case.wall_thickness_m < 0.5 * load_case.cell_edge_m, "wall_thickness_m",
+                "must be less than half of cell_edge_m");
+  visitor.numbers({"pressures_Pa", "Gauge pressures of all chambers.", "[1000]"}, load_case.pressures_Pa, io::any_number(),
+                  {.fewest = 1});
+  describe_imposed(visitor, load_case);
+}
+
+std::string load_case_text(const LoadCase& load_case) { return io::described_text(load_case); }
 
 LoadCase read_load_case(const io::TomlTable& table) {
   LoadCase load_case;
-  load_case.name = read_case_name(table);
-  load_case.kind = table.word("kind", load_case_kind_words());
-  read_cells(table, load_case);
-  load_case.level = table.integer("level", io::within(1, 10));
-  load_case.per_phase = table.word("chambers", chamber_words());
-  load_case.cell_edge_m = table.number("cell_edge_m", io::positive());
-  load_case.wall_thickness_m = table.number("wall_thickness_m", io::positive());
-  if (!(load_case.wall_thickness_m < 0.5 * load_case.cell_edge_m))
-    throw table.error("wall_thickness_m", "must be less than half of cell_edge_m");
-  load_case.pressures_Pa = table.numbers("pressures_Pa");
-  if (load_case.pressures_Pa.empty()) throw table.error("pressures_Pa", "must hold at least one pressure");
-  const std::string key = imposed_key(load_case.kind);
-  if (key.empty()) return load_case;
-  load_case.imposed = table.numbers(key);
-  if (load_case.imposed.empty()) throw table.error(key, "must hold at least one value");
+  io::StudyReader reader(table);
+  describe(reader, load_case);
   return load_case;
+}
+
+void read_cells(const io::TomlTable& table, LoadCase& load_case) {
+  io::StudyReader reader(table);
+  describe_cells(reader, load_case);
 }
 
 }  // namespace menger::meshes

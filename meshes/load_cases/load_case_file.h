@@ -1,8 +1,8 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
+#include "io/study/study_visitor.h"
 #include "io/text/toml_document.h"
 #include "meshes/load_cases/load_case.h"
 
@@ -11,12 +11,26 @@ namespace menger::meshes {
 /// The words for the kinds in files.
 const io::Words<LoadCaseKind>& load_case_kind_words();
 
+/// The words for what chambers a module has: whether they are per phase.
+const io::Words<bool>& case_chamber_words();
+
 /// The key under which files give the imposed values of a kind, its second abscissa: "displacement_m", "angle_rad",
 /// "gravity_factor"; empty for kinds that impose nothing.
 std::string imposed_key(LoadCaseKind kind);
 
-/// A load case as the lines of a TOML table, numbers exact: name, kind, cells, digits, level, chambers ("single" or "per-phase"),
-/// cell_edge_m, wall_thickness_m, pressures_Pa, and the imposed values under imposed_key(kind).
+/// The keys of a load case that is stated in full, as the provenance of a response curve has it. All must be given.
+void describe(io::StudyVisitor& visitor, LoadCase& load_case);
+
+/// The part of them that names it: letters, digits, "-" and "_", so that files can have the name.
+void describe_name(io::StudyVisitor& visitor, LoadCase& load_case);
+
+/// The part that says which body: cells and digits.
+void describe_cells(io::StudyVisitor& visitor, LoadCase& load_case);
+
+/// The part that says what is imposed, each kind under its imposed_key.
+void describe_imposed(io::StudyVisitor& visitor, LoadCase& load_case);
+
+/// A load case as the lines of a TOML table, numbers exact.
 std::string load_case_text(const LoadCase& load_case);
 
 /// Reads what load_case_text writes. The caller finishes the table.
@@ -27,8 +41,5 @@ LoadCase read_load_case(const io::TomlTable& table);
 
 /// Reads the part that says which body: cells and digits. @throws io::InputError with file, key and value
 void read_cells(const io::TomlTable& table, LoadCase& load_case);
-
-/// Reads a name that can be that of a file: letters, digits, "-" and "_". @throws io::InputError with file, key and value
-std::string read_case_name(const io::TomlTable& table);
 
 }  // namespace menger::meshes

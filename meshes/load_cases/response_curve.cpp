@@ -14,6 +14,7 @@
 #include "io/text/number_text.h"
 #include "io/text/run_status_words.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/load_case_file.h"
 
@@ -22,10 +23,6 @@ namespace menger::meshes {
 namespace {
 
 namespace fs = std::filesystem;
-
-void add_line(std::string& text, std::string_view key, const std::string& value) {
-  text.append(key).append(" = ").append(value).append("\n");
-}
 
 /// Whether values go strictly one way. @return the place of the first that does not
 std::optional<std::size_t> first_turn(const std::vector<double>& values) {
@@ -82,25 +79,21 @@ void check(const ResponseCurve& curve, const fs::path& file) {
 }
 
 std::string provenance_text(const CurveProvenance& provenance, const std::string& table_hash) {
-  std::string text;
-  add_line(text, "table_hash", io::toml_quoted(table_hash));
-  add_line(text, "model", io::toml_quoted(provenance.model));
-  add_line(text, "silicone", io::toml_quoted(provenance.silicone));
-  add_line(text, "law", io::toml_quoted(provenance.law));
-  add_line(text, "shear_modulus_Pa", io::number_text(provenance.shear_modulus_Pa));
-  add_line(text, "density_kg_m3", io::number_text(provenance.density_kg_m3));
-  add_line(text, "relative_uncertainty", io::number_text(provenance.relative_uncertainty));
-  add_line(text, "status", io::toml_quoted(io::to_string(provenance.status)));
-  if (!provenance.reason.empty()) add_line(text, "reason", io::toml_quoted(provenance.reason));
-  if (provenance.limit_pressure_Pa) add_line(text, "limit_pressure_Pa", io::number_text(*provenance.limit_pressure_Pa));
-  if (provenance.contact_pressure_Pa) add_line(text, "contact_pressure_Pa", io::number_text(*provenance.contact_pressure_Pa));
-  text += "[case]\n" + load_case_text(provenance.load_case);
-  for (const auto& [name, hash] : provenance.inputs) {
-    text += "[[inputs]]\n";
-    add_line(text, "file", io::toml_quoted(name));
-    add_line(text, "content_hash", io::toml_quoted(hash));
-  }
-  return text;
+  io::TomlText text;
+  text.add("table_hash", table_hash)
+      .add("model", provenance.model)
+      .add("silicone", provenance.silicone)
+      .add("law", provenance.law)
+      .add("shear_modulus_Pa", provenance.shear_modulus_Pa)
+      .add("density_kg_per_m3", provenance.density_kg_m3)
+      .add("relative_uncertainty", provenance.relative_uncertainty)
+      .add("status", io::to_string(provenance.status));
+  if (!provenance.reason.empty()) text.add("reason", provenance.reason);
+  if (provenance.limit_pressure_Pa) text.add("limit_pressure_Pa", *provenance.limit_pressure_Pa);
+  if (provenance.contact_pressure_Pa) text.add("contact_pressure_Pa", *provenance.contact_pressure_Pa);
+  text.table("case").lines(load_case_text(provenance.load_case));
+  for (const auto& [name, hash] : provenance.inputs) text.entry("inputs").add("file", name).add("content_hash", hash);
+  return text.text();
 }
 
 std::string read_filled(const io::TomlTable& table, std::string_view key) {
@@ -115,7 +108,8 @@ CurveProvenance read_provenance(const io::TomlTable& top) {
   provenance.silicone = read_filled(top, "silicone");
   provenance.law = read_filled(top, "law");
   provenance.shear_modulus_Pa = top.number("shear_modulus_Pa", io::positive());
-  provenance.density_kg_m3 = top.number("density_kg_m3", io::positive());
+  // the name of earlier versions
+  provenance.density_kg_m3 = top.number(top.has("density_kg_m3") ? "density_kg_m3" : "density_kg_per_m3", io::positive());
   provenance.relative_uncertainty = top.number("relative_uncertainty", io::positive());
   provenance.status = top.word("status", io::run_status_words());
   provenance.reason = top.text_or("reason", "");

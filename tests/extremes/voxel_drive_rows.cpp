@@ -20,7 +20,7 @@ void judge_bar(Outcome& outcome, voxel::DampingMode damping) {
   constexpr int length = 5;
   voxel::Simulation simulation(meshes::bar(length), edge_m, physics, {}, with_ledger);
   const double start_m = simulation.centre_of_mass_m()[0];
-  const double period_s = physics.actuation.period_s;
+  const double period_s = physics.actuation.period_s();
   constexpr double beams = length - 1;
   for (const double quarter : {1.0, 3.0, 8.0}) {
     const io::RunStatus status = simulation.advance_to(0.25 * quarter * period_s);
@@ -47,7 +47,7 @@ void judge_walker(Outcome& outcome) {
     outcome.expect(divergence && divergence->quantity == "strain", "by its strain");
     times_s.push_back(simulation.time_s());
   }
-  const double period_s = voxel::Actuation{}.period_s;
+  const double period_s = voxel::Actuation{}.period_s();
   outcome.expect_between("time s", times_s[0], period_s * std::asin(0.5 / amplitude) / (2.0 * std::numbers::pi), 0.25 * period_s);
   outcome.expect_near("time at a third of the step s", times_s[1], times_s[0], 0.01);
 }

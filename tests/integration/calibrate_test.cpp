@@ -206,7 +206,7 @@ TEST_F(CalibrateProgram, TakesDampingFromTheRecord) {
   std::string record = io::read_whole(fs::path(MENGER_SOURCE_DIR) / "materials/data/dragon_skin_10.toml");
   record.replace(record.find("\"damping\", "), 11, "");
   io::write_whole(folder_ / "record.toml", record + "\n[loss]\nsource = \"a test\"\ntan_delta = 0.1\nfrequency_Hz = 1\n");
-  io::write_whole(folder_ / "study.toml", std::string("record = \"record.toml\"\n") + study_text);
+  io::write_whole(folder_ / "study.toml", std::string("silicone = \"record.toml\"\n") + study_text);
   ASSERT_EQ(run("study.toml -o fit --no-pictures"), 0) << text("err");
   const voxel::SurrogateParameters found = voxel::read_surrogate(folder_ / "fit/parameters.toml");
   EXPECT_TRUE(found.damping_measured);
@@ -238,7 +238,7 @@ TEST_F(CalibrateProgram, LeavesWithTwoAndAMessageOnBadInput) {
   refuse(with("wall_thickness_m = 0.002", "wall_thickness_m = 0.002\nlaw = \"yeoh\""), "the study is for \"yeoh\"");
   refuse(with("[\"curves\"]", "[\"absent\"]"), "absent");
   refuse(with("[\"curves\"]", "[]"), "at least one");
-  refuse(with("\"uniform\"", "\"coarse\""), "must be one of uniform, stiffness");
+  refuse(with("\"uniform\"", "\"coarse\""), "must be \"uniform\" | \"stiffness\"");
   refuse(std::string(study_text) + "choice = \"lateral\"\n", "is none of the details");
   refuse(std::string(study_text) + "[bounds]\naxial_Pa = [2, 1]\n", "the first must be smaller");
   refuse(std::string(study_text) + "[bounds]\naxial_Pa = [-1, 1]\n", "axial_Pa");
@@ -246,6 +246,7 @@ TEST_F(CalibrateProgram, LeavesWithTwoAndAMessageOnBadInput) {
   refuse(std::string(study_text) + "[frequency_response]\nfile = \"study.toml\"\ncells = [3, 3, 1]\ndigits = \"111111111\"\n" +
              "level = 3\n",
          "frequency_response.level = 3: makes 729 voxels; frequency responses are found for up to 500");
+  refuse(std::string("record = \"record.toml\"\n") + study_text, "is called silicone now");
   refuse(std::string(study_text) + "[weights]\nstretch = 0\n", "weights.stretch = 0");
 
   replace("curves/bar_stretch.csv", "force_N", "force_mN");

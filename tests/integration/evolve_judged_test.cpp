@@ -29,17 +29,17 @@ class EvolveJudged : public testing::Test {
  protected:
   EvolveJudged() {
     write_study("every = 1\ndesigns = 2\nbudget_element_steps = 1e8\n");
-    io::write_whole(folder_ / "judge.toml", "record_interval_s = 0.005\n");
+    io::write_whole(folder_ / "judge.toml", "[time]\nrecord_interval_s = 0.005\n");
   }
 
   void write_study(const std::string& judge) const {
     io::write_whole(
         folder_ / "study.toml",
         "preset = \"paper\"\ngenerations = 2\n[population]\nsurvivors = 4\nmutants = 4\n"
-        "[body]\nlevels = [1]\ncastable = true\n[evaluation]\nduration_s = 0.06\nstand = true\nmeasure_from_s = 0.01\n"
+        "[body]\nlevels = [1]\ncastable = true\n[evaluation]\nstand = true\n[time]\nduration_s = 0.06\nmeasure_from_s = 0.01\n"
         "[surrogate]\nparameters = \"" MENGER_SOURCE_DIR
-        "/voxel/parameters/dragon_skin_10_1cm.toml\"\npressure_Pa = [0, 6000]\nchambers = \"single\"\n"
-        "outside_range = \"warn\"\n[actuation]\nmode = \"in_phase\"\nperiod_s = 0.1\nramp_s = 0.02\n"
+        "/voxel/parameters/dragon_skin_10_1cm.toml\"\nchambers = \"single\"\n"
+        "outside_range = \"warn\"\n[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 6000]\nfrequency_Hz = 10\nramp_s = 0.02\n"
         "[judge]\nstudy = \"judge.toml\"\n" +
             judge);
   }
@@ -111,7 +111,7 @@ TEST_F(EvolveJudged, WrongInputIsFoundBeforeAnythingIsWritten) {
   };
   io::write_whole(folder_ / "judge.toml", "record_interval = 0.005\n");
   expect_refused("record_interval");
-  io::write_whole(folder_ / "judge.toml", "record_interval_s = 0.003\n");
+  io::write_whole(folder_ / "judge.toml", "[time]\nrecord_interval_s = 0.003\n");
   expect_refused("a multiple of record_interval_s = 0.003");
   fs::remove(folder_ / "judge.toml");
   expect_refused("judge.toml");

@@ -12,6 +12,7 @@
 #include "io/text/content_hash.h"
 #include "io/text/whole_file.h"
 #include "tests/support/archive_content.h"
+#include "tests/support/earlier_archive.h"
 #include "tests/support/program_run.h"
 #include "tests/support/surrogate_example.h"
 #include "tests/support/test_folder.h"
@@ -32,7 +33,7 @@ survivors = 3
 mutants = 3
 [body]
 levels = [1, 2]
-[evaluation]
+[time]
 duration_s = 0.05
 )";
 
@@ -92,8 +93,8 @@ TEST_F(Evolve, OfACalibratedStudyBelongsToItsParameters) {
   parameters.validity.smallest_strain = -1e-9;
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
   io::write_whole(study_, std::string(small_study) +
-                              "[surrogate]\nparameters = \"soft.toml\"\npressure_Pa = [0, 1500]\noutside_range = \"warn\"\n"
-                              "[actuation]\nmode = \"in_phase\"\n");
+                              "[surrogate]\nparameters = \"soft.toml\"\noutside_range = \"warn\"\n"
+                              "[drive]\npressure_Pa = [0, 1500]\nmode = \"in_phase\"\n");
   const Outcome outcome = run({"study.toml"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* words :
@@ -184,6 +185,21 @@ TEST_F(Evolve, RefusesAnArchiveOfAnotherSchemaVersion) {
   ASSERT_EQ(run({"study.toml"}).code, 0);
   SQLite::Database(archive_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
   expect_refused({"study.toml"}, {"run.sqlite", "schema version 7"});
+}
+
+TEST_F(Evolve, RefusesToGoOnWithAnArchiveFromBeforeKeysHadTheirNames) {
+  ASSERT_EQ(run({"study.toml"}).code, 0);
+  tests::make_earlier(archive_, tests::demo_study_of_version_3);
+  expect_refused({"study.toml"}, {"run.sqlite", "schema version 3", "a search cannot go on with it"});
+}
+
+TEST_F(Evolve, RunsItsOwnTemplate) {
+  const Outcome outcome = run({"--template"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  io::write_whole(study_, outcome.out);
+  const Outcome search = run({"study.toml", "-g", "1", "--levels", "1", "--duration", "0.05"});
+  EXPECT_EQ(search.code, 0) << search.err;
+  EXPECT_EQ(evolution::RunArchive::open_to_read(archive_).last_generation(), 1);
 }
 
 TEST_F(Evolve, RefusesADamagedArchive) {

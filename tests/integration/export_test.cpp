@@ -13,6 +13,7 @@
 #include "io/text/csv_table.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/design_file.h"
+#include "tests/support/earlier_archive.h"
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
@@ -35,7 +36,7 @@ class Export : public testing::Test {
               const std::string& preset = "paper") const {
     io::write_whole(folder_ / "study.toml",
                     "preset = \"" + preset + "\"\ngenerations = 3\n[population]\nsurvivors = 4\nmutants = 4\n" +
-                        "[genome]\nencoding = \"" + encoding + "\"\n[body]\nlevels = [1, 2]\n[evaluation]\nduration_s = 0.05\n");
+                        "[genome]\nencoding = \"" + encoding + "\"\n[body]\nlevels = [1, 2]\n[time]\nduration_s = 0.05\n");
     const Outcome outcome = run("menger-evolve", {"study.toml", "-o", archive, "--threads", threads});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
   }
@@ -95,10 +96,25 @@ TEST_F(Export, WritesTablesDesignAndSimulationsOfTheChampion) {
   EXPECT_EQ(lineage.text(lineage.row_count() - 1, "phenotype"), phenotype_key(champion.phenotype));
 }
 
+TEST_F(Export, ReadsAnEarlierArchive) {
+  evolve("run.sqlite");
+  ASSERT_EQ(export_run("run.sqlite", "now", {"--levels", "1"}).code, 0);
+  std::string study = tests::demo_study_of_version_3;
+  const auto change = [&](const std::string& from, const std::string& to) { study.replace(study.find(from), from.size(), to); };
+  change("survivors = 15", "survivors = 4");
+  change("mutants = 15", "mutants = 4");
+  change("duration_s = 2", "duration_s = 0.05");
+  tests::make_earlier(folder_ / "run.sqlite", study);
+  const Outcome outcome = export_run("run.sqlite", "then", {"--levels", "1"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("differs"), std::string::npos) << outcome.out;
+  EXPECT_EQ(contents("then"), contents("now"));
+}
+
 TEST_F(Export, HoldsTheChecksOfTheTimeStep) {
   io::write_whole(folder_ / "study.toml",
                   "preset = \"paper\"\ngenerations = 2\n[population]\nsurvivors = 3\nmutants = 3\n[body]\nlevels = [1, 2]\n"
-                  "[evaluation]\nduration_s = 0.05\n[check_dt]\nevery = 2\n");
+                  "[time]\nduration_s = 0.05\n[check_dt]\nevery = 2\n");
   const Outcome search = run("menger-evolve", {"study.toml", "-o", "run.sqlite"});
   ASSERT_EQ(search.code, 0) << search.err;
   for (const char* line : {"half the time step, generation 0, individual ", "half the time step, generation 2, individual "})

@@ -26,7 +26,7 @@ class LoadCasesProgram : public testing::Test {
  protected:
   void write_set(const std::string& cases) const {
     io::write_whole(folder_ / "set.toml",
-                    "[material]\nrecord = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n"
+                    "silicone = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n"
                     "[elements]\ndegree = 1\nlargest_element_m = 0.006\ngrowth = 4\n" +
                         cases);
   }

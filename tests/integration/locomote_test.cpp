@@ -37,8 +37,8 @@ class LocomoteProgram : public testing::Test {
   void write_study(const std::string& name, const std::string& duration_s, const std::string& more) const {
     io::write_whole(folder_ / name,
                     "[design]\nfile = \"design.toml\"\nwall_thickness_m = 0.004\nlargest_element_m = 0.006\ngrowth = 4\n"
-                    "[material]\nrecord = \"dragon_skin_10\"\nbulk_modulus_ratio = 20\n"
-                    "[ground]\nstatic_coefficient = 1\nkinetic_coefficient = 0.5\n"
+                    "[material]\nsilicone = \"dragon_skin_10\"\nbulk_modulus_ratio = 20\n"
+                    "[ground]\nstatic_friction = 1\nkinetic_friction = 0.5\n"
                     "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 4000]\nfrequency_Hz = 20\n"
                     "[time]\nduration_s = " +
                         duration_s + "\n" + more);
@@ -158,7 +158,7 @@ TEST_F(LocomoteProgram, MovesABodyOnTwoProcessesAsOnOne) {
   EXPECT_TRUE(fs::exists(folder_ / "two/trajectory.csv"));
 }
 
-// mpirun takes a second or two to pass Ctrl-C on, and leaves with a code of its own.
+// mpirun takes some seconds to pass Ctrl-C on, and leaves with a code of its own.
 TEST_F(LocomoteProgram, StopsOnTwoProcessesAndGoesOn) {
   write_study("implicit.toml", "1000",
               "record_interval_s = 0.005\n[dynamics]\nmethod = \"implicit\"\n[output]\npictures = false\n");
@@ -184,7 +184,7 @@ TEST_F(LocomoteProgram, RefusesWhatSeveralProcessesCannotShare) {
   EXPECT_NE(outcome.err.find("study.toml: explicit dynamics runs in one process, and 2 were started"), std::string::npos)
       << outcome.err;
   write_study("sweep.toml", "0.01",
-              "[dynamics]\nmethod = \"implicit\"\n[sweep]\nkeys = [\"ground.kinetic_coefficient\"]\nvalues = [0.2, 0.4]\n");
+              "[dynamics]\nmethod = \"implicit\"\n[sweep]\nkeys = [\"ground.kinetic_friction\"]\nvalues = [0.2, 0.4]\n");
   const Outcome sweep = run_parallel({"sweep.toml", "-o", "out"});
   EXPECT_EQ(sweep.code, 2);
   EXPECT_NE(sweep.err.find("sweep.toml: sweep: "), std::string::npos) << sweep.err;
@@ -206,13 +206,13 @@ TEST_F(LocomoteProgram, RefusesWhatImplicitDynamicsHasNot) {
 
 TEST_F(LocomoteProgram, RunsTheCasesOfASweep) {
   write_study("sweep.toml", "0.01",
-              "[output]\npictures = false\n[sweep]\nkeys = [\"ground.kinetic_coefficient\"]\nvalues = [0.2, 0.4]\n");
+              "[output]\npictures = false\n[sweep]\nkeys = [\"ground.kinetic_friction\"]\nvalues = [0.2, 0.4]\n");
   const Outcome outcome = run({"sweep.toml", "-o", "out"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("2 of 2, ground.kinetic_coefficient = 0.4"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("2 of 2, ground.kinetic_friction = 0.4"), std::string::npos) << outcome.out;
   const io::CsvContents table = io::read_csv(folder_ / "out/sweep.csv");
   ASSERT_EQ(table.row_count(), 2U);
-  EXPECT_EQ(table.number(1, "ground.kinetic_coefficient"), 0.4);
+  EXPECT_EQ(table.number(1, "ground.kinetic_friction"), 0.4);
   EXPECT_TRUE(fs::exists(folder_ / "out/case_02/locomotion.toml"));
 }
 
@@ -242,7 +242,7 @@ TEST_F(LocomoteProgram, RefusesWrongInputAndTouchesNothing) {
 
 TEST_F(LocomoteProgram, NamesTheDampingThatStepsCannotFollow) {
   std::string text = io::read_whole(folder_ / "study.toml");
-  const std::string record = "record = \"dragon_skin_10\"\n";
+  const std::string record = "silicone = \"dragon_skin_10\"\n";
   text.insert(text.find(record) + record.size(), "loss_factor = 0.1\nloss_frequency_Hz = 1e6\n");
   io::write_whole(folder_ / "fast.toml", text);
   const Outcome outcome = run({"fast.toml", "-o", "out"});
@@ -256,6 +256,17 @@ TEST_F(LocomoteProgram, ExplainsItselfWithAnExample) {
   const Outcome outcome = run({"--help"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_NE(outcome.out.find("menger locomote fem/studies/locomotion.toml -o walk"), std::string::npos);
+}
+
+TEST_F(LocomoteProgram, RunsItsTemplate) {
+  const Outcome outcome = run({"--template"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  io::write_whole(folder_ / "template.toml", outcome.out);
+  const Outcome walk = run({"template.toml", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(walk.code, 0) << walk.err;
+  EXPECT_NE(walk.out.find("completed: 0.1 s"), std::string::npos) << walk.out;
+  EXPECT_NE(run({"--keys"}).out.find("ground.static_friction"), std::string::npos);
+  EXPECT_NE(run({"--schema"}).out.find("\"static_friction\""), std::string::npos);
 }
 
 TEST_F(LocomoteProgram, LoadsNoFiniteElementLibraries) {

@@ -39,7 +39,7 @@ class ReevaluateProgram : public testing::Test {
 TEST_F(ReevaluateProgram, JudgesDesignsByTheLocomotionOfFiniteElements) {
   // To the first peak of the pressure.
   io::write_whole(folder_ / "study.toml",
-                  "duration_s = 0.13\nrecord_interval_s = 0.01\nframe_interval_s = 0.05\nleast_body_lengths = 0.001\n");
+                  "least_body_lengths = 0.001\n[time]\nduration_s = 0.13\nrecord_interval_s = 0.01\nframe_interval_s = 0.05\n");
   const Outcome outcome = run({"run.sqlite", "--top", "2", "--study", "study.toml", "-o", "out", "--no-pictures"});
   ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
   const io::CsvContents table = io::read_csv(folder_ / "out/reevaluation.csv");

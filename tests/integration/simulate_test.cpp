@@ -37,6 +37,7 @@ struct Outcome {
 
 /// Two cells of opposite phase on the ground for three records.
 constexpr const char* small_scene = R"(
+[time]
 duration_s = 0.03
 record_interval_s = 0.01
 [design]
@@ -95,7 +96,7 @@ class Simulate : public testing::Test {
 };
 
 TEST_F(Simulate, FilesAgreeWithOneAnother) {
-  write_scene(std::string("level = 2\n").append(small_scene));
+  write_scene(std::string(small_scene) + "level = 2\n");
   const Outcome outcome = run({"scene.toml", "-o", "result", "--no-pictures"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("completed"), std::string::npos) << outcome.out;
@@ -124,7 +125,7 @@ TEST_F(Simulate, FilesAgreeWithOneAnother) {
 }
 
 TEST_F(Simulate, EveryTermAndEveryInstructionSetGiveTheSameBytes) {
-  write_scene(std::string("level = 2\n").append(small_scene));
+  write_scene(std::string(small_scene) + "level = 2\n");
   ASSERT_EQ(run({"scene.toml", "-o", "best", "--no-pictures"}).code, 0);
   ASSERT_EQ(run({"scene.toml", "-o", "scalar", "--no-pictures", "--instruction-set", "scalar"}).code, 0);
   ASSERT_EQ(run({"scene.toml", "-o", "every", "--no-pictures", "--every-term"}).code, 0);
@@ -179,6 +180,16 @@ TEST_F(Simulate, HelpShowsAnExample) {
   EXPECT_NE(outcome.out.find("menger simulate voxel/scenes/"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Simulate, RunsItsTemplate) {
+  const Outcome outcome = run({"--template"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  write_scene(outcome.out);
+  const Outcome walk = run({"scene.toml", "-o", "result", "--no-pictures"});
+  EXPECT_EQ(walk.code, 0) << walk.err;
+  EXPECT_NE(run({"--keys"}).out.find("drive.frequency_Hz"), std::string::npos);
+  EXPECT_NE(run({"--schema"}).out.find("\"frequency_Hz\""), std::string::npos);
+}
+
 struct BadInput {
   std::string scene;
   std::vector<std::string> arguments;
@@ -190,19 +201,19 @@ TEST_F(Simulate, BadInputIsNamedAndOverwritesNothing) {
   const std::string cube = "[design]\ncell_edge_m = 0.01\ncells = [3, 3, 3]\ndigits = \"" + std::string(27, '1') + "\"\n";
   const std::vector<BadInput> cases{
       {"steps = 4\n" + design, {}, {"scene.toml", "steps"}},
-      {"duration_s = \"long\"\n" + design, {}, {"scene.toml", "duration_s", "long"}},
+      {"[time]\nduration_s = \"long\"\n" + design, {}, {"scene.toml", "duration_s", "long"}},
       {design + "[materials]\nyoungs_modulus_Pa = -1e4\n", {}, {"scene.toml", "materials.youngs_modulus_Pa", "-10000"}},
       {"[design]\ncell_edge_m = 0.01\ncells = [1, 1, 1]\ndigits = \"0\"\n", {}, {"scene.toml", "design.digits", "empty"}},
-      {"design = \"nowhere.toml\"\n", {}, {"nowhere.toml"}},
-      {"design = 5\n", {}, {"scene.toml", "design = 5", "file", "table"}},
-      {"level = 2147483647\n" + design, {}, {"scene.toml", "level = 2147483647", "[1, 20]"}},
-      {"level = 20\n" + cube, {}, {"scene.toml", "level = 20", "GiB"}},
+      {"[design]\nfile = \"nowhere.toml\"\n", {}, {"nowhere.toml"}},
+      {"design = 5\n", {}, {"scene.toml", "design = 5", "table"}},
+      {design + "level = 2147483647\n", {}, {"scene.toml", "level = 2147483647", "[1, 20]"}},
+      {cube + "level = 20\n", {}, {"scene.toml", "level = 20", "GiB"}},
       {cube, {"--level", "20"}, {"scene.toml", "--level 20", "GiB"}},
       {design, {"--level", "0"}, {"--level 0", "[1, 20]"}},
       {design, {"--level", "2147483647"}, {"--level 2147483647", "[1, 20]"}},
       {"materials.youngs_modulus_Pa = 1e200\n" + design, {}, {"scene.toml", "youngs_modulus_Pa = 1e+200"}},
       {"integration.time_step_fraction = 1e-320\n" + design, {}, {"scene.toml", "time_step_fraction = 1e-320"}},
-      {"duration_s = 1e300\nrecord_interval_s = 1e300\n" + design, {}, {"scene.toml", "duration_s = 1e+300"}},
+      {"[time]\nduration_s = 1e300\nrecord_interval_s = 1e300\n" + design, {}, {"scene.toml", "duration_s = 1e+300"}},
       {design, {"--instruction-set", "mmx"}, {"instruction-set", "mmx"}},
       {design, {"--no-such-option"}, {"no-such-option"}},
   };
@@ -228,7 +239,7 @@ TEST_F(Simulate, AMissingSceneIsNamed) {
 }
 
 TEST_F(Simulate, AnUnwritableFolderIsNamedBeforeAnythingIsComputed) {
-  write_scene(std::string("level = 2\n").append(small_scene));
+  write_scene(std::string(small_scene) + "level = 2\n");
   io::write_whole(folder_ / "file", "text");
   const Outcome outcome = run({"scene.toml", "-o", "file/result"});
   EXPECT_EQ(outcome.code, 2);
@@ -240,7 +251,7 @@ TEST_F(Simulate, AnUnwritableFolderIsNamedBeforeAnythingIsComputed) {
 TEST_F(Simulate, ADivergedRunSaysWhichVoxelAndKeepsItsFrames) {
   // In free fall the pair passes 0.2 m/s, which is this fraction of sqrt(E / rho), after 0.0204 s: between the third and the
   // fourth record.
-  const std::string free_fall = "[environment]\nfloor = false\n[actuation]\nmode = \"none\"\n[damping]\nglobal = 0\n";
+  const std::string free_fall = "[ground]\npresent = false\n[drive]\nmode = \"none\"\n[damping]\nglobal = 0\n";
   write_scene(small_scene + free_fall + "[limits]\nspeed_fraction = 0.0063245553\n");
   const Outcome outcome = run({"scene.toml", "-o", "result", "--no-pictures"});
   EXPECT_EQ(outcome.code, 3) << outcome.err;
@@ -264,7 +275,7 @@ TEST_F(Simulate, ADivergedRunSaysWhichVoxelAndKeepsItsFrames) {
 }
 
 TEST_F(Simulate, ManifestHoldsTheInputsAsTheyWereRead) {
-  const std::string scene = "design = \"pair.toml\"\nduration_s = 1000.0\nrecord_interval_s = 0.01\n";
+  const std::string scene = "[design]\nfile = \"pair.toml\"\n[time]\nduration_s = 1000.0\nrecord_interval_s = 0.01\n";
   const std::string design = "name = \"pair\"\ncell_edge_m = 0.01\nlayers = [[\"12\"]]\n";
   write_scene(scene);
   io::write_whole(folder_ / "pair.toml", design);
@@ -283,7 +294,8 @@ TEST_F(Simulate, ManifestHoldsTheInputsAsTheyWereRead) {
 
 TEST_F(Simulate, CtrlCKeepsTheFramesDone) {
   write_scene(
-      "duration_s = 1000.0\nrecord_interval_s = 0.01\n[design]\ncell_edge_m = 0.01\ncells = [2, 1, 1]\ndigits = \"12\"\n");
+      "[time]\nduration_s = 1000.0\nrecord_interval_s = 0.01\n[design]\ncell_edge_m = 0.01\ncells = [2, 1, 1]\ndigits = "
+      "\"12\"\n");
   const pid_t child = start({"scene.toml", "-o", "result", "--no-pictures"});
   for (int i = 0; i < 6000 && !fs::exists(folder_ / "result/frames/frame_0002.vtu"); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -67,6 +67,17 @@ TEST_F(StallMapProgram, BadInputLeavesResultsAlone) {
   EXPECT_EQ(io::read_whole(folder_ / "out/stall_map.csv"), first);
 }
 
+TEST_F(StallMapProgram, RunsItsTemplate) {
+  const Outcome outcome = run({"--template"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  io::write_whole(folder_ / "template.toml", outcome.out);
+  const Outcome map = run({"template.toml", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(map.code, 0) << map.err;
+  EXPECT_EQ(io::read_csv(folder_ / "out/stall_map.csv").row_count(), 50U);
+  EXPECT_NE(run({"--keys"}).out.find("map.strokes_m.longest"), std::string::npos);
+  EXPECT_NE(run({"--schema"}).out.find("\"longest\""), std::string::npos);
+}
+
 /// Speed in body lengths per minute after the first period of 20 records, from the files of menger simulate.
 double speed_of(const fs::path& result, double body_length_m) {
   const io::CsvContents path = io::read_csv(result / "trajectory.csv");
@@ -77,7 +88,7 @@ double speed_of(const fs::path& result, double body_length_m) {
 
 TEST_F(StallMapProgram, RobotWalksAtPointsOfTheMap) {
   io::write_whole(folder_ / "leg.toml", "name = 'leg'\ncell_edge_m = 0.01\nlayers = [['100','000','000'],['111','000','000']]\n");
-  write_study("[travel]\ndesign = 'leg.toml'\nparameters = '" MENGER_PARAMETERS
+  write_study("[travel]\ndesign = {file = 'leg.toml'}\nparameters = '" MENGER_PARAMETERS
               "'\nperiods = 2\nevery_resistance = 2\nevery_stroke = 4\n");
   const Outcome outcome = run({"study.toml", "-o", "out", "--no-pictures"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -29,7 +29,7 @@ class TradeoffProgram : public testing::Test {
   TradeoffProgram() {
     io::write_whole(folder_ / "cube.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
     io::write_whole(folder_ / "study.toml",
-                    "design = \"cube.toml\"\nwall_thickness_m = 0.004\npressure_Pa = 3000\n"
+                    "pressure_Pa = 3000\n[design]\nfile = \"cube.toml\"\nwall_thickness_m = 0.004\n"
                     "[finite_elements]\ndegrees = [1, 2]\nelements_through_wall = [1]\n");
   }
 
@@ -73,10 +73,11 @@ TEST_F(TradeoffProgram, ASettledCellOfVoxelsIsWithinATenthOfFiniteElements) {
   // a larger part of what is there. Free in both models, so that nothing but the model differs. Q2/P1, because with one element
   // through the wall Q1/P0 itself is off by a quarter.
   io::write_whole(folder_ / "cell.toml", "name = \"cell\"\ncell_edge_m = 0.01\nlayers = [[\"1\"]]\n");
-  io::write_whole(folder_ / "settled.toml",
-                  "design = \"cell.toml\"\npressure_Pa = 20000\n[finite_elements]\ndegrees = [2]\nelements_through_wall = [1]\n"
-                  "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
-                  "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
+  io::write_whole(
+      folder_ / "settled.toml",
+      "pressure_Pa = 20000\n[design]\nfile = \"cell.toml\"\n[finite_elements]\ndegrees = [2]\nelements_through_wall = [1]\n"
+      "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
+      "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled", "--no-pictures"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const io::CsvContents table = io::read_csv(folder_ / "settled/tradeoff.csv");
@@ -92,11 +93,11 @@ TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
   // The equilibrium by Newton's method against the run to rest, its frames and what is read from them: they
   // are the same model, 0.5 % are what the run may lack of its rest. The end voxels bulge to one side only.
   io::write_whole(folder_ / "bar.toml", "name = \"bar\"\ncell_edge_m = 0.01\nlayers = [[\"11\"]]\n");
-  io::write_whole(folder_ / "settled.toml",
-                  "design = \"bar.toml\"\npressure_Pa = 6000\n[finite_elements]\ndegrees = [1]\nelements_through_wall = [1]\n"
-                  "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
-                  "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS
-                  "\", \"" MENGER_REFINED_PARAMETERS "\"]\n");
+  io::write_whole(
+      folder_ / "settled.toml",
+      "pressure_Pa = 6000\n[design]\nfile = \"bar.toml\"\n[finite_elements]\ndegrees = [1]\nelements_through_wall = [1]\n"
+      "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
+      "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\", \"" MENGER_REFINED_PARAMETERS "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled", "--no-pictures"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const io::CsvContents table = io::read_csv(folder_ / "settled/tradeoff.csv");
@@ -128,12 +129,21 @@ TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
 
 TEST_F(TradeoffProgram, ParametersOfAnotherCellEndWithTwo) {
   io::write_whole(folder_ / "settled.toml",
-                  "design = \"cube.toml\"\n[finite_elements]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
+                  "[design]\nfile = \"cube.toml\"\n[finite_elements]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled"});
   EXPECT_EQ(outcome.code, 2);
   for (const char* word : {"dragon_skin_10_1cm.toml", "cell_edge_m", "0.01", "0.02"})
     EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
   EXPECT_FALSE(fs::exists(folder_ / "settled"));
+}
+
+TEST_F(TradeoffProgram, RunsItsOwnTemplate) {
+  const Outcome outcome = run({"--template"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  io::write_whole(folder_ / "template.toml", outcome.out);
+  const Outcome trade = run({"template.toml", "-o", "template", "--no-pictures"});
+  EXPECT_EQ(trade.code, 0) << trade.err;
+  EXPECT_EQ(io::read_csv(folder_ / "template/gait.csv").row_count(), 27U) << trade.out;
 }
 
 TEST_F(TradeoffProgram, WrongInputEndsWithTwoAndNamesIt) {

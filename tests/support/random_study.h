@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/study/study_visitor.h"
@@ -16,10 +19,13 @@ namespace menger::tests {
 /// Gives every key of a study a random value that the key takes on its own; demands on several keys at once may not hold.
 class RandomStudy : public io::StudyVisitor {
  public:
-  explicit RandomStudy(std::uint64_t seed) : random_(seed) {}
+  /// @param kept names of keys that are left as they are, since what they take is not told by range and words
+  explicit RandomStudy(std::uint64_t seed, std::set<std::string, std::less<>> kept = {})
+      : random_(seed), kept_(std::move(kept)) {}
 
  protected:
   void visit(const io::StudyEntry& entry, std::optional<io::StudyValue>& value) override {
+    if (kept_.contains(entry.key.name)) return;
     if (entry.is_optional && is_tossed()) {
       value.reset();
       return;
@@ -126,6 +132,7 @@ class RandomStudy : public io::StudyVisitor {
   }
 
   std::mt19937_64 random_;
+  std::set<std::string, std::less<>> kept_;
 };
 
 }  // namespace menger::tests

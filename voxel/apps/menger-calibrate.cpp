@@ -13,6 +13,7 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/study_help.h"
 #include "voxel/calibration/calibration_report.h"
 #include "voxel/calibration/calibration_run.h"
 #include "voxel/calibration/calibration_tables.h"
@@ -38,6 +39,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "writes calibration/parameters.toml (for [surrogate] of scenes and searches), result.toml, details.csv, parameters.csv,\n"
       "correlation.csv, residuals.csv, answers.csv, a picture of every curve, agreement.png and manifest.json.\n"
       "Exit codes: 0 done, 2 wrong input, 3 the fit did not converge (the best found is written and says so), 130 interrupted.");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    voxel::CalibrationStudy study;
+    describe(visitor, study);
+  });
   app.add_option("study", arguments.study, "study file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--curves", arguments.curves, "files or folders of response curves, instead of those of the study");

@@ -11,6 +11,7 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/study_help.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
@@ -56,6 +57,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "changes.\n"
       "A silicone body that air drives, with calibrated parameters: voxel/scenes/silicone.toml.\n"
       "Exit codes: 0 completed, 2 wrong input, 3 diverged, 130 interrupted.");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    voxel::Scene scene;
+    describe(visitor, scene);
+  });
   app.add_option("scene", arguments.scene, "scene file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the scene file)");
   app.add_option("--level", arguments.level, "level of the fractal, instead of the scene's");

@@ -1,9 +1,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +13,11 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
+#include "io/process/study_help.h"
+#include "io/text/content_hash.h"
 #include "io/text/input_error.h"
-#include "io/text/manifest.h"
-#include "io/text/number_text.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 #include "voxel/model/surrogate_file.h"
 #include "voxel/validation/validation_run.h"
@@ -46,6 +48,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "worst.pvd (open it in ParaView) and worst.png.\n"
       "Exit codes: 0 done, 2 wrong input, 3 the surrogate has no equilibrium in some state (the tables are written),\n"
       "130 interrupted.");
+  io::add_study_help(app, [](io::StudyVisitor& visitor) {
+    voxel::ValidationStudy study;
+    describe(visitor, study);
+  });
   app.add_option("study", arguments.study, "study file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--parameters", arguments.places.parameters, "voxel parameters, instead of the study's");
@@ -76,23 +82,23 @@ bool make_curves(const fs::path& set, const fs::path& folder, const fs::path& lo
                        "; it says why in " + child.err.string());
 }
 
-io::Manifest manifest_of(const voxel::ValidationStudy& study, const voxel::SurrogateParameters& parameters,
-                         const std::vector<voxel::HeldOutCurve>& curves) {
-  io::Manifest manifest;
-  manifest.program = "menger-validate";
-  manifest.parameters =
-      "aim = " + io::number_text(study.aim) + "\nactuation_pressure_Pa = " + io::number_text(study.actuation_pressure_Pa) +
-      "\nactuation_amplitude = " + io::number_text(study.actuation_amplitude) + "\n" + voxel::surrogate_text(parameters);
-  io::add_input(manifest, study.file);
-  io::add_input(manifest, study.parameters);
-  for (const voxel::HeldOutCurve& curve : curves) io::add_input(manifest, curve.file);
-  if (study.load_cases) io::add_input(manifest, *study.load_cases);
-  return manifest;
+std::string parameter_text(const voxel::ValidationStudy& study, const voxel::SurrogateParameters& parameters) {
+  io::TomlText text;
+  text.add("aim", study.aim);
+  text.add("actuation_pressure_Pa", study.actuation_pressure_Pa).add("actuation_amplitude", study.actuation_amplitude);
+  return text.text() + voxel::surrogate_text(parameters);
 }
 
-int exit_code_of(io::RunStatus status) {
-  if (status == io::RunStatus::completed) return io::exit_code::done;
-  return status == io::RunStatus::stopped ? io::exit_code::interrupted : io::exit_code::numerical;
+/// Every file that is read, with the hash of its content.
+std::map<std::string, std::string> inputs_of(const voxel::ValidationStudy& study,
+                                             const std::vector<voxel::HeldOutCurve>& curves) {
+  std::map<std::string, std::string> inputs;
+  const auto add = [&](const std::filesystem::path& file) { inputs[file.string()] = io::file_hash(file); };
+  add(study.file);
+  add(study.parameters);
+  for (const voxel::HeldOutCurve& curve : curves) add(curve.file);
+  if (study.load_cases) add(*study.load_cases);
+  return inputs;
 }
 
 int run(int argc, const char* const* argv) {
@@ -104,13 +110,13 @@ int run(int argc, const char* const* argv) {
   const voxel::FitRecord record = voxel::read_fit_record(study.parameters);
 
   io::catch_interrupts();
-  const auto start = std::chrono::steady_clock::now();
+  const io::RunFolder folder("menger-validate", arguments.folder);
   if (study.load_cases) {
     const fs::path curves = voxel::load_case_folder(study, arguments.folder / "curves");
     if (!make_curves(*study.load_cases, curves, arguments.folder)) return io::exit_code::interrupted;
   }
   const std::vector<voxel::HeldOutCurve> curves = voxel::read_held_out_curves(study, parameters, record);
-  io::Manifest manifest = manifest_of(study, parameters, curves);
+  const std::map<std::string, std::string> inputs = inputs_of(study, curves);
   io::require_writable_folder(arguments.folder);
 
   io::Progress progress(arguments.study.stem().string(), 1.0);
@@ -121,14 +127,13 @@ int run(int argc, const char* const* argv) {
   progress.clear();
   if (result.status == io::RunStatus::stopped) {
     std::cout << "stopped; nothing was written\n";
-    return exit_code_of(result.status);
+    return io::exit_code_of(result.status);
   }
-  manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  io::write_manifest(arguments.folder, manifest);
+  folder.finish(parameter_text(study, parameters), inputs);
   for (const std::string& line : voxel::report_lines(result, study.aim)) std::cout << line << '\n';
   std::cout << io::to_string(result.status) << ": " << result.comparisons.size() << " curves; results in "
             << arguments.folder.string() << '\n';
-  return exit_code_of(result.status);
+  return io::exit_code_of(result.status);
 }
 
 }  // namespace

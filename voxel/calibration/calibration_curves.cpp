@@ -17,23 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Provenance files in the order of their names, so that the order of a folder does not matter.
-std::set<fs::path> provenance_files(const io::TomlTable& top, const std::vector<fs::path>& given) {
-  constexpr const char* none = "no response curve (NAME.toml and NAME.csv) is in this folder";
+std::set<fs::path> provenance_files(const io::TomlTable& top, const std::vector<fs::path>& given, const CalibrationStudy& study) {
+  const std::vector<fs::path>& places = given.empty() ? study.places : given;
   std::set<fs::path> files;
-  for (const fs::path& place : given) {
-    const std::vector<fs::path> found = meshes::response_curve_files(place);
-    if (found.empty()) throw io::InputError(place.string() + ": " + none);
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    const std::vector<fs::path> found = meshes::response_curve_files(places[n]);
     files.insert(found.begin(), found.end());
+    if (!found.empty()) continue;
+    constexpr const char* none = "no response curve (NAME.toml and NAME.csv) is in this folder";
+    throw given.empty() ? top.error("curves", none, std::array{n}) : io::InputError(places[n].string() + ": " + none);
   }
-  if (!given.empty() && !top.has("curves")) return files;
-  const std::vector<std::string> entries = top.texts("curves");
-  if (!given.empty()) return files;
-  for (std::size_t n = 0; n < entries.size(); ++n) {
-    const std::vector<fs::path> found = meshes::response_curve_files(top.file().parent_path() / entries[n]);
-    if (found.empty()) throw top.error("curves", none, std::array{n});
-    files.insert(found.begin(), found.end());
-  }
-  if (files.empty()) throw top.error("curves", "must name at least one file or folder");
   return files;
 }
 
@@ -75,26 +68,25 @@ void check_curve(const StudyCurve& curve, const CalibrationStudy& study, CurveSu
 
 }  // namespace
 
-void read_curves(const io::TomlTable& top, const std::vector<fs::path>& given, CurveSubject wanted, CalibrationStudy& study) {
-  std::set<std::string> cases;
-  const bool chooses = top.has("cases");
-  if (chooses) {
-    for (const std::string& name : top.texts("cases")) cases.insert(name);
-    if (cases.empty()) throw top.error("cases", "must name at least one case, or be left out to fit them all");
-  }
+void read_curves(const io::TomlTable& top, const std::vector<fs::path>& given, CalibrationStudy& study) {
+  const std::vector<std::string> names = study.cases.value_or(std::vector<std::string>());
+  const std::set<std::string> cases(names.begin(), names.end());
+  CurveSubject wanted = study.subject;
   std::set<std::string> missing = cases;
   std::map<std::string, fs::path> known;
-  for (const fs::path& file : provenance_files(top, given)) {
+  for (const fs::path& file : provenance_files(top, given, study)) {
     StudyCurve curve{meshes::read_response_curve(file), file, io::file_hash(file),
                      io::file_hash(fs::path(file).replace_extension(".csv"))};
     const std::string& name = curve.curve.provenance.load_case.name;
     missing.erase(name);
-    if (chooses && cases.count(name) == 0) continue;
+    if (study.cases && cases.count(name) == 0) continue;
     if (const auto [other, is_new] = known.emplace(name, file); !is_new) {
       throw io::InputError(file.string() + ": case.name = " + io::toml_quoted(name) + ": " + other->second.string() +
                            " has the same name");
     }
     check_curve(curve, study, wanted);
+    if (const auto weight = study.weights.find(curve.curve.provenance.load_case.kind); weight != study.weights.end())
+      curve.weight = weight->second;
     if (curve.curve.provenance.status != io::RunStatus::completed) {
       study.notes.push_back(name + " ends early (" + std::string(io::to_string(curve.curve.provenance.status)) +
                             "): " + std::to_string(curve.curve.row_count()) + " states are fitted");

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "io/text/toml_document.h"
@@ -10,19 +8,9 @@
 
 namespace menger::voxel {
 
-/// What all curves of a study must agree with.
-struct CurveSubject {
-  std::string silicone;
-  std::optional<std::string> law;
-  double cell_edge_m = 0.0;
-  double wall_thickness_m = 0.0;
-};
-
 /// Reads the curves that a study names into it, with their hashes and what is to be known of them.
-/// @param given files and folders in place of the study's `curves`, if there are any
-/// @param study whose number of voxels, chambers and range of pressures are known
+/// @param top of the study's file, for messages @param given files and folders in place of the study's, if there are any
 /// @throws io::InputError, see read_calibration_study
-void read_curves(const io::TomlTable& top, const std::vector<std::filesystem::path>& given, CurveSubject wanted,
-                 CalibrationStudy& study);
+void read_curves(const io::TomlTable& top, const std::vector<std::filesystem::path>& given, CalibrationStudy& study);
 
 }  // namespace menger::voxel

@@ -1,22 +1,15 @@
 #include "voxel/calibration/calibration_report.h"
 
 #include <algorithm>
+#include <array>
 
-#include "io/text/number_text.h"
-#include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "meshes/load_cases/load_case_subject.h"
 #include "voxel/calibration/calibration_damping.h"
 #include "voxel/model/surrogate_file.h"
-#include "voxel/model/table_text.h"
 
 namespace menger::voxel {
 namespace {
-
-std::string quoted_list(const std::vector<std::string>& texts) {
-  std::string list;
-  for (const std::string& text : texts) list.append(list.empty() ? "" : ", ").append(io::toml_quoted(text));
-  return "[" + list + "]";
-}
 
 std::vector<std::string> names_with(const CalibrationFit& fit, Determination determination) {
   std::vector<std::string> names;
@@ -26,22 +19,21 @@ std::vector<std::string> names_with(const CalibrationFit& fit, Determination det
   return names;
 }
 
-void add_determination(TableText& table, const CalibrationFit& fit) {
-  table.add("wide", quoted_list(names_with(fit, Determination::wide)));
-  table.add("at_bound", quoted_list(names_with(fit, Determination::at_bound)));
-  table.add("not_separable", quoted_list(names_with(fit, Determination::not_separable)));
-  table.add("no_influence", quoted_list(names_with(fit, Determination::no_influence)));
+void add_determination(io::TomlText& text, const CalibrationFit& fit) {
+  text.add("wide", names_with(fit, Determination::wide));
+  text.add("at_bound", names_with(fit, Determination::at_bound));
+  text.add("not_separable", names_with(fit, Determination::not_separable));
+  text.add("no_influence", names_with(fit, Determination::no_influence));
 }
 
 /// @param ended how what the table is about ended: the calibration, or the fit that its parameters are of
-void add_outcome(TableText& table, const Calibration& calibration, const CalibrationFit& ended) {
+void add_outcome(io::TomlText& text, const Calibration& calibration, const CalibrationFit& ended) {
   const CalibrationFit& fit = calibration.fit();
-  table.word("status", io::to_string(ended.status));
-  if (!ended.reason.empty()) table.word("reason", ended.reason);
-  table.word("details", to_string(calibration.details())).boolean("explained", fit.explained);
-  table.number("chi2", fit.chi2).number("reduced_chi2", fit.reduced_chi2()).number("aic", fit.aic);
-  table.number("residuals", static_cast<double>(fit.residual_count));
-  table.number("parameters", static_cast<double>(fit.parameter_count));
+  text.add("status", io::to_string(ended.status));
+  if (!ended.reason.empty()) text.add("reason", ended.reason);
+  text.add("details", to_string(calibration.details())).add("explained", fit.explained);
+  text.add("chi2", fit.chi2).add("reduced_chi2", fit.reduced_chi2()).add("aic", fit.aic);
+  text.add("residuals", fit.residual_count).add("parameters", fit.parameter_count);
 }
 
 void add_class_notes(std::vector<std::string>& notes, std::string_view what, const std::vector<std::size_t>& determined) {
@@ -76,31 +68,30 @@ SurrogateParameters reported_parameters(const Calibration& calibration, const Ca
 
 std::string parameters_text(const Calibration& calibration, const CalibrationStudy& study) {
   const CalibrationFit& fit = calibration.fit();
-  TableText table("fit");
-  add_outcome(table, calibration, fit);
-  if (const std::vector<std::string> failed = failed_details(calibration); !failed.empty())
-    table.add("failed", quoted_list(failed));
-  add_determination(table, fit);
-  TableText intervals("fit.confidence_95");
+  io::TomlText text;
+  text.lines(surrogate_text(reported_parameters(calibration, study)));
+  text.table("fit");
+  add_outcome(text, calibration, fit);
+  if (const std::vector<std::string> failed = failed_details(calibration); !failed.empty()) text.add("failed", failed);
+  add_determination(text, fit);
+  text.table("fit.confidence_95");
   for (const FittedValue& value : fit.values) {
-    if (!value.confidence_95) continue;
-    intervals.add(value.parameter.name,
-                  "[" + io::number_text(value.confidence_95->first) + ", " + io::number_text(value.confidence_95->second) + "]");
+    if (value.confidence_95) text.add(value.parameter.name, std::array{value.confidence_95->first, value.confidence_95->second});
   }
-  std::string curves;
   for (const StudyCurve& curve : study.curves) {
-    curves += "[[fit.curves]]\nname = " + io::toml_quoted(curve.curve.provenance.load_case.name) +
-              "\nsubject = " + io::toml_quoted(meshes::subject_of(curve.curve.provenance.load_case)) +
-              "\nhash = " + io::toml_quoted(curve.hash) + "\ntable_hash = " + io::toml_quoted(curve.table_hash) + "\n";
+    const meshes::LoadCase& load_case = curve.curve.provenance.load_case;
+    text.entry("fit.curves").add("name", load_case.name).add("subject", meshes::subject_of(load_case));
+    text.add("hash", curve.hash).add("table_hash", curve.table_hash);
   }
-  return surrogate_text(reported_parameters(calibration, study)) + table.text() + intervals.text() + curves;
+  return text.text();
 }
 
 std::string result_text(const Calibration& calibration, const CalibrationStudy& study, const std::vector<FittedCurve>& curves) {
   const CalibrationFit& fit = calibration.fit();
-  TableText table("fit");
-  add_outcome(table, calibration, calibration.ended());
-  add_determination(table, fit);
+  io::TomlText text;
+  text.table("fit");
+  add_outcome(text, calibration, calibration.ended());
+  add_determination(text, fit);
   std::vector<std::string> notes = study.notes;
   for (const std::string& note : failed_details(calibration)) notes.push_back(note);
   for (const std::string& note : class_notes(calibration.classes)) notes.push_back(note);
@@ -109,16 +100,12 @@ std::string result_text(const Calibration& calibration, const CalibrationStudy& 
         "the stated uncertainties of the curves do not explain the residuals: the surrogate differs in shape, or "
         "curves contradict each other");
   }
-  table.add("notes", quoted_list(notes));
-  std::string text = table.text();
+  text.add("notes", notes);
   for (const Outlier& outlier : outliers_of(curves, fit)) {
-    text += "[[outliers]]\n";
-    text += "case = " + io::toml_quoted(curves[outlier.curve].load_case.name) + "\n";
-    text += "ordinate = " + io::toml_quoted(outlier.ordinate) + "\n";
-    text += "row = " + std::to_string(outlier.row + 1) + "\n";
-    text += "standard_deviations = " + io::number_text(outlier.residual) + "\n";
+    text.entry("outliers").add("case", curves[outlier.curve].load_case.name).add("ordinate", outlier.ordinate);
+    text.add("row", outlier.row + 1).add("standard_deviations", outlier.residual);
   }
-  return text;
+  return text.text();
 }
 
 }  // namespace menger::voxel

@@ -1,112 +1,95 @@
 #include "voxel/calibration/calibration_study.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/content_hash.h"
-#include "io/text/joined_text.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
+#include "materials/laws/silicone_library.h"
+#include "meshes/design/hollow_body_file.h"
 #include "meshes/load_cases/load_case_file.h"
 #include "voxel/calibration/calibration_curves.h"
 #include "voxel/calibration/calibration_start.h"
-#include "voxel/model/surrogate_file.h"
-#include "voxel/model/table_text.h"
 
 namespace menger::voxel {
 namespace {
 
 namespace fs = std::filesystem;
 
-io::TomlTable table_or_empty(const io::TomlTable& table, std::string_view key) {
-  if (const auto found = table.optional_table(key)) return *found;
-  return io::parse_toml("", table.file());
+void describe_subject(io::StudyVisitor& visitor, CalibrationStudy& study) {
+  CurveSubject& subject = study.subject;
+  visitor.text({"silicone", "Name of the silicone, as the curves have it.", "\"Dragon Skin 10\""}, subject.silicone);
+  visitor.optional_text({"law", "Its law, as the curves have it; without it they must all have the same.", "\"neo-Hookean\""},
+                        subject.law);
+  visitor.number({"cell_edge_m", "Edge of a cell.", "0.01"}, subject.cell_edge_m, io::positive());
+  visitor.number({"wall_thickness_m", "Thickness of its walls.", "0.002"}, subject.wall_thickness_m, io::positive());
+  visitor.integer({"voxels_per_cell", "Voxels along the edge of a cell."}, study.voxels_per_cell, io::within(1, 4));
+  visitor.word({"chambers", "What is one chamber: a whole module, or each region of one phase."}, study.chambers,
+               meshes::chamber_layout_words());
 }
 
-CurveSubject read_holds_for(const io::TomlTable& table, CalibrationStudy& study) {
-  CurveSubject wanted;
-  wanted.silicone = table.text("silicone");
-  if (table.has("law")) wanted.law = table.text("law");
-  wanted.cell_edge_m = table.number("cell_edge_m", io::positive());
-  wanted.wall_thickness_m = table.number("wall_thickness_m", io::positive());
-  study.voxels_per_cell = table.integer_or("voxels_per_cell", 1, io::within(1, 4));
-  const io::Words<meshes::ChamberLayout> layouts{{to_string(meshes::ChamberLayout::single), meshes::ChamberLayout::single},
-                                                 {to_string(meshes::ChamberLayout::per_phase), meshes::ChamberLayout::per_phase}};
-  study.chambers = table.word_or("chambers", meshes::ChamberLayout::single, layouts);
-  return wanted;
+void describe_pressures(io::StudyVisitor& visitor, std::optional<ValueRange>& pressures_Pa) {
+  std::optional<std::vector<double>> ends;
+  if (pressures_Pa) ends = {pressures_Pa->lowest, pressures_Pa->highest};
+  visitor.optional_numbers({"pressures_Pa", "Lowest and highest pressure of the states that are fitted.", "[-3e3, 6e3]"}, ends,
+                           io::any_number(), {.fewest = 2, .most = 2});
+  pressures_Pa.reset();
+  if (!ends) return;
+  pressures_Pa = ValueRange{ends->front(), ends->back()};
+  visitor.check(ends->front() <= 0.0 && ends->back() >= 0.0 && ends->front() < ends->back(), "pressures_Pa",
+                "must be lowest <= 0 <= highest, and not both 0");
 }
 
-void read_weights(const io::TomlTable& table, CalibrationStudy& study) {
+void describe_loss(io::StudyVisitor& visitor, CalibrationFitOptions& fit) {
+  bool is_robust = fit.loss_scale.has_value();
+  double scale = fit.loss_scale.value_or(3.0);
+  visitor.word({"loss", "What is minimised: squares of residuals, or Cauchy's loss, to which outliers say less."}, is_robust,
+               io::Words<bool>{{"squares", false}, {"cauchy", true}});
+  visitor.only_if(is_robust, "loss = \"cauchy\"", [&] {
+    visitor.number({"loss_scale", "From which on a residual says less, in standard deviations."}, scale, io::positive());
+  });
+  fit.loss_scale.reset();
+  if (is_robust) fit.loss_scale = scale;
+}
+
+void describe_fit(io::StudyVisitor& visitor, CalibrationStudy& study) {
+  CalibrationPlan& plan = study.plan;
+  visitor.words({"details", "What is fitted, in the order in which it is tried."}, plan.details, detail_words(), {.fewest = 1});
+  visitor.optional_word({"choice", "All details up to this one are kept; without it Akaike's criterion decides.", "\"uniform\""},
+                        plan.choice, detail_words());
+  visitor.check(!plan.choice || std::ranges::find(plan.details, *plan.choice) != plan.details.end(), "choice",
+                "is none of the details that are fitted");
+  visitor.number({"aic_margin", "A detail is kept if it lowers Akaike's criterion by more."}, plan.aic_margin,
+                 io::non_negative());
+  describe_loss(visitor, plan.fit);
+  visitor.integer({"largest_iteration_count", "Iterations of one fit."}, plan.fit.largest_iteration_count, io::within(1, 10000));
+  describe_pressures(visitor, study.pressures_Pa);
+}
+
+void describe_weights(io::StudyVisitor& visitor, std::map<meshes::LoadCaseKind, double>& weights) {
   for (const auto& [word, kind] : meshes::load_case_kind_words()) {
-    const double weight = table.number_or(word, 1.0, io::positive());
-    for (StudyCurve& curve : study.curves) {
-      if (curve.curve.provenance.load_case.kind == kind) curve.weight = weight;
-    }
+    double& weight = weights.try_emplace(kind, 1.0).first->second;
+    visitor.number({word, "Of load cases of this kind."}, weight, io::positive());
   }
 }
 
-void read_bounds(const io::TomlTable& table, CalibrationStudy& study) {
+void describe_bounds(io::StudyVisitor& visitor, CalibrationBounds& bounds) {
   for (const auto& [word, quantity] : quantity_words()) {
-    if (!table.has(word)) continue;
-    const std::vector<double> ends = table.numbers(word);
-    if (ends.size() != 2) throw table.error(word, "must be two numbers, not " + std::to_string(ends.size()));
-    if (!(ends[0] < ends[1])) throw table.error(word, "the first must be smaller than the second");
     const io::Range range = allowed_range(quantity);
-    for (std::size_t n = 0; n < 2; ++n) {
-      if (!range.contains(ends[n])) throw table.error(word, range.demand(), std::array{n});
-    }
-    study.bounds[quantity] = {ends[0], ends[1]};
+    std::optional<std::vector<double>> ends;
+    if (const auto known = bounds.find(quantity); known != bounds.end()) ends = {known->second.lowest, known->second.highest};
+    const io::Key key{word, "Least and greatest value that is looked at; without it wide ones about a rough estimate.",
+                      range.contains(2.0) ? "[1, 2]" : "[0.1, 0.5]"};
+    visitor.optional_numbers(key, ends, range, {.fewest = 2, .most = 2});
+    bounds.erase(quantity);
+    if (!ends) continue;
+    visitor.check(ends->front() < ends->back(), word, "the first must be smaller than the second");
+    bounds[quantity] = {ends->front(), ends->back()};
   }
-}
-
-ValueRange read_pressures(const io::TomlTable& table) {
-  const std::vector<double> ends = table.numbers("pressures_Pa");
-  if (ends.size() != 2) throw table.error("pressures_Pa", "must be two numbers, not " + std::to_string(ends.size()));
-  if (!(ends[0] <= 0.0 && ends[1] >= 0.0 && ends[0] < ends[1]))
-    throw table.error("pressures_Pa", "must be lowest <= 0 <= highest, and not both 0");
-  return {ends[0], ends[1]};
-}
-
-void read_fit(const io::TomlTable& table, CalibrationPlan& plan) {
-  if (table.has("details")) {
-    plan.details.clear();
-    const std::vector<std::string> names = table.texts("details");
-    for (std::size_t n = 0; n < names.size(); ++n) {
-      const auto found =
-          std::find_if(detail_words().begin(), detail_words().end(), [&](const auto& word) { return word.first == names[n]; });
-      if (found == detail_words().end()) {
-        std::vector<std::string> known;
-        for (const auto& word : detail_words()) known.emplace_back(word.first);
-        throw table.error("details", "must be one of " + io::joined(known), std::array{n});
-      }
-      plan.details.push_back(found->second);
-    }
-    if (plan.details.empty()) throw table.error("details", "must name at least one");
-  }
-  if (table.has("choice")) {
-    plan.choice = table.word("choice", detail_words());
-    if (std::find(plan.details.begin(), plan.details.end(), *plan.choice) == plan.details.end())
-      throw table.error("choice", "is none of the details that are fitted");
-  }
-  plan.aic_margin = table.number_or("aic_margin", plan.aic_margin, io::non_negative());
-  const bool is_robust = table.word_or("loss", false, io::Words<bool>{{"squares", false}, {"cauchy", true}});
-  if (is_robust) plan.fit.loss_scale = table.number_or("loss_scale", 3.0, io::positive());
-  plan.fit.largest_iteration_count =
-      table.integer_or("largest_iteration_count", plan.fit.largest_iteration_count, io::within(1, 10000));
-}
-
-void read_record(const io::TomlTable& top, const std::string& silicone, CalibrationStudy& study) {
-  const auto file = top.optional_path("record");
-  if (!file) {
-    study.notes.emplace_back("damping: not measured, no record of the silicone is named");
-    return;
-  }
-  const materials::SiliconeRecord record = materials::read_silicone(*file);
-  if (record.name != silicone) throw top.error("record", "is of " + record.name + ", the study is for " + silicone);
-  study.inputs[file->string()] = io::file_hash(*file);
-  study.loss = record.loss;
-  study.notes.push_back(record.loss ? "damping: " + record.loss->source : "damping: not measured for " + silicone);
 }
 
 /// Frequency responses are solved with dense matrices of six unknowns per voxel.
@@ -121,39 +104,78 @@ void check_voxel_count(const io::TomlTable& table, const meshes::LoadCase& body,
       "makes " + io::number_text(voxels) + " voxels; frequency responses are found for up to " + io::number_text(most_voxels));
 }
 
-FrequencyReference read_frequency_response(const io::TomlTable& table, CalibrationStudy& study) {
-  FrequencyReference reference;
-  reference.file = table.path("file");
-  reference.column = table.text_or("column", "");
-  meshes::read_cells(table, reference.body);
-  reference.body.level = table.integer_or("level", 1, io::within(1, 3));
-  check_voxel_count(table, reference.body, study.voxels_per_cell);
-  reference.pressure_Pa = table.number_or("pressure_Pa", 0.0);
-  reference.end = table.word_or("end", BodyEnd::tip, io::Words<BodyEnd>{{"tip", BodyEnd::tip}, {"top", BodyEnd::top}});
-  study.inputs[reference.file.string()] = io::file_hash(reference.file);
-  return reference;
+void describe_frequency_response(io::StudyVisitor& visitor, FrequencyReference& reference, int voxels_per_cell) {
+  visitor.path({"file", "Table with frequency_Hz and the gains.", "\"frequency_response.csv\""}, reference.file);
+  visitor.text({"column", "Observable whose real and imaginary part are columns; none: the column is gain_m_per_Pa."},
+               reference.column);
+  std::vector<int> cells(reference.body.cells.begin(), reference.body.cells.end());
+  visitor.integers({"cells", "Cells of the body along x, y and z.", "[1, 1, 1]"}, cells, io::at_least(1),
+                   {.fewest = 3, .most = 3});
+  if (cells.size() == 3) std::copy(cells.begin(), cells.end(), reference.body.cells.begin());
+  visitor.text({"digits", "A digit for each cell, x fastest, then y, then z: 0 is empty.", "\"1\""}, reference.body.digits);
+  visitor.integer({"level", "Level of the fractal."}, reference.body.level, io::within(1, 3));
+  if (const io::TomlTable* table = visitor.source()) {
+    meshes::read_cells(*table, reference.body);
+    check_voxel_count(*table, reference.body, voxels_per_cell);
+  }
+  visitor.number({"pressure_Pa", "Pressure that the body is in equilibrium with."}, reference.pressure_Pa);
+  visitor.word({"end", "End whose motion is compared: that of largest x, or of largest z."}, reference.end,
+               io::Words<BodyEnd>{{"tip", BodyEnd::tip}, {"top", BodyEnd::top}});
+}
+
+/// The keys that name no file.
+void describe_question(io::StudyVisitor& visitor, CalibrationStudy& study) {
+  visitor.table({"holds_for", "What the curves and the parameters are of."}, [&] { describe_subject(visitor, study); });
+  visitor.table({"fit", "How parameters are found."}, [&] { describe_fit(visitor, study); });
+  visitor.table({"weights", "Factors on the squares of residuals, by kind of load case."},
+                [&] { describe_weights(visitor, study.weights); });
+  visitor.table({"bounds", "Where the fit looks."}, [&] { describe_bounds(visitor, study.bounds); });
+}
+
+void read_record(const io::TomlTable& top, CalibrationStudy& study) {
+  if (!study.silicone) {
+    study.notes.emplace_back("damping: not measured, no record of the silicone is named");
+    return;
+  }
+  const fs::path file = materials::silicone_file(top, "silicone");
+  const materials::SiliconeRecord record = materials::read_silicone(file);
+  const std::string& wanted = study.subject.silicone;
+  if (record.name != wanted) throw top.error("silicone", "is " + record.name + ", the study is for " + wanted);
+  study.inputs[file.string()] = io::file_hash(file);
+  study.loss = record.loss;
+  study.notes.push_back(record.loss ? "damping: " + record.loss->source : "damping: not measured for " + wanted);
 }
 
 }  // namespace
 
+void describe(io::StudyVisitor& visitor, CalibrationStudy& study) {
+  visitor.paths({.name = "curves",
+                 .help = "Files of response curves and folders of them.",
+                 .example = study.places.empty() ? "[\"curves\"]" : "",
+                 .may_be_elsewhere = true},
+                study.places, {.fewest = 1});
+  visitor.optional_texts({"cases", "Names of the load cases that are fitted; without it all.", "[\"bar_inflation\"]"},
+                         study.cases, {.fewest = 1});
+  visitor.optional_text({.name = "silicone",
+                         .help = "A silicone of menger, or the file of one, for its measured damping.",
+                         .example = "\"dragon_skin_10\"",
+                         .earlier = "record"},
+                        study.silicone);
+  describe_question(visitor, study);
+  visitor.optional_table(
+      {"frequency_response", "Harmonic answers of finite elements to compare with, not to fit."}, study.frequency_response,
+      [&](FrequencyReference& reference) { describe_frequency_response(visitor, reference, study.voxels_per_cell); });
+}
+
 CalibrationStudy read_calibration_study(const fs::path& file, const std::vector<fs::path>& curves) {
   const io::TomlTable top = io::read_toml(file);
-  CalibrationStudy study;
-  study.file = file;
+  CalibrationStudy study{.file = file, .places = curves};
+  io::read_described(top, study);
   study.inputs[file.string()] = io::file_hash(file);
-  const io::TomlTable holds_for = top.table("holds_for");
-  const CurveSubject wanted = read_holds_for(holds_for, study);
-  const io::TomlTable weights = table_or_empty(top, "weights");
-  const io::TomlTable fit = table_or_empty(top, "fit");
-  read_fit(fit, study.plan);
-  if (fit.has("pressures_Pa")) study.pressures_Pa = read_pressures(fit);
-  read_bounds(table_or_empty(top, "bounds"), study);
-  read_record(top, wanted.silicone, study);
-  if (const auto table = top.optional_table("frequency_response"))
-    study.frequency_response = read_frequency_response(*table, study);
-  read_curves(top, curves, wanted, study);
-  read_weights(weights, study);
-  top.finish();
+  read_record(top, study);
+  if (study.frequency_response)
+    study.inputs[study.frequency_response->file.string()] = io::file_hash(study.frequency_response->file);
+  read_curves(top, curves, study);
   return study;
 }
 
@@ -174,28 +196,17 @@ CalibrationProblem problem_of(const CalibrationStudy& study, const Responder& re
 }
 
 std::string study_text(const CalibrationStudy& study, const CalibrationProblem& problem) {
-  std::string text = "voxels_per_cell = " + std::to_string(study.voxels_per_cell) + "\n";
-  std::string details;
-  for (const CalibrationDetail detail : study.plan.details)
-    details.append(details.empty() ? "" : ", ").append(io::toml_quoted(to_string(detail)));
-  TableText fit("fit");
-  fit.add("details", "[" + details + "]");
-  if (study.plan.choice) fit.word("choice", to_string(*study.plan.choice));
-  fit.number("aic_margin", study.plan.aic_margin).word("loss", study.plan.fit.loss_scale ? "cauchy" : "squares");
-  if (study.plan.fit.loss_scale) fit.number("loss_scale", *study.plan.fit.loss_scale);
-  fit.number("largest_iteration_count", study.plan.fit.largest_iteration_count);
-  if (study.pressures_Pa) fit.numbers("pressures_Pa", std::array{study.pressures_Pa->lowest, study.pressures_Pa->highest});
-  TableText bounds("bounds");
-  for (const auto& [quantity, range] : problem.bounds)
-    bounds.numbers(to_string(quantity), std::array{range.lowest, range.highest});
-  text += fit.text() + bounds.text();
+  CalibrationStudy stated = study;
+  stated.bounds = problem.bounds;
+  io::StudyTextWriter writer;
+  describe_question(writer, stated);
+  io::TomlText text;
+  text.lines(writer.text());
   for (const StudyCurve& curve : study.curves) {
-    text += TableText("curves." + curve.curve.provenance.load_case.name)
-                .word("hash", curve.hash)
-                .number("weight", curve.weight)
-                .text();
+    text.table("curves." + curve.curve.provenance.load_case.name);
+    text.add("hash", curve.hash).add("weight", curve.weight);
   }
-  return text;
+  return text.text();
 }
 
 }  // namespace menger::voxel

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/study/study_visitor.h"
 #include "materials/laws/silicone_record.h"
 #include "meshes/load_cases/response_curve.h"
 #include "voxel/calibration/calibration.h"
@@ -22,36 +23,44 @@ struct StudyCurve {
   double weight = 1.0;
 };
 
-/// What to fit to which curves.
-struct CalibrationStudy {
-  std::filesystem::path file;
-  std::vector<StudyCurve> curves;
-  int voxels_per_cell = 1;
-  meshes::ChamberLayout chambers = meshes::ChamberLayout::single;
-  CalibrationBounds bounds;  ///< those that the study sets
-  CalibrationPlan plan;
-  std::optional<ValueRange>
-      pressures_Pa;  ///< states under other pressures are left out of the fit and so of its range of validity
-  std::optional<materials::LossData> loss;
-  std::optional<FrequencyReference> frequency_response;  ///< to compare with, not to fit
-  std::vector<std::string> notes;                        ///< what is to be known of the input, in sentences
-  std::map<std::string, std::string> inputs;             ///< files and content hashes
+/// What all curves of a study must agree with.
+struct CurveSubject {
+  std::string silicone{};
+  std::optional<std::string> law{};  ///< nothing: as the curves have it
+  double cell_edge_m = 0.0;
+  double wall_thickness_m = 0.0;
 };
 
-/// Reads a study from TOML and the curves that it names:
-/// - `curves`: provenance files of response curves, or folders of them (relative to the study file)
-/// - `cases`: names of the load cases to fit, all of which must be there; without it all curves are fitted
-/// - `record`: file of the silicone's record, for its loss data (optional)
-/// - `[holds_for]` silicone, cell_edge_m, wall_thickness_m; law (optional: as the curves have it), chambers ("single", or
-///   "per-phase"), voxels_per_cell (1)
-/// - `[fit]` details (all, in the order in which they are tried), choice (by Akaike's criterion), aic_margin (10), loss
-/// ("squares" or "cauchy"), loss_scale (3, in
-///   standard deviations), largest_iteration_count (100), pressures_Pa (two numbers, lowest <= 0 <= highest: fit to states within
-///   them only; uncertainties then go by the largest magnitudes there)
-/// - `[weights]` of load cases by kind (1): factors on the squares of residuals in what a fit minimises and in the criterion that
-///   chooses details; reported residuals, chi2 and intervals are by the stated uncertainties alone
-/// - `[bounds]` two numbers by quantity, see quantity_words (default_bounds)
-/// - `[frequency_response]` file, column, cells, digits, level (1), pressure_Pa (0), end ("tip", "top"): see FrequencyReference
+/// What to fit to which curves.
+struct CalibrationStudy {
+  std::filesystem::path file{};
+  std::vector<std::filesystem::path> places{};      ///< provenance files of response curves, and folders of them
+  std::optional<std::vector<std::string>> cases{};  ///< names of those to fit, all of which must be there; nothing: all
+  std::optional<std::string> silicone{};            ///< name or file of the record that has the loss data
+  CurveSubject subject{};
+  int voxels_per_cell = 1;
+  meshes::ChamberLayout chambers = meshes::ChamberLayout::single;
+  std::map<meshes::LoadCaseKind, double> weights{};  ///< factors on squares of residuals; kinds that are not there have 1
+  CalibrationBounds bounds{};                        ///< those that the study sets
+  CalibrationPlan plan{};
+  std::optional<ValueRange>
+      pressures_Pa{};  ///< states under other pressures are left out of the fit and so of its range of validity
+  std::optional<FrequencyReference> frequency_response{};  ///< to compare with, not to fit
+
+  // what the files say that it names
+  std::vector<StudyCurve> curves{};
+  std::optional<materials::LossData> loss{};
+  std::vector<std::string> notes{};             ///< what is to be known of the input, in sentences
+  std::map<std::string, std::string> inputs{};  ///< files and content hashes
+};
+
+/// The keys of a study; menger calibrate --keys lists them. Curves that a study has before need not be given.
+///
+/// Weights are factors on the squares of residuals in what a fit minimises and in the criterion that chooses details; reported
+/// residuals, chi2 and intervals are by the stated uncertainties alone, which go by the largest magnitudes within pressures_Pa.
+void describe(io::StudyVisitor& visitor, CalibrationStudy& study);
+
+/// Reads a study from TOML and the curves that it names.
 /// @param curves in place of the study's, relative to the working folder, if there are any
 /// @throws io::InputError with file, key and value; for missing cases naming them all; for curves of another silicone, law, edge,
 /// wall or chamber layout than the study's, or two of the same name, naming the curve
@@ -60,7 +69,7 @@ CalibrationStudy read_calibration_study(const std::filesystem::path& file, const
 /// The problem of a study: rough parameters to start from, and bounds.
 CalibrationProblem problem_of(const CalibrationStudy& study, const Responder& responder);
 
-/// Everything that decides the result of a study, defaults included, as TOML.
+/// Everything that decides the result of a study, defaults included, as TOML; of the curves their hashes.
 std::string study_text(const CalibrationStudy& study, const CalibrationProblem& problem);
 
 }  // namespace menger::voxel

@@ -36,7 +36,7 @@ void MovingBody<Real>::set_constants() {
   d.floor_depth = static_cast<Real>(floor_depth_m_ + state_.origin_m()[2]);
   d.time_step = static_cast<Real>(time_step);
   d.rate_scale = Real(0);
-  d.angular_frequency = static_cast<Real>(2.0 * std::numbers::pi / physics.actuation.period_s);
+  d.angular_frequency = static_cast<Real>(2.0 * std::numbers::pi / physics.actuation.period_s());
   d.strain_limit = static_cast<Real>(physics.limits.strain);
   d.displacement_limit2 = static_cast<Real>(speed_limit * time_step * speed_limit * time_step);
   d.stop_rotation_in_static_friction = physics.stop_rotation_in_static_friction;
@@ -69,7 +69,7 @@ void MovingBody<Real>::start_drive() {
   if (pressures_ || shaped_) {
     drive_to(0.0);
   } else {
-    const DriveAngle start = drive_angle(0.0, actuation.period_s);
+    const DriveAngle start = drive_angle(0.0, actuation.period_s());
     state_.set_sizes(start.sine, start.cosine);
   }
 }
@@ -90,7 +90,7 @@ template <class Real>
 void MovingBody<Real>::begin_step() {
   if (!sweep_drives_) return;
   const DriveAngle next =
-      drive_angle(static_cast<double>(record_.steps + 1) * body_.time_step_s, body_.physics.actuation.period_s);
+      drive_angle(static_cast<double>(record_.steps + 1) * body_.time_step_s, body_.physics.actuation.period_s());
   state_.data.next_sine = static_cast<Real>(next.sine);
   state_.data.next_cosine = static_cast<Real>(next.cosine);
 }
@@ -104,7 +104,7 @@ void MovingBody<Real>::check_strains(bool out_of_range) {
 template <class Real>
 void MovingBody<Real>::check_strains_after_move(bool out_of_range) {
   if (sweep_drives_) {
-    const DriveAngle start = drive_angle(time_s(), body_.physics.actuation.period_s);
+    const DriveAngle start = drive_angle(time_s(), body_.physics.actuation.period_s());
     state_.set_sizes(start.sine, start.cosine);
   }
   check_strains(out_of_range);

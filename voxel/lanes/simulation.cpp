@@ -63,7 +63,7 @@ std::vector<std::string> check(const meshes::Polycube& body, double cell_edge_m,
   require(not_negative(physics.gravity_m_s2), "gravity_m_s2 must be >= 0");
   require(not_negative(physics.actuation.amplitude) && physics.actuation.amplitude < 1.0,
           "the actuation amplitude must be in [0, 1)");
-  require(positive(physics.actuation.period_s), "period_s must be > 0");
+  require(positive(physics.actuation.frequency_Hz), "frequency_Hz must be > 0");
   require(not_negative(physics.actuation.ramp_s), "ramp_s must be >= 0");
   require(not_negative(physics.lateral_coupling) && physics.lateral_coupling < 1.0, "lateral_coupling must be in [0, 1)");
   require(physics.actuation.wave_axis >= 0 && physics.actuation.wave_axis <= 2, "wave_axis must be 0, 1 or 2");

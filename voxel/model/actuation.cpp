@@ -33,8 +33,8 @@ DriveMoment drive_moment(const Actuation& actuation, double time_s) {
     moment.cosine = 0.0;
     moment.sine_rate = moment.ramp_rate;
   } else {
-    const DriveAngle angle = drive_angle(time_s, actuation.period_s);
-    const double frequency = 2.0 * std::numbers::pi / actuation.period_s;
+    const DriveAngle angle = drive_angle(time_s, actuation.period_s());
+    const double frequency = 2.0 * std::numbers::pi / actuation.period_s();
     moment.sine = moment.ramp * angle.sine;
     moment.cosine = moment.ramp * angle.cosine;
     moment.sine_rate = frequency * moment.cosine + moment.ramp_rate * angle.sine;

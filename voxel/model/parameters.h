@@ -46,7 +46,7 @@ enum class ActuationMode {
 struct Actuation {
   ActuationMode mode = ActuationMode::antiphase;
   double amplitude = 0.144714;                     ///< a, fraction of the edge, 0 <= a < 1
-  double period_s = 0.2;                           ///< T > 0
+  double frequency_Hz = 5.0;                       ///< > 0
   double ramp_s = 0.0;                             ///< >= 0: the drive is multiplied by min(1, t / ramp_s)
   std::array<double, 2> material_phase{0.0, 0.5};  ///< phases of materials 1 and 2, in periods (antiphase only)
   int wave_axis = 1;                               ///< 0, 1, 2 for x, y, z (wave only)
@@ -56,6 +56,7 @@ struct Actuation {
   double wave_periods_per_body = -1.0;
   bool wave_over_gaps = false;  ///< wave only: divide by W - 1 instead of W (the last layer then gets the full phase)
 
+  [[nodiscard]] double period_s() const { return 1.0 / frequency_Hz; }
   bool operator==(const Actuation&) const = default;
 };
 

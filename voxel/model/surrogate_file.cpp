@@ -4,30 +4,24 @@
 #include <array>
 #include <cmath>
 
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/input_error.h"
+#include "io/text/number_text.h"
 #include "io/text/range.h"
 #include "io/text/toml_document.h"
-#include "voxel/model/table_text.h"
+#include "meshes/design/hollow_body_file.h"
 
 namespace menger::voxel {
 namespace {
 
 constexpr int most_voxels_per_cell = 64;
 
-/// Keys of the lowest pressures, by the cells between facing walls.
-constexpr ByGap<std::string_view> lowest_pressure_keys{"lowest_pressure_gap_1_Pa", "lowest_pressure_gap_2_Pa",
-                                                       "lowest_pressure_gap_3_Pa"};
-
-ByWallClass<double> read_by_class(const io::TomlTable& table, std::string_view key, const io::Range& range) {
-  const std::vector<double> values = table.numbers(key, range);
-  if (values.size() != wall_class_count) {
-    throw table.error(key, "must be " + std::to_string(wall_class_count) + " numbers, one per wall class, not " +
-                               std::to_string(values.size()));
-  }
-  ByWallClass<double> by_class{};
-  std::copy(values.begin(), values.end(), by_class.begin());
-  return by_class;
-}
+constexpr const char* seven_zeros = "[0, 0, 0, 0, 0, 0, 0]";
+constexpr const char* seven_ones = "[1, 1, 1, 1, 1, 1, 1]";
+constexpr const char* seven_moduli = "[5e4, 5e4, 5e4, 5e4, 5e4, 5e4, 5e4]";
+constexpr const char* seven_pressures = "[5e3, 5e3, 5e3, 5e3, 5e3, 5e3, 5e3]";
+constexpr const char* seven_vacua = "[-2e3, -2e3, -2e3, -2e3, -2e3, -2e3, -2e3]";
 
 /// Where the law of a class of voxels must have a value: over the range of the class. Voxels of a divided cell have other classes
 /// than it, and any of them may come under any pressure.
@@ -42,21 +36,10 @@ std::array<double, 2> law_range(const SurrogateParameters& parameters, std::size
   return range;
 }
 
-/// Pressure laws of a table, each sound over the range of validity of its class.
-/// @param parameters with validity and voxels_per_cell set
-ByWallClass<PressureLaw> read_laws(const io::TomlTable& table, const SurrogateParameters& parameters, bool is_extension) {
-  const ByWallClass<double> slope = read_by_class(table, "slope_per_Pa", io::any_number());
-  const ByWallClass<double> pressure = read_by_class(table, "pressure_softening_per_Pa", io::any_number());
-  const ByWallClass<double> vacuum = read_by_class(table, "vacuum_softening_per_Pa", io::any_number());
-  const ByWallClass<double> share = read_by_class(table, "fading_share", io::within(0.0, 1.0));
-  const ByWallClass<double> fading = read_by_class(table, "fading_per_Pa", io::non_negative());
-  ByWallClass<PressureLaw> laws{};
+/// Demands that each law is sound over the range of validity of its class.
+void check_laws(const io::TomlTable& table, const SurrogateParameters& parameters, const ByWallClass<PressureLaw>& laws,
+                bool is_extension) {
   for (std::size_t c = 0; c < wall_class_count; ++c) {
-    laws[c] = {.slope_per_Pa = slope[c],
-               .pressure_softening_per_Pa = pressure[c],
-               .vacuum_softening_per_Pa = vacuum[c],
-               .fading_share = share[c],
-               .fading_per_Pa = fading[c]};
     const std::array entry{c};
     for (const double end : law_range(parameters, c)) {
       const std::string_view softening = end < 0.0 ? "vacuum_softening_per_Pa" : "pressure_softening_per_Pa";
@@ -70,62 +53,80 @@ ByWallClass<PressureLaw> read_laws(const io::TomlTable& table, const SurrogatePa
       }
     }
   }
-  return laws;
 }
 
-void read_holds_for(const io::TomlTable& table, SurrogateParameters& parameters) {
-  const io::Words<meshes::ChamberLayout> layouts{{to_string(meshes::ChamberLayout::single), meshes::ChamberLayout::single},
-                                                 {to_string(meshes::ChamberLayout::per_phase), meshes::ChamberLayout::per_phase}};
-  parameters.silicone = table.text("silicone");
-  parameters.law = table.text("law");
-  parameters.cell_edge_m = table.number("cell_edge_m", io::positive());
-  parameters.wall_thickness_m = table.number("wall_thickness_m", io::positive());
-  if (!(parameters.wall_thickness_m < 0.5 * parameters.cell_edge_m))
-    throw table.error("wall_thickness_m", "must be less than half of cell_edge_m");
-  parameters.voxels_per_cell = table.integer("voxels_per_cell", io::within(1, most_voxels_per_cell));
-  parameters.chambers = table.word("chambers", layouts);
+/// One value of the laws of all classes.
+void describe_of_laws(io::StudyVisitor& visitor, const io::Key& key, ByWallClass<PressureLaw>& laws, double PressureLaw::*value,
+                      const io::Range& range = io::any_number()) {
+  ByWallClass<double> values{};
+  for (std::size_t c = 0; c < wall_class_count; ++c) values[c] = laws[c].*value;
+  visitor.numbers(key, values, range);
+  for (std::size_t c = 0; c < wall_class_count; ++c) laws[c].*value = values[c];
 }
 
-ValidityRange read_validity(const io::TomlTable& table) {
-  ByGap<ByWallClass<double>> lowest{};
+void describe_laws(io::StudyVisitor& visitor, ByWallClass<PressureLaw>& laws) {
+  describe_of_laws(visitor, {"slope_per_Pa", "Change of length by pressure at rest.", seven_zeros}, laws,
+                   &PressureLaw::slope_per_Pa);
+  describe_of_laws(visitor, {"pressure_softening_per_Pa", "Reciprocal of the limit pressure.", seven_zeros}, laws,
+                   &PressureLaw::pressure_softening_per_Pa);
+  describe_of_laws(visitor, {"vacuum_softening_per_Pa", "Reciprocal of the limit pressure of vacuum.", seven_zeros}, laws,
+                   &PressureLaw::vacuum_softening_per_Pa);
+  describe_of_laws(visitor, {"fading_share", "Share of the answer that fades under pressure.", seven_zeros}, laws,
+                   &PressureLaw::fading_share, io::within(0.0, 1.0));
+  describe_of_laws(visitor, {"fading_per_Pa", "Reciprocal of the pressure from which on it fades.", seven_zeros}, laws,
+                   &PressureLaw::fading_per_Pa, io::non_negative());
+}
+
+void describe_subject(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
+  visitor.text({"silicone", "Name of the silicone.", "\"Dragon Skin 10\""}, parameters.silicone);
+  visitor.text({"law", "Its law, as one line.", "\"neo-Hookean\""}, parameters.law);
+  visitor.number({"cell_edge_m", "Edge of a cell that is cast.", "0.01"}, parameters.cell_edge_m, io::positive());
+  visitor.number({"wall_thickness_m", "Thickness of its walls.", "0.002"}, parameters.wall_thickness_m, io::positive());
+  visitor.check(parameters.wall_thickness_m < 0.5 * parameters.cell_edge_m, "wall_thickness_m",
+                "must be less than half of cell_edge_m");
+  visitor.integer({"voxels_per_cell", "Voxels along the edge of a cell.", "1"}, parameters.voxels_per_cell,
+                  io::within(1, most_voxels_per_cell));
+  visitor.word({"chambers", "What is one chamber: a whole module, or each region of one phase.", "\"single\""},
+               parameters.chambers, meshes::chamber_layout_words());
+}
+
+void describe(io::StudyVisitor& visitor, ValidityRange& range) {
+  constexpr ByGap<std::array<const char*, 2>> lowest{
+      {{"lowest_pressure_gap_1_Pa", "Lowest pressure of cells between walls that face each other one cell apart."},
+       {"lowest_pressure_gap_2_Pa", "The same, two cells apart."},
+       {"lowest_pressure_gap_3_Pa", "The same, three cells apart or more."}}};
   for (std::size_t gap = 0; gap < gap_count; ++gap)
-    lowest[gap] = read_by_class(table, lowest_pressure_keys[gap], io::at_most(0.0));
-  return {.lowest_pressure_Pa = lowest,
-          .highest_pressure_Pa = read_by_class(table, "highest_pressure_Pa", io::non_negative()),
-          .lowest_joint_pressure_Pa = table.number("lowest_joint_pressure_Pa", io::at_most(0.0)),
-          .highest_joint_pressure_Pa = table.number("highest_joint_pressure_Pa", io::non_negative()),
-          .smallest_strain = table.number("smallest_strain", io::at_most(0.0)),
-          .largest_strain = table.number("largest_strain", io::non_negative()),
-          .longest_body_cells = table.integer("longest_body_cells", io::at_least(1)),
-          .longest_aggregate_modules = table.integer("longest_aggregate_modules", io::at_least(1))};
+    visitor.numbers({lowest[gap][0], lowest[gap][1], seven_vacua}, range.lowest_pressure_Pa[gap], io::at_most(0.0));
+  visitor.numbers({"highest_pressure_Pa", "Highest pressure of cells.", seven_pressures}, range.highest_pressure_Pa,
+                  io::non_negative());
+  visitor.number({"lowest_joint_pressure_Pa", "Lowest pressure of bodies with joints.", "-2e3"}, range.lowest_joint_pressure_Pa,
+                 io::at_most(0.0));
+  visitor.number({"highest_joint_pressure_Pa", "Highest pressure of bodies with joints.", "5e3"}, range.highest_joint_pressure_Pa,
+                 io::non_negative());
+  visitor.number({"smallest_strain", "Lowest strain of beams beyond their rest length.", "-0.1"}, range.smallest_strain,
+                 io::at_most(0.0));
+  visitor.number({"largest_strain", "Highest strain of beams beyond their rest length.", "0.1"}, range.largest_strain,
+                 io::non_negative());
+  visitor.integer({"longest_body_cells", "Cells along the longest side of a module.", "3"}, range.longest_body_cells,
+                  io::at_least(1));
+  visitor.integer({"longest_aggregate_modules", "Modules along the longest side of a body.", "1"},
+                  range.longest_aggregate_modules, io::at_least(1));
+}
+
+void describe_stiffness(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
+  visitor.numbers({"axial_Pa", "Modulus of beams along their axis.", seven_moduli}, parameters.axial_Pa, io::positive());
+  visitor.numbers({"bending_Pa", "Modulus of their bending.", seven_moduli}, parameters.bending_Pa, io::positive());
+  visitor.numbers({"torsion_Pa", "Modulus of their torsion.", seven_moduli}, parameters.torsion_Pa, io::positive());
+  visitor.numbers({"shear_compliance_per_Pa", "Compliance of their shear; 0: sections stay normal to the axis."},
+                  parameters.shear_compliance_per_Pa, io::non_negative());
+  visitor.number({"lateral_coupling", "How much a stretched body gets thinner.", "0"}, parameters.lateral_coupling,
+                 {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
 }
 
 /// The calibration's report may hold any table and any key. Asking for it as a text counts as having seen the table, but not as
 /// having entered it.
 void leave_unread(const io::TomlTable& top, std::string_view key) {
-  if (!top.has(key)) return;
-  try {
-    (void)top.text(key);
-  } catch (const io::InputError&) {
-    return;
-  }
-  throw top.error(key, "must be a table");
-}
-
-std::string laws_text(const std::string& name, const ByWallClass<PressureLaw>& laws, const ByWallClass<double>* peak_ratio) {
-  ByWallClass<double> slope{}, pressure{}, vacuum{}, share{}, fading{};
-  for (std::size_t c = 0; c < wall_class_count; ++c) {
-    slope[c] = laws[c].slope_per_Pa;
-    pressure[c] = laws[c].pressure_softening_per_Pa;
-    vacuum[c] = laws[c].vacuum_softening_per_Pa;
-    share[c] = laws[c].fading_share;
-    fading[c] = laws[c].fading_per_Pa;
-  }
-  TableText table(name);
-  table.numbers("slope_per_Pa", slope).numbers("pressure_softening_per_Pa", pressure).numbers("vacuum_softening_per_Pa", vacuum);
-  table.numbers("fading_share", share).numbers("fading_per_Pa", fading);
-  if (peak_ratio != nullptr) table.numbers("peak_ratio", *peak_ratio);
-  return table.text();
+  if (top.asks_for(key) && !top.is_table(key)) throw top.error(key, "must be a table");
 }
 
 }  // namespace
@@ -134,49 +135,49 @@ std::string_view to_string(meshes::ChamberLayout layout) {
   return layout == meshes::ChamberLayout::single ? "single" : "per-phase";
 }
 
-std::string surrogate_text(const SurrogateParameters& p, std::string_view prefix) {
-  const auto name = [&](std::string_view table) { return std::string(prefix).append(table); };
-  return TableText(name("holds_for"))
-             .word("silicone", p.silicone)
-             .word("law", p.law)
-             .number("cell_edge_m", p.cell_edge_m)
-             .number("wall_thickness_m", p.wall_thickness_m)
-             .add("voxels_per_cell", std::to_string(p.voxels_per_cell))
-             .word("chambers", to_string(p.chambers))
-             .text() +
-         TableText(name("validity"))
-             .numbers(lowest_pressure_keys[gaps::one_cell], p.validity.lowest_pressure_Pa[gaps::one_cell])
-             .numbers(lowest_pressure_keys[gaps::two_cells], p.validity.lowest_pressure_Pa[gaps::two_cells])
-             .numbers(lowest_pressure_keys[gaps::three_or_more_cells], p.validity.lowest_pressure_Pa[gaps::three_or_more_cells])
-             .numbers("highest_pressure_Pa", p.validity.highest_pressure_Pa)
-             .number("lowest_joint_pressure_Pa", p.validity.lowest_joint_pressure_Pa)
-             .number("highest_joint_pressure_Pa", p.validity.highest_joint_pressure_Pa)
-             .number("smallest_strain", p.validity.smallest_strain)
-             .number("largest_strain", p.validity.largest_strain)
-             .add("longest_body_cells", std::to_string(p.validity.longest_body_cells))
-             .add("longest_aggregate_modules", std::to_string(p.validity.longest_aggregate_modules))
-             .text() +
-         TableText(name("mass")).number("density_kg_m3", p.density_kg_m3).text() +
-         TableText(name("stiffness"))
-             .numbers("axial_Pa", p.axial_Pa)
-             .numbers("bending_Pa", p.bending_Pa)
-             .numbers("torsion_Pa", p.torsion_Pa)
-             .numbers("shear_compliance_per_Pa", p.shear_compliance_per_Pa)
-             .number("lateral_coupling", p.lateral_coupling)
-             .text() +
-         TableText(name("joint"))
-             .number("axial_factor", p.joint.axial)
-             .number("bending_factor", p.joint.bending)
-             .number("torsion_factor", p.joint.torsion)
-             .text() +
-         laws_text(name("extension"), p.extension, nullptr) + laws_text(name("bulge"), p.bulge, &p.bulge_peak_ratio) +
-         TableText(name("ground")).number("stiffness_N_per_m", p.ground_stiffness_N_per_m).text() +
-         TableText(name("damping")).number("bond_ratio", p.bond_damping_ratio).boolean("measured", p.damping_measured).text();
+void describe(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
+  visitor.table({"holds_for", "What the parameters were fitted on."}, [&] { describe_subject(visitor, parameters); });
+  visitor.table({"validity", "Beyond what they say nothing."}, [&] { describe(visitor, parameters.validity); });
+  visitor.table({"mass", "Of the silicone."}, [&] {
+    const io::Key density{
+        .name = "density_kg_per_m3", .help = "Density of the silicone.", .example = "1070", .earlier = "density_kg_m3"};
+    visitor.number(density, parameters.density_kg_m3, io::positive());
+  });
+  visitor.table({"stiffness", "Of beams, by wall class."}, [&] { describe_stiffness(visitor, parameters); });
+  visitor.table({"joint", "Of beams from one module or chamber to another, beside those of all others."}, [&] {
+    visitor.number({"axial_factor", "Of the stiffness along the axis.", "1"}, parameters.joint.axial, io::positive());
+    visitor.number({"bending_factor", "Of the bending stiffness.", "1"}, parameters.joint.bending, io::positive());
+    visitor.number({"torsion_factor", "Of the torsional stiffness.", "1"}, parameters.joint.torsion, io::positive());
+  });
+  visitor.table({"extension", "How the rest length of beams answers to pressure, by wall class."}, [&] {
+    describe_laws(visitor, parameters.extension);
+    if (const io::TomlTable* table = visitor.source()) check_laws(*table, parameters, parameters.extension, true);
+  });
+  visitor.table({"bulge", "How faces with a wall answer to pressure, by wall class."}, [&] {
+    describe_laws(visitor, parameters.bulge);
+    if (const io::TomlTable* table = visitor.source()) check_laws(*table, parameters, parameters.bulge, false);
+    visitor.numbers({"peak_ratio", "Largest bulge of a face by its mean.", seven_ones}, parameters.bulge_peak_ratio,
+                    io::at_least(1.0));
+  });
+  visitor.table({"ground", "Contact with the ground."}, [&] {
+    visitor.number({"stiffness_N_per_m", "Of a voxel that stands on all feet of a wall.", "500"},
+                   parameters.ground_stiffness_N_per_m, io::positive());
+  });
+  visitor.table({"damping", "Of beams."}, [&] {
+    visitor.number({"bond_ratio", "Fraction of critical damping.", "1"}, parameters.bond_damping_ratio, io::non_negative());
+    visitor.boolean({"measured", "Whether the ratio comes from a measured loss; otherwise it is assumed.", "false"},
+                    parameters.damping_measured);
+  });
 }
+
+std::string surrogate_text(const SurrogateParameters& parameters) { return io::described_text(parameters); }
 
 SurrogateParameters read_surrogate(const std::filesystem::path& file) {
   const io::TomlTable top = io::read_toml(file);
-  SurrogateParameters parameters = read_surrogate(top);
+  SurrogateParameters parameters;
+  io::StudyReader reader(top, io::StudyReader::EarlierNames::read);
+  describe(reader, parameters);
+  leave_unread(top, "fit");
   top.finish();
   // Of the report only this matters, and what else stands in it is nobody's fault: so it is read apart.
   const io::TomlTable again = io::read_toml(file);
@@ -184,34 +185,6 @@ SurrogateParameters read_surrogate(const std::filesystem::path& file) {
     const std::string status = fit->text_or("status", "completed");
     if (status != "completed") throw fit->error("status", "the calibration did not complete; its parameters are not to be used");
   }
-  return parameters;
-}
-
-SurrogateParameters read_surrogate(const io::TomlTable& top) {
-  SurrogateParameters parameters;
-  read_holds_for(top.table("holds_for"), parameters);
-  parameters.validity = read_validity(top.table("validity"));
-  parameters.density_kg_m3 = top.table("mass").number("density_kg_m3", io::positive());
-  const io::TomlTable stiffness = top.table("stiffness");
-  parameters.axial_Pa = read_by_class(stiffness, "axial_Pa", io::positive());
-  parameters.bending_Pa = read_by_class(stiffness, "bending_Pa", io::positive());
-  parameters.torsion_Pa = read_by_class(stiffness, "torsion_Pa", io::positive());
-  if (stiffness.has("shear_compliance_per_Pa"))
-    parameters.shear_compliance_per_Pa = read_by_class(stiffness, "shear_compliance_per_Pa", io::non_negative());
-  parameters.lateral_coupling = stiffness.number("lateral_coupling", {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
-  const io::TomlTable joint = top.table("joint");
-  parameters.joint = {.axial = joint.number("axial_factor", io::positive()),
-                      .bending = joint.number("bending_factor", io::positive()),
-                      .torsion = joint.number("torsion_factor", io::positive())};
-  parameters.extension = read_laws(top.table("extension"), parameters, true);
-  const io::TomlTable bulge = top.table("bulge");
-  parameters.bulge = read_laws(bulge, parameters, false);
-  parameters.bulge_peak_ratio = read_by_class(bulge, "peak_ratio", io::at_least(1.0));
-  parameters.ground_stiffness_N_per_m = top.table("ground").number("stiffness_N_per_m", io::positive());
-  const io::TomlTable damping = top.table("damping");
-  parameters.bond_damping_ratio = damping.number("bond_ratio", io::non_negative());
-  parameters.damping_measured = damping.boolean("measured");
-  leave_unread(top, "fit");
   return parameters;
 }
 

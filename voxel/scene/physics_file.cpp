@@ -5,180 +5,212 @@
 #include <string>
 #include <string_view>
 
-#include "io/text/input_error.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/range.h"
-#include "voxel/model/table_text.h"
 #include "voxel/scene/calibrated_body_file.h"
 
 namespace menger::voxel {
 namespace {
 
 /// Words of an enumeration whose to_string is the one place that knows them.
-template <class Value, std::size_t count>
-io::Words<Value> words_of(const std::array<Value, count>& values) {
-  io::Words<Value> words;
-  for (const Value value : values) words.emplace_back(to_string(value), value);
+template <class... Values>
+auto words_of(Values... values) {
+  io::Words<std::common_type_t<Values...>> words;
+  (words.emplace_back(to_string(values), values), ...);
   return words;
 }
 
-const std::array actuation_modes{ActuationMode::none, ActuationMode::in_phase, ActuationMode::antiphase, ActuationMode::wave,
-                                 ActuationMode::hold};
-const std::array damping_modes{DampingMode::increments, DampingMode::velocity};
-const std::array bond_dampings{BondDamping::explicit_step, BondDamping::semi_implicit};
-const std::array number_types{NumberType::float64, NumberType::float32};
-constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
+constexpr io::Range fraction_below_one{.lowest = 0.0, .highest = 1.0, .highest_excluded = true};
+constexpr std::string_view by_itself = "a body without [surrogate], whose parameters decide it";
 
-VoxelMaterial read_material(const io::TomlTable& table, const VoxelMaterial& defaults) {
-  return {.youngs_modulus_Pa = table.number_or("youngs_modulus_Pa", defaults.youngs_modulus_Pa, io::positive()),
-          .density_kg_m3 = table.number_or("density_kg_m3", defaults.density_kg_m3, io::positive()),
-          .static_friction = table.number_or("static_friction", defaults.static_friction, io::non_negative()),
-          .kinetic_friction = table.number_or("kinetic_friction", defaults.kinetic_friction, io::non_negative())};
+/// A key of both materials: in a study that has one value for both.
+void describe_both(io::StudyVisitor& visitor, const io::Key& key, std::array<VoxelMaterial, 2>& materials,
+                   double VoxelMaterial::*value, const io::Range& range) {
+  std::optional<double> both;
+  if (materials[0].*value == materials[1].*value) both = materials[0].*value;
+  visitor.optional_number(key, both, range);
+  if (!both) return;
+  for (VoxelMaterial& material : materials) material.*value = *both;
 }
 
-void read_materials(const io::TomlTable& table, Physics& physics) {
-  physics.lateral_coupling =
-      table.number_or("lateral_coupling", physics.lateral_coupling, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
+/// The same key of one material, where the other differs.
+void describe_own(io::StudyVisitor& visitor, const io::Key& key, VoxelMaterial& material, const VoxelMaterial& other,
+                  double VoxelMaterial::*value, const io::Range& range) {
+  std::optional<double> own;
+  if (material.*value != other.*value) own = material.*value;
+  visitor.optional_number(key, own, range);
+  material.*value = own.value_or(material.*value);
+}
+
+void describe_own(io::StudyVisitor& visitor, VoxelMaterial& material, const VoxelMaterial& other, bool is_calibrated) {
+  visitor.only_if(!is_calibrated, by_itself, [&] {
+    describe_own(visitor, {"youngs_modulus_Pa", "Stiffness of this material alone.", "2e4"}, material, other,
+                 &VoxelMaterial::youngs_modulus_Pa, io::positive());
+    const io::Key density{
+        .name = "density_kg_per_m3", .help = "Density of this material alone.", .example = "20", .earlier = "density_kg_m3"};
+    describe_own(visitor, density, material, other, &VoxelMaterial::density_kg_m3, io::positive());
+  });
+  describe_own(visitor, {"static_friction", "Friction of this material alone at rest.", "0.9"}, material, other,
+               &VoxelMaterial::static_friction, io::non_negative());
+  describe_own(visitor, {"kinetic_friction", "Friction of this material alone while it slips.", "0.4"}, material, other,
+               &VoxelMaterial::kinetic_friction, io::non_negative());
+}
+
+void describe_materials(io::StudyVisitor& visitor, Physics& physics) {
   std::array<VoxelMaterial, 2>& materials = physics.materials;
-  constexpr std::array<std::string_view, 2> names{"material_1", "material_2"};
-  for (std::size_t i = 0; i < materials.size(); ++i) {
-    materials[i] = read_material(table, materials[i]);
-    if (const auto own = table.optional_table(names[i])) materials[i] = read_material(*own, materials[i]);
+  const bool is_calibrated = physics.surrogate.has_value();
+  visitor.only_if(!is_calibrated, by_itself, [&] {
+    describe_both(visitor, {"youngs_modulus_Pa", "Stiffness of both materials.", "1e4"}, materials,
+                  &VoxelMaterial::youngs_modulus_Pa, io::positive());
+    const io::Key density{
+        .name = "density_kg_per_m3", .help = "Density of both materials.", .example = "10", .earlier = "density_kg_m3"};
+    describe_both(visitor, density, materials, &VoxelMaterial::density_kg_m3, io::positive());
+    visitor.number({"lateral_coupling", "How much a stretched body gets thinner; 0: not at all."}, physics.lateral_coupling,
+                   fraction_below_one);
+  });
+  // What the other has is that of before, so that the first does not hide a difference from the second.
+  const std::array<VoxelMaterial, 2> before = materials;
+  visitor.table({"material_1", "Where material 1 differs."},
+                [&] { describe_own(visitor, materials[0], before[1], is_calibrated); });
+  visitor.table({"material_2", "Where material 2 differs."},
+                [&] { describe_own(visitor, materials[1], before[0], is_calibrated); });
+}
+
+void describe_ground(io::StudyVisitor& visitor, Physics& physics) {
+  visitor.boolean({.name = "present", .help = "Whether there is a ground.", .earlier = "/environment.floor"}, physics.floor);
+  describe_both(visitor,
+                {.name = "static_friction",
+                 .help = "Friction of both materials at rest.",
+                 .example = "1",
+                 .earlier = "/materials.static_friction"},
+                physics.materials, &VoxelMaterial::static_friction, io::non_negative());
+  describe_both(visitor,
+                {.name = "kinetic_friction",
+                 .help = "Friction of both materials while they slip.",
+                 .example = "0.5",
+                 .earlier = "/materials.kinetic_friction"},
+                physics.materials, &VoxelMaterial::kinetic_friction, io::non_negative());
+  visitor.only_if(!physics.surrogate, "a body without [surrogate], which stands on the feet of its walls", [&] {
+    visitor.boolean({.name = "stop_rotation",
+                     .help = "Whether a voxel that sticks to the ground stops turning, too.",
+                     .earlier = "/environment.stop_rotation_in_static_friction"},
+                    physics.stop_rotation_in_static_friction);
+  });
+}
+
+/// @param brings_pressure whether the study had no pressure before
+void describe_pressure(io::StudyVisitor& visitor, std::optional<CalibratedBody>& body, bool brings_pressure) {
+  visitor.only_if(body.has_value(), "[surrogate]", [&] {
+    std::array<double, 2> pressure_Pa = body ? body->pressure_Pa : CalibratedBody{}.pressure_Pa;
+    visitor.numbers({.name = "pressure_Pa",
+                     .help = "Lowest and highest pressure of the chambers.",
+                     .example = brings_pressure ? "[0, 6e3]" : "",
+                     .earlier = "/surrogate.pressure_Pa"},
+                    pressure_Pa);
+    visitor.check(pressure_Pa[0] <= pressure_Pa[1], "pressure_Pa", "must ascend: lowest, then highest");
+    if (body) body->pressure_Pa = pressure_Pa;
+  });
+}
+
+/// @param brings_body whether a calibrated body is being read
+void describe_drive(io::StudyVisitor& visitor, Actuation& drive, bool is_calibrated, bool brings_body) {
+  using enum ActuationMode;
+  visitor.word({"mode", "Which phase a voxel is driven with."}, drive.mode, words_of(none, in_phase, antiphase, wave, hold));
+  visitor.only_if(!is_calibrated, by_itself, [&] {
+    visitor.number({"amplitude", "Of the edge of a voxel, as a fraction of it."}, drive.amplitude, fraction_below_one);
+  });
+  visitor.number({.name = "frequency_Hz", .help = "How often it is driven.", .earlier = "period_s", .was_reciprocal = true},
+                 drive.frequency_Hz, io::positive());
+  if (brings_body) drive.ramp_s = drive.period_s();
+  visitor.number({"ramp_s", "Time over which the drive grows from rest; with [surrogate] one period if it is not given."},
+                 drive.ramp_s, io::non_negative());
+  visitor.numbers({"material_phase", "Phases of the two materials in periods, of antiphase."}, drive.material_phase);
+  const io::Words<int> axes{{"x", 0}, {"y", 1}, {"z", 2}};
+  visitor.word({"wave_axis", "Axis that a wave travels along."}, drive.wave_axis, axes);
+  visitor.number({"wave_periods_per_body", "Periods of a wave along a body; negative: towards growing coordinates."},
+                 drive.wave_periods_per_body);
+  visitor.boolean({"wave_over_gaps", "Whether the last layer of a body has the whole phase of a wave."}, drive.wave_over_gaps);
+}
+
+void describe_integration(io::StudyVisitor& visitor, Integration& integration, bool is_calibrated) {
+  visitor.number({"time_step_fraction", "Of the recommended step."}, integration.time_step_fraction, io::positive());
+  visitor.word({"damping", "What the damping of beams comes from: changes of positions, or velocities."}, integration.damping,
+               words_of(DampingMode::increments, DampingMode::velocity));
+  visitor.word({"number", "Kind of number that is computed with; float32 goes with damping from velocities."}, integration.number,
+               words_of(NumberType::float64, NumberType::float32));
+  visitor.boolean({"single_precision_rest_lengths", "Whether rest lengths are rounded as the public engine rounds them."},
+                  integration.single_precision_rest_lengths);
+  visitor.only_if(!is_calibrated, by_itself, [&] {
+    visitor.word({"bond_damping", "Whether the damping of beams bounds the step, or is weakened so that it does not."},
+                 integration.bond_damping, words_of(BondDamping::explicit_step, BondDamping::semi_implicit));
+  });
+  if (const io::TomlTable* table = visitor.source()) {
+    const bool holds = integration.number != NumberType::float32 || integration.damping != DampingMode::increments;
+    visitor.check(holds, table->has("number") ? "number" : "damping",
+                  "float32 cannot carry damping from increments: use damping = \"velocity\" or number = \"float64\"");
   }
 }
 
-void read_damping(const io::TomlTable& table, DampingRatios& ratios) {
-  ratios.bond = table.number_or("bond", ratios.bond, io::non_negative());
-  ratios.collision = table.number_or("collision", ratios.collision, io::non_negative());
-  ratios.global = table.number_or("global", ratios.global, io::non_negative());
-}
-
-void read_environment(const io::TomlTable& table, Physics& physics) {
-  physics.gravity_m_s2 = table.number_or("gravity_m_s2", physics.gravity_m_s2, io::non_negative());
-  physics.floor = table.boolean_or("floor", physics.floor);
-  physics.stop_rotation_in_static_friction =
-      table.boolean_or("stop_rotation_in_static_friction", physics.stop_rotation_in_static_friction);
-}
-
-void read_actuation(const io::TomlTable& table, Actuation& actuation) {
-  actuation.mode = table.word_or("mode", actuation.mode, words_of(actuation_modes));
-  actuation.amplitude =
-      table.number_or("amplitude", actuation.amplitude, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
-  actuation.period_s = table.number_or("period_s", actuation.period_s, io::positive());
-  actuation.ramp_s = table.number_or("ramp_s", actuation.ramp_s, io::non_negative());
-  if (table.has("material_phase")) {
-    const auto phases = table.numbers("material_phase");
-    if (phases.size() != actuation.material_phase.size())
-      throw table.error("material_phase", "must be two numbers, not " + std::to_string(phases.size()));
-    actuation.material_phase = {phases[0], phases[1]};
+/// What the parameters of a calibrated body decide keeps no value of its own.
+void forget_what_parameters_decide(Physics& physics) {
+  for (VoxelMaterial& material : physics.materials) {
+    material.youngs_modulus_Pa = VoxelMaterial{}.youngs_modulus_Pa;
+    material.density_kg_m3 = VoxelMaterial{}.density_kg_m3;
   }
-  const io::Words<int> axes{{axis_names[0], 0}, {axis_names[1], 1}, {axis_names[2], 2}};
-  actuation.wave_axis = table.word_or("wave_axis", actuation.wave_axis, axes);
-  actuation.wave_periods_per_body = table.number_or("wave_periods_per_body", actuation.wave_periods_per_body);
-  actuation.wave_over_gaps = table.boolean_or("wave_over_gaps", actuation.wave_over_gaps);
-}
-
-/// The key holds either a number or a word, so a text is tried first and quietly.
-std::optional<int> read_exclusion_depth(const io::TomlTable& table, std::string_view key) {
-  std::string word;
-  try {
-    word = table.text(key);
-  } catch (const io::InputError&) {
-    return table.integer<int>(key, io::at_least(1));
-  }
-  if (word != "off") throw table.error(key, "must be an integer >= 1 or \"off\"");
-  return std::nullopt;
-}
-
-void read_integration(const io::TomlTable& table, Integration& integration) {
-  integration.time_step_fraction = table.number_or("time_step_fraction", integration.time_step_fraction, io::positive());
-  integration.damping = table.word_or("damping", integration.damping, words_of(damping_modes));
-  integration.number = table.word_or("number", integration.number, words_of(number_types));
-  integration.single_precision_rest_lengths =
-      table.boolean_or("single_precision_rest_lengths", integration.single_precision_rest_lengths);
-  integration.bond_damping = table.word_or("bond_damping", integration.bond_damping, words_of(bond_dampings));
-  if (integration.number == NumberType::float32 && integration.damping == DampingMode::increments) {
-    throw table.error(table.has("number") ? "number" : "damping",
-                      "float32 cannot carry damping from increments: use damping = \"velocity\" or number = \"float64\"");
-  }
-}
-
-std::string integration_text(const Integration& integration) {
-  TableText table("integration");
-  table.number("time_step_fraction", integration.time_step_fraction)
-      .word("damping", to_string(integration.damping))
-      .word("number", to_string(integration.number))
-      .boolean("single_precision_rest_lengths", integration.single_precision_rest_lengths);
-  if (integration.bond_damping != BondDamping::explicit_step) table.word("bond_damping", to_string(integration.bond_damping));
-  return table.text();
-}
-
-std::string material_text(std::string_view name, const VoxelMaterial& material, bool friction_only) {
-  TableText table(name);
-  if (!friction_only)
-    table.number("youngs_modulus_Pa", material.youngs_modulus_Pa).number("density_kg_m3", material.density_kg_m3);
-  return table.number("static_friction", material.static_friction).number("kinetic_friction", material.kinetic_friction).text();
-}
-
-std::string actuation_text(const Actuation& actuation, bool by_pressure) {
-  TableText table("actuation");
-  table.word("mode", to_string(actuation.mode));
-  if (!by_pressure) table.number("amplitude", actuation.amplitude);
-  table.number("period_s", actuation.period_s);
-  if (actuation.ramp_s != 0.0 || by_pressure) table.number("ramp_s", actuation.ramp_s);
-  return table.numbers("material_phase", actuation.material_phase)
-      .word("wave_axis", axis_names.at(static_cast<std::size_t>(actuation.wave_axis)))
-      .number("wave_periods_per_body", actuation.wave_periods_per_body)
-      .boolean("wave_over_gaps", actuation.wave_over_gaps)
-      .text();
+  physics.lateral_coupling = 0.0;
+  physics.damping_ratios.bond = DampingRatios{}.bond;
+  physics.actuation.amplitude = Actuation{}.amplitude;
+  physics.integration.bond_damping = BondDamping::explicit_step;
+  physics.stop_rotation_in_static_friction = false;
 }
 
 }  // namespace
 
+void describe(io::StudyVisitor& visitor, Physics& physics) {
+  const bool had_body = physics.surrogate.has_value();
+  const bool brings_body = visitor.source() != nullptr && visitor.source()->has("surrogate");
+  visitor.optional_table({"surrogate", "Hollow cells driven by pressure in place of solid voxels driven by their size."},
+                         physics.surrogate, [&](CalibratedBody& body) { describe(visitor, body); });
+  const bool is_calibrated = physics.surrogate.has_value();
+  if (is_calibrated && visitor.source() != nullptr) forget_what_parameters_decide(physics);
+  visitor.table({"loads", "What acts on all bodies."}, [&] {
+    visitor.number({.name = "gravity_m_per_s2", .help = "Downwards.", .earlier = "/environment.gravity_m_s2"},
+                   physics.gravity_m_s2, io::non_negative());
+  });
+  visitor.table({"ground", "A plane below the lowest voxels."}, [&] { describe_ground(visitor, physics); });
+  visitor.table({"materials", "Of voxels."}, [&] { describe_materials(visitor, physics); });
+  visitor.table({"damping", "Fractions of critical damping."}, [&] {
+    visitor.only_if(!is_calibrated, by_itself, [&] {
+      visitor.number({"bond", "Of beams."}, physics.damping_ratios.bond, io::non_negative());
+    });
+    visitor.number({"collision", "Of contacts with the ground and between voxels."}, physics.damping_ratios.collision,
+                   io::non_negative());
+    visitor.number({"global", "Of every voxel against the resting world."}, physics.damping_ratios.global, io::non_negative());
+  });
+  visitor.table({.name = "drive", .help = "What moves a body.", .earlier = "/actuation"}, [&] {
+    describe_drive(visitor, physics.actuation, is_calibrated, brings_body);
+    describe_pressure(visitor, physics.surrogate, brings_body || !had_body);
+  });
+  visitor.table({"collisions", "Between voxels."}, [&] {
+    visitor.integer_or_word({"exclusion_depth", "Voxels that are so many beams apart or fewer never collide."},
+                            physics.collisions.exclusion_depth, "off", io::at_least(1));
+  });
+  visitor.table({"integration", "How time goes on."}, [&] { describe_integration(visitor, physics.integration, is_calibrated); });
+  visitor.table({"limits", "Beyond them a run has diverged."}, [&] {
+    visitor.number({"speed_fraction", "Speed, as a fraction of the fastest wave."}, physics.limits.speed_fraction,
+                   io::positive());
+    visitor.number({"strain", "Axial strain of beams."}, physics.limits.strain, io::positive());
+  });
+}
+
 Physics read_physics(const io::TomlTable& table, const Physics& defaults) {
   Physics physics = defaults;
-  if (const auto materials = table.optional_table("materials")) read_materials(*materials, physics);
-  if (const auto damping = table.optional_table("damping")) read_damping(*damping, physics.damping_ratios);
-  if (const auto environment = table.optional_table("environment")) read_environment(*environment, physics);
-  if (const auto actuation = table.optional_table("actuation")) read_actuation(*actuation, physics.actuation);
-  if (const auto collisions = table.optional_table("collisions"); collisions && collisions->has("exclusion_depth")) {
-    physics.collisions.exclusion_depth = read_exclusion_depth(*collisions, "exclusion_depth");
-  }
-  if (const auto integration = table.optional_table("integration")) read_integration(*integration, physics.integration);
-  if (const auto limits = table.optional_table("limits")) {
-    physics.limits.speed_fraction = limits->number_or("speed_fraction", physics.limits.speed_fraction, io::positive());
-    physics.limits.strain = limits->number_or("strain", physics.limits.strain, io::positive());
-  }
-  read_calibrated_body(table, physics);
-  if (physics.surrogate && physics.integration.bond_damping != BondDamping::explicit_step) {
-    const auto integration = table.optional_table("integration");
-    const char* reason = "must be \"explicit\": the damping of a [surrogate] is part of its parameters";
-    throw integration ? integration->error("bond_damping", reason) : table.error("integration.bond_damping", reason);
-  }
+  io::StudyReader reader(table);
+  describe(reader, physics);
   return physics;
 }
 
-std::string physics_text(const Physics& physics) {
-  const auto& depth = physics.collisions.exclusion_depth;
-  const bool calibrated = physics.surrogate.has_value();
-  TableText damping("damping");
-  if (!calibrated) damping.number("bond", physics.damping_ratios.bond);
-  damping.number("collision", physics.damping_ratios.collision).number("global", physics.damping_ratios.global);
-  TableText environment("environment");
-  environment.number("gravity_m_s2", physics.gravity_m_s2).boolean("floor", physics.floor);
-  if (!calibrated) environment.boolean("stop_rotation_in_static_friction", physics.stop_rotation_in_static_friction);
-  std::string coupling;
-  if (physics.lateral_coupling != 0.0)
-    coupling = TableText("materials").number("lateral_coupling", physics.lateral_coupling).text();
-  return coupling + material_text("materials.material_1", physics.materials[0], calibrated) +
-         material_text("materials.material_2", physics.materials[1], calibrated) + damping.text() + environment.text() +
-         actuation_text(physics.actuation, calibrated) +
-         TableText("collisions").add("exclusion_depth", depth ? std::to_string(*depth) : io::toml_quoted("off")).text() +
-         integration_text(physics.integration) +
-         TableText("limits")
-             .number("speed_fraction", physics.limits.speed_fraction)
-             .number("strain", physics.limits.strain)
-             .text() +
-         (calibrated ? calibrated_body_text(*physics.surrogate) : std::string());
-}
+std::string physics_text(const Physics& physics) { return io::described_text(physics); }
 
 }  // namespace menger::voxel

@@ -5,10 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "io/text/number_text.h"
-#include "io/text/toml_document.h"
-#include "voxel/scene/physics_file.h"
-
 namespace menger::voxel {
 namespace {
 
@@ -23,8 +19,6 @@ double power(double base, int exponent) {
   for (int i = 0; i < exponent && result < largest_size; ++i) result *= base;
   return result;
 }
-
-const char* toml_boolean(bool value) { return value ? "true" : "false"; }
 
 }  // namespace
 
@@ -48,17 +42,6 @@ int voxels_per_cell(const Physics& physics) { return physics.surrogate ? physics
 
 std::size_t machine_memory_bytes() {
   return saturated(static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)));
-}
-
-std::string scene_text(const Scene& scene) {
-  const meshes::Polycube& body = scene.design.body;
-  return "level = " + std::to_string(scene.level) + "\nduration_s = " + io::number_text(scene.duration_s) +
-         "\nrecord_interval_s = " + io::number_text(scene.record_interval_s) +
-         "\nenergy_ledger = " + toml_boolean(scene.energy_ledger) + "\n[design]\nname = " + io::toml_quoted(scene.design.name) +
-         "\ncell_edge_m = " + io::number_text(scene.design.cell_edge_m) + "\ncells = [" + std::to_string(body.nx()) + ", " +
-         std::to_string(body.ny()) + ", " + std::to_string(body.nz()) + "]\ndigits = " + io::toml_quoted(body.digits()) +
-         "\n[output]\nframes = " + toml_boolean(scene.output.frames) + "\npictures = " + toml_boolean(scene.output.pictures) +
-         "\nrecords_per_frame = " + std::to_string(scene.output.records_per_frame) + "\n" + physics_text(scene.physics);
 }
 
 }  // namespace menger::voxel

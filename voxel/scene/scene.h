@@ -52,7 +52,4 @@ int voxels_per_cell(const Physics& physics);
 /// Memory of this machine in bytes.
 std::size_t machine_memory_bytes();
 
-/// The whole scene as the TOML that read_scene reads, with the design inline and every default spelled out.
-std::string scene_text(const Scene& scene);
-
 }  // namespace menger::voxel

@@ -1,9 +1,10 @@
 #include "voxel/scene/scene_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/range.h"
@@ -16,37 +17,49 @@
 namespace menger::voxel {
 namespace {
 
-meshes::Design read_inline_design(const io::TomlTable& table) {
-  meshes::Design design = meshes::read_drawn_design(table);
-  design.cell_edge_m = table.number("cell_edge_m", io::positive());
-  if (design.body.count() == 0) throw table.error("digits", "the body is empty");
-  return design;
+/// @param design_file that was named, for a reader
+void describe_body(io::StudyVisitor& visitor, Scene& scene, std::optional<std::filesystem::path>& design_file) {
+  if (const io::TomlTable* table = visitor.source(); table != nullptr && table->is_text("design"))
+    throw table->error("design", "is called design.file now");
+  visitor.table({"design", "The body."}, [&] {
+    meshes::describe_design(visitor, scene.design, design_file);
+    visitor.integer({.name = "level",
+                     .help = "Level of the fractal: 1 is the design itself, in 2 each cell is a copy of it.",
+                     .earlier = "/level"},
+                    scene.level, io::within(1, largest_level));
+  });
 }
 
-/// The table of an inline design; none if the key holds a text, which names a file.
-std::optional<io::TomlTable> inline_design(const io::TomlTable& table) {
-  try {
-    return table.optional_table("design");
-  } catch (const io::InputError&) {
-    return std::nullopt;
+void describe_time(io::StudyVisitor& visitor, Scene& scene) {
+  visitor.number({.name = "duration_s", .help = "Time that is simulated.", .earlier = "/duration_s"}, scene.duration_s,
+                 io::positive());
+  scene.record_interval_s = std::min(scene.record_interval_s, scene.duration_s);
+  visitor.number({.name = "record_interval_s",
+                  .help = "Between records, at most the duration: one at the first step at or after each multiple.",
+                  .earlier = "/record_interval_s"},
+                 scene.record_interval_s, io::positive());
+  visitor.check(scene.record_interval_s <= scene.duration_s, "record_interval_s", "must be at most duration_s");
+  if (const io::TomlTable* table = visitor.source()) {
+    visitor.check(scene.duration_s / scene.record_interval_s <= largest_record_count,
+                  table->has("record_interval_s") ? "record_interval_s" : "duration_s", "makes more than a million records");
   }
 }
 
-std::filesystem::path design_file(const io::TomlTable& table) {
-  try {
-    return table.path("design");
-  } catch (const io::InputError&) {
-    throw table.error("design", "must be the name of a design file or a table [design]");
-  }
+void describe_output(io::StudyVisitor& visitor, Scene& scene) {
+  visitor.boolean({"frames", "Whether the body is written for ParaView."}, scene.output.frames);
+  visitor.boolean({"pictures", "Whether pictures are made."}, scene.output.pictures);
+  visitor.integer({"records_per_frame", "Every so many records one is a frame."}, scene.output.records_per_frame,
+                  io::at_least(1));
 }
 
-void read_scene_design(const io::TomlTable& table, LoadedScene& loaded) {
-  if (const auto design = inline_design(table)) {
-    loaded.scene.design = read_inline_design(*design);
-    return;
-  }
-  loaded.files.push_back(design_file(table));
-  loaded.scene.design = meshes::read_design(loaded.files.back());
+void describe_scene(io::StudyVisitor& visitor, Scene& scene, std::optional<std::filesystem::path>& design_file) {
+  describe_body(visitor, scene, design_file);
+  visitor.table({"time", "How long, and what is recorded."}, [&] { describe_time(visitor, scene); });
+  visitor.table({"output", "What is written beside the trajectory."}, [&] { describe_output(visitor, scene); });
+  visitor.boolean({"energy_ledger", "Whether the energy balance is kept (slow)."}, scene.energy_ledger);
+  describe(visitor, scene.physics);
+  visitor.check(!scene.energy_ledger || scene.physics.integration.number != NumberType::float32, "energy_ledger",
+                "needs number = \"float64\"");
 }
 
 /// The level and what messages call it.
@@ -55,23 +68,15 @@ struct GivenLevel {
   std::string name;
 };
 
-GivenLevel read_level(const io::TomlTable& table, int fallback, std::optional<int> option) {
+GivenLevel given_level(int in_file, std::optional<int> option) {
+  if (!option) return {in_file, "design.level = " + std::to_string(in_file)};
   const io::Range range = io::within(1, largest_level);
-  const int in_file = table.integer_or("level", fallback, range);
-  if (!option) return {in_file, "level = " + std::to_string(in_file)};
   const std::string name = "--level " + std::to_string(*option);
   if (!range.contains(*option)) throw io::InputError(name + ": " + range.demand());
   return {*option, name};
 }
 
 std::string gibibytes(std::size_t bytes) { return io::formatted("%.3g GiB", static_cast<double>(bytes) / 1073741824.0); }
-
-SceneOutput read_output(const io::TomlTable& table) {
-  const SceneOutput defaults;
-  return {.frames = table.boolean_or("frames", defaults.frames),
-          .pictures = table.boolean_or("pictures", defaults.pictures),
-          .records_per_frame = table.integer_or("records_per_frame", defaults.records_per_frame, io::at_least(1))};
-}
 
 /// What keeps a calibrated body from being this design, or an empty text.
 std::string unusable_calibration(const Scene& scene) {
@@ -89,27 +94,25 @@ std::string unusable_calibration(const Scene& scene) {
 
 }  // namespace
 
+void describe(io::StudyVisitor& visitor, Scene& scene) {
+  std::optional<std::filesystem::path> design_file;
+  describe_scene(visitor, scene, design_file);
+}
+
+std::string scene_text(const Scene& scene) { return io::described_text(scene); }
+
 LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> level, std::size_t memory_bytes) {
   const io::TomlTable table = io::read_toml(file);
   LoadedScene loaded{.scene = {}, .files = {file}};
   Scene& scene = loaded.scene;
-  read_scene_design(table, loaded);
-  const GivenLevel given = read_level(table, scene.level, level);
-  scene.level = given.level;
-  scene.physics = read_physics(table);
-  if (const auto parameters = parameters_file(table)) loaded.files.push_back(*parameters);
-  scene.duration_s = table.number_or("duration_s", scene.duration_s, io::positive());
-  scene.record_interval_s = table.number_or("record_interval_s", std::min(scene.record_interval_s, scene.duration_s),
-                                            {.lowest = 0.0, .highest = scene.duration_s, .lowest_excluded = true});
-  if (scene.duration_s / scene.record_interval_s > largest_record_count) {
-    throw table.error(table.has("record_interval_s") ? "record_interval_s" : "duration_s", "makes more than a million records");
-  }
-  scene.energy_ledger = table.boolean_or("energy_ledger", scene.energy_ledger);
-  if (scene.energy_ledger && scene.physics.integration.number == NumberType::float32) {
-    throw table.error("energy_ledger", "needs number = \"float64\"");
-  }
-  if (const auto output = table.optional_table("output")) scene.output = read_output(*output);
+  std::optional<std::filesystem::path> design_file;
+  io::StudyReader reader(table);
+  describe_scene(reader, scene, design_file);
   table.finish();
+  if (design_file) loaded.files.push_back(*design_file);
+  if (const auto parameters = parameters_file(table)) loaded.files.push_back(*parameters);
+  const GivenLevel given = given_level(scene.level, level);
+  scene.level = given.level;
 
   if (scene.physics.surrogate) {
     scene.physics.surrogate->level = scene.level;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "io/study/study_visitor.h"
 #include "voxel/scene/scene.h"
 
 namespace menger::voxel {
@@ -16,11 +17,13 @@ struct LoadedScene {
       files;  ///< that were read: the scene's, then those of the design and of calibrated parameters if it names them
 };
 
+/// The keys of a scene; menger simulate --keys lists them. Only the design must be given.
+void describe(io::StudyVisitor& visitor, Scene& scene);
+
+/// The whole scene as the TOML that read_scene reads, with the design inline and every default spelled out.
+std::string scene_text(const Scene& scene);
+
 /// Reads a scene from TOML.
-///
-/// `design = "file"` (relative to the scene file) or a table `[design]` with name, cell_edge_m, cells (three integers) and digits
-/// (0, 1, 2 of all cells, x fastest, then y, then z); level, duration_s, record_interval_s, energy_ledger; `[output]` frames,
-/// pictures, records_per_frame; and the tables of read_physics. Only the design must be given.
 ///
 /// @param level of the option --level, by which messages call it; takes the place of the file's, which must be right all the same
 /// @param memory_bytes a scene that would need more is refused, before anything is built

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "io/text/number_text.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/fractal.h"
 #include "meshes/load_cases/observables.h"
-#include "voxel/model/table_text.h"
 #include "voxel/simulate/simulation_run.h"
 
 namespace menger::voxel {
@@ -86,23 +86,21 @@ io::CsvTable step_check_table(const StepCheck& check, const Trajectory& whole) {
 }
 
 std::string step_check_text(const StepCheck& check, double body_length_m) {
-  TableText table("check_dt");
-  table.word("status", io::to_string(check.status));
-  if (!check.reason.empty()) table.word("reason", check.reason);
-  table.number("time_step_s", check.time_step_s).add("steps", std::to_string(check.steps));
+  io::TomlText text;
+  text.table("check_dt").add("status", io::to_string(check.status));
+  if (!check.reason.empty()) text.add("reason", check.reason);
+  text.add("time_step_s", check.time_step_s).add("steps", check.steps);
   if (check.displacement_m) {
     const double moved_m = meshes::horizontal_displacement(*check.displacement_m);
-    table.numbers("displacement_m", *check.displacement_m)
-        .number("horizontal_displacement_m", moved_m)
-        .number("horizontal_displacement_body_lengths", moved_m / body_length_m);
+    text.add("displacement_m", *check.displacement_m).add("horizontal_displacement_m", moved_m);
+    text.add("horizontal_displacement_body_lengths", moved_m / body_length_m);
   }
   if (check.horizontal_change_m) {
-    table.number("horizontal_change_m", *check.horizontal_change_m)
-        .number("horizontal_change_body_lengths", *check.horizontal_change_m / body_length_m);
+    text.add("horizontal_change_m", *check.horizontal_change_m);
+    text.add("horizontal_change_body_lengths", *check.horizontal_change_m / body_length_m);
   }
-  return table.number("largest_distance_m", check.largest_distance_m)
-      .number("largest_distance_time_s", check.largest_distance_time_s)
-      .text();
+  text.add("largest_distance_m", check.largest_distance_m).add("largest_distance_time_s", check.largest_distance_time_s);
+  return text.text();
 }
 
 void add_step_check(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options, SceneResult& result) {

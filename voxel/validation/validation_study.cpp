@@ -6,6 +6,7 @@
 #include <set>
 #include <system_error>
 
+#include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
@@ -76,29 +77,42 @@ void check_is_held_out(const HeldOutCurve& held_out, const FitRecord& record, co
   refuse_if_known(held_out.file, "case", meshes::subject_of(held_out.curve.provenance.load_case), record.subjects);
 }
 
+void describe_curves(io::StudyVisitor& visitor, ValidationStudy& study) {
+  const bool is_needed = study.curves.empty() && !study.load_cases;
+  visitor.paths({.name = "curves",
+                 .help = "Files of response curves and folders of them; those of load_cases are made in the first folder.",
+                 .example = is_needed ? "[\"curves\"]" : "",
+                 .may_be_elsewhere = true},
+                study.curves);
+  visitor.check(!study.curves.empty() || study.load_cases, "curves", "must name at least one folder or file of response curves");
+}
+
 }  // namespace
 
+void describe(io::StudyVisitor& visitor, ValidationStudy& study) {
+  const char* parameters = study.parameters.empty() ? "\"parameters.toml\"" : "";
+  visitor.path({.name = "parameters",
+                .help = "Voxel parameters, a file that menger calibrate wrote.",
+                .example = parameters,
+                .may_be_elsewhere = true},
+               study.parameters);
+  visitor.optional_path({"load_cases", "Load cases whose curves are made first.", "\"load_cases.toml\""}, study.load_cases);
+  describe_curves(visitor, study);
+  visitor.number({"aim", "Of the median errors in displacement and volume, as fractions."}, study.aim, io::positive());
+  visitor.number({"actuation_pressure_Pa", "Pressure at which the change of outer volume is stated."},
+                 study.actuation_pressure_Pa, io::positive());
+  visitor.number({"actuation_amplitude", "Of the edges of solid voxels whose volume is stated beside it."},
+                 study.actuation_amplitude, io::between(0.0, 1.0));
+}
+
 ValidationStudy read_validation_study(const fs::path& file, const ValidationPlaces& instead) {
-  const io::TomlTable top = io::read_toml(file);
-  ValidationStudy study{.file = file, .parameters = {}, .curves = {}};
-  if (top.has("parameters") || !instead.parameters) study.parameters = top.path("parameters");
+  ValidationStudy study{.file = file, .parameters = instead.parameters.value_or(fs::path()), .curves = instead.curves};
+  io::read_described(io::read_toml(file), study);
   if (instead.parameters) study.parameters = *instead.parameters;
-  study.load_cases = top.optional_path("load_cases");
-  if (top.has("curves") || (!study.load_cases && instead.curves.empty())) {
-    for (const std::string& name : top.texts("curves")) {
-      // a relative name counts from the folder of the study, as with TomlTable::path; an absolute one replaces it
-      study.curves.push_back(file.parent_path() / name);
-    }
-    if (study.curves.empty()) throw top.error("curves", "must name at least one folder or file of response curves");
-  }
   if (!instead.curves.empty()) {
     study.curves = instead.curves;
     study.load_cases.reset();  // nothing is computed into folders of the user's
   }
-  study.aim = top.number_or("aim", study.aim, io::positive());
-  study.actuation_pressure_Pa = top.number_or("actuation_pressure_Pa", study.actuation_pressure_Pa, io::positive());
-  study.actuation_amplitude = top.number_or("actuation_amplitude", study.actuation_amplitude, io::between(0.0, 1.0));
-  top.finish();
   return study;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/study/study_visitor.h"
 #include "meshes/load_cases/response_curve.h"
 #include "voxel/model/surrogate_parameters.h"
 
@@ -13,9 +14,9 @@ namespace menger::voxel {
 
 /// Which parameters are to be compared with which response curves.
 struct ValidationStudy {
-  std::filesystem::path file;
-  std::filesystem::path parameters;                   ///< voxel parameters (TOML)
-  std::vector<std::filesystem::path> curves;          ///< provenance files of curves, and folders of them
+  std::filesystem::path file{};
+  std::filesystem::path parameters{};                 ///< voxel parameters (TOML)
+  std::vector<std::filesystem::path> curves{};        ///< provenance files of curves, and folders of them
   std::optional<std::filesystem::path> load_cases{};  ///< set of load cases whose curves are made first
   double aim = 0.10;                                  ///< of the median errors in displacement and volume
   double actuation_pressure_Pa = 6000.0;              ///< at which the change of outer volume is stated, see volume_actuation.h
@@ -28,9 +29,10 @@ struct ValidationPlaces {
   std::vector<std::filesystem::path> curves{};
 };
 
-/// Reads a study: `parameters`, `curves` (may be left out if load_cases is given), and if wanted `load_cases`, `aim`,
-/// `actuation_pressure_Pa` and `actuation_amplitude`. @param instead what it names may be missing in the file
-/// @throws io::InputError with file, key and value
+/// The keys of a study; menger validate --keys lists them. What a study has before need not be given.
+void describe(io::StudyVisitor& visitor, ValidationStudy& study);
+
+/// Reads a study. @param instead what it names may be missing in the file @throws io::InputError with file, key and value
 ValidationStudy read_validation_study(const std::filesystem::path& file, const ValidationPlaces& instead = {});
 
 /// Where the curves of the study's load cases are made: the first folder among its curves, or `fallback`, which is then added to

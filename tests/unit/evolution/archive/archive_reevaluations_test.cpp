@@ -7,6 +7,7 @@
 #include "evolution/genome/offspring.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
+#include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::evolution {
@@ -108,19 +109,45 @@ TEST_F(ArchiveReevaluations, AnOldArchiveIsReadAsItIsAndExtendedWhenItIsWritten)
   EXPECT_EQ(io::read_whole(file_), before);
   EXPECT_EQ(version(), 2);
   RunArchive::open_to_extend(file_).add_reevaluations(std::vector{completed_run("a", "protocol")});
-  EXPECT_EQ(version(), RunArchive::schema_version);
+  EXPECT_EQ(version(), 3) << "its study still has keys of earlier names";
   EXPECT_EQ(RunArchive::open_to_read(file_).reevaluations().size(), 1U);
   EXPECT_EQ(RunArchive::open_to_read(file_).study(), study);
 }
 
-TEST_F(ArchiveReevaluations, ASearchGoesOnWithAnOldArchive) {
+TEST_F(ArchiveReevaluations, NoSearchGoesOnWithAnArchiveFromBeforeKeysHadTheirNames) {
   make_old();
+  for (const int old : {2, 3}) {
+    if (old == 3) RunArchive::open_to_extend(file_).add_reevaluations({});
+    ASSERT_EQ(version(), old);
+    const std::string message = tests::message_of([&] { (void)open(); });
+    EXPECT_NE(message.find("schema version " + std::to_string(old) + ", from before the keys of studies had their present names"),
+              std::string::npos)
+        << message;
+    EXPECT_EQ(version(), old) << "it is left as it is";
+  }
+}
+
+TEST_F(ArchiveReevaluations, ResultsOfAnEarlierVersionAreFoundWhateverTheTextOfTheirPhysicsWas) {
+  ArchivedEvaluation known;
+  known.result.status = io::RunStatus::completed;
+  known.result.displacement_m = {1.0, 2.0, 3.0};
+  known.result.left_out_m = {0.5, 0.0, 0.0};
+  ArchivedEvaluation halved = known;
+  halved.result.left_out_m.reset();
+  halved.result.steps = 7;
   {
     RunArchive archive = open();
-    archive.add_generation({0, 0, 0, 0, 0.0, "a", "b"}, {}, {});
+    archive.add_evaluation({"a", 1, "text of then"}, known);
+    archive.add_step_check({"a", 1, "half of then"}, halved);
+    EXPECT_FALSE(archive.evaluation({"a", 1, "text of now"}));
   }
-  EXPECT_EQ(version(), RunArchive::schema_version);
-  EXPECT_EQ(RunArchive::open_to_read(file_).last_generation(), 0);
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 3");
+  const RunArchive archive = RunArchive::open_to_read(file_);
+  ASSERT_TRUE(archive.evaluation({"a", 1, "text of now"}));
+  EXPECT_EQ(archive.evaluation({"a", 1, "text of now"})->result.displacement_m, known.result.displacement_m);
+  EXPECT_EQ(archive.evaluation({"a", 1, "text of now"})->result.left_out_m, known.result.left_out_m);
+  EXPECT_EQ(archive.step_check({"a", 1, "text of now"})->result.steps, 7U);
+  EXPECT_FALSE(archive.evaluation({"b", 1, "text of now"}));
 }
 
 TEST_F(ArchiveReevaluations, AreAddedWholeOrNotAtAll) {

@@ -62,10 +62,12 @@ class ReevaluationRun : public testing::Test {
     fs::permissions(file, fs::perms::owner_all);
   }
 
-  [[nodiscard]] ReevaluationResult run(std::size_t top, std::size_t sample = 0, const std::string& more = "") const {
+  /// @param top_keys of the study @param more keys of [time] or tables
+  [[nodiscard]] ReevaluationResult run(std::size_t top, std::size_t sample = 0, const std::string& more = "",
+                                       const std::string& top_keys = "") const {
     // the surrogate needs few steps to be wrong in another way than the script
-    io::write_whole(folder_ / "study.toml",
-                    "duration_s = 0.1\nrecord_interval_s = 0.02\nleast_body_lengths = " + least_ + "\n" + more);
+    io::write_whole(folder_ / "study.toml", "least_body_lengths = " + least_ + "\n" + top_keys +
+                                                "[time]\nduration_s = 0.1\nrecord_interval_s = 0.02\n" + more);
     RunArchive archive = RunArchive::open_to_read(archive_);
     const ReevaluationStudy study =
         read_reevaluation_study({.archive = archive_, .file = folder_ / "study.toml", .top = top, .sample = sample}, archive);
@@ -295,7 +297,7 @@ TEST_F(ReevaluationRun, ALimitedRunDoesNotReplaceWhatIsKnown) {
   (void)run(1);
   fs::remove_all(folder_ / "out");
   add_program("exec sleep 60\n");
-  EXPECT_EQ(run(1, 0, "time_limit_s = 0.2\n").status, io::RunStatus::not_converged);
+  EXPECT_EQ(run(1, 0, "", "time_limit_s = 0.2\n").status, io::RunStatus::not_converged);
   const std::vector<Reevaluation> rows = RunArchive::open_to_read(archive_).reevaluations();
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_TRUE(rows[0].result.displacement_m) << "of the first call";
@@ -352,12 +354,12 @@ TEST_F(ReevaluationRun, StopsAndGoesOn) {
 
 TEST_F(ReevaluationRun, ARunWhoseTimeIsUpGoesOnUnderALargerLimit) {
   add_program(fake_locomote("if [ ! -f began ]; then touch began; exec sleep 60; fi"));
-  const ReevaluationResult limited = run(1, 0, "time_limit_s = 0.2\n");
+  const ReevaluationResult limited = run(1, 0, "", "time_limit_s = 0.2\n");
   EXPECT_EQ(limited.status, io::RunStatus::not_converged);
   EXPECT_EQ(table("reevaluation.csv").text(0, "elements_status"), "stopped");
   EXPECT_EQ(table("reevaluation.csv").text(0, "elements_reason"), "time limit of 0.2 s");
-  EXPECT_EQ(run(1, 0, "time_limit_s = 0.2\n").repeated, 0U);
-  EXPECT_EQ(run(1, 0, "time_limit_s = 60\n").status, io::RunStatus::completed);
+  EXPECT_EQ(run(1, 0, "", "time_limit_s = 0.2\n").repeated, 0U);
+  EXPECT_EQ(run(1, 0, "", "time_limit_s = 60\n").status, io::RunStatus::completed);
   EXPECT_EQ(calls(), 2U);
 }
 

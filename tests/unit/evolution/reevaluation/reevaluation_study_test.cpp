@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 
 #include "evolution/reevaluation/reevaluation_judge.h"
@@ -9,8 +10,12 @@
 #include "evolution/reference/reevaluation_runner.h"
 #include "evolution/reference/reevaluation_surrogate.h"
 #include "evolution/study/voxel_evaluator.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_template.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
+#include "tests/support/described_study.h"
+#include "tests/support/earlier_archive.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/judged_archive.h"
 #include "tests/support/test_folder.h"
@@ -55,8 +60,8 @@ TEST_F(ReevaluationStudyTest, WithoutKeysItJudgesAsTheSearchDid) {
 
 TEST_F(ReevaluationStudyTest, ReadsEveryKeyAndItsTextIsReadBackTheSame) {
   const ReevaluationStudy study = read(
-      "level = 1\nduration_s = 0.6\nrecord_interval_s = 0.01\nframe_interval_s = 0.05\nsilicone = \"dragon_skin_10\"\n"
-      "sample_seed = 9\nleast_body_lengths = 0.01\ntime_limit_s = 60\n"
+      "level = 1\nsilicone = \"dragon_skin_10\"\nsample_seed = 9\nleast_body_lengths = 0.01\ntime_limit_s = 60\n"
+      "[time]\nduration_s = 0.6\nrecord_interval_s = 0.01\nframe_interval_s = 0.05\n"
       "[elements]\nelements_through_wall = 2\nbulk_modulus_ratio = 100\nstep_safety = 0.8\nyoungs_modulus_Pa = 2e5\n"
       "damping_model = \"maxwell\"\nthreads = 2\n"
       "[ground]\nstatic_friction = 0.7\nkinetic_friction = 0.6\n"
@@ -77,6 +82,33 @@ TEST_F(ReevaluationStudyTest, ReadsEveryKeyAndItsTextIsReadBackTheSame) {
   EXPECT_EQ(resolved_text(read(without_request)), text);
 }
 
+TEST_F(ReevaluationStudyTest, KeysOfEarlierVersionsAreToldTheirNewNames) {
+  for (const std::string key : {"duration_s", "measure_from_s", "record_interval_s", "frame_interval_s"})
+    EXPECT_NE(refusal(key + " = 1\n").find(key + " = 1: is called time." + key + " now"), std::string::npos) << key;
+}
+
+/// A study of a search, as it is where a file says nothing.
+struct StudyOfSearch : ReevaluationStudy {
+  StudyOfSearch() : ReevaluationStudy(read_reevaluation_study({.archive = "run.sqlite", .file = {}}, tests::silicone_study())) {}
+};
+
+TEST_F(ReevaluationStudyTest, ItsTemplateAndItsTextsAreReadBack) {
+  const auto parse = [](const std::string& text) {
+    StudyOfSearch study;
+    io::read_described(io::parse_toml(text, "study.toml"), study);
+    return study;
+  };
+  tests::expect_template_is_read<StudyOfSearch>(parse);
+  tests::expect_texts_are_read_back<StudyOfSearch>(parse, 5);
+}
+
+TEST_F(ReevaluationStudyTest, ATemplateWithoutASearchJudgesAsTheSearchDid) {
+  io::StudyTemplateWriter writer;
+  ReevaluationStudy nothing;
+  describe(writer, nothing);
+  EXPECT_EQ(resolved_text(read(writer.text())), resolved_text(read("")));
+}
+
 TEST_F(ReevaluationStudyTest, VariantsDifferFromTheJudgeInOneThing) {
   const ReevaluationStudy study = read("[judge]\n");
   const std::vector<JudgeVariant> variants = judge_variants(study);
@@ -94,18 +126,18 @@ TEST_F(ReevaluationStudyTest, VariantsDifferFromTheJudgeInOneThing) {
 }
 
 TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheSearch) {
-  const ReevaluationStudy study = read("duration_s = 0.6\nrecord_interval_s = 0.01\n[ground]\nkinetic_friction = 0.25\n");
+  const ReevaluationStudy study = read("[time]\nduration_s = 0.6\nrecord_interval_s = 0.01\n[ground]\nkinetic_friction = 0.25\n");
   const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, bar);
   const LocomotionJob job = locomotion_job(study, study.elements, body, "winner", true);
   const io::TomlTable table = io::parse_toml(job.study, "study.toml");
   EXPECT_EQ(table.table("design").number("wall_thickness_m"), 0.002);
   EXPECT_EQ(table.table("design").text("chambers"), "single");
   EXPECT_EQ(table.table("material").text("damping_model"), "kelvin_voigt");
-  EXPECT_EQ(table.table("ground").number("static_coefficient"), 1.0);
-  EXPECT_EQ(table.table("ground").number("kinetic_coefficient"), 0.25);
+  EXPECT_EQ(table.table("ground").number("static_friction"), 1.0);
+  EXPECT_EQ(table.table("ground").number("kinetic_friction"), 0.25);
   EXPECT_EQ(table.table("drive").numbers("pressure_Pa"), (std::vector<double>{0.0, 6000.0}));
   EXPECT_EQ(table.table("drive").text("mode"), "in_phase");
-  EXPECT_EQ(table.table("drive").number("period_s"), study.search.physics.actuation.period_s);
+  EXPECT_EQ(table.table("drive").number("frequency_Hz"), study.search.physics.actuation.frequency_Hz);
   EXPECT_EQ(table.table("drive").number("ramp_s"), study.search.physics.actuation.ramp_s);
   EXPECT_EQ(table.table("loads").number("gravity_m_per_s2"), 9.81);
   EXPECT_EQ(table.table("time").number("duration_s"), 0.6);
@@ -124,7 +156,7 @@ TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheS
 }
 
 TEST_F(ReevaluationStudyTest, TheSurrogateMovesAsInTheSearch) {
-  const ReevaluationStudy study = read("duration_s = 0.05\nrecord_interval_s = 0.01\nframe_interval_s = 0.02\n");
+  const ReevaluationStudy study = read("[time]\nduration_s = 0.05\nrecord_interval_s = 0.01\nframe_interval_s = 0.02\n");
   const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, bar);
   const SurrogateWalk walk = surrogate_walk(study, body, true, nullptr);
   EXPECT_EQ(walk.result.status, io::RunStatus::completed) << walk.result.reason;
@@ -151,15 +183,18 @@ TEST_F(ReevaluationStudyTest, BothModelsMeasureOverTheWindowOfTheSearchUnlessThe
   EXPECT_EQ(own.measure_from_s, 0.021);
   EXPECT_DOUBLE_EQ(own.record_interval_s, 0.021 / 2.0) << "the usual 0.02 s is made a part of what is left out";
   EXPECT_DOUBLE_EQ(own.measured_s(), 0.029);
-  EXPECT_EQ(read("measure_from_s = 0\n", windowed_study()).measure_from_s, 0.0);
-  const ReevaluationStudy other = read("duration_s = 1\nmeasure_from_s = 0.5\nrecord_interval_s = 0.1\n", windowed_study());
+  EXPECT_EQ(read("[time]\nmeasure_from_s = 0\n", windowed_study()).measure_from_s, 0.0);
+  const ReevaluationStudy other =
+      read("[time]\nduration_s = 1\nmeasure_from_s = 0.5\nrecord_interval_s = 0.1\n", windowed_study());
   EXPECT_EQ(other.measure_from_s, 0.5);
   EXPECT_EQ(other.record_interval_s, 0.1);
   EXPECT_EQ(read("").measure_from_s, 0.0) << "of a search that measures from the start";
-  EXPECT_NE(protocol_text(own, own.elements), protocol_text(read("measure_from_s = 0\n", windowed_study()), own.elements));
-  EXPECT_NE(refusal("measure_from_s = 0.05\n", windowed_study()).find("must be less than duration_s"), std::string::npos);
-  EXPECT_NE(refusal("duration_s = 0.02\n", windowed_study()).find("measure_from_s = 0.021"), std::string::npos);
-  EXPECT_NE(refusal("record_interval_s = 0.01\n", windowed_study()).find("a multiple of record_interval_s"), std::string::npos);
+  EXPECT_NE(protocol_text(own, own.elements),
+            protocol_text(read("[time]\nmeasure_from_s = 0\n", windowed_study()), own.elements));
+  EXPECT_NE(refusal("[time]\nmeasure_from_s = 0.05\n", windowed_study()).find("must be less than duration_s"), std::string::npos);
+  EXPECT_NE(refusal("[time]\nduration_s = 0.02\n", windowed_study()).find("measure_from_s = 0.021"), std::string::npos);
+  EXPECT_NE(refusal("[time]\nrecord_interval_s = 0.01\n", windowed_study()).find("a multiple of record_interval_s"),
+            std::string::npos);
 }
 
 TEST_F(ReevaluationStudyTest, TheSurrogateIsMeasuredAsInTheSearch) {
@@ -219,11 +254,22 @@ TEST_F(ReevaluationStudyTest, WrongInputIsNamed) {
   EXPECT_NE(refusal("depth = 3\n").find("depth"), std::string::npos) << "an unknown key";
   EXPECT_NE(refusal("[judge]\nwinners = 3\n").find("judge.winners"), std::string::npos);
   EXPECT_NE(refusal("level = 2\n").find("level = 2"), std::string::npos) << "the search knows level 1 only";
-  EXPECT_NE(refusal("duration_s = 0\n").find("duration_s"), std::string::npos);
-  EXPECT_NE(refusal("record_interval_s = 0.02\nframe_interval_s = 0.03\n").find("frame_interval_s"), std::string::npos);
+  EXPECT_NE(refusal("[time]\nduration_s = 0\n").find("duration_s"), std::string::npos);
+  EXPECT_NE(refusal("[time]\nrecord_interval_s = 0.02\nframe_interval_s = 0.03\n").find("frame_interval_s"), std::string::npos);
   EXPECT_NE(refusal("[ground]\nkinetic_friction = 1.5\n").find("kinetic_friction = 1.5"), std::string::npos);
   EXPECT_NE(refusal("silicone = \"ecoflex_00_30\"\n").find("calibrated for"), std::string::npos);
   EXPECT_NE(message_of([&] { (void)read("", tests::silicone_study(), 0); }).find("--top"), std::string::npos);
+}
+
+TEST_F(ReevaluationStudyTest, RobotsOfAnEarlierArchiveCanBeJudged) {
+  const fs::path archive = folder_ / "run.sqlite";
+  tests::make_archive(archive, tests::silicone_study(), {bar});
+  tests::make_earlier(archive, tests::silicone_study_of_version_3);
+  const ReevaluationStudy study = read_reevaluation_study({.archive = archive, .file = {}}, RunArchive::open_to_read(archive));
+  EXPECT_EQ(study.duration_s, 0.05);
+  EXPECT_EQ(study.measure_from_s, 0.01);
+  EXPECT_EQ(study.search.physics.surrogate->pressure_Pa, (std::array{0.0, 6000.0}));
+  RunArchive::open_to_extend(archive).add_reevaluations({});
 }
 
 TEST_F(ReevaluationStudyTest, SearchesThatFiniteElementsCannotJudgeAreRefused) {
@@ -235,8 +281,11 @@ TEST_F(ReevaluationStudyTest, SearchesThatFiniteElementsCannotJudgeAreRefused) {
   EXPECT_NE(refusal("", still).find("pressure_Pa"), std::string::npos);
   Study two_grounds = tests::silicone_study();
   two_grounds.physics.materials[1].kinetic_friction = 0.1;
-  EXPECT_NE(refusal("", two_grounds).find("ground.static_friction"), std::string::npos);
-  EXPECT_EQ(refusal("[ground]\nstatic_friction = 1\nkinetic_friction = 0.5\n", two_grounds), "no error");
+  EXPECT_NE(refusal("", two_grounds).find("ground.kinetic_friction is missing"), std::string::npos) << refusal("", two_grounds);
+  EXPECT_EQ(refusal("[ground]\nkinetic_friction = 0.5\n", two_grounds), "no error");
+  two_grounds.physics.materials[0].static_friction = 2.0;
+  EXPECT_NE(refusal("[ground]\nkinetic_friction = 0.5\n", two_grounds).find("ground.static_friction is missing"),
+            std::string::npos);
   Study levels = tests::silicone_study();
   levels.search.offspring.constraints.levels = {1, 2};
   EXPECT_NE(refusal("", levels).find("level is missing"), std::string::npos);

@@ -26,9 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string head =
-    "preset = \"paper\"\n[body]\ncell_edge_m = 0.01\nlevels = [1, 2]\n[surrogate]\nparameters = \"soft.toml\"\n"
-    "pressure_Pa = [-500, 1500]\n";
-const std::string in_phase = "[actuation]\nmode = \"in_phase\"\n";
+    "preset = \"paper\"\n[body]\ncell_edge_m = 0.01\nlevels = [1, 2]\n[surrogate]\nparameters = \"soft.toml\"\n";
+const std::string pressed = "[drive]\npressure_Pa = [-500, 1500]\n";
+const std::string in_phase = pressed + "mode = \"in_phase\"\n";
 
 class CalibratedStudy : public testing::Test {
  protected:
@@ -67,22 +67,23 @@ TEST_F(CalibratedStudy, HasItsParametersInItsIdentity) {
 }
 
 TEST_F(CalibratedStudy, RefusesDrivesThatChambersCannotFollow) {
-  expect_refused(head, "with chambers = \"single\" all voxels of a module share a phase");
-  expect_refused(head + "[actuation]\nmode = \"wave\"\n", "actuation.mode = \"wave\"");
-  EXPECT_NO_THROW((void)read(head + "chambers = \"per-phase\"\noutside_range = \"warn\"\n"));
+  expect_refused(head + pressed, "with chambers = \"single\" all voxels of a module share a phase");
+  expect_refused(head + pressed + "mode = \"wave\"\n", "drive.mode = \"wave\"");
+  EXPECT_NO_THROW((void)read(head + "chambers = \"per-phase\"\noutside_range = \"warn\"\n" + pressed));
 }
 
 TEST_F(CalibratedStudy, RefusesWhatItsParametersDoNotHoldFor) {
   expect_refused(
-      "preset = \"paper\"\n[body]\ncell_edge_m = 0.02\n[surrogate]\nparameters = \"soft.toml\"\npressure_Pa = [0, 1]\n" +
-          in_phase,
+      "preset = \"paper\"\n[body]\ncell_edge_m = 0.02\n[surrogate]\nparameters = \"soft.toml\"\n"
+      "[drive]\npressure_Pa = [0, 1]\nmode = \"in_phase\"\n",
       "cell_edge_m = 0.01, the design has cell_edge_m = 0.02");
   expect_refused(
-      "preset = \"paper\"\n[body]\ncell_edge_m = 0.01\n[surrogate]\nparameters = \"soft.toml\"\npressure_Pa = [0, 3e3]\n" +
-          in_phase,
+      "preset = \"paper\"\n[body]\ncell_edge_m = 0.01\n[surrogate]\nparameters = \"soft.toml\"\n"
+      "[drive]\npressure_Pa = [0, 3e3]\nmode = \"in_phase\"\n",
       "pressure_Pa = [0, 3000] is outside the range of the fit for any body");
   expect_refused(head + in_phase + "[genome]\nencoding = \"nonfractal\"\n", "genome.encoding = \"nonfractal\"");
-  expect_refused(head + in_phase + "[materials]\ndensity_kg_m3 = 10\n", "contradicts [surrogate]");
+  expect_refused(head + in_phase + "[materials]\ndensity_kg_per_m3 = 10\n",
+                 "materials.density_kg_per_m3 = 10: belongs to a body without [surrogate]");
 }
 
 /// Fitted under vacuum with limbs one cell wide alone.
@@ -99,10 +100,10 @@ TEST_F(CalibratedStudy, StandsOnFeetWhateverThePresetSaysOfRotations) {
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(fitted_on_limbs()));
   EXPECT_FALSE(read(head + in_phase).physics.stop_rotation_in_static_friction) << "the preset's value is true";
   try {
-    static_cast<void>(read(head + in_phase + "[environment]\nstop_rotation_in_static_friction = true\n"));
+    static_cast<void>(read(head + in_phase + "[ground]\nstop_rotation = true\n"));
     FAIL() << "accepted";
   } catch (const io::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("stop_rotation_in_static_friction = true: means nothing beside [surrogate]"),
+    EXPECT_NE(std::string(error.what()).find("ground.stop_rotation = true: belongs to a body without [surrogate]"),
               std::string::npos)
         << error.what();
   }
@@ -175,7 +176,7 @@ TEST_F(CalibratedStudy, RefusesLengthsThatNoBodyCouldKeep) {
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
   const auto with_cells = [](const std::string& count) {
     return "preset = \"paper\"\n[body]\ncell_edge_m = 0.01\nlevels = [1, 2]\nsmallest_body_cells = " + count +
-           "\n[surrogate]\nparameters = \"soft.toml\"\npressure_Pa = [-500, 1500]\n" + in_phase;
+           "\n[surrogate]\nparameters = \"soft.toml\"\n" + in_phase;
   };
   EXPECT_NO_THROW((void)read(with_cells("8"))) << "they fit in a cube of two cells";
   expect_refused(with_cells("9"), "the body is 3 cells long, the longest of the fit was 2");
@@ -230,7 +231,7 @@ TEST_F(CalibratedStudy, NamesTheFilesThatDecideIt) {
 }
 
 TEST_F(CalibratedStudy, RampsItsPressureOverAPeriodUnlessItSaysOtherwise) {
-  const Study study = read(head + in_phase + "period_s = 0.4\n");
+  const Study study = read(head + in_phase + "frequency_Hz = 2.5\n");
   EXPECT_EQ(study.physics.actuation.ramp_s, 0.4);
   EXPECT_EQ(read(head + in_phase + "ramp_s = 0\n").physics.actuation.ramp_s, 0.0) << "also beside overrides of the command line";
   EXPECT_EQ(study_from_text(resolved_text(read(head + in_phase + "ramp_s = 0\n")), "archive").physics.actuation.ramp_s, 0.0);

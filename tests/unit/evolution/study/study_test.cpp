@@ -3,15 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
 #include <sstream>
 #include <string>
 
+#include "evolution/archive/run_archive.h"
 #include "evolution/report/study_view.h"
 #include "evolution/study/study_file.h"
+#include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
+#include "tests/support/described_study.h"
+#include "tests/support/earlier_archive.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::evolution {
@@ -85,7 +90,7 @@ TEST_F(StudyFile, PaperPresetHasThePapersNumbers) {
   EXPECT_EQ(study.search.objective, Objective::body_lengths);
   EXPECT_EQ(study.physics.materials[0].youngs_modulus_Pa, 1e4);
   EXPECT_EQ(study.physics.materials[1].density_kg_m3, 10.0);
-  EXPECT_EQ(study.physics.actuation.period_s, 0.2);
+  EXPECT_EQ(study.physics.actuation.frequency_Hz, 5.0);
   EXPECT_TRUE(study.physics.stop_rotation_in_static_friction);
   EXPECT_EQ(study.physics.collisions.exclusion_depth, 1);
 }
@@ -146,7 +151,7 @@ TEST_F(StudyFile, IdentityLeavesOutOnlyTheNumberOfGenerations) {
   const Study study = read("preset = \"paper\"\n");
   EXPECT_EQ(identity_text(study), identity_text(read("preset = \"paper\"\ngenerations = 2\n")));
   for (const std::string change :
-       {"seed = 2\n", "[evaluation]\nduration_s = 4\n", "[damping]\nglobal = 0.02\n", "[body]\nlevels = [1]\n"}) {
+       {"seed = 2\n", "[time]\nduration_s = 4\n", "[damping]\nglobal = 0.02\n", "[body]\nlevels = [1]\n"}) {
     EXPECT_NE(identity_text(study), identity_text(read("preset = \"paper\"\n" + change))) << change;
   }
 }
@@ -165,15 +170,17 @@ TEST_F(StudyFile, RefusesWhatDoesNotFitWithPlaceKeyAndValue) {
   expect_refused(head + "[genome]\naxes = \"yxz\"\n", {place + "3", "genome.axes", "yxz", "zyx"});
   expect_refused(head + "[body]\nlevels = [2, 1]\n", {place + "3", "levels", "ascend"});
   expect_refused(head + "[body]\nlevels = []\n", {place + "3", "levels", "at least one"});
-  expect_refused(head + "[body]\nlevels = [1.5]\n", {place + "3", "levels", "integers"});
+  expect_refused(head + "[body]\nlevels = [1.5]\n", {place + "3", "levels[1] = 1.5", "integer"});
   expect_refused(head + "[body]\nlevels = [0]\n", {place + "3", "levels[1] = 0"});
   expect_refused(head + "[body]\ncell_edge_m = 0\n", {place + "3", "cell_edge_m = 0"});
-  expect_refused(head + "[evaluation]\nduration_s = -2\n", {place + "3", "duration_s = -2"});
+  expect_refused(head + "[time]\nduration_s = -2\n", {place + "3", "duration_s = -2"});
   expect_refused(head + "[materials]\nyoungs_modulus_Pa = -1e4\n", {place + "3", "youngs_modulus_Pa = -10000"});
   expect_refused(head + "[materials]\nyoungs_modulus_Pa = 1e200\n",
                  {"study.toml", "youngs_modulus_Pa = 1e+200", "beyond the range"});
-  expect_refused(head + "[evaluation]\nduration_s = 1e300\n", {"study.toml", "duration_s = 1e+300", "steps"});
-  expect_refused(head + "[materials]\npoissons_ratio = 0.5\n", {place + "3", "poissons_ratio = 0.5", "must be 0"});
+  expect_refused(head + "[time]\nduration_s = 1e300\n", {"study.toml", "duration_s = 1e+300", "steps"});
+  for (const std::string ratio : {"0.5", "0"})
+    expect_refused(head + "[materials]\npoissons_ratio = " + ratio + "\n",
+                   {place + "3", "poissons_ratio = " + ratio, "had to be 0"});
   expect_refused(head + "[genome]\nencoding = \"nonfractal\"\n[body]\nlevels = [4]\n", {place + "5", "nonfractal", "at most 3"});
   expect_refused(head + "[body]\nlevels = [1, 9]\n", {place + "3", "levels", "memory"});
 }
@@ -191,27 +198,74 @@ TEST_F(StudyFile, ChecksOfTheTimeStepBelongToTheIdentityOfAStudyThatHasThem) {
   expect_refused("preset = \"paper\"\n[check_dt]\nfraction = 0.5\n", {"study.toml:3", "check_dt.fraction", "unknown key"});
 }
 
+TEST_F(StudyFile, KeysOfEarlierVersionsAreToldTheirNewNames) {
+  const std::string head = "preset = \"paper\"\n[evaluation]\n";
+  for (const std::string key : {"duration_s", "measure_from_s"}) {
+    expect_refused(head + key + " = 1\n", {"study.toml:3", "evaluation." + key + " = 1", "is called time." + key + " now"});
+  }
+}
+
+TEST_F(StudyFile, StudiesOfEarlierArchivesAreRead) {
+  const auto archived = [&](const std::string& text) {
+    const fs::path file = folder_ / "run.sqlite";
+    fs::remove(file);
+    (void)RunArchive::open(file, "seed = 1\n", 2);
+    tests::make_earlier(file, text);
+    return archived_study(RunArchive::open_to_read(file));
+  };
+  StudyOverrides overrides;
+  overrides.generations = 2;
+  EXPECT_EQ(archived(tests::demo_study_of_version_3), read_study(paper / "demo/study.toml", overrides));
+
+  const Study silicone = archived(tests::silicone_study_of_version_3);
+  EXPECT_EQ(silicone.search.survivors, 2);
+  EXPECT_EQ(silicone.duration_s, 0.05);
+  EXPECT_EQ(silicone.measure_from_s, 0.01);
+  EXPECT_TRUE(silicone.search.stand);
+  EXPECT_TRUE(silicone.search.offspring.constraints.castable);
+  EXPECT_EQ(silicone.physics.gravity_m_s2, 9.81);
+  EXPECT_EQ(silicone.physics.actuation.mode, voxel::ActuationMode::in_phase);
+  EXPECT_EQ(silicone.physics.actuation.frequency_Hz, 3.0);
+  EXPECT_EQ(silicone.physics.actuation.ramp_s, 0.3333333333333333);
+  ASSERT_TRUE(silicone.physics.surrogate);
+  EXPECT_EQ(silicone.physics.surrogate->pressure_Pa, (std::array{0.0, 6000.0}));
+  EXPECT_EQ(silicone.physics.surrogate->outside_range, voxel::OutsideRange::warn);
+  EXPECT_EQ(silicone.physics.surrogate->parameters.silicone, "Dragon Skin 10");
+  EXPECT_EQ(study_from_text(resolved_text(silicone), "archive"), silicone);
+}
+
+TEST_F(StudyFile, ItsTemplateAndItsTextsAreReadBack) {
+  const auto parse = [](const std::string& text) {
+    PresetStudy file;
+    io::read_described(io::parse_toml(text, "study.toml"), file);
+    return file;
+  };
+  tests::expect_template_is_read<PresetStudy>(parse, {"integration.number = \"float32\"", "surrogate"});
+  tests::expect_texts_are_read_back<PresetStudy>(parse);
+  tests::expect_texts_are_read_back<Study>([](const std::string& text) { return study_from_text(text, "study.toml"); });
+}
+
 const std::string judged_study =
     "preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nstudy = \"finite/elements.toml\"\nbudget_element_steps = 4e9\n";
 
-TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentityOnlyWhereItIsNotTheWholeWay) {
-  const std::string head = "preset = \"paper\"\n[evaluation]\n";
-  const Study study = read(head + "stand = true\nmeasure_from_s = 0.5\n");
+TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentity) {
+  const std::string head = "preset = \"paper\"\n";
+  const Study study = read(head + "[evaluation]\nstand = true\n[time]\nmeasure_from_s = 0.5\n");
   EXPECT_TRUE(study.search.stand);
   EXPECT_EQ(study.measure_from_s, 0.5);
   EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
   const std::string usual = identity_text(read("preset = \"paper\"\n"));
-  EXPECT_EQ(identity_text(read(head + "stand = false\nmeasure_from_s = 0\n")), usual);
-  for (const std::string word : {"stand", "measure_from_s", "judge"}) EXPECT_EQ(usual.find(word), std::string::npos) << word;
-  EXPECT_NE(identity_text(read(head + "stand = true\n")), usual);
-  EXPECT_NE(identity_text(read(head + "measure_from_s = 1\n")), usual);
+  EXPECT_EQ(identity_text(read(head + "[evaluation]\nstand = false\n[time]\nmeasure_from_s = 0\n")), usual);
+  EXPECT_EQ(usual.find("judge"), std::string::npos);
+  EXPECT_NE(identity_text(read(head + "[evaluation]\nstand = true\n")), usual);
+  EXPECT_NE(identity_text(read(head + "[time]\nmeasure_from_s = 1\n")), usual);
 }
 
 TEST_F(StudyFile, RefusesAWindowThatIsNoPartOfTheEvaluation) {
-  const std::string head = "preset = \"paper\"\n[evaluation]\nduration_s = 2\n";
-  expect_refused(head + "measure_from_s = -0.5\n", {"study.toml:4", "evaluation.measure_from_s = -0.5"});
+  const std::string head = "preset = \"paper\"\n[time]\nduration_s = 2\n";
+  expect_refused(head + "measure_from_s = -0.5\n", {"study.toml:4", "time.measure_from_s = -0.5"});
   expect_refused(head + "measure_from_s = 2\n", {"study.toml", "measure_from_s = 2", "less than duration_s = 2"});
-  expect_refused(head + "stand = 1\n", {"evaluation.stand"});
+  expect_refused(head + "[evaluation]\nstand = 1\n", {"evaluation.stand"});
   StudyOverrides overrides;
   overrides.duration_s = 0.25;
   expect_refused(head + "measure_from_s = 0.5\n", {"measure_from_s = 0.5", "less than duration_s = 0.25"}, overrides);
@@ -238,7 +292,7 @@ TEST_F(StudyFile, AJudgeIsNamedByItsStudyAndArchivedByItsProtocol) {
 TEST_F(StudyFile, RefusesAJudgeThatCannotWork) {
   expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nstudy = \"a.toml\"\n", {"judge.budget_element_steps"});
   expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nbudget_element_steps = 1\n", {"judge.study"});
-  expect_refused(judged_study + "protocol = \"0123\"\n", {"judge.study"});
+  expect_refused(judged_study + "protocol = \"0123\"\n", {"judge.protocol", "study beside it"});
   expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nprotocol = \"0123\"\nbudget_element_steps = 1\n",
                  {"judge.protocol", "of an archive"});
   expect_refused(judged_study + "every = 0\n", {"judge.every = 0"});

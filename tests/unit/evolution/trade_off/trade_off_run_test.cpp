@@ -62,7 +62,7 @@ class TradeRunTest : public testing::Test {
                                      "elements_through_wall = [1, 2]\n[gait]\n[voxels]\n"
                                      "numbers = [\"float64\"]\ndampings = [\"velocity\"]\n"
                                      "time_step_fractions = [0.5, 0.25]\nexclusion_depths = [\"1\"]\n") const {
-    io::write_whole(folder_ / "study.toml", "design = \"design.toml\"\n" + text);
+    io::write_whole(folder_ / "study.toml", text + "[design]\nfile = \"design.toml\"\n");
     return read_trade_study(folder_ / "study.toml");
   }
 

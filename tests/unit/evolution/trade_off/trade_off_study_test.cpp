@@ -6,10 +6,13 @@
 #include "evolution/trade_off/trade_off_variant.h"
 #include "evolution/trade_off/trade_off_voxels.h"
 #include "io/process/program_job.h"
+#include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "meshes/hexahedra/hollow_polycube.h"
+#include "tests/support/described_study.h"
+#include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::evolution {
@@ -23,7 +26,7 @@ class TradeStudyTest : public testing::Test {
   TradeStudyTest() { io::write_whole(folder_ / "design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n"); }
 
   [[nodiscard]] TradeStudy read(const std::string& text) const {
-    io::write_whole(folder_ / "study.toml", "design = \"design.toml\"\n" + text);
+    io::write_whole(folder_ / "study.toml", text + "[design]\nfile = \"design.toml\"\n");
     return read_trade_study(folder_ / "study.toml");
   }
 
@@ -61,6 +64,37 @@ TEST_F(TradeStudyTest, ReadsWhatIsAskedFor) {
   EXPECT_FALSE(study.gait);
 }
 
+TEST_F(TradeStudyTest, ADesignMayBeDrawnInTheStudy) {
+  io::write_whole(folder_ / "study.toml",
+                  "[gait]\n[design]\nlayers = [[\"12\"]]\ncell_edge_m = 0.02\nwall_thickness_m = 0.003\nlevel = 2\n");
+  const TradeStudy study = read_trade_study(folder_ / "study.toml");
+  EXPECT_EQ(study.design.body.digits(), "12");
+  EXPECT_EQ(study.design.cell_edge_m, 0.02);
+  EXPECT_EQ(study.wall_thickness_m, 0.003);
+  EXPECT_EQ(study.level, 2);
+  EXPECT_EQ(read("[gait]\n").inputs.count((folder_ / "design.toml").string()), 1U);
+}
+
+TradeStudy described(const std::string& text) {
+  TradeStudy study;
+  io::read_described(io::parse_toml(text, "study.toml"), study);
+  return study;
+}
+
+TEST_F(TradeStudyTest, ItsTemplateAndItsTextsAreReadBack) {
+  tests::expect_template_is_read<TradeStudy>(described, {"design.file"});
+  tests::expect_texts_are_read_back<TradeStudy>(described, 1, {"exclusion_depths"});
+}
+
+TEST_F(TradeStudyTest, KeysOfEarlierVersionsAreToldTheirNewNames) {
+  io::write_whole(folder_ / "study.toml", "design = \"design.toml\"\n[gait]\n");
+  EXPECT_NE(tests::message_of([&] { (void)read_trade_study(folder_ / "study.toml"); }).find("is called design.file now"),
+            std::string::npos);
+  expect_refused("wall_thickness_m = 0.001\n[gait]\n", {"is called design.wall_thickness_m now"});
+  expect_refused("level = 2\n[gait]\n", {"is called design.level now"});
+  expect_refused("chambers = \"single\"\n[gait]\n", {"is called design.chambers now"});
+}
+
 TEST_F(TradeStudyTest, WrongInputIsNamed) {
   expect_refused("", {"nothing to run"});
   expect_refused("[gait]\nspeed = 3\n", {"gait.speed", "unknown"});
@@ -90,15 +124,15 @@ TEST_F(TradeStudyTest, UnknownsOfAHollowCubeAreThoseOfTheGrid) {
 TEST_F(TradeStudyTest, AVariantChangesItsKeysAndNoOthers) {
   io::write_whole(
       folder_ / "scene.toml",
-      "design = \"d.toml\"\nlevel = 2\n[surrogate]\nparameters = \"p.toml\"\n[integration]\ndamping = \"increments\"\n"
+      "[design]\nfile = \"d.toml\"\nlevel = 2\n[surrogate]\nparameters = \"p.toml\"\n[integration]\ndamping = \"increments\"\n"
       "[materials]\nyoungs_modulus_Pa = 12345.678901234567\n");
   TomlVariant variant(folder_ / "scene.toml");
   set_integration(variant, {"float32", "velocity", 0.45, "off", {}});
-  variant.set({"level"}, 1);
+  variant.set({"design", "level"}, 1);
   const io::TomlTable read = io::parse_toml(variant.text(), "variant.toml");
-  EXPECT_EQ(read.text("design"), (folder_ / "d.toml").string());
+  EXPECT_EQ(read.table("design").text("file"), (folder_ / "d.toml").string());
   EXPECT_EQ(read.table("surrogate").text("parameters"), (folder_ / "p.toml").string());
-  EXPECT_EQ(read.integer("level"), 1);
+  EXPECT_EQ(read.table("design").integer("level"), 1);
   EXPECT_EQ(read.table("integration").text("number"), "float32");
   EXPECT_EQ(read.table("integration").text("damping"), "velocity");
   EXPECT_EQ(read.table("integration").number("time_step_fraction"), 0.45);

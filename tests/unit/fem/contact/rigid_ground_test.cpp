@@ -6,6 +6,9 @@
 #include <string>
 
 #include "fem/contact/rigid_ground_file.h"
+#include "io/study/study_reader.h"
+#include "tests/support/described_study.h"
+#include "tests/support/input_error_message.h"
 
 namespace menger::fem {
 namespace {
@@ -66,16 +69,23 @@ TEST(Friction, MayDependOnTheDirection) {
   EXPECT_EQ(velocity_after_friction(bristles, {0.0, 0.0}, {0.0, -2.0}, 1.0)[1], 0.0);
 }
 
-RigidGround read(const std::string& text) { return read_rigid_ground(io::parse_toml(text, "ground.toml"), 7e7); }
+StudyGround parse(const std::string& text) {
+  StudyGround ground;
+  io::read_described(io::parse_toml(text, "ground.toml"), ground);
+  return ground;
+}
+
+RigidGround read(const std::string& text) { return parse(text).ground(0.25, 7e7); }
 
 TEST(RigidGroundFile, StatesWhatItMayAndTakesTheRestFromItsDefaults) {
-  const RigidGround plain = read("static_coefficient = 0.6\nkinetic_coefficient = 0.5\n");
+  const RigidGround plain = read("static_friction = 0.6\nkinetic_friction = 0.5\n");
   EXPECT_EQ(plain.friction.static_coefficient, 0.6);
   EXPECT_EQ(plain.friction.kinetic_coefficient, 0.5);
+  EXPECT_EQ(plain.height_m, 0.25);
   EXPECT_EQ(plain.stiffness_Pa_per_m, 7e7);
   EXPECT_FALSE(plain.friction.directional);
   const RigidGround bristles = read(
-      "static_coefficient = 0.6\nkinetic_coefficient = 0.5\nheight_m = -1e-3\nstiffness_Pa_per_m = 1e6\n"
+      "static_friction = 0.6\nkinetic_friction = 0.5\nheight_m = -1e-3\nstiffness_Pa_per_m = 1e6\n"
       "regularisation_speed_m_per_s = 1e-3\n[directional]\nforward = [0, 2]\nbackward_factor = 3\n");
   EXPECT_EQ(bristles.height_m, -1e-3);
   EXPECT_EQ(bristles.stiffness_Pa_per_m, 1e6);
@@ -86,13 +96,20 @@ TEST(RigidGroundFile, StatesWhatItMayAndTakesTheRestFromItsDefaults) {
 }
 
 TEST(RigidGroundFile, RefusesWhatHasNoMeaning) {
-  EXPECT_THROW(read("static_coefficient = 0.4\nkinetic_coefficient = 0.5\n"), io::InputError);
-  EXPECT_THROW(read("static_coefficient = 0.4\nkinetic_coefficient = -0.5\n"), io::InputError);
-  EXPECT_THROW(read("static_coefficient = 0.4\n"), io::InputError);
-  const std::string rough_ground = "static_coefficient = 0.6\nkinetic_coefficient = 0.5\n";
+  EXPECT_THROW(read("static_friction = 0.4\nkinetic_friction = 0.5\n"), io::InputError);
+  EXPECT_THROW(read("static_friction = 0.4\nkinetic_friction = -0.5\n"), io::InputError);
+  EXPECT_THROW(read("static_friction = 0.4\n"), io::InputError);
+  const std::string rough_ground = "static_friction = 0.6\nkinetic_friction = 0.5\n";
   EXPECT_THROW(read(rough_ground + "stiffness_Pa_per_m = 0\n"), io::InputError);
   EXPECT_THROW(read(rough_ground + "[directional]\nforward = [0, 0]\n"), io::InputError);
   EXPECT_THROW(read(rough_ground + "[directional]\nforward = [1, 0, 0]\n"), io::InputError);
+  const std::string old_names = tests::message_of([] { (void)read("kinetic_coefficient = 0.5\nstatic_friction = 0.6\n"); });
+  EXPECT_NE(old_names.find("kinetic_coefficient = 0.5: is called kinetic_friction now"), std::string::npos) << old_names;
+}
+
+TEST(RigidGroundFile, TemplateAndTextsAreRead) {
+  tests::expect_template_is_read<StudyGround>(parse);
+  tests::expect_texts_are_read_back<StudyGround>(parse);
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ TEST_F(ImplicitLocomotion, GoesOnWhereItWasStoppedAsIfNothingHadHappened) {
 // See LocomotionRun.EndsBeyondTheLimitPressureWithAStatus.
 TEST_F(ImplicitLocomotion, EndsBeyondTheLimitPressureWithAStatus) {
   const std::string study =
-      cube + silicone + ground + "[drive]\nmode = \"hold\"\npressure_Pa = [0, 60000]\nperiod_s = 0.05\n" + time + no_pictures;
+      cube + silicone + ground + "[drive]\nmode = \"hold\"\npressure_Pa = [0, 60000]\nfrequency_Hz = 20\n" + time + no_pictures;
   const LocomotionResult result = run(study + implicit, "out");
   EXPECT_NE(result.status, io::RunStatus::completed);
   EXPECT_NE(result.status, io::RunStatus::stopped);

@@ -4,8 +4,12 @@
 #include <string>
 
 #include "fem/inflation/inflation_study_file.h"
+#include "fem/inflation/inflation_study_words.h"
+#include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
+#include "meshes/design/reference_shapes.h"
+#include "tests/support/described_study.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::fem {
@@ -60,7 +64,7 @@ TEST_F(InflationStudyFile, LeavesWhatIsNotNamedAtItsDefault) {
 }
 
 TEST_F(InflationStudyFile, TakesSiliconesByNameWithDensityRangeAndAssumedBulkModulus) {
-  const InflationStudy study = read({.material = "[material]\nrecord = \"dragon_skin_10\"\n"});
+  const InflationStudy study = read({.material = "[material]\nsilicone = \"dragon_skin_10\"\n"});
   EXPECT_EQ(study.material.density_kg_per_m3, 1070.0);
   EXPECT_EQ(study.material.largest_stretch, 2.0);
   EXPECT_EQ(study.material.smallest_stretch, 1.0);
@@ -71,7 +75,7 @@ TEST_F(InflationStudyFile, TakesSiliconesByNameWithDensityRangeAndAssumedBulkMod
 }
 
 TEST_F(InflationStudyFile, ChoosesAmongLawsOfOneName) {
-  const std::string head = "[material]\nrecord = \"dragon_skin_10\"\nbulk_modulus_Pa = 1e6\nlaw = \"yeoh\"\n";
+  const std::string head = "[material]\nsilicone = \"dragon_skin_10\"\nbulk_modulus_Pa = 1e6\nlaw_name = \"yeoh\"\n";
   const InflationStudy first = read({.material = head});
   const InflationStudy second = read({.material = head + "law_variant = 2\n"});
   EXPECT_LT(first.material.largest_stretch, 2.0);
@@ -100,6 +104,61 @@ TEST_F(InflationStudyFile, IdentityFollowsThePathAndNotItsOutput) {
   EXPECT_NE(path_text(read({})), base) << "another design under the same name";
 }
 
+TEST_F(InflationStudyFile, IdentityHasTheContentOfADesignAndOfAMesh) {
+  const std::string drawn = "[design]\nlayers = [[\"1\"]]\nname = \"cube\"\ncell_edge_m = 0.02\nwall_thickness_m = 0.002\n";
+  EXPECT_EQ(path_text(read({.body = drawn})), path_text(read({})));
+  const auto with_mesh = [&](const std::string& name, const std::string& content, const std::string& lines = "") {
+    io::write_whole(folder_ / name, content);
+    return path_text(read({.body = "[mesh]\nfile = \"" + name + "\"\n" + lines}));
+  };
+  const std::string base = with_mesh("a.msh", "mesh");
+  EXPECT_EQ(with_mesh("b.msh", "mesh"), base) << "wherever it lies";
+  EXPECT_NE(with_mesh("a.msh", "another mesh"), base);
+  EXPECT_NE(with_mesh("a.msh", "mesh", "length_unit_m = 0.001\n"), base);
+}
+
+InflationStudy parse(const std::string& text) {
+  InflationStudy study;
+  io::read_described(io::parse_toml(text, "study.toml"), study);
+  return study;
+}
+
+TEST(InflationStudyKeys, TemplateIsReadWithEachAlternative) {
+  tests::expect_template_is_read<InflationStudy>(parse, {"design.file",                    // names a file that is not there
+                                                         "supports.kind = \"resting\""});  // needs gravity
+}
+
+/// A study whose values fit to each other, whatever they are one by one.
+struct PossibleStudy {
+  InflationStudy study;
+};
+
+void make_possible(StudyMaterial& material) {
+  if (!(materials::shear_modulus_at_rest_Pa(material.law) > 0.0)) material.law = materials::NeoHookean{5e4};
+  if (!(bulk_modulus_of(material.volume) > 0.0)) material.volume = materials::SimoTaylorVolume{2.5e6};
+  if (!material.density_kg_per_m3) material.density_kg_per_m3 = 1000.0;
+}
+
+void describe(io::StudyVisitor& visitor, PossibleStudy& possible) {
+  InflationStudy& study = possible.study;
+  describe(visitor, study);
+  auto* source = std::get_if<DesignSource>(&study.source);
+  if (source == nullptr) source = &study.source.emplace<DesignSource>();
+  if (source->design.body.count() == 0) source->design.body = meshes::full_cube(1);
+  make_possible(study.material);
+  for (auto& [region, material] : study.region_materials) make_possible(material);
+  for (auto& [name, drive] : study.drives) drive.values.front() = drive.kind == DriveKind::pressure ? 0.0 : 1.0;
+  for (StudyPlate& plate : study.plates) {
+    if (!plate.side) plate.slides = false;
+    plate.drive.values.front() = {};
+  }
+  if (study.supports.kind == SupportKind::free) study.supports.kind = SupportKind::labels;
+}
+
+TEST(InflationStudyKeys, TextsAreReadBack) {
+  tests::expect_texts_are_read_back<PossibleStudy>([](const std::string& text) { return PossibleStudy{parse(text)}; });
+}
+
 /// A fault in a study, and what the message must name beside the file.
 struct Fault {
   StudyText text;
@@ -119,7 +178,7 @@ TEST_F(InflationStudyFile, RefusesEachFaultNamingFileKeyAndValue) {
       {{.rest = "[[supports.labels]]\nlabel = \"outer\"\nheld = [\"w\"]\n"}, "held", "w"},
       {{.rest = "[loads]\ngravity_m_per_s2 = -9.81\n"}, "loads.gravity_m_per_s2", "-9.81"},
       {{.rest = "[loads]\ngravity_m_per_s2 = 9.81\n"}, "loads.gravity_m_per_s2", "9.81"},
-      {{.path = "[path]\n"}, "path.pressure_Pa", ""},
+      {{.path = "[path]\n"}, "path.pressure_Pa or volume_ratio or gas_amount or plenum is missing", ""},
       {{.path = "[path]\npressure_Pa = [0]\n"}, "path.pressure_Pa", "at least two"},
       {{.path = "[path]\npressure_Pa = [0, 1]\nvolume_ratio = [1, 2]\n"}, "path.volume_ratio", ""},
       {{.path = "[path]\nvolume_ratio = [1, 0]\n"}, "path.volume_ratio", "0"},
@@ -144,17 +203,23 @@ TEST_F(InflationStudyFile, RefusesEachFaultNamingFileKeyAndValue) {
       {{.rest = "[output]\nfields_every = 0\n"}, "output.fields_every", "0"},
       {{.rest = "[[output.points]]\nname = \"p\"\nposition_m = [0, 0]\n"}, "position_m", ""},
       {{.rest = "[[output.points]]\nname = \"p,q\"\nposition_m = [0, 0, 0]\n"}, "name", "p,q"},
-      {{.material = "[material]\nrecord = \"dragon_skin\"\n"}, "material.record", "dragon_skin"},
-      {{.material = "[material]\nrecord = \"dragon_skin_10\"\nlaw = \"gent\"\n"}, "material.law", "gent"},
-      {{.material = "[material]\nrecord = \"dragon_skin_10\"\nlaw = \"yeoh\"\nlaw_variant = 9\n"}, "material.law_variant", "9"},
-      {{.material = material + "record = \"dragon_skin_10\"\n"}, "material.record", "dragon_skin_10"},
+      {{.material = "[material]\nsilicone = \"dragon_skin\"\n"}, "material.silicone", "dragon_skin"},
+      {{.material = "[material]\nrecord = \"dragon_skin_10\"\n"}, "material.record", "is called material.silicone now"},
+      {{.material = "[material]\n"}, "material.silicone or law is missing", ""},
+      {{.material = "[material]\nsilicone = \"dragon_skin_10\"\nlaw_name = \"gent\"\n"}, "material.law_name", "gent"},
+      {{.material = "[material]\nsilicone = \"dragon_skin_10\"\nlaw_name = \"yeoh\"\nlaw_variant = 9\n"},
+       "material.law_variant",
+       "9"},
+      {{.material = material + "silicone = \"dragon_skin_10\"\n"}, "material.law", "silicone beside it"},
       {{.material = "[material]\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = -1}\n"}, "shear_modulus_Pa", "-1"},
-      {{.material = "[material]\nrecord = \"dragon_skin_10\"\nbulk_modulus_Pa = 0\n"}, "material.bulk_modulus_Pa", "0"},
-      {{.material = "[material]\nrecord = \"dragon_skin_10\"\nvolumetric = \"linear\"\n"}, "material.volumetric", "linear"},
-      {{.body = ""}, "[design]", ""},
+      {{.material = "[material]\nsilicone = \"dragon_skin_10\"\nbulk_modulus_Pa = 0\n"}, "material.bulk_modulus_Pa", "0"},
+      {{.material = "[material]\nsilicone = \"dragon_skin_10\"\nvolumetric = \"linear\"\n"}, "material.volumetric", "linear"},
+      {{.body = ""}, "design or mesh is missing", ""},
       {{.body = "[mesh]\nfile = \"body.stl\"\n"}, "mesh.file", "body.stl"},
       {{.body = "[design]\nfile = \"cube.toml\"\nwall = 1\n"}, "design.wall: unknown key", ""},
       {{.rest = "[mesh]\nfile = \"body.msh\"\n"}, "mesh", ""},
+      {{.body = "[mesh]\nfile = \"body.vtu\"\nlength_unit_m = 1\n"}, "mesh.length_unit_m", "a .vtu is in metres"},
+      {{.rest = "[supports]\nground_stiffness_Pa_per_m = 1e6\n"}, "supports.ground_stiffness_Pa_per_m", "kind = \"resting\""},
       {{.rest = "[extra]\n"}, "extra", ""},
   };
   for (const Fault& fault : faults) {
@@ -188,8 +253,8 @@ TEST_F(InflationStudyFile, RefusesPlatesThatCannotBe) {
     EXPECT_NE(message.find("study.toml"), std::string::npos) << message;
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
-  has(plate(""), "either side or label");
-  has(plate("side = \"x max\"\nlabel = \"outer\"\n"), "either side or label");
+  has(plate(""), "side or label is missing");
+  has(plate("side = \"x max\"\nlabel = \"outer\"\n"), "side beside it: keep one of them");
   has(plate("side = \"x top\"\n"), "side = \"x top\"");
   has(plate("side = \"x max\"\ndisplacement_x_m = [0, 1, 2]\n"), "one value for each of the 2 knots");
   has(plate("side = \"x max\"\ndisplacement_x_m = [1, 1]\n"), "must begin with 0");
@@ -202,7 +267,7 @@ TEST_F(InflationStudyFile, RefusesPlatesThatCannotBe) {
 TEST_F(InflationStudyFile, NamesFilesThatAreMissing) {
   EXPECT_NE(refusal({.body = "[design]\nfile = \"none.toml\"\n"}).find("none.toml"), std::string::npos);
   EXPECT_NE(refusal({.body = "[mesh]\nfile = \"none.msh\"\n"}).find("none.msh"), std::string::npos);
-  EXPECT_NE(refusal({.material = "[material]\nrecord = \"none.toml\"\n"}).find("none.toml"), std::string::npos);
+  EXPECT_NE(refusal({.material = "[material]\nsilicone = \"none.toml\"\n"}).find("none.toml"), std::string::npos);
 }
 
 // A free body is held without force only if nothing else holds or loads it.

@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
+#include "fem/inflation/inflation_study_words.h"
 #include "fem/load_cases/load_case_study_file.h"
+#include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "materials/laws/law_file.h"
+#include "tests/support/described_study.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::fem {
@@ -18,7 +22,7 @@ namespace fs = std::filesystem;
 using meshes::LoadCaseKind;
 
 const std::string head =
-    "[material]\nrecord = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n"
+    "silicone = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n"
     "[elements]\ndegree = 1\nlargest_element_m = 0.006\ngrowth = 4\n";
 const std::string bar = "cells = [3, 1, 1]\ndigits = \"111\"\n";
 
@@ -74,6 +78,47 @@ TEST_F(LoadCaseStudyFile, TakesABodyFromADesign) {
   EXPECT_EQ(study.cases[0].load_case.cells, (std::array{2, 2, 1}));
   EXPECT_EQ(study.cases[0].load_case.digits, "1102");
   EXPECT_EQ(study.cases[0].load_case.cell_edge_m, 0.01) << "that of the set";
+  EXPECT_EQ(study.inputs.size(), 3U) << "set, record and design";
+}
+
+LoadCaseStudy parse(const std::string& text) {
+  LoadCaseStudy study;
+  io::read_described(io::parse_toml(text, "set.toml"), study);
+  return study;
+}
+
+TEST(LoadCaseKeys, TemplateIsReadWithEachAlternative) {
+  tests::expect_template_is_read<LoadCaseStudy>(parse,
+                                                {"case.design",  // names a file that is not there
+                                                 "law"});        // needs a density
+}
+
+/// A set whose values fit to each other, whatever they are one by one.
+struct PossibleSet {
+  LoadCaseStudy study;
+};
+
+void describe(io::StudyVisitor& visitor, PossibleSet& possible) {
+  LoadCaseStudy& study = possible.study;
+  describe(visitor, study);
+  if (!(materials::shear_modulus_at_rest_Pa(study.material.law) > 0.0)) study.material.law = materials::NeoHookean{5e4};
+  if (!(bulk_modulus_of(study.material.volume) > 0.0)) study.material.volume = materials::SimoTaylorVolume{2.5e6};
+  if (!study.material.density_kg_per_m3) study.material.density_kg_per_m3 = 1000.0;
+  if (study.body) study.body->wall_thickness_m = std::min(study.body->wall_thickness_m, 0.4 * study.body->cell_edge_m);
+  for (std::size_t n = 0; n < study.cases.size(); ++n) {
+    CaseRequest& request = study.cases[n];
+    meshes::LoadCase& load_case = request.load_case;
+    load_case.name = "case_" + std::to_string(n);
+    load_case.cells = {static_cast<int>(load_case.digits.size()), 1, 1};
+    for (char& digit : load_case.digits) digit = static_cast<char>('1' + digit % 2);
+    load_case.wall_thickness_m = std::min(load_case.wall_thickness_m, 0.4 * load_case.cell_edge_m);
+    // what the set gives no case can take away
+    if (!request.elements.largest_element_m) request.elements.largest_element_m = study.elements.largest_element_m;
+  }
+}
+
+TEST(LoadCaseKeys, TextsAreReadBack) {
+  tests::expect_texts_are_read_back<PossibleSet>([](const std::string& text) { return PossibleSet{parse(text)}; });
 }
 
 TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
@@ -84,8 +129,10 @@ TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
   has(refusal(head), "case");
+  has(refusal("[material]\nrecord = \"dragon_skin_10\"\n"), "stand at the top now");
+  has(refusal("record = \"dragon_skin_10\"\n"), "is called silicone now");
   has(one("kind = \"pull\"\n" + bar), "kind = \"pull\"");
-  has(one(stretch + "displacement_m = [0.001]\n"), "needs pressures_Pa or pressure_fractions");
+  has(one(stretch + "displacement_m = [0.001]\n"), "pressures_Pa or pressure_fractions is missing");
   has(one(stretch + "pressures_Pa = [0]\n"), "displacement_m is missing");
   has(one(stretch + "pressures_Pa = [0]\ndisplacement_mm = [1]\n"), "displacement_m is missing");
   has(one(stretch + "pressures_Pa = [0]\ndisplacement_m = [1e-3]\nangle_rad = [1]\n"), "angle_rad");
@@ -103,9 +150,7 @@ TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
       "is given twice");
   has(refusal("relative_uncertainty = 0\n" + head + "[[case]]\nname = \"a\"\nkind = \"inflation\"\n" + bar),
       "relative_uncertainty = 0");
-  has(refusal(
-          "[material]\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n[[case]]\nname = \"a\"\nkind = \"inflation\"\n" +
-          bar),
+  has(refusal("law = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n[[case]]\nname = \"a\"\nkind = \"inflation\"\n" + bar),
       "needs density_kg_per_m3");
 }
 

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "io/study/study_reader.h"
 #include "meshes/hexahedra/hollow_polycube.h"
+#include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
 
 namespace menger::fem {
@@ -24,7 +26,10 @@ std::vector<PlenumSchedule> schedules_of(const std::string& keys, meshes::Chambe
   hollow.chambers = chambers;
   hollow.level = level;
   const meshes::HexahedralMesh mesh = meshes::hollow_polycube(design, hollow).mesh;
-  return read_surrogate_drive(io::parse_toml(keys, "drive.toml"), design, hollow, mesh);
+  const io::TomlTable table = io::parse_toml(keys, "drive.toml");
+  SurrogateDrive drive;
+  io::read_described(table, drive);
+  return plenum_schedules(drive, design, hollow, mesh, table);
 }
 
 // The formula is that of the surrogate's pressure drive, written down from its description.
@@ -33,7 +38,7 @@ TEST(SurrogateDrive, GivesThePressureOfTheSurrogate) {
   const double high = 6000.0;
   const double period_s = 0.2;
   const auto schedules = schedules_of(
-      "pressure_Pa = [-500, 6000]\nmode = \"antiphase\"\nperiod_s = 0.2\n"
+      "pressure_Pa = [-500, 6000]\nmode = \"antiphase\"\nfrequency_Hz = 5\n"
       "material_phase = [0.1, 0.6]\nramp_s = 0.3\n",
       meshes::ChamberLayout::per_phase);
   ASSERT_EQ(schedules.size(), 2U);
@@ -56,7 +61,7 @@ TEST(SurrogateDrive, GrowsOverItsFirstPeriodUnlessToldOtherwise) {
 }
 
 TEST(SurrogateDrive, HoldsTheHighestPressureOrNone) {
-  const auto held = schedules_of("pressure_Pa = [0, 6000]\nmode = \"hold\"\nperiod_s = 0.5\n", meshes::ChamberLayout::single);
+  const auto held = schedules_of("pressure_Pa = [0, 6000]\nmode = \"hold\"\nfrequency_Hz = 2\n", meshes::ChamberLayout::single);
   EXPECT_DOUBLE_EQ(pressure_Pa(held[0], 0.25), 3000.0);
   EXPECT_EQ(pressure_Pa(held[0], 2.0), 6000.0);
   const auto none = schedules_of("pressure_Pa = [0, 6000]\nmode = \"none\"\n", meshes::ChamberLayout::single);
@@ -66,21 +71,22 @@ TEST(SurrogateDrive, HoldsTheHighestPressureOrNone) {
 // Modules of an aggregate along x: cells 0 and 1 are the first module. A wave of one period per two cells gives both the phases
 // of their cells, which one chamber cannot have; per phase each cell is a chamber of its own.
 TEST(SurrogateDrive, RefusesPhasesThatSharedAirCannotHave) {
-  const std::string antiphase = "pressure_Pa = [0, 6000]\nmode = \"antiphase\"\nperiod_s = 0.2\n";
+  const std::string antiphase = "pressure_Pa = [0, 6000]\nmode = \"antiphase\"\nfrequency_Hz = 5\n";
   const std::string message = message_of([&] { (void)schedules_of(antiphase, meshes::ChamberLayout::single); });
   EXPECT_NE(message.find("drive.toml:2: mode = \"antiphase\": cells (0, 0, 0) and (1, 0, 0) share the air of \"plenum 0\""),
             std::string::npos)
       << message;
   EXPECT_EQ(message_of([&] { (void)schedules_of(antiphase, meshes::ChamberLayout::per_phase); }), "no error");
-  const std::string wave = "pressure_Pa = [0, 6000]\nmode = \"wave\"\nwave_axis = \"x\"\nperiod_s = 0.2\n";
+  const std::string wave = "pressure_Pa = [0, 6000]\nmode = \"wave\"\nwave_axis = \"x\"\nfrequency_Hz = 5\n";
   EXPECT_NE(message_of([&] { (void)schedules_of(wave, meshes::ChamberLayout::single); }).find("share the air"),
             std::string::npos);
 }
 
 // Cells 0 to 3 along x of a level-2 body with phases -i / 4: each per-phase chamber is one cell.
 TEST(SurrogateDrive, GivesAWaveThePhasesOfTheGrid) {
-  const auto schedules = schedules_of("pressure_Pa = [0, 1000]\nmode = \"wave\"\nwave_axis = \"x\"\nperiod_s = 1\nramp_s = 0\n",
-                                      meshes::ChamberLayout::per_phase, 2);
+  const auto schedules =
+      schedules_of("pressure_Pa = [0, 1000]\nmode = \"wave\"\nwave_axis = \"x\"\nfrequency_Hz = 1\nramp_s = 0\n",
+                   meshes::ChamberLayout::per_phase, 2);
   ASSERT_EQ(schedules.size(), 4U);
   for (std::size_t cell = 0; cell < 4; ++cell) {
     const double expected = 500.0 * (1.0 + std::sin(2.0 * std::numbers::pi * (0.1 - 0.25 * static_cast<double>(cell))));
@@ -93,12 +99,26 @@ TEST(SurrogateDrive, RefusesWhatIsNoDrive) {
     return message_of([&] { (void)schedules_of(keys, meshes::ChamberLayout::single); });
   };
   const std::string mode = "mode = \"in_phase\"\n";
-  EXPECT_NE(message("pressure_Pa = [6000, 0]\nperiod_s = 1\n" + mode).find("must ascend"), std::string::npos);
-  EXPECT_NE(message("pressure_Pa = [0]\nperiod_s = 1\n" + mode).find("lowest and the highest"), std::string::npos);
-  EXPECT_NE(message("pressure_Pa = [-2e5, 0]\nperiod_s = 1\n" + mode).find("perfect vacuum"), std::string::npos);
-  EXPECT_NE(message("pressure_Pa = [0, 1]\nperiod_s = 0\n" + mode).find("period_s = 0"), std::string::npos);
-  EXPECT_NE(message("pressure_Pa = [0, 1]\nperiod_s = 1\nfrequency_Hz = 1\n" + mode).find("keep one"), std::string::npos);
-  EXPECT_NE(message("pressure_Pa = [0, 1]\nperiod_s = 1\nmode = \"phased\"\n").find("mode = \"phased\""), std::string::npos);
+  EXPECT_NE(message("pressure_Pa = [6000, 0]\nfrequency_Hz = 1\n" + mode).find("must ascend"), std::string::npos);
+  EXPECT_NE(message("pressure_Pa = [0]\nfrequency_Hz = 1\n" + mode).find("must be two numbers, not 1"), std::string::npos);
+  EXPECT_NE(message("pressure_Pa = [-2e5, 0]\nfrequency_Hz = 1\n" + mode).find("perfect vacuum"), std::string::npos);
+  EXPECT_NE(message("pressure_Pa = [0, 1]\nfrequency_Hz = 0\n" + mode).find("frequency_Hz = 0"), std::string::npos);
+  EXPECT_NE(message("pressure_Pa = [0, 1]\nperiod_s = 0.5\n" + mode).find("period_s = 0.5: is called frequency_Hz now"),
+            std::string::npos);
+  EXPECT_NE(message("pressure_Pa = [0, 1]\n" + mode).find("frequency_Hz is missing"), std::string::npos);
+  EXPECT_NE(message("pressure_Pa = [0, 1]\nfrequency_Hz = 1\nwave_axis = \"x\"\n" + mode).find("belongs to mode = \"wave\""),
+            std::string::npos);
+  EXPECT_NE(message("pressure_Pa = [0, 1]\nfrequency_Hz = 1\nmode = \"phased\"\n").find("mode = \"phased\""), std::string::npos);
+}
+
+TEST(SurrogateDrive, TemplateAndTextsAreRead) {
+  const auto parse = [](const std::string& text) {
+    SurrogateDrive drive;
+    io::read_described(io::parse_toml(text, "drive.toml"), drive);
+    return drive;
+  };
+  tests::expect_template_is_read<SurrogateDrive>(parse);
+  tests::expect_texts_are_read_back<SurrogateDrive>(parse);
 }
 
 }  // namespace

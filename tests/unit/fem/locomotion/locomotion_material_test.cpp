@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "fem/explicit/material_damping.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
+#include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
 
 namespace menger::fem {
@@ -15,16 +18,21 @@ namespace {
 using tests::message_of;
 
 struct Read {
+  StudySilicone given;
   LocomotionMaterial material;
   std::vector<std::string> notes;
-  std::vector<std::string> files;
 };
+
+StudySilicone parse(const std::string& text) {
+  StudySilicone silicone;
+  io::read_described(io::parse_toml(text, "material.toml"), silicone);
+  return silicone;
+}
 
 Read read(const std::string& keys, DampingModel usual = DampingModel::maxwell) {
   Read result;
-  result.material = read_locomotion_material(
-      io::parse_toml(keys, "material.toml"), usual,
-      [&](const std::filesystem::path& file) { result.files.push_back(file.filename().string()); }, result.notes);
+  result.given = parse(keys);
+  result.material = material_of(result.given, usual, result.notes);
   return result;
 }
 
@@ -43,18 +51,18 @@ TEST(LocomotionMaterial, StiffensEveryModulusOfALaw) {
 }
 
 TEST(LocomotionMaterial, TakesTheRecordsLawAndGivesItAYoungsModulus) {
-  const Read plain = read("record = \"dragon_skin_10\"\n");
-  EXPECT_EQ(plain.files, std::vector<std::string>{"dragon_skin_10.toml"});
+  const Read plain = read("silicone = \"dragon_skin_10\"\n");
+  EXPECT_EQ(plain.given.law.file.filename(), "dragon_skin_10.toml");
   EXPECT_NEAR(plain.material.bulk_modulus_Pa, 50.0 * shear_modulus_Pa(plain), 1e-6);
-  const Read soft = read("record = \"dragon_skin_10\"\nyoungs_modulus_Pa = 107e3\nbulk_modulus_ratio = 100\n");
+  const Read soft = read("silicone = \"dragon_skin_10\"\nyoungs_modulus_Pa = 107e3\nbulk_modulus_ratio = 100\n");
   EXPECT_NEAR(3.0 * shear_modulus_Pa(soft), 107e3, 1e-6);
   EXPECT_NEAR(soft.material.bulk_modulus_Pa, 100.0 * 107e3 / 3.0, 1e-4);
-  const Read twice = read("record = \"dragon_skin_10\"\nmodulus_factor = 2\n");
+  const Read twice = read("silicone = \"dragon_skin_10\"\nmodulus_factor = 2\n");
   EXPECT_NEAR(shear_modulus_Pa(twice), 2.0 * shear_modulus_Pa(plain), 1e-6);
 }
 
 TEST(LocomotionMaterial, SaysThatDampingIsNotMeasured) {
-  const Read assumed = read("record = \"dragon_skin_10\"\nbulk_modulus_ratio = 50\n");
+  const Read assumed = read("silicone = \"dragon_skin_10\"\nbulk_modulus_ratio = 50\n");
   ASSERT_FALSE(assumed.material.is_damping_measured) << "the record has got a measurement: this test needs another one";
   ASSERT_EQ(assumed.notes.size(), 1U);
   EXPECT_NE(assumed.notes[0].find("damping is not measured"), std::string::npos);
@@ -82,9 +90,10 @@ TEST(LocomotionMaterial, DampsAsTheStudyStates) {
 
 TEST(LocomotionMaterial, RefusesWhatIsNoSilicone) {
   const auto message = [](const std::string& keys) { return message_of([&] { (void)read(keys); }); };
-  const std::string record = "record = \"dragon_skin_10\"\n";
-  EXPECT_NE(message("record = \"cheese\"\n").find("record = \"cheese\""), std::string::npos);
-  EXPECT_NE(message(record + "law = \"hookean\"\n").find("law = \"hookean\": the record has recommended"), std::string::npos);
+  const std::string record = "silicone = \"dragon_skin_10\"\n";
+  EXPECT_NE(message("silicone = \"cheese\"\n").find("silicone = \"cheese\""), std::string::npos);
+  EXPECT_NE(message(record + "law_name = \"hookean\"\n").find("law_name = \"hookean\": the record has recommended"),
+            std::string::npos);
   EXPECT_NE(message(record + "law_variant = 2\n").find("one recommended law"), std::string::npos);
   EXPECT_NE(message(record + "modulus_factor = 2\nyoungs_modulus_Pa = 1e5\n").find("keep one"), std::string::npos);
   EXPECT_NE(message(record + "loss_factor = 0.1\n").find("loss_frequency_Hz is missing"), std::string::npos);
@@ -92,6 +101,32 @@ TEST(LocomotionMaterial, RefusesWhatIsNoSilicone) {
   EXPECT_NE(message(record + "bulk_modulus_ratio = 0.5\n").find("bulk_modulus_ratio = 0.5"), std::string::npos);
   EXPECT_NE(message("law = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n").find("density_kg_per_m3 is missing"),
             std::string::npos);
+  EXPECT_NE(message("record = \"dragon_skin_10\"\n").find("record = \"dragon_skin_10\": is called silicone now"),
+            std::string::npos);
+  EXPECT_NE(message(record + "loss_frequency_Hz = 30\n").find("loss_frequency_Hz = 30: belongs to loss_factor"),
+            std::string::npos);
+}
+
+// What a study leaves open, the record's law among it, stands in the text of what a material was made of.
+TEST(LocomotionMaterial, IsTheSameByItsText) {
+  const std::string stated = "modulus_factor = 2\nloss_factor = 0.2\nloss_frequency_Hz = 5\n";
+  for (const std::string& keys : {std::string(), std::string("youngs_modulus_Pa = 107e3\n"), stated}) {
+    const Read first = read("silicone = \"dragon_skin_10\"\n" + keys);
+    const std::string text = io::described_text(first.given);
+    const Read again = read(text);
+    EXPECT_EQ(shear_modulus_Pa(again), shear_modulus_Pa(first));
+    EXPECT_EQ(again.material.bulk_modulus_Pa, first.material.bulk_modulus_Pa);
+    EXPECT_EQ(again.material.density_kg_per_m3, first.material.density_kg_per_m3);
+    EXPECT_EQ(again.material.branch.shear_modulus_Pa, first.material.branch.shear_modulus_Pa);
+    EXPECT_EQ(again.material.branch.relaxation_time_s, first.material.branch.relaxation_time_s);
+    EXPECT_EQ(io::described_text(again.given), text);
+  }
+}
+
+TEST(LocomotionMaterial, TemplateAndTextsAreRead) {
+  const auto adopt = [](StudySilicone& told, const StudySilicone& read) { told.law = read.law; };
+  tests::expect_template_is_read<StudySilicone>(parse, {"law"}, adopt);  // a law needs a density
+  tests::expect_texts_are_read_back<StudySilicone>(parse, 20);
 }
 
 }  // namespace

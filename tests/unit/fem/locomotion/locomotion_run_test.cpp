@@ -60,7 +60,7 @@ TEST_F(LocomotionRun, ASymmetricBodyStaysWhereItIs) {
 // Left to itself a body settles: the ground carries its weight (silicone's volume times density times g). 0.3 s are four times
 // longer than the decay time that its slowest motion, the sway on the springs of the ground, leaves.
 TEST_F(LocomotionRun, ABodyAtRestWeighsWhatItWeighs) {
-  std::string study = cube + silicone + ground + "[drive]\nmode = \"none\"\npressure_Pa = [0, 1]\nperiod_s = 1\n" +
+  std::string study = cube + silicone + ground + "[drive]\nmode = \"none\"\npressure_Pa = [0, 1]\nfrequency_Hz = 1\n" +
                       "[time]\nduration_s = 0.3\nrecord_interval_s = 0.1\n" + no_pictures;
   const LocomotionResult result = run(study, "out");
   ASSERT_EQ(result.status, io::RunStatus::completed) << result.reason;
@@ -196,7 +196,7 @@ TEST_F(LocomotionRun, DoesNotTakeUpAnotherStudy) {
 // and wall (4 mm) the limit is near 2 * 0.6197 * mu h / r = 31 kPa, and a cube with flat walls has less. The chamber runs away.
 TEST_F(LocomotionRun, EndsBeyondTheLimitPressureWithAStatus) {
   std::string study =
-      cube + silicone + ground + "[drive]\nmode = \"hold\"\npressure_Pa = [0, 60000]\nperiod_s = 0.05\n" + time + no_pictures;
+      cube + silicone + ground + "[drive]\nmode = \"hold\"\npressure_Pa = [0, 60000]\nfrequency_Hz = 20\n" + time + no_pictures;
   const LocomotionResult result = run(study, "out");
   EXPECT_TRUE(result.status == io::RunStatus::diverged || result.status == io::RunStatus::inverted_element)
       << io::to_string(result.status);
@@ -217,7 +217,7 @@ TEST_F(LocomotionRun, ABodyThatGoesThroughItselfHasNotCompleted) {
   const std::string study =
       "[design]\nname = \"roof\"\ncells = [3, 1, 3]\ndigits = \"111100111\"\ncell_edge_m = 0.01\n"
       "wall_thickness_m = 0.002\nlargest_element_m = 0.006\ngrowth = 4\n" +
-      silicone + ground + "[loads]\ngravity_m_per_s2 = 60\n[drive]\nmode = \"none\"\npressure_Pa = [0, 1]\nperiod_s = 1\n" +
+      silicone + ground + "[loads]\ngravity_m_per_s2 = 60\n[drive]\nmode = \"none\"\npressure_Pa = [0, 1]\nfrequency_Hz = 1\n" +
       "[time]\nduration_s = 0.05\nrecord_interval_s = 0.005\n" + no_pictures;
   const LocomotionResult held = run(study, "held");
   EXPECT_EQ(held.status, io::RunStatus::completed) << held.reason;
@@ -236,7 +236,7 @@ TEST_F(LocomotionRun, ABodyThatGoesThroughItselfHasNotCompleted) {
 // The steps that failed end at a record here, which is not the fourth and has no frame until it is the end.
 TEST_F(LocomotionRun, KeepsTheFramesOfARunThatFailed) {
   const std::string study =
-      cube + silicone + ground + "[drive]\nmode = \"hold\"\npressure_Pa = [0, 60000]\nperiod_s = 0.05\n" +
+      cube + silicone + ground + "[drive]\nmode = \"hold\"\npressure_Pa = [0, 60000]\nfrequency_Hz = 20\n" +
       "[time]\nduration_s = 0.1\nrecord_interval_s = 2e-5\n[output]\npictures = false\nrecords_per_frame = 1000\n";
   const LocomotionResult result = run(study, "out");
   ASSERT_NE(result.status, io::RunStatus::completed);
@@ -256,7 +256,7 @@ TEST_F(LocomotionRun, KeepsTheFramesOfARunThatFailed) {
 
 TEST_F(LocomotionRun, RefusesAFrequencyThatTheStepCannotResolve) {
   std::string study = cube_study;
-  study.replace(study.find("period_s = 0.05"), 15, "period_s = 5e-5");
+  study.replace(study.find("frequency_Hz = 20"), 17, "frequency_Hz = 2e4");
   const std::string message = message_of([&] { run(study, "out"); });
   EXPECT_NE(message.find("study.toml: plenum \"plenum 0\": a ramp of 5e-05 s"), std::string::npos) << message;
   EXPECT_FALSE(fs::exists(folder_ / "out")) << "nothing is written";

@@ -24,8 +24,8 @@ inline const std::string rubber =
     "loss_factor = 0.1\nloss_frequency_Hz = 30\n";
 /// Its viscosity calms a body in a tenth of a second, which a branch does not.
 inline const std::string silicone = rubber + "damping_model = \"kelvin_voigt\"\n";
-inline const std::string ground = "[ground]\nstatic_coefficient = 1.0\nkinetic_coefficient = 0.5\n";
-inline const std::string drive = "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 4000]\nperiod_s = 0.05\n";
+inline const std::string ground = "[ground]\nstatic_friction = 1.0\nkinetic_friction = 0.5\n";
+inline const std::string drive = "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 4000]\nfrequency_Hz = 20\n";
 inline const std::string time = "[time]\nduration_s = 0.1\nrecord_interval_s = 0.01\n";
 inline const std::string no_pictures = "[output]\npictures = false\nrecords_per_frame = 4\n";
 

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fem/locomotion/locomotion_sweep.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_template.h"
+#include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 #include "tests/unit/fem/locomotion/locomotion_samples.h"
@@ -50,13 +54,14 @@ TEST(LocomotionStudy, SurfacesRubAsOnTheGroundUnlessStated) {
   EXPECT_EQ(plain.self_contact->friction->static_coefficient, plain.ground.friction.static_coefficient);
   EXPECT_EQ(plain.self_contact->friction->kinetic_coefficient, plain.ground.friction.kinetic_coefficient);
   const LocomotionStudy slippery =
-      sample_study(cube_study + "[dynamics]\nself_contact_static_coefficient = 0.2\nself_contact_kinetic_coefficient = 0.1\n");
+      sample_study(cube_study + "[dynamics]\nself_contact_static_friction = 0.2\nself_contact_kinetic_friction = 0.1\n");
   EXPECT_EQ(slippery.self_contact->friction->static_coefficient, 0.2);
   EXPECT_EQ(slippery.self_contact->friction->kinetic_coefficient, 0.1);
   EXPECT_NE(locomotion_text(plain), locomotion_text(slippery));
-  expect_refused(cube_study + "[dynamics]\nself_contact_static_coefficient = 0.1\nself_contact_kinetic_coefficient = 0.2\n",
-                 {"self_contact_static_coefficient"});
-  expect_refused(cube_study + "[dynamics]\nself_contact = false\nself_contact_kinetic_coefficient = 0.2\n", {"has no use"});
+  expect_refused(cube_study + "[dynamics]\nself_contact_static_friction = 0.1\nself_contact_kinetic_friction = 0.2\n",
+                 {"self_contact_static_friction"});
+  expect_refused(cube_study + "[dynamics]\nself_contact = false\nself_contact_kinetic_friction = 0.2\n",
+                 {"belongs to self_contact = true"});
 }
 
 TEST(LocomotionStudy, MeasuresLengthByTheLongestSideOfTheGrid) {
@@ -69,9 +74,9 @@ TEST(LocomotionStudy, StandsOnItsLowestPoint) {
   const std::string floating = "[design]\ncells = [1, 1, 2]\ndigits = \"01\"\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n" +
                                silicone + ground + drive + time;
   EXPECT_DOUBLE_EQ(sample_study(floating).ground.height_m, 0.01);
-  const std::string stated = "[ground]\nstatic_coefficient = 1\nkinetic_coefficient = 1\nheight_m = -0.002\n";
+  const std::string stated = "[ground]\nstatic_friction = 1\nkinetic_friction = 1\nheight_m = -0.002\n";
   EXPECT_EQ(sample_study(cube + silicone + stated + drive + time).ground.height_m, -0.002);
-  const std::string above = "[ground]\nstatic_coefficient = 1\nkinetic_coefficient = 1\nheight_m = 0.001\n";
+  const std::string above = "[ground]\nstatic_friction = 1\nkinetic_friction = 1\nheight_m = 0.001\n";
   expect_refused(cube + silicone + above + drive + time, {"ground.height_m = 0.001", "above the body's lowest point"});
 }
 
@@ -101,8 +106,8 @@ TEST(LocomotionStudy, IsTheSameRunIfItsTextIsTheSame) {
   EXPECT_EQ(locomotion_text(sample_study(cube_study + "[dynamics]\nthreads = 2\n")), text);
   for (const auto& [from, to] :
        std::vector<std::pair<std::string, std::string>>{{"4000", "4001"},
-                                                        {"period_s = 0.05", "period_s = 0.051"},
-                                                        {"kinetic_coefficient = 0.5", "kinetic_coefficient = 0.4"},
+                                                        {"frequency_Hz = 20", "frequency_Hz = 20.1"},
+                                                        {"kinetic_friction = 0.5", "kinetic_friction = 0.4"},
                                                         {"shear_modulus_Pa = 5e4", "shear_modulus_Pa = 5.1e4"},
                                                         {"loss_factor = 0.1", "loss_factor = 0.2"},
                                                         {"wall_thickness_m = 0.004", "wall_thickness_m = 0.003"},
@@ -130,17 +135,22 @@ TEST(LocomotionStudy, IsTheSameRunIfItsTextIsTheSame) {
 TEST(LocomotionStudy, NamesFileAndKeyOfWhatDoesNotFit) {
   expect_refused(cube_study + "colour = 1\n", {"study.toml:", "output.colour"});
   expect_refused(cube_study + "[floor]\nheight = 1\n", {"study.toml", "floor"});
-  expect_refused(cube + silicone + drive + time, {"study.toml", "ground is missing"});
-  expect_refused(cube + silicone + ground + time, {"study.toml", "[drive] or [[pressure]] is missing"});
-  expect_refused(cube + silicone + ground + drive, {"study.toml", "time is missing"});
+  expect_refused(cube + silicone + drive + time, {"study.toml", "ground.kinetic_friction is missing"});
+  expect_refused(cube + silicone + ground + time,
+                 {"study.toml", "drive or pressure is missing: a table [drive] or [[pressure]] is needed"});
+  expect_refused(cube + silicone + ground + drive, {"study.toml", "time.duration_s is missing"});
   expect_refused(cube_study + "[dynamics]\nmethod = \"magic\"\n", {"dynamics.method = \"magic\""});
   expect_refused(cube_study + "[[pressure]]\nplenum = \"plenum 0\"\nschedule = \"constant\"\npressure_Pa = 0\n",
                  {"keep one of them"});
-  expect_refused("schema_version = 2\n" + cube_study, {"schema_version = 2"});
+  expect_refused("schema_version = 3\n" + cube_study, {"schema_version = 3"});
+  expect_refused("schema_version = 1\n" + cube_study, {"schema_version = 1", "other names"});
+  expect_refused(cube_study + "[gas]\nexponent = 1.4\n", {"gas = {...}: a table [drive] beside it"});
+  expect_refused(cube + silicone + "[ground]\nkinetic_coefficient = 0.5\n" + drive + time,
+                 {"ground.kinetic_coefficient = 0.5", "is called ground.kinetic_friction now"});
   expect_refused(cube + silicone + ground + drive + "[time]\nduration_s = 1e6\nrecord_interval_s = 1e-3\n",
                  {"a million records"});
-  expect_refused(cube + silicone + "[ground]\nstatic_coefficient = 0.2\nkinetic_coefficient = 0.5\n" + drive + time,
-                 {"ground.static_coefficient = 0.2"});
+  expect_refused(cube + silicone + "[ground]\nstatic_friction = 0.2\nkinetic_friction = 0.5\n" + drive + time,
+                 {"ground.static_friction = 0.2"});
 }
 
 TEST(LocomotionStudy, ReadsWhatMovesItImplicitly) {
@@ -172,6 +182,70 @@ TEST(LocomotionStudy, RefusesWhatImplicitDynamicsHasNot) {
       "[[piston]]\nname = \"cam\"\nbore_m = 0.02\ncylinder_length_m = 0.05\nstroke_m = 0.03\nfrequency_Hz = 1\n";
   expect_refused(cube + silicone + ground + piston + time + implicit,
                  {"study.toml:", "pressure[1].supply = \"piston\"", "\"implicit\" has no lines"});
+}
+
+/// The keys alone, without a mesh of their body.
+LocomotionStudy parse_keys(const std::string& text) {
+  LocomotionStudy study;
+  io::read_described(io::parse_toml(text, "study.toml"), study);
+  return study;
+}
+
+/// A study whose values fit to each other, whatever they are one by one.
+struct PossibleStudy {
+  LocomotionStudy study;
+};
+
+void describe(io::StudyVisitor& visitor, PossibleStudy& possible) {
+  LocomotionStudy& study = possible.study;
+  describe(visitor, study);
+  if (visitor.source() != nullptr) return;
+  if (study.design.body.count() == 0) study.design.body = meshes::Polycube::from_digits(1, 1, 1, "1");
+  study.hollow.level = std::min(study.hollow.level, 3);
+  materials::HyperelasticLaw& law = study.silicone.law.law;
+  if (!(materials::shear_modulus_at_rest_Pa(law) > 0.0)) law = materials::NeoHookean{5e4};
+  if (!study.silicone.density_kg_per_m3) study.silicone.density_kg_per_m3 = 1000.0;
+  if (!study.drive) study.drive.emplace();  // supplies have a test of their own
+  std::ranges::sort(study.drive->pressure_Pa);
+}
+
+TEST(LocomotionStudy, TemplateAndTextsAreRead) {
+  const auto adopt = [](LocomotionStudy& told, const LocomotionStudy& read) { told.silicone.law = read.silicone.law; };
+  tests::expect_template_is_read<LocomotionStudy>(parse_keys, {"design.file", "material.law"}, adopt);  // no file, no density
+  tests::expect_texts_are_read_back<PossibleStudy>([](const std::string& text) { return PossibleStudy{parse_keys(text)}; }, 100);
+}
+
+TEST(LocomotionStudy, TemplateRuns) {
+  LocomotionStudy told;
+  io::StudyTemplateWriter writer;
+  describe(writer, told);
+  const LocomotionStudy study = sample_study(writer.text());
+  EXPECT_GT(study.mesh.elements.size(), 100U);
+  EXPECT_EQ(study.duration_s, 0.1);
+}
+
+// Designs, laws and points of pressures stand in the text, and what a study leaves open.
+TEST(LocomotionStudy, IsReadBackFromItsText) {
+  const tests::TestFolder folder;
+  const std::filesystem::path table = folder / "pressure.csv";
+  io::write_whole(table, "time_s,pressure_Pa\n0,0\n0.1,1000\n0.2,2000\n");
+  const std::string points = "[[pressure]]\nplenum = \"plenum 0\"\nschedule = \"table\"\nfile = \"" + table.string() + "\"\n";
+  const std::string tube =
+      "[[pressure]]\nplenum = \"plenum 0\"\nsupply = \"piston\"\npiston = \"cam\"\nlength_m = 1\ndiameter_m = 0.002\n"
+      "[[piston]]\nname = \"cam\"\nbore_m = 0.02\ncylinder_length_m = 0.05\nstroke_m = 0.03\nfrequency_Hz = 1\n";
+  const std::string record = "[material]\nsilicone = \"dragon_skin_10\"\n";
+  const std::string bristles = ground + "[ground.directional]\nforward = [3, 4]\n";
+  for (const std::string& text :
+       {cube_study, hook_study, cube_study + "[dynamics]\nmethod = \"implicit\"\n", cube + record + ground + drive + time,
+        cube + rubber + bristles + points + time, cube + silicone + ground + tube + time}) {
+    const LocomotionStudy study = sample_study(text);
+    const LocomotionStudy again = sample_study(locomotion_text(study));
+    EXPECT_EQ(locomotion_text(again), locomotion_text(study));
+    EXPECT_EQ(again.ground.friction.directional.has_value(), study.ground.friction.directional.has_value());
+    EXPECT_EQ(again.material.bulk_modulus_Pa, study.material.bulk_modulus_Pa);
+    EXPECT_EQ(again.supply->plena().size(), study.supply->plena().size());
+  }
+  EXPECT_EQ(sample_study(cube + silicone + ground + points + time).inputs.count(table.string()), 1U);
 }
 
 TEST(LocomotionStudy, ReadsTheStudiesThatAreThere) {

@@ -23,8 +23,8 @@ const std::string two_records = "[time]\nduration_s = 0.02\nrecord_interval_s = 
 const std::string base = cube + silicone + ground + drive + two_records + no_pictures;
 
 TEST(LocomotionSweep, PutsEachValueInPlaceOfTheStudys) {
-  const LocomotionStudy study = sample_study(
-      base + "[sweep]\nkeys = [\"ground.static_coefficient\", \"ground.kinetic_coefficient\"]\nvalues = [0.25, 1]\n");
+  const LocomotionStudy study =
+      sample_study(base + "[sweep]\nkeys = [\"ground.static_friction\", \"ground.kinetic_friction\"]\nvalues = [0.25, 1]\n");
   const auto studies = sweep_studies(study);
   ASSERT_EQ(studies.size(), 2U);
   EXPECT_EQ(studies[0].ground.friction.static_coefficient, 0.25);
@@ -41,10 +41,10 @@ TEST(LocomotionSweep, RefusesKeysAndValuesThatTheStudyHasNot) {
   EXPECT_NE(message("[sweep]\nkeys = [\"ground.stickiness\"]\nvalues = [1]\n").find("study.toml: ground.stickiness"),
             std::string::npos);
   EXPECT_NE(message("[sweep]\nkeys = [\"drive.mode\"]\nvalues = [1]\n").find("drive.mode: must be a number"), std::string::npos);
-  const std::string negative = message("[sweep]\nkeys = [\"drive.period_s\"]\nvalues = [-1]\n");
-  EXPECT_NE(negative.find("drive.period_s = -1"), std::string::npos) << negative;
+  const std::string negative = message("[sweep]\nkeys = [\"drive.frequency_Hz\"]\nvalues = [-1]\n");
+  EXPECT_NE(negative.find("drive.frequency_Hz = -1"), std::string::npos) << negative;
   EXPECT_NE(message("[sweep]\nkeys = []\nvalues = [1]\n").find("sweep.keys"), std::string::npos);
-  EXPECT_NE(message("[sweep]\nkeys = [\"drive.period_s\"]\nvalues = []\n").find("sweep.values"), std::string::npos);
+  EXPECT_NE(message("[sweep]\nkeys = [\"drive.frequency_Hz\"]\nvalues = []\n").find("sweep.values"), std::string::npos);
 }
 
 // The second case is beyond what the walls bear, the third is not stopped by that.
@@ -52,7 +52,7 @@ TEST(LocomotionSweep, RunsEveryCaseAlsoAfterOneThatFailed) {
   const tests::TestFolder scratch;
   const fs::path folder = scratch / "new";
   std::string study = cube + silicone + ground +
-                      "[drive]\nmode = \"hold\"\npressure_Pa = [0, 1000]\nperiod_s = 0.02\nramp_s = 0.002\n" + two_records +
+                      "[drive]\nmode = \"hold\"\npressure_Pa = [0, 1000]\nfrequency_Hz = 50\nramp_s = 0.002\n" + two_records +
                       no_pictures + "[sweep]\nkeys = [\"loads.gravity_m_per_s2\"]\nvalues = [9.81, 2e5, 1.62]\n" +
                       "[loads]\ngravity_m_per_s2 = 9.81\n";
   const auto cases = run_sweep(sample_study(study), folder);
@@ -71,7 +71,7 @@ TEST(LocomotionSweep, RefusesACaseBeforeItRunsAnother) {
   const tests::TestFolder scratch;
   const fs::path folder = scratch / "new";
   io::write_whole(folder / "sweep.csv", "earlier");
-  const std::string study = base + "[sweep]\nkeys = [\"drive.period_s\"]\nvalues = [0.05, 5e-5]\n";
+  const std::string study = base + "[sweep]\nkeys = [\"drive.frequency_Hz\"]\nvalues = [20, 2e4]\n";
   const std::string message = message_of([&] { (void)run_sweep(sample_study(study), folder); });
   EXPECT_NE(message.find("a ramp of 5e-05 s"), std::string::npos) << message;
   EXPECT_EQ(io::read_whole(folder / "sweep.csv"), "earlier");
@@ -81,7 +81,7 @@ TEST(LocomotionSweep, RefusesACaseBeforeItRunsAnother) {
 TEST(LocomotionSweep, GoesOnWithTheCaseThatWasStopped) {
   const tests::TestFolder scratch;
   const fs::path folder = scratch / "new";
-  const LocomotionStudy study = sample_study(base + "[sweep]\nkeys = [\"ground.kinetic_coefficient\"]\nvalues = [0.1, 0.2]\n");
+  const LocomotionStudy study = sample_study(base + "[sweep]\nkeys = [\"ground.kinetic_friction\"]\nvalues = [0.1, 0.2]\n");
   std::atomic<bool> stop = false;
   const auto stopped = run_sweep(study, folder, {.stop = &stop}, [&](std::size_t, const SweepCase&) { stop = true; });
   ASSERT_EQ(stopped.size(), 2U);

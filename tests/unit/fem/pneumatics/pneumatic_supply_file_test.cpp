@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "io/study/study_reader.h"
+#include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
 
 namespace menger::fem {
@@ -9,12 +11,13 @@ namespace {
 
 const std::vector<std::string> plena{"plenum 0", "plenum 1", "plenum 2"};
 
-PneumaticSupply read(const std::string& text) {
-  const io::TomlTable table = io::parse_toml(text, "study.toml");
-  PneumaticSupply supply = read_pneumatic_supply(table, plena);
-  table.finish();
+StudySupply parse(const std::string& text) {
+  StudySupply supply;
+  io::read_described(io::parse_toml(text, "study.toml"), supply);
   return supply;
 }
+
+PneumaticSupply read(const std::string& text) { return supply_of(parse(text), plena, io::parse_toml(text, "study.toml")); }
 
 std::string message(const std::string& text) {
   return tests::message_of([&] { read(text); });
@@ -68,7 +71,11 @@ TEST(PneumaticSupplyFile, BadInputNamesFileKeyAndValue) {
   has(cam + on_cam + "length_m = 1\ndiameter_m = 1e-3\n" + resistance, "resistance_Pa_s_per_m3");
   has(cam + on_cam + resistance + on_cam + resistance, "has a supply already");
   has(cam + cam + on_cam + resistance, "another piston has this name");
-  has(cam + "[[pressure]]\nplenum = 'lung'\nsupply = 'piston'\n", "\"lung\"");
+  has(cam + "[[pressure]]\nplenum = 'lung'\nsupply = 'piston'\npiston = 'cam'\n" + resistance, "\"lung\"");
+  has("[gas]\nexponent = 1\n", "pressure is missing");
+  has(cam + on_cam + resistance + "schedule = 'sine'\n", "belongs to supply = \"schedule\" or \"line\"");
+  has("[[pressure]]\nplenum = 'plenum 0'\nschedule = 'constant'\npressure_Pa = 0\nduty = 0.5\n",
+      "belongs to schedule = \"square\"");
   has(cam + "[[pressure]]\nplenum = 'plenum 0'\nsupply = 'piston'\npiston = 'pump'\n" + resistance, "\"pump\"");
   has(on_cam + resistance, "the file has no [[piston]]");
   has(cam + "[[pressure]]\nplenum = 'plenum 0'\nschedule = 'constant'\npressure_Pa = 0\n", "supplies no plenum");
@@ -81,6 +88,11 @@ TEST(PneumaticSupplyFile, BadInputNamesFileKeyAndValue) {
   long_stroke.replace(long_stroke.find("stroke_m = 0.0625"), 17, "stroke_m = 0.05");
   has(long_stroke + on_cam + resistance, "leaves the air no room");
   EXPECT_EQ(message(long_stroke + on_cam + resistance + "volume_m3 = 1e-6\n"), "no error");
+}
+
+TEST(PneumaticSupplyFile, TemplateAndTextsAreRead) {
+  tests::expect_template_is_read<StudySupply>(parse, {"piston", "pressure.supply = \"piston\""});  // one without the other
+  tests::expect_texts_are_read_back<StudySupply>(parse, 10);
 }
 
 }  // namespace

@@ -3,9 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "fem/pneumatics/pressure_schedule_file.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/whole_file.h"
+#include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 
@@ -14,10 +20,19 @@ namespace {
 
 const std::vector<std::string> plena{"plenum 0", "plenum 1"};
 
+/// A schedule in a table of its own.
+struct StudySchedule {
+  PlenumSchedule schedule;
+  std::optional<std::filesystem::path> file{};
+};
+
+void describe(io::StudyVisitor& visitor, StudySchedule& study) { describe(visitor, study.schedule, study.file); }
+
 /// @param folder of the study, from which it counts paths
-std::vector<PlenumSchedule> read(const std::string& text, const std::filesystem::path& folder = {}) {
-  const io::TomlTable table = io::parse_toml(text, folder / "study.toml");
-  return read_plenum_schedules(table.tables("pressure"), plena);
+StudySchedule read(const std::string& text, const std::filesystem::path& folder = {}) {
+  StudySchedule schedule;
+  io::read_described(io::parse_toml(text, folder / "study.toml"), schedule);
+  return schedule;
 }
 
 using tests::message_of;
@@ -59,20 +74,31 @@ TEST(PressureSchedule, RampFadesIn) {
   EXPECT_EQ(pressure_Pa(constant, 1.0), 6e3);
 }
 
-TEST(PressureSchedule, FilesGiveOneSchedulePerPlenum) {
-  const auto schedules =
-      read("[[pressure]]\nplenum = 'plenum 1'\nschedule = 'sine'\nhigh_Pa = 6e3\nfrequency_Hz = 3\nramp_s = 0.1\n");
-  ASSERT_EQ(schedules.size(), 2U);
-  EXPECT_EQ(pressure_Pa(schedules[0], 7.0), 0.0);
-  EXPECT_NEAR(pressure_Pa(schedules[1], 0.5), 6e3, 1e-9);
-  EXPECT_EQ(schedules[1].ramp_s, 0.1);
+TEST(PressureSchedule, FilesGiveItsMembers) {
+  const PlenumSchedule sine = read("schedule = 'sine'\nhigh_Pa = 6e3\nfrequency_Hz = 3\nramp_s = 0.1\n").schedule;
+  EXPECT_NEAR(pressure_Pa(sine, 0.5), 6e3, 1e-9);
+  EXPECT_EQ(sine.ramp_s, 0.1);
+  const PlenumSchedule square =
+      read("schedule = 'square'\nlow_Pa = 1\nhigh_Pa = 3\nfrequency_Hz = 1\nduty = 0.4\nrise_s = 0.1\nphase = 0.05\n").schedule;
+  EXPECT_DOUBLE_EQ(pressure_Pa(square, 0.0), 2.0);
 }
 
-TEST(PressureSchedule, TablesComeFromCsv) {
+TEST(PressureSchedule, TablesComeFromCsvOrStandInTheStudy) {
   const tests::TestFolder folder;
   io::write_whole(folder / "schedule.csv", "time_s,pressure_Pa\n0,0\n0.5,4000\n");
-  const auto schedules = read("[[pressure]]\nplenum = 'plenum 0'\nschedule = 'table'\nfile = 'schedule.csv'\n", folder);
-  EXPECT_NEAR(pressure_Pa(schedules[0], 0.25), 2e3, 1e-9);
+  const StudySchedule study = read("schedule = 'table'\nfile = 'schedule.csv'\n", folder);
+  EXPECT_NEAR(pressure_Pa(study.schedule, 0.25), 2e3, 1e-9);
+  EXPECT_EQ(study.file, folder / "schedule.csv");
+  const std::string text = io::described_text(study);
+  EXPECT_EQ(text, "schedule = \"table\"\ntimes_s = [0, 0.5]\npressures_Pa = [0, 4000]\nramp_s = 0\n");
+  EXPECT_EQ(io::described_text(read(text)), text);
+  EXPECT_FALSE(read(text).file);
+}
+
+TEST(PressureSchedule, TemplateAndTextsAreRead) {
+  const auto parse = [](const std::string& text) { return read(text); };
+  tests::expect_template_is_read<StudySchedule>(parse);
+  tests::expect_texts_are_read_back<StudySchedule>(parse);
 }
 
 TEST(PressureSchedule, TimeMustNotRunBackwards) {
@@ -87,18 +113,18 @@ TEST(PressureSchedule, TimeMustNotRunBackwards) {
 }
 
 TEST(PressureSchedule, BadInputNamesKeyAndValue) {
-  const std::string sine = "schedule = 'sine'\nhigh_Pa = 6e3\nfrequency_Hz = 3\n";
-  const auto message = [&](const std::string& text) { return message_of([&] { read(text); }); };
-  EXPECT_NE(message("[[pressure]]\nplenum = 'lung'\n" + sine).find("\"plenum 0\", \"plenum 1\""), std::string::npos);
-  const std::string twice = "[[pressure]]\nplenum = 'plenum 0'\n" + sine;
-  EXPECT_NE(message(twice + twice).find("has a schedule already"), std::string::npos);
-  EXPECT_NE(
-      message("[[pressure]]\nplenum = 'plenum 0'\nschedule = 'sine'\nhigh_Pa = 6e3\nfrequency_Hz = 0\n").find("frequency_Hz"),
-      std::string::npos);
-  EXPECT_NE(message("[[pressure]]\nplenum = 'plenum 0'\nschedule = 'square'\nhigh_Pa = 1\nfrequency_Hz = 2\nrise_s = 0.3\n")
-                .find("rise_s"),
-            std::string::npos);
-  EXPECT_NE(message("[[pressure]]\nplenum = 'plenum 0'\nschedule = 'saw'\n").find("schedule"), std::string::npos);
+  for (const auto& [text, part] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"schedule = 'sine'\nhigh_Pa = 6e3\nfrequency_Hz = 0\n", "frequency_Hz = 0"},
+           {"schedule = 'sine'\nhigh_Pa = 6e3\n", "frequency_Hz is missing"},
+           {"schedule = 'square'\nhigh_Pa = 1\nfrequency_Hz = 2\nrise_s = 0.375\n", "rise_s = 0.375: must not be longer"},
+           {"schedule = 'saw'\n", "schedule = \"saw\""},
+           {"pressure_Pa = 1\n", "schedule is missing"},
+           {"schedule = 'table'\n", "times_s or file is missing"},
+           {"schedule = 'table'\ntimes_s = [0, 1]\npressures_Pa = [0]\n", "pressures_Pa = [...]: must be as many as times_s"},
+           {"schedule = 'table'\ntimes_s = [0, 1, 1]\npressures_Pa = [0, 1, 2]\n", "times_s[3] = 1: must be later"}}) {
+    const std::string message = message_of([&, keys = std::string(text)] { (void)read(keys); });
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
 }
 
 TEST(PressureSchedule, StepsMustResolveIt) {

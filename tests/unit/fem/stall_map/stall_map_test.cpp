@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <filesystem>
@@ -10,8 +11,11 @@
 #include "fem/stall_map/stall_map_file.h"
 #include "fem/stall_map/stall_map_output.h"
 #include "fem/stall_map/stall_travel.h"
+#include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
+#include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 
@@ -165,15 +169,19 @@ TEST(StallMap, WalksAreSpreadOverTheMap) {
 
 TEST(StallMap, SceneHasThePressuresOfItsPoint) {
   StallMapStudy study = example();
-  study.walker = StallWalker{.design = "cube.toml", .parameters = "fit.toml", .level = 2, .periods = 5};
+  study.walker = StallWalker{
+      .design = {"cube", meshes::Polycube::from_digits(1, 1, 1, "1"), 0.02}, .parameters = "fit.toml", .level = 2, .periods = 5};
   const StallPoint point = stall_point(study, 2.0, 1e3, 0.02);
   const io::TomlTable scene = io::parse_toml(travel_scene(study, point), "scene.toml");
-  EXPECT_EQ(scene.table("surrogate").numbers("pressure_Pa"),
-            (std::vector<double>{point.lowest_pressure_Pa, point.peak_pressure_Pa}));
-  EXPECT_DOUBLE_EQ(scene.table("actuation").number("period_s"), 0.5);
-  EXPECT_DOUBLE_EQ(scene.number("duration_s"), 2.5);
-  EXPECT_DOUBLE_EQ(scene.number("record_interval_s"), 0.025);
-  EXPECT_EQ(scene.path("design"), fs::absolute("cube.toml"));
+  EXPECT_EQ(scene.table("drive").numbers("pressure_Pa"), (std::vector<double>{point.lowest_pressure_Pa, point.peak_pressure_Pa}));
+  EXPECT_DOUBLE_EQ(scene.table("drive").number("frequency_Hz"), 2.0);
+  EXPECT_DOUBLE_EQ(scene.table("time").number("duration_s"), 2.5);
+  EXPECT_DOUBLE_EQ(scene.table("time").number("record_interval_s"), 0.025);
+  EXPECT_EQ(scene.table("ground").number("static_friction"), 1.0);
+  EXPECT_EQ(scene.table("surrogate").path("parameters"), fs::absolute("fit.toml"));
+  EXPECT_EQ(scene.table("design").text_rows("layers"), (std::vector<std::vector<std::string>>{{"1"}}));
+  EXPECT_EQ(scene.table("design").number("cell_edge_m"), 0.02);
+  EXPECT_EQ(scene.table("design").integer("level"), 2);
 }
 
 class StallMapFile : public testing::Test {
@@ -226,16 +234,72 @@ TEST_F(StallMapFile, BadInputIsNamed) {
   refuses("bore_m = 0.03", "bore_m = -1", "bore_m = -1");
   refuses("count = 9", "count = 0", "count = 0");
   refuses("isobars_Pa", "isobar_Pa", "isobar_Pa");
-  const std::string travel = "[travel]\ndesign = 'curve.csv'\nparameters = 'curve.csv'\n";
-  refuses("[[mark]]", travel + "level = 4\n[[mark]]", "level = 4");
+  const std::string walker = "[travel]\ndesign = {layers = [['1']], cell_edge_m = 0.01";
+  const std::string travel = walker + "}\nparameters = 'curve.csv'\n";
+  refuses("[[mark]]", walker + ", level = 4}\nparameters = 'curve.csv'\n[[mark]]", "travel.design.level = 4");
+  refuses("[[mark]]", travel + "level = 2\n[[mark]]", "travel.level = 2: is called travel.design.level now");
+  refuses("[[mark]]", "[travel]\ndesign = 'curve.csv'\nparameters = 'curve.csv'\n[[mark]]",
+          "travel.design = \"curve.csv\": is called design.file now");
   refuses("[[mark]]", travel + "periods = 1\n[[mark]]", "periods = 1");
   refuses("[[mark]]", travel + "static_friction = 0.3\n[[mark]]", "is less than kinetic_friction = 0.5");
-  refuses("[[mark]]", "[travel]\ndesign = 'none.toml'\nparameters = 'curve.csv'\n[[mark]]", "none.toml");
+  refuses("[[mark]]", "[travel]\ndesign = {file = 'none.toml'}\nparameters = 'curve.csv'\n[[mark]]", "none.toml");
   refuses("cylinder_length_m = 0.1\n", "cylinder_length_m = 0.1\nfill_pressure_Pa = -500\n", "outside the curve");
   io::write_whole(folder_ / "curve.csv", "pressure_Pa,volume_m3\n0,5e-6\n1000,6e-6\n900,9e-6\n");
   refuses("", "", "curve.csv:4");
   io::write_whole(folder_ / "curve.csv", "pressure_Pa,volume_m3\n0,5e-6\n1000,4e-6\n");
   refuses("", "", "curve.csv:3");
+}
+
+TEST_F(StallMapFile, CurveMayStandInTheStudy) {
+  const std::string inline_curve = "pressures_Pa = [0, 1000, 5000]\nvolumes_m3 = [5e-6, 6e-6, 9e-6]";
+  EXPECT_EQ(read("curve = 'curve.csv'", inline_curve).plenum.volumes_m3, read().plenum.volumes_m3);
+  refuses("curve = 'curve.csv'", inline_curve + "\ncurve = 'curve.csv'", "keep one of them");
+  refuses("curve = 'curve.csv'", "", "pressures_Pa or curve is missing");
+  refuses("curve = 'curve.csv'", "pressures_Pa = [0, 1000]\nvolumes_m3 = [5e-6]", "needs at least two");
+  refuses("curve = 'curve.csv'", "pressures_Pa = [0, 1000, 900]\nvolumes_m3 = [5e-6, 6e-6, 9e-6]", "pressures_Pa[3] = 900");
+  refuses("curve = 'curve.csv'", "pressures_Pa = [0, 1000]\nvolumes_m3 = [5e-6, 2.5e-6]", "volumes_m3[2] = 2.5");
+}
+
+TEST_F(StallMapFile, IsReadBackFromItsText) {
+  const std::string travel =
+      "[travel]\ndesign = {layers = [['1']], cell_edge_m = 0.01, level = 2}\nparameters = 'curve.csv'\n[[mark]]";
+  const StallMapStudy study = read("[[mark]]", travel);
+  const std::string text = io::described_text(study);
+  StallMapStudy again;
+  io::read_described(io::parse_toml(text, "study.toml"), again);
+  EXPECT_EQ(io::described_text(again), text);
+  EXPECT_EQ(again.plenum.volumes_m3, study.plenum.volumes_m3);
+  EXPECT_EQ(again.strokes_m, study.strokes_m);
+  EXPECT_EQ(again.resistances_Pa_s_per_m3, study.resistances_Pa_s_per_m3);
+}
+
+/// A study whose values fit to each other, whatever they are one by one.
+struct PossibleStudy {
+  StallMapStudy study;
+};
+
+void describe(io::StudyVisitor& visitor, PossibleStudy& possible) {
+  StallMapStudy& study = possible.study;
+  describe(visitor, study);
+  if (visitor.source() != nullptr) return;
+  study.plenum = {{0.0, 1e4}, {1e-5, 2e-5}};
+  study.piston.fill_pressure_Pa = 0.0;
+  if (study.cylinder_length_m) study.cylinder_length_m = study.strokes_m.back() + 1.0;
+  study.piston.dead_volume_m3 += 1e-6;
+  std::ranges::sort(study.frequencies_Hz);
+  study.walker.reset();  // names a file
+  for (double& isobar_Pa : study.isobars_Pa) isobar_Pa = std::abs(isobar_Pa) + 1.0;
+  for (StallMark& mark : study.marks) mark.frequency_Hz = study.frequencies_Hz.front();
+}
+
+TEST(StallMapStudy, TemplateAndTextsAreRead) {
+  const auto parse = [](const std::string& text) {
+    StallMapStudy study;
+    io::read_described(io::parse_toml(text, "study.toml"), study);
+    return study;
+  };
+  tests::expect_template_is_read<StallMapStudy>(parse, {"plenum.curve", "travel"});  // name files that are not there
+  tests::expect_texts_are_read_back<PossibleStudy>([&](const std::string& text) { return PossibleStudy{parse(text)}; }, 100);
 }
 
 }  // namespace

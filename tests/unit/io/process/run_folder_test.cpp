@@ -29,7 +29,7 @@ TEST(RunFolder, RemovesWhatAnEarlierRunLeftAndNothingElse) {
 
 TEST(RunFolder, EndsWithAManifest) {
   const tests::TestFolder folder;
-  RunFolder("menger-x", folder.path()).write_manifest("a = 1\n", {{"study.toml", "hash"}}, 7);
+  RunFolder("menger-x", folder.path()).finish("a = 1\n", {{"study.toml", "hash"}}, 7);
   const std::string text = read_whole(folder / "manifest.json");
   for (const char* part : {"menger-x", "a = 1", "study.toml", "\"seed\": 7"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
@@ -38,7 +38,7 @@ TEST(RunFolder, EndsWithAManifest) {
 TEST(ExitCode, FollowsFromTheStatus) {
   EXPECT_EQ(exit_code_of(RunStatus::completed), exit_code::done);
   EXPECT_EQ(exit_code_of(RunStatus::diverged), exit_code::numerical);
-  EXPECT_EQ(exit_code_of(RunStatus::stopped), exit_code::numerical) << "without Ctrl-C";
+  EXPECT_EQ(exit_code_of(RunStatus::stopped), exit_code::interrupted);
 }
 
 }  // namespace

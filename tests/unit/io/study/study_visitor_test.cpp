@@ -236,6 +236,36 @@ TEST(StudySchema, HoldsKindsRangesWordsAndWhatExcludesWhat) {
   EXPECT_EQ(schema["allOf"][0]["not"]["required"], nlohmann::json::array({"pressure_Pa", "volume_m3"}));
 }
 
+// What a height may be depends on the size, which the schema does not know.
+TEST(StudySchema, LeavesOutWhatDependsOnOtherValues) {
+  struct Fence {
+    double size_m = 1.0;
+    double height_m = 0.5;
+    std::vector<double> knots{0.0, 1.0};
+  };
+  const auto go_through = [](StudySchemaWriter& writer) {
+    Fence fence;
+    StudyVisitor& visitor = writer;
+    visitor.number({"size_m", "Of the garden."}, fence.size_m, positive());
+    visitor.number({"height_m", "Of the fence."}, fence.height_m, {.lowest = 0.0, .highest = fence.size_m});
+    visitor.numbers({"knots", "Of the net."}, fence.knots);
+    double at = 0.0;
+    visitor.number({"at", "Where the gate is.", fence.size_m == 1.0 ? "0.5" : ""}, at,
+                   {.highest = static_cast<double>(fence.knots.size())});
+  };
+  StudySchemaWriter writer;
+  go_through(writer);
+  StudySchemaWriter varied(true);
+  go_through(varied);
+  writer.leave_out_what_differs(varied);
+  const nlohmann::json schema = nlohmann::json::parse(writer.text("a fence"));
+  EXPECT_EQ(schema["properties"]["size_m"]["exclusiveMinimum"], 0.0);
+  EXPECT_EQ(schema["properties"]["height_m"]["minimum"], 0.0);
+  EXPECT_FALSE(schema["properties"]["height_m"].contains("maximum")) << schema;
+  EXPECT_FALSE(schema["properties"]["at"].contains("maximum")) << schema;
+  EXPECT_FALSE(schema.contains("required")) << schema;
+}
+
 TEST(StudyKeys, HaveARowForEveryKey) {
   Garden garden;
   StudyKeyTable table;

@@ -33,6 +33,8 @@ TEST(StudyLaw, TemplateOfEveryLawIsRead) {
   tests::expect_texts_are_read_back<HyperelasticLaw>(parse_law);
 }
 
+TEST(StudyLaw, TemplateIsReadWithASiliconeOrALaw) { tests::expect_template_is_read<StudyLaw>(parse); }
+
 TEST(StudyLaw, LawInPlaceIsReadBack) { tests::expect_texts_are_read_back<StudyLaw>(parse, 20); }
 
 TEST(StudyLaw, IsTheRecommendedOneOfASilicone) {

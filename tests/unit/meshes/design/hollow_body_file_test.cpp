@@ -10,15 +10,15 @@
 #include "io/text/whole_file.h"
 #include "meshes/design/reference_shapes.h"
 #include "tests/support/described_study.h"
+#include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::meshes {
 namespace {
 
 HollowBodyOptions parse(const std::string& text) {
-  const io::TomlTable table = io::parse_toml(text, "mesh.toml");
-  HollowBodyOptions options = read_hollow_body_options(table);
-  table.finish();
+  HollowBodyOptions options;
+  io::read_described(io::parse_toml(text, "mesh.toml"), options);
   return options;
 }
 
@@ -72,24 +72,34 @@ TEST(MeshStudy, IsADesignOrNamesOne) {
   const MeshStudy plain = read_mesh_study(folder / "designs/bar.toml");
   EXPECT_EQ(plain.design, design);
   EXPECT_EQ(plain.options, HollowBodyOptions{});
-  io::write_whole(folder / "mesh.toml", "design = \"designs/bar.toml\"\nlevel = 2\n");
+  io::write_whole(folder / "mesh.toml", "[design]\nfile = \"designs/bar.toml\"\nlevel = 2\n");
   const MeshStudy study = read_mesh_study(folder / "mesh.toml");
   EXPECT_EQ(study.design, design);
   EXPECT_EQ(study.options.level, 2);
   EXPECT_EQ(study.design_file, folder / "designs/bar.toml");
-  io::write_whole(folder / "mesh.toml", "design = \"designs/bar.toml\"\nlevels = 2\n");
-  EXPECT_THROW(static_cast<void>(read_mesh_study(folder / "mesh.toml")), io::InputError);
+  const auto refusal = [&](const std::string& text) {
+    io::write_whole(folder / "mesh.toml", text);
+    return tests::message_of([&] { static_cast<void>(read_mesh_study(folder / "mesh.toml")); });
+  };
+  const std::string unknown = refusal("[design]\nfile = \"designs/bar.toml\"\nlevels = 2\n");
+  EXPECT_NE(unknown.find("design.levels: unknown key"), std::string::npos) << unknown;
+  const std::string earlier = refusal("design = \"designs/bar.toml\"\nlevel = 2\n");
+  EXPECT_NE(earlier.find("design = \"designs/bar.toml\": is a table now"), std::string::npos) << earlier;
 }
 
-HollowBodyOptions parse_options(const std::string& text) {
-  HollowBodyOptions options;
-  io::read_described(io::parse_toml(text, "study.toml"), options);
-  return options;
+TEST(MeshStudy, TemplateAndTextsAreRead) {
+  const auto parse_study = [](const std::string& text) {
+    MeshStudy study;
+    io::read_described(io::parse_toml(text, "mesh.toml"), study);
+    return study;
+  };
+  tests::expect_template_is_read<MeshStudy>(parse_study, {"design.file"});  // names a file that is not there
+  tests::expect_texts_are_read_back<MeshStudy>(parse_study);
 }
 
 TEST(HollowBodyOptions, TemplateAndTextsAreRead) {
-  tests::expect_template_is_read<HollowBodyOptions>(parse_options);
-  tests::expect_texts_are_read_back<HollowBodyOptions>(parse_options, 300);
+  tests::expect_template_is_read<HollowBodyOptions>(parse);
+  tests::expect_texts_are_read_back<HollowBodyOptions>(parse, 300);
 }
 
 }  // namespace

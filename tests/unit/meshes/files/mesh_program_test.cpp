@@ -52,14 +52,25 @@ TEST_F(MeshProgram, WritesMeshQualityAndManifest) {
 
 TEST_F(MeshProgram, FlagsReplaceTheKeysOfAStudy) {
   io::write_whole(folder_ / "mesh.toml",
-                  "design = \"bar.toml\"\nlevel = 2\nelements_through_wall = 3\n"
-                  "[[tubes]]\ncell = [0, 0, 0]\nside = \"z max\"\nedge_m = 0.002\n");
+                  "[design]\nfile = \"bar.toml\"\nlevel = 2\nelements_through_wall = 3\n"
+                  "[[design.tubes]]\ncell = [0, 0, 0]\nside = \"z max\"\nedge_m = 0.002\n");
   ASSERT_EQ(run("mesh.toml --elements-through-wall 1 --hole-edge-m 0.002 -o out.vtu"), 0) << text("err");
   const HexahedralMesh mesh = read_vtu_mesh(folder_ / "out.vtu");
   // Two modules, less one hole through both walls of the joint and one tube hole, of an element in each wall.
   EXPECT_EQ(mesh.elements.size(), 2U * 178U - 2U - 1U);
   EXPECT_EQ(mesh.plenum_names.size(), 1U);
   EXPECT_NO_THROW(static_cast<void>(label_index(mesh, "tube")));
+}
+
+TEST_F(MeshProgram, MeshesItsOwnTemplate) {
+  ASSERT_EQ(run("--template"), 0) << text("err");
+  io::write_whole(folder_ / "study.toml", text("out"));
+  ASSERT_EQ(run("study.toml"), 0) << text("err");
+  EXPECT_FALSE(read_vtu_mesh(folder_ / "study.vtu").elements.empty());
+  ASSERT_EQ(run("--keys"), 0);
+  EXPECT_NE(text("out").find("design.wall_thickness_m"), std::string::npos);
+  ASSERT_EQ(run("--schema"), 0);
+  EXPECT_NE(text("out").find("study of menger-mesh"), std::string::npos);
 }
 
 TEST_F(MeshProgram, CountsModulesHolesAndEdgeContacts) {

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <limits>
+#include <string>
 
 #include "io/text/input_error.h"
 #include "meshes/load_cases/load_case_file.h"
+#include "tests/support/described_study.h"
 
 namespace menger::meshes {
 namespace {
@@ -48,6 +52,23 @@ std::string with(const std::string& key, const std::string& value) {
   return text.replace(start, end - start, value);
 }
 
+/// A case whose values fit to each other, whatever they are one by one.
+struct PossibleCase {
+  LoadCase load_case;
+};
+
+void describe(io::StudyVisitor& visitor, PossibleCase& possible) {
+  LoadCase& load_case = possible.load_case;
+  describe(visitor, load_case);
+  std::erase_if(load_case.name, [](char sign) { return std::isalnum(static_cast<unsigned char>(sign)) == 0; });
+  if (load_case.name.empty()) load_case.name = "a";
+  load_case.cells = {static_cast<int>(load_case.digits.size()), 1, 1};
+  for (char& digit : load_case.digits) digit = static_cast<char>('1' + digit % 2);
+  load_case.wall_thickness_m = std::min(load_case.wall_thickness_m, 0.4 * load_case.cell_edge_m);
+}
+
+PossibleCase parse(const std::string& text) { return {read(text)}; }
+
 TEST(LoadCase, EveryKindHasItsWord) {
   for (const auto& [word, kind] : load_case_kind_words()) EXPECT_EQ(to_string(kind), word);
   EXPECT_EQ(load_case_kind_words().size(), 9U);
@@ -71,19 +92,24 @@ TEST(LoadCase, TextGivesTheSameCaseBack) {
   }
 }
 
+TEST(LoadCase, TemplateAndTextsAreRead) {
+  tests::expect_template_is_read<LoadCase>(read);
+  tests::expect_texts_are_read_back<PossibleCase>(parse, 300);
+}
+
 TEST(LoadCase, RefusesWhatIsNoCase) {
   EXPECT_EQ(refusal(with("name", "name = \"a/b\"")),
             "case.toml:1: name = \"a/b\": must be a name of letters, digits, \"-\" and \"_\"");
   EXPECT_NE(refusal(with("kind", "kind = \"bend\"")).find("case.toml:2: kind = \"bend\""), std::string::npos);
-  EXPECT_NE(refusal(with("cells", "cells = [3, 1]")).find("must be three numbers"), std::string::npos);
-  EXPECT_NE(refusal(with("cells", "cells = [3, 1.5, 1]")).find("must be whole numbers"), std::string::npos);
+  EXPECT_NE(refusal(with("cells", "cells = [3, 1]")).find("must be three integers, not 2"), std::string::npos);
+  EXPECT_NE(refusal(with("cells", "cells = [3, 1.5, 1]")).find("cells[2] = 1.5: must be an integer"), std::string::npos);
   EXPECT_NE(refusal(with("digits", "digits = \"11\"")).find("one digit for each of 3 cells"), std::string::npos);
   EXPECT_NE(refusal(with("digits", "digits = \"131\"")).find("must be of 0, 1 and 2"), std::string::npos);
   EXPECT_NE(refusal(with("digits", "digits = \"000\"")).find("without a cell"), std::string::npos);
   EXPECT_NE(refusal(with("wall_thickness_m", "wall_thickness_m = 0.004")).find("less than half"), std::string::npos);
-  EXPECT_NE(refusal(with("pressures_Pa", "pressures_Pa = []")).find("at least one pressure"), std::string::npos);
+  EXPECT_NE(refusal(with("pressures_Pa", "pressures_Pa = []")).find("needs at least one of its numbers"), std::string::npos);
   EXPECT_NE(refusal(with("pressures_Pa", "pressures_Pa = [nan]")).find("pressures_Pa[1]"), std::string::npos);
-  EXPECT_NE(refusal(with("angle_rad", "angle_rad = []")).find("at least one value"), std::string::npos);
+  EXPECT_NE(refusal(with("angle_rad", "angle_rad = []")).find("needs at least one of its numbers"), std::string::npos);
   EXPECT_NE(refusal(with("angle_rad", "angle_deg = [20]")).find("angle_rad is missing"), std::string::npos);
   EXPECT_NE(refusal(with("chambers", "chambers = \"many\"")).find("chambers = \"many\""), std::string::npos);
 }

@@ -192,6 +192,12 @@ TEST_F(ResponseCurveFile, RefusesAbscissaeThatTurnOrStand) {
   }
 }
 
+TEST_F(ResponseCurveFile, ReadsTheDensityUnderItsEarlierName) {
+  write_response_curve(folder_, stretch_curve());
+  replace("stretch.toml", "density_kg_per_m3", "density_kg_m3");
+  EXPECT_EQ(read_response_curve(folder_ / "stretch.toml").provenance.density_kg_m3, 1070.0);
+}
+
 TEST_F(ResponseCurveFile, AbscissaeMayFall) {
   ResponseCurve curve = stretch_curve();
   for (std::vector<double>& values : curve.values) std::reverse(values.begin(), values.end());
@@ -204,7 +210,7 @@ TEST_F(ResponseCurveFile, RefusesFaultsOfTheProvenanceWithFileKeyAndValue) {
       {"relative_uncertainty = 0.05", "relative_uncertainty = 0", "relative_uncertainty = 0: must be > 0"},
       {"relative_uncertainty = 0.05", "", "relative_uncertainty is missing"},
       {"status = \"wall_contact\"", "status = \"fine\"", "status = \"fine\""},
-      {"density_kg_m3 = 1070", "density_g_cm3 = 1.07", "density_kg_m3 is missing"},
+      {"density_kg_per_m3 = 1070", "density_g_cm3 = 1.07", "density_kg_per_m3 is missing"},
       {"silicone = \"Dragon Skin 10\"", "silicone = \"\"", "silicone = \"\": must not be empty"},
       {"limit_pressure_Pa = 4333.333333333333", "limit_pressure_Pa = -1", "limit_pressure_Pa = -1: must be > 0"},
       {"model = ", "modulus = 1\nmodel = ", "modulus"},

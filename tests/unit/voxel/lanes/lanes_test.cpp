@@ -185,7 +185,7 @@ TEST(Lanes, LeaveAloneWhatDoesNotRunInThem) {
 
 TEST(Lanes, TakeSimulationsOfSeveralKinds) {
   Physics other;
-  other.actuation.period_s = 0.1;
+  other.actuation.frequency_Hz = 10.0;
   const auto mixed = [&] {
     std::vector<Simulation> simulations;
     for (const meshes::Polycube& body : random_bodies(4)) {

@@ -47,7 +47,7 @@ TEST(Drive, SizesHaveTheirDigitsAfterAThousandSeconds) { EXPECT_NEAR(drive_angle
 
 TEST(Drive, RatesAreTheDerivativesOfAShapedDrive) {
   for (const ActuationMode mode : {ActuationMode::in_phase, ActuationMode::hold}) {
-    const Actuation actuation{.mode = mode, .period_s = 0.7, .ramp_s = 0.5};
+    const Actuation actuation{.mode = mode, .frequency_Hz = 1.0 / 0.7, .ramp_s = 0.5};
     for (const double time : {0.1, 0.3, 0.8}) {
       // Central differences of a smooth function of order one: both errors are below 1e-8.
       const double h = 1e-5;
@@ -62,7 +62,7 @@ TEST(Drive, RatesAreTheDerivativesOfAShapedDrive) {
 }
 
 TEST(Drive, RampsFromZeroToItsSineOrItsTop) {
-  const Actuation wave{.mode = ActuationMode::in_phase, .period_s = 0.4, .ramp_s = 0.2};
+  const Actuation wave{.mode = ActuationMode::in_phase, .frequency_Hz = 2.5, .ramp_s = 0.2};
   EXPECT_EQ(drive_moment(wave, 0.0).sine, 0.0);
   EXPECT_EQ(drive_moment(wave, 0.0).cosine, 0.0);
   EXPECT_DOUBLE_EQ(drive_moment(wave, 0.1).sine, 0.5);

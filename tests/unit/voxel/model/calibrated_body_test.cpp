@@ -65,7 +65,7 @@ Physics driven_by(const CalibratedBody& body, ActuationMode mode = ActuationMode
   Physics physics;
   physics.surrogate = body;
   physics.actuation.mode = mode;
-  physics.actuation.period_s = 0.2;
+  physics.actuation.frequency_Hz = 5.0;
   return physics;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/text/input_error.h"
+#include "tests/support/described_study.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::voxel {
@@ -67,6 +68,17 @@ class SurrogateFile : public testing::Test {
 
 TEST_F(SurrogateFile, ReadsBackWhatItWrote) { EXPECT_EQ(read(surrogate_text(example())), example()); }
 
+TEST_F(SurrogateFile, ReadsTheDensityOfEarlierVersions) {
+  std::string text = surrogate_text(example());
+  const std::string key = "density_kg_per_m3";
+  text.replace(text.find(key), key.size(), "density_kg_m3");
+  EXPECT_EQ(read(text), example());
+}
+
+TEST_F(SurrogateFile, TemplateIsReadToItsExamples) {
+  tests::expect_template_is_read<SurrogateParameters>([this](const std::string& text) { return read(text); });
+}
+
 TEST_F(SurrogateFile, TakesBeamsWithoutAShearComplianceForStiff) {
   const std::string text = surrogate_text(example());
   const std::size_t begin = text.find("shear_compliance_per_Pa");
@@ -109,9 +121,9 @@ TEST_F(SurrogateFile, NamesWhatIsWrong) {
   expect("shear_compliance_per_Pa = [", "shear_compliance_per_Pa = [-1e-9, ", "must be >= 0");
   expect("lateral_coupling = 0.4", "lateral_coupling = 1", "must be in [0, 1)");
   expect("peak_ratio = [2.1", "peak_ratio = [0.5", "must be >= 1");
-  expect("axial_Pa = [", "axial_Pa = [1, ", "must be 7 numbers, one per wall class, not 8");
+  expect("axial_Pa = [", "axial_Pa = [1, ", "must be 7 numbers, not 8");
   expect("highest_pressure_Pa = [6000", "highest_pressure_Pa = [1e6", "has its pole within the range of validity");
-  expect("lowest_pressure_gap_2_Pa = [-3000, ", "lowest_pressure_gap_2_Pa = [", "must be 7 numbers, one per wall class, not 6");
+  expect("lowest_pressure_gap_2_Pa = [-3000, ", "lowest_pressure_gap_2_Pa = [", "must be 7 numbers, not 6");
   expect("lowest_pressure_gap_1_Pa = [-3000", "lowest_pressure_gap_1_Pa = [3000",
          "validity.lowest_pressure_gap_1_Pa[1] = 3000: must be <= 0");
   expect("highest_joint_pressure_Pa = 6000", "highest_joint_pressure_Pa = -1",

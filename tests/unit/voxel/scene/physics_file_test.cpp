@@ -3,10 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 
+#include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/toml_document.h"
+#include "tests/support/described_study.h"
+#include "tests/support/surrogate_example.h"
+#include "voxel/model/surrogate_file.h"
 
 namespace menger::voxel {
 namespace {
@@ -35,13 +42,15 @@ Physics unlike_the_defaults() {
       .youngs_modulus_Pa = 1e5 / 3.0, .density_kg_m3 = 1e3 / 7.0, .static_friction = 0.1 + 0.2, .kinetic_friction = 0.7};
   physics.materials[1] = {
       .youngs_modulus_Pa = 2e5 / 3.0, .density_kg_m3 = 1e3, .static_friction = 0.0, .kinetic_friction = 1e-300};
+  physics.lateral_coupling = 1.0 / 3.0;
   physics.damping_ratios = {.bond = 0.25, .collision = 1.0 / 3.0, .global = 0.0};
   physics.gravity_m_s2 = 9.80665;
   physics.floor = false;
   physics.stop_rotation_in_static_friction = true;
   physics.actuation = {.mode = ActuationMode::wave,
                        .amplitude = 0.1,
-                       .period_s = 1.0 / 3.0,
+                       .frequency_Hz = 10.0 / 3.0,
+                       .ramp_s = 1.0 / 7.0,
                        .material_phase = {0.125, -0.1},
                        .wave_axis = 2,
                        .wave_periods_per_body = 0.5,
@@ -50,8 +59,23 @@ Physics unlike_the_defaults() {
   physics.integration = {.time_step_fraction = 0.09,
                          .damping = DampingMode::velocity,
                          .number = NumberType::float32,
+                         .bond_damping = BondDamping::semi_implicit,
                          .single_precision_rest_lengths = true};
   physics.limits = {.speed_fraction = 0.3, .strain = 2.0};
+  return physics;
+}
+
+/// Hollow cells instead of solid voxels.
+Physics calibrated() {
+  Physics physics;
+  physics.materials[0].static_friction = 0.25;
+  physics.actuation.mode = ActuationMode::in_phase;
+  physics.actuation.frequency_Hz = 4.0;
+  physics.actuation.ramp_s = 0.5;
+  physics.surrogate = {.parameters = tests::surrogate_example(),
+                       .pressure_Pa = {-1e3, 1.5e3},
+                       .chambers = meshes::ChamberLayout::per_phase,
+                       .outside_range = OutsideRange::warn};
   return physics;
 }
 
@@ -70,14 +94,88 @@ TEST(PhysicsFile, TextHoldsEveryValueWhateverTheDefaultsAre) {
   EXPECT_EQ(parse(physics_text(unlike_the_defaults()), Physics{}), unlike_the_defaults());
 }
 
-TEST(PhysicsFile, TextLeavesOutTermsThatAreNotInUse) {
-  EXPECT_EQ(physics_text({}).find("lateral_coupling"), std::string::npos);
-  EXPECT_EQ(physics_text({}).find("ramp_s"), std::string::npos);
+TEST(PhysicsFile, TextOfACalibratedBodyReadsBackWithItsParameters) {
+  EXPECT_EQ(parse(physics_text(calibrated())), calibrated());
+  EXPECT_EQ(parse(physics_text(calibrated()), unlike_the_defaults()), calibrated());
+  EXPECT_EQ(parse("[integration]\ndamping = \"increments\"\n", calibrated()), calibrated()) << "what is missing is kept";
+}
+
+TEST(PhysicsFile, TemplateIsReadToTheDefaultsAndToEachAlternative) {
+  const std::set<std::string> refused{"surrogate", "integration.number = \"float32\""};
+  tests::expect_template_is_read<Physics>([](const std::string& text) { return parse(text); }, refused);
+}
+
+TEST(PhysicsFile, TextsOfAllPhysicsAreReadBack) {
+  tests::expect_texts_are_read_back<Physics>([](const std::string& text) { return parse(text); });
+}
+
+/// What version 1 of the archives holds.
+constexpr const char* earlier_text = R"([materials]
+lateral_coupling = 0.3333333333333333
+[materials.material_1]
+youngs_modulus_Pa = 33333.333333333336
+density_kg_m3 = 142.85714285714286
+static_friction = 0.30000000000000004
+kinetic_friction = 0.7
+[materials.material_2]
+youngs_modulus_Pa = 66666.66666666667
+density_kg_m3 = 1000
+static_friction = 0
+kinetic_friction = 1e-300
+[damping]
+bond = 0.25
+collision = 0.3333333333333333
+global = 0
+[environment]
+gravity_m_s2 = 9.80665
+floor = false
+stop_rotation_in_static_friction = true
+[actuation]
+mode = "wave"
+amplitude = 0.1
+period_s = 0.3
+ramp_s = 0.14285714285714285
+material_phase = [0.125, -0.1]
+wave_axis = "z"
+wave_periods_per_body = 0.5
+wave_over_gaps = true
+[collisions]
+exclusion_depth = "off"
+[integration]
+time_step_fraction = 0.09
+damping = "velocity"
+number = "float32"
+single_precision_rest_lengths = true
+bond_damping = "semi-implicit"
+[limits]
+speed_fraction = 0.3
+strain = 2
+)";
+
+Physics parse_earlier(const std::string& text) {
   Physics physics;
-  physics.lateral_coupling = 1.0 / 3.0;
-  physics.actuation.mode = ActuationMode::hold;
-  physics.actuation.ramp_s = 1.0 / 7.0;
-  EXPECT_EQ(parse(physics_text(physics)), physics);
+  io::read_described(io::parse_toml(text, "archive"), physics, io::StudyReader::EarlierNames::read);
+  return physics;
+}
+
+TEST(PhysicsFile, ReadsWhatEarlierVersionsWrote) {
+  EXPECT_EQ(parse_earlier(earlier_text), unlike_the_defaults());
+  EXPECT_EQ(unlike_the_defaults().actuation.period_s(), 0.3) << "the drive is the same to the last bit";
+}
+
+TEST(PhysicsFile, ReadsACalibratedBodyThatAnEarlierVersionWrote) {
+  std::string parameters = surrogate_text(tests::surrogate_example());
+  for (const auto& [now, before] : {std::pair{"\n[", "\n[surrogate.parameters."}, {"density_kg_per_m3", "density_kg_m3"}}) {
+    for (std::size_t at = parameters.find(now); at != std::string::npos; at = parameters.find(now, at + 20))
+      parameters.replace(at, std::string_view(now).size(), before);
+  }
+  const std::string text =
+      "[materials.material_1]\nstatic_friction = 0.25\nkinetic_friction = 0.5\n[materials.material_2]\nstatic_friction = 1\n"
+      "kinetic_friction = 0.5\n[damping]\ncollision = 0.8\nglobal = 0.01\n[environment]\ngravity_m_s2 = 9.81\nfloor = true\n"
+      "[actuation]\nmode = \"in_phase\"\nperiod_s = 0.25\nramp_s = 0.5\n[surrogate]\npressure_Pa = [-1000, 1500]\n"
+      "chambers = \"per-phase\"\noutside_range = \"warn\"\n[surrogate.parameters." +
+      parameters.substr(1);
+  EXPECT_EQ(parse_earlier(text), calibrated());
 }
 
 TEST(PhysicsFile, TextTellsTheSmallestDifferenceApart) {
@@ -88,7 +186,7 @@ TEST(PhysicsFile, TextTellsTheSmallestDifferenceApart) {
 
 TEST(PhysicsFile, AMaterialOfItsOwnOverridesTheCommonOne) {
   const Physics physics =
-      parse("[materials]\nyoungs_modulus_Pa = 2e4\ndensity_kg_m3 = 20\n[materials.material_2]\nyoungs_modulus_Pa = 5e4\n");
+      parse("[materials]\nyoungs_modulus_Pa = 2e4\ndensity_kg_per_m3 = 20\n[materials.material_2]\nyoungs_modulus_Pa = 5e4\n");
   EXPECT_EQ(physics.materials[0].youngs_modulus_Pa, 2e4);
   EXPECT_EQ(physics.materials[1].youngs_modulus_Pa, 5e4);
   EXPECT_EQ(physics.materials[1].density_kg_m3, 20.0);
@@ -116,18 +214,18 @@ INSTANTIATE_TEST_SUITE_P(
     BadValues, PhysicsFileRefuses,
     testing::Values(BadPhysics{"[materials]\nyoungs_modulus_Pa = -1e4", ": materials.youngs_modulus_Pa = -10000.0: must be > 0"},
                     BadPhysics{"[materials]\nyoungs_modulus_Pa = 0", ": materials.youngs_modulus_Pa = 0: must be > 0"},
-                    BadPhysics{"[materials.material_2]\ndensity_kg_m3 = -3",
-                               ": materials.material_2.density_kg_m3 = -3: must be > 0"},
-                    BadPhysics{"[materials]\nkinetic_friction = \"high\"", ": materials.kinetic_friction = \"high\": "},
+                    BadPhysics{"[materials.material_2]\ndensity_kg_per_m3 = -3",
+                               ": materials.material_2.density_kg_per_m3 = -3: must be > 0"},
+                    BadPhysics{"[ground]\nkinetic_friction = \"high\"", ": ground.kinetic_friction = \"high\": "},
                     BadPhysics{"[materials]\nyoung = 4", ": materials.young: unknown key"},
                     BadPhysics{"[damping]\nbond = -0.5", ": damping.bond = -0.5: must be >= 0"},
-                    BadPhysics{"[environment]\ngravity_m_s2 = -9.75", ": environment.gravity_m_s2 = -9.75: must be >= 0"},
-                    BadPhysics{"[environment]\nfloor = 1", ": environment.floor = 1: must be true or false"},
-                    BadPhysics{"[actuation]\namplitude = 1.0", ": actuation.amplitude = 1"},
-                    BadPhysics{"[actuation]\nperiod_s = 0", ": actuation.period_s = 0: must be > 0"},
-                    BadPhysics{"[actuation]\nmode = \"waves\"", ": actuation.mode = \"waves\": "},
-                    BadPhysics{"[actuation]\nwave_axis = \"w\"", ": actuation.wave_axis = \"w\": "},
-                    BadPhysics{"[actuation]\nmaterial_phase = [0.5]", "must be two numbers, not 1"},
+                    BadPhysics{"[loads]\ngravity_m_per_s2 = -9.75", ": loads.gravity_m_per_s2 = -9.75: must be >= 0"},
+                    BadPhysics{"[ground]\npresent = 1", ": ground.present = 1: must be true or false"},
+                    BadPhysics{"[drive]\namplitude = 1.0", ": drive.amplitude = 1"},
+                    BadPhysics{"[drive]\nfrequency_Hz = 0", ": drive.frequency_Hz = 0: must be > 0"},
+                    BadPhysics{"[drive]\nmode = \"waves\"", ": drive.mode = \"waves\": "},
+                    BadPhysics{"[drive]\nwave_axis = \"w\"", ": drive.wave_axis = \"w\": "},
+                    BadPhysics{"[drive]\nmaterial_phase = [0.5]", "must be two numbers, not 1"},
                     BadPhysics{"[collisions]\nexclusion_depth = 0", ": collisions.exclusion_depth = 0: must be >= 1"},
                     BadPhysics{"[collisions]\nexclusion_depth = 1.5", ": collisions.exclusion_depth = 1.5: "},
                     BadPhysics{"[collisions]\nexclusion_depth = \"none\"", ": collisions.exclusion_depth = \"none\": "},
@@ -135,9 +233,18 @@ INSTANTIATE_TEST_SUITE_P(
                     BadPhysics{"[integration]\nnumber = \"float16\"", ": integration.number = \"float16\": "},
                     BadPhysics{"[integration]\nnumber = \"float32\"",
                                ": integration.number = \"float32\": float32 cannot carry damping from increments"},
-                    BadPhysics{"[actuation]\nramp_s = -1", ": actuation.ramp_s = -1: must be >= 0"},
+                    BadPhysics{"[drive]\nramp_s = -1", ": drive.ramp_s = -1: must be >= 0"},
                     BadPhysics{"[materials]\nlateral_coupling = 1", ": materials.lateral_coupling = 1: must be in [0, 1)"},
                     BadPhysics{"[limits]\nstrain = 0", ": limits.strain = 0: must be > 0"},
+                    BadPhysics{"[actuation]\nmode = \"none\"", "is called drive now"},
+                    BadPhysics{"[drive]\nperiod_s = 0.5",
+                               ": drive.period_s = 0.5: is called drive.frequency_Hz now, the reciprocal of this number"},
+                    BadPhysics{"[environment]\nfloor = true", ": environment.floor = true: is called ground.present now"},
+                    BadPhysics{"[materials]\nstatic_friction = 1", ": materials.static_friction = 1: is called ground.static"},
+                    BadPhysics{"[drive]\npressure_Pa = [0, 1]", ": drive.pressure_Pa"},
+                    BadPhysics{"[surrogate]\nchambers = \"single\"",
+                               "surrogate.parameters or values is missing: the name of a file"},
+                    BadPhysics{"[surrogate.parameters.mass]\ndensity_kg_m3 = 1", "is called surrogate.values now"},
                     BadPhysics{"limits = 3", ": limits = 3: must be a table"}));
 
 }  // namespace

@@ -23,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string bar = "[design]\ncell_edge_m = 0.01\ncells = [3, 1, 1]\ndigits = \"121\"\n";
-const std::string use = "[surrogate]\nparameters = \"soft.toml\"\npressure_Pa = [-500, 1500]\n";
-const std::string in_phase = "[actuation]\nmode = \"in_phase\"\n";
+const std::string use = "[surrogate]\nparameters = \"soft.toml\"\n";
+const std::string in_phase = "[drive]\nmode = \"in_phase\"\npressure_Pa = [-500, 1500]\n";
 
 class CalibratedScene : public testing::Test {
  protected:
@@ -50,7 +50,7 @@ class CalibratedScene : public testing::Test {
 };
 
 TEST_F(CalibratedScene, TakesItsParametersFromTheirFile) {
-  const LoadedScene loaded = load("level = 2\n" + bar + use + in_phase + "[materials]\nkinetic_friction = 0.3\n");
+  const LoadedScene loaded = load(bar + "level = 2\n" + use + in_phase + "[ground]\nkinetic_friction = 0.3\n");
   ASSERT_TRUE(loaded.scene.physics.surrogate);
   const CalibratedBody& body = *loaded.scene.physics.surrogate;
   EXPECT_EQ(body.parameters, tests::surrogate_example());
@@ -63,9 +63,9 @@ TEST_F(CalibratedScene, TakesItsParametersFromTheirFile) {
 }
 
 TEST_F(CalibratedScene, TextReadsBackAsTheSameScene) {
-  Scene scene =
-      load(bar + use + "chambers = \"per-phase\"\noutside_range = \"warn\"\n" + "[actuation]\nmode = \"hold\"\nramp_s = 0.3\n")
-          .scene;
+  Scene scene = load(bar + use + "chambers = \"per-phase\"\noutside_range = \"warn\"\n" +
+                     "[drive]\nmode = \"hold\"\nramp_s = 0.3\npressure_Pa = [-500, 1500]\n")
+                    .scene;
   EXPECT_EQ(scene.physics.surrogate->chambers, meshes::ChamberLayout::per_phase);
   EXPECT_EQ(scene.physics.actuation.ramp_s, 0.3);
   EXPECT_EQ(load(scene_text(scene)).scene, scene);
@@ -77,7 +77,7 @@ TEST_F(CalibratedScene, TextReadsBackAsTheSameScene) {
 }
 
 TEST_F(CalibratedScene, PlainCouplingReadsBack) {
-  const Scene scene = load(bar + "[materials]\nlateral_coupling = 0.4\ndensity_kg_m3 = 20\n").scene;
+  const Scene scene = load(bar + "[materials]\nlateral_coupling = 0.4\ndensity_kg_per_m3 = 20\n").scene;
   EXPECT_EQ(scene.physics.lateral_coupling, 0.4);
   EXPECT_EQ(load(scene_text(scene)).scene, scene);
   expect_refused(bar + "[materials]\nlateral_coupling = 1\n", "materials.lateral_coupling = 1: must be in [0, 1)");
@@ -85,13 +85,16 @@ TEST_F(CalibratedScene, PlainCouplingReadsBack) {
 
 TEST_F(CalibratedScene, RefusesKeysThatItsParametersDecide) {
   const std::string scene = bar + use + in_phase;
-  const std::string contradiction = "contradicts [surrogate]";
+  const std::string contradiction = "belongs to a body without [surrogate], whose parameters decide it";
   expect_refused(scene + "[materials]\nyoungs_modulus_Pa = 1e4\n", "materials.youngs_modulus_Pa = 10000.0: " + contradiction);
-  expect_refused(scene + "[materials.material_2]\ndensity_kg_m3 = 1000\n",
-                 "materials.material_2.density_kg_m3 = 1000: " + contradiction);
+  expect_refused(scene + "[materials.material_2]\ndensity_kg_per_m3 = 1000\n",
+                 "materials.material_2.density_kg_per_m3 = 1000: " + contradiction);
   expect_refused(scene + "[materials]\nlateral_coupling = 0.2\n", contradiction);
-  expect_refused(scene + "amplitude = 0.25\n", "actuation.amplitude = 0.25: " + contradiction);
+  expect_refused(scene + "amplitude = 0.25\n", "drive.amplitude = 0.25: " + contradiction);
   expect_refused(scene + "[damping]\nbond = 0.25\n", "damping.bond = 0.25: " + contradiction);
+  expect_refused(scene + "[integration]\nbond_damping = \"semi-implicit\"\n", contradiction);
+  expect_refused(scene + "[ground]\nstop_rotation = true\n", "belongs to a body without [surrogate], which stands on the feet");
+  expect_refused(bar + in_phase, "drive.pressure_Pa = [...]: belongs to [surrogate]");
 }
 
 TEST_F(CalibratedScene, RefusesParametersOfAnotherBodyNamingBothNumbers) {
@@ -117,7 +120,7 @@ TEST_F(CalibratedScene, OfLevelOneInPiecesIsRefusedWhoeverMadeIt) {
 TEST_F(CalibratedScene, OfLevelTwoInPiecesRunsWithANote) {
   // Modules that are apart in themselves, and modules that do not all touch.
   for (const auto& [digits, pieces] : {std::pair{"101000000", 4U}, std::pair{"110100000", 3U}}) {
-    Scene scene = load("level = 2\n[design]\ncell_edge_m = 0.01\ncells = [3, 3, 1]\ndigits = \"" + std::string(digits) + "\"\n" +
+    Scene scene = load("[design]\nlevel = 2\ncell_edge_m = 0.01\ncells = [3, 3, 1]\ndigits = \"" + std::string(digits) + "\"\n" +
                        use + "outside_range = \"warn\"\n" + in_phase)
                       .scene;
     scene.duration_s = scene.record_interval_s = 0.01;
@@ -132,7 +135,7 @@ TEST_F(CalibratedScene, OfLevelTwoInPiecesRunsWithANote) {
 
 TEST_F(CalibratedScene, NotesModulesThatDoNotTouch) {
   // The feet of a quadruped at level 2: each piece is a hollow body of its own.
-  Scene scene = load("level = 2\n[design]\ncell_edge_m = 0.01\ncells = [3, 3, 3]\ndigits = \"101000101111111111000000000\"\n" +
+  Scene scene = load("[design]\nlevel = 2\ncell_edge_m = 0.01\ncells = [3, 3, 3]\ndigits = \"101000101111111111000000000\"\n" +
                      use + "outside_range = \"warn\"\n" + in_phase)
                     .scene;
   scene.duration_s = scene.record_interval_s = 0.01;
@@ -145,10 +148,11 @@ TEST_F(CalibratedScene, NotesModulesThatDoNotTouch) {
 
 TEST_F(CalibratedScene, RampsItsPressureOverAPeriodUnlessItSaysOtherwise) {
   const auto ramp_s = [&](const std::string& keys) { return load(bar + use + in_phase + keys).scene.physics.actuation.ramp_s; };
-  EXPECT_EQ(ramp_s("period_s = 0.25\n"), 0.25);
+  EXPECT_EQ(ramp_s("frequency_Hz = 4\n"), 0.25);
   EXPECT_EQ(ramp_s("ramp_s = 0.1\n"), 0.1);
   EXPECT_EQ(ramp_s("ramp_s = 0\n"), 0.0);
-  EXPECT_EQ(load(bar + in_phase).scene.physics.actuation.ramp_s, 0.0) << "solid voxels start in mid-swing";
+  EXPECT_EQ(load(bar + "[drive]\nmode = \"in_phase\"\n").scene.physics.actuation.ramp_s, 0.0)
+      << "solid voxels start in mid-swing";
   const Scene step = load(bar + use + in_phase + "ramp_s = 0\n").scene;
   EXPECT_EQ(load(scene_text(step)).scene, step);
 }
@@ -163,19 +167,21 @@ TEST_F(CalibratedScene, RefusesStiffnessBeyondAllScales) {
 }
 
 TEST_F(CalibratedScene, RefusesBadUseOfParameters) {
-  const auto surrogate = [](const std::string& keys) { return bar + "[surrogate]\nparameters = \"soft.toml\"\n" + keys; };
-  expect_refused(surrogate(""), "pressure_Pa");
-  expect_refused(surrogate("pressure_Pa = [1]\n"), "must be the lowest and the highest pressure, not 1");
-  expect_refused(surrogate("pressure_Pa = [2, 1]\n"), "must ascend");
-  expect_refused(surrogate("pressure_Pa = [0, 1]\nrange = 3\n"), "surrogate.range: unknown key");
-  expect_refused(surrogate("pressure_Pa = [0, 1]\noutside_range = \"ignore\"\n"), "\"refuse\" | \"warn\"");
-  expect_refused(bar + "[surrogate]\npressure_Pa = [0, 1]\n", "surrogate.parameters");
+  const auto surrogate = [](const std::string& keys) { return bar + use + keys; };
+  expect_refused(surrogate(""), "drive.pressure_Pa is missing");
+  expect_refused(surrogate("[drive]\npressure_Pa = [1]\n"), "drive.pressure_Pa = [...]: must be two numbers, not 1");
+  expect_refused(surrogate("[drive]\npressure_Pa = [2, 1]\n"), "must ascend");
+  expect_refused(surrogate("range = 3\n" + in_phase), "surrogate.range: unknown key");
+  expect_refused(surrogate("outside_range = \"ignore\"\n" + in_phase), "\"refuse\" | \"warn\"");
+  expect_refused(surrogate("pressure_Pa = [0, 1]\n"), "surrogate.pressure_Pa = [...]: is called drive.pressure_Pa now");
+  expect_refused(bar + "[surrogate]\n" + in_phase, "surrogate.parameters or values is missing");
 }
 
 TEST_F(CalibratedScene, RefusesWhatLeavesTheRangeOfValidityUnlessToldToWarn) {
-  const std::string strong = bar + "[surrogate]\nparameters = \"soft.toml\"\npressure_Pa = [0, 2500]\n";
-  expect_refused(strong + in_phase, "pressure_Pa = 2500 is outside the range of the fit for such a body, -2000 to 2000 Pa");
-  Scene scene = load(strong + "outside_range = \"warn\"\n" + in_phase).scene;
+  const std::string strong = "mode = \"in_phase\"\npressure_Pa = [0, 2500]\n";
+  expect_refused(bar + use + "[drive]\n" + strong,
+                 "pressure_Pa = 2500 is outside the range of the fit for such a body, -2000 to 2000 Pa");
+  Scene scene = load(bar + use + "outside_range = \"warn\"\n[drive]\n" + strong).scene;
   scene.duration_s = 0.01;
   scene.record_interval_s = 0.01;
   scene.output.pictures = false;
@@ -206,7 +212,7 @@ TEST_F(CalibratedScene, StatesThatStrainsLeftTheRange) {
 }
 
 TEST_F(CalibratedScene, WithOneChamberAndTwoPhasesIsRefusedBeforeAnythingIsWritten) {
-  const Scene scene = load(bar + use).scene;  // antiphase by default
+  const Scene scene = load(bar + use + "[drive]\npressure_Pa = [-500, 1500]\n").scene;  // antiphase by default
   try {
     static_cast<void>(run_scene(scene, folder_ / "out"));
     FAIL() << "accepted";

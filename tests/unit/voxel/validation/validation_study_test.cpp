@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
+#include "tests/support/described_study.h"
 #include "tests/support/test_folder.h"
 #include "tests/unit/voxel/validation/validation_samples.h"
 
@@ -71,6 +73,18 @@ TEST_F(ValidationStudyFile, MakesCurvesOfLoadCasesInTheFirstFolder) {
   ValidationStudy file = study("parameters = 'p.toml'\ncurves = ['study.toml']\nload_cases = 'set.toml'");
   EXPECT_THROW((void)load_case_folder(file, "elsewhere"), io::InputError);
 }
+
+ValidationStudy parsed(const std::string& text) {
+  ValidationStudy study;
+  io::read_described(io::parse_toml(text, "study.toml"), study);
+  return study;
+}
+
+TEST_F(ValidationStudyFile, TemplateIsReadToTheDefaultsAndToEachAlternative) {
+  tests::expect_template_is_read<ValidationStudy>(parsed);
+}
+
+TEST_F(ValidationStudyFile, TextsOfAllStudiesAreReadBack) { tests::expect_texts_are_read_back<ValidationStudy>(parsed); }
 
 TEST_F(ValidationStudyFile, NamesKeyAndValueOfBadInput) {
   for (const auto& [text, message] :
