@@ -161,7 +161,7 @@ class RunArchive {
   [[nodiscard]] std::vector<std::string> phenotype_keys() const;  ///< of all individuals, each once
 
   /// An archive of an earlier version finds it by design and level: all its results are of one physics, whose text was another.
-  [[nodiscard]] std::optional<ArchivedEvaluation> evaluation(const EvaluationKey& key) const;
+  [[nodiscard]] std::optional<ArchivedEvaluation> evaluation(const EvaluationKey& asked) const;
 
   [[nodiscard]] std::vector<EvaluationSteps> evaluation_steps() const;  ///< of all evaluations, by design, level and physics
 
