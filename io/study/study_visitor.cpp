@@ -45,6 +45,7 @@ void StudyVisitor::optional_texts(const Key& key, std::optional<std::vector<std:
 
 void StudyVisitor::paths(const Key& key, std::vector<std::filesystem::path>& values, const Count& count) {
   std::vector<std::string> names;
+  names.reserve(values.size());
   for (const std::filesystem::path& value : values) names.push_back(value.string());
   texts(key, names, count);
   const TomlTable* table = source();
