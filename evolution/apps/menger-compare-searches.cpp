@@ -1,4 +1,4 @@
-// menger compare-searches a b c: what searches found on finite elements for the steps that they took.
+// menger compare-searches a b c: compares the results of searches on finite elements, and their costs.
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -28,8 +28,8 @@ struct Arguments {
 };
 
 constexpr const char* description =
-    "Compares what searches found on finite elements for the steps that they took: searches that finite elements correct on the\n"
-    "way, and searches on the surrogate alone whose best were judged afterwards.\n\n"
+    "Compares searches by their best robot on finite elements and by their cost in steps: searches that reference evaluations\n"
+    "correct, and searches on the surrogate alone whose best robots were re-evaluated afterwards.\n\n"
     "Example:\n"
     "  menger export corrected.sqlite -o corrected --levels 1\n"
     "  menger export plain.sqlite -o plain --levels 1\n"
@@ -42,10 +42,10 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("searches", arguments.searches, "Folders of results, one per search")->required();
   app.add_option("-o,--output", arguments.folder, "Folder of the comparison")->capture_default_str();
   app.add_option("--budget-element-steps", arguments.options.budget_element_steps,
-                 "Robots that no longer fit into this, of each search, do not count")
+                 "Budget of element-steps of each search; the first robot that exceeds it and all later ones are left out")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--voxel-steps-per-element-step", arguments.options.voxel_steps_per_element_step,
-                 "What an element-step costs, as in the table [judge] of a study")
+                 "Cost of an element-step in voxel-steps, as in the table [reference] of a study")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("--no-pictures", arguments.no_pictures, "No PNG files");

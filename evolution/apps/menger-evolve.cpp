@@ -1,4 +1,4 @@
-// menger evolve study.toml: searches, or goes on searching, and tells generation by generation what it found.
+// menger evolve study.toml: runs or continues a search, and prints the result of each generation.
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -12,9 +12,9 @@
 #include <thread>
 
 #include "evolution/archive/run_archive.h"
-#include "evolution/reference/silicone_judge.h"
+#include "evolution/reference/finite_element_evaluator.h"
 #include "evolution/report/generation_summary.h"
-#include "evolution/report/judgement_table.h"
+#include "evolution/report/reference_table.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
 #include "evolution/search/search.h"
@@ -45,10 +45,9 @@ struct Arguments {
 };
 
 constexpr const char* description =
-    "Evolves fractal robots. The archive keeps everything: call the same command again and it goes on where it stopped,\n"
-    "or shows the result if it is done. With a table [judge] in the study finite elements judge survivors on the way and "
-    "correct\n"
-    "the fitness of all; their runs lie in a folder named after the archive.\n\n"
+    "Evolves fractal robots. The archive keeps all results. Run the same command again to resume a search that was stopped,\n"
+    "or to show the result of a finished one. With a table [reference] in the study, finite elements evaluate some survivors\n"
+    "during the search and correct the fitness of all; their runs are in a folder named after the archive.\n\n"
     "Example:\n"
     "  menger evolve paper/demo/study.toml -o demo/run.sqlite --threads 4\n"
     "  menger export demo/run.sqlite -o demo/champion";
@@ -60,20 +59,20 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
     describe(visitor, study);
   });
   app.add_option("study", arguments.study, "Study file")->required();
-  app.add_option("-o,--output", arguments.archive, "Archive of the run, made if there is none")->capture_default_str();
+  app.add_option("-o,--output", arguments.archive, "Archive of the run; made if it does not exist")->capture_default_str();
   app.add_option("-t,--threads", arguments.threads, "Threads; the result does not depend on them")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  app.add_option("-g,--generations", arguments.overrides.generations, "In place of the study's number of generations");
-  app.add_option("--levels", arguments.overrides.levels, "In place of the study's levels, e.g. --levels 1 2");
-  app.add_option("--duration", arguments.overrides.duration_s, "In place of the study's seconds per evaluation");
-  app.add_option("--programs", arguments.programs, "Folder of the other programs of menger, for a [judge]")
+  app.add_option("-g,--generations", arguments.overrides.generations, "Number of generations, instead of the study's");
+  app.add_option("--levels", arguments.overrides.levels, "Levels, instead of the study's, e.g. --levels 1 2");
+  app.add_option("--duration", arguments.overrides.duration_s, "Simulated seconds per evaluation, instead of the study's");
+  app.add_option("--programs", arguments.programs, "Folder of the other programs of menger, for a table [reference]")
       ->capture_default_str();
-  app.add_option("--seed", arguments.overrides.seed, "In place of the study's seed");
+  app.add_option("--seed", arguments.overrides.seed, "Seed, instead of the study's");
   return io::parse_arguments(app, argc, argv);
 }
 
-/// What is printed while the search runs.
+/// Prints progress and results while the search runs.
 class Log {
  public:
   Log(RunView run, int goal) : run_(std::move(run)), goal_(goal) {}
@@ -83,7 +82,7 @@ class Log {
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
     const double remaining_s = elapsed_s / ++done_ * (goal_ - record.number);
     std::string time = io::duration_text(record.seconds);
-    if (record.number < goal_) time += ", " + io::duration_text(remaining_s) + " to go";
+    if (record.number < goal_) time += ", " + io::duration_text(remaining_s) + " left";
     std::cout << summary_line(run_, summarise_generation(run_, record.number), time) << "\n";
     if (const auto& checks = run_.plan.step_checks; checks && record.number % checks->every == 0) {
       std::cout << step_check_text(
@@ -95,7 +94,7 @@ class Log {
 
   void progress(const SearchProgress& progress) {
     if (progress.requested == 0) return;
-    // More evaluations may be asked for, so a new bar is needed whenever the total has changed.
+    // The number of evaluations may grow. A new bar is needed whenever it has changed.
     if (!bar_ || total_ != progress.requested) {
       total_ = progress.requested;
       bar_ = std::make_unique<io::Progress>("generation " + std::to_string(progress.generation), static_cast<double>(total_));
@@ -104,13 +103,13 @@ class Log {
                  std::to_string(progress.finished) + "/" + std::to_string(total_) + " evaluations");
   }
 
-  void judging(std::size_t done, std::size_t total, const std::string& name) {
-    if (!bar_ || total_ != total) bar_ = std::make_unique<io::Progress>("judge", static_cast<double>(total));
+  void reference(std::size_t done, std::size_t total, const std::string& name) {
+    if (!bar_ || total_ != total) bar_ = std::make_unique<io::Progress>("reference evaluations", static_cast<double>(total));
     total_ = total;
     bar_->update(static_cast<double>(done), name);
   }
 
-  void judged(const JudgingRound& round, const Discrepancy& discrepancy) {
+  void evaluated(const ReferenceRound& round, const Discrepancy& discrepancy) {
     bar_.reset();
     std::cout << round_text(run_.plan, round, discrepancy) << std::flush;
   }
@@ -126,7 +125,7 @@ class Log {
   Clock::time_point start_ = Clock::now();
 };
 
-/// The generations that are there already; of long runs the last ones.
+/// Prints the generations that the archive has already; of long runs the last ones.
 void print_history(const RunView& run, int last) {
   constexpr int largest_count = 20;
   const int first = std::max(0, last + 1 - largest_count);
@@ -146,10 +145,10 @@ void print_champion(const RunView& run, int last) {
   std::cout << "Champion: individual " << summary.champion->individual.id << ", " << summary.champion->cells << " cells, "
             << phenotype_key(summary.champion->individual.phenotype) << "\n";
   if (!summary.champion->outside_validity.empty())
-    std::cout << "The champion left the range of validity of its model: " << summary.champion->outside_validity << "\n";
+    std::cout << "The champion is outside the range of validity of its model: " << summary.champion->outside_validity << "\n";
 }
 
-/// Results that are extrapolations, if there are any.
+/// Prints how many results are extrapolations, if there are any.
 void print_validity(const RunArchive& archive, int last) {
   std::uint64_t outside = 0;
   std::uint64_t all = 0;
@@ -159,13 +158,13 @@ void print_validity(const RunArchive& archive, int last) {
   }
   if (outside == 0) return;
   std::cout << outside << " of " << all
-            << " evaluations left the range of validity of the calibrated parameters; generations.csv of "
-            << "menger export says in which generations.\n";
+            << " evaluations were outside the range of validity of the calibrated parameters; see generations.csv of "
+            << "menger export for their generations.\n";
 }
 
 void require_memory(const Study& study, int threads) {
   if (estimated_memory_bytes(study, threads) <= menger::voxel::machine_memory_bytes()) return;
-  throw io::InputError("--threads " + std::to_string(threads) + ": so many evaluations at level " +
+  throw io::InputError("--threads " + std::to_string(threads) + ": as many evaluations at once at level " +
                        std::to_string(study.search.levels().back()) + " may need more memory than this machine has");
 }
 
@@ -175,15 +174,17 @@ int evolve(const Arguments& arguments) {
   const VoxelEvaluator evaluator = evaluator_of(study);
   const VoxelEvaluator half_step = half_step_evaluator_of(study);
   Log* listener = nullptr;
-  SiliconeJudgeOptions judging{.programs = arguments.programs, .runs = fs::path(arguments.archive).replace_extension(".judge")};
-  judging.progress = [&](std::size_t done, std::size_t total, const std::string& name) {
-    if (listener != nullptr) listener->judging(done, total, name);
+  FiniteElementEvaluatorOptions reference_options{.programs = arguments.programs,
+                                                  .runs = fs::path(arguments.archive).replace_extension(".reference")};
+  reference_options.progress = [&](std::size_t done, std::size_t total, const std::string& name) {
+    if (listener != nullptr) listener->reference(done, total, name);
   };
-  const std::unique_ptr<SiliconeJudge> judge = judge_of(study, arguments.study, judging, arguments.threads);
+  const std::unique_ptr<FiniteElementEvaluator> reference =
+      reference_evaluator_of(study, arguments.study, reference_options, arguments.threads);
   io::Manifest manifest{
       .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
   for (const fs::path& file : study_inputs(arguments.study)) io::add_input(manifest, file);
-  if (judge) manifest.inputs.insert(judge->study().inputs.begin(), judge->study().inputs.end());
+  if (reference) manifest.inputs.insert(reference->study().inputs.begin(), reference->study().inputs.end());
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
   const RunView run = view_of(archive, study);
 
@@ -191,10 +192,11 @@ int evolve(const Arguments& arguments) {
   const auto last = archive.last_generation();
   const bool finished = last && *last >= study.search.generations;
   if (finished) {
-    std::cout << arguments.archive.string() << " already holds generations 0 to " << *last << ": nothing to do\n";
+    std::cout << arguments.archive.string() << " already has generations 0 to " << *last << ": nothing to do\n";
   } else {
-    std::cout << (last ? "going on with " : "writing ") << arguments.archive.string() << ": generations up to "
-              << study.search.generations << " on " << arguments.threads << (arguments.threads == 1 ? " thread\n" : " threads\n");
+    std::cout << (last ? "resuming " : "writing ") << arguments.archive.string() << ": up to generation "
+              << study.search.generations << ", on " << arguments.threads
+              << (arguments.threads == 1 ? " thread\n" : " threads\n");
   }
   std::cout << summary_header(run) << std::endl;
   if (last) print_history(run, *last);
@@ -209,22 +211,23 @@ int evolve(const Arguments& arguments) {
     options.stop = &io::interrupted();
     options.generation_done = [&](const GenerationRecord& record) { log.generation_done(record); };
     options.progress = [&](const SearchProgress& progress) { log.progress(progress); };
-    options.judged = [&](const JudgingRound& round, const Discrepancy& learnt) { log.judged(round, learnt); };
+    options.round_done = [&](const ReferenceRound& round, const Discrepancy& learnt) { log.evaluated(round, learnt); };
     const auto start = Clock::now();
-    status = run_search(study.search, evaluator, archive, options, judge.get(), study.search.step_checks ? &half_step : nullptr);
+    status =
+        run_search(study.search, evaluator, archive, options, reference.get(), study.search.step_checks ? &half_step : nullptr);
     log.close();
     listener = nullptr;
     manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    // Beside the archive and named after it: several trials may share a folder.
+    // The manifest is named after the archive, because several runs may share a folder.
     io::write_manifest_file(fs::path(arguments.archive).replace_extension(".manifest.json"), manifest);
   }
   if (status == io::RunStatus::stopped) {
-    std::cout << "Stopped; what is finished is kept. The same command goes on from there." << std::endl;
+    std::cout << "Stopped. Finished evaluations are kept. Run the same command again to resume." << std::endl;
     return io::exit_code::interrupted;
   }
   print_champion(run, *archive.last_generation());
   print_validity(archive, *archive.last_generation());
-  if (judge) std::cout << judging_text(run);
+  if (reference) std::cout << reference_summary(run);
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";
   return io::exit_code::done;
 }

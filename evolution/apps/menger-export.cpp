@@ -31,7 +31,7 @@ struct Arguments {
 
 constexpr const char* description =
     "Writes the generations, the champion's lineage, its design file and its simulations at all scales (VTK, PNG)\n"
-    "from the archive of a run, also while the run goes on.\n\n"
+    "from the archive of a run. The run may still be in progress.\n\n"
     "Example:\n"
     "  menger export demo/run.sqlite -o demo/champion";
 
@@ -47,7 +47,8 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("--record-interval", arguments.options.record_interval_s, "Simulated seconds between two frames")
       ->capture_default_str();
   app.add_flag("--timings", arguments.options.timings,
-               "Write what every evaluation took (timings.csv), and how so many workers would share that (schedule.csv)");
+               "Write the wall time of every evaluation (timings.csv), and the estimated wall time of every generation for the "
+               "numbers of workers in --workers (schedule.csv)");
   app.add_option("--workers", arguments.options.workers, "Numbers of workers in schedule.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
@@ -72,6 +73,7 @@ int export_archive(Arguments& arguments) {
     level_shown = level;
     bar->update(progress.time_s);
   };
+  folder.begin({});
   const ExportResult result = export_run(archive, arguments.folder, arguments.options);
   bar.reset();
 
@@ -79,7 +81,8 @@ int export_archive(Arguments& arguments) {
                 study.search.seed);
   for (const std::string& note : result.notes) std::cout << "note: " << note << "\n";
   if (!result.champion) {
-    std::cout << "No design has a fitness: " << (arguments.folder / "generations.csv").string() << " is all there is.\n";
+    std::cout << "No design has a fitness, so there is no champion. Tables of the run: "
+              << (arguments.folder / "generations.csv").string() << " and the tables beside it.\n";
     return io::exit_code::numerical;
   }
   std::cout << "Champion: individual " << result.champion->individual.id << ", " << result.champion->cells << " cells, "

@@ -1,4 +1,4 @@
-// menger reevaluate run.sqlite --top 5: judges the best designs of a search again, by the locomotion of finite elements.
+// menger reevaluate run.sqlite --top 5: evaluates the best designs of a search again, by the locomotion of finite elements.
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -22,7 +22,9 @@
 #include "io/process/progress.h"
 #include "io/process/run_folder.h"
 #include "io/process/study_help.h"
+#include "io/study/study_text.h"
 #include "io/text/content_hash.h"
+#include "io/text/toml_text.h"
 
 namespace {
 
@@ -39,12 +41,13 @@ struct Arguments {
 };
 
 constexpr const char* description =
-    "Judges the best designs of a search on calibrated voxels again by finite elements: the hollow body of silicone on the\n"
-    "ground, driven by the same pressure for the same time. Says how far both models agree in distance, direction and order.\n"
-    "Finished runs are kept: the same command goes on where it was stopped. Results are added to the archive, too.\n\n"
+    "Evaluates the best designs of a search on calibrated voxels again by finite elements: the hollow body of silicone on the\n"
+    "ground, driven by the same pressure for the same time.\n"
+    "Shows how well both models agree in distance, direction and ranking.\n"
+    "Finished runs are kept: run the same command again to resume. The results are also added to the archive.\n\n"
     "Example:\n"
-    "  menger reevaluate run.sqlite --top 5 --sample 15 --study paper/silicone/reevaluation.toml -o judged\n"
-    "writes reevaluation.csv, ranking.csv, reevaluation_judge.csv, reevaluation.png, and winner/ with pictures and VTK files.";
+    "  menger reevaluate run.sqlite --top 5 --sample 15 --study paper/silicone/reevaluation.toml -o evaluated\n"
+    "writes reevaluation.csv, ranking.csv, variants.csv, reevaluation.png, and winner/ with pictures and VTK files.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   CLI::App app(description, "menger reevaluate");
@@ -54,15 +57,16 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   });
   app.footer("Exit codes: 0 done, 2 wrong input, 3 no design completed in both models, 130 interrupted.");
   app.add_option("archive", arguments.request.archive, "Archive of a search (menger evolve)")->required();
-  app.add_option("--top", arguments.request.top, "Best distinct designs to judge")
+  app.add_option("--top", arguments.request.top, "Number of best distinct designs to re-evaluate")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  app.add_option("--sample", arguments.request.sample, "Designs of the others, one from each of so many strata by fitness")
+  app.add_option("--sample", arguments.request.sample,
+                 "Number of designs sampled from the others, one from each of as many fitness strata")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  app.add_option("-s,--study", arguments.request.file, "What decides how they are judged (TOML; default: as the search)");
+  app.add_option("-s,--study", arguments.request.file, "Study of the re-evaluation (TOML); default: the values of the search");
   app.add_option("-o,--output", arguments.folder, "Folder of the results")->capture_default_str();
-  app.add_option("-j,--jobs", arguments.jobs, "Designs at the same time (default: one per core and thread of a run)")
+  app.add_option("-j,--jobs", arguments.jobs, "Number of runs at the same time (default: cores / threads of a run)")
       ->check(CLI::Range(1, 1024));
   app.add_option("--programs", arguments.programs, "Folder of the other programs of menger")->capture_default_str();
   app.add_flag("--no-pictures", arguments.no_pictures, "No PNG files");
@@ -73,7 +77,14 @@ int usual_jobs(const ReevaluationStudy& study) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / study.elements.threads);
 }
 
-int judge(const Arguments& arguments) {
+std::string parameter_text(const ReevaluationStudy& study) {
+  io::StudyTextWriter search("search");
+  Study described = study.search;
+  describe(search, described);
+  return io::TomlText().lines(resolved_text(study)).table("search").lines(search.text()).text();
+}
+
+int reevaluate_archive(const Arguments& arguments) {
   const io::RunFolder folder("menger-reevaluate", arguments.folder);
   RunArchive archive = RunArchive::open_to_read(arguments.request.archive);
   const ReevaluationStudy study = read_reevaluation_study(arguments.request, archive);
@@ -92,10 +103,10 @@ int judge(const Arguments& arguments) {
   const ReevaluationResult result = reevaluate(study, std::move(archive), arguments.folder, options);
   bar.reset();
   if (result.status == io::RunStatus::stopped) {
-    std::cout << "Stopped; what is done is kept. The same command goes on from there." << std::endl;
+    std::cout << "Stopped. Finished runs are kept. Run the same command again to resume." << std::endl;
     return io::exit_code_of(result.status);
   }
-  folder.finish(resolved_text(study) + "# search\n" + resolved_text(study.search), inputs, study.sample_seed);
+  folder.finish(parameter_text(study), inputs, study.sample_seed);
   for (const std::string& note : result.notes) std::cout << "note: " << note << "\n";
   std::cout << findings_text(study, result.findings) << result.repeated
             << " runs of finite elements made in this call\nresults in " << arguments.folder.string() << std::endl;
@@ -108,6 +119,6 @@ int main(int argc, char** argv) {
   return io::run_program("menger-reevaluate", [&]() -> int {
     Arguments arguments;
     if (const auto code = parse(arguments, argc, argv)) return *code;
-    return judge(arguments);
+    return reevaluate_archive(arguments);
   });
 }

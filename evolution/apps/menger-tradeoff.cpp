@@ -34,8 +34,8 @@ struct Arguments {
 };
 
 constexpr const char* description =
-    "Runs one design at many fidelities of finite elements and voxels and says what which accuracy costs.\n"
-    "Finished runs are kept: the same command goes on where it was stopped, or shows what is there.\n\n"
+    "Runs one design at many fidelities of finite elements and voxels, and shows the cost of each accuracy.\n"
+    "Finished runs are kept: run the same command again to resume, or to show the results.\n\n"
     "Example:\n"
     "  menger tradeoff meshes/designs/quadruped.toml -o quadruped\n"
     "  menger tradeoff paper/trade_off/study.toml -o trade\n"
@@ -51,16 +51,16 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
     describe(visitor, study);
   });
   app.footer(
-      "Exit codes: 0 done, 2 wrong input, 3 no run is fine enough to be the reference or no search found a champion, 130 "
+      "Exit codes: 0 done, 2 wrong input, 3 no run can be the reference, or no search found a champion, 130 "
       "interrupted.");
-  app.add_option("study", arguments.study, "Design, or study that names one and what to run (TOML)");
-  app.add_option("--search", arguments.search, "Study of which only the searches are run");
+  app.add_option("study", arguments.study, "Design file, or study file with a design and what to run (TOML)");
+  app.add_option("--search", arguments.search, "Study file; only its searches are run");
   app.add_option("-o,--output", arguments.folder, "Folder of the results (default: the name of the study)");
   app.add_option("--programs", arguments.programs, "Folder of the other programs of menger")->capture_default_str();
   app.add_flag("--no-pictures", arguments.no_pictures, "No PNG files");
   const auto code = io::parse_arguments(app, argc, argv);
   if (!code && arguments.study.empty() == arguments.search.empty()) {
-    throw io::InputError("a design or study is needed, either by itself or after --search");
+    throw io::InputError("give either a design or study, or a study after --search");
   }
   return code;
 }
@@ -81,7 +81,7 @@ void print(const TradeStudy& study, const TradeResult& result, const fs::path& f
     if (table) std::cout << title << "\n" << recommendation_text(*table, study.targets);
   };
   show(result.body, "inflated:");
-  show(result.gait, "walking, voxels alone:");
+  show(result.gait, "walking (voxels only):");
   if (result.search) std::cout << search_text(*result.search);
   std::cout << result.repeated << " runs made in this call\nresults in " << folder.string() << std::endl;
 }
@@ -100,10 +100,11 @@ int trade(Arguments& arguments) {
     bar_total = total;
     bar->update(done, name);
   };
+  folder.begin({});
   const TradeResult result = run_trade_off(study, arguments.folder, options);
   bar.reset();
   if (result.status == io::RunStatus::stopped) {
-    std::cout << "Stopped; finished runs are kept. The same command goes on from there." << std::endl;
+    std::cout << "Stopped. Finished runs are kept. Run the same command again to resume." << std::endl;
     return io::exit_code_of(result.status);
   }
   folder.finish(resolved_text(study), study.inputs);

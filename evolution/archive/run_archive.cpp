@@ -29,7 +29,7 @@ Knowledge knowledge_of(const std::string& word) {
   return *found;
 }
 
-// SQLite counts with signed numbers.
+// SQLite has signed integers only.
 std::int64_t signed_number(std::uint64_t number) { return static_cast<std::int64_t>(number); }
 std::uint64_t count_in(const SQLite::Column& column) { return static_cast<std::uint64_t>(column.getInt64()); }
 
@@ -67,15 +67,15 @@ void bind_vector(SQLite::Statement& row, const std::optional<std::array<double, 
     bind_optional(row, vector_parameters.at(axis), vector ? std::optional(vector->at(axis)) : std::nullopt);
 }
 
-/// Which result a row is of; the last of the key's hashes has a name of its own in every table.
+/// Binds the key of a result. The column of its last hash has a different name in every table.
 void bind_key(SQLite::Statement& row, const EvaluationKey& key) {
   row.bind(":design_hash", key.design_hash);
   row.bind(":level", key.level);
   row.bind(":decided_by_hash", key.physics_hash);
 }
 
-/// A result's part of a row, in evaluations and re-evaluations alike: status, displacement, reason, steps and seconds. The
-/// status is NULL where the judge itself failed.
+/// Reads the columns that evaluations and re-evaluations share: status, displacement, reason, steps and seconds. The status is
+/// NULL if the evaluator itself failed.
 Evaluation read_result(const SQLite::Statement& row) {
   Evaluation result;
   if (const SQLite::Column status = row.getColumn("status"); !status.isNull())
@@ -95,8 +95,8 @@ void bind_result(SQLite::Statement& row, const Evaluation& result, bool has_stat
   row.bind(":seconds", result.seconds);
 }
 
-/// What was left out of a displacement that does not count from the start; by what names a result: design, level, and the hash of
-/// what decides it beside the body.
+/// Adds the displacement before the part of an evaluation that counts, if there is one. Its key is that of the result: design,
+/// level, and the hash of everything that decides the result besides the body.
 void insert_left_out(SQLite::Database& connection, const EvaluationKey& key, const Evaluation& result) {
   if (!result.left_out_m) return;
   add_left_out_table(connection);
@@ -116,7 +116,7 @@ std::optional<std::array<double, 3>> find_left_out_m(const SQLite::Database& con
   return row.executeStep() ? vector_in(row) : std::nullopt;
 }
 
-/// An evaluation in a table that has the columns of `evaluation`; without what was left out.
+/// Finds an evaluation in a table with the columns of `evaluation`. Does not set left_out_m.
 std::optional<ArchivedEvaluation> find_evaluation(const SQLite::Database& connection, const std::string& table,
                                                   const EvaluationKey& key) {
   SQLite::Statement row(connection,
@@ -142,7 +142,7 @@ void insert_evaluation(SQLite::Database& connection, const std::string& table, c
   row.exec();
 }
 
-/// What a query for re-evaluations selects beside its own columns.
+/// The columns that queries for re-evaluations select besides their own.
 constexpr const char* reevaluation_columns =
     "design_hash, level, protocol.text AS protocol, variant, duration_s, status, dx_m, dy_m, dz_m, reason, steps, seconds";
 
@@ -165,7 +165,7 @@ void insert_reevaluation(SQLite::Database& connection, const Reevaluation& reeva
   protocol.bind(":hash", key.physics_hash);
   protocol.bind(":text", reevaluation.protocol);
   protocol.exec();
-  // A budget or a failure that ended a run says nothing of the robot: what another call found of it stays.
+  // A run that a budget or a failure ended says nothing about the robot, so it does not replace the result of another call.
   SQLite::Statement row(
       connection,
       "INSERT INTO reevaluation VALUES (:design_hash, :level, :decided_by_hash, :variant, :duration_s, :status, "
@@ -182,7 +182,7 @@ void insert_reevaluation(SQLite::Database& connection, const Reevaluation& reeva
   insert_left_out(connection, key, reevaluation.result);
 }
 
-Judgement read_judgement(const SQLite::Database& connection, const SQLite::Statement& row) {
+ReferenceEvaluation read_reference_evaluation(const SQLite::Database& connection, const SQLite::Statement& row) {
   return {.generation = row.getColumn("generation").getInt(),
           .place = count_in(row.getColumn("place")),
           .individual = count_in(row.getColumn("individual")),
@@ -193,40 +193,40 @@ Judgement read_judgement(const SQLite::Database& connection, const SQLite::State
           .found = read_reevaluation(connection, row)};
 }
 
-void insert_judgement(SQLite::Database& connection, const Judgement& judgement) {
-  insert_reevaluation(connection, judgement.found);
+void insert_reference_evaluation(SQLite::Database& connection, const ReferenceEvaluation& evaluation) {
+  insert_reevaluation(connection, evaluation.found);
   SQLite::Statement row(connection,
                         "INSERT INTO judgement VALUES (:generation, :place, :individual, :form, :surrogate, :score, "
                         ":element_steps, :design_hash, :level, :decided_by_hash)");
-  row.bind(":generation", judgement.generation);
-  row.bind(":place", signed_number(judgement.place));
-  row.bind(":individual", signed_number(judgement.individual));
-  row.bind(":form", judgement.form);
-  row.bind(":surrogate", judgement.surrogate);
-  bind_optional(row, ":score", judgement.score);
-  row.bind(":element_steps", signed_number(judgement.element_steps));
-  bind_key(row, {judgement.found.design_hash, judgement.found.level, io::content_hash(judgement.found.protocol)});
+  row.bind(":generation", evaluation.generation);
+  row.bind(":place", signed_number(evaluation.place));
+  row.bind(":individual", signed_number(evaluation.individual));
+  row.bind(":form", evaluation.form);
+  row.bind(":surrogate", evaluation.surrogate);
+  bind_optional(row, ":score", evaluation.score);
+  row.bind(":element_steps", signed_number(evaluation.element_steps));
+  bind_key(row, {evaluation.found.design_hash, evaluation.found.level, io::content_hash(evaluation.found.protocol)});
   row.exec();
 }
 
-Contender read_contender(const SQLite::Statement& row) {
+PoolMember read_pool_member(const SQLite::Statement& row) {
   return {.id = count_in(row.getColumn("id")),
           .age = row.getColumn("age").getInt(),
-          .knowledge = knowledge_of(row.getColumn("knowledge").getString()),
           .fitness = optional_double(row.getColumn("fitness")),
+          .knowledge = knowledge_of(row.getColumn("knowledge").getString()),
           .fitness_bound = optional_double(row.getColumn("fitness_bound")),
           .survivor_rank = optional_count(row.getColumn("survivor_rank"))};
 }
 
-void insert_contender(SQLite::Statement& row, int generation, const Contender& contender) {
+void insert_pool_member(SQLite::Statement& row, int generation, const PoolMember& member) {
   row.reset();
   row.bind(":generation", generation);
-  row.bind(":id", signed_number(contender.id));
-  row.bind(":age", contender.age);
-  row.bind(":knowledge", std::string(to_string(contender.knowledge)));
-  bind_optional(row, ":fitness", contender.fitness);
-  bind_optional(row, ":fitness_bound", contender.fitness_bound);
-  bind_optional(row, ":survivor_rank", contender.survivor_rank);
+  row.bind(":id", signed_number(member.id));
+  row.bind(":age", member.age);
+  row.bind(":knowledge", std::string(to_string(member.knowledge)));
+  bind_optional(row, ":fitness", member.fitness);
+  bind_optional(row, ":fitness_bound", member.fitness_bound);
+  bind_optional(row, ":survivor_rank", member.survivor_rank);
   row.exec();
 }
 
@@ -288,37 +288,21 @@ void require_same_study(const fs::path& file, std::string_view archived, std::st
     std::getline(new_lines, new_line);
     if (old_line.starts_with('[') && old_line == new_line) table = old_line + " ";
   } while (old_line == new_line && old_lines && new_lines);
-  refuse_archive(file, "is the archive of another study: it has " + table + old_line + ", the study has " + table + new_line +
-                           "; give this study another archive");
+  refuse_archive(file, "is the archive of another study: it has " + table + old_line + ", this study has " + table + new_line +
+                           "; choose another archive");
 }
 
 }  // namespace
 
 std::string design_hash(const Phenotype& phenotype, int level) {
   Phenotype part = phenotype;
-  // An empty arrangement stands for one that does not matter yet.
+  // An empty arrangement replaces one that does not matter at this level.
   if (level < 3 && part.has_arrangements()) part.arrangement_of_arrangements = meshes::Polycube(3, 3, 3);
   if (level < 2 && part.has_arrangements()) part.arrangement = meshes::Polycube(3, 3, 3);
   return phenotype_hash(part);
 }
 
-std::string_view to_string(Knowledge knowledge) {
-  switch (knowledge) {
-    case Knowledge::evaluated:
-      return "evaluated";
-    case Knowledge::failed:
-      return "failed";
-    case Knowledge::bounded:
-      return "bounded";
-    case Knowledge::duplicate:
-      return "duplicate";
-    case Knowledge::penalised:
-      return "penalised";
-  }
-  return {};
-}
-
-/// The open database of an archive; the lock is let go of after the database is closed.
+/// The open database of an archive. The lock is released after the database is closed.
 class RunArchive::Database {
  public:
   Database(fs::path archive, std::optional<io::FileLock> held, SQLite::Database&& opened)
@@ -329,11 +313,12 @@ class RunArchive::Database {
 
   [[nodiscard]] const fs::path& file() const { return file_; }
 
-  /// The key under which a table has a result.
+  /// Returns the key with which a table has a result; see RunArchive::evaluation.
   [[nodiscard]] EvaluationKey key_in(const std::string& table, EvaluationKey key) const {
     if (!has_earlier_keys_) return key;
-    SQLite::Statement row(connection_, "SELECT physics_hash FROM " + table + " LIMIT 1");
+    SQLite::Statement row(connection_, "SELECT DISTINCT physics_hash FROM " + table + " LIMIT 2");
     if (row.executeStep()) key.physics_hash = row.getColumn(0).getString();
+    if (row.executeStep()) refuse_archive(file_, "is damaged: its results in " + table + " are of more than one physics");
     return key;
   }
 
@@ -342,7 +327,7 @@ class RunArchive::Database {
     return guarded("cannot be read", [&] { return work(connection_); });
   }
 
-  /// Adds all that the work adds, or nothing.
+  /// Adds everything that `work` adds, or nothing.
   template <class Work>
   void write(const Work& work) {
     guarded("cannot be written", [&] {
@@ -352,7 +337,8 @@ class RunArchive::Database {
     });
   }
 
-  /// Whoever copies the file alone then has everything; with readers about it is done when the last of them is gone.
+  /// Moves the changes in the log into the file, so that a copy of the file alone is complete. If there are readers, this happens
+  /// when the last one closes the archive.
   void fold_log() {
     guarded("cannot be written", [&] { connection_.exec("PRAGMA wal_checkpoint(TRUNCATE)"); });
   }
@@ -380,13 +366,13 @@ RunArchive::RunArchive(RunArchive&&) noexcept = default;
 RunArchive& RunArchive::operator=(RunArchive&&) noexcept = default;
 
 RunArchive RunArchive::open(const fs::path& file, std::string_view study, int generations) {
-  // SQLite takes an empty name for a database of its own that vanishes.
+  // With an empty name SQLite opens a temporary database.
   if (file.empty()) throw io::InputError("the archive needs a file name");
   std::error_code unknown;
   if (fs::is_directory(file, unknown)) refuse_archive(file, "cannot be written: it is a folder");
   io::require_writable_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
   io::FileLock lock(file);
-  // A process that died while it made the archive leaves nothing, an empty file or an empty database.
+  // A process that died while it made the archive leaves no file, an empty file or an empty database.
   std::error_code missing;
   if (fs::exists(file, missing) && fs::file_size(file, missing) > 0) require_database_header(file);
   try {
@@ -397,8 +383,8 @@ RunArchive RunArchive::open(const fs::path& file, std::string_view study, int ge
       require_same_study(file, connection.execAndGet("SELECT resolved FROM study").getString(), study);
     }
     connection.exec("PRAGMA journal_mode = WAL");
-    // What is committed survives the death of the process. A power failure may take the last commits, which are then made again,
-    // the same; to flush each of them would slow small bodies down by a tenth.
+    // Committed changes survive the death of the process. A power failure may lose the last commits; the search then makes the
+    // same again. Flushing every commit would make searches of small bodies a tenth slower.
     connection.exec("PRAGMA synchronous = NORMAL");
     if (is_empty_database(connection)) create_schema(connection, study, generations);
     if (connection.execAndGet("SELECT generations FROM study").getInt() != generations) {
@@ -435,7 +421,7 @@ RunArchive RunArchive::open_to_read(const fs::path& file) {
   try {
     SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READONLY, 10000);
     require_archive(file, connection);
-    // One long read sees one state, whatever another process adds meanwhile.
+    // One long read transaction sees one state, whatever another process adds meanwhile.
     connection.exec("BEGIN");
     return RunArchive(std::make_unique<Database>(file, std::nullopt, std::move(connection)));
   } catch (const SQLite::Exception& error) {
@@ -466,17 +452,17 @@ GenerationRecord RunArchive::generation(int number) const {
   return database_->read([&](const SQLite::Database& connection) {
     SQLite::Statement row(connection, "SELECT * FROM generation WHERE number = :number");
     row.bind(":number", number);
-    if (!row.executeStep()) refuse_archive(file(), "holds no generation " + std::to_string(number));
+    if (!row.executeStep()) refuse_archive(file(), "has no generation " + std::to_string(number));
     return read_generation(row);
   });
 }
 
-std::vector<Contender> RunArchive::contenders(int generation) const {
+std::vector<PoolMember> RunArchive::pool(int generation) const {
   return database_->read([&](const SQLite::Database& connection) {
     SQLite::Statement row(connection, "SELECT * FROM contender WHERE generation = :generation ORDER BY id");
     row.bind(":generation", generation);
-    std::vector<Contender> all;
-    while (row.executeStep()) all.push_back(read_contender(row));
+    std::vector<PoolMember> all;
+    while (row.executeStep()) all.push_back(read_pool_member(row));
     return all;
   });
 }
@@ -485,7 +471,7 @@ Individual RunArchive::individual(std::uint64_t id) const {
   return database_->read([&](const SQLite::Database& connection) {
     SQLite::Statement row(connection, "SELECT * FROM individual WHERE id = :id");
     row.bind(":id", signed_number(id));
-    if (!row.executeStep()) refuse_archive(file(), "holds no individual " + std::to_string(id));
+    if (!row.executeStep()) refuse_archive(file(), "has no individual " + std::to_string(id));
     return read_individual(row);
   });
 }
@@ -522,7 +508,7 @@ std::vector<FitDesign> RunArchive::fit_designs() const {
 }
 
 void RunArchive::add_generation(const GenerationRecord& record, std::span<const Individual> born,
-                                std::span<const Contender> contenders) {
+                                std::span<const PoolMember> pool) {
   database_->write([&](SQLite::Database& connection) {
     SQLite::Statement individuals(connection,
                                   "INSERT INTO individual VALUES (:id, :generation, :parent, :age, :genome, :phenotype)");
@@ -530,7 +516,7 @@ void RunArchive::add_generation(const GenerationRecord& record, std::span<const 
     SQLite::Statement entries(
         connection,
         "INSERT INTO contender VALUES (:generation, :id, :age, :knowledge, :fitness, :fitness_bound, :survivor_rank)");
-    for (const Contender& contender : contenders) insert_contender(entries, record.number, contender);
+    for (const PoolMember& member : pool) insert_pool_member(entries, record.number, member);
     insert_generation(connection, record);
   });
 }
@@ -594,24 +580,24 @@ void RunArchive::add_reevaluations(std::span<const Reevaluation> reevaluations) 
   database_->fold_log();
 }
 
-std::vector<Judgement> RunArchive::judgements() const {
+std::vector<ReferenceEvaluation> RunArchive::reference_evaluations() const {
   return database_->read([](const SQLite::Database& connection) {
-    std::vector<Judgement> all;
+    std::vector<ReferenceEvaluation> all;
     if (!connection.tableExists("judgement")) return all;
     SQLite::Statement row(connection,
                           std::string("SELECT generation, place, individual, form, surrogate, score, element_steps, ") +
                               reevaluation_columns +
                               " FROM judgement JOIN reevaluation USING (design_hash, level, protocol_hash) "
                               "JOIN protocol ON protocol.hash = protocol_hash ORDER BY generation, place");
-    while (row.executeStep()) all.push_back(read_judgement(connection, row));
+    while (row.executeStep()) all.push_back(read_reference_evaluation(connection, row));
     return all;
   });
 }
 
-void RunArchive::add_judgements(std::span<const Judgement> judgements) {
+void RunArchive::add_reference_evaluations(std::span<const ReferenceEvaluation> evaluations) {
   database_->write([&](SQLite::Database& connection) {
-    add_judgement_table(connection);
-    for (const Judgement& judgement : judgements) insert_judgement(connection, judgement);
+    add_reference_table(connection);
+    for (const ReferenceEvaluation& evaluation : evaluations) insert_reference_evaluation(connection, evaluation);
   });
 }
 

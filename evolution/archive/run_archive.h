@@ -10,13 +10,14 @@
 #include <string_view>
 #include <vector>
 
+#include "evolution/archive/pool_member.h"
 #include "evolution/evaluation/evaluator.h"
 #include "evolution/genome/decoder.h"
 #include "evolution/genome/genome.h"
 
 namespace menger::evolution {
 
-/// Which result: equal keys mean equal results.
+/// Identifies a result: equal keys mean equal results.
 struct EvaluationKey {
   std::string design_hash;  ///< design_hash() of the phenotype at the level
   int level = 1;
@@ -25,23 +26,24 @@ struct EvaluationKey {
   auto operator<=>(const EvaluationKey&) const = default;  // NOLINT(modernize-use-nullptr): taken for a comparison with 0
 };
 
-/// Name of what decides the body of a level: of the basal body and, where there are arrangements, of those up to the level.
+/// Returns the hash of everything that decides the body of a level: the basal body and, for a phenotype with arrangements, the
+/// arrangements up to that level.
 std::string design_hash(const Phenotype& phenotype, int level);
 
-/// A result and the generation that first asked for it.
+/// A result and the generation that asked for it first.
 struct ArchivedEvaluation {
   int generation = 0;
   Evaluation result;
 };
 
-/// The time steps that an evaluation took.
+/// The number of time steps of an evaluation.
 struct EvaluationSteps {
   std::string design_hash;
   int level = 1;
   std::uint64_t steps = 0;
 };
 
-/// An individual as it was born.
+/// An individual at its birth.
 struct Individual {
   std::uint64_t id = 0;
   int generation = 0;                   ///< in which it was born
@@ -53,56 +55,34 @@ struct Individual {
   bool operator==(const Individual&) const = default;
 };
 
-/// How well the fitness of an individual is known when survivors are selected.
-enum class Knowledge {
-  evaluated,  ///< at all levels
-  failed,     ///< some evaluation did not complete: no fitness
-  bounded,    ///< at some levels or none; what is known rules survival out
-  duplicate,  ///< an earlier individual had its phenotype, and duplicates are culled: no fitness
-  penalised   ///< it falls apart: no fitness
-};
-std::string_view to_string(Knowledge knowledge);
-
-/// An individual in the selection of one generation.
-struct Contender {
-  std::uint64_t id = 0;
-  int age = 0;
-  Knowledge knowledge = Knowledge::evaluated;
-  std::optional<double> fitness;             ///< exists exactly for `evaluated`
-  std::optional<double> fitness_bound;       ///< for `bounded`: the fitness is at most this, if anything is known
-  std::optional<std::size_t> survivor_rank;  ///< position among the survivors; none: culled
-
-  bool operator==(const Contender&) const = default;
-};
-
-/// A design of an archive that has a fitness, once per phenotype.
+/// A design of an archive that has a fitness. Each phenotype has one.
 struct FitDesign {
-  std::uint64_t individual = 0;  ///< the first that had the phenotype
+  std::uint64_t individual = 0;  ///< the first with this phenotype
   Phenotype phenotype;
   double fitness = 0.0;  ///< in the unit of the objective
 };
 
-/// What another judge than that of the search found of a design.
+/// A result of a design by another evaluator than that of the search.
 struct Reevaluation {
   std::string design_hash;  ///< design_hash() of the phenotype at the level
   int level = 1;
-  std::string protocol;  ///< all that decides the result beside the body, as canonical text
-  std::string variant;   ///< name of the protocol among those that were judged together, for people
+  std::string protocol;  ///< everything that decides the result besides the body, as canonical text
+  std::string variant;   ///< name of the protocol among those that were computed together; for display
   double duration_s = 0.0;
-  Evaluation result;  ///< status `stopped` only where a stated budget ended it
+  Evaluation result;  ///< its status is `stopped` only if a stated budget ended it
 
-  bool has_result = true;  ///< false: the judge failed, result.reason says how; there is no status
+  bool has_result = true;  ///< false: the other evaluator failed for `result.reason`; no status
 };
 
-/// What a judge that takes part in a search found of a robot.
-struct Judgement {
-  int generation = 0;               ///< before which it was judged
-  std::size_t place = 0;            ///< among the robots of that generation, from 0: the best first
-  std::uint64_t individual = 0;     ///< that was judged for all of its form
+/// An evaluation of a robot by the reference evaluator that takes part in a search.
+struct ReferenceEvaluation {
+  int generation = 0;               ///< the generation that begins with its round
+  std::size_t place = 0;            ///< among the robots of that round, from 0, the best first
+  std::uint64_t individual = 0;     ///< evaluated on behalf of all individuals of the same form
   std::string form;                 ///< robot_form of its basal body
   double surrogate = 0.0;           ///< score by the evaluator of the search
-  std::optional<double> score;      ///< by the judge; none if it failed
-  std::uint64_t element_steps = 0;  ///< what it took
+  std::optional<double> score;      ///< score by the reference evaluator; none if it failed
+  std::uint64_t element_steps = 0;  ///< cost
   Reevaluation found;
 };
 
@@ -110,8 +90,8 @@ struct Judgement {
 struct GenerationRecord {
   int number = 0;
   std::uint64_t evaluations = 0;    ///< made for this generation
-  std::uint64_t cached = 0;         ///< results that were used and known before, or asked for twice
-  std::uint64_t pruned = 0;         ///< results that were not needed
+  std::uint64_t cached = 0;         ///< results that were known already, or needed twice
+  std::uint64_t pruned = 0;         ///< results that selection did not need
   double seconds = 0.0;             ///< wall time of the process that finished it; never compared
   std::string variation_generator;  ///< state of the random streams after the generation
   std::string selection_generator;
@@ -119,30 +99,33 @@ struct GenerationRecord {
   bool operator==(const GenerationRecord&) const = default;
 };
 
-/// The archive of one search in an SQLite database: everything to continue it, to tell its history and to judge its designs.
+/// The archive of one search: an SQLite database with everything that is needed to continue the search, to show its history and
+/// to evaluate its designs again.
 ///
-/// Displacements that were left out, judgements and checks of the time step have tables of their own, which only searches have
-/// that know such.
+/// Displacements before the part that counts (Evaluation::left_out_m), reference evaluations and checks of the time step have
+/// tables of their own. Only the archives of searches with such data have these tables.
 ///
-/// Every change is one transaction, which outlives the process once the call returns (write-ahead log). Rows have natural keys
-/// only, so that two runs of a study hold the same content, apart from the columns named `seconds`. One process writes, any
-/// number may read meanwhile. Calls from several threads must not overlap.
+/// Every change is one transaction. Once the call returns, it survives the end of the process (write-ahead log). Rows have
+/// natural keys only, so that two runs of a study have the same content, apart from the columns named `seconds`. One process
+/// writes, any number may read at the same time. Calls from several threads must not overlap.
 class RunArchive {
  public:
-  /// Studies of versions 2 and 3 have keys of earlier names. Such an archive is read, and re-evaluations are added to it, but no
-  /// search goes on with it. Version 2 had no re-evaluations and becomes version 3 with the first.
-  static constexpr int schema_version = 4;
+  /// The version of the tables and of the keys of studies. The studies of archives of earlier versions have earlier names of
+  /// keys: such an archive can be read, and re-evaluations can be added to it, but no search continues with it. Version 2 had no
+  /// re-evaluations; the first one turns it into version 3.
+  static constexpr int schema_version = 5;
 
-  /// Opens the archive of a study for writing, and makes it if there is none.
-  /// @param study identity_text of the study @param generations that the run is to reach; kept for readers
-  /// @throws io::InputError if the file is no archive, is damaged, has another schema version, belongs to another study (naming
-  /// the first difference), is being written to by another process, or cannot be written; it is left as it is
+  /// Opens the archive of a study for writing. Makes it if there is none.
+  /// @param study identity_text of the study
+  /// @param generations the number that the run is to reach; kept for readers
+  /// @throws io::InputError if the file is not an archive, is damaged, has another schema version, belongs to another study (with
+  /// the first difference), is being written by another process, or cannot be written. It stays as it is
   static RunArchive open(const std::filesystem::path& file, std::string_view study, int generations);
 
-  /// Opens an archive that exists to add re-evaluations to it. @throws io::InputError as open does
+  /// Opens an existing archive to add re-evaluations to it. @throws io::InputError as open does
   static RunArchive open_to_extend(const std::filesystem::path& file);
 
-  /// Opens an archive that exists, for reading. @throws io::InputError as open does
+  /// Opens an existing archive for reading. @throws io::InputError as open does
   static RunArchive open_to_read(const std::filesystem::path& file);
 
   ~RunArchive();
@@ -151,50 +134,52 @@ class RunArchive {
 
   [[nodiscard]] const std::filesystem::path& file() const;
   [[nodiscard]] std::string study() const;    ///< identity_text of the study
-  [[nodiscard]] int generation_goal() const;  ///< that the latest run was to reach
+  [[nodiscard]] int generation_goal() const;  ///< the number of generations that the latest run was to reach
 
   [[nodiscard]] std::optional<int> last_generation() const;  ///< none before generation 0 is finished
   [[nodiscard]] GenerationRecord generation(int number) const;
-  [[nodiscard]] std::vector<Contender> contenders(int generation) const;  ///< by id
+  [[nodiscard]] std::vector<PoolMember> pool(int generation) const;  ///< by id
   [[nodiscard]] Individual individual(std::uint64_t id) const;
   [[nodiscard]] std::uint64_t next_id() const;                    ///< one more than the largest id, or 0
   [[nodiscard]] std::vector<std::string> phenotype_keys() const;  ///< of all individuals, each once
 
-  /// An archive of an earlier version finds it by design and level: all its results are of one physics, whose text was another.
+  /// Returns a result, or none. An archive of an earlier version has another text and hash of the physics, but results of one
+  /// physics only. There the design and the level decide.
   [[nodiscard]] std::optional<ArchivedEvaluation> evaluation(const EvaluationKey& asked) const;
 
   [[nodiscard]] std::vector<EvaluationSteps> evaluation_steps() const;  ///< of all evaluations, by design, level and physics
 
-  /// Results of which some model left its range of validity, first asked for by a generation.
+  /// Returns how many of the results that a generation asked for first are outside of a model's range of validity.
   [[nodiscard]] std::uint64_t evaluations_outside_validity(int generation) const;
 
-  /// All designs that some generation gave a fitness, the best first; of equals the first individual first.
+  /// Returns all designs that had a fitness in some generation, the best first; of equals the one with the lower id first.
   [[nodiscard]] std::vector<FitDesign> fit_designs() const;
 
-  /// By design, level and protocol; none in an archive of version 2.
+  /// Returns all re-evaluations, by design, level and protocol. There are none in an archive of version 2.
   [[nodiscard]] std::vector<Reevaluation> reevaluations() const;
 
-  /// Adds all in one transaction. One of the same design, level and protocol is replaced, but never an outcome of the physics by
-  /// a run that was stopped or failed.
+  /// Adds re-evaluations in one transaction. Each replaces an earlier one of the same design, level and protocol, but a run that
+  /// was stopped or failed never replaces a physical result.
   void add_reevaluations(std::span<const Reevaluation> reevaluations);
 
-  /// What judges found in the course of the search, by generation and place.
-  [[nodiscard]] std::vector<Judgement> judgements() const;
+  /// Returns all reference evaluations of the search, by generation and place.
+  [[nodiscard]] std::vector<ReferenceEvaluation> reference_evaluations() const;
 
-  /// Adds judgements and their re-evaluations in one transaction. Precondition: there is none of their generations and places.
-  void add_judgements(std::span<const Judgement> judgements);
+  /// Adds reference evaluations, with their re-evaluations, in one transaction. Precondition: the archive has none with the same
+  /// generation and place.
+  void add_reference_evaluations(std::span<const ReferenceEvaluation> evaluations);
 
-  /// A result with half the time step, beside that of the search; found as evaluation() finds its own.
+  /// Returns a result with half the time step of the search, or none. Keys are found as by evaluation().
   [[nodiscard]] std::optional<ArchivedEvaluation> step_check(const EvaluationKey& key) const;
 
-  /// Precondition: there is no check under this key, and its status is not `stopped`.
+  /// Adds a result with half the time step. Precondition: there is no check with this key, and the status is not `stopped`.
   void add_step_check(const EvaluationKey& key, const ArchivedEvaluation& evaluation);
 
-  /// Precondition: there is no result under this key, and its status is not `stopped`.
+  /// Adds a result. Precondition: there is no result with this key, and the status is not `stopped`.
   void add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation);
 
-  /// Precondition: the generation before is there, this one is not.
-  void add_generation(const GenerationRecord& record, std::span<const Individual> born, std::span<const Contender> contenders);
+  /// Adds a finished generation. Precondition: the archive has the previous generation but not this one.
+  void add_generation(const GenerationRecord& record, std::span<const Individual> born, std::span<const PoolMember> pool);
 
  private:
   class Database;

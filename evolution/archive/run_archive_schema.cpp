@@ -26,7 +26,7 @@ CREATE TABLE study (
 );
 )sql";
 
-/// Of evaluations with the step of the search, and of those with half of it.
+/// The columns of the tables of evaluations: those with the time step of the search, and those with half of it.
 constexpr const char* evaluation_columns = R"sql((
   design_hash TEXT NOT NULL,
   level INTEGER NOT NULL,
@@ -72,7 +72,7 @@ CREATE TABLE generation (
 );
 )sql";
 
-/// What version 3 has beyond version 2.
+/// The tables that version 3 has and version 2 has not.
 constexpr const char* reevaluation_schema = R"sql(
 CREATE TABLE protocol (
   hash TEXT PRIMARY KEY,
@@ -93,7 +93,8 @@ CREATE TABLE reevaluation (
 ) WITHOUT ROWID;
 )sql";
 constexpr int version_without_reevaluations = 2;
-constexpr int last_version_of_earlier_keys = 3;
+constexpr int first_version_with_reevaluations = 3;
+constexpr int last_version_of_earlier_keys = 4;
 
 int version_of(const SQLite::Database& connection) {
   SQLite::Statement row(connection, "PRAGMA user_version");
@@ -101,7 +102,7 @@ int version_of(const SQLite::Database& connection) {
   return row.getColumn(0).getInt();
 }
 
-/// What the pages cannot show: rows that contradict each other.
+/// Refuses an archive whose rows contradict each other. SQLite's own check does not find these faults.
 void require_consistent_rows(const fs::path& file, SQLite::Database& connection) {
   const auto none = [&](const char* wrong_rows, const char* what) {
     if (connection.execAndGet(std::string("SELECT COUNT(*) FROM ") + wrong_rows).getInt() > 0)
@@ -166,7 +167,7 @@ CREATE TABLE IF NOT EXISTS left_out (
 )sql");
 }
 
-void add_judgement_table(SQLite::Database& connection) {
+void add_reference_table(SQLite::Database& connection) {
   connection.exec(R"sql(
 CREATE TABLE IF NOT EXISTS judgement (
   generation INTEGER NOT NULL,
@@ -192,7 +193,7 @@ void upgrade(SQLite::Database& connection) {
   if (version_of(connection) != version_without_reevaluations) return;
   SQLite::Transaction transaction(connection);
   connection.exec(reevaluation_schema);
-  connection.exec("PRAGMA user_version = " + std::to_string(last_version_of_earlier_keys));
+  connection.exec("PRAGMA user_version = " + std::to_string(first_version_with_reevaluations));
   transaction.commit();
 }
 
@@ -201,8 +202,8 @@ bool has_earlier_keys(const SQLite::Database& connection) { return version_of(co
 void require_present_keys(const fs::path& file, const SQLite::Database& connection) {
   if (!has_earlier_keys(connection)) return;
   refuse_archive(file, "is an archive of schema version " + std::to_string(version_of(connection)) +
-                           ", from before the keys of studies had their present names: menger export and menger reevaluate read "
-                           "it, a search cannot go on with it; give the study another archive");
+                           ", with earlier names of study keys: menger export and menger reevaluate can read it, but no search "
+                           "can be resumed from it; choose another archive");
 }
 
 void require_archive(const fs::path& file, SQLite::Database& connection) {
@@ -216,10 +217,11 @@ void require_archive(const fs::path& file, SQLite::Database& connection) {
   }
   const std::string check = connection.execAndGet("PRAGMA quick_check(1)").getString();
   if (check != "ok") refuse_archive(file, "is damaged: " + check);
-  if (connection.execAndGet("SELECT COUNT(*) FROM study").getInt() != 1) refuse_archive(file, "is damaged: it names no study");
+  if (connection.execAndGet("SELECT COUNT(*) FROM study").getInt() != 1)
+    refuse_archive(file, "is damaged: it does not have exactly one study");
   if (io::content_hash(connection.execAndGet("SELECT resolved FROM study").getString()) !=
       connection.execAndGet("SELECT hash FROM study").getString()) {
-    refuse_archive(file, "is damaged: its study is not the one it was made for");
+    refuse_archive(file, "is damaged: its study was changed");
   }
   require_consistent_rows(file, connection);
 }

@@ -8,37 +8,42 @@
 
 namespace menger::evolution {
 
-/// @throws io::InputError with the file and the reason
+/// Refuses an archive. @throws io::InputError with the file and the reason
 [[noreturn]] void refuse_archive(const std::filesystem::path& file, const std::string& reason);
 
-/// Looks at the first bytes before SQLite does, since it would take any short file for an empty database.
+/// Checks the first bytes of a file. SQLite alone would accept any short file as an empty database.
 /// @throws io::InputError if they are not those of an SQLite database
 void require_database_header(const std::filesystem::path& file);
 
-/// Whether a database holds nothing, as a process leaves it that died while it made an archive.
+/// Returns whether a database is empty, for example because a process died while it made an archive.
 bool is_empty_database(SQLite::Database& connection);
 
 /// Makes the tables of an archive of the present version in an empty database, in one transaction.
 void create_schema(SQLite::Database& connection, std::string_view study, int generations);
 
-/// Make a table that only some searches have, where it is missing: so the archives of others stay what they were. Of
-/// displacements that were left out, of judgements, and of evaluations with half the time step, which has the columns of
-/// `evaluation`.
+/// Makes the table of displacements before the part of an evaluation that counts, if it is missing. Only some searches need it;
+/// the archives of others stay as they are.
 void add_left_out_table(SQLite::Database& connection);
-void add_judgement_table(SQLite::Database& connection);
+
+/// Makes the table of reference evaluations, if it is missing. Only some searches need it.
+void add_reference_table(SQLite::Database& connection);
+
+/// Makes the table of evaluations with half the time step, with the columns of `evaluation`, if it is missing. Only some searches
+/// need it.
 void add_step_check_table(SQLite::Database& connection);
 
-/// Gives an archive the tables of re-evaluations if its version had none, in one transaction.
+/// Adds the tables of re-evaluations to an archive whose version has none, in one transaction.
 void upgrade(SQLite::Database& connection);
 
-/// Whether the study of an archive has keys of earlier names, so that its texts and their hashes are others than today's.
+/// Returns whether the study of an archive has earlier names of keys, so that its texts and hashes differ from the present ones.
 bool has_earlier_keys(const SQLite::Database& connection);
 
-/// @throws io::InputError if has_earlier_keys
+/// Refuses an archive with earlier names of keys. @throws io::InputError if has_earlier_keys
 void require_present_keys(const std::filesystem::path& file, const SQLite::Database& connection);
 
-/// @throws io::InputError if the database is no archive, is of a version that this menger does not read, or is damaged, also
-/// where rows contradict each other, which the pages cannot show
+/// Checks that a database is an archive that this program can read.
+/// @throws io::InputError if it is not an archive, has a version that this program does not read, or is damaged: also if rows
+/// contradict each other, which SQLite's own check of the pages does not find
 void require_archive(const std::filesystem::path& file, SQLite::Database& connection);
 
 }  // namespace menger::evolution

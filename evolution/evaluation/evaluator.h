@@ -15,63 +15,66 @@
 
 namespace menger::evolution {
 
-/// What judging one body at one level gave.
+/// The result of evaluating one body at one level.
 struct Evaluation {
   io::RunStatus status = io::RunStatus::stopped;
 
-  /// Net displacement of the centre of mass (x, y, z) in metres over the evaluation, or the part of it that counts; exists
-  /// exactly when status is `completed`.
+  /// Net displacement of the centre of mass (x, y, z) in metres, over the evaluation or the part of it that counts. It exists
+  /// exactly when the status is `completed`.
   std::optional<std::array<double, 3>> displacement_m;
 
-  /// Displacement before the part of the evaluation that counts, in metres; only where that does not begin at the start, and the
-  /// status is `completed`.
+  /// Displacement before the part of the evaluation that counts, in metres. It exists only if that part does not begin at the
+  /// start and the status is `completed`.
   std::optional<std::array<double, 3>> left_out_m{};
 
-  /// Where the judge's model left the range that it is known to hold in, sentences joined by "; "; empty: nowhere. The result
-  /// stands, but it is an extrapolation.
+  /// Where the evaluator's model left its range of validity: sentences joined by "; ", empty if nowhere. A result outside of the
+  /// range stands, but it is an extrapolation.
   std::string outside_validity;
 
   std::string reason;       ///< empty when completed, otherwise what went wrong, where and when
   std::uint64_t steps = 0;  ///< time steps done
-  double seconds = 0.0;     ///< wall time, of bodies judged together an equal share of it; never compared
+  double seconds = 0.0;     ///< wall time; bodies evaluated together have equal shares of it; never compared
 };
 
-/// A body to be judged at a level.
+/// One evaluation to make: a body and its level.
 struct EvaluationTask {
   meshes::Polycube body;  ///< the whole aggregate
   int level = 1;
 };
 
-/// How many threads may work on what a worker judges, now: its own, and its part of those that have run out of work. Asked again
-/// and again, since that changes. >= 1
+/// Returns how many threads a worker may use now, >= 1: its own thread, and its share of the threads of workers that have run out
+/// of work. The number changes, so an evaluator calls this repeatedly.
 using ThreadsNow = std::function<int()>;
 
-/// Judges bodies. The search knows nothing else of the physics behind it.
+/// Evaluates bodies. This is the only interface between the search and the physics.
 ///
-/// Implementations must be pure: the same body and level give the same result apart from `seconds`, from any thread, any number
-/// of times.
+/// Implementations must be pure: the same body and level always give the same result, apart from `seconds`, from any thread.
 class DesignEvaluator {
  public:
   virtual ~DesignEvaluator() = default;
 
-  /// Judges a body of level `level` (3^level cells per side; `body` is the whole aggregate, its cells are voxels of equal size).
-  /// Thread-safe. @param stop when set, the evaluation returns soon with status `stopped`
+  /// Evaluates a body. Thread-safe.
+  /// @param body the whole aggregate of level `level`: 3^level cells per side, all voxels of equal size
+  /// @param stop when set, the evaluation returns soon with status `stopped`
   [[nodiscard]] virtual Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const = 0;
 
-  /// Judges several bodies at a time: every result is the one of evaluate, `seconds` apart. Thread-safe; one after the other
-  /// unless an implementation knows better, and by one thread unless it can use more. No result depends on the threads.
+  /// Evaluates several bodies together. Every result equals that of evaluate(), apart from `seconds`, whatever the number of
+  /// threads. Thread-safe.
+  ///
+  /// This implementation evaluates one body after the other on one thread. Others may use more threads, or the lanes of a
+  /// register.
   [[nodiscard]] virtual std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
                                                                   const std::atomic<bool>& stop, const ThreadsNow& threads) const;
 
   /// Divides tasks into groups that are evaluated together, for example in the lanes of one register.
-  /// @param workers threads that groups are shared among, >= 1
-  /// @return groups of indices into `tasks`, each index once; every task alone unless an implementation overrides this
+  /// @param workers threads that share the groups, >= 1
+  /// @return groups of indices into `tasks`, each index once; in this implementation every task is a group of its own
   [[nodiscard]] virtual std::vector<std::vector<std::size_t>> groups(std::span<const EvaluationTask> tasks, int workers) const;
 
-  /// All that decides a result beside the body and the level, as canonical text: equal text means equal results.
+  /// Returns everything that decides a result besides the body and the level, as canonical text. Equal text means equal results.
   [[nodiscard]] virtual std::string physics() const = 0;
 
-  /// Expected cost of one evaluation in arbitrary but consistent units, for scheduling only.
+  /// Returns the expected cost of one evaluation, in an arbitrary but consistent unit. It serves scheduling only.
   [[nodiscard]] virtual double cost(const meshes::Polycube& body, int level) const = 0;
 };
 

@@ -17,7 +17,7 @@ Schedule list_schedule(std::span<const TimedTask> tasks, std::size_t workers, Ta
     schedule.busy_s += task.seconds;
   }
   schedule.makespan_s = *std::ranges::max_element(free_at_s);
-  // Before the first worker is free for good, none waits: the list was not empty yet.
+  // No worker waits before the first one has nothing left to do: until then the list is not empty.
   schedule.straggling_s = schedule.makespan_s - *std::ranges::min_element(free_at_s);
   return schedule;
 }

@@ -17,10 +17,10 @@ namespace menger::evolution {
 
 namespace {
 
-/// Tasks that a worker judges at a time.
+/// Positions of the tasks that a worker evaluates together.
 using Group = std::vector<std::size_t>;
 
-/// The groups of the evaluator, the costliest first.
+/// Returns the evaluator's groups, the costliest first.
 std::vector<Group> costliest_first(std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator, int workers) {
   std::vector<Group> groups = evaluator.groups(tasks, workers);
   std::vector<double> costs;
@@ -38,8 +38,8 @@ std::vector<Group> costliest_first(std::span<const EvaluationTask> tasks, const 
   return ordered;
 }
 
-std::vector<Evaluation> judged(const Group& group, std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator,
-                               const std::atomic<bool>& stop, const ThreadsNow& threads) {
+std::vector<Evaluation> evaluated(const Group& group, std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator,
+                                  const std::atomic<bool>& stop, const ThreadsNow& threads) {
   std::vector<const EvaluationTask*> together;
   together.reserve(group.size());
   for (const std::size_t task : group) together.push_back(&tasks[task]);
@@ -63,11 +63,11 @@ io::RunStatus WorkerPool::run(std::span<const EvaluationTask> tasks, const std::
   // Workers that still have a group share the threads of those that found none left.
   const int threads_that_run = std::min(threads_, oneapi::tbb::info::default_concurrency());
   const ThreadsNow threads = [&] { return std::max(1, threads_that_run / busy); };
-  // Each worker takes the next group from the list, which keeps the order that a division into ranges would lose.
+  // Each worker takes the next group of the list. A division into ranges would lose the order.
   const auto work = [&](int) {
     try {
       for (std::size_t i = next++; i < groups.size() && !stop && !failed; i = next++) {
-        const std::vector<Evaluation> results = judged(groups[i], tasks, *evaluator_, stop, threads);
+        const std::vector<Evaluation> results = evaluated(groups[i], tasks, *evaluator_, stop, threads);
         const std::lock_guard guard(finishing);
         for (std::size_t k = 0; k < results.size(); ++k) {
           if (results[k].status == io::RunStatus::stopped) continue;

@@ -10,23 +10,26 @@
 
 namespace menger::evolution {
 
-/// Workers that judge bodies side by side. One that finds no group left lends its thread to those that have one, as ThreadsNow
-/// tells them, but no more threads work than the machine has cores.
+/// Workers that evaluate bodies in parallel.
 ///
-/// Tasks and results are plain data, so that workers need not share memory with the caller: other processes could stand behind
-/// the same interface, with threads of their own.
+/// A worker that finds no group of tasks left lends its thread to the others, which read their number of threads from ThreadsNow.
+/// Lending never makes more threads work than the machine has cores.
+///
+/// Tasks and results are plain data, so workers need not share memory with the caller: other processes with threads of their own
+/// could implement the same interface.
 class WorkerPool {
  public:
-  /// @param evaluator outlives the pool @param threads >= 1, more than the machine has cores if so asked
+  /// @param evaluator outlives the pool
+  /// @param threads >= 1; may be more than the machine has cores
   WorkerPool(const DesignEvaluator& evaluator, int threads);
 
-  /// Takes the position of a task and its result.
+  /// Receives the position of a task and its result.
   using Finished = std::function<void(std::size_t task, const Evaluation& result)>;
 
-  /// Judges all tasks in the evaluator's groups, the costliest group first, and hands every result that is not `stopped` to
-  /// `finished`, one at a time, in the order in which they come.
-  /// @return completed, or stopped if `stop` was set before all were done. What an evaluation or `finished` throws ends the rest
-  /// and is thrown again.
+  /// Evaluates all tasks in the evaluator's groups, the costliest group first. Calls `finished` with every result that is not
+  /// `stopped`, one call at a time, in the order in which results arrive. An exception of an evaluation or of `finished` ends the
+  /// rest and is thrown again.
+  /// @return completed, or stopped if `stop` was set before all were done
   [[nodiscard]] io::RunStatus run(std::span<const EvaluationTask> tasks, const std::atomic<bool>& stop,
                                   const Finished& finished) const;
 

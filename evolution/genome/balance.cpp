@@ -17,7 +17,8 @@ bool is_balanced(const meshes::Polycube& body) {
     x += (cell.x + 0.5) / static_cast<double>(cells.size());
     y += (cell.y + 0.5) / static_cast<double>(cells.size());
   }
-  // Seen from a point inside of a hull its corners lie all around: no two neighbours in direction are half a turn apart.
+  // A point is inside of a convex hull exactly if, seen from it, directions to corners that follow each other are less than half
+  // a turn apart.
   std::vector<double> directions;
   for (const meshes::CellIndex& cell : cells) {
     if (cell.z != lowest) continue;

@@ -4,9 +4,11 @@
 
 namespace menger::evolution {
 
-/// Whether a body stands by itself: the centre of its cells lies above the inside of the convex hull of its lowest layer of
-/// cells. One that does not falls over before anything drives it, and a fall is no step. Cells count alike: the walls of a hollow
-/// body may move its centre a little from there.
+/// Returns whether a body stands by itself: the centre of its cells lies above the inside of the convex hull of its lowest layer
+/// of cells.
+///
+/// A body that does not stand falls over before it is driven, and a fall is not a step. All cells have equal weight here; the
+/// walls of a hollow body may put its centre of mass slightly elsewhere.
 bool is_balanced(const meshes::Polycube& body);
 
 }  // namespace menger::evolution

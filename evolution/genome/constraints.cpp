@@ -26,7 +26,7 @@ std::size_t offset_in(const Polycube& grid, const CellIndex& cell) {
 
 std::size_t grid_size(const Polycube& grid) { return offset_in(grid, {grid.nx() - 1, grid.ny() - 1, grid.nz() - 1}) + 1; }
 
-/// Disjoint sets of the numbers below some count.
+/// Disjoint sets (union-find) of the numbers below a count.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), std::size_t{0}); }
@@ -42,7 +42,7 @@ class DisjointSets {
   std::vector<std::size_t> parents_;
 };
 
-/// The components of a block: the number of each occupied cell's component, and how many there are.
+/// The face-connected components of a block: the number of each occupied cell's component, and how many components there are.
 struct Components {
   std::vector<std::size_t> numbers;
   std::size_t count = 0;
@@ -69,7 +69,7 @@ Components components_of(const Polycube& block, const std::vector<CellIndex>& ce
   return components;
 }
 
-/// Which components of a block touch which components of a copy of it that is the next one along an axis.
+/// Pairs of components that touch: one of a block, one of the next copy of the block along an axis.
 using Contacts = std::set<std::pair<std::size_t, std::size_t>>;
 
 std::array<Contacts, 3> contacts_of(const Polycube& block, const std::vector<CellIndex>& cells, const Components& components) {

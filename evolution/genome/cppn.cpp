@@ -45,7 +45,7 @@ std::optional<std::size_t> find_node(const Cppn& network, std::string_view name)
   return std::nullopt;
 }
 
-/// The words of a line, split at single spaces.
+/// Splits a line at single spaces.
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
   while (!line.empty()) {
@@ -64,7 +64,7 @@ std::optional<Number> number_of(std::string_view word) {
   return value;
 }
 
-/// Reads one line into a network; gives what is wrong with it, or nothing.
+/// Reads one line into a network. Returns what is wrong with the line, or an empty text.
 std::string read_outputs(const std::vector<std::string_view>& words, Cppn& network) {
   if (!network.nodes.empty()) return "a second line of outputs";
   if (words.size() < 2) return "no output";

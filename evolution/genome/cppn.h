@@ -10,7 +10,7 @@
 
 namespace menger::evolution {
 
-/// What a node of a network does to the weighted sum s of its inputs.
+/// The function that a node of a network applies to the weighted sum s of its inputs.
 enum class Activation : std::uint8_t {
   identity,           ///< s
   sigmoid,            ///< 2 / (1 + exp(−s)) − 1
@@ -26,7 +26,7 @@ enum class Activation : std::uint8_t {
   step                ///< 1 for s > 0, otherwise 0
 };
 
-/// The word for an activation, as written in genomes: "sine", "negative-root", ...
+/// Returns the word for an activation as genomes have it: "sine", "negative-root", ...
 std::string_view to_string(Activation activation);
 std::optional<Activation> activation_from_string(std::string_view word);
 
@@ -34,7 +34,7 @@ std::optional<Activation> activation_from_string(std::string_view word);
 inline constexpr std::array<std::string_view, 5> cppn_inputs{"x", "y", "z", "d", "b"};
 inline constexpr std::size_t cppn_input_count = cppn_inputs.size();
 
-/// An edge carries weight times the value of node `from` to node `to`; nodes are positions in Cppn::nodes.
+/// An edge: adds weight times the value of node `from` to the sum of node `to`. Nodes are positions in Cppn::nodes.
 struct CppnEdge {
   std::size_t from = 0;
   std::size_t to = 0;
@@ -43,7 +43,7 @@ struct CppnEdge {
   bool operator==(const CppnEdge&) const = default;
 };
 
-/// A node: an input, an output, or a hidden node with its label.
+/// A node: an input, an output, or a hidden node with a label.
 struct CppnNode {
   Activation activation = Activation::identity;
   int hidden_label = -1;  ///< number of a hidden node, unique in its network; −1 for inputs and outputs
@@ -53,9 +53,12 @@ struct CppnNode {
 
 /// A compositional pattern-producing network: a directed acyclic graph of weighted sums and activations.
 ///
-/// Invariants: the inputs come first in `nodes`, then `output_count` outputs, then the hidden nodes in the order of their
-/// insertion; edges stand in the order of their insertion (which decides the order of summation and, in one mode of expression,
-/// the values); no edge enters an input or leaves an output; no two edges join the same pair; no cycle.
+/// Invariants:
+/// - `nodes` has the inputs first, then `output_count` outputs, then the hidden nodes in the order of their insertion.
+/// - `edges` are in the order of their insertion. This decides the order of summation and, in one mode of expression, the values.
+/// - No edge enters an input or leaves an output.
+/// - No two edges join the same pair of nodes.
+/// - There is no cycle.
 struct Cppn {
   std::size_t output_count = 0;
   std::vector<CppnNode> nodes;
@@ -70,24 +73,26 @@ struct Cppn {
   [[nodiscard]] bool is_output(std::size_t node) const { return node >= cppn_input_count && node < first_hidden(); }
   [[nodiscard]] bool is_hidden(std::size_t node) const { return node >= first_hidden(); }
 
-  /// Position in `edges` of the edge between two nodes, or none.
+  /// Returns the position in `edges` of the edge between two nodes, or none.
   [[nodiscard]] std::optional<std::size_t> find_edge(std::size_t from, std::size_t to) const;
 
-  /// Whether there is a path along edges from one node to another; every node reaches itself.
+  /// Returns whether there is a path along edges from one node to another. Every node reaches itself.
   [[nodiscard]] bool reaches(std::size_t from, std::size_t to) const;
 
-  /// Deletes a hidden node with its edges and renumbers the nodes behind it.
+  /// Deletes a hidden node and its edges, and renumbers the nodes behind it.
   void erase_hidden(std::size_t node);
 };
 
-/// Every input joined to every output by an edge of weight 0, no hidden node.
+/// Returns a network without hidden nodes in which an edge of weight 0 joins every input to every output.
 Cppn bare_cppn(std::size_t output_count, Activation output_activation);
 
-/// The network as lines of text: "outputs sigmoid sigmoid", "hidden 0 sine" per hidden node, "edge x h0 -0.25" per edge; nodes
-/// are called x, y, z, d, b, out0, out1, ..., h0, h1, ...; weights are the shortest decimal that reads back to the same double.
+/// Returns the network as lines of text: "outputs sigmoid sigmoid", then "hidden 0 sine" for each hidden node, then "edge x h0
+/// -0.25" for each edge. Nodes are called x, y, z, d, b, out0, out1, ..., h0, h1, ... A weight is the shortest decimal number
+/// that reads back to the same double.
 std::string to_text(const Cppn& network);
 
-/// The inverse of to_text. @throws io::InputError naming the line if the text is not a network that keeps the invariants
+/// Reads a network from the text of to_text. @throws io::InputError with the line if the text is not a network that keeps the
+/// invariants
 Cppn cppn_from_text(std::string_view text);
 
 }  // namespace menger::evolution

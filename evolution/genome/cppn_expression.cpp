@@ -12,7 +12,7 @@ void activate_all(Activation activation, const GridValues& sums, GridValues& val
   for (std::size_t cell = 0; cell < basal_cells; ++cell) values[cell] = activate(activation, sums[cell]);
 }
 
-/// One expression of one network: the values of each node are found when they are first asked for.
+/// Expresses one network once. The values of each node are computed when they are first needed.
 class ExpressionRun {
  public:
   ExpressionRun(const Cppn& network, const ExpressionOptions& options)
@@ -50,7 +50,7 @@ class ExpressionRun {
     GridValues values{};
   };
 
-  /// Counting sort, which keeps the order of insertion among the edges into one node.
+  /// A counting sort: it keeps the order of insertion among the edges into one node.
   void sort_edges_by_consumer() {
     for (const CppnEdge& edge : network_.edges) ++in_begin_[edge.to + 1];
     for (std::size_t node = 0; node < network_.nodes.size(); ++node) in_begin_[node + 1] += in_begin_[node];

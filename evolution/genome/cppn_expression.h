@@ -9,17 +9,19 @@
 
 namespace menger::evolution {
 
-/// Cells of a basal grid of 3 x 3 x 3.
+/// Number of cells of the basal grid, 3 x 3 x 3.
 inline constexpr std::size_t basal_cells = 27;
 
-/// A number per cell of a basal grid; cell (x, y, z) of the robot at x + 3 y + 9 z, z up.
+/// One number per cell of the basal grid. Cell (x, y, z) of the robot is at index x + 3 y + 9 z; z points up.
 using GridValues = std::array<double, basal_cells>;
 
-/// What the consumers of a node with several consumers get.
+/// The value that a node with several consumers passes on. A consumer is a node at the end of an edge that leaves the node; s is
+/// the node's sum, f its activation.
 enum class Expression {
-  every_consumer_activated,  ///< each one f(s)
-  first_consumer_activated  ///< the first that asks f(s), every later one the plain sum s (a side effect of how the released code
-                            ///< remembers values)
+  every_consumer_activated,  ///< every consumer gets f(s)
+  /// The first consumer that asks gets f(s), every later one the plain sum s: a side effect of how the released code stores
+  /// values.
+  first_consumer_activated
 };
 std::string_view to_string(Expression expression);  ///< "every-consumer" or "first-consumer"
 
@@ -30,6 +32,7 @@ enum class AxisMap {
 };
 std::string_view to_string(AxisMap axes);  ///< "xyz" or "zyx"
 
+/// How a network is turned into values at cells.
 struct ExpressionOptions {
   Expression expression = Expression::every_consumer_activated;
   AxisMap axes = AxisMap::xyz;
@@ -37,16 +40,16 @@ struct ExpressionOptions {
   bool operator==(const ExpressionOptions&) const = default;
 };
 
-/// f(s) of an activation.
+/// Returns the value f(s) of an activation f at a sum s.
 double activate(Activation activation, double sum);
 
-/// The inputs x, y, z, d, b at every cell: coordinates −1, 0, 1 along each axis; d = 2 √(x² + y² + z²) / √3 − 1, so −1 in the
-/// centre and 1 in the corners; b = 1.
+/// Returns the inputs x, y, z, d, b at every cell: coordinates −1, 0, 1 along each axis; d = 2 √(x² + y² + z²) / √3 − 1, which is
+/// −1 in the centre and 1 in the corners; b = 1.
 std::array<GridValues, cppn_input_count> input_values(AxisMap axes);
 
-/// The value of every output at every cell: value(n) = f_n(Σ over edges (u, n, w) of w · value(u)), summed in the order of the
-/// edges. Outputs are asked in their order and nodes depth first, which matters to Expression::first_consumer_activated only.
-/// Values may be infinite or not a number.
+/// Computes the value of every output at every cell: value(n) = f_n(Σ over edges (u, n, w) of w · value(u)), summed in the order
+/// of the edges. Outputs are evaluated in their order and nodes depth first, which matters for
+/// Expression::first_consumer_activated only. Values may be infinite or not a number.
 std::vector<GridValues> express(const Cppn& network, const ExpressionOptions& options);
 
 }  // namespace menger::evolution

@@ -33,7 +33,7 @@ void set_weight(Cppn& network, std::size_t from, std::size_t to, double weight) 
   }
 }
 
-/// A hidden node that nothing enters (`enters`) or nothing leaves, the first one.
+/// Returns the first hidden node that no edge enters (with `enters`) or that no edge leaves (without).
 std::optional<std::size_t> find_loose_node(const Cppn& network, bool enters) {
   std::vector<bool> tied(network.nodes.size(), false);
   for (const CppnEdge& edge : network.edges) tied[enters ? edge.to : edge.from] = true;
@@ -89,7 +89,7 @@ void add_link(Cppn& network, RandomStream& random) {
     const std::size_t from = random.below(network.nodes.size());
     const std::size_t to = random.below(network.nodes.size());
     if (from == to || network.is_output(from) || network.is_input(to)) continue;
-    // An edge from `to` to `from` is among the cycles that are excluded.
+    // An edge from `to` to `from` would close a cycle and is excluded by that.
     if (network.find_edge(from, to) || network.reaches(to, from)) continue;
     network.edges.push_back({from, to, weight});
     return;

@@ -9,21 +9,22 @@
 
 namespace menger::evolution {
 
-/// Which activations variation draws from.
+/// The set of activations from which variation draws.
 enum class ActivationSet {
   paper,         ///< sin, abs, square, sqrt(abs), step
   released_code  ///< sin, ±abs, ±square, ±sqrt(abs), ±sign
 };
 std::string_view to_string(ActivationSet set);  ///< "paper" or "released-code"
 
-/// What variation may do to the sigmoid of an output.
+/// Whether variation may replace the sigmoid of an output.
 enum class OutputFunction {
-  kept,  ///< outputs stay in [−1, 1] for ever
-  /// an output is a node like others: once mutated, its sigmoid never returns
+  kept,  ///< never: outputs stay in [−1, 1]
+  /// An output varies like any other node; once mutated, it never gets its sigmoid back.
   mutable_  // NOLINT(readability-identifier-naming): the plain word is a keyword
 };
 std::string_view to_string(OutputFunction function);  ///< "kept" or "mutable"
 
+/// How networks vary.
 struct VariationOptions {
   ActivationSet activations = ActivationSet::paper;
   OutputFunction output_function = OutputFunction::kept;
@@ -31,42 +32,42 @@ struct VariationOptions {
   bool operator==(const VariationOptions&) const = default;
 };
 
-/// The activations of a set, in the order in which they are numbered for drawing.
+/// Returns the activations of a set, in the order of their numbers when they are drawn.
 std::span<const Activation> activations_of(ActivationSet set);
 
-/// Splits a uniformly drawn edge (u, v, w): it is replaced by (h, v, 1) and (u, h, w) with a new hidden node h of a uniformly
-/// drawn activation. Nothing happens without an edge.
+/// Splits a uniformly drawn edge (u, v, w): replaces it by (h, v, 1) and (u, h, w), with a new hidden node h of a uniformly drawn
+/// activation. Does nothing if there is no edge.
 void add_node(Cppn& network, const VariationOptions& options, RandomStream& random);
 
-/// Deletes a uniformly drawn hidden node h; every pair of edges (u, h, a), (h, v, c) leaves an edge (u, v, a c), in the place of
-/// one that was there. Nothing happens without a hidden node.
+/// Deletes a uniformly drawn hidden node h. Every pair of edges (u, h, a), (h, v, c) becomes an edge (u, v, a c), which replaces
+/// an edge from u to v if there is one. Does nothing if there is no hidden node.
 void remove_node(Cppn& network, RandomStream& random);
 
-/// Joins a uniformly drawn ordered pair of nodes that are not joined in either direction by an edge of weight +0.1 or −0.1 that
-/// closes no cycle. Pairs are drawn at most 999 times; nothing happens if none of them will do.
+/// Joins a uniformly drawn ordered pair of nodes by an edge of weight +0.1 or −0.1. The nodes must not be joined yet in either
+/// direction, and the edge must not close a cycle. Draws at most 999 pairs; does nothing if none of them is suitable.
 void add_link(Cppn& network, RandomStream& random);
 
 /// Deletes a uniformly drawn edge, if there is one.
 void remove_link(Cppn& network, RandomStream& random);
 
-/// Gives a uniformly drawn node a uniformly drawn different activation of the set. Drawn are hidden nodes and, if the output
-/// function is mutable, outputs that have a function (outputs that hand on their sum stay so). Nothing happens if there is no
+/// Gives a uniformly drawn node a different, uniformly drawn activation of the set. The node is a hidden node or, if the output
+/// function is mutable, an output; outputs that pass on their plain sum (identity) stay as they are. Does nothing if there is no
 /// such node.
 void mutate_function(Cppn& network, const VariationOptions& options, RandomStream& random);
 
-/// Draws a new weight for a uniformly drawn edge: normal around the old one with standard deviation 0.5, clipped to [−1, 1],
-/// redrawn until it differs. Nothing happens without an edge.
+/// Draws a new weight for a uniformly drawn edge: normally distributed around the old weight with standard deviation 0.5, clipped
+/// to [−1, 1], drawn again until it differs. Does nothing if there is no edge.
 void mutate_weight(Cppn& network, RandomStream& random);
 
-/// Deletes hidden nodes that nothing enters, then those that nothing leaves, until every hidden node has both.
+/// Deletes hidden nodes without an edge that enters, then those without an edge that leaves, until every hidden node has both.
 void prune(Cppn& network);
 
-/// One of the six operators, drawn uniformly, followed by prune.
+/// Applies one of the six operators above, drawn uniformly, and then prune.
 void vary(Cppn& network, const VariationOptions& options, RandomStream& random);
 
-/// The birth of a network: bare_cppn, then 10 times add_node, 10 times add_link, 5 times remove_link, 100 times mutate_function,
-/// 100 times mutate_weight, prune.
-/// @param output_activation sigmoid, or identity for an output that hands on its sum
+/// Returns a random network: bare_cppn, then 10 times add_node, 10 times add_link, 5 times remove_link, 100 times
+/// mutate_function, 100 times mutate_weight, prune.
+/// @param output_activation sigmoid, or identity for an output that passes on its plain sum
 Cppn random_cppn(std::size_t output_count, Activation output_activation, const VariationOptions& options, RandomStream& random);
 
 }  // namespace menger::evolution

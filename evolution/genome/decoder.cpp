@@ -22,7 +22,7 @@ meshes::CellIndex cell_at(std::size_t offset) {
   return {number % 3, number / 3 % 3, number / 9};
 }
 
-/// The largest connected component of the cells where the first output is positive, of material 2 where the second is.
+/// Returns the largest connected component of the cells where the first output is positive, with material 2 where the second is.
 meshes::Polycube grow(const Cppn& network, const ExpressionOptions& options) {
   const std::vector<GridValues> outputs = express(network, options);
   meshes::Polycube body(3, 3, 3);

@@ -61,7 +61,7 @@ Genome genome_from_text(std::string_view text) {
   Genome genome;
   while (!text.empty()) {
     text.remove_prefix(network_header.size());
-    // Searching for the header at the start of a line only.
+    // The header counts at the start of a line only.
     std::size_t length = text.starts_with(network_header) ? 0 : text.find("\nnetwork\n");
     length = length == std::string_view::npos ? text.size() : length + (length > 0 ? 1 : 0);
     genome.networks.push_back(cppn_from_text(text.substr(0, length)));

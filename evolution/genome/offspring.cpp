@@ -12,7 +12,7 @@ namespace menger::evolution {
 
 namespace {
 
-/// Each network with probability 1/K, one of them uniformly if none was chosen.
+/// Chooses each of K networks with probability 1/K; if none was chosen, one of them uniformly.
 std::vector<std::size_t> choose_networks(std::size_t count, RandomStream& random) {
   std::vector<std::size_t> chosen;
   for (std::size_t network = 0; network < count; ++network) {
@@ -22,11 +22,11 @@ std::vector<std::size_t> choose_networks(std::size_t count, RandomStream& random
   return chosen;
 }
 
-/// How many bodies were refused for each reason: "too small 12, weak contact 3".
+/// Returns how many bodies were refused for each reason, as in "too small: 12, weak contact: 3".
 std::string refusals_text(const std::map<Refusal, std::size_t>& refusals) {
   std::string text;
   for (const auto& [reason, count] : refusals)
-    text.append(text.empty() ? "" : ", ").append(to_string(reason)).append(" ").append(std::to_string(count));
+    text.append(text.empty() ? "" : ", ").append(to_string(reason)).append(": ").append(std::to_string(count));
   return text;
 }
 
@@ -43,7 +43,7 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
   }
   throw io::InputError("the constraints of the study cannot be met: none of " + std::to_string(options.largest_draws) +
                        " random bodies was valid (" + refusals_text(refusals) +
-                       "; smallest_body = " + std::to_string(options.constraints.smallest_body) + ", disconnected = \"" +
+                       "; smallest_body_cells = " + std::to_string(options.constraints.smallest_body) + ", disconnected = \"" +
                        std::string(to_string(options.constraints.disconnected)) +
                        "\", castable = " + (options.constraints.castable ? "true" : "false") + ")");
 }

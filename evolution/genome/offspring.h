@@ -10,32 +10,35 @@
 
 namespace menger::evolution {
 
+/// Everything that decides how new genomes are made.
 struct OffspringOptions {
   VariationOptions variation;
   DecoderOptions decoder;
   ConstraintOptions constraints;
-  std::size_t largest_tries = 1500;       ///< variations tried per network of a child
-  std::size_t largest_draws = 1'000'000;  ///< genomes drawn for one random individual
+  std::size_t largest_tries = 1500;       ///< most variations tried per network of a child
+  std::size_t largest_draws = 1'000'000;  ///< most genomes drawn for one random individual
 
   bool operator==(const OffspringOptions&) const = default;
 };
 
-/// A genome, what it grows into, and how many draws or variations it took.
+/// A new genome, its phenotype, and how many draws or variations it took.
 struct Offspring {
   Genome genome;
   Phenotype phenotype;
   std::size_t tries = 0;
 };
 
-/// A new-born individual: genomes are drawn until one is valid.
-/// @throws io::InputError if largest_draws genomes were drawn in vain: the constraints of the study cannot be met; the message
-/// says how many were refused for which reason
+/// Makes a random individual: draws genomes until one is valid.
+/// @throws io::InputError if none of largest_draws genomes was valid: the constraints of the study cannot be met. The message has
+/// the number of refused genomes for each reason
 Offspring random_offspring(const OffspringOptions& options, RandomStream& random);
 
-/// A child. Each of the K networks is chosen with probability 1/K, one drawn uniformly if none was. Each chosen one is varied in
-/// turn: up to largest_tries times one uniformly drawn operator is applied to a copy of it, which is kept as soon as the child's
-/// phenotype differs from the parent's and is valid; otherwise the network stays as it is, so the child may equal its parent.
-/// Precondition: parent_phenotype is what the parent decodes to.
+/// Makes a child of a genome.
+///
+/// Each of the K networks is chosen with probability 1/K; if none is chosen, one is drawn uniformly. Each chosen network is
+/// varied in turn: up to largest_tries times, one uniformly drawn operator is applied to a copy of it. The copy is kept as soon
+/// as the child's phenotype is valid and differs from the parent's. If no copy is kept, the network stays as it is, so the child
+/// may equal its parent. Precondition: parent_phenotype is the phenotype of the parent.
 Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options,
                    RandomStream& random);
 

@@ -25,7 +25,7 @@ std::uint64_t next_seed_word(std::uint64_t& seed) {
   return word ^ (word >> 31);
 }
 
-/// FNV-1a.
+/// The FNV-1a hash of a text.
 std::uint64_t hash_of(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char character : text) hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3ULL;
@@ -41,7 +41,8 @@ std::string hexadecimal(std::uint64_t word) {
 }  // namespace
 
 RandomStream::RandomStream(std::uint64_t seed, std::string_view purpose) {
-  // The seed is mixed before it meets the purpose, so that neighbouring seeds of one purpose do not meet those of another.
+  // The seed is mixed before it is combined with the purpose. Otherwise neighbouring seeds of one purpose could give the stream
+  // of another purpose.
   std::uint64_t source = next_seed_word(seed) ^ hash_of(purpose);
   for (std::uint64_t& word : state_) word = next_seed_word(source);
 }
@@ -61,7 +62,7 @@ std::uint64_t RandomStream::bits() {
 std::size_t RandomStream::below(std::size_t count) {
   assert(count > 0);
   const std::uint64_t range = count;
-  // The 2^64 mod range lowest words would make small results more frequent.
+  // The lowest 2^64 mod range words are rejected: they would make small results more frequent.
   const std::uint64_t surplus = (std::numeric_limits<std::uint64_t>::max() - range + 1) % range;
   std::uint64_t word = bits();
   while (word < surplus) word = bits();
@@ -100,7 +101,7 @@ RandomStream RandomStream::from_text(std::string_view text) {
     position = stop;
     any_bit = any_bit || word != 0;
   }
-  if (position != end || !any_bit) throw refuse();  // from the state 0 the generator never moves
+  if (position != end || !any_bit) throw refuse();  // from the state 0 the generator gives zeros for ever
   return stream;
 }
 

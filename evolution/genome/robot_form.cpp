@@ -10,14 +10,14 @@ namespace {
 using meshes::CellIndex;
 using meshes::Polycube;
 
-/// A cell of a square grid turned by `quarters` of a turn about the vertical, after a reflection in x if asked for.
+/// Returns a cell of a square grid after a reflection in x, if asked for, and then `quarters` quarter turns about the vertical.
 CellIndex turned(CellIndex cell, int side, int quarters, bool is_mirrored) {
   if (is_mirrored) cell.x = side - 1 - cell.x;
   for (int quarter = 0; quarter < quarters; ++quarter) cell = {side - 1 - cell.y, cell.x, cell.z};
   return cell;
 }
 
-/// The body moved to the corner of its grid.
+/// Returns the digits of the body, moved to the corner of its grid.
 std::string digits_at_corner(const Polycube& body, const std::vector<CellIndex>& cells, bool with_materials,
                              const std::vector<meshes::Material>& materials) {
   CellIndex low{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
@@ -42,7 +42,8 @@ Polycube standing(const Polycube& body) {
 }
 
 Phenotype standing(const Phenotype& phenotype) {
-  // An aggregate's cell is 9 a + 3 b + c, with a, b, c cells of the three arrays: where each is moved down, so is the whole.
+  // A cell of an aggregate is 9 a + 3 b + c, with a, b, c cells of the three arrays. If each array is moved down, so is the
+  // aggregate.
   return {standing(phenotype.body), standing(phenotype.arrangement), standing(phenotype.arrangement_of_arrangements)};
 }
 

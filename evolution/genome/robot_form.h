@@ -8,26 +8,27 @@
 
 namespace menger::evolution {
 
-/// The body with its lowest cells in the lowest layer of its grid, where it stands on the ground from the start. As it grew, it
-/// may begin with a fall.
+/// Returns the body moved down until its lowest cells are in the lowest layer of its grid. It then stands on the ground from the
+/// start; as it grew, it may begin with a fall.
 meshes::Polycube standing(const meshes::Polycube& body);
 
-/// The phenotype all of whose arrays stand. Its aggregates are those of `phenotype`, moved down until they stand.
+/// Returns the phenotype with all its arrays standing. Its aggregates are those of `phenotype`, moved down until they stand.
 Phenotype standing(const Phenotype& phenotype);
 
-/// What makes two bodies different robots.
+/// What makes two bodies different robots, besides their shape.
 struct Distinction {
-  bool materials = true;  ///< the two materials are driven apart, or differ otherwise
-  bool place = false;     ///< the drive depends on where in the grid a cell is and how the body is turned
+  bool materials = true;  ///< the two materials are driven differently, or differ otherwise
+  bool place = false;     ///< the drive depends on the place of a cell in the grid and on how the body is turned
 };
 
-/// The digits of a body in the corner of its grid, in each way that it may be turned about the vertical and mirrored without
-/// becoming another robot: eight, or one (standing, where it is) if its place matters. Without `materials` all cells are 1.
-/// Precondition: the grid is as wide along x as along y.
+/// Returns the digits of a body in each of its poses: moved to the corner of its grid, turned about the vertical and mirrored.
+/// All poses are the same robot. There are eight, with all cells 1 unless `materials`; if its place matters there is one, the
+/// standing body where it is. Precondition: the grid is as wide along x as along y.
 std::vector<std::string> robot_poses(const meshes::Polycube& body, const Distinction& distinction);
 
-/// Equal for two bodies exactly if they are the same robot, up to where it stands on the ground, how it is turned about the
-/// vertical, and its mirror image: the least of its poses. Precondition: as robot_poses.
+/// Returns a text that is equal for two bodies exactly if they are the same robot: the least of its poses. Unless its place
+/// matters, a robot stays the same when it is moved on the ground, turned about the vertical or mirrored. Precondition: as for
+/// robot_poses.
 std::string robot_form(const meshes::Polycube& body, const Distinction& distinction);
 
 }  // namespace menger::evolution

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double normal_quantile = 1.959963984540054;  ///< of 0.975
 
-/// Positions in ascending order of the values; of equals the first one first.
+/// Returns positions in ascending order of the values; of equals the first one first.
 std::vector<std::size_t> ascending(std::span<const double> values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -18,7 +18,7 @@ std::vector<std::size_t> ascending(std::span<const double> values) {
   return order;
 }
 
-/// Positions of the k largest values; of equals the first ones.
+/// Returns the positions of the k largest values; of equals the first ones.
 std::vector<std::size_t> largest(std::span<const double> values, std::size_t k) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -34,7 +34,7 @@ std::optional<Interval> fisher_interval(double value, double variance) {
   return Interval{std::tanh(z - half), std::tanh(z + half)};
 }
 
-/// Where rounding leaves a correlation just beyond the end of its range.
+/// Returns exactly -1 or 1 for a correlation that differs from it by rounding only.
 double in_range(double correlation) {
   constexpr double rounding = 1e-12;
   if (std::abs(correlation) > 1.0 - rounding) return correlation > 0.0 ? 1.0 : -1.0;
@@ -113,14 +113,14 @@ std::optional<Share> share(std::size_t count, std::size_t of) {
                .interval = {.low = count == 0 ? 0.0 : middle - half, .high = count == of ? 1.0 : middle + half}};
 }
 
-std::optional<TopRegret> top_regret(std::span<const double> surrogate, std::span<const double> judge, std::size_t k) {
-  assert(surrogate.size() == judge.size() && k >= 1);
-  if (judge.size() < k) return std::nullopt;
+std::optional<TopRegret> top_regret(std::span<const double> surrogate, std::span<const double> reference, std::size_t k) {
+  assert(surrogate.size() == reference.size() && k >= 1);
+  if (reference.size() < k) return std::nullopt;
   const std::vector<std::size_t> thought_best = largest(surrogate, k);
-  const std::vector<std::size_t> best = largest(judge, k);
-  TopRegret found{.best = judge[best.front()], .best_of_top = judge[thought_best.front()], .regret = 0.0, .shared = 0};
+  const std::vector<std::size_t> best = largest(reference, k);
+  TopRegret found{.best = reference[best.front()], .best_of_top = reference[thought_best.front()], .regret = 0.0, .shared = 0};
   for (const std::size_t i : thought_best) {
-    found.best_of_top = std::max(found.best_of_top, judge[i]);
+    found.best_of_top = std::max(found.best_of_top, reference[i]);
     if (std::ranges::find(best, i) != best.end()) ++found.shared;
   }
   found.regret = found.best - found.best_of_top;

@@ -17,7 +17,7 @@ io::ChartSeries points(std::string name, std::size_t colour) {
   return {.name = std::move(name), .marks = io::Marks::points, .colour = io::chart_colour(colour)};
 }
 
-/// One trajectory, from its start.
+/// A trajectory relative to its start.
 struct Path {
   std::vector<double> time_s;
   std::vector<std::array<double, 3>> from_start_m;
@@ -53,7 +53,7 @@ io::Chart scatter_chart(const ReevaluationStudy& study, const ReevaluationFindin
   std::array speeds{points("top", 0), points("sample", 1)};
   std::array angles{points("top", 0), points("sample", 1)};
   double largest = 0.0;
-  for (const JudgedDesign& design : findings.designs) {
+  for (const ReevaluatedDesign& design : findings.designs) {
     const auto& surrogate = design.surrogate.result.displacement_m;
     if (!surrogate || !design.elements.displacement_m) continue;
     const std::size_t set = design.design.is_top ? 0 : 1;
@@ -91,7 +91,7 @@ io::Chart scatter_chart(const ReevaluationStudy& study, const ReevaluationFindin
   return {.title = "", .panels = {speed, angle}};
 }
 
-io::Chart trajectories_chart(const ReevaluationStudy& study, const JudgedDesign& design) {
+io::Chart trajectories_chart(const ReevaluationStudy& study, const ReevaluatedDesign& design) {
   io::Chart chart;
   chart.panels = {{.title = "path seen from above", .x = {.title = "x (mm)"}, .y = {.title = "y (mm)"}, .equal_scale = true},
                   {.title = "distance from the start", .x = {.title = "time (s)"}, .y = {.title = "body lengths"}},

@@ -5,11 +5,13 @@
 
 namespace menger::evolution {
 
-/// Body lengths per minute, surrogate across, finite elements up, a point per design that completed in both, with the diagonal;
-/// beside it the angle between both directions by the surrogate's speed.
+/// Draws two panels with a point per design that completed in both models: the speed on finite elements against that on the
+/// surrogate (body lengths per minute, with the diagonal), and the angle between both directions against the speed on the
+/// surrogate.
 io::Chart scatter_chart(const ReevaluationStudy& study, const ReevaluationFindings& findings);
 
-/// A design in both models: its path seen from above, how far it is from its start, and how high its centre is.
-io::Chart trajectories_chart(const ReevaluationStudy& study, const JudgedDesign& design);
+/// Draws the motion of a design in both models: its path seen from above, its distance from the start and the height of its
+/// centre, both against time.
+io::Chart trajectories_chart(const ReevaluationStudy& study, const ReevaluatedDesign& design);
 
 }  // namespace menger::evolution

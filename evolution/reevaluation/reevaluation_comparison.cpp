@@ -17,16 +17,16 @@ double body_length_m(const ReevaluationStudy& study) {
 
 double least_m(const ReevaluationStudy& study) { return study.least_body_lengths * body_length_m(study); }
 
-/// A distance that no division is hurt by.
+/// Returns whether a distance is large enough to divide by it.
 bool is_enough(double distance_m, double least) { return distance_m > 0.0 && distance_m >= least; }
 
-/// Body lengths per minute, 0 where the distance is too small to be told from another.
+/// Returns body lengths per minute, or 0 if the distance is too small for ranking.
 double ranked_speed(const ReevaluationStudy& study, const std::array<double, 3>& displacement_m) {
   const Motion motion = motion_of(study, displacement_m);
   return is_enough(motion.horizontal_m, least_m(study)) ? motion.body_lengths_per_minute : 0.0;
 }
 
-/// Of all designs that are compared the best can lose nothing: no value then.
+/// Returns the regret, or none if k is the number of all designs, since it would be 0.
 std::optional<TopRegret> regret_of(const std::vector<double>& surrogate, const std::vector<double>& elements, std::size_t k) {
   return k < surrogate.size() ? top_regret(surrogate, elements, k) : std::nullopt;
 }
@@ -58,7 +58,7 @@ std::optional<double> relative_change(const std::array<double, 3>& a, const std:
   return std::hypot(b[0] - a[0], b[1] - a[1]) / distance_m;
 }
 
-ModelGap gap_of(const ReevaluationStudy& study, const JudgedDesign& design) {
+ModelGap gap_of(const ReevaluationStudy& study, const ReevaluatedDesign& design) {
   const auto& surrogate = design.surrogate.result.displacement_m;
   const auto& elements = design.elements.displacement_m;
   if (!surrogate || !elements) return {};
@@ -71,14 +71,14 @@ ModelGap gap_of(const ReevaluationStudy& study, const JudgedDesign& design) {
   return gap;
 }
 
-Ranking rank_designs(const ReevaluationStudy& study, const std::string& name, std::span<const JudgedDesign* const> designs,
+Ranking rank_designs(const ReevaluationStudy& study, const std::string& name, std::span<const ReevaluatedDesign* const> designs,
                      std::size_t k) {
   std::vector<double> surrogate;
   std::vector<double> elements;
   std::size_t with_direction = 0;
   std::size_t within_45 = 0;
   std::size_t within_90 = 0;
-  for (const JudgedDesign* design : designs) {
+  for (const ReevaluatedDesign* design : designs) {
     if (!design->surrogate.result.displacement_m || !design->elements.displacement_m) continue;
     surrogate.push_back(ranked_speed(study, *design->surrogate.result.displacement_m));
     elements.push_back(ranked_speed(study, *design->elements.displacement_m));
@@ -89,7 +89,7 @@ Ranking rank_designs(const ReevaluationStudy& study, const std::string& name, st
     if (*angle <= 90.0) ++within_90;
   }
   return {.name = name,
-          .judged = designs.size(),
+          .evaluated = designs.size(),
           .compared = surrogate.size(),
           .spearman = spearman_correlation(surrogate, elements),
           .kendall = kendall_correlation(surrogate, elements),
@@ -100,18 +100,18 @@ Ranking rank_designs(const ReevaluationStudy& study, const std::string& name, st
           .k = k};
 }
 
-std::vector<Ranking> rank_all(const ReevaluationStudy& study, const std::vector<JudgedDesign>& designs) {
-  std::vector<const JudgedDesign*> all;
-  std::vector<const JudgedDesign*> top;
-  std::vector<const JudgedDesign*> sample;
-  std::vector<const JudgedDesign*> balanced;
-  for (const JudgedDesign& design : designs) {
+std::vector<Ranking> rank_all(const ReevaluationStudy& study, const std::vector<ReevaluatedDesign>& designs) {
+  std::vector<const ReevaluatedDesign*> all;
+  std::vector<const ReevaluatedDesign*> top;
+  std::vector<const ReevaluatedDesign*> sample;
+  std::vector<const ReevaluatedDesign*> balanced;
+  for (const ReevaluatedDesign& design : designs) {
     all.push_back(&design);
     (design.design.is_top ? top : sample).push_back(&design);
     if (design.is_balanced) balanced.push_back(&design);
   }
   std::vector<Ranking> rankings;
-  const auto add = [&](const std::string& name, const std::vector<const JudgedDesign*>& set) {
+  const auto add = [&](const std::string& name, const std::vector<const ReevaluatedDesign*>& set) {
     if (set.size() >= 2) rankings.push_back(rank_designs(study, name, set, study.top));
   };
   if (!sample.empty()) add("sample", sample);

@@ -9,6 +9,7 @@
 #include "evolution/reevaluation/reevaluation_scene.h"
 #include "io/process/child_program.h"
 #include "io/process/file_lock.h"
+#include "io/process/run_folder.h"
 #include "io/process/side_by_side.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
@@ -21,19 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Removes what is of no use beside other results: files of earlier calls that this one may not write.
-void remove_earlier(const fs::path& folder) {
-  io::remove_files(folder, {"reevaluation_judge.csv", "reevaluation.png", "manifest.json", "winner/trajectories.png",
-                            "trajectories/rank_*.csv"});
-}
-
 std::string rank_file(std::size_t rank) { return "rank_" + io::padded(rank, 4) + ".csv"; }
 
 void note_missing(const std::string& file, const io::PictureOutcome& picture, std::vector<std::string>& notes) {
   if (!picture.written && !picture.missing.empty()) notes.push_back(file + ": not drawn: " + picture.missing);
 }
 
-void write_winner(const ReevaluationStudy& study, const fs::path& folder, bool pictures, const JudgedDesign& winner,
+void write_winner(const ReevaluationStudy& study, const fs::path& folder, bool pictures, const ReevaluatedDesign& winner,
                   std::vector<std::string>& notes) {
   meshes::write_design(folder / "design.toml", design_of(study, winner.design.body));
   if (pictures) {
@@ -46,22 +41,24 @@ void write_winner(const ReevaluationStudy& study, const fs::path& folder, bool p
     const SceneOutcome scene = write_both_models(folder, winner, pictures);
     notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
     if (pictures) note_missing("strip.png", scene.picture, notes);
-  } catch (const io::InputError& error) {  // frames that are gone or damaged take nothing from the numbers
+  } catch (const io::InputError& error) {  // missing or damaged frames do not affect the numbers
     notes.push_back(std::string("the winner is not shown in both models: ") + error.what());
   }
 }
 
-/// Writes tables, pictures and the winner's scene into a folder, each file whole or not at all; those of an earlier one go first.
-/// @param notes gets what could not be drawn or shown
+/// Writes tables, pictures and the winner's scene into a folder, each file whole or not at all. Removes files of earlier calls
+/// first.
+/// @param notes gets a note for everything that could not be drawn or shown
 void write_reevaluation(const ReevaluationStudy& study, const fs::path& folder, bool pictures,
                         const ReevaluationFindings& findings, std::vector<std::string>& notes) {
-  remove_earlier(folder);
+  io::RunFolder("menger-reevaluate", folder)
+      .begin({"variants.csv", "reevaluation.png", "winner/trajectories.png", "trajectories/rank_*.csv"});
   reevaluation_table(study, findings).write(folder / "reevaluation.csv");
   refused_table(findings).write(folder / "refused.csv");
-  if (!findings.variants.empty()) judge_table(study, findings).write(folder / "reevaluation_judge.csv");
+  if (!findings.variants.empty()) variant_table(study, findings).write(folder / "variants.csv");
   ranking_table(findings).write(folder / "ranking.csv");
   io::write_whole(folder / "summary.txt", findings_text(study, findings));
-  for (const JudgedDesign& design : findings.designs)
+  for (const ReevaluatedDesign& design : findings.designs)
     trajectory_comparison(design).write(folder / "trajectories" / rank_file(design.design.rank));
   write_winner(study, folder / "winner", pictures, findings.designs.front(), notes);
   if (!pictures) return;
@@ -78,7 +75,7 @@ class Reevaluator {
 
   ReevaluationResult run() {
     const fs::path program = io::program_in(options_.programs, "menger-locomote");
-    { const io::FileLock lock(archive_file_); }  // whoever else writes is found before the work begins
+    { const io::FileLock lock(archive_file_); }  // throws before the work begins if another process writes to the archive
     choose();
     io::require_writable_folder(folder_);
     if (!walk_surrogates() || !walk_elements(program)) {
@@ -86,7 +83,7 @@ class Reevaluator {
       return std::move(result_);
     }
     findings().rankings = rank_all(study_, findings().designs);
-    if (std::ranges::none_of(findings().designs, [](const JudgedDesign& design) {
+    if (std::ranges::none_of(findings().designs, [](const ReevaluatedDesign& design) {
           return design.surrogate.result.displacement_m && design.elements.displacement_m;
         })) {
       result_.status = io::RunStatus::not_converged;
@@ -105,19 +102,19 @@ class Reevaluator {
     const std::string file = archive_file_.string();
     if (designs.empty()) throw io::InputError(file + ": no design has a fitness");
     if (study_.level > 1 && designs.front().phenotype.has_arrangements())
-      throw io::InputError(file + ": bodies with arrangements are no fractals: only level 1 can be judged");
+      throw io::InputError(file + ": nonfractal bodies can be re-evaluated at level 1 only");
     const SelectionOptions options{
         .top = study_.top, .sample = study_.sample, .seed = study_.sample_seed, .distinction = distinction_of(study_.search)};
     Selection selection =
-        choose_designs(designs, options, [&](const meshes::Polycube& body) { return obstacle_to_judging(study_, body); });
+        choose_designs(designs, options, [&](const meshes::Polycube& body) { return obstacle_to_reference(study_, body); });
     if (selection.chosen.empty())
-      throw io::InputError(file + ": no design can be judged, the best because: " + selection.refused.front().reason);
+      throw io::InputError(file + ": no design can be evaluated; reason for the best one: " + selection.refused.front().reason);
     const auto top = static_cast<std::size_t>(std::ranges::count(selection.chosen, true, &ChosenDesign::is_top));
     note_less("best designs", top, study_.top);
     note_less("designs of the sample", selection.chosen.size() - top, study_.sample);
     for (ChosenDesign& design : selection.chosen)
       findings().designs.push_back({.design = std::move(design), .surrogate = {}, .elements = {}});
-    for (JudgedDesign& design : findings().designs)
+    for (ReevaluatedDesign& design : findings().designs)
       design.is_balanced = is_balanced(meshes::fractal(design.design.body, study_.level));
     findings().refused = std::move(selection.refused);
     findings().distinct = selection.distinct;
@@ -125,13 +122,13 @@ class Reevaluator {
 
   void note_less(const char* what, std::size_t count, std::size_t wanted) {
     if (count >= wanted) return;
-    result_.notes.push_back("only " + std::to_string(count) + " of " + std::to_string(wanted) + " " + what +
-                            " can be judged: there are no more");
+    result_.notes.push_back("only " + std::to_string(count) + " of the requested " + std::to_string(wanted) + " " + what +
+                            " exist and can be evaluated");
   }
 
-  /// @return false if the user stopped it
+  /// Evaluates all designs on the surrogate. @return false if the user stopped it
   bool walk_surrogates() {
-    std::vector<JudgedDesign>& designs = findings().designs;
+    std::vector<ReevaluatedDesign>& designs = findings().designs;
     const bool is_whole = io::side_by_side(designs.size(), options_.jobs, options_.stop, [&](std::size_t n) {
       designs[n].surrogate = surrogate_walk(study_, designs[n].design.body, n == 0, options_.stop);
       return designs[n].surrogate.result.status != io::RunStatus::stopped;
@@ -139,17 +136,17 @@ class Reevaluator {
     return is_whole;
   }
 
-  /// @return false if the user stopped it
+  /// Evaluates all designs and variants on finite elements. @return false if the user stopped it
   bool walk_elements(const fs::path& program) {
     std::vector<LocomotionJob> jobs;
-    std::vector<JudgedDesign>& designs = findings().designs;
+    std::vector<ReevaluatedDesign>& designs = findings().designs;
     for (std::size_t n = 0; n < designs.size(); ++n) {
       const ChosenDesign& design = designs[n].design;
       jobs.push_back(locomotion_job(study_, study_.elements, design.body, "rank " + std::to_string(design.rank), n == 0));
     }
-    const std::size_t judged = study_.judge ? std::min(study_.judge->designs, designs.size()) : 0;
-    for (std::size_t n = 0; n < judged; ++n) {
-      for (const JudgeVariant& variant : judge_variants(study_)) {
+    const std::size_t evaluated = study_.variants ? std::min(study_.variants->designs, designs.size()) : 0;
+    for (std::size_t n = 0; n < evaluated; ++n) {
+      for (const ReferenceVariant& variant : reference_variants(study_)) {
         const ChosenDesign& design = designs[n].design;
         const std::string name = "rank " + std::to_string(design.rank) + ", " + variant.name;
         jobs.push_back(locomotion_job(study_, variant.options, design.body, name, false));
@@ -176,8 +173,8 @@ class Reevaluator {
     return true;
   }
 
-  [[nodiscard]] Reevaluation archive_row(const JudgedDesign& design, const LocomotionOptions& options, const std::string& variant,
-                                         const LocomotionRun& run) const {
+  [[nodiscard]] Reevaluation archive_row(const ReevaluatedDesign& design, const LocomotionOptions& options,
+                                         const std::string& variant, const LocomotionRun& run) const {
     const Phenotype simulated = as_simulated(study_.search.search, design.design.phenotype);
     return {.design_hash = design_hash(simulated, study_.level),
             .level = study_.level,
@@ -191,8 +188,8 @@ class Reevaluator {
   [[nodiscard]] std::vector<Reevaluation> archive_rows() const {
     std::vector<Reevaluation> rows;
     const ReevaluationFindings& found = result_.findings;
-    for (const JudgedDesign& design : found.designs)
-      rows.push_back(archive_row(design, study_.elements, "judge", design.elements));
+    for (const ReevaluatedDesign& design : found.designs)
+      rows.push_back(archive_row(design, study_.elements, "reference", design.elements));
     for (const VariantRun& run : found.variants)
       rows.push_back(archive_row(found.designs.at(run.design), run.variant.options, run.variant.name, run.run));
     return rows;
@@ -216,7 +213,7 @@ ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive
     const RunArchive read = std::move(archive);
     file = read.file();
     designs = read.fit_designs();
-  }  // closed from here on: a reader would keep the changes in the log beside the file
+  }  // the archive is closed from here on: an open reader would keep later changes in the log beside the file
   return Reevaluator(study, std::move(file), std::move(designs), folder, options).run();
 }
 

@@ -14,40 +14,40 @@
 
 namespace menger::evolution {
 
-/// How designs are judged again, never what comes out of it.
+/// Options that decide how designs are evaluated again. They do not change the results.
 struct ReevaluationOptions {
   std::filesystem::path programs;  ///< folder of menger-locomote
-  int jobs = 1;                    ///< designs at the same time
+  int jobs = 1;                    ///< number of designs at the same time
   const std::atomic<bool>* stop = nullptr;
   bool pictures = true;
 
-  /// @param done, total runs of finite elements @param name of one that is under way
+  /// Called during the runs. @param done, total numbers of runs of finite elements @param name a run that is being made
   std::function<void(std::size_t done, std::size_t total, const std::string& name)> progress{};
 };
 
-/// What it gave.
+/// The result of a re-evaluation.
 struct ReevaluationResult {
-  /// Or stopped; not_converged if no design completed in both models.
+  /// completed, stopped, or not_converged if no design completed in both models.
   io::RunStatus status = io::RunStatus::completed;
   ReevaluationFindings findings;
   std::vector<std::string> notes;
-  std::size_t repeated = 0;  ///< runs of finite elements that were made by this call, not found from an earlier one
+  std::size_t repeated = 0;  ///< number of runs of finite elements made in this call, not found from an earlier one
 };
 
-/// Judges designs of an archive by the locomotion of finite elements and, for the same body, pressure and time, by the surrogate,
-/// adds what it finds to the archive and writes into a folder:
-/// - reevaluation.csv, refused.csv, reevaluation_judge.csv (with variants), ranking.csv, summary.txt, reevaluation.png,
-/// - trajectories/rank_<n>.csv: each design in both models on one clock,
+/// Evaluates designs of an archive again by locomotion on finite elements, and by the surrogate for the same body, pressure and
+/// time. Adds the results of the finite elements to the archive and writes into a folder:
+/// - reevaluation.csv, refused.csv, variants.csv (with variants), ranking.csv, summary.txt, reevaluation.png,
+/// - trajectories/rank_<n>.csv: each design in both models at the same times,
 /// - winner/: the design of the best rank as design.toml, trajectories.png, both.pvd and strip.png (see write_both_models),
-/// - runs/: a folder per run of finite elements, by which a second call finds it.
+/// - runs/: a folder per run of finite elements, where a second call finds it.
 ///
-/// A design that fails stands in the tables with its status; the others go on. Stopped, nothing is written but what is in runs/.
-/// Surrogates are judged anew in every call. What is archived of a robot is of its standing body, under the name of what the
-/// search simulated.
-/// @param archive of the study, which is closed before its file is written to: so the file holds everything in the end, without a
-/// log beside it
-/// @throws io::InputError if no design can be judged (with the first reason), the program is missing or refuses every design,
-/// another process writes to the archive, or a place cannot be written
+/// A design that fails is in the tables with its status, and the others go on. If the user stops it, only runs/ is written.
+/// Surrogates are evaluated again in every call. The archived result of a robot is that of its standing body, with the design
+/// hash of the body that the search simulated.
+/// @param archive that of the study; it is closed before its file is written to, so that in the end the file has everything,
+/// without a log beside it
+/// @throws io::InputError if no design can be evaluated (with the first reason), the program is missing or refuses every design,
+/// another process writes to the archive, or a file cannot be written
 ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive, const std::filesystem::path& folder,
                               const ReevaluationOptions& options);
 

@@ -21,21 +21,22 @@ std::string voxel_file(std::size_t number) { return "voxels_" + io::padded(numbe
 
 void remove_earlier(const fs::path& folder) { io::remove_files(folder, {"both.pvd", "strip.png", "voxels_*.vtu"}); }
 
-/// The surrogate counts from the centre of its first voxel, finite elements from the corner of the first cell.
+/// Moves a frame of the surrogate into the coordinates of finite elements. The origin of the surrogate is the centre of its first
+/// voxel, that of finite elements the corner of the first cell.
 voxel::Frame in_world_of_elements(voxel::Frame frame) {
   for (auto& position : frame.position_m)
     for (double& coordinate : position) coordinate += 0.5 * frame.cell_edge_m;
   return frame;
 }
 
-/// Frames of both models at about the same time.
-std::vector<FramePair> frame_pairs(const JudgedDesign& design) {
+/// Returns pairs of frames of both models at about the same time.
+std::vector<FramePair> frame_pairs(const ReevaluatedDesign& design) {
   std::vector<FramePair> pairs;
   const fs::path collection = design.elements.folder / "frames.pvd";
   std::error_code ignored;
   if (!fs::is_regular_file(collection, ignored) || design.surrogate.frames.empty()) return pairs;
   const std::vector<voxel::Frame>& frames = design.surrogate.frames;
-  // Records lie within a step of each other, frames several records apart.
+  // Frames of both models that belong together differ in time by less than a step; successive frames are several records apart.
   const double near_s = frames.size() > 1 ? 0.25 * (frames[1].time_s - frames[0].time_s) : 1e-3;
   for (const voxel::CollectionEntry& entry : voxel::read_collection(collection)) {
     const auto nearest =
@@ -47,7 +48,8 @@ std::vector<FramePair> frame_pairs(const JudgedDesign& design) {
   return pairs;
 }
 
-/// Far enough for both to walk beside each other for a while: twice the body's width.
+/// Returns the shift of the surrogate along y, in m: minus twice the body's width, so that both models can move beside each other
+/// for a while.
 double aside_m(const std::vector<FramePair>& pairs) {
   const voxel::Extent extent = voxel::world_extent(pairs.front().surrogate);
   return -2.0 * std::max(extent.size(0), extent.size(1));
@@ -67,7 +69,7 @@ void write_collection(const fs::path& folder, const std::vector<FramePair>& pair
   voxel::write_collection(folder / "both.pvd", entries);
 }
 
-/// As many as a strip has columns, evenly in time with the first and the last.
+/// Returns as many pairs as a strip has columns, evenly spaced in time, with the first and the last.
 std::vector<FramePair> some_of(const std::vector<FramePair>& pairs) {
   if (pairs.size() <= strip_columns) return pairs;
   std::vector<FramePair> some;
@@ -77,14 +79,14 @@ std::vector<FramePair> some_of(const std::vector<FramePair>& pairs) {
 
 }  // namespace
 
-SceneOutcome write_both_models(const fs::path& folder, const JudgedDesign& design, bool with_picture) {
+SceneOutcome write_both_models(const fs::path& folder, const ReevaluatedDesign& design, bool with_picture) {
   remove_earlier(folder);
   SceneOutcome outcome;
   const std::vector<FramePair> pairs = frame_pairs(design);
   outcome.frames = pairs.size();
   if (pairs.empty()) {
     outcome.notes.push_back("rank " + std::to_string(design.design.rank) +
-                            ": there are no frames of both models, nothing is shown of it");
+                            ": there are no frames of both models, so both.pvd and strip.png are not written");
     return outcome;
   }
   write_collection(folder, pairs);

@@ -9,18 +9,20 @@
 
 namespace menger::evolution {
 
-/// What was written of a design in both models.
+/// The outcome of write_both_models.
 struct SceneOutcome {
-  std::size_t frames = 0;  ///< with both models
+  std::size_t frames = 0;  ///< number of frames with both models
   io::PictureOutcome picture;
   std::vector<std::string> notes;
 };
 
-/// Writes a design in both models for ParaView, on one clock: `both.pvd` in a folder, part 0 the frames of finite elements where
-/// their run left them, part 1 the surrogate (`voxels_0000.vtu`, ..., see voxel::write_frame) in the same place of the world,
-/// moved aside along -y. And `strip.png`, some of these frames in a row per model, each model where it went.
-/// @param design with frames in both models; without any nothing is written but a note
+/// Writes the motion of a design in both models, at the same times, for ParaView: `both.pvd` in a folder.
+///
+/// Part 0 is the frames of finite elements, which stay in the folder of their run. Part 1 is the surrogate (`voxels_0000.vtu`,
+/// ..., see voxel::write_frame) in the same coordinates, moved aside along -y. Also draws `strip.png`: some of these frames, a
+/// row per model, both in the same coordinates.
+/// @param design has frames in both models; without any, there is only a note and no file
 /// @throws io::InputError if frames cannot be read or the folder cannot be written to
-SceneOutcome write_both_models(const std::filesystem::path& folder, const JudgedDesign& design, bool with_picture);
+SceneOutcome write_both_models(const std::filesystem::path& folder, const ReevaluatedDesign& design, bool with_picture);
 
 }  // namespace menger::evolution

@@ -30,7 +30,7 @@ class Chooser {
   }
 
  private:
-  /// The first of every robot.
+  /// Collects the first design of every robot.
   void collect(std::span<const FitDesign> designs) {
     std::set<std::string> known;
     for (const FitDesign& design : designs) {

@@ -13,17 +13,17 @@
 
 namespace menger::evolution {
 
-/// A design that is to be judged.
+/// A design that was chosen for re-evaluation.
 struct ChosenDesign {
   std::uint64_t individual = 0;
-  Phenotype phenotype;    ///< as the search knows it
+  Phenotype phenotype;    ///< as in the archive
   meshes::Polycube body;  ///< basal, standing
   double fitness = 0.0;
   std::size_t rank = 1;  ///< by fitness among the distinct designs
-  bool is_top = true;    ///< else of the sample
+  bool is_top = true;    ///< one of the best; false: of the sample
 };
 
-/// A design that was in line and cannot be judged.
+/// A design that would have been chosen but cannot be evaluated.
 struct RefusedDesign {
   std::uint64_t individual = 0;
   std::string phenotype;  ///< its key
@@ -38,18 +38,20 @@ struct Selection {
   std::size_t distinct = 0;  ///< robots with a fitness
 };
 
-/// How many are chosen, and how.
+/// How many designs are chosen, and how.
 struct SelectionOptions {
-  std::size_t top = 1;     ///< >= 1
-  std::size_t sample = 0;  ///< of the others
+  std::size_t top = 1;     ///< number of best designs, >= 1
+  std::size_t sample = 0;  ///< number of designs drawn from the others
   std::uint64_t seed = 1;  ///< of the sample
   Distinction distinction{};
 };
 
-/// Takes the best distinct designs that nothing stands against, and of the others one from each of `sample` strata of equal
-/// numbers by fitness, drawn at random; a stratum all of which is refused gives none.
-/// @param designs the best first @param obstacle why a standing basal body cannot be judged; empty if it can. Asked only of
-/// designs that are in line
+/// Chooses the best distinct designs that can be evaluated, and a sample of the others. The others are divided by fitness into
+/// `sample` strata of equal size, and one design is drawn at random from each. A stratum in which no design can be evaluated
+/// gives none.
+/// @param designs the best first
+/// @param obstacle returns why a standing basal body cannot be evaluated, or an empty text if it can; called only for designs
+/// that would be chosen
 Selection choose_designs(std::span<const FitDesign> designs, const SelectionOptions& options,
                          const std::function<std::string(const meshes::Polycube&)>& obstacle);
 

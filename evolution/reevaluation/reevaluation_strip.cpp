@@ -45,7 +45,7 @@ Surface surface_of(const fs::path& file) {
   return filter->GetOutput();
 }
 
-/// What the extent looks like, its box seen in the view.
+/// Returns the extent of a box in the coordinates of the view.
 Extent seen_box(const Extent& box, const View& view) {
   Extent seen;
   for (const double x : {box.low[0], box.high[0]}) {
@@ -56,7 +56,7 @@ Extent seen_box(const Extent& box, const View& view) {
   return seen;
 }
 
-/// The pictures of a strip: two rows of surfaces in one world.
+/// Draws a strip: two rows of surfaces in the same coordinates.
 class Strip {
  public:
   explicit Strip(const std::vector<FramePair>& pairs) : pairs_(pairs) {
@@ -103,7 +103,7 @@ class Strip {
       ground.low.at(axis) += shift.at(axis);
       ground.high.at(axis) += shift.at(axis);
     }
-    // What lies on the ground is drawn at heights of its own, so that no two surfaces coincide.
+    // The floor and the shadow are drawn at different heights, so that no two surfaces coincide.
     const double layer = 0.002 * std::max(world_.size(0), world_.size(1));
     const double height = shift[2] + world_.low[2];
     voxel::add_floor(renderer, ground, height - 2.0 * layer);
@@ -143,7 +143,7 @@ class Strip {
   std::vector<Surface> elements_;
   std::vector<Surface> surrogates_;
   Extent world_;
-  Extent tile_;  ///< of the world in the view
+  Extent tile_;  ///< extent of world_ in the coordinates of the view
 };
 
 }  // namespace

@@ -8,15 +8,15 @@
 
 namespace menger::evolution {
 
-/// A body in both models at one time, in one world: the ground is at height 0.
+/// A body in both models at one time, in the same coordinates: the ground is at height 0.
 struct FramePair {
   double time_s = 0.0;
-  std::filesystem::path elements;  ///< grid (.vtu) whose points are where the body is
+  std::filesystem::path elements;  ///< grid (.vtu) with displaced points
   voxel::Frame surrogate;
 };
 
-/// Draws pairs from left to right, finite elements above, the surrogate below, to one scale, seen from above at an angle. Every
-/// body stands on a tile of ground that is the same piece of the world in all, so that it shows how far it went.
+/// Draws pairs from left to right, finite elements above and the surrogate below, at the same scale, seen from above at an angle.
+/// Every body is on a tile that shows the same part of the ground, so that its displacement can be seen.
 /// @throws io::InputError if a grid cannot be read or the place cannot be written
 io::PictureOutcome draw_strip(const std::filesystem::path& file, const std::vector<FramePair>& pairs,
                               const io::PictureStyle& style = {.width_px = 2400, .height_px = 1000});

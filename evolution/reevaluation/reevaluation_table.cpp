@@ -39,12 +39,12 @@ void add_name(Row& row, const ReevaluationStudy& study, const ChosenDesign& desi
                          io::cell(std::uint64_t{design.rank}), io::cell(design.is_top ? "top" : "sample")});
 }
 
-/// Distance before displacement counts; empty where it counts from the start.
+/// Returns the horizontal distance before displacement counts; empty if it counts from the start.
 io::CsvCell left_out_cell(const std::optional<std::array<double, 3>>& left_out_m) {
   return left_out_m ? io::cell(meshes::horizontal_displacement(*left_out_m)) : io::CsvCell{};
 }
 
-/// How far the centre was above its start at the lowest; below it, a body has fallen over or in.
+/// Returns the least height of the centre relative to its start, <= 0. A body with a very low value has fallen over or collapsed.
 std::optional<double> lowest_rise_m(const voxel::Trajectory& trajectory) {
   if (trajectory.empty()) return std::nullopt;
   double lowest = 0.0;
@@ -60,22 +60,22 @@ std::string padded(const std::string& text, std::size_t width) {
   return text.size() >= width ? text : std::string(width - text.size(), ' ') + text;
 }
 
-std::string design_line(const ReevaluationStudy& study, const JudgedDesign& judged) {
+std::string design_line(const ReevaluationStudy& study, const ReevaluatedDesign& evaluated) {
   const auto speed = [&](const std::optional<std::array<double, 3>>& displacement_m) {
     return displacement_m ? std::optional(motion_of(study, *displacement_m).body_lengths_per_minute) : std::nullopt;
   };
-  const ModelGap gap = gap_of(study, judged);
-  std::string line = padded(std::to_string(judged.design.rank), 5) + padded(judged.design.is_top ? "top" : "sample", 8) +
-                     padded(std::to_string(judged.design.individual), 11) +
-                     padded(number_or_dash(speed(judged.surrogate.result.displacement_m), "%.3f"), 13) +
-                     padded(number_or_dash(speed(judged.elements.displacement_m), "%.3f"), 13) +
+  const ModelGap gap = gap_of(study, evaluated);
+  std::string line = padded(std::to_string(evaluated.design.rank), 5) + padded(evaluated.design.is_top ? "top" : "sample", 8) +
+                     padded(std::to_string(evaluated.design.individual), 11) +
+                     padded(number_or_dash(speed(evaluated.surrogate.result.displacement_m), "%.3f"), 13) +
+                     padded(number_or_dash(speed(evaluated.elements.displacement_m), "%.3f"), 13) +
                      padded(number_or_dash(gap.ratio, "%.3f"), 9) + padded(number_or_dash(gap.angle_deg, "%.0f"), 8) + "  " +
-                     std::string(status_word(judged.elements));
-  if (!judged.elements.reason.empty()) line += ": " + judged.elements.reason;
-  const Evaluation& surrogate = judged.surrogate.result;
+                     std::string(status_word(evaluated.elements));
+  if (!evaluated.elements.reason.empty()) line += ": " + evaluated.elements.reason;
+  const Evaluation& surrogate = evaluated.surrogate.result;
   if (surrogate.status != io::RunStatus::completed)
     line += "; surrogate " + std::string(io::to_string(surrogate.status)) + ": " + surrogate.reason;
-  if (!judged.is_balanced) line += "; falls over by itself";
+  if (!evaluated.is_balanced) line += "; falls over by itself";
   return line + "\n";
 }
 
@@ -97,15 +97,16 @@ std::string direction_text(const char* angle, const std::optional<Share>& found)
 
 std::string regret_text(std::size_t k, const std::optional<TopRegret>& found) {
   if (!found) return "";
-  std::string text = "  looking only at the surrogate's best" + (k > 1 ? " " + std::to_string(k) : std::string()) + " loses " +
-                     io::formatted("%.3f", found->regret) + " body lengths per minute of the best's " +
-                     io::formatted("%.3f", found->best);
-  if (k > 1) text += "; " + std::to_string(found->shared) + " of both models' best " + std::to_string(k) + " are the same";
+  std::string text = "  evaluating only the surrogate's best" + (k > 1 ? " " + std::to_string(k) : std::string()) +
+                     " on finite elements loses " + io::formatted("%.3f", found->regret) + " of " +
+                     io::formatted("%.3f body lengths per minute, the speed of the best design", found->best);
+  if (k > 1)
+    text += "; " + std::to_string(found->shared) + " of the best " + std::to_string(k) + " designs are the same in both models";
   return text + "\n";
 }
 
 std::string ranking_text(const Ranking& ranking) {
-  std::string text = ranking.name + ": " + std::to_string(ranking.compared) + " of " + std::to_string(ranking.judged) +
+  std::string text = ranking.name + ": " + std::to_string(ranking.compared) + " of " + std::to_string(ranking.evaluated) +
                      " designs completed in both models\n  rank correlation of the distances: " +
                      correlation_text("Spearman", ranking.spearman) + ", " + correlation_text("Kendall", ranking.kendall) + "\n";
   text += direction_text("45", ranking.within_45_deg) + direction_text("90", ranking.within_90_deg);
@@ -114,17 +115,17 @@ std::string ranking_text(const Ranking& ranking) {
   return text;
 }
 
-std::string judge_text(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
+std::string variant_text(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
   std::string text;
-  for (const JudgeError& error : judge_errors(study, findings.designs, findings.variants)) {
-    text += error.kind == "numerical" ? "the judge's own error: " : "the silicone's uncertain stiffness: ";
+  for (const ReferenceError& error : reference_errors(study, findings.designs, findings.variants)) {
+    text += error.kind == "numerical" ? "numerical error of the finite elements: " : "the silicone's uncertain stiffness: ";
     text += "displacement changes by up to ";
     text += error.largest_change ? io::formatted("%.0f", 100.0 * *error.largest_change) + " %" : "-";
     text += ", direction by up to " + number_or_dash(error.largest_angle_deg, "%.0f") + " degrees, in " +
             std::to_string(error.compared) + " of " + std::to_string(error.runs) + " runs\n";
   }
   std::vector<double> gaps;
-  for (const JudgedDesign& design : findings.designs) {
+  for (const ReevaluatedDesign& design : findings.designs) {
     if (const auto error = gap_of(study, design).relative_error) gaps.push_back(*error);
   }
   if (text.empty() || gaps.empty()) return text;
@@ -141,32 +142,32 @@ io::CsvTable reevaluation_table(const ReevaluationStudy& study, const Reevaluati
   columns.push_back("fitness_" + std::string(fitness_unit(study.search.search.objective)));
   add(columns, "surrogate_", {"status", "outside_validity"});
   add(columns, "surrogate_", motion_columns());
-  add(columns, "surrogate_", {"lowest_dz_m"});
+  add(columns, "surrogate_", {"least_dz_m"});
   add(columns, "elements_", {"status", "reason", "time_s"});
   add(columns, "elements_", motion_columns());
-  add(columns, "elements_", {"lowest_dz_m"});
+  add(columns, "elements_", {"least_dz_m"});
   add(columns, "",
       {"distance_ratio", "angle_deg", "surrogate_relative_error", "surrogate_steps", "elements_steps", "elements_count",
        "surrogate_seconds", "elements_seconds", "surrogate_left_out_m", "elements_left_out_m", "is_balanced",
        "surrogate_reason"});
   io::CsvTable table(columns);
-  for (const JudgedDesign& judged : findings.designs) {
-    const Evaluation& surrogate = judged.surrogate.result;
-    const LocomotionRun& elements = judged.elements;
+  for (const ReevaluatedDesign& evaluated : findings.designs) {
+    const Evaluation& surrogate = evaluated.surrogate.result;
+    const LocomotionRun& elements = evaluated.elements;
     Row row;
-    add_name(row, study, judged.design);
-    row.insert(row.end(), {io::cell(std::uint64_t{judged.design.body.count()}), io::cell(judged.design.fitness),
+    add_name(row, study, evaluated.design);
+    row.insert(row.end(), {io::cell(std::uint64_t{evaluated.design.body.count()}), io::cell(evaluated.design.fitness),
                            io::cell(io::to_string(surrogate.status)), io::cell(surrogate.outside_validity)});
     add_motion(row, study, surrogate.displacement_m);
-    row.push_back(io::cell(lowest_rise_m(judged.surrogate.trajectory)));
+    row.push_back(io::cell(lowest_rise_m(evaluated.surrogate.trajectory)));
     row.insert(row.end(), {io::cell(status_word(elements)), io::cell(elements.reason), io::cell(elements.time_s)});
     add_motion(row, study, elements.displacement_m);
     row.push_back(io::cell(lowest_rise_m(elements.trajectory)));
-    const ModelGap gap = gap_of(study, judged);
+    const ModelGap gap = gap_of(study, evaluated);
     row.insert(row.end(), {io::cell(gap.ratio), io::cell(gap.angle_deg), io::cell(gap.relative_error), io::cell(surrogate.steps),
                            io::cell(elements.steps), io::cell(elements.elements), io::cell(surrogate.seconds),
                            io::cell(elements.seconds), left_out_cell(surrogate.left_out_m), left_out_cell(elements.left_out_m),
-                           io::cell(judged.is_balanced ? "true" : "false"), io::cell(surrogate.reason)});
+                           io::cell(evaluated.is_balanced ? "true" : "false"), io::cell(surrogate.reason)});
     table.add_cells(row);
   }
   return table;
@@ -179,26 +180,27 @@ io::CsvTable refused_table(const ReevaluationFindings& findings) {
   return table;
 }
 
-io::CsvTable judge_table(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
+io::CsvTable variant_table(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
   std::vector<std::string> columns{"design", "individual", "rank", "selection", "variant", "kind", "status", "reason"};
   add(columns, "", motion_columns());
   add(columns, "", {"relative_change", "change_angle_deg", "surrogate_relative_error", "steps", "elements", "seconds"});
   io::CsvTable table(columns);
-  const auto add_row = [&](const JudgedDesign& judged, const std::string& variant, const std::string& kind,
+  const auto add_row = [&](const ReevaluatedDesign& evaluated, const std::string& variant, const std::string& kind,
                            const LocomotionRun& run) {
     Row row;
-    add_name(row, study, judged.design);
+    add_name(row, study, evaluated.design);
     row.insert(row.end(), {io::cell(variant), io::cell(kind), io::cell(status_word(run)), io::cell(run.reason)});
     add_motion(row, study, run.displacement_m);
-    const JudgeChange change = change_of(study, judged.elements, run);
-    row.insert(row.end(), {io::cell(change.relative), io::cell(change.angle_deg), io::cell(gap_of(study, judged).relative_error),
-                           io::cell(run.steps), io::cell(run.elements), io::cell(run.seconds)});
+    const ReferenceChange change = change_of(study, evaluated.elements, run);
+    row.insert(row.end(),
+               {io::cell(change.relative), io::cell(change.angle_deg), io::cell(gap_of(study, evaluated).relative_error),
+                io::cell(run.steps), io::cell(run.elements), io::cell(run.seconds)});
     table.add_cells(row);
   };
   for (std::size_t n = 0; n < findings.designs.size(); ++n) {
     const auto is_of_design = [&](const VariantRun& run) { return run.design == n; };
     if (std::ranges::none_of(findings.variants, is_of_design)) continue;
-    add_row(findings.designs[n], "judge", "judge", findings.designs[n].elements);
+    add_row(findings.designs[n], "reference", "reference", findings.designs[n].elements);
     for (const VariantRun& run : findings.variants) {
       if (!is_of_design(run)) continue;
       add_row(findings.designs[n], run.variant.name, run.variant.is_numerical ? "numerical" : "stiffness", run.run);
@@ -217,7 +219,7 @@ io::CsvTable ranking_table(const ReevaluationFindings& findings) {
     };
     const auto add_correlation = [&](const char* quantity, const std::optional<RankCorrelation>& found, const char* method) {
       add_row(quantity, found ? std::optional(found->value) : std::nullopt, found ? found->interval : std::nullopt,
-              ranking.compared, ranking.judged, method);
+              ranking.compared, ranking.evaluated, method);
     };
     const auto add_share = [&](const char* quantity, const std::optional<Share>& found) {
       add_row(quantity, found ? std::optional(found->value) : std::nullopt, found ? std::optional(found->interval) : std::nullopt,
@@ -225,7 +227,7 @@ io::CsvTable ranking_table(const ReevaluationFindings& findings) {
     };
     const auto add_regret = [&](std::size_t k, const std::optional<TopRegret>& found) {
       const std::string top = "top_" + std::to_string(k);
-      const char* method = "best of all - best of the surrogate's best";
+      const char* method = "best of all designs - best of the surrogate's top k";
       add_row(top + "_regret_body_lengths_per_minute", found ? std::optional(found->regret) : std::nullopt, std::nullopt,
               found ? found->shared : 0, k, method);
       std::optional<double> relative;
@@ -242,14 +244,14 @@ io::CsvTable ranking_table(const ReevaluationFindings& findings) {
   return table;
 }
 
-io::CsvTable trajectory_comparison(const JudgedDesign& design) {
+io::CsvTable trajectory_comparison(const ReevaluatedDesign& design) {
   io::CsvTable table({"time_s", "surrogate_dx_m", "surrogate_dy_m", "surrogate_dz_m", "elements_dx_m", "elements_dy_m",
                       "elements_dz_m", "separation_m"});
   const voxel::Trajectory& surrogate = design.surrogate.trajectory;
   const voxel::Trajectory& elements = design.elements.trajectory;
   if (surrogate.empty() || elements.empty()) return table;
   for (const voxel::TrajectoryPoint& point : elements) {
-    // The last record of a run that completed may lie a part of a step behind that of the other model.
+    // The last record of a completed run may be later than that of the other model by a part of a step.
     const bool is_last = &point == &elements.back();
     if (point.time_s > surrogate.back().time_s && !(is_last && design.surrogate.result.displacement_m)) break;
     const std::array<double, 3> a = voxel::displacement_m(surrogate, voxel::point_at(surrogate, point.time_s));
@@ -261,18 +263,20 @@ io::CsvTable trajectory_comparison(const JudgedDesign& design) {
 
 std::string findings_text(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
   std::string text =
-      std::to_string(findings.designs.size()) + " of " + std::to_string(findings.distinct) + " robots judged for " +
+      std::to_string(findings.designs.size()) + " of " + std::to_string(findings.distinct) + " robots re-evaluated for " +
       io::formatted("%.4g", study.duration_s) + " s" +
-      (study.measure_from_s > 0.0 ? " (the first " + io::formatted("%.4g", study.measure_from_s) + " s left out)" : "") +
-      ", body lengths per minute:\n" + padded("rank", 5) + padded("of", 8) + padded("individual", 11) + padded("surrogate", 13) +
+      (study.measure_from_s > 0.0 ? " (displacement measured from " + io::formatted("%.4g", study.measure_from_s) + " s on)"
+                                  : "") +
+      ", body lengths per minute:\n" + padded("rank", 5) + padded("set", 8) + padded("individual", 11) + padded("surrogate", 13) +
       padded("elements", 13) + padded("ratio", 9) + padded("angle", 8) + "  status\n";
-  for (const JudgedDesign& judged : findings.designs) text += design_line(study, judged);
+  for (const ReevaluatedDesign& evaluated : findings.designs) text += design_line(study, evaluated);
   if (!findings.refused.empty()) {
-    text += std::to_string(findings.refused.size()) + " designs in line could not be judged, the first (rank " +
+    text += std::to_string(findings.refused.size()) +
+            " designs that would have been chosen cannot be evaluated; the first (rank " +
             std::to_string(findings.refused.front().rank) + "): " + findings.refused.front().reason + "\n";
   }
   for (const Ranking& ranking : findings.rankings) text += ranking_text(ranking);
-  return text + judge_text(study, findings);
+  return text + variant_text(study, findings);
 }
 
 }  // namespace menger::evolution

@@ -4,41 +4,44 @@
 #include <vector>
 
 #include "evolution/reevaluation/reevaluation_comparison.h"
-#include "evolution/reevaluation/reevaluation_judge.h"
+#include "evolution/reevaluation/reference_error.h"
 #include "io/text/csv_table.h"
 
 namespace menger::evolution {
 
-/// What re-evaluating found.
+/// The findings of a re-evaluation.
 struct ReevaluationFindings {
-  std::vector<JudgedDesign> designs;  ///< by rank
+  std::vector<ReevaluatedDesign> designs;  ///< by rank
   std::vector<RefusedDesign> refused;
-  std::size_t distinct = 0;  ///< robots of the archive with a fitness
+  std::size_t distinct = 0;  ///< number of robots of the archive with a fitness
   std::vector<VariantRun> variants;
   std::vector<Ranking> rankings;
 };
 
-/// A row per judged design with both models: status, displacement, direction, speed, cost; ratio, angle, relative error.
-/// left_out_m is the horizontal distance before displacement counts, where that is not from the start; is_balanced whether the
-/// robot stands by itself. lowest_dz_m is how far the
-/// centre came below its start, 0 if never (seen at the records): far below, the body fell over.
+/// Makes a table with a row per re-evaluated design and both models: status, displacement, direction, speed and cost, and the
+/// ratio, angle and relative error between both.
+///
+/// The columns `..._left_out_m` have the horizontal distance before displacement counts; they are empty if it counts from the
+/// start. `is_balanced` is whether the robot stands by itself. `..._least_dz_m` is the least height of the centre relative to
+/// its start, over all records: 0 or negative. A body with a very low value has fallen over.
 io::CsvTable reevaluation_table(const ReevaluationStudy& study, const ReevaluationFindings& findings);
 
-/// A row per design that was in line and cannot be judged, with the reason.
+/// Makes a table with a row per design that would have been chosen but cannot be evaluated, with the reason.
 io::CsvTable refused_table(const ReevaluationFindings& findings);
 
-/// A row per design and variant of the judge, and one of the judge itself; surrogate_relative_error is the gap that they are
-/// compared with.
-io::CsvTable judge_table(const ReevaluationStudy& study, const ReevaluationFindings& findings);
+/// Makes a table with a row per design and variant of the reference evaluator, and one for the reference evaluator itself.
+/// `surrogate_relative_error` is the gap between both models, to compare the changes with.
+io::CsvTable variant_table(const ReevaluationStudy& study, const ReevaluationFindings& findings);
 
-/// A row per set of designs and number: rank correlations with their intervals, agreement of directions, regret.
+/// Makes a table with a row per set of designs and quantity: rank correlations with their intervals, agreement of directions,
+/// regret.
 io::CsvTable ranking_table(const ReevaluationFindings& findings);
 
-/// A design on one clock: the displacements of both models, the surrogate's interpolated to the times of the finite elements,
-/// and how far they are apart horizontally, up to where both went.
-io::CsvTable trajectory_comparison(const JudgedDesign& design);
+/// Makes a table of the motion of a design in both models, at the times of the finite elements: both displacements (that of the
+/// surrogate is interpolated) and the horizontal distance between them. It ends with the shorter of both motions.
+io::CsvTable trajectory_comparison(const ReevaluatedDesign& design);
 
-/// The findings for people.
+/// Returns the findings as text for people.
 std::string findings_text(const ReevaluationStudy& study, const ReevaluationFindings& findings);
 
 }  // namespace menger::evolution

@@ -17,14 +17,15 @@ namespace fs = std::filesystem;
 
 std::string_view kind_of(const ComparedSearch& search) { return search.is_corrected ? "corrected" : "surrogate alone"; }
 
-/// Judged on the way: what was spent before counts from the costs of the generations before.
-void read_judgements(const fs::path& folder, const io::CsvContents& costs, double rate, ComparedSearch& search) {
-  const io::CsvContents table = io::read_csv(folder / "judgements.csv");
+/// Reads the reference evaluations of a corrected search. Their earlier costs come from the table of costs of the previous
+/// generations.
+void read_reference_evaluations(const fs::path& folder, const io::CsvContents& costs, double rate, ComparedSearch& search) {
+  const io::CsvContents table = io::read_csv(folder / "reference.csv");
   std::map<int, double> within;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     const auto generation =
         static_cast<int>(table.number(row, "generation", io::within(1.0, static_cast<double>(costs.row_count()))));
-    ComparedRobot robot{.body_lengths = table.optional_number(row, "judge_body_lengths"),
+    ComparedRobot robot{.body_lengths = table.optional_number(row, "reference_body_lengths"),
                         .surrogate_body_lengths = table.number(row, "surrogate_body_lengths"),
                         .element_steps = table.number(row, "element_steps", io::non_negative())};
     within[generation] += robot.element_steps;
@@ -48,7 +49,7 @@ void read_reevaluation(const fs::path& folder, double rate, ComparedSearch& sear
   }
 }
 
-/// The best so far, as steps, up to all that was taken.
+/// Returns the best result so far against the cost, as a staircase.
 io::ChartSeries progress_of(const ComparedSearch& search) {
   io::ChartSeries series{.marks = io::Marks::line, .colour = io::chart_colour(search.is_corrected ? 0 : 1)};
   std::optional<double> best;
@@ -93,9 +94,9 @@ ComparedSearch read_compared_search(const fs::path& folder, const ComparisonOpti
   const io::CsvContents costs = io::read_csv(folder / "costs.csv");
   for (const double steps : costs.numbers("voxel_steps", io::non_negative())) search.voxel_steps += steps;
   std::error_code missing;
-  search.is_corrected = fs::exists(folder / "judgements.csv", missing);
+  search.is_corrected = fs::exists(folder / "reference.csv", missing);
   if (search.is_corrected) {
-    read_judgements(folder, costs, options.voxel_steps_per_element_step, search);
+    read_reference_evaluations(folder, costs, options.voxel_steps_per_element_step, search);
   } else {
     read_reevaluation(folder, options.voxel_steps_per_element_step, search);
   }
@@ -110,7 +111,7 @@ ComparedSearch read_compared_search(const fs::path& folder, const ComparisonOpti
 }
 
 io::CsvTable comparison_table(const std::vector<ComparedSearch>& searches, const ComparisonOptions& options) {
-  io::CsvTable table({"search", "kind", "judged", "failed", "voxel_steps", "element_steps", "total_voxel_steps",
+  io::CsvTable table({"search", "kind", "evaluated", "failed", "voxel_steps", "element_steps", "total_voxel_steps",
                       "best_body_lengths", "surrogate_body_lengths_of_best"});
   for (const ComparedSearch& search : searches) {
     const auto best = search.best();
@@ -123,11 +124,11 @@ io::CsvTable comparison_table(const std::vector<ComparedSearch>& searches, const
 }
 
 io::Chart comparison_chart(const std::vector<ComparedSearch>& searches) {
-  io::ChartPanel progress{.title = "best robot judged so far",
-                          .x = {.title = "voxel-steps and element-steps together (1e9 voxel-steps)"},
+  io::ChartPanel progress{.title = "best robot evaluated so far",
+                          .x = {.title = "total cost with element-steps (1e9 voxel-steps)"},
                           .y = {.title = "body lengths on finite elements", .lowest = 0.0}};
   io::ChartPanel outcomes{.title = "outcome of each search",
-                          .x = {.title = "search of its kind, in the order given", .lowest = 0.5},
+                          .x = {.title = "number of the search of its kind, in the order given", .lowest = 0.5},
                           .y = {.title = "body lengths on finite elements", .lowest = 0.0}};
   constexpr double steps_per_unit = 1e9;
   std::array<io::ChartSeries, 2> points;
@@ -156,11 +157,11 @@ std::string comparison_text(const std::vector<ComparedSearch>& searches, const C
   std::string text;
   std::array<char, 200> line{};
   const auto add = [&](int length) { text.append(line.data(), static_cast<std::size_t>(length)); };
-  add(std::snprintf(line.data(), line.size(), "%-20s %-16s %7s %14s %14s %12s\n", "search", "kind", "judged", "total steps",
+  add(std::snprintf(line.data(), line.size(), "%-20s %-16s %9s %14s %14s %12s\n", "search", "kind", "evaluated", "total steps",
                     "best [BL]", "surrogate"));
   for (const ComparedSearch& search : searches) {
     const auto best = search.best();
-    add(std::snprintf(line.data(), line.size(), "%-20.40s %-16s %7zu %14.4g %14s %12s\n", search.name.c_str(),
+    add(std::snprintf(line.data(), line.size(), "%-20.40s %-16s %9zu %14.4g %14s %12s\n", search.name.c_str(),
                       std::string(kind_of(search)).c_str(), search.robots.size(), total_of(search, options),
                       best ? io::formatted("%.5f", *best->body_lengths).c_str() : "-",
                       best ? io::formatted("%.5f", best->surrogate_body_lengths).c_str() : "-"));
@@ -168,7 +169,7 @@ std::string comparison_text(const std::vector<ComparedSearch>& searches, const C
   const auto corrected = median_outcome(searches, true);
   const auto alone = median_outcome(searches, false);
   if (corrected && alone)
-    text += "median of the corrected " + io::formatted("%.5f", *corrected) + ", of the surrogate alone " +
+    text += "median outcome: corrected searches " + io::formatted("%.5f", *corrected) + ", searches on the surrogate alone " +
             io::formatted("%.5f", *alone) + "\n";
   return text;
 }

@@ -12,46 +12,46 @@
 
 namespace menger::evolution {
 
-/// A robot that finite elements judged, in the course of a search or after it.
+/// A robot that was evaluated on finite elements, during a search or after it.
 struct ComparedRobot {
   std::optional<double> body_lengths;  ///< by finite elements; none if they failed
   double surrogate_body_lengths = 0.0;
   double element_steps = 0.0;
-  double total_voxel_steps = 0.0;  ///< that search and judging have taken once it is judged, in voxel-steps
+  double total_voxel_steps = 0.0;  ///< cost of the search and of finite elements up to this robot, in voxel-steps
 };
 
-/// A search with what finite elements found of its robots.
+/// A search and the results of its robots on finite elements.
 struct ComparedSearch {
   std::string name;                   ///< of its folder
-  bool is_corrected = false;          ///< judged on the way; else afterwards
-  std::vector<ComparedRobot> robots;  ///< in the order in which they were judged, afterwards by the surrogate's rank
-  double voxel_steps = 0.0;           ///< of the evaluations
-  double element_steps = 0.0;         ///< of judging
+  bool is_corrected = false;          ///< finite elements evaluated robots during the search; false: after it
+  std::vector<ComparedRobot> robots;  ///< in the order of evaluation: after a search, by the surrogate's rank
+  double voxel_steps = 0.0;           ///< of the evaluations on the surrogate
+  double element_steps = 0.0;         ///< of the evaluations on finite elements
 
-  /// The best by finite elements, the outcome of the search; none if all failed.
+  /// Returns the best robot by finite elements, which is the outcome of the search; none if all failed.
   [[nodiscard]] std::optional<ComparedRobot> best() const;
 };
 
-/// What decides a comparison beside the results.
+/// What decides a comparison besides the results.
 struct ComparisonOptions {
-  double voxel_steps_per_element_step = 2.6;
+  double voxel_steps_per_element_step = 2.6;  ///< cost of an element-step in voxel-steps
 
-  /// Robots that no longer fit into this do not count, nor do those behind them.
+  /// Budget of finite elements. The first robot that exceeds it does not count, nor do the robots behind it.
   double budget_element_steps = std::numeric_limits<double>::infinity();
 };
 
-/// Reads a folder with costs.csv and, of a corrected search, judgements.csv (both of menger export), or else reevaluation.csv (of
-/// menger reevaluate) of a search on the surrogate alone.
+/// Reads the folder of a search. It has costs.csv (from menger export) and, for a corrected search, reference.csv (from menger
+/// export), or, for a search on the surrogate alone, reevaluation.csv (from menger reevaluate).
 /// @throws io::InputError if a table is missing, damaged or not in body lengths
 ComparedSearch read_compared_search(const std::filesystem::path& folder, const ComparisonOptions& options);
 
-/// A row per search: its kind, what it took in both units and together, and its outcome.
+/// Makes a table with a row per search: its kind, its cost in both units and in total, and its outcome.
 io::CsvTable comparison_table(const std::vector<ComparedSearch>& searches, const ComparisonOptions& options);
 
-/// The best so far over the steps taken, a line per search; beside it the outcomes.
+/// Draws two panels: the best result so far against the cost, a line per search; and the outcomes of all searches.
 io::Chart comparison_chart(const std::vector<ComparedSearch>& searches);
 
-/// The outcomes for people: each search, and the median of either kind.
+/// Returns the outcomes as text for people: each search, and the median of each kind.
 std::string comparison_text(const std::vector<ComparedSearch>& searches, const ComparisonOptions& options);
 
 }  // namespace menger::evolution

@@ -1,75 +1,96 @@
 #include "evolution/reference/reevaluation_locomotion.h"
 
-#include <array>
+#include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "evolution/reference/reevaluation_surrogate.h"
+#include "fem/locomotion/locomotion_study_file.h"
+#include "io/study/study_text.h"
 #include "io/text/toml_text.h"
-#include "io/text/whole_file.h"
-#include "meshes/design/hollow_body_file.h"
+#include "materials/laws/study_law.h"
 
 namespace menger::evolution {
 namespace {
 
-void add_material(io::TomlText& text, const LocomotionOptions& options) {
-  text.table("material").add("silicone", "silicone.toml").add("bulk_modulus_ratio", options.bulk_modulus_ratio);
-  if (options.youngs_modulus_Pa) text.add("youngs_modulus_Pa", *options.youngs_modulus_Pa);
-  text.add("damping_model", options.damping_model);
-}
-
-void add_ground(io::TomlText& text, const voxel::VoxelMaterial& material) {
-  text.table("ground").add("static_friction", material.static_friction).add("kinetic_friction", material.kinetic_friction);
-}
-
-/// The drive of the search; what its mode does not use is left out.
-void add_drive(io::TomlText& text, const voxel::Physics& physics) {
-  const voxel::Actuation& drive = physics.actuation;
-  text.table("drive").add("pressure_Pa", physics.surrogate->pressure_Pa).add("mode", voxel::to_string(drive.mode));
-  if (drive.mode == voxel::ActuationMode::none) return;
-  text.add("frequency_Hz", drive.frequency_Hz).add("ramp_s", drive.ramp_s);
-  if (drive.mode == voxel::ActuationMode::antiphase) text.add("material_phase", drive.material_phase);
-  if (drive.mode == voxel::ActuationMode::wave) {
-    constexpr std::array axes{"x", "y", "z"};
-    text.add("wave_axis", axes.at(static_cast<std::size_t>(drive.wave_axis)))
-        .add("wave_periods_per_body", drive.wave_periods_per_body)
-        .add("wave_over_gaps", drive.wave_over_gaps);
+fem::DriveMode drive_mode(voxel::ActuationMode mode) {
+  switch (mode) {
+    case voxel::ActuationMode::none:
+      return fem::DriveMode::none;
+    case voxel::ActuationMode::in_phase:
+      return fem::DriveMode::in_phase;
+    case voxel::ActuationMode::antiphase:
+      return fem::DriveMode::antiphase;
+    case voxel::ActuationMode::wave:
+      return fem::DriveMode::wave;
+    case voxel::ActuationMode::hold:
+      return fem::DriveMode::hold;
   }
+  assert(false && "a mode without a name in fem");
+  return fem::DriveMode::none;
+}
+
+fem::StudySilicone silicone_of(const ReevaluationStudy& study, const LocomotionOptions& options) {
+  fem::StudySilicone silicone;
+  silicone.law = materials::recommended_law(study.silicone_file);
+  silicone.youngs_modulus_Pa = options.youngs_modulus_Pa;
+  silicone.bulk_modulus_ratio = options.bulk_modulus_ratio;
+  silicone.damping_model = options.damping_model;
+  std::vector<std::string> notes;
+  (void)fem::material_of(silicone, options.damping_model, notes);  // states density and loss, which the record has
+  return silicone;
+}
+
+fem::SurrogateDrive drive_of(const voxel::Physics& physics) {
+  const voxel::Actuation& drive = physics.actuation;
+  return {.mode = drive_mode(drive.mode),
+          .pressure_Pa = physics.surrogate->pressure_Pa,
+          .frequency_Hz = drive.frequency_Hz,
+          .ramp_s = drive.ramp_s,
+          .material_phase = drive.material_phase,
+          .wave_axis = drive.wave_axis,
+          .wave_periods_per_body = drive.wave_periods_per_body,
+          .wave_over_gaps = drive.wave_over_gaps};
 }
 
 }  // namespace
 
-std::string locomotion_text(const ReevaluationStudy& study, const LocomotionOptions& options, bool with_frames) {
+fem::LocomotionStudy locomotion_study(const ReevaluationStudy& study, const LocomotionOptions& options,
+                                      const meshes::Polycube& body, bool with_frames) {
   const voxel::Physics& physics = study.search.physics;
-  io::TomlText text;
-  text.table("design").add("file", "design.toml");
-  text.lines(meshes::hollow_body_text(casting_of(study, options.elements_through_wall), "design"));
-  add_material(text, options);
-  add_ground(text, physics.materials[0]);
-  text.table("loads").add("gravity_m_per_s2", physics.gravity_m_s2);
-  add_drive(text, physics);
-  text.table("time").add("duration_s", study.duration_s).add("record_interval_s", study.record_interval_s);
-  text.table("dynamics").add("method", "explicit").add("step_safety", options.step_safety).add("threads", options.threads);
-  text.table("output").add("frames", with_frames).add("pictures", false);
-  if (with_frames) text.add("records_per_frame", std::lround(study.frame_interval_s / study.record_interval_s));
-  return text.text();
+  const voxel::VoxelMaterial& material = physics.materials[0];
+  fem::LocomotionStudy walk;
+  walk.design = design_of(study, body);
+  walk.hollow = casting_of(study, options.elements_through_wall);
+  walk.silicone = silicone_of(study, options);
+  walk.stated_ground.friction = {.static_coefficient = material.static_friction,
+                                 .kinetic_coefficient = material.kinetic_friction};
+  walk.gravity_m_per_s2 = physics.gravity_m_s2;
+  walk.drive = drive_of(physics);
+  walk.duration_s = study.duration_s;
+  walk.record_interval_s = study.record_interval_s;
+  walk.step_safety = options.step_safety;
+  walk.threads = options.threads;
+  walk.output.frames = with_frames;
+  walk.output.pictures = false;
+  if (with_frames)
+    walk.output.records_per_frame = static_cast<std::size_t>(std::lround(study.frame_interval_s / study.record_interval_s));
+  return walk;
 }
 
 std::string protocol_text(const ReevaluationStudy& study, const LocomotionOptions& options) {
-  LocomotionOptions shown = options;
-  shown.threads = 1;  // results are the same for any number
+  const meshes::Polycube any_body = meshes::Polycube::from_digits(1, 1, 1, "1");
   io::TomlText text;
-  text.lines(locomotion_text(study, shown, false));
+  text.lines(fem::locomotion_text(locomotion_study(study, options, any_body, false)));
   if (study.measure_from_s > 0.0) text.comment("measured").add("measure_from_s", study.measure_from_s);
-  text.comment("a body that has gone through itself has not completed").comment("silicone.toml");
-  return text.text() + io::read_whole(study.silicone_file);
+  text.comment("a body that has gone through itself has not completed");
+  return text.text();
 }
 
 LocomotionJob locomotion_job(const ReevaluationStudy& study, const LocomotionOptions& options, const meshes::Polycube& body,
                              const std::string& name, bool with_frames) {
-  return {.name = name,
-          .study = locomotion_text(study, options, with_frames),
-          .design = meshes::design_text(design_of(study, body)),
-          .silicone = io::read_whole(study.silicone_file)};
+  return {.name = name, .study = io::described_text(locomotion_study(study, options, body, with_frames))};
 }
 
 }  // namespace menger::evolution

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "evolution/reference/reevaluation_study.h"
+#include "fem/locomotion/locomotion_study.h"
 #include "meshes/design/polycube.h"
 
 namespace menger::evolution {
@@ -10,17 +11,19 @@ namespace menger::evolution {
 /// A run of `menger locomote`.
 struct LocomotionJob {
   std::string name;   ///< for people
-  std::string study;  ///< content of its study file
-  std::string design;
-  std::string silicone;
+  std::string study;  ///< content of its study file, which needs no other file
 };
 
-/// The study file of a body. @param options finite elements, which may differ from those of the study
-std::string locomotion_text(const ReevaluationStudy& study, const LocomotionOptions& options, bool with_frames);
+/// The walk of a body on finite elements: body, drive, ground and times as the search has them. What follows from a study that
+/// was read (mesh, ground of that mesh, supply) is left out.
+/// @param options finite elements, which may differ from those of the study
+fem::LocomotionStudy locomotion_study(const ReevaluationStudy& study, const LocomotionOptions& options,
+                                      const meshes::Polycube& body, bool with_frames);
 
-/// All that decides a result beside the body, as text: locomotion_text without what is only shown, and the silicone.
+/// All that decides a result beside the body, as text: equal texts mean that results of one body are equal.
 std::string protocol_text(const ReevaluationStudy& study, const LocomotionOptions& options);
 
+/// The run that computes such a walk. @param name for people
 LocomotionJob locomotion_job(const ReevaluationStudy& study, const LocomotionOptions& options, const meshes::Polycube& body,
                              const std::string& name, bool with_frames);
 

@@ -6,14 +6,13 @@
 #include <system_error>
 #include <utility>
 
+#include "fem/locomotion/locomotion_result.h"
 #include "io/process/exit_code.h"
 #include "io/process/file_lock.h"
 #include "io/process/program_job.h"
 #include "io/process/side_by_side.h"
-#include "io/text/csv_table.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
-#include "io/text/run_status_words.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 
@@ -26,11 +25,11 @@ constexpr const char* record_name = "calls.toml";
 constexpr const char* result_folder = "result";
 constexpr const char* checkpoint_name = "locomotion.checkpoint";
 
-/// What calls of a run have come to.
+/// The state of a run after all calls so far.
 struct Calls {
-  bool is_finished = false;   ///< it ended with a result
-  double seconds = 0.0;       ///< that they took together
-  double time_limit_s = 0.0;  ///< of the last
+  bool is_finished = false;   ///< the run ended with a result
+  double seconds = 0.0;       ///< wall time of all calls together
+  double time_limit_s = 0.0;  ///< the limit that the last call exceeded; 0 if it did not
 };
 
 Calls read_calls(const fs::path& folder) {
@@ -42,7 +41,7 @@ Calls read_calls(const fs::path& folder) {
     calls = {.is_finished = table.boolean("finished"),
              .seconds = table.number("seconds", io::non_negative()),
              .time_limit_s = table.number("time_limit_s", io::non_negative())};
-  } catch (const io::InputError&) {  // as if there had been none: the run can be repeated
+  } catch (const io::InputError&) {  // as if there had been no call: the run can be repeated
   }
   return calls;
 }
@@ -53,48 +52,29 @@ void write_calls(const fs::path& folder, const Calls& calls) {
                                             "\ntime_limit_s = " + io::number_text(calls.time_limit_s) + "\n");
 }
 
-voxel::Trajectory read_trajectory(const fs::path& file) {
-  const io::CsvContents table = io::read_csv(file);
-  voxel::Trajectory trajectory;
-  for (std::size_t row = 0; row < table.row_count(); ++row) {
-    trajectory.push_back({.time_s = table.number(row, "time_s"),
-                          .centre_of_mass_m = {table.number(row, "centre_of_mass_x_m"), table.number(row, "centre_of_mass_y_m"),
-                                               table.number(row, "centre_of_mass_z_m")},
-                          .energy = {}});
-  }
-  if (trajectory.empty()) throw io::InputError(file.string() + ": holds no row");
-  return trajectory;
+void take(const fem::LocomotionResult& result, LocomotionRun& run) {
+  run.status = result.status;
+  run.reason = result.reason;
+  run.time_s = result.time_s;
+  run.steps = result.steps;
+  run.elements = result.elements;
+  run.seconds = result.seconds;
+  for (const fem::LocomotionRecord& record : result.records)
+    run.trajectory.push_back({.time_s = record.time_s, .centre_of_mass_m = record.centre_of_mass_m, .energy = {}});
+  if (const auto travel = fem::travel_of(result)) run.displacement_m = travel->displacement_m;
 }
 
-void read_result(const fs::path& folder, LocomotionRun& run) {
-  const io::TomlTable table = io::read_toml(folder / "locomotion.toml");
-  LocomotionRun read = run;
-  read.status = table.word("status", io::run_status_words());
-  read.reason = table.text_or("reason", "");
-  read.time_s = table.number("time_s", io::non_negative());
-  read.steps = table.integer<std::uint64_t>("steps", io::at_least(0));
-  read.elements = table.integer<std::uint64_t>("elements", io::at_least(0));
-  read.seconds = table.number("seconds", io::non_negative());
-  read.trajectory = read_trajectory(folder / "trajectory.csv");
-  if (read.status == io::RunStatus::completed) {
-    const std::vector<double> moved = table.numbers("displacement_m");
-    if (moved.size() != 3) throw table.error("displacement_m", "must be three numbers");
-    read.displacement_m = {moved[0], moved[1], moved[2]};
-  }
-  run = std::move(read);
-}
-
-/// A result that cannot be read is a failure of that run alone.
+/// Reads a result. If it cannot be read, only this run fails.
 void read_or_fail(LocomotionRun& run) {
   try {
-    read_result(run.folder, run);
+    take(fem::read_locomotion_result(run.folder), run);
   } catch (const io::InputError& error) {
     run.status.reset();
     run.reason = error.what();
   }
 }
 
-/// What a run has come to whose time was up; it may have ended just then by itself.
+/// Ends a run that exceeded its time limit. Its result counts if it ended by itself just then.
 void end_by_limit(LocomotionRun& run, double time_limit_s, double seconds) {
   read_or_fail(run);
   if (run.status && *run.status != io::RunStatus::stopped) return;
@@ -109,12 +89,12 @@ io::ProgramJob child_of(const LocomotionJob& job, const LocomotionRunOptions& op
   child.name = job.name;
   child.program = options.program;
   child.arguments = {"study.toml", "-o", result_folder, "--quiet", "--no-pictures"};
-  child.inputs = {{"study.toml", job.study}, {"design.toml", job.design}, {"silicone.toml", job.silicone}};
+  child.inputs = {{"study.toml", job.study}};
   child.kept_folder = fs::absolute(options.runs / io::job_hash(child));
   return child;
 }
 
-/// @return nothing if the user stopped it
+/// Runs one job, or finds its result from an earlier call. @return nothing if the user stopped it
 std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const LocomotionRunOptions& options,
                                             const std::function<void()>& waiting) {
   io::ProgramJob child = child_of(job, options);
@@ -124,7 +104,7 @@ std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const Loco
   if (calls.is_finished) {
     read_or_fail(run);
     if (run.status) return run;
-    calls = {};  // its files are damaged or gone
+    calls = {};  // its files are damaged or missing
   }
   if (calls.time_limit_s >= options.time_limit_s) {
     end_by_limit(run, calls.time_limit_s, calls.seconds);
@@ -135,14 +115,14 @@ std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const Loco
   io::ProgramJobResult result = io::run_job(child, job_options);
   std::error_code ignored;
   if (result.is_refused() && fs::exists(run.folder / checkpoint_name, ignored)) {
-    // A checkpoint that is damaged, or was made by another program or instruction set, must not keep the run from being made.
+    // A checkpoint that is damaged, or was made by another program or instruction set, must not prevent the run.
     child.arguments.emplace_back("--restart");
     result = io::run_job(child, job_options);
   }
   calls.seconds += result.outcome.wall_s;
   calls.is_finished = result.has_result();
   const bool is_timed_out = result.outcome.end == io::ChildEnd::timed_out;
-  calls.time_limit_s = is_timed_out ? options.time_limit_s : 0.0;  // what the user stopped may go on under any limit
+  calls.time_limit_s = is_timed_out ? options.time_limit_s : 0.0;  // a run that the user stopped may be resumed under any limit
   write_calls(child.kept_folder, calls);
   if (result.is_stopped()) return std::nullopt;
   run.is_repeated = true;
@@ -188,7 +168,7 @@ std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const Locomo
                                                           const LocomotionRunOptions& options) {
   io::require_writable_folder(options.runs);
   const io::FileLock lock(options.runs);
-  // Equal jobs share a folder: each is run once, for the first that asks for it.
+  // Equal jobs share a folder: the first of them is run.
   std::map<fs::path, std::size_t> place_of;
   std::vector<std::size_t> first;
   for (std::size_t n = 0; n < jobs.size(); ++n) {

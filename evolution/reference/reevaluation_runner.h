@@ -19,52 +19,55 @@
 
 namespace menger::evolution {
 
-/// What a run gave.
+/// The result of a run of `menger locomote`.
 struct LocomotionRun {
-  std::optional<io::RunStatus> status;  ///< nothing where the program gave no result
+  std::optional<io::RunStatus> status;  ///< none if the program gave no result
   std::string reason;
-  std::optional<std::array<double, 3>> displacement_m;  ///< exactly if completed
-  std::optional<std::array<double, 3>> left_out_m{};    ///< before that, see leave_out
-  double time_s = 0.0;                                  ///< reached
+  std::optional<std::array<double, 3>> displacement_m;  ///< exists exactly if completed
+  std::optional<std::array<double, 3>> left_out_m{};    ///< displacement before that, see leave_out
+  double time_s = 0.0;                                  ///< simulated time that the run reached
   std::uint64_t steps = 0;
   std::uint64_t elements = 0;
   double seconds = 0.0;            ///< wall time over all calls
   std::filesystem::path folder{};  ///< of the results
   voxel::Trajectory trajectory;
-  bool is_refused = false;   ///< the program called its input wrong
-  bool is_repeated = false;  ///< by this call, not found
+  bool is_refused = false;   ///< the program refused its input
+  bool is_repeated = false;  ///< computed in this call, not found from an earlier one
 };
 
-/// The word for a status, or "failed" where there is none.
+/// Returns the word for the status of a run, or "failed" if it has none.
 std::string_view status_word(const LocomotionRun& run);
 
-/// Takes what came before a time (up to the end of the run) out of the displacement of a run that completed: its position then is
-/// that of its records, interpolated linearly, which is exact at a record. Nothing for 0.
+/// Subtracts the displacement before a time from that of a completed run, and keeps it in left_out_m. The position at that time
+/// is interpolated linearly between records, so it is exact at a record. Does nothing for time 0.
 void leave_out(LocomotionRun& run, double until_s);
 
-/// A run as the archive keeps it: `stopped` without a result, too.
+/// Returns a run as the archive keeps it. A run without a result has the status `stopped`, too.
 Evaluation evaluation_of(const LocomotionRun& run);
 
-/// @throws io::InputError if the program refused every run: that is the study's fault, not that of a design
+/// Checks that the program accepted the input of at least one run.
+/// @throws io::InputError if it refused every run: then the study is wrong, not a design
 void require_accepted(std::span<const LocomotionRun> runs);
 
-/// How runs are made, never what comes out of them, but for time limits.
+/// Options that decide how runs are made. Apart from the time limit they do not change the results.
 struct LocomotionRunOptions {
   std::filesystem::path program;  ///< menger-locomote
-  std::filesystem::path runs;     ///< folder with a folder per job, named by the hash of program and input
-  double time_limit_s = 3600.0;   ///< of a run, over all calls
-  int jobs = 1;                   ///< runs at the same time
+  std::filesystem::path runs;     ///< folder with a folder per job, whose name is the hash of program and input
+  double time_limit_s = 3600.0;   ///< wall time of a run, over all calls
+  int jobs = 1;                   ///< number of runs at the same time
   const std::atomic<bool>* stop = nullptr;
 
   /// Called after every run and ten times a second in between, never twice at the same time.
-  /// @param running name of a run that is under way
+  /// @param running name of a run that is being made
   std::function<void(std::size_t done, const std::string& running)> progress{};
 };
 
-/// Runs jobs side by side; results in the order of the jobs. A finished run is found again, one that was stopped or whose time
-/// was up goes on from its checkpoint, the latter if the limit is larger now; with a checkpoint that the program refuses it
-/// begins anew. Equal jobs are run once. No failure ends the others.
-/// @return nothing if the user stopped it; what is finished is kept
+/// Runs jobs in parallel. Equal jobs are run once. A failure of one does not end the others.
+///
+/// A run that finished in an earlier call is found again. A run that was stopped is resumed from its checkpoint. A run that
+/// exceeded its time limit is resumed only if the limit is larger now. If the program refuses the checkpoint, the run starts
+/// again.
+/// @return results in the order of the jobs; nothing if the user stopped it, and finished runs are kept
 /// @throws io::InputError if the program cannot be started, the folder cannot be written or another process runs jobs in it
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
                                                           const LocomotionRunOptions& options);

@@ -22,21 +22,23 @@ namespace fs = std::filesystem;
 constexpr const char* usual_silicone = "dragon_skin_10";
 constexpr double most_records = 1e6;
 
-/// A factor that makes nothing larger.
+/// Returns the range of a factor that is at most 1: (0, 1].
 io::Range part_of_one() { return {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true}; }
 
 void require_calibrated_search(const Study& search, const fs::path& archive) {
   const auto refuse = [&](const std::string& why) {
-    throw io::InputError(archive.string() + ": its search cannot be judged by finite elements: " + why);
+    throw io::InputError(archive.string() + ": its search cannot be evaluated by finite elements: " + why);
   };
   if (!search.physics.surrogate)
-    refuse("it moved solid voxels by their size; a table [surrogate] with calibrated parameters and pressures is needed");
+    refuse(
+        "it drove solid voxels by changing their size; a search with a table [surrogate] with calibrated parameters and "
+        "pressures is needed");
   const auto& [low_Pa, high_Pa] = search.physics.surrogate->pressure_Pa;
   if (low_Pa == 0.0 && high_Pa == 0.0) refuse("its pressure_Pa is [0, 0]");
   if (!search.physics.floor) refuse("it had no floor");
 }
 
-/// A value that is the search's where a file does not give it. @param describe names the key
+/// Describes a value that is that of the search unless a file gives it. @param describe describes the key
 template <class Value, class Describe>
 void describe_own(bool has_search, Value& value, const Describe& describe) {
   std::optional<Value> given;
@@ -48,22 +50,33 @@ void describe_own(bool has_search, Value& value, const Describe& describe) {
 void describe_level(io::StudyVisitor& visitor, bool has_search, ReevaluationStudy& study) {
   std::optional<int> level;
   if (has_search && study.level > 0) level = study.level;
-  visitor.optional_integer({"level", "Level of the bodies that are judged; the search's, if it has only one.", "1"}, level,
-                           io::within(1, 3));
+  visitor.optional_integer(
+      {"level", "Level of the bodies that are evaluated; default: that of the search, if it has only one.", "1"}, level,
+      io::within(1, 3));
   if (level) study.level = *level;
   const io::TomlTable* table = visitor.source();
   if (table == nullptr) return;
-  if (!level) throw table->missing("level", "the search judged its designs at several");
+  if (!level) throw table->missing("level", "give one, because the search has several levels");
   visitor.check(std::ranges::binary_search(study.search.search.levels(), *level), "level",
-                "the search judged no design at this level");
+                "the search evaluated no design at this level");
 }
 
 bool is_usual(const fs::path& silicone) { return silicone.empty() || silicone.stem() == usual_silicone; }
 
-void describe_silicone(io::StudyVisitor& visitor, fs::path& file) {
-  std::string silicone = file.empty() ? usual_silicone : file.string();
-  visitor.text({"silicone", "The silicone: one of menger, or the file of one."}, silicone);
-  if (const io::TomlTable* table = visitor.source()) file = materials::silicone_file(*table, "silicone", usual_silicone);
+/// The silicone that the surrogate of the search was calibrated for.
+fs::path silicone_of_search(const io::TomlTable& table, const ReevaluationStudy& study) {
+  const std::string& name = study.search.physics.surrogate->parameters.silicone;
+  if (const auto file = materials::silicone_with_record_name(name)) return *file;
+  throw table.missing("silicone", "the surrogate of the search was calibrated for " + io::toml_quoted(name) +
+                                      ", which is not a silicone of menger: give its file");
+}
+
+void describe_silicone(io::StudyVisitor& visitor, ReevaluationStudy& study) {
+  std::string silicone = study.silicone_file.empty() ? usual_silicone : study.silicone_file.string();
+  visitor.text({"silicone", "Name of a silicone of menger, or a silicone file; default: that of the search."}, silicone);
+  if (const io::TomlTable* table = visitor.source())
+    study.silicone_file =
+        table->has("silicone") ? materials::silicone_file(*table, "silicone") : silicone_of_search(*table, study);
 }
 
 bool is_multiple(double value, double of) {
@@ -72,14 +85,15 @@ bool is_multiple(double value, double of) {
   return std::abs(count - std::round(count)) <= rounding * count;
 }
 
-/// What is said against a time that may be the search's.
+/// Returns the error for a wrong time, which the study or the search has given.
 io::InputError fault(const io::TomlTable& table, std::string_view key, double value, const std::string& reason) {
   if (table.has(key)) return table.error(key, reason);
   return io::InputError(table.file().string() + ": time." + std::string(key) + " = " + io::number_text(value) +
-                        " of the search: " + reason);
+                        " (from the search): " + reason);
 }
 
-/// The usual interval is made a part of the time that is left out: finite elements tell where they were at records only.
+/// Returns the default record interval. It divides the time before displacement counts, because finite elements give positions at
+/// records only.
 double usual_record_interval_s(const ReevaluationStudy& study) {
   double interval_s = ReevaluationStudy{}.record_interval_s;
   if (study.measure_from_s > 0.0) interval_s = study.measure_from_s / std::ceil(study.measure_from_s / interval_s);
@@ -91,7 +105,7 @@ double usual_frame_interval_s(const ReevaluationStudy& study) {
   return study.record_interval_s * std::max(1.0, std::round(records));
 }
 
-/// An interval that has a value in a whole study, and in a file none but its own.
+/// Describes an interval. A file may leave it out: then it has its usual value.
 template <class Usual>
 void describe_interval(io::StudyVisitor& visitor, const io::Key& key, bool has_search, double& interval_s, const io::Range& range,
                        const Usual& usual) {
@@ -107,28 +121,26 @@ void describe_interval(io::StudyVisitor& visitor, const io::Key& key, bool has_s
 
 void describe_times(io::StudyVisitor& visitor, bool has_search, ReevaluationStudy& study) {
   describe_own(has_search, study.duration_s, [&](std::optional<double>& given) {
-    visitor.optional_number(
-        {"duration_s", "How long bodies move, in both models; the search's, if left out.", "2", "/duration_s"}, given,
-        io::positive());
+    visitor.optional_number({"duration_s", "Simulated time in both models; default: that of the search.", "2", "/duration_s"},
+                            given, io::positive());
   });
   describe_own(has_search, study.measure_from_s, [&](std::optional<double>& given) {
     visitor.optional_number(
-        {"measure_from_s", "Displacement counts from then on; the search's, if left out.", "0.5", "/measure_from_s"}, given,
-        io::non_negative());
+        {"measure_from_s", "Displacement is measured from this time on; default: that of the search.", "0.5", "/measure_from_s"},
+        given, io::non_negative());
   });
   const io::TomlTable* table = visitor.source();
   if (table != nullptr && study.measure_from_s >= study.duration_s)
     throw fault(*table, "measure_from_s", study.measure_from_s,
                 "must be less than duration_s = " + io::number_text(study.duration_s));
-  describe_interval(
-      visitor,
-      {"record_interval_s", "Time between records, of which measure_from_s is a multiple; about 0.02 s, if left out.", "0.02",
-       "/record_interval_s"},
-      has_search, study.record_interval_s,
-      has_search ? io::within(study.duration_s / most_records, study.duration_s) : io::positive(),
-      [&] { return usual_record_interval_s(study); });
   describe_interval(visitor,
-                    {"frame_interval_s", "Time between frames, a multiple of record_interval_s; about 0.1 s, if left out.", "0.1",
+                    {"record_interval_s", "Time between records; measure_from_s must be a multiple of it. Default: about 0.02 s.",
+                     "0.02", "/record_interval_s"},
+                    has_search, study.record_interval_s,
+                    has_search ? io::within(study.duration_s / most_records, study.duration_s) : io::positive(),
+                    [&] { return usual_record_interval_s(study); });
+  describe_interval(visitor,
+                    {"frame_interval_s", "Time between frames, a multiple of record_interval_s; default: about 0.1 s.", "0.1",
                      "/frame_interval_s"},
                     has_search, study.frame_interval_s, has_search ? io::at_least(study.record_interval_s) : io::positive(),
                     [&] { return usual_frame_interval_s(study); });
@@ -140,28 +152,29 @@ void describe_times(io::StudyVisitor& visitor, bool has_search, ReevaluationStud
 
 void describe_elements(io::StudyVisitor& visitor, LocomotionOptions& options) {
   visitor.integer({"elements_through_wall", "Elements through a wall."}, options.elements_through_wall, io::within(1, 16));
-  visitor.number({"bulk_modulus_ratio", "Bulk modulus by shear modulus at rest."}, options.bulk_modulus_ratio,
+  visitor.number({"bulk_modulus_ratio", "Bulk modulus divided by shear modulus, at rest."}, options.bulk_modulus_ratio,
                  io::within(1.0, 1e6));
-  visitor.number({"step_safety", "Part of the stable time step that is taken."}, options.step_safety, part_of_one());
-  visitor.optional_number({"youngs_modulus_Pa", "Young's modulus at rest; the record's, if left out.", "150000"},
+  visitor.number({"step_safety", "Time step as a fraction of the stable one."}, options.step_safety, part_of_one());
+  visitor.optional_number({"youngs_modulus_Pa", "Young's modulus at rest; default: that of the silicone.", "150000"},
                           options.youngs_modulus_Pa, io::positive());
-  visitor.word({"damping_model", "How the silicone damps."}, options.damping_model,
-               io::Words<std::string>{{"maxwell", "maxwell"}, {"kelvin_voigt", "kelvin_voigt"}});
+  visitor.word({"damping_model", "Damping model of the silicone."}, options.damping_model,
+               {{"maxwell", fem::DampingModel::maxwell}, {"kelvin_voigt", fem::DampingModel::kelvin_voigt}});
   visitor.integer({"threads", "Threads of one run; results do not depend on them."}, options.threads, io::within(1, 1024));
 }
 
-/// One ground for the whole body and both models.
+/// Describes the ground, which is the same for the whole body and for both models.
 void describe_ground(io::StudyVisitor& visitor, bool has_search, Study& search) {
   auto& [first, second] = search.physics.materials;
   const auto describe_friction = [&](const io::Key& key, double& own, double& other) {
     if (const io::TomlTable* table = visitor.source(); table != nullptr && own != other && !table->has(key.name))
-      throw table->missing(key.name, "the materials of the search differ in it, a cast body is of one silicone");
+      throw table->missing(
+          key.name, "the two materials of the search have different values, but a cast body is of one silicone: give a value");
     describe_own(has_search, own, [&](std::optional<double>& given) { visitor.optional_number(key, given, io::non_negative()); });
     other = own;
   };
-  describe_friction({"static_friction", "Static coefficient, of both models; the search's, if left out.", "1"},
+  describe_friction({"static_friction", "Coefficient of static friction in both models; default: that of the search.", "1"},
                     first.static_friction, second.static_friction);
-  describe_friction({"kinetic_friction", "Kinetic coefficient, of both models; the search's, if left out.", "0.5"},
+  describe_friction({"kinetic_friction", "Coefficient of kinetic friction in both models; default: that of the search.", "0.5"},
                     first.kinetic_friction, second.kinetic_friction);
   const io::TomlTable* table = visitor.source();
   if (table == nullptr || first.kinetic_friction <= first.static_friction) return;
@@ -169,15 +182,16 @@ void describe_ground(io::StudyVisitor& visitor, bool has_search, Study& search) 
                        ": must be at most static_friction = " + io::number_text(first.static_friction));
 }
 
-void describe_judge(io::StudyVisitor& visitor, const fs::path& silicone, JudgeOptions& options) {
-  visitor.integer({"designs", "The best designs that are judged again."}, options.designs, io::at_least(1));
-  visitor.integer({"elements_through_wall", "Elements through a wall in place of the judge's."}, options.elements_through_wall,
+void describe_variants(io::StudyVisitor& visitor, const fs::path& silicone, VariantOptions& options) {
+  visitor.integer({"designs", "Number of best designs that are evaluated with every variant."}, options.designs, io::at_least(1));
+  visitor.integer({"elements_through_wall", "Elements through a wall in this variant."}, options.elements_through_wall,
                   io::within(1, 16));
-  visitor.number({"bulk_modulus_factor", "On the judge's bulk modulus; 1: no such variant."}, options.bulk_modulus_factor,
-                 io::positive());
-  visitor.number({"step_factor", "On the judge's time step; 1: no such variant."}, options.step_factor, part_of_one());
-  // what is stated of one silicone says nothing of another
-  visitor.numbers({"youngs_moduli_Pa", "Young's moduli that are stated of the silicone, each a variant.",
+  visitor.number({"bulk_modulus_factor", "Factor on the bulk modulus of the evaluation; 1: no such variant."},
+                 options.bulk_modulus_factor, io::positive());
+  visitor.number({"step_factor", "Factor on the time step of the evaluation; 1: no such variant."}, options.step_factor,
+                 part_of_one());
+  // moduli stated for one silicone do not hold for another
+  visitor.numbers({"youngs_moduli_Pa", "Young's moduli that are stated for the silicone; each is a variant.",
                    is_usual(silicone) ? "" : "[107000, 264000]"},
                   options.youngs_moduli_Pa, io::positive());
   std::vector<double> sorted = options.youngs_moduli_Pa;
@@ -201,19 +215,22 @@ void require_calibrated_silicone(ReevaluationStudy& study) {
 }  // namespace
 
 void describe(io::StudyVisitor& visitor, ReevaluationStudy& study) {
-  // without a search there is nothing to take values from: people are told what may be left out
+  // without a search there are no values to use: keys are shown as ones that may be left out
   const bool has_search = study.search.physics.surrogate.has_value();
   describe_level(visitor, has_search, study);
-  describe_silicone(visitor, study.silicone_file);
-  visitor.integer({"sample_seed", "Decides which designs are sampled."}, study.sample_seed, io::at_least(0));
+  describe_silicone(visitor, study);
+  visitor.integer({"sample_seed", "Seed of the sample."}, study.sample_seed, io::at_least(0));
   visitor.number({"least_body_lengths", "A design that moves less, in either model, has no direction."}, study.least_body_lengths,
                  io::non_negative());
   visitor.number({"time_limit_s", "Wall time of a run of finite elements, over all calls."}, study.time_limit_s, io::positive());
-  visitor.table({"time", "What is simulated and recorded."}, [&] { describe_times(visitor, has_search, study); });
-  visitor.table({"elements", "Finite elements that judge."}, [&] { describe_elements(visitor, study.elements); });
-  visitor.table({"ground", "What bodies stand on."}, [&] { describe_ground(visitor, has_search, study.search); });
-  visitor.optional_table({"judge", "How well the judge is known: the best designs again, with one thing different each time."},
-                         study.judge, [&](JudgeOptions& judge) { describe_judge(visitor, study.silicone_file, judge); });
+  visitor.table({"time", "Simulated time and records."}, [&] { describe_times(visitor, has_search, study); });
+  visitor.table({"elements", "The finite elements."}, [&] { describe_elements(visitor, study.elements); });
+  visitor.table({"ground", "Friction of the ground."}, [&] { describe_ground(visitor, has_search, study.search); });
+  visitor.optional_table(
+      {"variants",
+       "Evaluates the best designs again, each time with one thing changed, to estimate the uncertainty of the finite elements.",
+       "", "judge"},
+      study.variants, [&](VariantOptions& variants) { describe_variants(visitor, study.silicone_file, variants); });
 }
 
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const RunArchive& archive) {
@@ -229,7 +246,7 @@ ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, co
                           .sample = request.sample,
                           .silicone_file = {},
                           .elements = {},
-                          .judge = {},
+                          .variants = {},
                           .inputs = {}};
   require_calibrated_search(study.search, request.archive);
   const bool is_given = !request.file.empty();

@@ -34,7 +34,7 @@ class Walker {
     result.status = io::RunStatus::completed;
     record(true);
     for (std::size_t n = 1; n <= records && result.status == io::RunStatus::completed; ++n) {
-      // Exactly the search's time where it is one of the records, so that the same step is its first.
+      // The record at measure_from_s gets exactly that time, so that displacement counts from the same step as in the search.
       const double at_s = n == left_out ? study_.measure_from_s : static_cast<double>(n) * study_.record_interval_s;
       result.status = simulation_.advance_to(n == records ? study_.duration_s : at_s, stop);
       if (result.status == io::RunStatus::completed) record(n % per_frame == 0);
@@ -48,7 +48,7 @@ class Walker {
   }
 
  private:
-  /// @param left_out records before the first that counts
+  /// Sets both displacements from the trajectory. @param left_out number of records before the first that counts
   void measure(std::size_t left_out) {
     const voxel::Trajectory& trajectory = walk_.trajectory;
     walk_.result.displacement_m = difference(trajectory.back(), trajectory.at(left_out));
@@ -88,7 +88,7 @@ meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, int element
   return options;
 }
 
-std::string obstacle_to_judging(const ReevaluationStudy& study, const meshes::Polycube& body) {
+std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::Polycube& body) {
   try {
     const meshes::Design design = design_of(study, body);
     const meshes::HollowBodyOptions options = casting_of(study, study.elements.elements_through_wall);

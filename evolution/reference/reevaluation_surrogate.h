@@ -14,24 +14,24 @@
 
 namespace menger::evolution {
 
-/// A basal body as a design with the cells of the search.
+/// Returns a basal body as a design with the cell edge of the search.
 meshes::Design design_of(const ReevaluationStudy& study, const meshes::Polycube& body);
 
-/// How finite elements hollow it out.
+/// Returns how the design is made hollow for finite elements: walls, chambers and level.
 meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, int elements_through_wall);
 
-/// Why a body cannot be cast, or its chambers cannot be driven as the search drives its voxels; empty if nothing stands against
-/// it. @param body basal, standing
-std::string obstacle_to_judging(const ReevaluationStudy& study, const meshes::Polycube& body);
+/// Returns why finite elements cannot evaluate a body: it cannot be cast, its chambers cannot be driven as the search drives its
+/// voxels, or it is outside of the calibration. Empty if they can. @param body basal, standing
+std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::Polycube& body);
 
-/// A body on the surrogate, as the search moves it.
+/// The motion of a body on the surrogate, computed as the search does it.
 struct SurrogateWalk {
   Evaluation result;
   voxel::Trajectory trajectory;      ///< at every multiple of the record interval, and at the end
   std::vector<voxel::Frame> frames;  ///< at every multiple of the frame interval, if asked for
 };
 
-/// Precondition: obstacle_to_judging says nothing. Deterministic and thread-safe.
+/// Moves a body on the surrogate. Deterministic and thread-safe. Precondition: obstacle_to_reference returns an empty text.
 SurrogateWalk surrogate_walk(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames,
                              const std::atomic<bool>* stop);
 

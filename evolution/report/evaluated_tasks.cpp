@@ -14,29 +14,29 @@
 namespace menger::evolution {
 namespace {
 
-/// The questions that a search asked in one generation, from the answers in its archive.
+/// Repeats the decisions of a search in one generation from the results in its archive, to find which evaluations it asked for.
 class Replay {
  public:
   Replay(const RunView& run, int generation) : run_(run), generation_(generation), physics_hash_(io::content_hash(run.physics)) {
-    for (const Contender& contender : run.archive->contenders(generation)) {
-      Candidate candidate;
-      candidate.contender = contender;
-      candidate.pool = {.id = contender.id, .age = contender.age, .decided = true, .fitness = contender.fitness};
-      const Individual individual = run.archive->individual(contender.id);
-      const bool is_judged = contender.knowledge != Knowledge::duplicate && contender.knowledge != Knowledge::penalised;
-      if (individual.generation == generation && is_judged) {
-        candidate.phenotype = as_simulated(run.plan, individual.phenotype);
-        candidate.pool.decided = false;
-        candidate.pool.fitness.reset();
+    for (const PoolMember& member : run.archive->pool(generation)) {
+      Entry entry;
+      entry.archived = member;
+      entry.known = {.id = member.id, .age = member.age, .fitness = member.fitness};
+      const Individual individual = run.archive->individual(member.id);
+      const bool is_evaluated = member.knowledge != Knowledge::duplicate && member.knowledge != Knowledge::penalised;
+      if (individual.generation == generation && is_evaluated) {
+        entry.phenotype = as_simulated(run.plan, individual.phenotype);
+        entry.known.knowledge = Knowledge::bounded;
+        entry.known.fitness.reset();
       }
-      candidates_.push_back(std::move(candidate));
+      entries_.push_back(std::move(entry));
     }
   }
 
   std::vector<EvaluatedTask> tasks() {
     if (generation_ == 0 || !run_.plan.pruning) {
-      for (Candidate& candidate : candidates_) {
-        while (candidate.phenotype && candidate.levels_known < run_.plan.levels().size()) ask(candidate);
+      for (Entry& entry : entries_) {
+        while (entry.phenotype && entry.levels_known < run_.plan.levels().size()) ask(entry);
       }
       return std::move(tasks_);
     }
@@ -44,61 +44,62 @@ class Replay {
       const SelectionOutlook view = outlook(pool(), static_cast<std::size_t>(run_.plan.survivors));
       if (view.certain()) return std::move(tasks_);
       for (const std::uint64_t id : view.run_now)
-        ask(*std::ranges::find(candidates_, id, [](const Candidate& one) { return one.contender.id; }));
+        ask(*std::ranges::find(entries_, id, [](const Entry& one) { return one.archived.id; }));
       ++batch_;
     }
   }
 
  private:
-  struct Candidate {
-    Contender contender;
-    std::optional<Phenotype> phenotype;  ///< of those that are judged in this generation
-    PartialContestant pool;
+  struct Entry {
+    PoolMember archived;
+    std::optional<Phenotype> phenotype;  ///< only of those that are evaluated in this generation
+    PoolMember known;                    ///< from the results that were asked for so far
     std::size_t levels_known = 0;
   };
 
-  [[nodiscard]] std::vector<PartialContestant> pool() const {
-    std::vector<PartialContestant> all;
-    for (const Candidate& candidate : candidates_) all.push_back(candidate.pool);
+  [[nodiscard]] std::vector<PoolMember> pool() const {
+    std::vector<PoolMember> all;
+    for (const Entry& entry : entries_) all.push_back(entry.known);
     return all;
   }
 
-  /// Asks for the next level of a candidate and learns the answer.
-  void ask(Candidate& candidate) {
-    const int level = run_.plan.levels().at(candidate.levels_known++);
-    EvaluationKey key{design_hash(*candidate.phenotype, level), level, physics_hash_};
+  /// Reads the result of the next level of an entry and updates what is known of it.
+  void ask(Entry& entry) {
+    const int level = run_.plan.levels().at(entry.levels_known++);
+    EvaluationKey key{design_hash(*entry.phenotype, level), level, physics_hash_};
     const auto found = run_.archive->evaluation(key);
     if (!found) {
       throw io::InputError(run_.archive->file().string() + ": lacks the result of individual " +
-                           std::to_string(candidate.contender.id) + " at level " + std::to_string(level));
+                           std::to_string(entry.archived.id) + " at level " + std::to_string(level));
     }
-    learn(candidate, found->result, level);
+    learn(entry, found->result, level);
     if (found->generation != generation_ || !asked_.insert(key).second) return;
-    tasks_.push_back({batch_, candidate.contender.id, key.design_hash, level,
-                      aggregate_cell_count(*candidate.phenotype, level) * run_.voxels_per_cell, found->result});
+    tasks_.push_back({batch_, entry.archived.id, key.design_hash, level,
+                      aggregate_cell_count(*entry.phenotype, level) * run_.voxels_per_cell, found->result});
   }
 
-  void learn(Candidate& candidate, const Evaluation& result, int level) {
-    PartialContestant& pool = candidate.pool;
-    if (!result.displacement_m) pool.decided = true;
-    if (pool.decided) return;
-    pool.bound = std::min(pool.bound, level_score(run_.plan, *result.displacement_m, level));
-    if (candidate.levels_known < run_.plan.levels().size()) return;
-    // What the archive keeps went through the correction of a judge, if there is one.
-    pool.decided = true;
-    pool.fitness = candidate.contender.fitness;
+  void learn(Entry& entry, const Evaluation& result, int level) {
+    PoolMember& known = entry.known;
+    if (!result.displacement_m) known.knowledge = Knowledge::failed;
+    if (known.is_decided()) return;
+    const double score = level_score(run_.plan, *result.displacement_m, level);
+    known.fitness_bound = std::min(score, known.fitness_bound.value_or(score));
+    if (entry.levels_known < run_.plan.levels().size()) return;
+    // With a reference evaluator, the archive has the corrected fitness.
+    known.knowledge = entry.archived.knowledge;
+    known.fitness = entry.archived.fitness;
   }
 
   const RunView& run_;
   int generation_;
   std::string physics_hash_;
-  std::vector<Candidate> candidates_;
+  std::vector<Entry> entries_;
   std::set<EvaluationKey> asked_;
   std::size_t batch_ = 0;
   std::vector<EvaluatedTask> tasks_;
 };
 
-/// Seconds and expected costs of tasks, a list per batch. @param as_one all of them in one
+/// Returns seconds and expected costs of tasks, a list per batch. @param as_one whether all tasks form one batch
 std::vector<std::vector<TimedTask>> timed_batches(const std::vector<EvaluatedTask>& tasks, bool as_one) {
   std::map<std::size_t, std::vector<TimedTask>> batches;
   for (const EvaluatedTask& task : tasks)
@@ -109,7 +110,7 @@ std::vector<std::vector<TimedTask>> timed_batches(const std::vector<EvaluatedTas
   return all;
 }
 
-/// Batches one after the other.
+/// Returns the times of batches that run one after the other.
 Schedule in_sequence(const std::vector<std::vector<TimedTask>>& batches, std::size_t workers, TaskOrder order) {
   Schedule sum;
   for (const std::vector<TimedTask>& batch : batches) {
@@ -139,7 +140,7 @@ io::CsvTable timing_table(const RunView& run) {
 
 io::CsvTable schedule_table(const RunView& run, const std::vector<std::size_t>& workers) {
   io::CsvTable table({"generation", "workers", "evaluations", "batches", "busy_seconds", "seconds", "as_asked_seconds",
-                      "least_seconds", "in_one_batch_seconds", "straggling_seconds", "took_seconds"});
+                      "least_seconds", "in_one_batch_seconds", "idle_tail_seconds", "wall_seconds"});
   const int last = run.archive->last_generation().value_or(-1);
   for (int generation = 0; generation <= last; ++generation) {
     const std::vector<EvaluatedTask> tasks = evaluated_tasks(run, generation);

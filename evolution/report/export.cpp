@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "evolution/report/evaluated_tasks.h"
-#include "evolution/report/judgement_table.h"
+#include "evolution/report/reference_table.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
 #include "evolution/study/study_file.h"
@@ -34,16 +34,16 @@ class Exporter {
 
   ExportResult write() {
     const auto last = archive_.last_generation();
-    if (!last) throw io::InputError(archive_.file().string() + ": holds no finished generation");
+    if (!last) throw io::InputError(archive_.file().string() + ": has no finished generation");
     result_.champion = summarise_generation(run_, *last).champion;
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
-    for (const char* name : {"judgements.csv", "corrections.csv", "timings.csv", "schedule.csv", "check_dt.csv"})
-      io::remove_if_there(folder_ / name);  // those of an earlier export would stand beside the tables of this one
+    for (const char* name : {"reference.csv", "corrections.csv", "timings.csv", "schedule.csv", "check_dt.csv"})
+      io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
     generations_table(run_).write(folder_ / "generations.csv");
     cost_table(run_).write(folder_ / "costs.csv");
-    if (study_.search.judging) {
-      judgement_table(run_).write(folder_ / "judgements.csv");
+    if (study_.search.reference) {
+      reference_table(run_).write(folder_ / "reference.csv");
       correction_table(run_).write(folder_ / "corrections.csv");
     }
     if (options_.timings) {
@@ -59,16 +59,16 @@ class Exporter {
   [[nodiscard]] const Individual& champion() const { return result_.champion->individual; }
   [[nodiscard]] bool arranged() const { return champion().phenotype.has_arrangements(); }
 
-  /// As the search simulated it.
+  /// Returns the champion as the search simulated it.
   [[nodiscard]] Phenotype simulated() const { return as_simulated(study_.search, champion().phenotype); }
 
   void require_levels() const {
     for (const int level : options_.levels) {
       const std::string name = "level " + std::to_string(level);
       if (arranged() && level > largest_arranged_level) {
-        throw io::InputError(name + ": a nonfractal body has at most " + std::to_string(largest_arranged_level));
+        throw io::InputError(name + ": the highest level of a nonfractal body is " + std::to_string(largest_arranged_level));
       }
-      // Arrangements end at a level that fits any machine.
+      // Bodies with arrangements fit into any memory up to their largest level.
       if (!arranged() && voxel::estimated_memory_bytes(champion().phenotype.body, level) > voxel::machine_memory_bytes()) {
         throw io::InputError(name + ": the simulation would need more memory than this machine has");
       }
@@ -80,7 +80,7 @@ class Exporter {
     write_design(folder_ / "champion.toml", design(1));
     if (std::vector<LevelResult> there = finished_levels(); there.size() == options_.levels.size()) {
       result_.levels = std::move(there);
-      add_note("the simulations in " + folder_.string() + " are those of this champion already");
+      add_note("the simulations in " + folder_.string() + " are already those of this champion");
       return;
     }
     for (const int level : options_.levels) {
@@ -91,7 +91,7 @@ class Exporter {
     if (options_.pictures) draw();
   }
 
-  /// A fractal is given by its basal body at every level, any other body by all its cells.
+  /// Returns the champion as a design: a fractal by its basal body, whatever the level; any other body by all its cells.
   [[nodiscard]] meshes::Design design(int level) const {
     return {"champion " + std::to_string(champion().id), arranged() ? aggregate(simulated(), level) : simulated().body,
             study_.search.cell_edge_m};
@@ -111,7 +111,7 @@ class Exporter {
 
   [[nodiscard]] fs::path place_of(int level) const { return folder_ / ("level_" + std::to_string(level)); }
 
-  /// Levels whose folder holds the completed run of the very scene that would be run, with everything asked for.
+  /// Returns the results of the first levels whose folders have a completed run of exactly this scene, with all files asked for.
   [[nodiscard]] std::vector<LevelResult> finished_levels() const {
     std::vector<LevelResult> there;
     if (options_.pictures && !fs::exists(folder_ / "champion.png")) return there;
@@ -155,7 +155,7 @@ class Exporter {
     if (!archived) return false;
     const Evaluation& result = archived->result;
     if (!result.left_out_m || !done.scene.displacement_m) return result.displacement_m != done.scene.displacement_m;
-    // The archive has two parts of the way, whose sum is rounded otherwise.
+    // The archive has two parts of the displacement. Their sum is rounded differently.
     constexpr double rounding_m = 1e-12;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double whole_m = result.displacement_m->at(axis) + result.left_out_m->at(axis);
@@ -167,7 +167,7 @@ class Exporter {
   void compare_with_archive(const LevelResult& done) {
     if (done.scene.status == io::RunStatus::stopped || !differs_from_archive(done)) return;
     add_note("level " + std::to_string(done.level) +
-             ": the simulation differs from the one in the archive, which another version of menger made");
+             ": the simulation differs from the result in the archive; the archive was made by another version of menger");
   }
 
   void draw() {
@@ -182,7 +182,7 @@ class Exporter {
     if (!picture.written) add_note("no pictures: " + picture.missing);
   }
 
-  /// Once each: what is missing for one picture is missing for all.
+  /// Adds a note once: the same note would come for every picture.
   void add_note(const std::string& note) {
     if (std::ranges::find(result_.notes, note) == result_.notes.end()) result_.notes.push_back(note);
   }
@@ -199,7 +199,7 @@ class Exporter {
 
 namespace {
 
-/// Refuses what could not be exported before anything is written.
+/// Refuses options that cannot be met, before anything is written.
 void check_options(const Study& study, const ExportOptions& options) {
   const double interval_s = options.record_interval_s;
   if (!(interval_s > 0.0 && study.duration_s / interval_s <= voxel::largest_record_count)) {

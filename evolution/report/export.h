@@ -13,10 +13,10 @@
 
 namespace menger::evolution {
 
-/// What is exported beside the tables.
+/// What is exported besides the tables.
 struct ExportOptions {
-  std::vector<int> levels{1, 2, 3};  ///< at which the champion is simulated, whatever the study judged
-  double record_interval_s = 0.02;   ///< > 0; of the duration at most
+  std::vector<int> levels{1, 2, 3};  ///< at which the champion is simulated, whatever levels the study evaluated
+  double record_interval_s = 0.02;   ///< > 0; limited to the duration
   bool frames = true;                ///< VTK
   bool pictures = true;              ///< PNG
   bool timings = false;              ///< timings.csv and schedule.csv, whose content depends on how fast the machine was
@@ -32,28 +32,28 @@ struct LevelResult {
   voxel::SceneResult scene;
 };
 
-/// What an export gave.
+/// The result of an export.
 struct ExportResult {
-  io::RunStatus status = io::RunStatus::completed;  ///< completed, stopped, or the first simulation's that is not completed
+  io::RunStatus status = io::RunStatus::completed;  ///< completed, stopped, or that of the first simulation that did not complete
   std::optional<DesignSummary> champion;            ///< none if no design has a fitness
   std::vector<LevelResult> levels;
   std::vector<std::string> notes;  ///< pictures that could not be made; a simulation that differs from the archive
 };
 
 /// Writes the tables and the champion of an archive into a folder:
-/// - generations.csv and lineage.csv (see generations_table, lineage_table), costs.csv (cost_table); where a judge took part
-///   judgements.csv and corrections.csv (judgement_table, correction_table), where the step was checked check_dt.csv
-///   (step_check_table),
-/// - champion.toml, the basal body; where arrangements are evolved too, champion_level_<n>.toml with the whole bodies,
-/// - level_<n>/ with scene.toml and what voxel::run_scene writes, champion.png with all levels side by side,
-/// - with timings timings.csv and schedule.csv (timing_table, schedule_table).
+/// - generations.csv, lineage.csv and costs.csv (see generations_table, lineage_table, cost_table);
+/// - if a reference evaluator took part, reference.csv and corrections.csv (reference_table, correction_table);
+/// - if the time step was checked, check_dt.csv (step_check_table);
+/// - champion.toml, the basal body; if arrangements are evolved too, champion_level_<n>.toml with the whole bodies;
+/// - level_<n>/ with scene.toml and the files of voxel::run_scene, and champion.png with all levels side by side;
+/// - with ExportOptions::timings, timings.csv and schedule.csv (timing_table, schedule_table).
 ///
-/// Everything but manifest, pictures and timings depends on the archive's content alone.
-/// @throws io::InputError if the archive holds no finished generation, the champion has no such level or one that would not fit
-/// the memory, or the folder cannot be written
+/// Everything except the manifest, pictures and timings depends on the content of the archive alone.
+/// @throws io::InputError if the archive has no finished generation, the champion has no such level or one that does not fit into
+/// memory, or the folder cannot be written
 ExportResult export_run(const RunArchive& archive, const std::filesystem::path& folder, const ExportOptions& options = {});
 
-/// The table that the program prints: level, cells, displacement, speed.
+/// Returns the table that the program prints: level, cells, displacement, speed.
 std::string export_text(const Study& study, const ExportResult& result);
 
 }  // namespace menger::evolution

@@ -13,12 +13,6 @@ namespace menger::evolution {
 
 namespace {
 
-/// Whether a is the better champion.
-bool is_better(const Contender& a, const Contender& b) {
-  if (a.fitness != b.fitness) return a.fitness > b.fitness;
-  return a.age != b.age ? a.age < b.age : a.id > b.id;
-}
-
 std::string level_column(int level) { return "level_" + std::to_string(level) + "_displacement_body_lengths"; }
 
 std::string number_or_dash(const std::optional<double>& value, const char* format) {
@@ -34,30 +28,31 @@ void add_displacements(std::vector<io::CsvCell>& row, const RunView& run, const 
   for (const int level : run.plan.levels()) row.push_back(io::cell(displacement(design, level)));
 }
 
-/// What the judge found of an individual, or of another of its form.
-std::optional<double> judged_fitness(const RunView& run, const Individual& individual) {
-  const std::vector<Judgement> judgements = run.archive->judgements();
-  const auto found = std::ranges::find(judgements, robot_form(individual.phenotype.body, run.distinction), &Judgement::form);
-  return found == judgements.end() ? std::nullopt : found->score;
+/// Returns the score by the reference evaluator of an individual, or of another individual of the same form.
+std::optional<double> reference_fitness(const RunView& run, const Individual& individual) {
+  const std::vector<ReferenceEvaluation> evaluations = run.archive->reference_evaluations();
+  const auto found =
+      std::ranges::find(evaluations, robot_form(individual.phenotype.body, run.distinction), &ReferenceEvaluation::form);
+  return found == evaluations.end() ? std::nullopt : found->score;
 }
 
-/// Columns that only searches with a judge have.
-std::vector<std::string> judging_columns(const RunView& run, const std::string& prefix) {
-  if (!run.plan.judging) return {};
+/// Returns the columns that only searches with a reference evaluator have.
+std::vector<std::string> reference_columns(const RunView& run, const std::string& prefix) {
+  if (!run.plan.reference) return {};
   const std::string unit(fitness_unit(run.plan.objective));
-  return {prefix + "surrogate_fitness_" + unit, prefix + "judged_fitness_" + unit};
+  return {prefix + "surrogate_fitness_" + unit, prefix + "reference_fitness_" + unit};
 }
 
 io::CsvCell count_cell(std::uint64_t count) { return io::cell(count); }
 
 }  // namespace
 
-DesignSummary summarise_design(const RunView& run, const Individual& individual, const Contender& contender) {
+DesignSummary summarise_design(const RunView& run, const Individual& individual, const PoolMember& member) {
   DesignSummary summary{.individual = individual,
-                        .age = contender.age,
-                        .fitness = contender.fitness,
+                        .age = member.age,
+                        .fitness = member.fitness,
                         .surrogate_fitness = {},
-                        .judged_fitness = {},
+                        .reference_fitness = {},
                         .body_lengths = {},
                         .cells = individual.phenotype.body.count(),
                         .hausdorff_dimension = {},
@@ -73,9 +68,9 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
     }
     if (!found->result.displacement_m) continue;
     summary.body_lengths[level] = body_lengths(*found->result.displacement_m, level, run.plan.cell_edge_m);
-    if (run.plan.judging) summary.surrogate_fitness = level_score(run.plan, *found->result.displacement_m, level);
+    if (run.plan.reference) summary.surrogate_fitness = level_score(run.plan, *found->result.displacement_m, level);
   }
-  if (run.plan.judging) summary.judged_fitness = judged_fitness(run, individual);
+  if (run.plan.reference) summary.reference_fitness = reference_fitness(run, individual);
   if (!individual.phenotype.has_arrangements())
     summary.hausdorff_dimension = meshes::hausdorff_dimension(individual.phenotype.body);
   return summary;
@@ -86,14 +81,14 @@ GenerationSummary summarise_generation(const RunView& run, int generation) {
                             .champion = {},
                             .mean_fitness = {},
                             .outside_validity = run.archive->evaluations_outside_validity(generation)};
-  std::optional<Contender> best;
+  std::optional<PoolMember> best;
   double sum = 0.0;
   std::size_t count = 0;
-  for (const Contender& contender : run.archive->contenders(generation)) {
-    if (!contender.survivor_rank || !contender.fitness) continue;
-    sum += *contender.fitness;
+  for (const PoolMember& member : run.archive->pool(generation)) {
+    if (!member.survivor_rank || !member.fitness) continue;
+    sum += *member.fitness;
     ++count;
-    if (!best || is_better(contender, *best)) best = contender;
+    if (!best || is_fitter(member, *best)) best = member;
   }
   if (!best) return summary;
   summary.champion = summarise_design(run, run.archive->individual(best->id), *best);
@@ -118,7 +113,7 @@ io::CsvTable generations_table(const RunView& run) {
         std::string("outside_validity"), std::string("champion_outside_validity")}) {
     columns.push_back(column);
   }
-  for (const std::string& column : judging_columns(run, "champion_")) columns.push_back(column);
+  for (const std::string& column : reference_columns(run, "champion_")) columns.push_back(column);
   io::CsvTable table(columns);
   const int last = run.archive->last_generation().value_or(-1);
   for (int generation = 0; generation <= last; ++generation) {
@@ -135,8 +130,8 @@ io::CsvTable generations_table(const RunView& run) {
     row.insert(row.end(), {io::cell(summary.mean_fitness), count_cell(record.evaluations), count_cell(record.cached),
                            count_cell(record.pruned), count_cell(summary.outside_validity),
                            summary.champion ? io::cell(summary.champion->outside_validity) : io::CsvCell{}});
-    if (run.plan.judging && summary.champion)
-      row.insert(row.end(), {io::cell(summary.champion->surrogate_fitness), io::cell(summary.champion->judged_fitness)});
+    if (run.plan.reference && summary.champion)
+      row.insert(row.end(), {io::cell(summary.champion->surrogate_fitness), io::cell(summary.champion->reference_fitness)});
     row.resize(columns.size());
     table.add_cells(row);
   }
@@ -150,16 +145,16 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
   for (const int level : run.plan.levels()) columns.push_back(level_column(level));
   columns.emplace_back("outside_validity");
   columns.emplace_back("phenotype");
-  for (const std::string& column : judging_columns(run, "")) columns.push_back(column);
+  for (const std::string& column : reference_columns(run, "")) columns.push_back(column);
   io::CsvTable table(columns);
   for (const Individual& individual : lineage(*run.archive, id)) {
-    const std::vector<Contender> contenders = run.archive->contenders(individual.generation);
-    const auto contender = std::ranges::find(contenders, individual.id, &Contender::id);
-    if (contender == contenders.end()) {
+    const std::vector<PoolMember> pool = run.archive->pool(individual.generation);
+    const auto member = std::ranges::find(pool, individual.id, &PoolMember::id);
+    if (member == pool.end()) {
       throw io::InputError(run.archive->file().string() + ": is damaged: individual " + std::to_string(individual.id) +
                            " took no part in generation " + std::to_string(individual.generation));
     }
-    const DesignSummary design = summarise_design(run, individual, *contender);
+    const DesignSummary design = summarise_design(run, individual, *member);
     std::vector<io::CsvCell> row{io::cell(individual.generation), count_cell(individual.id)};
     row.push_back(individual.parent ? count_cell(*individual.parent) : io::CsvCell{});
     row.insert(row.end(), {io::cell(individual.age), io::cell(design.fitness), count_cell(design.cells),
@@ -167,7 +162,7 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
     add_displacements(row, run, design);
     row.push_back(io::cell(design.outside_validity));
     row.push_back(io::cell(phenotype_key(individual.phenotype)));
-    if (run.plan.judging) row.insert(row.end(), {io::cell(design.surrogate_fitness), io::cell(design.judged_fitness)});
+    if (run.plan.reference) row.insert(row.end(), {io::cell(design.surrogate_fitness), io::cell(design.reference_fitness)});
     table.add_cells(row);
   }
   return table;
@@ -176,7 +171,7 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
 std::string summary_header(const RunView& run) {
   std::ostringstream line;
   line << std::setw(4) << "gen" << std::setw(12) << (run.plan.objective == Objective::body_lengths ? "F [BL]" : "F [m2]");
-  if (run.plan.judging) line << std::setw(12) << "judged";
+  if (run.plan.reference) line << std::setw(12) << "ref. F";
   for (const int level : run.plan.levels()) line << std::setw(6) << 'd' << level << " [BL]";
   line << std::setw(7) << "H" << std::setw(5) << "age" << std::setw(11) << "mean F";
   for (const char* count : {"evals", "cached", "pruned"}) line << std::setw(7) << count;
@@ -189,7 +184,7 @@ std::string summary_line(const RunView& run, const GenerationSummary& summary, s
   const auto& champion = summary.champion;
   std::ostringstream line;
   line << std::setw(4) << record.number << std::setw(12) << number_or_dash(champion ? champion->fitness : std::nullopt, "%.5g");
-  if (run.plan.judging) line << std::setw(12) << number_or_dash(champion ? champion->judged_fitness : std::nullopt, "%.5g");
+  if (run.plan.reference) line << std::setw(12) << number_or_dash(champion ? champion->reference_fitness : std::nullopt, "%.5g");
   for (const int level : run.plan.levels()) {
     line << std::setw(12) << number_or_dash(champion ? displacement(*champion, level) : std::nullopt, "%.4f");
   }

@@ -7,7 +7,7 @@
 namespace menger::evolution {
 namespace {
 
-/// What became of a number when the step was halved, as a share of it.
+/// Returns the relative change of a number when the time step is halved: half / whole - 1.
 std::optional<double> change(const std::optional<double>& whole, const std::optional<double>& half) {
   if (!whole || !half || *whole == 0.0) return std::nullopt;
   return *half / *whole - 1.0;
@@ -53,11 +53,11 @@ std::string step_check_text(const SearchPlan& plan, int generation, const std::v
   for (const CheckedDesign& design : checked) {
     const auto whole = whole_step_score(plan, design);
     const auto half = half_step_score(plan, design);
-    text += "     half the time step, generation " + std::to_string(generation) + ", individual " +
+    text += "     time step check, generation " + std::to_string(generation) + ", individual " +
             std::to_string(design.elite.individual) + ": ";
-    text += half ? io::formatted("%.4g", *half) + " instead of " + io::formatted("%.4g", whole.value_or(0.0)) + ", " +
-                       change_text(change(whole, half))
-                 : std::string("no score");
+    text += half ? io::formatted("score %.4g with half the time step", *half) + ", " +
+                       io::formatted("%.4g with the whole one", whole.value_or(0.0)) + ", " + change_text(change(whole, half))
+                 : std::string("no score with half the time step");
     for (const CheckedLevel& level : design.levels) {
       text += "; level " + std::to_string(level.level) + " ";
       text += level.half.displacement_m

@@ -9,11 +9,11 @@
 
 namespace menger::evolution {
 
-/// A row per elite and level of the generations whose time step was checked: displacements with the step of the search and with
-/// half of it, the distance between them, and the scores of the robot, the least over its levels.
+/// Makes a table with a row per elite and level of the generations whose time step was checked: the displacements with the time
+/// step of the search and with half of it, the distance between them, and both scores of the robot (the least over its levels).
 io::CsvTable step_check_table(const RunView& run);
 
-/// The checks of a generation for people, a line per elite.
+/// Describes the checks of a generation for people, a line per elite.
 std::string step_check_text(const SearchPlan& plan, int generation, const std::vector<CheckedDesign>& checked);
 
 }  // namespace menger::evolution

@@ -7,13 +7,13 @@
 
 namespace menger::evolution {
 
-/// The evaluator of a study.
+/// Returns the evaluator of a study.
 VoxelEvaluator evaluator_of(const Study& study);
 
-/// The same with half its time step.
+/// Returns the evaluator of a study with half its time step.
 VoxelEvaluator half_step_evaluator_of(const Study& study);
 
-/// An archive with what tables need to know of its study. @param archive outlives the view
+/// Returns an archive together with everything that tables need of its study. @param archive outlives the view
 RunView view_of(const RunArchive& archive, const Study& study);
 
 }  // namespace menger::evolution

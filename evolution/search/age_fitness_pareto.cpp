@@ -8,7 +8,7 @@ namespace menger::evolution {
 
 namespace {
 
-/// Takes members of one level until `wanted` are taken: the first one, then the ones at floor(L^u).
+/// Takes members of one level until `wanted` are taken: the first one, then those at the index floor(L^u).
 std::vector<std::size_t> draw_from_level(std::span<const std::size_t> level, std::size_t wanted, RandomStream& random) {
   std::vector<std::size_t> taken{level.front()};
   std::vector<bool> is_taken(level.size(), false);
@@ -26,23 +26,23 @@ std::vector<std::size_t> draw_from_level(std::span<const std::size_t> level, std
 
 }  // namespace
 
-bool dominates(const Contestant& a, const Contestant& b) {
+bool dominates(const PoolMember& a, const PoolMember& b) {
   // An empty optional is less than any value, so that failures rank below every fitness.
   if (a.fitness < b.fitness || a.age > b.age) return false;
   return a.fitness > b.fitness || a.age < b.age || a.id > b.id;
 }
 
-std::vector<std::size_t> domination_levels(std::span<const Contestant> pool, std::size_t survivors) {
+std::vector<std::size_t> domination_levels(std::span<const PoolMember> pool, std::size_t survivors) {
   std::vector<std::size_t> levels;
   levels.reserve(pool.size());
-  for (const Contestant& contestant : pool) {
-    const auto dominators = std::ranges::count_if(pool, [&](const Contestant& other) { return dominates(other, contestant); });
-    levels.push_back(static_cast<std::size_t>(dominators) + (contestant.fitness ? 0 : 2 * survivors));
+  for (const PoolMember& member : pool) {
+    const auto dominators = std::ranges::count_if(pool, [&](const PoolMember& other) { return dominates(other, member); });
+    levels.push_back(static_cast<std::size_t>(dominators) + (member.fitness ? 0 : 2 * survivors));
   }
   return levels;
 }
 
-std::vector<std::size_t> selection_order(std::span<const Contestant> pool, std::size_t survivors) {
+std::vector<std::size_t> selection_order(std::span<const PoolMember> pool, std::size_t survivors) {
   const std::vector<std::size_t> levels = domination_levels(pool, survivors);
   std::vector<std::size_t> order(pool.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -55,7 +55,7 @@ std::vector<std::size_t> selection_order(std::span<const Contestant> pool, std::
   return order;
 }
 
-std::vector<std::uint64_t> select_survivors(std::span<const Contestant> pool, std::size_t survivors, RandomStream& random) {
+std::vector<std::uint64_t> select_survivors(std::span<const PoolMember> pool, std::size_t survivors, RandomStream& random) {
   const std::vector<std::size_t> levels = domination_levels(pool, survivors);
   const std::vector<std::size_t> order = selection_order(pool, survivors);
   std::vector<std::uint64_t> taken;

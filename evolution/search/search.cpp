@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "evolution/genome/random_stream.h"
-#include "evolution/search/pool_judge.h"
+#include "evolution/search/age_fitness_pareto.h"
+#include "evolution/search/pool_evaluation.h"
 #include "evolution/search/step_checking.h"
+#include "evolution/search/survivor.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 
@@ -21,16 +23,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A survivor: how it was born, and how it stands now.
-struct Survivor {
-  Individual individual;
-  Contender contender;
-};
-
 class Search {
  public:
   Search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
-         DesignJudge* judge, const DesignEvaluator* half_step)
+         ReferenceEvaluator* reference, const DesignEvaluator* half_step)
       : plan_(plan),
         evaluator_(evaluator),
         archive_(archive),
@@ -38,9 +34,9 @@ class Search {
         physics_hash_(io::content_hash(evaluator.physics())),
         variation_(plan.seed, "variation"),
         selection_(plan.seed, "selection") {
-    assert(plan.judging.has_value() == (judge != nullptr));
+    assert(plan.reference.has_value() == (reference != nullptr));
     assert(plan.step_checks.has_value() == (half_step != nullptr));
-    if (judge != nullptr) judging_.emplace(plan, *judge, archive);
+    if (reference != nullptr) reference_.emplace(plan, *reference, archive);
     if (half_step != nullptr) checking_.emplace(plan, *half_step, archive);
   }
 
@@ -62,13 +58,13 @@ class Search {
     const GenerationRecord record = archive_.generation(*last);
     variation_ = RandomStream::from_text(record.variation_generator);
     selection_ = RandomStream::from_text(record.selection_generator);
-    for (const Contender& contender : archive_.contenders(*last)) {
-      if (contender.survivor_rank) survivors_.push_back({archive_.individual(contender.id), contender});
+    for (const PoolMember& member : archive_.pool(*last)) {
+      if (member.survivor_rank) survivors_.push_back({archive_.individual(member.id), member});
     }
     if (survivors_.empty()) {
       throw io::InputError(archive_.file().string() + ": is damaged: generation " + std::to_string(*last) + " has no survivors");
     }
-    std::ranges::sort(survivors_, {}, [](const Survivor& survivor) { return *survivor.contender.survivor_rank; });
+    std::ranges::sort(survivors_, {}, [](const Survivor& survivor) { return *survivor.member.survivor_rank; });
     for (const std::string& key : archive_.phenotype_keys()) phenotypes_.insert(simulated_key(phenotype_from_key(key)));
   }
 
@@ -78,47 +74,41 @@ class Search {
 
   io::RunStatus do_generation() {
     const auto start = Clock::now();
-    if (judging_ && !judge_survivors()) return io::RunStatus::stopped;
+    if (reference_ && !evaluate_survivors()) return io::RunStatus::stopped;
     const std::vector<Individual> born = next_generation_ == 0 ? first_generation() : children_and_newcomers();
-    PoolJudge judge(plan_, evaluator_, archive_, options_, next_generation_, &commits_,
-                    judging_ ? &judging_->fitness() : nullptr);
-    for (const Survivor& survivor : survivors_) judge.add_survivor(survivor.contender);
+    PoolEvaluation pool(plan_, evaluator_, archive_, options_, next_generation_, &commits_,
+                        reference_ ? &reference_->fitness() : nullptr);
+    for (const Survivor& survivor : survivors_) pool.add_survivor(survivor.member);
     for (const Individual& individual : born) {
       const bool is_new = phenotypes_.insert(simulated_key(individual.phenotype)).second;
-      judge.add_newcomer(individual, !is_new);
+      pool.add_newcomer(individual, !is_new);
     }
     const bool lazily = plan_.pruning && next_generation_ > 0;
-    const io::RunStatus status = lazily ? judge.judge_lazily() : judge.judge_in_full();
+    const io::RunStatus status = lazily ? pool.evaluate_lazily() : pool.evaluate_in_full();
     if (status != io::RunStatus::completed) return status;
-    return commit(judge, born, start);
+    return commit(pool, born, start);
   }
 
-  /// Holds a round of judging if one is due, and scores the survivors by what is known now. @return false if it was stopped
-  bool judge_survivors() {
-    std::vector<std::optional<double>> scores;
-    for (const Survivor& survivor : survivors_) scores.push_back(surrogate_score(survivor.individual.phenotype));
-    if (judging_->is_due(next_generation_)) {
-      std::vector<Nominee> nominees;
-      for (std::size_t n = 0; n < survivors_.size(); ++n) {
-        const auto& [individual, contender] = survivors_[n];
-        nominees.push_back({individual.id, contender.age, &individual.phenotype, scores[n], contender.fitness});
-      }
-      const auto round = judging_->judge(next_generation_, nominees, options_.stop);
+  /// Makes a round of reference evaluations if one is due, and scores the survivors again. @return false if it was stopped
+  bool evaluate_survivors() {
+    for (Survivor& survivor : survivors_) survivor.surrogate = surrogate_score(survivor.individual.phenotype);
+    if (reference_->is_due(next_generation_)) {
+      const auto round = reference_->evaluate(next_generation_, survivors_, options_.stop);
       if (!round) return false;
-      if (options_.judged) options_.judged(*round, judging_->fitness().discrepancy());
+      if (options_.round_done) options_.round_done(*round, reference_->fitness().discrepancy());
       if (round->is_made && options_.after_commit) options_.after_commit(++commits_);
     }
-    for (std::size_t n = 0; n < survivors_.size(); ++n) {
-      const Knowledge knowledge = survivors_[n].contender.knowledge;
-      if (!scores[n] || (knowledge != Knowledge::evaluated && knowledge != Knowledge::failed)) continue;
-      const CorrectedScore corrected = judging_->fitness().score(survivors_[n].individual.phenotype.body, *scores[n]);
-      survivors_[n].contender.knowledge = corrected.knowledge;
-      survivors_[n].contender.fitness = corrected.fitness;
+    for (Survivor& survivor : survivors_) {
+      PoolMember& member = survivor.member;
+      if (!survivor.surrogate || (member.knowledge != Knowledge::evaluated && member.knowledge != Knowledge::failed)) continue;
+      const CorrectedScore corrected = reference_->fitness().score(survivor.individual.phenotype.body, *survivor.surrogate);
+      member.knowledge = corrected.knowledge;
+      member.fitness = corrected.fitness;
     }
     return true;
   }
 
-  /// The score by the evaluator, of a search at one level; none if it failed or was never asked for.
+  /// Returns the score by the evaluator in a search at one level; none if the evaluation failed or was never made.
   [[nodiscard]] std::optional<double> surrogate_score(const Phenotype& phenotype) const {
     const int level = plan_.levels().front();
     const auto found = archive_.evaluation({design_hash(as_simulated(plan_, phenotype), level), level, physics_hash_});
@@ -134,7 +124,7 @@ class Search {
   }
 
   std::vector<Individual> children_and_newcomers() {
-    for (Survivor& survivor : survivors_) ++survivor.contender.age;
+    for (Survivor& survivor : survivors_) ++survivor.member.age;
     std::vector<const Survivor*> parents;
     parents.reserve(survivors_.size());
     for (const Survivor& survivor : survivors_) parents.push_back(&survivor);
@@ -149,8 +139,8 @@ class Search {
     Offspring offspring = child_of(parent.individual.genome, parent.individual.phenotype, plan_.offspring, variation_);
     return {next_id_++,
             next_generation_,
-            parent.contender.id,
-            parent.contender.age,
+            parent.member.id,
+            parent.member.age,
             std::move(offspring.genome),
             std::move(offspring.phenotype)};
   }
@@ -160,41 +150,37 @@ class Search {
     return {next_id_++, next_generation_, std::nullopt, 0, std::move(offspring.genome), std::move(offspring.phenotype)};
   }
 
-  /// Who survives, in order: everybody at first.
-  std::vector<std::uint64_t> select(const PoolJudge& judge) {
-    const std::vector<Contestant> pool = judge.contestants();
+  /// Returns the ids of the survivors, in order. In generation 0 all survive.
+  std::vector<std::uint64_t> select(const std::vector<PoolMember>& pool) {
     if (next_generation_ > 0) return select_survivors(pool, static_cast<std::size_t>(plan_.survivors), selection_);
     std::vector<std::uint64_t> all;
     all.reserve(pool.size());
-    for (const Contestant& contestant : pool) all.push_back(contestant.id);
+    for (const PoolMember& member : pool) all.push_back(member.id);
     return all;
   }
 
-  /// Checks the time step on the elites of a generation that is due. @return false if it was stopped
+  /// Checks the time step on the elites if this generation is due. @return false if it was stopped
   bool check_steps(const std::vector<Survivor>& survivors) {
     if (!checking_ || !checking_->is_due(next_generation_)) return true;
-    std::vector<RankedSurvivor> ranked;
-    ranked.reserve(survivors.size());
-    for (const Survivor& survivor : survivors) ranked.push_back({survivor.contender, &survivor.individual.phenotype});
-    return checking_->check(next_generation_, ranked, options_, &commits_);
+    return checking_->check(next_generation_, survivors, options_, &commits_);
   }
 
-  io::RunStatus commit(const PoolJudge& judge, const std::vector<Individual>& born, Clock::time_point start) {
-    const std::vector<std::uint64_t> selected = select(judge);
-    std::vector<Contender> contenders = judge.contenders();
+  io::RunStatus commit(const PoolEvaluation& pool, const std::vector<Individual>& born, Clock::time_point start) {
+    std::vector<PoolMember> members = pool.pool();
+    const std::vector<std::uint64_t> selected = select(members);
     std::vector<Survivor> survivors;
     for (std::size_t rank = 0; rank < selected.size(); ++rank) {
-      const auto found = std::ranges::find(contenders, selected[rank], &Contender::id);
+      const auto found = std::ranges::find(members, selected[rank], &PoolMember::id);
       found->survivor_rank = rank;
       survivors.push_back({individual_of(selected[rank], born), *found});
     }
-    // Before the generation counts as finished: what is stopped here is made up for when it is done again.
+    // This comes before the generation counts as finished: if it is stopped here, a resumed search does the rest.
     if (!check_steps(survivors)) return io::RunStatus::stopped;
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    const JudgeCounts counts = judge.counts();
+    const EvaluationCounts counts = pool.counts();
     const GenerationRecord record{next_generation_, counts.evaluations,   counts.cached,       counts.pruned,
                                   seconds,          variation_.to_text(), selection_.to_text()};
-    archive_.add_generation(record, born, contenders);
+    archive_.add_generation(record, born, members);
     survivors_ = std::move(survivors);
     ++commits_;
     if (options_.generation_done) options_.generation_done(record);
@@ -212,7 +198,7 @@ class Search {
   const DesignEvaluator& evaluator_;
   RunArchive& archive_;
   const SearchOptions& options_;
-  std::optional<SearchJudging> judging_;
+  std::optional<ReferenceRounds> reference_;
   std::optional<StepChecking> checking_;
   std::string physics_hash_;
   RandomStream variation_;
@@ -227,8 +213,8 @@ class Search {
 }  // namespace
 
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
-                         const SearchOptions& options, DesignJudge* judge, const DesignEvaluator* half_step) {
-  return Search(plan, evaluator, archive, options, judge, half_step).run();
+                         const SearchOptions& options, ReferenceEvaluator* reference, const DesignEvaluator* half_step) {
+  return Search(plan, evaluator, archive, options, reference, half_step).run();
 }
 
 }  // namespace menger::evolution

@@ -15,12 +15,6 @@ namespace {
 
 const std::atomic<bool> never{false};
 
-/// Whether a stands before b.
-bool is_better(const Contender& a, const Contender& b) {
-  if (a.fitness != b.fitness) return a.fitness > b.fitness;
-  return a.age != b.age ? a.age < b.age : a.id > b.id;
-}
-
 std::optional<double> least_score(const SearchPlan& plan, const CheckedDesign& design, Evaluation CheckedLevel::*which) {
   std::optional<double> least;
   for (const CheckedLevel& level : design.levels) {
@@ -34,18 +28,18 @@ std::optional<double> least_score(const SearchPlan& plan, const CheckedDesign& d
 
 }  // namespace
 
-std::vector<Elite> elites(const SearchPlan& plan, std::span<const RankedSurvivor> survivors, std::size_t count) {
-  std::vector<RankedSurvivor> line;
-  std::ranges::copy_if(survivors, std::back_inserter(line),
-                       [](const RankedSurvivor& one) { return one.contender.survivor_rank && one.contender.fitness; });
-  std::ranges::sort(line, is_better, &RankedSurvivor::contender);
+std::vector<Elite> elites(const SearchPlan& plan, std::span<const Survivor> survivors, std::size_t count) {
+  std::vector<const Survivor*> line;
+  for (const Survivor& one : survivors)
+    if (one.member.survivor_rank && one.member.fitness) line.push_back(&one);
+  std::ranges::sort(line, [](const Survivor* a, const Survivor* b) { return is_fitter(a->member, b->member); });
   std::vector<Elite> best;
   std::set<std::string> seen;
-  for (const RankedSurvivor& one : line) {
+  for (const Survivor* one : line) {
     if (best.size() == count) break;
-    Phenotype simulated = as_simulated(plan, *one.phenotype);
+    Phenotype simulated = as_simulated(plan, one->individual.phenotype);
     if (!seen.insert(phenotype_key(simulated)).second) continue;
-    best.push_back({one.contender.id, one.contender.fitness.value(), std::move(simulated)});
+    best.push_back({one->individual.id, one->member.fitness.value(), std::move(simulated)});
   }
   return best;
 }
@@ -70,7 +64,7 @@ StepChecking::StepChecking(const SearchPlan& plan, const DesignEvaluator& half, 
 
 bool StepChecking::is_due(int generation) const { return generation % plan_->step_checks.value().every == 0; }
 
-bool StepChecking::check(int generation, std::span<const RankedSurvivor> survivors, const SearchOptions& options,
+bool StepChecking::check(int generation, std::span<const Survivor> survivors, const SearchOptions& options,
                          std::size_t* commits) {
   std::vector<EvaluationKey> missing;
   std::vector<EvaluationTask> tasks;
@@ -102,13 +96,9 @@ bool StepChecking::check(int generation, std::span<const RankedSurvivor> survivo
 
 std::vector<CheckedDesign> checked_designs(const SearchPlan& plan, const RunArchive& archive, int generation,
                                            const std::string& physics, const std::string& half_physics) {
-  std::vector<Contender> contenders = archive.contenders(generation);
-  std::erase_if(contenders, [](const Contender& one) { return !one.survivor_rank || !one.fitness; });
-  std::vector<Phenotype> phenotypes;
-  phenotypes.reserve(contenders.size());
-  for (const Contender& one : contenders) phenotypes.push_back(archive.individual(one.id).phenotype);
-  std::vector<RankedSurvivor> survivors;
-  for (std::size_t i = 0; i < contenders.size(); ++i) survivors.push_back({contenders[i], &phenotypes[i]});
+  std::vector<Survivor> survivors;
+  for (const PoolMember& one : archive.pool(generation))
+    if (one.survivor_rank && one.fitness) survivors.push_back({archive.individual(one.id), one});
 
   const std::string hash = io::content_hash(physics);
   const std::string half_hash = io::content_hash(half_physics);

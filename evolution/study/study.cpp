@@ -12,9 +12,9 @@ namespace menger::evolution {
 
 namespace {
 
-constexpr int longest_side = 3;  ///< cells of a basal body; a genome may grow any body of so many
+constexpr int longest_side = 3;  ///< cells along the longest side that a basal body may have
 
-/// Cells along the longest side of the smallest box that the fewest cells of a body fit in.
+/// Returns the length in cells of the shortest bodies: the edge of the smallest cube that the least number of cells fits into.
 int shortest_side(const Study& study) {
   const std::size_t fewest = study.search.offspring.constraints.smallest_body;
   std::size_t side = 1;
@@ -22,14 +22,14 @@ int shortest_side(const Study& study) {
   return static_cast<int>(side);
 }
 
-/// What bodies of the search have in common as calibrated bodies, at their highest level.
+/// Returns what all calibrated bodies of the search have in common, at their highest level.
 voxel::CalibratedBody largest_bodies(const Study& study) {
   voxel::CalibratedBody body = *study.physics.surrogate;
   body.level = study.search.levels().back();
   return body;
 }
 
-/// Whether there is a wall that was fitted at both ends of the drive, of all that a body may consist of; otherwise why not.
+/// Checks that at least one kind of wall was fitted at both ends of the drive. Returns nothing if so, otherwise a sentence.
 std::vector<std::string> drive_beyond_every_wall(const voxel::CalibratedBody& body) {
   const auto [low_Pa, high_Pa] = body.pressure_Pa;
   double lowest_Pa = 0.0;
@@ -45,9 +45,10 @@ std::vector<std::string> drive_beyond_every_wall(const voxel::CalibratedBody& bo
       highest_Pa = std::max(highest_Pa, covered.highest_Pa);
     }
   }
-  return {"pressure_Pa = [" + io::number_text(low_Pa) + ", " + io::number_text(high_Pa) +
-          "] is outside the range of the fit for any body: no wall was fitted at both, the farthest of any went from " +
-          io::number_text(lowest_Pa) + " to " + io::number_text(highest_Pa) + " Pa" + (body.level > 1 ? " between joints" : "")};
+  return {
+      "pressure_Pa = [" + io::number_text(low_Pa) + ", " + io::number_text(high_Pa) +
+      "] is outside the range of the fit for every body: no kind of wall was fitted at both pressures; the fits together cover " +
+      io::number_text(lowest_Pa) + " to " + io::number_text(highest_Pa) + " Pa" + (body.level > 1 ? " (walls with joints)" : "")};
 }
 
 }  // namespace
@@ -69,12 +70,12 @@ std::vector<std::string> study_notes(const Study& study) {
   std::vector<std::string> notes;
   if (voxel::effective_coupling(study.physics) == 0.0) {
     notes.emplace_back(
-        "Poisson's ratio is 0: the paper states 0.5, but its released files switch volume effects off, so that 0 was simulated");
+        "Poisson's ratio is 0. The paper states 0.5, but its released files switch volume effects off and so simulate 0");
   }
   for (const std::string& fault : outside_validity_of_some(study)) {
     const bool refuses = study.physics.surrogate->outside_range == voxel::OutsideRange::refuse;
-    notes.push_back("bodies with every wall would be outside the range of validity of the calibrated parameters: " + fault +
-                    (refuses ? "; those that are get no result" : "; those that are get a mark"));
+    notes.push_back("bodies with every kind of wall would be outside the range of validity of the calibrated parameters: " +
+                    fault + (refuses ? "; bodies outside get no result" : "; bodies outside are marked"));
   }
   if (study.physics.surrogate) {
     for (const std::string& fault : voxel::sizeless_walls(*study.physics.surrogate))
@@ -90,7 +91,7 @@ std::vector<std::string> outside_validity_of_all(const Study& study) {
   if (!study.physics.surrogate) return {};
   voxel::CalibratedBody body = largest_bodies(study);
   std::vector<std::string> faults = drive_beyond_every_wall(body);
-  body.pressure_Pa = {0.0, 0.0};  // which is inside for all walls: what is left are chambers and lengths
+  body.pressure_Pa = {0.0, 0.0};  // inside the range of all walls: only chambers and lengths remain to be checked
   const std::vector<std::string> others = voxel::outside_validity(body, shortest_side(study));
   faults.insert(faults.end(), others.begin(), others.end());
   return faults;

@@ -19,7 +19,7 @@ namespace menger::evolution {
 
 namespace {
 
-/// Words of an enumeration, from its to_string.
+/// Returns the words of an enumeration, from its to_string.
 template <class... Values>
 auto words_of(Values... values) {
   using Value = std::common_type_t<Values...>;
@@ -32,7 +32,7 @@ constexpr double largest_population = 1e6;
 constexpr double basal_cell_count = 27;
 
 void describe_population(io::StudyVisitor& visitor, SearchPlan& plan) {
-  visitor.integer({"survivors", "Individuals that go on to the next generation, and those of the first."}, plan.survivors,
+  visitor.integer({"survivors", "Number of survivors of each generation, and of individuals in the first."}, plan.survivors,
                   io::within(1, largest_population));
   visitor.integer({"mutants", "Children of the survivors in each generation."}, plan.mutants, io::within(0, largest_population));
   visitor.integer({"newcomers", "Random individuals in each generation."}, plan.newcomers, io::within(0, largest_population));
@@ -41,15 +41,17 @@ void describe_population(io::StudyVisitor& visitor, SearchPlan& plan) {
 void describe_genome(io::StudyVisitor& visitor, OffspringOptions& options) {
   VariationOptions& variation = options.variation;
   ExpressionOptions& expression = options.decoder.expression;
-  visitor.word({"encoding", "What a genome becomes: a body that repeats itself at every level, or one with other arrangements."},
+  visitor.word({"encoding",
+                "Kind of body: fractal (the same arrangement at every level), nonfractal (arrangements evolved for each level), "
+                "single-actuator (fractal of one material)."},
                options.decoder.plan, words_of(BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator));
   visitor.word({"activations", "Activation functions that nodes may have."}, variation.activations,
                words_of(ActivationSet::paper, ActivationSet::released_code));
   visitor.word({"output_function", "Whether the functions of outputs may be mutated."}, variation.output_function,
                words_of(OutputFunction::kept, OutputFunction::mutable_));
-  visitor.word({"expression", "Whether all consumers of a node get its activated value, or the first alone."},
+  visitor.word({"expression", "Whether all consumers of a node get its activated value, or only the first."},
                expression.expression, words_of(Expression::every_consumer_activated, Expression::first_consumer_activated));
-  visitor.word({"axes", "Which axes of the body the inputs x, y and z are."}, expression.axes,
+  visitor.word({"axes", "Axes of the body that the network inputs x, y and z stand for."}, expression.axes,
                words_of(AxisMap::xyz, AxisMap::zyx));
   visitor.integer({"largest_tries", "Mutations that are tried until a body is valid."}, options.largest_tries, io::at_least(1));
 }
@@ -62,50 +64,55 @@ void describe_body(io::StudyVisitor& visitor, SearchPlan& plan) {
   const bool is_ascending =
       std::ranges::adjacent_find(constraints.levels, std::ranges::greater_equal{}) == constraints.levels.end();
   visitor.check(is_ascending, "levels", "must ascend");
-  visitor.integer({"smallest_body_cells", "Fewest cells of a body."}, constraints.smallest_body, io::within(1, basal_cell_count));
-  visitor.integer({"smallest_arranged_body_cells", "Fewest cells of a nonfractal body at its second level."},
+  visitor.integer({"smallest_body_cells", "Least number of cells of a basal body."}, constraints.smallest_body,
+                  io::within(1, basal_cell_count));
+  visitor.integer({"smallest_arranged_body_cells", "Least number of cells of a nonfractal body at level 3."},
                   constraints.smallest_arranged_body, io::within(1, 19683));
-  visitor.word({"disconnected", "What becomes of bodies in pieces."}, constraints.disconnected,
+  visitor.word({"disconnected", "What happens to bodies that fall apart."}, constraints.disconnected,
                words_of(DisconnectedPolicy::reject, DisconnectedPolicy::penalise, DisconnectedPolicy::allow));
-  visitor.boolean({"castable", "Whether bodies must hold together by faces, so that they can be cast."}, constraints.castable);
+  visitor.boolean({"castable",
+                   "Whether only bodies are valid that can be cast: in one piece, with no cells that touch only along an edge or "
+                   "at a corner."},
+                  constraints.castable);
 }
 
 void describe_time(io::StudyVisitor& visitor, Study& study) {
   visitor.number({"duration_s", "Simulated time of an evaluation.", "", "/evaluation.duration_s"}, study.duration_s,
                  io::positive());
-  visitor.number({"measure_from_s", "Displacement counts from then on.", "", "/evaluation.measure_from_s"}, study.measure_from_s,
-                 io::non_negative());
+  visitor.number({"measure_from_s", "Displacement is measured from this time on.", "", "/evaluation.measure_from_s"},
+                 study.measure_from_s, io::non_negative());
 }
 
 void describe_evaluation(io::StudyVisitor& visitor, SearchPlan& plan) {
   visitor.boolean({"stand", "Whether bodies stand on the ground from the start."}, plan.stand);
-  visitor.word({"objective", "What displacement is worth."}, plan.objective,
+  visitor.word({"objective", "How a displacement becomes a fitness."}, plan.objective,
                words_of(Objective::body_lengths, Objective::squared_metres_per_scale));
-  visitor.word({"duplicates", "What becomes of a body that was there before."}, plan.duplicates,
+  visitor.word({"duplicates", "What happens to a new individual with the body of an earlier one."}, plan.duplicates,
                words_of(DuplicatePolicy::archived_result, DuplicatePolicy::culled));
-  visitor.boolean({"pruning", "Whether evaluations that cannot change who survives are left out."}, plan.pruning);
+  visitor.boolean({"pruning", "Whether evaluations that cannot change the survivors are skipped."}, plan.pruning);
 }
 
-void describe_judging(io::StudyVisitor& visitor, Study& study, JudgingPlan& judging) {
+void describe_reference(io::StudyVisitor& visitor, Study& study, ReferencePlan& reference) {
   const auto describe_study = [&] {
-    visitor.path({"study", "A study of menger reevaluate: how finite elements judge.", "\"judge.toml\""}, study.judge_file);
+    visitor.path({"study", "A study of menger reevaluate: how the finite elements evaluate a robot.", "\"reference.toml\""},
+                 study.reference_file);
   };
   const auto describe_protocol = [&] {
-    visitor.text({"protocol", "Hash of what decides the judge; archives have it in place of its study.", "\"0\""},
-                 judging.protocol);
+    visitor.text({"protocol", "Hash of what decides a reference evaluation; archives have it in place of the study.", "\"0\""},
+                 reference.protocol);
   };
-  visitor.one_of({{"study", judging.protocol.empty(), [&] { judging.protocol.clear(); }, describe_study},
+  visitor.one_of({{"study", reference.protocol.empty(), [&] { reference.protocol.clear(); }, describe_study},
                   {.key = "protocol",
-                   .is_chosen = !judging.protocol.empty(),
-                   .choose = [&] { study.judge_file.clear(); },
+                   .is_chosen = !reference.protocol.empty(),
+                   .choose = [&] { study.reference_file.clear(); },
                    .describe = describe_protocol,
                    .is_for_programs = true}});
-  visitor.integer({"every", "Generations from one judging to the next."}, judging.every, io::at_least(1));
-  visitor.integer({"designs", "Survivors that are judged each time."}, judging.designs, io::within(1, largest_population));
-  visitor.number({"budget_element_steps", "Element-steps that judging may take over the whole search.", "1e9"},
-                 judging.budget_element_steps, io::non_negative());
-  visitor.number({"voxel_steps_per_element_step", "What an element-step costs in steps by voxels."},
-                 judging.voxel_steps_per_element_step, io::positive());
+  visitor.integer({"every", "Generations between two rounds of reference evaluation."}, reference.every, io::at_least(1));
+  visitor.integer({"designs", "Survivors that each round evaluates."}, reference.designs, io::within(1, largest_population));
+  visitor.number({"budget_element_steps", "Element-steps that all rounds together may take.", "1e9"},
+                 reference.budget_element_steps, io::non_negative());
+  visitor.number({"voxel_steps_per_element_step", "Cost of an element-step, in voxel-steps."},
+                 reference.voxel_steps_per_element_step, io::positive());
 }
 
 void describe_step_checks(io::StudyVisitor& visitor, StepCheckPlan& checks) {
@@ -113,33 +120,38 @@ void describe_step_checks(io::StudyVisitor& visitor, StepCheckPlan& checks) {
   visitor.integer({"designs", "Best survivors that are checked each time."}, checks.designs, io::within(1, largest_population));
 }
 
-/// All keys but the number of generations.
+/// Describes all keys but the number of generations.
 void describe_identity(io::StudyVisitor& visitor, Study& study) {
   SearchPlan& plan = study.search;
-  visitor.integer({"seed", "Decides what is random."}, plan.seed, io::at_least(0));
-  visitor.table({"population", "Who there is."}, [&] { describe_population(visitor, plan); });
-  visitor.table({"genome", "What bodies grow from."}, [&] { describe_genome(visitor, plan.offspring); });
+  visitor.integer({"seed", "Seed of the random numbers."}, plan.seed, io::at_least(0));
+  visitor.table({"population", "Size of the population."}, [&] { describe_population(visitor, plan); });
+  visitor.table({"genome", "Genomes and how they vary."}, [&] { describe_genome(visitor, plan.offspring); });
   visitor.table({"body", "Which bodies are valid."}, [&] { describe_body(visitor, plan); });
-  visitor.table({"time", "What is simulated."}, [&] { describe_time(visitor, study); });
-  visitor.table({"evaluation", "What counts."}, [&] { describe_evaluation(visitor, plan); });
-  visitor.optional_table({"judge", "Finite elements judge survivors on the way and correct the fitness of all; for one level."},
-                         plan.judging, [&](JudgingPlan& judging) { describe_judging(visitor, study, judging); });
-  visitor.optional_table({"check_dt", "Survivors are evaluated again with half the time step, which changes nothing else."},
-                         plan.step_checks, [&](StepCheckPlan& checks) { describe_step_checks(visitor, checks); });
+  visitor.table({"time", "Simulated time."}, [&] { describe_time(visitor, study); });
+  visitor.table({"evaluation", "How bodies are evaluated and scored."}, [&] { describe_evaluation(visitor, plan); });
+  visitor.optional_table({"reference",
+                          "Rounds of reference evaluations: finite elements evaluate some survivors and correct the fitness of "
+                          "all. Needs a single level.",
+                          "", "judge"},
+                         plan.reference, [&](ReferencePlan& reference) { describe_reference(visitor, study, reference); });
+  visitor.optional_table(
+      {"check_dt",
+       "Checks of the time step: the best survivors are evaluated again with half of it. The search does not change."},
+      plan.step_checks, [&](StepCheckPlan& checks) { describe_step_checks(visitor, checks); });
   voxel::describe(visitor, study.physics);
 }
 
-/// A key of earlier versions that only ever had one value.
+/// Refuses a key of earlier versions, which could have one value only.
 void refuse_poissons_ratio(const io::TomlTable& table) {
   const io::TomlTable materials = table.table_or_empty("materials");
   if (!materials.asks_for("poissons_ratio")) return;
   throw materials.error("poissons_ratio",
-                        "is no key any more, it had to be 0 (the paper states 0.5, its released files simulated 0); "
-                        "lateral_coupling makes bodies contract");
+                        "is not a key any more. It had to be 0 (the paper states 0.5, its released files simulated 0). "
+                        "Use lateral_coupling for lateral contraction");
 }
 
 void apply(const StudyOverrides& values, Study& study) {
-  // The overrides go through the same checks as the file, under a name that says where they come from.
+  // The overrides pass the same checks as the file, with "command line" as their file name.
   io::TomlText text;
   if (values.generations) text.add("generations", *values.generations);
   if (values.seed) text.add("seed", *values.seed);
@@ -150,7 +162,7 @@ void apply(const StudyOverrides& values, Study& study) {
 
 std::string gibibytes(std::size_t bytes) { return io::formatted("%.3g GiB", static_cast<double>(bytes) / 1073741824.0); }
 
-/// Demands that involve several keys.
+/// Checks requirements that involve several keys.
 void check_whole(const io::TomlTable& table, const Study& study, std::size_t memory_bytes) {
   const SearchPlan& plan = study.search;
   const auto body = table.optional_table("body");
@@ -159,20 +171,20 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
     if (body && body->has("levels")) return body->error("levels", levels + ": " + reason);
     return io::InputError(table.file().string() + ": body." + levels + ": " + reason);
   };
-  if (plan.judging && plan.levels().size() > 1) throw fault("with a table [judge] there must be one");
+  if (plan.reference && plan.levels().size() > 1) throw fault("a study with a table [reference] must have exactly one level");
   if (study.measure_from_s >= study.duration_s) {
     throw io::InputError(table.file().string() + ": time.measure_from_s = " + io::number_text(study.measure_from_s) +
                          ": must be less than duration_s = " + io::number_text(study.duration_s));
   }
   if (plan.offspring.decoder.plan == BodyPlan::nonfractal && plan.levels().back() > largest_arranged_level) {
-    throw fault("a nonfractal body has at most " + std::to_string(largest_arranged_level));
+    throw fault("the highest level of a nonfractal body is " + std::to_string(largest_arranged_level));
   }
   if (const std::size_t needed = estimated_memory_bytes(study, 1); needed > memory_bytes) {
     throw fault("one evaluation may need about " + gibibytes(needed) + " of memory, this machine has " + gibibytes(memory_bytes));
   }
 }
 
-/// What keeps a study from using its calibrated parameters, or an empty text.
+/// Returns why a study cannot use its calibrated parameters, or an empty text.
 std::string unusable_surrogate(const Study& study) {
   const voxel::CalibratedBody& body = *study.physics.surrogate;
   const SearchPlan& plan = study.search;
@@ -182,7 +194,7 @@ std::string unusable_surrogate(const Study& study) {
   }
   const voxel::ActuationMode mode = study.physics.actuation.mode;
   const std::string given = "drive.mode = \"" + std::string(to_string(mode)) + "\": ";
-  if (mode == voxel::ActuationMode::wave) return given + "the cells of a chamber would need different phases";
+  if (mode == voxel::ActuationMode::wave) return given + "one chamber cannot have cells of different phases";
   if (mode == voxel::ActuationMode::antiphase && body.chambers == meshes::ChamberLayout::single) {
     return given +
            "with chambers = \"single\" all voxels of a module share a phase; use \"in_phase\" or chambers = \"per-phase\"";
@@ -205,7 +217,7 @@ PresetStudy::PresetStudy() : study(study_from_text(preset_text(preset), preset +
 
 void describe(io::StudyVisitor& visitor, PresetStudy& file) {
   const io::Words<std::string> presets{{"paper", "paper"}, {"released-code", "released-code"}};
-  visitor.word({"preset", "Whose values all keys have that are not given.", "\"paper\""}, file.preset, presets);
+  visitor.word({"preset", "Preset with the values of all keys that are not given.", "\"paper\""}, file.preset, presets);
   if (visitor.source() != nullptr) file.study = study_from_text(preset_text(file.preset), file.preset + ".toml");
   describe(visitor, file.study);
 }
@@ -237,8 +249,8 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   Study study = std::move(over_preset.study);
   apply(overrides, study);
   check_whole(table, study, memory_bytes);
-  if (study.search.judging && study.judge_file.empty())
-    throw io::InputError(file.string() + ": judge.protocol: is that of an archive; a study names its judge by judge.study");
+  if (study.search.reference && study.reference_file.empty())
+    throw io::InputError(file.string() + ": reference.protocol: is for archives only; in a study file, give reference.study");
   if (study.physics.surrogate) {
     if (const std::string problem = unusable_surrogate(study); !problem.empty())
       throw io::InputError(file.string() + ": surrogate: " + problem);
@@ -252,7 +264,7 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
 
 Study archived_study(const RunArchive& archive) {
   const io::TomlTable table = io::parse_toml(archive.study(), archive.file());
-  // archives of earlier versions have it, always 0
+  // archives of earlier versions have this key, always 0
   (void)table.table_or_empty("materials").asks_for("poissons_ratio");
   Study study;
   io::read_described(table, study, io::StudyReader::EarlierNames::read);
@@ -264,7 +276,7 @@ std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& fil
   std::vector<std::filesystem::path> files{file};
   const io::TomlTable table = io::read_toml(file);
   if (const auto parameters = voxel::parameters_file(table)) files.push_back(*parameters);
-  if (const auto judge = table.optional_table("judge")) files.push_back(judge->path("study"));
+  if (const auto reference = table.optional_table("reference")) files.push_back(reference->path("study"));
   return files;
 }
 

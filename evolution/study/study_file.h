@@ -14,7 +14,7 @@
 
 namespace menger::evolution {
 
-/// Values that take the place of a study file's, as if they stood there: to run a study at another size.
+/// Values that replace those of a study file, as if the file had them: to run a study at another size.
 struct StudyOverrides {
   std::optional<int> generations;
   std::optional<std::vector<int>> levels;
@@ -22,50 +22,51 @@ struct StudyOverrides {
   std::optional<std::uint64_t> seed;
 };
 
-/// The keys of a study, without its preset. With `[surrogate]` bodies are hollow cells with calibrated parameters, whose chambers
-/// must be able to follow the drive. Texts name the judge by the hash of its protocol, if it is known, and else by its study.
+/// Describes the keys of a study, without its preset. With `[surrogate]`, bodies are hollow cells with calibrated parameters, and
+/// their chambers must be able to follow the drive. Texts identify the reference evaluator by the hash of its protocol, if that
+/// is known, and otherwise by its study.
 void describe(io::StudyVisitor& visitor, Study& study);
 
-/// What a study file holds: a preset, and a study over it.
+/// The content of a study file: a preset, and a study whose values replace those of the preset.
 struct PresetStudy {
   PresetStudy();
 
   std::string preset = "paper";  ///< or "released-code"
-  Study study;                   ///< that of the preset at first
+  Study study;                   ///< at first that of the preset
 };
 
-/// The keys of a study file, for people: `menger evolve --keys`. A reader begins with the preset that is named.
+/// Describes the keys of a study file, for people: `menger evolve --keys`. A reader begins with the preset that the file names.
 void describe(io::StudyVisitor& visitor, PresetStudy& file);
 
-/// Reads a study file. `preset` must be given; every other key is one option, whose value is the preset's unless the study gives
-/// its own. With `outside_range = "refuse"` beside a `[surrogate]` only what no body of the search could be inside of is wrong
-/// input (outside_validity_of_all), bodies are judged one by one.
-///
-/// @param memory_bytes a study with one evaluation that may need more is refused
+/// Reads a study file. `preset` must be given. Every other key is an option; its value is that of the preset unless the file
+/// gives one. With `outside_range = "refuse"` in `[surrogate]`, the study is refused only if every body of the search would be
+/// outside the range of validity (outside_validity_of_all); otherwise bodies are checked one by one.
 /// @throws io::InputError with file, key and value
 Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides = {});
+
+/// Does the same for a given amount of memory. @param memory_bytes the study is refused if one evaluation may need more
 Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides, std::size_t memory_bytes);
 
-/// The files that decide a study: its own, and those that `[surrogate]` takes its parameters from and `[judge]` its study, if it
-/// names them.
+/// Returns the files that decide a study: its own, the parameters that `[surrogate]` names, and the study that `[reference]`
+/// names.
 /// @throws io::InputError if the study cannot be read
 std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& file);
 
-/// The study as TOML with every value spelled out, always in the same order and exact: equal text means equal studies, and
-/// reading it gives the study back, but for judge_file. Precondition: search.judging names its protocol, if there is one.
+/// Returns the study as TOML with every value, exact and always in the same order. Equal text means equal studies, and reading
+/// the text gives the same study, apart from reference_file. Precondition: search.reference, if there is one, has its protocol.
 std::string resolved_text(const Study& study);
 
-/// The same without the number of generations: what two runs must share so that one can continue the other.
+/// Returns the same without the number of generations. One run can continue another exactly if these texts are equal.
 std::string identity_text(const Study& study);
 
-/// The study that resolved_text wrote, or a preset. @param file for messages only @throws io::InputError as read_study does
+/// Reads the study from the text of resolved_text or of a preset. @param file for messages only @throws io::InputError as
+/// read_study does
 Study study_from_text(std::string_view text, const std::filesystem::path& file);
 
-/// The study of an archive, also of one from before keys had their present names. @throws io::InputError if the archive holds
-/// none that this menger understands
+/// Reads the study of an archive, also of one with earlier names of keys. @throws io::InputError if this program cannot read it
 Study archived_study(const RunArchive& archive);
 
-/// The text of a preset's file, "paper" or "released-code".
+/// Returns the text of the file of a preset, "paper" or "released-code".
 std::string_view preset_text(std::string_view name);
 
 }  // namespace menger::evolution

@@ -21,10 +21,11 @@ namespace menger::evolution {
 
 namespace {
 
-/// A smaller share of a step is not worth the meetings of the threads.
+/// With fewer voxels per thread, synchronising the threads costs more than they gain.
 constexpr double fewest_voxels_per_thread = 1000.0;
 
-/// Some tenths of a second of one thread, against which what it takes to share anew counts for nothing.
+/// Steps times voxels between two changes of the number of threads: a few tenths of a second of one thread, so that the cost of a
+/// change is negligible.
 constexpr double voxel_steps_per_piece = 5e6;
 
 std::array<double, 3> difference(const std::array<double, 3>& to, const std::array<double, 3>& from) {
@@ -38,7 +39,7 @@ std::vector<std::array<double, 3>> centres_of_mass_m(std::span<const voxel::Simu
   return centres;
 }
 
-/// Steps a body by as many threads as there are for it.
+/// Advances a body on as many threads as it may use.
 io::RunStatus advance_shared(voxel::Simulation& simulation, double time_s, const std::atomic<bool>& stop,
                              const ThreadsNow& threads) {
   const auto voxels = static_cast<double>(simulation.voxel_count());
@@ -49,7 +50,7 @@ io::RunStatus advance_shared(voxel::Simulation& simulation, double time_s, const
     simulation.set_threads(std::clamp(threads(), 1, most_threads));
     try {
       status = simulation.advance_to(std::min(time_s, simulation.time_s() + piece_s), &stop);
-    } catch (const std::system_error&) {  // no thread could be started, and no step was taken: one does as well
+    } catch (const std::system_error&) {  // no thread could be started, and no step was made: one thread is enough
       if (most_threads == 1) throw;
       most_threads = 1;
     }
@@ -91,7 +92,7 @@ std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const Evalua
       simulations.emplace_back(tasks[i]->body, cell_edge_m_, physics);
       results.push_back(&evaluations[i]);
     } catch (const voxel::OutsideValidity& outside) {
-      // Of one body among many that is no wrong input, but a body without a result.
+      // For one body of many this is not wrong input, but a body without a result.
       evaluations[i].status = io::RunStatus::diverged;
       evaluations[i].outside_validity = outside.what();
       evaluations[i].reason = "outside the range of validity: " + evaluations[i].outside_validity;
@@ -103,11 +104,11 @@ std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const Evalua
   return evaluations;
 }
 
-/// Steps the simulations to the end and puts how they went into the results.
+/// Advances the simulations to the end and writes the outcomes into the results.
 void VoxelEvaluator::walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results,
                           const std::atomic<bool>& stop, const ThreadsNow& threads) const {
   const std::vector<std::array<double, 3>> start_m = centres_of_mass_m(simulations);
-  // Those that have diverged or stopped by then stay so.
+  // Simulations that have diverged or stopped here stay so.
   static_cast<void>(advance(simulations, measure_from_s_, stop, threads));
   const std::vector<std::array<double, 3>> from_m = centres_of_mass_m(simulations);
   const std::vector<io::RunStatus> statuses = advance(simulations, duration_s_, stop, threads);

@@ -10,18 +10,20 @@
 
 namespace menger::evolution {
 
-/// Judges bodies by how far they move on the voxel engine; single modules in SIMD lanes, several at a time.
+/// Evaluates bodies by their displacement on the voxel engine. Several single modules are evaluated together in SIMD lanes.
 ///
-/// Together go bodies of level 1, as voxel::lane_groups finds them: aggregates fill registers by themselves, and what does not
-/// run in lanes, such as a calibrated body, is judged alone. A large aggregate takes on threads that have run out of work, and
-/// hands them back, every few tenths of a second.
+/// voxel::lane_groups groups bodies of level 1. Aggregates are evaluated alone, since each fills registers by itself, and so are
+/// bodies that do not run in lanes, such as calibrated ones. Every few tenths of a second, a large aggregate adapts its number of
+/// threads to ThreadsNow.
 ///
-/// Of calibrated bodies it says where they left the range of validity. With OutsideRange::refuse a body that leaves it has
-/// diverged, before the first step if its walls and its drive are enough to know.
+/// For calibrated bodies the result has what left the range of validity. With OutsideRange::refuse a body outside the range gets
+/// the status `diverged`, even before the first step if its walls and its drive show it.
 class VoxelEvaluator final : public DesignEvaluator {
  public:
-  /// @param cell_edge_m L > 0 @param duration_s simulated time of an evaluation, > 0 @param measure_from_s from when on
-  /// displacement counts, 0 <= measure_from_s < duration_s: what a body gains while its drive begins is left out
+  /// @param cell_edge_m edge of a cell, > 0
+  /// @param duration_s simulated time of an evaluation, > 0
+  /// @param measure_from_s time from which displacement counts, 0 <= measure_from_s < duration_s; it leaves out the displacement
+  /// while the drive begins
   VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s = 0.0);
 
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
@@ -31,7 +33,7 @@ class VoxelEvaluator final : public DesignEvaluator {
   [[nodiscard]] std::vector<std::vector<std::size_t>> groups(std::span<const EvaluationTask> tasks, int workers) const override;
   [[nodiscard]] std::string physics() const override;
 
-  /// Voxels of the body: every body takes the same time steps.
+  /// Returns the number of cells of the body: all bodies make the same time steps.
   [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
 
  private:

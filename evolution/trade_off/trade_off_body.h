@@ -9,16 +9,17 @@ namespace menger::evolution {
 
 meshes::ChamberLayout chamber_layout(const TradeStudy& study);
 
-/// How the design of a study is cast and meshed.
+/// Returns how the design of a study is cast and meshed.
 meshes::HollowBodyOptions hollow_options(const TradeStudy& study, int elements_through_wall);
 
-/// Displacement unknowns of finite elements on a mesh of the design, and what else is known before anything is computed.
+/// The size of a finite-element problem on a mesh of the design, known before anything is computed.
 struct ElementCount {
   std::uint64_t elements = 0;
-  std::uint64_t unknowns = 0;  ///< three per node: corners, and from degree 2 on the middles of edges, faces and elements
+  std::uint64_t unknowns =
+      0;  ///< displacements, three per node: corners; from degree 2 on, middles of edges, faces, elements too
 };
 
-/// Meshes the design. @throws io::InputError as meshes::hollow_polycube does
+/// Meshes the design and counts elements and unknowns. @throws io::InputError as meshes::hollow_polycube does
 ElementCount count_elements(const TradeStudy& study, int degree, int elements_through_wall);
 
 }  // namespace menger::evolution

@@ -19,7 +19,7 @@ double drawn_percent(double error, const TradeTable& table) {
   return std::max(least, 100.0 * error);
 }
 
-/// Runs that share a colour.
+/// Returns the name of the group of runs that share a colour.
 std::string group_of(const TradeRow& row) {
   const auto value = [&](const std::string& column) {
     const auto found = row.fidelity.find(column);
@@ -31,10 +31,10 @@ std::string group_of(const TradeRow& row) {
   return group;
 }
 
-/// Whole decades, so that points that are all alike do not get an axis of noise.
+/// Makes an axis cover whole decades, so that it does not magnify the noise of nearly equal points.
 void cover_decades(io::ChartAxis& axis, const std::vector<double>& values) {
   if (values.empty()) return;
-  constexpr double margin = 1.02;  // off the rim
+  constexpr double margin = 1.02;  // keeps points off the edge
   const auto [least, most] = std::ranges::minmax(values);
   axis.lowest = std::pow(10.0, std::floor(std::log10(least / margin)));
   axis.highest = std::pow(10.0, std::ceil(std::log10(most * margin)));
@@ -57,12 +57,12 @@ io::ChartPanel trade_panel(const TradeTable& table, const std::string& title) {
     panel.series[place->second].x.push_back(std::max(least_s, *row.seconds));
     panel.series[place->second].y.push_back(drawn_percent(*row.error, table));
   }
-  io::ChartSeries front{.name = "front", .marks = io::Marks::line, .dashed = true, .colour = io::chart_ink};
+  io::ChartSeries front{.name = "Pareto front", .marks = io::Marks::line, .dashed = true, .colour = io::chart_ink};
   for (const std::size_t n : pareto_front(table)) {
     front.x.push_back(std::max(least_s, *table.rows[n].seconds));
     front.y.push_back(drawn_percent(*table.rows[n].error, table));
   }
-  if (front.x.size() < 2) front.marks = io::Marks::points;  // no line has one point
+  if (front.x.size() < 2) front.marks = io::Marks::points;  // a line needs two points
   if (!front.x.empty()) panel.series.push_back(front);
   std::vector<double> seconds;
   std::vector<double> percents;
@@ -73,7 +73,8 @@ io::ChartPanel trade_panel(const TradeTable& table, const std::string& title) {
   cover_decades(panel.x, seconds);
   cover_decades(panel.y, percents);
   if (panel.y.highest) *panel.y.highest *= legend_room;
-  if (table.reference_error && panel.x.lowest && panel.x.highest) {  // in the legend: written along the line it would hide points
+  if (table.reference_error && panel.x.lowest &&
+      panel.x.highest) {  // named in the legend: a text along the line would hide points
     const double level = drawn_percent(*table.reference_error, table);
     panel.series.push_back({.name = reference_level,
                             .x = {*panel.x.lowest, *panel.x.highest},

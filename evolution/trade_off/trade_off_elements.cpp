@@ -31,7 +31,7 @@ std::string inflation_text(const TradeStudy& study, const ElementFidelity& fidel
   return text.table("output").add("fields", false).add("pictures", false).text();
 }
 
-/// Change from the first to the last row of a column.
+/// Returns the change of a column from the first to the last row.
 double growth(const io::CsvContents& curves, const std::string& column) {
   return curves.number(curves.row_count() - 1, column) - curves.number(0, column);
 }
@@ -73,9 +73,9 @@ std::vector<ElementFidelity> element_fidelities(const ElementChoice& choice) {
 
 TradeRow element_row(const ElementFidelity& fidelity) {
   TradeRow row{.model = "finite elements", .label = {}};
-  row.label = (fidelity.degree == 1 ? "Q1/P0, " : "Q2/P1, ") + std::to_string(fidelity.elements_through_wall) +
-              " through the wall, bulk ratio " + io::number_text(fidelity.bulk_ratio) + ", tolerance " +
-              io::number_text(fidelity.force_tolerance);
+  row.label = (fidelity.degree == 1 ? "Q1/P0, elements through the wall: " : "Q2/P1, elements through the wall: ") +
+              std::to_string(fidelity.elements_through_wall) + ", bulk ratio " + io::number_text(fidelity.bulk_ratio) +
+              ", tolerance " + io::number_text(fidelity.force_tolerance);
   row.fidelity = {{"degree", std::to_string(fidelity.degree)},
                   {"elements_through_wall", std::to_string(fidelity.elements_through_wall)},
                   {"bulk_ratio", io::number_text(fidelity.bulk_ratio)},
@@ -93,7 +93,7 @@ io::ProgramJob element_job(const TradeStudy& study, const ElementFidelity& fidel
                 {"design.toml", meshes::design_text(study.design)},
                 {"silicone.toml", io::read_whole(study.silicone_file)}};
   job.time_limit_s = study.elements->time_limit_s;
-  // About six steps of five iterations by a direct solver, whose cost grows with a power between 4/3 and 2.
+  // About six steps of five iterations. The cost of the direct solver grows with the unknowns to a power between 4/3 and 2.
   job.estimated_s = 1.0 + 3.0 * std::pow(static_cast<double>(unknowns) / 2e4, 1.6);
   return job;
 }

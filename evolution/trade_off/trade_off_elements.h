@@ -10,7 +10,7 @@
 
 namespace menger::evolution {
 
-/// How finely a body is computed by finite elements.
+/// The fidelity of a computation by finite elements.
 struct ElementFidelity {
   int degree = 1;
   int elements_through_wall = 1;
@@ -20,22 +20,24 @@ struct ElementFidelity {
   bool operator==(const ElementFidelity&) const = default;
 };
 
-/// All combinations of a choice, from coarse to fine: by degree times elements through the wall, then degree, then bulk ratio,
-/// then the other way round by tolerance. The last that completes is the reference.
+/// Returns all combinations of a choice, from coarse to fine: by degree times elements through the wall, then by degree, then by
+/// bulk ratio, then by tolerance from large to small. The last that completes is the reference.
 std::vector<ElementFidelity> element_fidelities(const ElementChoice& choice);
 
-/// A row without a result yet.
+/// Makes a row without a result yet.
 TradeRow element_row(const ElementFidelity& fidelity);
 
-/// The fidelity's run of `menger inflate` to a pressure, free but for its rigid motions.
-/// @param program menger-inflate @param unknowns of count_elements, for the estimated time
+/// Makes the job for `menger inflate` that inflates the body to a pressure. The body is free; only its rigid motions are
+/// supported.
+/// @param program menger-inflate
+/// @param unknowns from count_elements, for the estimated time
 io::ProgramJob element_job(const TradeStudy& study, const ElementFidelity& fidelity, double pressure_Pa,
                            const std::filesystem::path& program, std::uint64_t unknowns);
 
-/// Reads what a run gave into a row; what cannot be read makes the row "failed" with the reason.
+/// Reads the result of a run into a row. @throws io::InputError if it cannot be read
 void read_element_result(const TradeStudy& study, const io::ProgramJobResult& result, TradeRow& row);
 
-/// The least limit pressure (Pa) that a run met, if any. Precondition: result.has_result()
+/// Returns the limit pressure (Pa) of least magnitude that a run met, if any. Precondition: result.has_result()
 std::optional<double> limit_pressure_Pa(const io::ProgramJobResult& result);
 
 }  // namespace menger::evolution

@@ -6,14 +6,14 @@
 namespace menger::evolution {
 namespace {
 
-/// The runs of one observable around the reference.
+/// The runs that differ from the reference in one property of the fidelity, for one observable.
 class Neighbours {
  public:
   Neighbours(const std::vector<ElementFidelity>& fidelities, const std::vector<TradeRow>& rows, std::size_t reference,
              std::size_t observable)
       : fidelities_(fidelities), rows_(rows), reference_(reference), finest_(fidelities[reference]), observable_(observable) {}
 
-  /// The relative error; none if nothing tells.
+  /// Returns the estimated relative error of the reference; none without other runs.
   [[nodiscard]] std::optional<double> error() const {
     if (!rows_[reference_].values[observable_] || value(reference_) == 0.0) return std::nullopt;
     std::optional<double> sum;
@@ -35,7 +35,7 @@ class Neighbours {
   [[nodiscard]] bool same_tolerance(const ElementFidelity& f) const { return f.force_tolerance == finest_.force_tolerance; }
   [[nodiscard]] bool same_but_mesh(const ElementFidelity& f) const { return same_bulk(f) && same_tolerance(f); }
 
-  /// The finest run that gave a value and to which `fits` applies.
+  /// Returns the finest run other than the reference that has a value and for which `fits` is true.
   template <class Fits>
   [[nodiscard]] std::optional<std::size_t> finest_run(const Fits& fits) const {
     for (std::size_t run = rows_.size(); run-- > 0;) {
@@ -56,7 +56,7 @@ class Neighbours {
     const auto coarsest = finest_run([&](const ElementFidelity& f) {
       return same_but_mesh(f) && f.degree == finest_.degree && 2 * f.elements_through_wall == through;
     });
-    double falls_by = 2.0;  // order one: what is left is as large as the last change
+    double falls_by = 2.0;  // order one: the remaining error is as large as the last change
     if (coarsest && 2 * through == finest_.elements_through_wall && difference(*coarser) > 0.0) {
       constexpr double largest_fall = 16.0;  // order four
       falls_by = std::clamp((value(*coarser) - value(*coarsest)) / (value(reference_) - value(*coarser)), 2.0, largest_fall);

@@ -10,21 +10,24 @@
 
 namespace menger::evolution {
 
-/// How far the finest run may be off, relative, by observable: the sum of
-/// - the mesh: from three meshes of the same degree, each twice as fine as the one before, by Richardson's extrapolation with the
-///   order that they show, between one and four; from two by their difference; without another mesh of this degree by the
-///   difference to the next coarser of any;
-/// - compressibility: the error is taken as inverse to the bulk modulus, from the next smaller ratio;
-/// - the tolerance: the difference to the next larger one.
-/// Parts for which there is no second run count nothing; none where there is no second run at all.
-/// @param fidelities of element_fidelities @param rows of the same runs @param reference among them, completed
+/// Estimates the relative error of the reference, the finest run, for each observable. It is the sum of three parts:
+/// - Mesh: from three meshes of the same degree, each twice as fine as the previous one, by Richardson's extrapolation with the
+///   observed order, limited to between one and four. From two meshes of this degree, their difference. Without another mesh of
+///   this degree, the difference from the next coarser mesh of any degree.
+/// - Compressibility: from the run with the next smaller bulk ratio, if the error is inversely proportional to the bulk modulus.
+/// - Tolerance: the difference from the run with the next larger tolerance.
+///
+/// A part without a second run counts as zero. Without any second run there is no estimate.
+/// @param fidelities from element_fidelities
+/// @param rows of the same runs
+/// @param reference position of the reference among them; it has completed
 std::vector<std::optional<double>> element_reference_errors(const std::vector<ElementFidelity>& fidelities,
                                                             const std::vector<TradeRow>& rows, std::size_t reference);
 
-/// How far the finest voxel run may be off, relative, by its one value: the error is taken as proportional to the time step, from
-/// the run with the next larger step and all else equal; none without such a run. Motion that depends on the step erratically
-/// may be further off.
-/// @param fidelities of the rows
+/// Estimates the relative error of the one value of the reference, the finest voxel run. The estimate assumes an error
+/// proportional to the time step, and uses the run with the next larger time step and otherwise the same fidelity. None without
+/// such a run. If the motion depends on the time step irregularly, the true error may be larger.
+/// @param fidelities those of the rows
 std::optional<double> gait_reference_error(const std::vector<VoxelFidelity>& fidelities, const std::vector<TradeRow>& rows,
                                            std::size_t reference);
 

@@ -29,7 +29,7 @@ std::vector<std::string> observable_columns(const TradeStudy& study) {
   return columns;
 }
 
-/// The last row with all values.
+/// Returns the last row that has all values.
 std::optional<std::size_t> finest_completed(const std::vector<TradeRow>& rows) {
   for (std::size_t n = rows.size(); n-- > 0;) {
     if (std::ranges::all_of(rows[n].values, [](const auto& value) { return value.has_value(); })) return n;
@@ -37,8 +37,9 @@ std::optional<std::size_t> finest_completed(const std::vector<TradeRow>& rows) {
   return std::nullopt;
 }
 
-/// @throws io::InputError with the first message if programs refused the input of all rows that were run: then it is the study's,
-/// not that of a fidelity
+/// Checks that at least one of the rows that were run was accepted.
+/// @throws io::InputError with the first message if programs refused the input of all of them: then the study is wrong, not a
+/// fidelity
 void require_accepted(const std::vector<TradeRow>& rows) {
   const TradeRow* refused = nullptr;
   for (const TradeRow& row : rows) {
@@ -54,7 +55,7 @@ void draw(const io::Chart& chart, const fs::path& file, TradeResult& result) {
   if (!outcome.written) result.notes.push_back(file.filename().string() + ": not drawn: " + outcome.missing);
 }
 
-/// What tables have in common.
+/// The chart, text and TOML that the tables share.
 struct Sections {
   io::Chart chart{};
   std::string text{};
@@ -67,8 +68,8 @@ struct Sections {
   }
 };
 
-/// Writes tables, recommendations and pictures into a folder, each whole or not at all; a picture that could not be drawn becomes
-/// a note of the result.
+/// Writes tables, recommendations and pictures into a folder, each file whole or not at all. Adds a note to the result for each
+/// picture that could not be drawn.
 void write_trade(const TradeStudy& study, const fs::path& folder, bool pictures, TradeResult& result) {
   Sections sections;
   if (result.body) {
@@ -78,7 +79,7 @@ void write_trade(const TradeStudy& study, const fs::path& folder, bool pictures,
   }
   if (result.gait) {
     trade_csv(*result.gait).write(folder / "gait.csv");
-    sections.add(*result.gait, study.design.name + " walking, voxels alone", study.targets, "gait_recommendation");
+    sections.add(*result.gait, study.design.name + " walking (voxels only)", study.targets, "gait_recommendation");
   }
   if (result.body || result.gait) {
     io::write_whole(folder / "recommendation.txt", sections.text);
@@ -125,7 +126,7 @@ class Trade {
     if (study_.search) (void)runner_.program("menger-export");
   }
 
-  /// Counts unknowns; meshes only what may be below the limit.
+  /// Counts the unknowns of each fidelity. Meshes only those that may be below the limit.
   void plan_elements() {
     if (!study_.elements || study_.only_search) return;
     fidelities_ = element_fidelities(*study_.elements);
@@ -137,7 +138,7 @@ class Trade {
         body_rows_.back().unknowns = static_cast<std::uint64_t>(unknowns);
         continue;
       }
-      body_rows_.back().reason = io::number_text(std::floor(unknowns)) + " unknowns or more, largest_unknowns is " +
+      body_rows_.back().reason = io::number_text(std::floor(unknowns)) + " unknowns or more, but largest_unknowns is " +
                                  io::number_text(study_.elements->largest_unknowns);
     }
     if (std::ranges::none_of(body_rows_, [](const TradeRow& row) { return row.unknowns.has_value(); })) {
@@ -147,7 +148,7 @@ class Trade {
     }
   }
 
-  /// Unknowns of a mesh, or a bound from a coarser one if that is above the limit already.
+  /// Returns the number of unknowns of a mesh, or a lower bound from a coarser mesh if that bound is above the limit already.
   double least_unknowns(const ElementFidelity& fidelity) {
     const std::pair mesh(fidelity.degree, fidelity.elements_through_wall);
     if (const auto known = unknowns_.find(mesh); known != unknowns_.end()) return known->second;
@@ -155,7 +156,7 @@ class Trade {
     for (const auto& [coarser, unknowns] : unknowns_) {
       if (coarser.first > mesh.first || coarser.second > mesh.second) continue;
       const double finer_by = static_cast<double>(mesh.second) / coarser.second;
-      least = std::max(least, unknowns * finer_by * finer_by);  // walls are divided along two directions at least
+      least = std::max(least, unknowns * finer_by * finer_by);  // a finer mesh divides walls along at least two directions
     }
     const bool is_too_fine = least > study_.elements->largest_unknowns;
     const double count = is_too_fine ? least : static_cast<double>(count_elements(study_, mesh.first, mesh.second).unknowns);
@@ -167,7 +168,8 @@ class Trade {
     return element_job(study_, fidelities_[n], pressure_Pa, runner_.program("menger-inflate"), *body_rows_[n].unknowns);
   }
 
-  /// The stated pressure, or a usual one that the coarsest elements reach.
+  /// Sets the pressure: the stated one, or else the usual one; if the coarsest elements meet a limit before, a part of that
+  /// limit.
   void choose_pressure() {
     result_.pressure_Pa = study_.pressure_Pa.value_or(usual_pressure_Pa);
     if (study_.pressure_Pa || body_rows_.empty()) return;
@@ -180,7 +182,7 @@ class Trade {
     if (!limit_Pa || *limit_Pa > usual_pressure_Pa) return;
     result_.pressure_Pa = part_of_limit * *limit_Pa;
     result_.notes.push_back("pressure: " + io::number_text(result_.pressure_Pa) +
-                            " Pa, 0.8 of the limit that the coarsest elements meet");
+                            " Pa, 0.8 of the limit pressure with the coarsest elements");
   }
 
   void plan_voxels() {
@@ -228,7 +230,7 @@ class Trade {
     if (runner_.is_stopped()) return;
     require_accepted(table.rows);
     if (reference) {
-      judge(table, *reference, errors);
+      compare_with_reference(table, *reference, errors);
     } else {
       result_.status = io::RunStatus::not_converged;
       result_.notes.emplace_back("no run of finite elements reached the pressure: there is no reference");
@@ -261,7 +263,7 @@ class Trade {
     require_accepted(table.rows);
     if (const auto reference = finest_completed(table.rows)) {
       const auto error = gait_reference_error(gait_, table.rows, *reference);
-      judge(table, *reference, {error});
+      compare_with_reference(table, *reference, {error});
     } else {
       result_.status = io::RunStatus::not_converged;
       result_.notes.emplace_back("no run of the gait completed: there is no reference");

@@ -26,7 +26,7 @@ std::optional<io::ProgramJobResult> TradeRunner::run(const io::ProgramJob& job) 
     if (options_.progress) options_.progress(done_s_ + part, total_s_, job.name);
   };
   tell(0.0);
-  // A run that takes longer than it was estimated to is almost done for ever.
+  // A run that takes longer than estimated stays at 95 %.
   const auto waiting = [&](double seconds) { tell(std::min(seconds, 0.95 * job.estimated_s)); };
   io::ProgramJobResult result = io::run_job(job, {.runs = runs_, .stop = options_.stop, .waiting = waiting});
   is_stopped_ = result.is_stopped();

@@ -13,9 +13,9 @@
 
 namespace menger::evolution {
 
-/// How a trade is run, never what comes out of it, apart from the times.
+/// Options that decide how a trade-off study is run. Apart from the times they do not change its results.
 struct TradeOptions {
-  std::filesystem::path programs;  ///< folder of menger-inflate and the others
+  std::filesystem::path programs;  ///< folder of menger-inflate and the other programs
   const std::atomic<bool>* stop = nullptr;
   bool pictures = true;
 
@@ -23,35 +23,37 @@ struct TradeOptions {
   std::function<void(double done, double total, const std::string& name)> progress{};
 };
 
-/// What a program says of its run in `result/result.toml`; its status and its reason go into the row.
-/// @throws io::InputError if that cannot be read
+/// Reads the summary of a run, `result/result.toml`, and writes its status and reason into a row.
+/// @throws io::InputError if it cannot be read
 io::TomlTable read_summary(const io::ProgramJobResult& result, TradeRow& row);
 
-/// Runs jobs one after the other and keeps count of the work.
+/// Runs jobs one after the other and reports the progress.
 class TradeRunner {
  public:
   /// @param runs folder with a folder per job
   TradeRunner(std::filesystem::path runs, TradeOptions options);
 
-  /// A program of menger. @throws io::InputError if there is none
+  /// Returns the path of a program of menger. @throws io::InputError if there is none
   [[nodiscard]] std::filesystem::path program(const std::string& name) const;
 
-  /// Adds work to come, in estimated seconds.
+  /// Adds future work to the total, in estimated seconds.
   void expect(double seconds) { total_s_ += seconds; }
 
-  /// Runs a job that was expected; none if the user stopped it or an earlier one. A program that refuses its input is a result
-  /// like any other failure: one fidelity may be refused where others are not.
+  /// Runs a job that was announced by expect(). If the program refuses its input, the job has failed like any other: one fidelity
+  /// may be refused and others not.
+  /// @return none if the user stopped this job or an earlier one
   /// @throws io::InputError if the program cannot be started or the folder cannot be written
   std::optional<io::ProgramJobResult> run(const io::ProgramJob& job);
 
-  /// Runs a job and puts its costs, its status and by `read` its result into a row. A result that cannot be read makes the row
-  /// "failed" with the reason, as does a program that fails or refuses its input, with its message; a time that was up "stopped".
+  /// Runs a job and writes its cost and status into a row; `read` writes its result. The row becomes "failed", with the reason,
+  /// if the result cannot be read or the program fails or refuses its input. It becomes "stopped" if the job exceeded its time
+  /// limit or the user stopped it.
   /// @return the result, if it could be read
   std::optional<io::ProgramJobResult> fill(TradeRow& row, const io::ProgramJob& job,
                                            const std::function<void(const io::ProgramJobResult&, TradeRow&)>& read);
 
   [[nodiscard]] bool is_stopped() const { return is_stopped_; }
-  [[nodiscard]] std::size_t repeated() const { return repeated_; }  ///< runs made, not found
+  [[nodiscard]] std::size_t repeated() const { return repeated_; }  ///< number of runs made, not found from an earlier call
   [[nodiscard]] const std::filesystem::path& runs() const { return runs_; }
   [[nodiscard]] const TradeOptions& options() const { return options_; }
 

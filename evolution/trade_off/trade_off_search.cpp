@@ -41,7 +41,7 @@ class SearchTrader {
     for (SearchRow& row : trade.rows) {
       if (runner_.is_stopped()) break;
       search(row, each_s);
-      if (row.status == "completed") judge_champion(row, trade.finest);
+      if (row.status == "completed") evaluate_champion(row, trade.finest);
     }
     if (std::ranges::all_of(trade.rows, [](const SearchRow& row) { return row.is_refused; }))
       throw io::InputError("every search was refused; the first: " + trade.rows.front().reason);
@@ -49,7 +49,8 @@ class SearchTrader {
   }
 
  private:
-  /// Of a search, so that a longer one goes on from a shorter one.
+  /// Returns the folder of a search. It does not depend on the number of generations, so that a longer search continues a shorter
+  /// one.
   [[nodiscard]] fs::path folder_of(const io::ProgramJob& job) const {
     io::ProgramJob shared = job;
     shared.arguments.clear();
@@ -69,7 +70,7 @@ class SearchTrader {
     return job;
   }
 
-  /// Runs a job that must give a result. @return whether it did; the row says why not
+  /// Runs a job that must give a result. @return the result, or none: then the row has the reason
   std::optional<io::ProgramJobResult> run(const io::ProgramJob& job, SearchRow& row) {
     auto result = runner_.run(job);
     if (result && result->has_result()) return result;
@@ -79,14 +80,14 @@ class SearchTrader {
     return std::nullopt;
   }
 
-  /// Searches generation by generation until the budget is spent, in larger strides while it is far.
+  /// Searches until the budget is spent, in calls of several generations as long as the budget is large enough.
   void search(SearchRow& row, double estimated_s) {
     constexpr double careful_part = 0.8;
     io::ProgramJob job = search_job(row);
     int goal = 0;
     for (int call = 0;; ++call) {
       job.arguments = {"study.toml", "-o", archive_name, "-t", std::to_string(choice_.threads), "-g", std::to_string(goal)};
-      job.estimated_s = call == 1 ? estimated_s : 0.0;  // generation 0 only tells how long the stride may be
+      job.estimated_s = call == 1 ? estimated_s : 0.0;  // call 0 only shows the cost of a generation
       const auto result = run(job, row);
       if (!result) return;
       const fs::path archive = result->folder / archive_name;
@@ -123,19 +124,19 @@ class SearchTrader {
     row.status = "completed";
   }
 
-  void judge_champion(SearchRow& row, const VoxelFidelity& finest) {
+  void evaluate_champion(SearchRow& row, const VoxelFidelity& finest) {
     TradeStudy study = study_;
     try {
       study.design = meshes::read_design(folder_ / "champion/champion.toml");
       row.champion = study.design.body.digits();
       walk_champion(row, finest);
-    } catch (const io::InputError& error) {  // an export that is not what it should be
+    } catch (const io::InputError& error) {  // the export is damaged
       add_reason(row, error.what());
     }
     if (!row.champion.empty()) inflate_champion(std::move(study), pressure_Pa_, runner_, row);
   }
 
-  /// How far the champion walks by the surrogate that found it, and by the finest one.
+  /// Reads the displacement of the champion on its own surrogate, and computes that on the finest one.
   void walk_champion(SearchRow& row, const VoxelFidelity& finest) {
     const fs::path level = folder_ / "champion" / ("level_" + std::to_string(study_.level));
     row.own_body_lengths = walked(level / "result.toml");
@@ -161,7 +162,7 @@ class SearchTrader {
     row.reason += (row.reason.empty() ? "champion: " : "; champion: ") + reason;
   }
 
-  /// Body lengths of a completed run.
+  /// Returns the displacement of a run in body lengths, if the run completed.
   static std::optional<double> walked(const fs::path& result) {
     const io::TomlTable table = io::read_toml(result);
     return table.text("status") == "completed" ? table.optional_number("horizontal_displacement_body_lengths") : std::nullopt;
@@ -171,7 +172,7 @@ class SearchTrader {
   const SearchChoice& choice_;
   double pressure_Pa_;
   TradeRunner& runner_;
-  fs::path folder_;  ///< of the present search
+  fs::path folder_;  ///< folder of the present search
 };
 
 }  // namespace
@@ -186,14 +187,14 @@ void inflate_champion(TradeStudy study, double pressure_Pa, TradeRunner& runner,
     const std::uint64_t unknowns = count_elements(study, fidelity.degree, fidelity.elements_through_wall).unknowns;
     if (static_cast<double>(unknowns) > study.elements->largest_unknowns) {
       element.reason =
-          std::to_string(unknowns) + " unknowns, largest_unknowns is " + io::number_text(study.elements->largest_unknowns);
+          std::to_string(unknowns) + " unknowns, but largest_unknowns is " + io::number_text(study.elements->largest_unknowns);
     } else {
       const io::ProgramJob job = element_job(study, fidelity, pressure_Pa, runner.program("menger-inflate"), unknowns);
       runner.expect(job.estimated_s);
       runner.fill(element, job,
                   [&](const io::ProgramJobResult& result, TradeRow& read) { read_element_result(study, result, read); });
     }
-  } catch (const io::InputError& error) {  // a champion that cannot be cast
+  } catch (const io::InputError& error) {  // the champion cannot be cast
     element.status = "failed";
     element.reason = error.what();
   }

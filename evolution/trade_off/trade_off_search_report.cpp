@@ -1,4 +1,4 @@
-// What searches of equal cost tell, as table, text and picture.
+// Table, text and picture of the results of searches of equal cost.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,9 @@
 namespace menger::evolution {
 namespace {
 
-using Judgement = std::optional<double> SearchRow::*;
+using Score = std::optional<double> SearchRow::*;
 
-/// Champions of one fidelity as one judge sees them.
+/// The scores of the champions of one fidelity by one model.
 struct Sample {
   std::vector<double> values;
 
@@ -20,7 +20,7 @@ struct Sample {
     for (const double value : values) sum += value;
     return sum / static_cast<double>(values.size());
   }
-  /// Variance of the mean. Precondition: two values at least
+  /// Returns the variance of the mean. Precondition: at least two values
   [[nodiscard]] double variance_of_mean() const {
     double sum = 0.0;
     for (const double value : values) sum += (value - mean()) * (value - mean());
@@ -36,10 +36,10 @@ std::vector<VoxelFidelity> fidelities_of(const SearchTrade& trade) {
   return all;
 }
 
-Sample sample_of(const SearchTrade& trade, const VoxelFidelity& fidelity, Judgement judgement) {
+Sample sample_of(const SearchTrade& trade, const VoxelFidelity& fidelity, Score score) {
   Sample sample;
   for (const SearchRow& row : trade.rows) {
-    if (row.fidelity == fidelity && row.*judgement) sample.values.push_back(*(row.*judgement));
+    if (row.fidelity == fidelity && row.*score) sample.values.push_back(*(row.*score));
   }
   return sample;
 }
@@ -53,7 +53,7 @@ std::string sample_text(const Sample& sample) {
   return text + " (" + std::to_string(sample.values.size()) + " seeds)";
 }
 
-/// Whether two means differ, by Welch's test at 5 %.
+/// Describes whether two means differ, by Welch's test at 5 %.
 std::string comparison_text(const Sample& sample, const Sample& finest) {
   if (sample.values.size() < 2 || finest.values.size() < 2) return "too few champions to compare with the finest";
   const double a = sample.variance_of_mean();
@@ -65,23 +65,24 @@ std::string comparison_text(const Sample& sample, const Sample& finest) {
   const double least = materials::student_quantile_95(std::max(1, static_cast<int>(freedom))) * std::sqrt(a + b);
   const bool is_resolved = std::abs(difference) > least;
   const std::string start =
-      is_resolved ? "resolved: differs from the finest by " : "not resolved: the difference to the finest, ";
-  return start + io::shown(difference) + (is_resolved ? ", more than " : ", is less than ") + io::shown(least) +
-         " that the spread over seeds explains";
+      is_resolved ? "significant: differs from the finest by " : "not significant: differs from the finest by ";
+  return start + io::shown(difference) +
+         (is_resolved ? "; the spread over seeds explains only " : "; the spread over seeds explains up to ") + io::shown(least) +
+         " (Welch's test, 5 %)";
 }
 
-std::string judgement_text(const SearchTrade& trade, const std::string& title, Judgement judgement) {
+std::string score_text(const SearchTrade& trade, const std::string& title, Score score) {
   std::string text = title + "\n";
-  const Sample finest = sample_of(trade, trade.finest, judgement);
+  const Sample finest = sample_of(trade, trade.finest, score);
   for (const VoxelFidelity& fidelity : fidelities_of(trade)) {
-    const Sample sample = sample_of(trade, fidelity, judgement);
+    const Sample sample = sample_of(trade, fidelity, score);
     text += "  " + voxel_row(fidelity, std::nullopt).label + ": " + sample_text(sample);
     text += fidelity == trade.finest ? "; the finest\n" : "; " + comparison_text(sample, finest) + "\n";
   }
   return text;
 }
 
-/// A line for a search without a champion, or for one whose champion does not reach the pressure; else nothing.
+/// Returns a line for a search without a champion, or whose champion does not reach the pressure; otherwise an empty text.
 std::string failure_text(const SearchRow& row) {
   const bool has_champion = row.status == "completed";
   if (has_champion && row.element_status == "completed") return "";
@@ -91,16 +92,16 @@ std::string failure_text(const SearchRow& row) {
          "\n";
 }
 
-io::ChartPanel judgement_panel(const SearchTrade& trade, const std::string& title, Judgement judgement, double factor) {
+io::ChartPanel score_panel(const SearchTrade& trade, const std::string& title, Score score, double factor) {
   io::ChartPanel panel;
   panel.title = "champions of searches of equal cost";
   const std::vector<VoxelFidelity> all = fidelities_of(trade);
-  panel.x = {.title = "fidelity, by its number in search.txt", .lowest = 0.5, .highest = static_cast<double>(all.size()) + 0.5};
+  panel.x = {.title = "number of the fidelity (see search.txt)", .lowest = 0.5, .highest = static_cast<double>(all.size()) + 0.5};
   panel.y.title = title;
-  io::ChartSeries seeds{.name = "a seed", .marks = io::Marks::points};
+  io::ChartSeries seeds{.name = "one seed", .marks = io::Marks::points};
   io::ChartSeries means{.name = "mean", .marks = io::Marks::points, .colour = io::chart_ink};
   for (std::size_t n = 0; n < all.size(); ++n) {
-    const Sample sample = sample_of(trade, all[n], judgement);
+    const Sample sample = sample_of(trade, all[n], score);
     for (const double value : sample.values) {
       seeds.x.push_back(static_cast<double>(n + 1));
       seeds.y.push_back(factor * value);
@@ -138,8 +139,8 @@ std::string search_text(const SearchTrade& trade) {
   for (std::size_t n = 0; n < all.size(); ++n)
     text += "  " + std::to_string(n + 1) + ": " + voxel_row(all[n], std::nullopt).label + "\n";
   text +=
-      judgement_text(trade, "walked by the champions, by the finest surrogate (body lengths)", &SearchRow::finest_body_lengths);
-  text += judgement_text(trade, "growth of the champions along x, by finite elements (m)", &SearchRow::extent_change_x_m);
+      score_text(trade, "displacement of the champions on the finest surrogate (body lengths)", &SearchRow::finest_body_lengths);
+  text += score_text(trade, "growth of the champions along x, by finite elements (m)", &SearchRow::extent_change_x_m);
   const auto inflated = std::ranges::count(trade.rows, "completed", &SearchRow::element_status);
   text += std::to_string(found_count(trade)) + " of " + std::to_string(trade.rows.size()) + " searches found a champion; " +
           std::to_string(inflated) + " of these reach the pressure in finite elements\n";
@@ -150,8 +151,8 @@ std::string search_text(const SearchTrade& trade) {
 io::Chart search_chart(const SearchTrade& trade) {
   constexpr double mm_per_m = 1e3;
   return {
-      .panels = {judgement_panel(trade, "walked, by the finest surrogate (body lengths)", &SearchRow::finest_body_lengths, 1.0),
-                 judgement_panel(trade, "growth along x, by finite elements (mm)", &SearchRow::extent_change_x_m, mm_per_m)}};
+      .panels = {score_panel(trade, "displacement on the finest surrogate (body lengths)", &SearchRow::finest_body_lengths, 1.0),
+                 score_panel(trade, "growth along x, by finite elements (mm)", &SearchRow::extent_change_x_m, mm_per_m)}};
 }
 
 }  // namespace menger::evolution

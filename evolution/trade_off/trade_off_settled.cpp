@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using voxel::Vector3;
 
-/// @throws io::InputError unless the parameters of a file are those of the study's body
+/// Checks that the parameters of a file hold for the study's body. @throws io::InputError if not
 void require_subject(const TradeStudy& study, const voxel::SurrogateParameters& parameters, const fs::path& file) {
   const auto refuse = [&](const std::string& key, const std::string& value, const std::string& wanted) {
     throw io::InputError(file.string() + ": holds_for." + key + " = " + value + ": " + study.file.string() + " has " + wanted);
@@ -37,7 +37,7 @@ void require_subject(const TradeStudy& study, const voxel::SurrogateParameters& 
     if (value != wanted) refuse(key, io::toml_quoted(value), io::toml_quoted(wanted));
   };
   const auto require_length = [&](const std::string& key, double value, double wanted) {
-    constexpr double rounding = 1e-9;  // files may give a length in other digits
+    constexpr double rounding = 1e-9;  // files may write the same length with other digits
     if (!(std::abs(value - wanted) <= rounding * wanted)) refuse(key, io::number_text(value), io::number_text(wanted));
   };
   require_text("silicone", parameters.silicone, study.silicone_name);
@@ -58,7 +58,7 @@ voxel::StaticBody body_of(const TradeStudy& study, const fs::path& file) {
           {}};
 }
 
-/// The rotation that takes x, y, z to three directions.
+/// Returns the rotation that turns x, y, z into three directions.
 voxel::Quaternion<double> orientation_of(const std::array<Vector3<double>, 3>& axes) {
   Eigen::Matrix3d rotation;
   for (Eigen::Index column = 0; column < 3; ++column) {
@@ -69,23 +69,24 @@ voxel::Quaternion<double> orientation_of(const std::array<Vector3<double>, 3>& a
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
-constexpr double still = 1e-3;  ///< change of an observable over the last tenth of a run that settled, by its error_scales
+/// Largest change of an observable over the last tenth of a run that has settled, relative to its error_scales.
+constexpr double still = 1e-3;
 
 using Corners = std::array<Vector3<double>, 8>;
 
-/// The mean of four corners of a cube.
+/// Returns the mean of four corners of a cube.
 Vector3<double> face(const Corners& corners, const std::array<std::size_t, 4>& of) {
   return 0.25 * (corners.at(of[0]) + corners.at(of[1]) + corners.at(of[2]) + corners.at(of[3]));
 }
 
-/// From one face of a cube to the one opposite, of length one.
+/// Returns the direction from one point to another, of length one.
 Vector3<double> direction(const Vector3<double>& from, const Vector3<double>& to) {
   const Vector3<double> across = to - from;
   return 1.0 / std::sqrt(dot(across, across)) * across;
 }
 
-/// How a voxel is turned, by the box that is drawn for it. Where it is does not follow: the box reaches further on sides that
-/// bulge.
+/// Returns the directions of a voxel's axes from the box that is drawn for it. The box does not give the position of the voxel:
+/// it is larger on sides that bulge.
 /// @param corners in the order of VTK_HEXAHEDRON
 std::array<Vector3<double>, 3> directions(const Corners& corners) {
   return {direction(face(corners, {0, 3, 4, 7}), face(corners, {1, 2, 5, 6})),
@@ -93,7 +94,8 @@ std::array<Vector3<double>, 3> directions(const Corners& corners) {
           direction(face(corners, {0, 1, 2, 3}), face(corners, {4, 5, 6, 7}))};
 }
 
-/// What an observable is still doing, for people. @param before, value a tenth of the run apart, the later one last
+/// Describes for people how an observable is still changing. @param before, value its values before and after the last tenth of
+/// the run
 std::string moving_text(TradeObservable observable, double before, double value) {
   return "still moving: " + column_of(observable) + " changed from " + io::number_text(before) + " to " + io::number_text(value) +
          " in the last tenth of the time";
@@ -134,8 +136,8 @@ std::map<fs::path, SettledBody> settled_bodies(const TradeStudy& study) {
     const SettledBody& body = bodies.emplace(file, SettledBody(study, file)).first->second;
     const auto [other, is_new] = files.emplace(body.voxels_per_cell(), file);
     if (is_new) continue;
-    throw io::InputError(file.string() + ": holds_for.voxels_per_cell = " + std::to_string(body.voxels_per_cell()) + ": so has " +
-                         other->second.string() + ", settling.parameters takes one file for each");
+    throw io::InputError(file.string() + ": holds_for.voxels_per_cell = " + std::to_string(body.voxels_per_cell()) + ": as in " +
+                         other->second.string() + "; settling.parameters may have one file per number of voxels per cell");
   }
   return bodies;
 }
@@ -149,14 +151,14 @@ SettledBody::Voxels frame_voxels(const fs::path& file) {
   vtkUnstructuredGrid& grid = *reader->GetOutput();
   vtkDataArray* centres = grid.GetCellData()->GetArray("centre_m");
   if (centres == nullptr || centres->GetNumberOfComponents() != 3)
-    throw io::InputError(file.string() + ": centre_m is missing: no frame of menger simulate");
+    throw io::InputError(file.string() + ": is not a frame of menger simulate: centre_m is missing");
   SettledBody::Voxels voxels;
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
     grid.GetCellPoints(cell, ids);
     Corners corners{};
     if (ids->GetNumberOfIds() != static_cast<vtkIdType>(corners.size()))
-      throw io::InputError(file.string() + ": cell " + std::to_string(cell) + " is no cube");
+      throw io::InputError(file.string() + ": cell " + std::to_string(cell) + " is not a cube");
     for (std::size_t corner = 0; corner < corners.size(); ++corner) {
       std::array<double, 3> point{};
       grid.GetPoint(ids->GetId(static_cast<vtkIdType>(corner)), point.data());
@@ -179,7 +181,8 @@ void read_settling_result(const TradeStudy& study, const SettledBody& body, doub
   const SettledBody::Voxels before = frame_voxels(frames[frames.size() - 2]);
   const SettledBody::Voxels settled = frame_voxels(frames.back());
   for (const auto* voxels : {&before, &settled}) {
-    if (voxels->size() != body.voxel_count()) throw io::InputError(result.folder.string() + ": frames of another body");
+    if (voxels->size() != body.voxel_count())
+      throw io::InputError(result.folder.string() + ": the frames have another number of voxels than the body");
   }
   std::vector<std::string> columns;
   for (std::size_t n = 0; n < study.observables.size(); ++n) {

@@ -14,32 +14,33 @@
 
 namespace menger::evolution {
 
-/// A voxel as a frame of `menger simulate` shows it.
+/// Position and orientation of a voxel in a frame of `menger simulate`.
 struct OrientedVoxel {
   voxel::Vector3<double> middle;               ///< m
   std::array<voxel::Vector3<double>, 3> axes;  ///< directions of its own x, y, z, of length one
 };
 
-/// A calibrated body under a pressure, as frames of `menger simulate` show it, observed like one of finite elements.
+/// Computes the observables of a calibrated body under pressure from frames of `menger simulate`, as finite elements have them.
 ///
-/// Frames hold the middles of voxels and how they are turned. Where the walls lie follows from the parameters, see
+/// Frames have the centres and orientations of voxels. The positions of the walls follow from the parameters, see
 /// voxel::BodyShape.
 class SettledBody {
  public:
   using Voxels = std::vector<OrientedVoxel>;  ///< in grid order
 
   /// @param parameters a file of voxel parameters
-  /// @throws io::InputError with file, key and value for what is none, or holds for another silicone, law, cell edge or wall
-  /// thickness than the study's
+  /// @throws io::InputError with file, key and value if it is not such a file, or holds for another silicone, law, cell edge or
+  /// wall thickness than those of the study
   SettledBody(const TradeStudy& study, const std::filesystem::path& parameters);
 
   [[nodiscard]] int voxels_per_cell() const { return body_.parameters.voxels_per_cell; }
   [[nodiscard]] std::size_t voxel_count() const { return body_.voxel_count(); }
 
-  /// @throws io::InputError with the file of parameters if a wall has no size under a gauge pressure
+  /// Checks that every wall has a size under a gauge pressure. @throws io::InputError with the file of parameters if not
   void require_sizes(double pressure_Pa) const;
 
-  /// @param now as many voxels as the body has @param pressure_Pa gauge, of all chambers; see require_sizes
+  /// Returns the value of an observable. @param now as many voxels as the body has
+  /// @param pressure_Pa gauge pressure of all chambers; see require_sizes
   [[nodiscard]] double observed(TradeObservable observable, const Voxels& now, double pressure_Pa) const;
 
  private:
@@ -49,16 +50,18 @@ class SettledBody {
   voxel::StaticBody body_;
 };
 
-/// The body by each parameters file of the study's settling, if it has one.
-/// @throws io::InputError as the constructor does, and naming both files if two divide a cell into equally many voxels
+/// Returns one body for each parameters file of study.settling, by file; none if the study has no settling. Nothing is simulated
+/// here: the bodies measure the frames of the settling runs.
+/// @throws io::InputError as the constructor of SettledBody does, and with both files if two have the same number of voxels per
+/// cell
 std::map<std::filesystem::path, SettledBody> settled_bodies(const TradeStudy& study);
 
-/// The voxels of a frame: where their centres are (centre_m, see voxel::write_frame) and how their boxes are turned.
-/// @throws io::InputError if the file is none, with its name
+/// Reads the voxels of a frame: their centres (centre_m, see voxel::write_frame) and the orientations of their boxes.
+/// @throws io::InputError with the file if it is not such a frame
 SettledBody::Voxels frame_voxels(const std::filesystem::path& file);
 
-/// Reads what a settling run gave into a row; the reason names every observable that was still moving at the end, by more than a
-/// thousandth of its error_scales over the last tenth of the time.
+/// Reads the result of a settling run into a row. The reason has every observable that was still moving at the end: it changed by
+/// more than a thousandth of its error_scales over the last tenth of the time.
 /// @throws io::InputError if the result cannot be read
 void read_settling_result(const TradeStudy& study, const SettledBody& body, double pressure_Pa,
                           const io::ProgramJobResult& result, TradeRow& row);

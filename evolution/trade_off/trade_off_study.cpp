@@ -25,7 +25,7 @@ const io::Words<TradeObservable> observable_words{{"volume_change", TradeObserva
 
 void note_input(TradeStudy& study, const fs::path& file) { study.inputs[file.string()] = io::file_hash(file); }
 
-/// A scene or study and the voxel parameters that it names.
+/// Adds a scene or study, and the voxel parameters that it names, to the inputs.
 void note_variant(TradeStudy& study, const fs::path& file) {
   note_input(study, file);
   if (const auto parameters = TomlVariant(file).parameters()) note_input(study, *parameters);
@@ -37,7 +37,7 @@ const io::Words<std::string> chamber_words{{"single", "single"}, {"per-phase", "
 
 constexpr io::Count some{.fewest = 1};
 
-/// Demands that no value of a list is there twice: every combination is run.
+/// Checks that no value of a list is there twice: every combination is run.
 template <class Value>
 void require_different(const io::StudyVisitor& visitor, std::string_view key, const std::vector<Value>& values) {
   for (auto value = values.begin(); value != values.end(); ++value)
@@ -74,7 +74,8 @@ void describe_body(io::StudyVisitor& visitor, TradeStudy& study) {
   if (file) note_input(study, *file);
   visitor.number({"wall_thickness_m", "Thickness of every outer wall.", "", "/wall_thickness_m"}, study.wall_thickness_m,
                  io::positive());
-  visitor.word({"chambers", "Whether all cells of a module share one chamber, or those of each phase.", "", "/chambers"},
+  visitor.word({"chambers", "single: all cells of a module share one chamber; per-phase: the cells of each phase share one.", "",
+                "/chambers"},
                study.chambers, chamber_words);
   visitor.integer({"level", "Level of the fractal: 1 is the design itself, in 2 each cell is a copy of it.", "", "/level"},
                   study.level, io::within(1, 3));
@@ -84,20 +85,23 @@ void describe_elements(io::StudyVisitor& visitor, ElementChoice& choice) {
   describe_integers(visitor, {"degrees", "Q1/P0 or Q2/P1."}, choice.degrees, io::within(1, 2));
   describe_integers(visitor, {"elements_through_wall", "Elements through a wall."}, choice.elements_through_wall,
                     io::within(1, 64));
-  describe_numbers(visitor, {"bulk_ratios", "Bulk modulus by shear modulus at rest."}, choice.bulk_ratios, io::within(1.0, 1e6));
+  describe_numbers(visitor, {"bulk_ratios", "Bulk modulus divided by shear modulus, at rest."}, choice.bulk_ratios,
+                   io::within(1.0, 1e6));
   describe_numbers(visitor, {"force_tolerances", "Relative tolerances of Newton's method."}, choice.force_tolerances,
                    {.lowest = 0.0, .highest = 1e-2, .lowest_excluded = true});
-  visitor.number({"largest_unknowns", "Finer ones are named in the table and left out."}, choice.largest_unknowns,
-                 io::positive());
+  visitor.number({"largest_unknowns", "Fidelities with more unknowns are not run; the table lists them as skipped."},
+                 choice.largest_unknowns, io::positive());
   visitor.number({"time_limit_s", "Wall time of a run."}, choice.time_limit_s, io::positive());
 }
 
 void describe_voxels(io::StudyVisitor& visitor, VoxelChoice& choice) {
-  describe_words(visitor, {"numbers", "Numbers that are computed with."}, choice.numbers, number_words);
-  describe_words(visitor, {"dampings", "What damping is made of; increments not with float32."}, choice.dampings, damping_words);
-  describe_numbers(visitor, {"time_step_fractions", "Parts of the recommended time step."}, choice.time_step_fractions,
-                   io::within(1e-3, 1.5));
-  visitor.texts({"exclusion_depths", "Collisions: \"off\", or beyond so many voxels of the body, in quotes."},
+  describe_words(visitor, {"numbers", "Number types of the computation."}, choice.numbers, number_words);
+  describe_words(visitor, {"dampings", "Damping from increments or velocities; increments need float64."}, choice.dampings,
+                 damping_words);
+  describe_numbers(visitor, {"time_step_fractions", "Time steps as fractions of the recommended one."},
+                   choice.time_step_fractions, io::within(1e-3, 1.5));
+  visitor.texts({"exclusion_depths",
+                 "Collisions: \"off\", or in quotes an exclusion depth: voxels at most so many beams apart never collide."},
                 choice.exclusion_depths, some);
   for (std::size_t n = 0; n < choice.exclusion_depths.size(); ++n)
     visitor.check(is_depth(choice.exclusion_depths[n]), "exclusion_depths", "must be \"off\" or an integer >= 1 in quotes", {n});
@@ -115,30 +119,31 @@ void describe_settling(io::StudyVisitor& visitor, SettlingChoice& choice) {
   for (const std::string& name : names)
     choice.parameters.push_back(table == nullptr ? fs::path(name) : table->file().parent_path() / name);
   require_different(visitor, "parameters", choice.parameters);
-  visitor.number({"ramp_s", "The pressure grows for so long."}, choice.ramp_s, io::positive());
-  visitor.number({"settle_s", "The body comes to rest for so long."}, choice.settle_s, io::positive());
-  visitor.number({"global_damping", "Damping ratio; it changes the way to the equilibrium only."}, choice.global_damping,
-                 io::non_negative());
+  visitor.number({"ramp_s", "Duration of the pressure ramp."}, choice.ramp_s, io::positive());
+  visitor.number({"settle_s", "Time after the ramp in which the body settles."}, choice.settle_s, io::positive());
+  visitor.number({"global_damping", "Damping ratio; it changes the path to the equilibrium, not the equilibrium."},
+                 choice.global_damping, io::non_negative());
 }
 
 void describe_gait(io::StudyVisitor& visitor, GaitChoice& choice) {
-  visitor.optional_path({"scene", "A scene whose physics is used; the paper's, if left out.", "\"scene.toml\""}, choice.scene);
+  visitor.optional_path({"scene", "Scene file with the physics; default: the physics of the paper.", "\"scene.toml\""},
+                        choice.scene);
   visitor.number({"duration_s", "Simulated time."}, choice.duration_s, io::positive());
 }
 
 void describe_search(io::StudyVisitor& visitor, SearchChoice& choice) {
   visitor.path({"study", "A study of menger evolve.", "\"evolve.toml\""}, choice.study);
-  // one search tells nothing of the spread
+  // a single search shows no spread
   describe_integers(visitor, {"seeds", "Seeds of the searches of each fidelity."}, choice.seeds, io::within(0, 1e9),
                     {.fewest = 3});
-  visitor.number({"voxel_steps", "Budget of a search: steps by voxels, over all evaluations."}, choice.voxel_steps,
+  visitor.number({"voxel_steps", "Budget of a search in voxel-steps, over all evaluations."}, choice.voxel_steps,
                  io::at_least(1.0));
   visitor.integer({"largest_generations", "A search ends with this generation."}, choice.largest_generations, io::within(1, 1e6));
   visitor.integer({"threads", "Threads of a search; results do not depend on them."}, choice.threads, io::within(1, 1024));
   visitor.number({"time_limit_s", "Wall time of one call of a search."}, choice.time_limit_s, io::positive());
 }
 
-/// Demands on several tables at once.
+/// Checks requirements that involve several tables.
 void check_whole(const io::TomlTable& table, const TradeStudy& study) {
   const auto fault = [&](const std::string& reason) { return io::InputError(table.file().string() + ": " + reason); };
   if (!study.elements && !study.settling && !study.gait && !study.search)
@@ -180,13 +185,15 @@ std::size_t axis_of(TradeObservable observable) {
 void describe(io::StudyVisitor& visitor, TradeStudy& study) {
   visitor.check(visitor.source() == nullptr || !visitor.source()->is_text("design"), "design", "is called design.file now");
   visitor.table({"design", "The body and its walls."}, [&] { describe_body(visitor, study); });
-  visitor.text({"silicone", "The silicone: one of menger, or the file of one."}, study.silicone);
+  visitor.text({"silicone", "Name of a silicone of menger, or a silicone file."}, study.silicone);
   visitor.optional_number(
-      {"pressure_Pa", "In all chambers, not 0; if left out 6 kPa, or 0.8 of the limit if there is one before.", "3000"},
+      {"pressure_Pa",
+       "Pressure in all chambers, not 0; default: 6 kPa, or 0.8 of the limit pressure if there is a limit point before.", "3000"},
       study.pressure_Pa);
   visitor.check(study.pressure_Pa != 0.0, "pressure_Pa", "must not be 0: nothing would move");
-  describe_words(visitor, {"observables", "What is compared."}, study.observables, observable_words);
-  describe_numbers(visitor, {"target_relative_errors", "Errors to recommend fidelities for."}, study.targets, io::positive());
+  describe_words(visitor, {"observables", "Quantities that are compared."}, study.observables, observable_words);
+  describe_numbers(visitor, {"target_relative_errors", "Relative errors for which a fidelity is recommended."}, study.targets,
+                   io::positive());
   std::ranges::sort(study.targets, std::ranges::greater{});
   visitor.optional_table({"finite_elements", "Inflate the body by finite elements: every combination is run."}, study.elements,
                          [&](ElementChoice& choice) { describe_elements(visitor, choice); });

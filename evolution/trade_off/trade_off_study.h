@@ -13,28 +13,30 @@
 
 namespace menger::evolution {
 
-/// What is compared between the models, at the stated pressure in all chambers against rest, of a free body without weight.
+/// A quantity that is compared between the models: its change from rest to the stated pressure in all chambers, for a free body
+/// without weight.
 enum class TradeObservable {
-  volume_change,  ///< of all chambers together, by their volume at rest, minus 1
-  extent_x,  ///< growth of the distance between the mean positions of the end faces along x after the rotation of the body is
-             ///< taken out (meshes::extents_without_rotation), m
-  extent_y,  ///< along y
-  extent_z   ///< along z: how far the top rises from the bottom
+  volume_change,  ///< volume of all chambers together / their volume at rest - 1
+  /// Growth (m) of the distance between the mean positions of the end faces along x, without the rotation of the body
+  /// (meshes::extents_without_rotation).
+  extent_x,
+  extent_y,  ///< likewise along y
+  extent_z   ///< likewise along z: growth of the distance from bottom to top
 };
 std::string column_of(TradeObservable observable);  ///< "volume_change", "extent_change_x_m", ...
-std::size_t axis_of(TradeObservable observable);    ///< of an extent
+std::size_t axis_of(TradeObservable observable);    ///< axis of an extent: 0, 1 or 2. Precondition: not volume_change
 
 /// Finite-element fidelities: every combination is run.
 struct ElementChoice {
   std::vector<int> degrees{1, 2};  ///< Q1/P0, Q2/P1
   std::vector<int> elements_through_wall{1, 2, 4};
-  std::vector<double> bulk_ratios{50.0};       ///< bulk by shear modulus
+  std::vector<double> bulk_ratios{50.0};       ///< bulk modulus / shear modulus
   std::vector<double> force_tolerances{1e-7};  ///< of Newton's method, relative
-  double largest_unknowns = 200'000.0;         ///< finer ones are skipped
+  double largest_unknowns = 200'000.0;         ///< fidelities with more unknowns are skipped
   double time_limit_s = 600.0;                 ///< of a run
 };
 
-/// Fidelities of the voxel engine: every combination is run, but float32 with damping from increments, which cannot be.
+/// Fidelities of the voxel engine: every combination is run, except float32 with damping from increments, which does not exist.
 struct VoxelChoice {
   std::vector<std::string> numbers{"float64", "float32"};
   std::vector<std::string> dampings{"increments", "velocity"};
@@ -43,17 +45,17 @@ struct VoxelChoice {
   double time_limit_s = 600.0;
 };
 
-/// A body ramped to the pressure and settled, by parameters files.
+/// Runs in which the calibrated body is brought to the pressure by a ramp and settles, one per parameters file.
 struct SettlingChoice {
   std::vector<std::filesystem::path> parameters{};  ///< one per number of voxels per cell
   double ramp_s = 0.5;
   double settle_s = 1.0;        ///< after the ramp
-  double global_damping = 0.1;  ///< ratio; changes the way to the equilibrium only
+  double global_damping = 0.1;  ///< damping ratio; changes the path to the equilibrium only
 };
 
-/// A walk, by the voxel engine alone.
+/// Runs in which the body walks, on the voxel engine alone.
 struct GaitChoice {
-  std::optional<std::filesystem::path> scene{};  ///< whose physics is used; none: the engine's own, those of the paper
+  std::optional<std::filesystem::path> scene{};  ///< its physics is used; none: the default physics of the engine, from the paper
   double duration_s = 2.0;
 };
 
@@ -61,13 +63,13 @@ struct GaitChoice {
 struct SearchChoice {
   std::filesystem::path study{};  ///< of `menger evolve`
   std::vector<int> seeds{1, 2, 3};
-  double voxel_steps = 1e8;  ///< budget of a search: steps by voxels, over all evaluations
+  double voxel_steps = 1e8;  ///< budget of a search: steps times voxels, over all evaluations
   int largest_generations = 1000;
   int threads = 1;
   double time_limit_s = 3600.0;  ///< of one call of a search
 };
 
-/// All that decides what is traded.
+/// Everything that decides the results of a trade-off study.
 struct TradeStudy {
   std::filesystem::path file;
   meshes::Design design;
@@ -76,10 +78,10 @@ struct TradeStudy {
   int level = 1;
   std::string silicone = "dragon_skin_10";  ///< for people
   std::filesystem::path silicone_file;
-  std::string silicone_name;          ///< that the record gives itself
+  std::string silicone_name;          ///< from its record
   std::string law;                    ///< recommended by the record, on one line
   double shear_modulus_Pa = 0.0;      ///< of the recommended law, at rest
-  std::optional<double> pressure_Pa;  ///< none: 6 kPa, or 0.8 of the limit if there is one before
+  std::optional<double> pressure_Pa;  ///< none: 6 kPa, or 0.8 of the limit pressure if that is at most 6 kPa
   std::vector<TradeObservable> observables{TradeObservable::volume_change, TradeObservable::extent_x, TradeObservable::extent_y,
                                            TradeObservable::extent_z};
   std::vector<double> targets{0.2, 0.1, 0.05, 0.02, 0.01};  ///< relative errors to recommend for
@@ -88,20 +90,20 @@ struct TradeStudy {
   std::optional<SettlingChoice> settling;
   std::optional<GaitChoice> gait;
   std::optional<SearchChoice> search;
-  bool only_search = false;                   ///< elements then serve the champions alone
+  bool only_search = false;                   ///< finite elements are then used for champions only
   std::map<std::string, std::string> inputs;  ///< content hash of every file that was read
 };
 
-/// The keys of a study, for people: `menger tradeoff --keys`. What has no table is not run; `[voxels]` serves settling, gait and
-/// search.
+/// Describes the keys of a study, for people: `menger tradeoff --keys`. A part without a table is not run. `[voxels]` applies to
+/// settling, gait and search.
 void describe(io::StudyVisitor& visitor, TradeStudy& study);
 
-/// Reads a design file, for which everything else has its default (finite elements and a gait), or a study. Files that a scene or
-/// a study of searches names as its voxel parameters are inputs, too.
+/// Reads a study, or a design file: then everything else has its default (finite elements and a gait). If a scene or a study of
+/// searches names voxel parameters, their files are inputs too.
 /// @throws io::InputError with file, key and value; also if nothing is to be run
 TradeStudy read_trade_study(const std::filesystem::path& file);
 
-/// Everything that decides the results, as text for the manifest.
+/// Returns everything that decides the results, as text for the manifest.
 std::string resolved_text(const TradeStudy& study);
 
 }  // namespace menger::evolution

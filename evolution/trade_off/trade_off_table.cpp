@@ -13,11 +13,11 @@
 namespace menger::evolution {
 namespace {
 
-constexpr double smallest_share = 0.1;  ///< of the largest observable of a unit
+constexpr double smallest_share = 0.1;  ///< of the largest observable of a unit: the least scale of an error
 
 bool is_length(const std::string& observable) { return observable.ends_with("_m"); }
 
-/// The largest of the errors that count; none if one is missing or none counts.
+/// Returns the largest of the errors that count; none if one of these is missing or none counts.
 std::optional<double> largest_error(const std::vector<std::optional<double>>& errors, const std::vector<double>& scale) {
   std::optional<double> largest;
   for (std::size_t n = 0; n < scale.size(); ++n) {
@@ -28,7 +28,7 @@ std::optional<double> largest_error(const std::vector<std::optional<double>>& er
   return largest;
 }
 
-/// Rows with an error and a time, the fastest first; of equally fast ones the one with the smaller error.
+/// Returns the rows that have an error and a time, the fastest first; of equally fast ones the one with the smaller error first.
 std::vector<std::size_t> by_seconds(const TradeTable& table) {
   std::vector<std::size_t> order;
   for (std::size_t n = 0; n < table.rows.size(); ++n) {
@@ -38,7 +38,7 @@ std::vector<std::size_t> by_seconds(const TradeTable& table) {
   return order;
 }
 
-/// To what the error of a row with an error is known.
+/// Returns the error of a row, but at least the error of the reference. Precondition: the row has an error.
 double known_error(const TradeTable& table, std::size_t n) {
   return std::max(*table.rows[n].error, table.reference_error.value_or(0.0));
 }
@@ -52,7 +52,7 @@ std::string cost_text(const TradeRow& row) {
   return text;
 }
 
-/// The reason and what lies outside the range of validity.
+/// Returns the reason of a row and what was outside the range of validity.
 std::string reason_text(const TradeRow& row) {
   std::string text = row.reason;
   const char* before = text.empty() ? "outside the range of validity: " : "; outside the range of validity: ";
@@ -81,7 +81,7 @@ std::vector<double> error_scales(const std::vector<std::string>& observables, co
   return all;
 }
 
-void judge(TradeTable& table, std::size_t reference, std::vector<std::optional<double>> reference_errors) {
+void compare_with_reference(TradeTable& table, std::size_t reference, std::vector<std::optional<double>> reference_errors) {
   assert(reference < table.rows.size() && reference_errors.size() == table.observables.size());
   table.reference = reference;
   table.reference_errors = std::move(reference_errors);
@@ -114,7 +114,7 @@ std::vector<std::size_t> pareto_front(const TradeTable& table) {
 }
 
 std::vector<Recommendation> recommendations(const TradeTable& table, const std::vector<double>& targets) {
-  // All rows, not the front alone: a target may lie within a gain that is too small for the front.
+  // All rows count, not the front alone: a row may meet the target by a gain that is too small for the front.
   const std::vector<std::size_t> order = by_seconds(table);
   std::vector<Recommendation> found;
   for (const double target : targets) {
@@ -129,21 +129,22 @@ std::string recommendation_text(const TradeTable& table, const std::vector<doubl
   if (table.reference) {
     text += "reference: " + table.rows[*table.reference].label;
     text += table.reference_error ? ", itself within about " + percent(*table.reference_error) + "\n"
-                                  : "; nothing tells how far it is off itself\n";
+                                  : "; its own error is not known\n";
   }
   const bool has_errors = std::ranges::any_of(table.rows, [](const TradeRow& row) { return row.error.has_value(); });
-  if (!has_errors) return text + "no errors can be given: there is no reference that moved, or nothing beside it\n";
-  for (const Recommendation& answer : recommendations(table, targets)) {
-    text += "for " + percent(answer.target) + " ";
-    if (answer.row) {
-      const TradeRow& row = table.rows[*answer.row];
+  if (!has_errors) return text + "no errors can be given: there is no reference that moved, or no other run\n";
+  for (const Recommendation& response : recommendations(table, targets)) {
+    text += "for " + percent(response.target) + " ";
+    if (response.row) {
+      const TradeRow& row = table.rows[*response.row];
       text += "you need " + row.model + ", " + row.label + " (" + percent(*row.error) +
-              (answer.row == table.reference ? " by its own estimate" : " from the reference") + "), it costs " + cost_text(row);
+              (response.row == table.reference ? " by its own estimate" : " from the reference") + "), it costs " +
+              cost_text(row);
       if (row.is_outside()) text += ", outside the range of validity of its parameters";
-    } else if (table.reference_error && *table.reference_error > answer.target) {
-      text += "nothing is fine enough: the reference itself is known to " + percent(*table.reference_error) + " only";
+    } else if (table.reference_error && *table.reference_error > response.target) {
+      text += "no run is accurate enough: the reference itself is known to " + percent(*table.reference_error) + " only";
     } else {
-      text += "nothing that was run is good enough";
+      text += "no run is accurate enough";
     }
     text += "\n";
   }
@@ -152,15 +153,15 @@ std::string recommendation_text(const TradeTable& table, const std::vector<doubl
 
 std::string recommendation_toml(const TradeTable& table, const std::vector<double>& targets, const std::string& table_name) {
   std::string text;
-  for (const Recommendation& answer : recommendations(table, targets)) {
+  for (const Recommendation& response : recommendations(table, targets)) {
     const auto add = [&](const std::string& key, const std::string& value) {
       text.append(key).append(" = ").append(value).append("\n");
     };
     text.append(text.empty() ? "[[" : "\n[[").append(table_name).append("]]\n");
-    add("target_relative_error", io::number_text(answer.target));
-    add("found", answer.row ? "true" : "false");
-    if (!answer.row) continue;
-    const TradeRow& row = table.rows[*answer.row];
+    add("target_relative_error", io::number_text(response.target));
+    add("found", response.row ? "true" : "false");
+    if (!response.row) continue;
+    const TradeRow& row = table.rows[*response.row];
     add("model", io::toml_quoted(row.model));
     for (const auto& [column, value] : row.fidelity) add(column, io::toml_quoted(value));
     add("relative_error", io::number_text(*row.error));

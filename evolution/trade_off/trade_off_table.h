@@ -11,22 +11,23 @@
 
 namespace menger::evolution {
 
-/// One run at one fidelity: what it found and what it took.
+/// One run at one fidelity: its results and its cost.
 struct TradeRow {
   std::string model;                              ///< "finite elements" or "voxels"
   std::string label;                              ///< the fidelity for people
-  std::map<std::string, std::string> fidelity{};  ///< by column; columns of the other model are missing
-  std::vector<std::optional<double>> values{};    ///< by observable; none where the run did not get there
+  std::map<std::string, std::string> fidelity{};  ///< by column, without the columns of the other model
+  std::vector<std::optional<double>> values{};    ///< by observable; none if the run did not get so far
 
-  /// By observable: |value - reference| by the magnitude of the reference's value, but at least by a tenth of the largest one of
-  /// the same unit: what barely moves need not be known better than the rest. The reference's own are what judge() is told.
+  /// Relative errors by observable: |value - value of the reference|, divided by the scale of error_scales. So an observable that
+  /// barely changes need not be more exact than the others. Those of the reference itself are the estimates that reference() was
+  /// given, rescaled in the same way.
   std::vector<std::optional<double>> errors{};
-  std::optional<double> error{};  ///< the largest of them; none if one that the reference has is missing
+  std::optional<double> error{};  ///< the largest of the errors; none if one that counts is missing
 
   std::optional<double> seconds{};  ///< wall time
   std::optional<double> cpu_seconds{};
-  /// Largest resident memory of the process that ran (1e6 bytes), as the kernel counts it: code and libraries included, and never
-  /// less than this program had taken when it started the run.
+  /// Largest resident memory of the process that ran, in 1e6 bytes, as the kernel counts it: with code and libraries, and never
+  /// less than the memory of this program when it started the run.
   std::optional<double> peak_megabytes{};
   std::optional<std::uint64_t> unknowns{};
   std::optional<std::uint64_t> voxels{};
@@ -34,57 +35,61 @@ struct TradeRow {
 
   /// A word of io::RunStatus, "skipped" (never run) or "failed" (the program did not give a result).
   std::string status = "skipped";
-  std::string reason{};     ///< why it is not completed, or what to know of it
-  bool is_refused = false;  ///< failed because the program called its input wrong
+  std::string reason{};     ///< why it did not complete, or a remark on the result
+  bool is_refused = false;  ///< failed because the program refused its input
 
-  /// What of the run lay beyond what the voxel parameters were fitted on, a sentence each; none for what has no such parameters.
+  /// What was outside the range of validity of the voxel parameters, a sentence each. None for a run without such parameters.
   std::optional<std::vector<std::string>> outside_validity{};
 
   [[nodiscard]] bool is_outside() const { return outside_validity && !outside_validity->empty(); }
 };
 
-/// All fidelities of one question, in the order in which they were asked for.
+/// The runs of one comparison at all fidelities, in the order in which the study has them.
 struct TradeTable {
-  std::vector<std::string> observables;       ///< names with their units, unlike the names of fidelities
+  std::vector<std::string> observables;       ///< names with units, different from the names of fidelities
   std::vector<std::string> fidelity_columns;  ///< of both models
   std::vector<TradeRow> rows{};
   std::optional<std::size_t> reference{};  ///< the finest row that completed
 
-  /// By observable, relative as the errors of rows: how far the reference itself may be off; none where nothing tells.
+  /// Estimated errors of the reference itself by observable, relative in the same way as the errors of rows; none without an
+  /// estimate.
   std::vector<std::optional<double>> reference_errors{};
-  std::optional<double> reference_error{};  ///< the largest; none if an observable that counts has none
+  std::optional<double> reference_error{};  ///< the largest of these; none if an observable that counts has none
 };
 
-/// By observable: what changes and errors are relative to, the magnitude of its value, but at least a tenth of the largest one of
-/// the same unit (names that end with _m, and others); zero where there is none, or nothing of its unit moves.
+/// Returns, by observable, the scale of relative changes and errors: the magnitude of its value, but at least a tenth of the
+/// largest magnitude of the same unit (lengths have names that end with _m; all others share a unit). Zero if there is no value,
+/// or if all values of its unit are zero.
 std::vector<double> error_scales(const std::vector<std::string>& observables, const std::vector<std::optional<double>>& values);
 
-/// Sets the errors of all rows. An observable does not count where the reference has none, or nothing of its unit moves: there is
-/// nothing to be relative to.
+/// Sets the reference of a table and the errors of all rows. An observable does not count if its scale is zero: the reference has
+/// no value, or nothing of its unit moves.
+/// @param reference position of the reference among the rows
 /// @param reference_errors by observable, relative to the reference's value itself
-void judge(TradeTable& table, std::size_t reference, std::vector<std::optional<double>> reference_errors);
+void compare_with_reference(TradeTable& table, std::size_t reference, std::vector<std::optional<double>> reference_errors);
 
-/// The rows that no other row beats in both seconds and error, by ascending seconds; of equals the first. Errors below the
-/// reference's own count as that, since nothing tells them apart, and a gain of less than a hundredth of the error as none:
-/// another computer would find it otherwise.
+/// Returns the rows that no other row beats in both seconds and error, by ascending seconds; of equals the first. An error below
+/// the reference's own error counts as that error, because smaller ones cannot be told apart. A gain of less than a hundredth of
+/// the error does not count, because it may differ on another computer.
 std::vector<std::size_t> pareto_front(const TradeTable& table);
 
-/// Answer to "which is the cheapest that is good enough?".
+/// The fastest run that is accurate enough.
 struct Recommendation {
   double target = 0.0;             ///< relative error
   std::optional<std::size_t> row;  ///< the fastest whose error, as pareto_front counts it, is at most the target
 };
 std::vector<Recommendation> recommendations(const TradeTable& table, const std::vector<double>& targets);
 
-/// Recommendations for people, a line each: "for 5 % you need ..., it costs 1.2 s and 80 MB".
+/// Returns recommendations as text for people, a line each: "for 5 % you need ..., it costs 1.2 s and 80 MB".
 std::string recommendation_text(const TradeTable& table, const std::vector<double>& targets);
 
-/// The same as TOML: `[[recommendation]]` with target_relative_error, found, fidelity columns, relative_error, seconds,
-/// peak_memory_MB, outside_validity where it holds. @param table_name in place of `recommendation`
+/// Returns recommendations as TOML: `[[recommendation]]` with target_relative_error, found, model, fidelity columns,
+/// relative_error, reference_relative_error, seconds, peak_memory_MB, and outside_validity if it is true. @param table_name in
+/// place of `recommendation`
 std::string recommendation_toml(const TradeTable& table, const std::vector<double>& targets, const std::string& table_name);
 
-/// All rows: model, fidelity columns, observables, their relative errors, cost, whether the row is on the front, validity of
-/// calibrated voxels ("inside", "outside"; the reason says why), status, reason.
+/// Makes a table of all rows: model, fidelity columns, observables, their relative errors, cost, role (reference, on the front),
+/// validity of calibrated voxels ("inside" or "outside"; the reason says why), status, reason.
 io::CsvTable trade_csv(const TradeTable& table);
 
 }  // namespace menger::evolution

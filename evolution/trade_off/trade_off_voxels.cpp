@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double records_of_settling = 10.0;  ///< few, but enough to see whether it came to rest
-constexpr double usual_step_s = 5e-5;         ///< of the paper's physics at 1 cm and the whole recommended step
+constexpr double usual_step_s = 5e-5;         ///< recommended step of the paper's physics for cells of 1 cm
 constexpr double usual_voxel_steps_per_s = 1e7;
 
-/// A larger one looks at fewer pairs.
+/// Returns how coarse an exclusion depth is: a larger depth checks fewer pairs for collisions.
 double coarseness(const std::string& exclusion_depth) {
   return exclusion_depth == "off" ? std::numeric_limits<double>::infinity() : std::stod(exclusion_depth);
 }
@@ -74,7 +74,7 @@ TradeRow voxel_row(const VoxelFidelity& fidelity, std::optional<int> voxels_per_
   TradeRow row{.model = "voxels", .label = {}};
   row.label = fidelity.number + ", damping from " + (fidelity.damping == "velocity" ? "velocities" : "increments") +
               ", time step fraction " + io::number_text(fidelity.time_step_fraction) + ", collisions " +
-              (fidelity.exclusion_depth == "off" ? "off" : "beyond " + fidelity.exclusion_depth);
+              (fidelity.exclusion_depth == "off" ? "off" : "with exclusion depth " + fidelity.exclusion_depth);
   row.fidelity = {{"number", fidelity.number},
                   {"damping", fidelity.damping},
                   {"time_step_fraction", io::number_text(fidelity.time_step_fraction)},

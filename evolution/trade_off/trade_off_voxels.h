@@ -11,7 +11,7 @@
 
 namespace menger::evolution {
 
-/// How a body is computed by the voxel engine.
+/// The fidelity of a computation by the voxel engine.
 struct VoxelFidelity {
   std::string number = "float64";
   std::string damping = "increments";
@@ -22,31 +22,32 @@ struct VoxelFidelity {
   bool operator==(const VoxelFidelity&) const = default;
 };
 
-/// All combinations, from coarse to fine: by parameters in their order, then by collisions (off, then from the largest exclusion
-/// depth to the smallest), by time step from large to small, float32 before float64, and damping from velocities first where
-/// increments are asked for, too. float32 goes with damping from velocities only. The last is the finest.
-/// @param parameters empty: one body without any
+/// Returns all combinations, from coarse to fine; the last is the finest. They are sorted by parameters in their order, then by
+/// collisions (off, then from the largest exclusion depth to the smallest), then by time step from large to small, then float32
+/// before float64, then damping from velocities before damping from increments. float32 is combined with damping from velocities
+/// only.
+/// @param parameters if empty, there is one body without parameters
 std::vector<VoxelFidelity> voxel_fidelities(const VoxelChoice& choice, const std::vector<std::filesystem::path>& parameters);
 
-/// A row without a result yet. @param voxels_per_cell none for a body that is not calibrated
+/// Makes a row without a result yet. @param voxels_per_cell none for a body that is not calibrated
 TradeRow voxel_row(const VoxelFidelity& fidelity, std::optional<int> voxels_per_cell);
 
-/// The tables [collisions] and [integration] of a scene.
+/// Returns the tables [collisions] and [integration] of a scene.
 std::string integration_text(const VoxelFidelity& fidelity);
 
-/// A run of `menger simulate` in which the body is brought to the pressure and settles, without ground and weight.
+/// Makes a job for `menger simulate` in which the body is brought to the pressure and settles, without ground and weight.
 /// @param program menger-simulate
 io::ProgramJob settling_job(const TradeStudy& study, const VoxelFidelity& fidelity, double pressure_Pa,
                             const std::filesystem::path& program);
 
-/// A run of `menger simulate` in which the body walks, with the physics of the scene of the study or the engine's own.
+/// Makes a job for `menger simulate` in which the body walks, with the physics of the study's scene or the engine's default.
 io::ProgramJob gait_job(const TradeStudy& study, const VoxelFidelity& fidelity, const std::filesystem::path& program);
 
-/// Reads status, voxels, steps and what of a run lay outside the range of validity. @return whether it completed @throws
-/// io::InputError if the result cannot be read
+/// Reads status, voxels, steps and what was outside the range of validity into a row. @return whether the run completed
+/// @throws io::InputError if the result cannot be read
 bool read_voxel_summary(const io::ProgramJobResult& result, TradeRow& row);
 
-/// Distance (m) that the centre of mass walked, from end to end, as the one value of the row.
+/// Reads the horizontal displacement (m) of the centre of mass over the whole run, as the one value of a row.
 void read_gait_result(const io::ProgramJobResult& result, TradeRow& row);
 
 }  // namespace menger::evolution

@@ -37,12 +37,13 @@ struct Arguments {
 };
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
-  CLI::App app("Inflates the chambers of a silicone body: equilibrium states of finite elements along a path.", "menger-inflate");
+  CLI::App app("Inflates the chambers of a silicone body: computes equilibrium states along a path with finite elements.",
+               "menger-inflate");
   app.footer(
       "Example:\n  menger inflate fem/studies/cube.toml -o cube\n"
       "writes cube/curves.csv, fields.pvd (open it in ParaView), chamber.png, pv_curve.png, result.toml and manifest.json.\n"
-      "Ctrl-C keeps the steps done, and the same command goes on from there. In parallel: mpirun -n 2 menger-inflate ...\n"
-      "Exit codes: 0 completed, 2 wrong input, 3 the path ended early (result.toml says why), 130 interrupted.");
+      "Ctrl-C keeps finished steps. Run the same command again to resume. In parallel: mpirun -n 2 menger-inflate ...\n"
+      "Exit codes: 0 completed, 2 wrong input, 3 the path ended early (result.toml contains the reason), 130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     fem::InflationStudy study;
     describe(visitor, study);
@@ -50,15 +51,16 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_option("study", arguments.study, "study file (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--refine", arguments.refinements,
-                 "also run on this many finer meshes, each element split into eight, and compare")
+                 "also run on this many finer meshes and compare; each mesh splits every element into eight")
       ->check(CLI::Range(0, 4));
-  app.add_flag("--restart", arguments.restart, "begin anew instead of going on where an earlier run was stopped");
-  app.add_flag("--strict", arguments.strict, "refuse to use a material outside the range of its law instead of warning");
+  app.add_flag("--restart", arguments.restart, "start again from the beginning instead of resuming a stopped run");
+  app.add_flag("--strict", arguments.strict,
+               "stop with an error, instead of a warning, if a material is used outside the range of its law");
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
   return io::parse_arguments(app, argc, argv);
 }
 
-/// What is smaller than a nanometre is zero but for the tolerances of the solver.
+/// Returns a length in millimetres. Lengths below a nanometre are zero except for the tolerances of the solver.
 std::string millimetres(double length_m) {
   constexpr double noise_m = 1e-9;
   return io::shown(std::abs(length_m) < noise_m ? 0.0 : 1e3 * length_m);
@@ -68,7 +70,7 @@ void print(const fem::InflationResult& result, const std::filesystem::path& fold
   for (const std::string& note : result.notes) std::cout << "  " << note << '\n';
   std::cout << io::to_string(result.path.status) << ": " << result.path.points.size() << " states, " << result.elements
             << " elements, " << result.unknowns << " unknowns, " << io::duration_text(result.seconds);
-  if (result.points_taken_up > 0) std::cout << " (" << result.points_taken_up << " states of an earlier run taken up)";
+  if (result.resumed_points > 0) std::cout << " (" << result.resumed_points << " states resumed from an earlier run)";
   if (!result.path.reason.empty()) std::cout << "; " << result.path.reason;
   std::cout << '\n';
   for (const fem::LimitPoint& limit : result.path.limit_points) {
@@ -92,7 +94,7 @@ void print(const fem::InflationResult& result, const std::filesystem::path& fold
 }
 
 int code_of(io::RunStatus status) {
-  // without Ctrl-C a path is stopped by the range of a law
+  // without Ctrl-C, only the range of a law stops a path
   return status == io::RunStatus::stopped && !io::interrupted() ? io::exit_code::numerical : io::exit_code_of(status);
 }
 
@@ -129,7 +131,7 @@ int run(int argc, const char* const* argv, bool speaks) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // before the arguments are read: those for MPI are taken out of them
+  // made before the arguments are read: it removes those for MPI
   const menger::fem::ParallelSession session(argc, argv);
   return menger::fem::run_parallel_program("menger-inflate", [&](int rank, int) { return run(argc, argv, rank == 0); });
 }

@@ -36,30 +36,31 @@ struct Arguments {
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
   CLI::App app(
-      "Computes how hollow silicone bodies answer to load cases, by finite elements: the curves that `menger calibrate` fits.",
+      "Computes the responses of hollow silicone bodies to load cases, by finite elements: the curves that `menger calibrate` "
+      "fits.",
       "menger-load-cases");
   app.footer(
       "Example:\n  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml -o curves\n"
-      "writes NAME.csv, NAME.toml (where it comes from) and NAME.png for every case, and manifest.json.\n"
-      "Cases that are done are kept in curves/cache and not computed again, also after Ctrl-C or when the set has changed\n"
-      "elsewhere. Several processes may share a folder: give each its cases with --only.\n"
+      "writes NAME.csv, NAME.toml (its origin) and NAME.png for every case, and manifest.json.\n"
+      "Finished cases are kept in curves/cache and are not computed again, also after Ctrl-C or if other parts of the set\n"
+      "have changed. Several processes may share a folder: give each process its cases with --only.\n"
       "With --fields every case also gets curves/fields/NAME/fields.pvd (open it in ParaView), one step per row of its curve:\n"
       "`menger validate` then shows the worst body in both models side by side.\n"
-      "Exit codes: 0 all cases completed, 2 wrong input, 3 a case ended early (its .toml says why), 130 interrupted.");
+      "Exit codes: 0 all cases completed, 2 wrong input, 3 a case ended early (its .toml contains the reason), 130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     fem::LoadCaseStudy study;
     describe(visitor, study);
   });
   app.add_option("set", arguments.set, "set of load cases (TOML)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the set file)");
-  app.add_option("--only", arguments.only, "names of the cases to compute; the others are left alone")->delimiter(',');
+  app.add_option("--only", arguments.only, "names of the cases to compute; the other cases stay as they are")->delimiter(',');
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
   app.add_flag("--fields", arguments.fields,
-               "keep displacements and stresses of every state; cached cases that have none are computed again");
+               "keep displacements and stresses of every state; cached cases without them are computed again");
   return io::parse_arguments(app, argc, argv);
 }
 
-/// Leaves the cases that are named. @throws io::InputError for a name that is none
+/// Keeps only the named cases. @throws io::InputError for a name that no case has
 void keep_only(fem::LoadCaseStudy& study, const std::vector<std::string>& names) {
   if (names.empty()) return;
   for (const std::string& name : names) {
@@ -96,7 +97,7 @@ int exit_code_of(const std::vector<fem::CaseOutcome>& outcomes) {
 int run(int argc, const char* const* argv) {
   int rank_count = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
-  if (rank_count > 1) throw io::InputError("runs as one process: share the cases of a set with --only instead of mpirun");
+  if (rank_count > 1) throw io::InputError("runs as one process: do not use mpirun; share the cases of a set with --only");
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
   fem::LoadCaseStudy study = fem::read_load_case_study(arguments.set);

@@ -1,4 +1,4 @@
-// What menger-locomote becomes for studies of implicit dynamics.
+// The program that replaces menger-locomote for studies of implicit dynamics.
 #include <filesystem>
 
 #include "fem/implicit_locomotion/implicit_locomotion.h"
@@ -24,7 +24,8 @@ int main(int argc, char** argv) {
     try {
       return fem::locomotion_program(argc, argv, method);
     } catch (const io::InputError& error) {
-      // All processes have found it, or the first one alone, whose body is gone then, so that the others have ended.
+      // Either all processes have thrown this error, or only the first one. In the second case its body is destroyed, which ended
+      // the other processes.
       throw fem::AgreedInputError(error.what());
     }
   });

@@ -1,4 +1,4 @@
-// `menger locomote study.toml`. Studies of implicit dynamics go to a program of their own, whose libraries take long to load.
+// `menger locomote study.toml`. Studies of implicit dynamics run in a program of their own, whose libraries take long to load.
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace {
 
-/// By what Open MPI's mpirun leaves in the environment: this program does without MPI.
+/// Returns the number of processes, from the environment that Open MPI's mpirun sets: this program does not use MPI.
 int processes_started_together() {
   const char* count = std::getenv("OMPI_COMM_WORLD_SIZE");
   return count == nullptr ? 1 : std::max(1, std::atoi(count));

@@ -33,13 +33,14 @@ struct Arguments {
 };
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
-  CLI::App app("Natural frequencies and modes of an inflated silicone body, and its answer to harmonic chamber pressure.",
-               "menger-modes");
+  CLI::App app(
+      "Computes natural frequencies and modes of an inflated silicone body, and its response to harmonic chamber pressure.",
+      "menger-modes");
   app.footer(
       "Example:\n  menger modes fem/studies/cube.toml -o cube_modes\n"
       "reads a study of menger inflate and writes cube_modes/modes.csv (frequencies at the knots and stations of its path),\n"
       "modes/mode_01.vtu, ... (shapes, for ParaView), frequency_response.csv and .png, result.toml and manifest.json.\n"
-      "Exit codes: 0 completed, 2 wrong input, 3 no modes of some state (result.toml says why), 130 interrupted.");
+      "Exit codes: 0 completed, 2 wrong input, 3 some state has no modes (result.toml contains the reason), 130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     fem::InflationStudy study;
     describe(visitor, study);
@@ -50,11 +51,11 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       ->check(CLI::Range(-1e6, 1e6));
   app.add_option("--count", arguments.options.mode_count, "number of modes (default: 6)")->check(CLI::Range(1, 200));
   app.add_option("--loss-factor", arguments.options.loss_factor,
-                 "damping of the frequency response, part of the stiffness (default: 0)")
+                 "damping of the frequency response, as a fraction of the stiffness (default: 0)")
       ->check(CLI::Range(0.0, 10.0));
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG picture");
   const auto code = io::parse_arguments(app, argc, argv);
-  // a range does not refuse what compares with nothing
+  // the range check does not reject NaN
   if (std::isnan(arguments.options.loss_factor)) throw io::InputError("--loss-factor nan: must be a number");
   if (std::isnan(arguments.options.pressure_Pa.value_or(0.0))) throw io::InputError("--pressure nan: must be a number");
   return code;
@@ -76,7 +77,7 @@ void print(const fem::ModesResult& result, const std::filesystem::path& folder) 
 }
 
 int code_of(io::RunStatus status) {
-  // without Ctrl-C a path is stopped by the range of a law
+  // without Ctrl-C, only the range of a law stops a path
   return status == io::RunStatus::stopped && !io::interrupted() ? io::exit_code::numerical : io::exit_code_of(status);
 }
 
@@ -103,7 +104,7 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // before the arguments are read: those for MPI are taken out of them
+  // made before the arguments are read: it removes those for MPI
   const menger::fem::ParallelSession session(argc, argv);
   return io::run_program("menger-modes", [&] { return run(argc, argv); });
 }

@@ -35,15 +35,15 @@ struct Arguments {
 };
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
-  CLI::App app("Piston stroke and line resistance against the pressure that a soft body reaches.", "menger-stall-map");
+  CLI::App app("Computes which pressure a soft body reaches for each piston stroke and line resistance.", "menger-stall-map");
   app.footer(
       "Example:\n  menger stall-map paper/pneumatics/stall_map.toml -o stall_map\n"
       "moves a piston that pushes closed air through a line into plena whose volume follows their pressure (a curve of\n"
       "menger inflate), until each cycle is like the one before. Writes stall_map.csv (all points), isobars.csv (strokes that\n"
-      "reach a pressure), stall_map.png and manifest.json. Bodies have no inertia here; menger locomote has it.\n"
-      "With [travel] in the study a robot of calibrated voxels walks at some points of the map: travel.csv, and travel/ keeps\n"
-      "what is done.\n"
-      "Exit codes: 0 done (points beyond the curve say diverged), 2 wrong input, 130 interrupted.");
+      "reach a pressure), stall_map.png and manifest.json. Bodies have no inertia here; in menger locomote they have.\n"
+      "With [travel] in the study a robot of calibrated voxels walks at some points of the map: travel.csv. The folder\n"
+      "travel/ keeps finished walks.\n"
+      "Exit codes: 0 done (points beyond the curve have the status diverged), 2 wrong input, 130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     fem::StallMapStudy study;
     fem::describe(visitor, study);
@@ -63,7 +63,8 @@ void print(const fem::StallMapStudy& study, const fem::StallMap& map, double sec
             << " not settled after " << study.most_periods << " periods\n";
 }
 
-/// The walks that a study asks for. @return nothing if the user stopped them
+/// Computes the walks that a study asks for.
+/// @return empty if the user stopped them
 std::optional<std::vector<fem::StallTravel>> walk(const Arguments& arguments, const fem::StallMapStudy& study,
                                                   const fem::StallMap& map) {
   if (!study.walker) return std::vector<fem::StallTravel>{};
@@ -77,7 +78,8 @@ std::optional<std::vector<fem::StallTravel>> walk(const Arguments& arguments, co
                              .progress = [&](std::size_t done) { progress.update(static_cast<double>(done)); }});
 }
 
-/// @return whether the user let it finish
+/// Writes the results.
+/// @return whether the run finished without being stopped by the user
 bool write(const Arguments& arguments, const fem::StallMapStudy& study, const fem::StallMap& map) {
   fem::stall_map_table(study, map).write(arguments.folder / "stall_map.csv");
   if (map.status != io::RunStatus::completed) return false;
@@ -96,7 +98,7 @@ int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
   const fem::StallMapStudy study = fem::read_stall_map_study(arguments.study);
-  if (study.walker) static_cast<void>(io::program_in(arguments.programs, "menger-simulate"));  // before anything is written over
+  if (study.walker) static_cast<void>(io::program_in(arguments.programs, "menger-simulate"));  // before any file is overwritten
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
   io::require_writable_folder(arguments.folder);
   const io::RunFolder folder("menger-stall-map", arguments.folder);
@@ -109,7 +111,7 @@ int run(int argc, const char* const* argv) {
   const bool is_whole = write(arguments, study, map);
   folder.finish(io::described_text(study), study.inputs);
   print(study, map, folder.seconds());
-  if (!is_whole) std::cout << "Stopped; walks that are done are kept, the same command goes on from there.\n";
+  if (!is_whole) std::cout << "Stopped. Finished runs are kept. Run the same command again to resume.\n";
   std::cout << "results in " << arguments.folder.string() << '\n' << std::flush;
   return is_whole ? io::exit_code::done : io::exit_code::interrupted;
 }

@@ -10,11 +10,11 @@
 
 namespace menger::fem {
 
-/// Runs work on blocks of a range, on a number of threads. Blocks are the same for any number, so that sums per block, added in
-/// their order, do not depend on it.
+/// Runs work on the blocks of a range with several threads. The blocks are the same for any number of threads. Sums per block,
+/// added in the order of the blocks, therefore do not depend on that number.
 class BlockLoop {
  public:
-  /// @param threads up to 1: no thread is started
+  /// @param threads number of threads; up to 1: no thread is started
   explicit BlockLoop(int threads) {
     if (threads <= 1) return;
     // Without this, tbb would not start more threads than there are cores.
@@ -25,7 +25,7 @@ class BlockLoop {
 
   static std::size_t block_count(std::size_t size, std::size_t block) { return (size + block - 1) / block; }
 
-  /// Calls work(number of the block, begin, end) for every block.
+  /// Calls work(index of the block, begin, end) for every block of the range [0, size).
   template <class Work>
   void run(std::size_t size, std::size_t block, const Work& work) const {
     const std::size_t count = block_count(size, block);

@@ -15,10 +15,10 @@ namespace menger::fem {
 namespace {
 
 constexpr std::size_t most_bins = 64;  // along an axis
-constexpr double least_sine = 1e-3;    // of edges that are not parallel
+constexpr double least_sine = 1e-3;    // smallest sine of the angle between two edges that count as not parallel
 
-/// Bins of equal size for the lower corners of boxes, none of which is larger than a bin: boxes that meet are in the same bin or
-/// in bins beside each other.
+/// Sorts boxes by their lower corners into bins of equal size. No box is larger than a bin, so boxes that meet are in the same
+/// bin or in neighbouring bins.
 class BoxBins {
  public:
   explicit BoxBins(std::span<const Box> boxes) {
@@ -81,11 +81,12 @@ class BoxBins {
   std::vector<std::size_t> boxes_;    // bin by bin
 };
 
-/// An element where it is.
+/// An element at its present position.
 struct Hull {
   meshes::CornerPoints corners{};
-  std::array<Point, 6> normals{};     ///< of faces, any length
-  std::array<Point, 3> directions{};  ///< unit means of the edges along each axis of the element, 0 where they have none
+  std::array<Point, 6> normals{};  ///< of the faces, not normalised
+  std::array<Point, 3>
+      directions{};  ///< mean direction of the edges along each axis of the element, of length 1; 0 where they cancel
   double thickness = 0.0;
 };
 
@@ -130,14 +131,15 @@ Hull hull_of(const meshes::CornerPoints& corners) {
   return hull;
 }
 
-/// How far two hulls are in each other along a direction of some length; negative if they are apart.
+/// The overlap of two hulls along a direction of the given length; negative if they are apart.
 double depth_along(const Point& direction, double length, const Hull& a, const Hull& b) {
   const auto [low_a, high_a] = range_along(direction, a);
   const auto [low_b, high_b] = range_along(direction, b);
   return std::min(high_a - low_b, high_b - low_a) / length;
 }
 
-/// The depth of two hulls in each other; something at most the given one where it is not more than that.
+/// The depth by which two hulls overlap. Where it is not more than `enough_m`, the search stops early and the result is some
+/// number that is also not more than it.
 double depth_between(const Hull& a, const Hull& b, double enough_m) {
   double depth = std::numeric_limits<double>::infinity();
   const auto is_enough = [&](const Point& direction, double least_length) {
@@ -203,8 +205,9 @@ std::optional<BodyOverlap> BodyOverlapSearch::find(std::span<const double> displ
 std::string BodyOverlapSearch::text_of(const BodyOverlap& overlap) const {
   const auto place = [&](std::size_t n) { return meshes::millimetre_text(mesh_.points[mesh_.elements[overlap.elements[n]][0]]); };
   return "walls went through each other: " + std::to_string(overlap.pairs) + (overlap.pairs == 1 ? " pair" : " pairs") +
-         " of elements, the deepest, those that rest at " + place(0) + " and " + place(1) + ", by " +
-         io::formatted("%.3g", 1e3 * overlap.depth_m) + " mm or " + io::formatted("%.2g", overlap.share) + " of the thinner one";
+         " of elements; the largest overlap relative to the thickness is between those that rest at " + place(0) + " and " +
+         place(1) + ": " + io::formatted("%.3g", 1e3 * overlap.depth_m) + " mm or " + io::formatted("%.2g", overlap.share) +
+         " of the thickness of the thinner one";
 }
 
 }  // namespace menger::fem

@@ -24,7 +24,8 @@ std::array<double, 2> velocity_after_friction(const Friction& friction, const st
   double slower = std::max(speed - kinetic_change, 0.0);
   const double limit = friction.regularisation_speed_m_per_s;
   if (limit > 0.0) {
-    // Both branches may hold for a node that slid: friction that falls with the speed has two solutions. It keeps to its own.
+    // Friction that falls with the speed has two solutions, so both branches may be possible for a node that slid. It stays on
+    // its own.
     const bool slides_on = std::hypot(before[0], before[1]) > limit && slower > limit;
     const double creeping = speed / (1.0 + static_change / limit);
     if (!slides_on && creeping <= limit) slower = creeping;

@@ -6,12 +6,13 @@ namespace menger::fem {
 namespace {
 
 void describe(io::StudyVisitor& visitor, DirectionalFriction& friction) {
-  visitor.numbers({"forward", "Direction in the plane in which friction is as stated, of any length.", "[1, 0]"},
-                  friction.forward);
+  visitor.numbers(
+      {"forward", "Vector in the plane, of any length. Friction is as given for sliding in this direction.", "[1, 0]"},
+      friction.forward);
   visitor.check(std::hypot(friction.forward[0], friction.forward[1]) > 0.0, "forward", "must be two numbers that are not both 0");
-  visitor.number({"backward_factor", "Factor of the friction of sliding against that direction."}, friction.backward_factor,
+  visitor.number({"backward_factor", "Factor on the friction for sliding against forward."}, friction.backward_factor,
                  io::non_negative());
-  visitor.number({"sideways_factor", "Factor of the friction of sliding across it."}, friction.sideways_factor,
+  visitor.number({"sideways_factor", "Factor on the friction for sliding across forward."}, friction.sideways_factor,
                  io::non_negative());
 }
 
@@ -40,12 +41,15 @@ void describe(io::StudyVisitor& visitor, StudyGround& ground) {
                   .example = "1",
                   .earlier = "static_coefficient"},
                  friction.static_coefficient, io::at_least(friction.kinetic_coefficient));
-  visitor.optional_number({"height_m", "Height of the ground; that of the body's lowest point unless stated.", "0"},
+  visitor.optional_number({"height_m", "Height of the ground. If not given: the height of the body's lowest point.", "0"},
                           ground.height_m);
-  visitor.optional_number({"stiffness_Pa_per_m", "Pressure by depth; a fraction of that of an element unless stated.", "6e7"},
-                          ground.stiffness_Pa_per_m, io::positive());
-  visitor.number({"regularisation_speed_m_per_s", "Speed up to which friction grows; 0: points at rest stay at rest."},
-                 friction.regularisation_speed_m_per_s, io::non_negative());
+  visitor.optional_number(
+      {"stiffness_Pa_per_m", "Pressure of the ground divided by depth. If not given: a fraction of the stiffness of an element.",
+       "6e7"},
+      ground.stiffness_Pa_per_m, io::positive());
+  visitor.number(
+      {"regularisation_speed_m_per_s", "Friction grows with the speed up to this speed. 0: points at rest stay at rest."},
+      friction.regularisation_speed_m_per_s, io::non_negative());
   visitor.optional_table({"directional", "Friction that depends on the direction of sliding."}, friction.directional,
                          [&](DirectionalFriction& directional) { describe(visitor, directional); });
 }

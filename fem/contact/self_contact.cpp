@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t candidates_per_block = 32;
 constexpr std::size_t faces_per_block = 512;
-constexpr double no_way = 1e-12;        // of an edge: rounding of depths
-constexpr double nothing_paid = 1e-18;  // of the square of an edge
+constexpr double no_path = 1e-12;       // displacement relative to the shortest edge; stands for the rounding of depths
+constexpr double nothing_paid = 1e-18;  // relative to the square of the shortest edge
 
 std::vector<double> positions_of(const meshes::HexahedralMesh& mesh) {
   std::vector<double> positions;
@@ -72,7 +72,8 @@ void SelfContact::find_touches(std::span<const double> positions_m, const BlockL
 void SelfContact::search(std::span<const double> positions_m, const BlockLoop& loop) {
   points_ = surfaces_.points(positions_m);
   candidates_ = search_.near_pairs(points_, reach_m(), loop);
-  // From far away it is cheaper to look again when the nearest pair may have met than to follow all pairs at each step.
+  // While all pairs are far apart, a new search when the nearest pair may have met is cheaper than to follow all pairs at each
+  // step.
   is_near_ = candidates_.smallest_m < 0.5 * reach_m();
   allowance_ = is_near_ ? reach_m() : candidates_.smallest_m;
   travel_ = 0.0;
@@ -89,7 +90,7 @@ void SelfContact::follow_candidates() {
   followed_faces_.clear();
   followed_nodes_.clear();
   if (!is_near_) return;
-  // A nearest point on the rim of a face makes its neighbours count, too.
+  // If a nearest point lies on the rim of a face, the neighbours of the face count, too.
   for (const std::uint32_t face : candidates_.faces)
     for (const std::uint32_t node : surfaces_.face(face))
       followed_faces_.insert(followed_faces_.end(), surfaces_.faces_around(node).begin(), surfaces_.faces_around(node).end());
@@ -125,25 +126,31 @@ ContactMemory SelfContact::memory_behind(std::size_t node, std::size_t face, dou
   const auto face_number = static_cast<std::uint32_t>(face);
   if (past == nullptr) return {node_number, face_number, depth_m, depth_m, depth_m * depth_m};
   const ContactMemory* before = memory_of(past->memories, node);
-  double way = no_way * surfaces_.shortest_edge_m() + way_past_face_m(surfaces_, node, face, *past);
-  if (before != nullptr && before->face != face) way = std::max(way, way_past_face_m(surfaces_, node, before->face, *past));
-  ContactMemory memory = memory_after(before != nullptr ? *before : ContactMemory{}, depth_m, way);
+  double path_m = no_path * surfaces_.shortest_edge_m() + path_past_face_m(surfaces_, node, face, *past);
+  if (before != nullptr && before->face != face)
+    path_m = std::max(path_m, path_past_face_m(surfaces_, node, before->face, *past));
+  ContactMemory memory = memory_after(before != nullptr ? *before : ContactMemory{}, depth_m, path_m);
   memory.node = node_number;
   memory.face = face_number;
   return memory;
 }
 
 void SelfContact::add_friction(Found& found, const ContactPast& past) const {
-  const auto way_of = [&](std::size_t node) { return scaled(past.step_s, surfaces_.point(node, past.velocities_m_per_s)); };
+  const auto displacement_of = [&](std::size_t node) {
+    return scaled(past.step_s, surfaces_.point(node, past.velocities_m_per_s));
+  };
   const auto& face = surfaces_.face(found.memory.face);
   const PressedNode pressed{surfaces_.corners(found.memory.face, points_), found.touch.weights, found.touch.behind_m};
-  const std::array<Point, 4> ways{way_of(face[0]), way_of(face[1]), way_of(face[2]), way_of(face[3])};
-  found.touch.friction_N = friction_force_N(friction_, pressed, way_along_face_m(pressed, way_of(found.memory.node), ways),
-                                            face_turn_rad(pressed.corners, ways), found.touch.spring_N_per_m, found.memory);
+  const std::array<Point, 4> moved{displacement_of(face[0]), displacement_of(face[1]), displacement_of(face[2]),
+                                   displacement_of(face[3])};
+  found.touch.friction_N =
+      friction_force_N(friction_, pressed, path_along_face_m(pressed, displacement_of(found.memory.node), moved),
+                       face_turn_rad(pressed.corners, moved), found.touch.spring_N_per_m, found.memory);
   found.touch.face_friction_N = face_reactions_N(pressed, found.touch.friction_N);
 }
 
-/// Of nodes that are behind a face, and of those that were before or have something to their credit.
+/// Sets the memories of the nodes that are behind a face now, and of those that were before and whose springs may still hold some
+/// length (paid_m2).
 void SelfContact::set_memories(const ContactPast* past) {
   memories_.clear();
   auto found = found_.begin();
@@ -159,8 +166,8 @@ void SelfContact::set_memories(const ContactPast* past) {
     for (const ContactMemory& before : past->memories) {
       add_found_before(before.node);
       if (found != found_.end() && (*found)->memory.node == before.node) continue;
-      const double way = no_way * edge + way_past_face_m(surfaces_, before.node, before.face, *past);
-      ContactMemory memory = memory_after(before, 0.0, way);
+      const double path_m = no_path * edge + path_past_face_m(surfaces_, before.node, before.face, *past);
+      ContactMemory memory = memory_after(before, 0.0, path_m);
       memory.slip_m = {};
       memory.is_sliding = false;
       if (memory.paid_m2 > nothing_paid * edge * edge) memories_.push_back(memory);
@@ -211,8 +218,8 @@ double SelfContact::energy_J() const {
 }
 
 double SelfContact::stiffness_per_s2(std::span<const double> masses_kg) const {
-  // The springs of one touch are spring times g g^T with |g| = 1 at the node and the weights at the face: a row's blocks add up
-  // to 2 times its own |g|.
+  // The stiffness of one touch is spring times g g^T. |g| is 1 at the node and the weight at each corner of the face. The norms
+  // of a row's blocks add up to 2 times its own |g|.
   if (touches_.empty()) return 0.0;
   std::vector<double> rows(forces_.size() / 3, 0.0);
   for (const SelfTouch& touch : touches_) {

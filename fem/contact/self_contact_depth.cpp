@@ -10,18 +10,18 @@ namespace menger::fem {
 namespace {
 
 constexpr double largest_facing_cosine = -0.3;
-constexpr double largest_deep_cosine = -0.15;  // sides that are flush turn against each other by less
+constexpr double largest_deep_cosine = -0.15;  // normals of flush sides differ by less
 constexpr double largest_beside_sine = 0.1;
-constexpr double largest_shallow_depth = 0.4;  // of the largest depth
-constexpr double surely_nearer = 1.0 - 1e-6;   // faces that share their nearest point differ by rounding
+constexpr double largest_shallow_depth = 0.4;  // relative to the largest depth
+constexpr double surely_nearer = 1.0 - 1e-6;   // distances of faces that share their nearest point differ by rounding
 
-/// Faces that look at a node, and their nearest points.
+/// A face that faces the node, and its nearest point.
 struct Near {
   std::size_t face;
   NearestOnFace nearest;
 };
 
-/// Whether one of the faces around a node looks at a face.
+/// Whether one of the faces around a node faces the face with this normal.
 bool looks_at(const ContactSurfaces& surfaces, std::size_t node, const Point& normal, std::span<const Point> normals,
               double largest_cosine) {
   const auto around = surfaces.faces_around(node);
@@ -42,7 +42,7 @@ Point part_normal(const FaceCorners& corners, std::size_t part) {
 
 double angle_between(const Point& a, const Point& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 
-/// Normals of the two flat parts at a corner by their angles there.
+/// The sum of the normals of the two flat parts at a corner, weighted by their angles there.
 Point corner_normal(const FaceCorners& corners, std::size_t corner) {
   const std::size_t before = (corner + 3) % 4;
   const Point inward = difference(centre(corners), corners[corner]);
@@ -51,17 +51,17 @@ Point corner_normal(const FaceCorners& corners, std::size_t corner) {
   return sum(scaled(next_angle, part_normal(corners, corner)), scaled(before_angle, part_normal(corners, before)));
 }
 
-/// Where the nearest point of a face is, as another face sees it that shares it.
+/// The corner or edge that holds a nearest point, by nodes, so that all faces that share it can use it.
 struct SharedRim {
   std::uint32_t first;   // node
-  std::uint32_t second;  // the same: a corner
+  std::uint32_t second;  // equal to the first: a corner
 };
 
 std::size_t corner_of(const std::array<std::uint32_t, 4>& face, std::uint32_t node) {
   return static_cast<std::size_t>(std::find(face.begin(), face.end(), node) - face.begin());
 }
 
-/// The normal of a face at a rim that it has.
+/// The normal of a face at a corner or an edge of it.
 Point rim_normal(const ContactSurfaces& surfaces, std::size_t face, const SharedRim& rim, std::span<const Point> points) {
   const FaceCorners corners = surfaces.corners(face, points);
   const std::size_t first = corner_of(surfaces.face(face), rim.first);
@@ -70,7 +70,7 @@ Point rim_normal(const ContactSurfaces& surfaces, std::size_t face, const Shared
   return part_normal(corners, (first + 1) % 4 == second ? first : second);
 }
 
-/// Of a face alone, where its nearest point is not on its rim.
+/// The normal of a face at a nearest point that is not on its rim, so that no other face contributes.
 Point inner_normal(const FaceCorners& corners, const NearestOnFace& nearest) {
   const std::size_t part = nearest.part;
   if (nearest.shares[0] > 0.0 && nearest.shares[1] > 0.0) return part_normal(corners, part);
@@ -90,7 +90,7 @@ bool share_a_node(const std::array<std::uint32_t, 4>& face, const std::array<std
                      [&](std::uint32_t node) { return std::find(other.begin(), other.end(), node) != other.end(); });
 }
 
-/// Whether no face that has a node in common with this one is nearer: otherwise that one says on which side the node is.
+/// Whether no face that shares a node with this one is nearer. If one is, it decides on which side the node is.
 bool is_nearest_around(const ContactSurfaces& surfaces, const Near& near, const std::vector<Near>& all) {
   return std::none_of(all.begin(), all.end(), [&](const Near& other) {
     return other.nearest.distance_square_m2 < surely_nearer * near.nearest.distance_square_m2 &&
@@ -106,7 +106,7 @@ bool is_in_element_at(const ContactSurfaces& surfaces, std::size_t node, const N
                                      corners[static_cast<std::size_t>(near.nearest.rim[1])]);
 }
 
-bool is_behind_rim(const ContactSurfaces& surfaces, const Near& near, const std::vector<Near>& all, const Point& way,
+bool is_behind_rim(const ContactSurfaces& surfaces, const Near& near, const std::vector<Near>& all, const Point& offset,
                    std::span<const Point> points) {
   const auto& corners = surfaces.face(near.face);
   const SharedRim rim{corners[static_cast<std::size_t>(near.nearest.rim[0])],
@@ -118,22 +118,22 @@ bool is_behind_rim(const ContactSurfaces& surfaces, const Near& near, const std:
     const Point part = rim_normal(surfaces, other, rim, points);
     const auto found = std::find_if(all.begin(), all.end(), [&](const Near& n) { return n.face == other; });
     if (found == all.end()) {
-      if (dot(way, part) >= largest_beside_sine * norm(way) * norm(part)) return false;
+      if (dot(offset, part) >= largest_beside_sine * norm(offset) * norm(part)) return false;
     } else {
       if (found->nearest.distance_square_m2 < surely_nearer * near.nearest.distance_square_m2) return false;
       normal = sum(normal, part);
     }
   }
-  return dot(way, normal) < 0.0;
+  return dot(offset, normal) < 0.0;
 }
 
-bool is_behind(const ContactSurfaces& surfaces, const Near& near, const std::vector<Near>& all, const Point& way,
+bool is_behind(const ContactSurfaces& surfaces, const Near& near, const std::vector<Near>& all, const Point& offset,
                std::span<const Point> points) {
-  if (near.nearest.rim[0] >= 0) return is_behind_rim(surfaces, near, all, way, points);
-  return dot(way, inner_normal(surfaces.corners(near.face, points), near.nearest)) < 0.0;
+  if (near.nearest.rim[0] >= 0) return is_behind_rim(surfaces, near, all, offset, points);
+  return dot(offset, inner_normal(surfaces.corners(near.face, points), near.nearest)) < 0.0;
 }
 
-/// The faces that are less than a distance away and look at the node.
+/// Returns the faces that face the node and are less than a distance away.
 std::vector<Near> near_faces(const ContactSurfaces& surfaces, std::size_t node, std::span<const std::uint32_t> faces,
                              const SurfaceShape& shape, double distance_m, double largest_cosine) {
   const Point& point = shape.points[node];
@@ -149,7 +149,8 @@ std::vector<Near> near_faces(const ContactSurfaces& surfaces, std::size_t node, 
   return all;
 }
 
-/// The nearest of some faces behind which the node is, or of those around one of them.
+/// Returns the depth behind the nearest face that the node is behind. @param around only faces that share a node with this face
+/// count; nothing: all count
 std::optional<NodeDepth> depth_among(const ContactSurfaces& surfaces, std::size_t node, const std::vector<Near>& all,
                                      std::span<const Point> points, std::optional<std::size_t> around) {
   std::optional<NodeDepth> depth;
@@ -157,8 +158,8 @@ std::optional<NodeDepth> depth_among(const ContactSurfaces& surfaces, std::size_
     if (depth && near.nearest.distance_square_m2 >= depth->nearest.distance_square_m2) continue;
     if (around && !share_a_node(surfaces.face(near.face), surfaces.face(*around))) continue;
     if (!is_nearest_around(surfaces, near, all) || is_in_element_at(surfaces, node, near)) continue;
-    const Point way = difference(points[node], near.nearest.point);
-    if (is_behind(surfaces, near, all, way, points)) depth = NodeDepth{near.face, near.nearest, way};
+    const Point offset = difference(points[node], near.nearest.point);
+    if (is_behind(surfaces, near, all, offset, points)) depth = NodeDepth{near.face, near.nearest, offset};
   }
   return depth;
 }

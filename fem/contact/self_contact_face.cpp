@@ -6,8 +6,8 @@
 namespace menger::fem {
 namespace {
 
-/// The weights of a triangle's corners in its point nearest to p, exactly 0 for corners that do not carry it. By the region of
-/// the plane that p is in front of: a corner, an edge or the inside (Ericson, Real-Time Collision Detection, 2005).
+/// The weights of a triangle's corners at its point nearest to p; exactly 0 for corners that do not contribute. It depends on the
+/// region of the plane that p lies in front of: a corner, an edge or the inside (Ericson, Real-Time Collision Detection, 2005).
 std::array<double, 3> nearest_weights(const Point& a, const Point& b, const Point& c, const Point& p) {
   const Point ab = difference(b, a);
   const Point ac = difference(c, a);

@@ -13,10 +13,10 @@ std::array<Point, 4> from_centre(const FaceCorners& corners) {
   return arms;
 }
 
-/// The turn w with sum r x (w x r) = m over the corners' arms r: that of four points of mass 1 with the angular momentum m.
-/// Nothing turns where the corners lie on a line, about which they have no inertia.
+/// The rotation w with sum r x (w x r) = m over the corners' arms r: that of four points of mass 1 with the angular momentum m.
+/// It is zero where the corners lie on a line, because they have no inertia about it.
 Point turn_of(const std::array<Point, 4>& arms, const Point& moment) {
-  constexpr double smallest_inertia = 1e-9;  // of the determinant to the cube of the trace; 1/54 for a square
+  constexpr double smallest_inertia = 1e-9;  // ratio of the determinant to the cube of the trace; 1/54 for a square
   std::array<Point, 3> rows{};
   for (const Point& r : arms) {
     const double square = dot(r, r);
@@ -37,25 +37,26 @@ Point without_normal(const Point& vector, const Point& behind) {
 
 }  // namespace
 
-Point face_turn_rad(const FaceCorners& corners, const std::array<Point, 4>& corner_ways_m) {
+Point face_turn_rad(const FaceCorners& corners, const std::array<Point, 4>& corner_displacements_m) {
   const std::array<Point, 4> arms = from_centre(corners);
   Point momentum{};
-  for (std::size_t c = 0; c < 4; ++c) momentum = sum(momentum, cross(arms[c], corner_ways_m[c]));
+  for (std::size_t c = 0; c < 4; ++c) momentum = sum(momentum, cross(arms[c], corner_displacements_m[c]));
   return turn_of(arms, momentum);
 }
 
-Point way_along_face_m(const PressedNode& pressed, const Point& node_way_m, const std::array<Point, 4>& corner_ways_m) {
-  Point of_face = cross(face_turn_rad(pressed.corners, corner_ways_m), pressed.behind_m);
-  for (std::size_t c = 0; c < 4; ++c) of_face = sum(of_face, scaled(pressed.weights[c], corner_ways_m[c]));
-  return without_normal(difference(node_way_m, of_face), pressed.behind_m);
+Point path_along_face_m(const PressedNode& pressed, const Point& node_displacement_m,
+                        const std::array<Point, 4>& corner_displacements_m) {
+  Point of_face = cross(face_turn_rad(pressed.corners, corner_displacements_m), pressed.behind_m);
+  for (std::size_t c = 0; c < 4; ++c) of_face = sum(of_face, scaled(pressed.weights[c], corner_displacements_m[c]));
+  return without_normal(difference(node_displacement_m, of_face), pressed.behind_m);
 }
 
-Point friction_force_N(const SurfaceFriction& friction, const PressedNode& pressed, const Point& way_m, const Point& turn_rad,
+Point friction_force_N(const SurfaceFriction& friction, const PressedNode& pressed, const Point& path_m, const Point& turn_rad,
                        double spring_N_per_m, ContactMemory& memory) {
   const double length = norm(memory.slip_m);
   Point slip = without_normal(sum(memory.slip_m, cross(turn_rad, memory.slip_m)), pressed.behind_m);
   if (const double turned = norm(slip); turned > 0.0) slip = scaled(length / turned, slip);
-  slip = sum(slip, way_m);
+  slip = sum(slip, path_m);
   const double wanted = norm(slip);
   const double coefficient = memory.is_sliding ? friction.kinetic_coefficient : friction.static_coefficient;
   memory.is_sliding = wanted > coefficient * memory.pressed_m;

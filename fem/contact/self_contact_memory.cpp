@@ -11,19 +11,20 @@ const ContactMemory* memory_of(std::span<const ContactMemory> memories, std::siz
   return found != memories.end() && found->node == node ? &*found : nullptr;
 }
 
-double way_past_face_m(const ContactSurfaces& surfaces, std::size_t node, std::size_t face, const ContactPast& past) {
-  const auto way_of = [&](std::size_t of) { return scaled(past.step_s, surfaces.point(of, past.velocities_m_per_s)); };
-  const Point way = way_of(node);
+double path_past_face_m(const ContactSurfaces& surfaces, std::size_t node, std::size_t face, const ContactPast& past) {
+  const auto displacement_of = [&](std::size_t of) { return scaled(past.step_s, surfaces.point(of, past.velocities_m_per_s)); };
+  const Point moved = displacement_of(node);
   double longest = 0.0;
-  for (const std::uint32_t corner : surfaces.face(face)) longest = std::max(longest, norm(difference(way, way_of(corner))));
+  for (const std::uint32_t corner : surfaces.face(face))
+    longest = std::max(longest, norm(difference(moved, displacement_of(corner))));
   return longest;
 }
 
-ContactMemory memory_after(const ContactMemory& before, double depth_m, double way_m) {
+ContactMemory memory_after(const ContactMemory& before, double depth_m, double path_m) {
   ContactMemory after = before;
   after.depth_m = depth_m;
   const double rise = depth_m - before.depth_m;
-  if (std::abs(rise) <= way_m) {
+  if (std::abs(rise) <= path_m) {
     after.pressed_m = std::clamp(before.pressed_m + rise, 0.0, depth_m);
     after.paid_m2 = std::max(0.0, before.paid_m2 + after.pressed_m * after.pressed_m - before.pressed_m * before.pressed_m);
   } else {

@@ -14,14 +14,14 @@ constexpr std::size_t nodes_per_block = 64;
 FaceTree tree_of(const ContactSurfaces& surfaces, std::size_t surface, std::span<const Point> points) {
   std::vector<Triangle> triangles;
   for (std::size_t f = surfaces.surface_faces()[surface]; f < surfaces.surface_faces()[surface + 1]; ++f) {
-    const FaceCorners at = surfaces.corners(f, points);  // of which the tree takes boxes alone
+    const FaceCorners at = surfaces.corners(f, points);  // the search uses only their boxes
     triangles.push_back(triangle(at[0], at[1], at[2]));
     triangles.push_back(triangle(at[0], at[2], at[3]));
   }
   return face_tree(triangles, 2);
 }
 
-/// Calls consider(face) for faces of a tree whose box is nearer to a point than a reach.
+/// Calls consider(face) for the faces of a tree whose box is nearer to a point than a reach.
 template <class Consider>
 void visit(const FaceTree& tree, std::size_t root, const Point& point, double squared_reach, const Consider& consider) {
   const FaceTree::Node& node = tree.nodes[root];
@@ -46,7 +46,7 @@ ContactSearch::ContactSearch(const ContactSurfaces& surfaces, std::span<const Po
   for (std::size_t s = 0; s < surfaces.surface_count(); ++s) trees_.push_back(tree_of(surfaces, s, points));
 }
 
-/// Children stand before their parents.
+/// Updates the boxes of all trees. Children come before their parents in the list.
 void ContactSearch::fit_boxes(std::span<const Point> points) {
   for (std::size_t s = 0; s < trees_.size(); ++s) {
     std::vector<FaceTree::Node>& nodes = trees_[s].nodes;

@@ -11,23 +11,23 @@
 
 namespace menger::fem {
 
-/// Nodes and the faces of their surface that are near them.
+/// Nodes with the faces of their surface that are near them.
 struct ContactCandidates {
-  std::vector<std::uint32_t> nodes;    ///< those that have any, ascending
-  std::vector<std::uint32_t> offsets;  ///< node_count + 1 positions in faces
+  std::vector<std::uint32_t> nodes;    ///< nodes that have near faces, ascending
+  std::vector<std::uint32_t> offsets;  ///< where the faces of each node begin in `faces`, and the end: one more than nodes
   std::vector<std::uint32_t> faces;    ///< ascending for each node
-  double smallest_m = 0.0;             ///< smallest distance of a node and a face; the reach if there is none below
+  double smallest_m = 0.0;             ///< smallest distance between a node and a face; the reach if all are further apart
 };
 
-/// Finds nodes and faces of one surface that are near each other, by a tree of boxes over the faces of each surface. The trees
-/// are those of the first positions; later ones change their boxes.
+/// Finds nodes and faces of one surface that are near each other, with a tree of boxes over the faces of each surface. The trees
+/// are built for the first positions. Later positions only change their boxes.
 class ContactSearch {
  public:
-  /// Keeps a reference. @param points of the surfaces' nodes
+  /// Keeps a reference to the surfaces. @param points positions of the surfaces' nodes
   ContactSearch(const ContactSurfaces& surfaces, std::span<const Point> points);
 
-  /// All pairs that are less than a reach apart, whichever way they look, without faces of the elements at the node.
-  /// Deterministic. @param points finite @param reach_m > 0
+  /// Returns all pairs that are less than a reach apart, whatever their orientation. It leaves out faces of the elements at the
+  /// node. Deterministic. @param points finite @param reach_m > 0
   [[nodiscard]] ContactCandidates near_pairs(std::span<const Point> points, double reach_m, const BlockLoop& loop);
 
  private:

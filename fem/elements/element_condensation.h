@@ -1,6 +1,6 @@
 #pragma once
 
-// The L2 projection onto the pressure and dilatation modes of an element, for packs. Included only by the kernels of an
+// The L2 projection onto the pressure and dilatation modes of an element, for packs. Included only by the kernels of one
 // instruction set.
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace menger::fem::detail {
 
-/// L2 projection of values at the quadrature points onto the modes of an element.
+/// The L2 projection of values at the quadrature points onto the modes of an element.
 template <int degree, class Pack>
 class ModeProjection {
  public:
@@ -23,7 +23,7 @@ class ModeProjection {
   explicit ModeProjection(const std::array<Pack, points>& volume)
       : volume_(volume), inverse_mass_(inverse(weighted_mass(volume))) {}
 
-  /// The projection of a function, at the quadrature points.
+  /// Returns the projection of a function, evaluated at the quadrature points.
   [[nodiscard]] std::array<Pack, points> project(const std::array<Pack, points>& value) const {
     std::array<Pack, modes> moment;
     moment.fill(Pack(0.0));
@@ -43,8 +43,8 @@ class ModeProjection {
     return projected;
   }
 
-  /// M^-1 H M^-1 with the mass matrix M of the modes and H_mn = integral value mode_m mode_n: the stiffness of the modes against
-  /// moments of the volume ratio.
+  /// Returns M^-1 H M^-1, with the mass matrix M of the modes and H_mn = integral value mode_m mode_n. It is the stiffness of the
+  /// modes with respect to moments of the volume ratio.
   [[nodiscard]] Matrix sandwiched(const std::array<Pack, points>& value) const {
     std::array<Pack, points> weighted;
     for (std::size_t q = 0; q < points; ++q) weighted[q] = volume_[q] * value[q];
@@ -67,7 +67,7 @@ class ModeProjection {
     return mass;
   }
 
-  /// Gauss-Jordan without pivoting, which a symmetric positive definite matrix does not need.
+  /// Gauss-Jordan elimination without pivoting, which a symmetric positive definite matrix does not need.
   static Matrix inverse(Matrix a) {
     for (std::size_t p = 0; p < modes; ++p) {
       const Pack pivot = Pack(1.0) / a[p][p];

@@ -1,7 +1,8 @@
 #pragma once
 
 // The element kernels for one type of packs. Included only by the files element_kernel_<instruction set>.cpp, each compiled for
-// its own, and instantiated with pack types of that instruction set only, so that no function of theirs is shared between them.
+// its own instruction set. They are instantiated only with pack types of that set, so that files of different sets share no
+// function.
 
 #include <memory>
 #include <xsimd/xsimd.hpp>
@@ -15,8 +16,8 @@ namespace menger::fem::detail {
 
 using materials::Tangent;
 
-/// The kernels of elements of one degree for one batch at a time, with what they need between the passes over the quadrature
-/// points.
+/// The kernels of elements of one degree, for one batch at a time. It holds the values that are needed between the passes over
+/// the quadrature points.
 template <int degree, class Pack>
 class ElementEvaluation {
  public:
@@ -51,14 +52,15 @@ class ElementEvaluation {
   static constexpr std::size_t points = shape.points;
   static constexpr std::size_t modes = shape.modes;
   static constexpr std::size_t width = Pack::size;
-  /// Rows of blocks that are summed together; eight lanes come with 32 registers, and their tangents do not fit the fastest
-  /// cache.
+  /// The number of rows of blocks that are summed together. Processors with eight lanes have 32 registers, and there the tangents
+  /// do not fit the fastest cache.
   static constexpr std::size_t rows_at_once = width >= 8 ? 2 : 1;
 
   static Pack load(const double* data, std::size_t entry) { return Pack::load_aligned(data + entry * width); }
   static void store(const Pack& value, double* data, std::size_t entry) { value.store_aligned(data + entry * width); }
 
-  /// Deformation gradient, its cofactor and determinant, gradients of the shape functions and volume of every quadrature point.
+  /// Computes the deformation gradient, its cofactor and determinant, the gradients of the shape functions and the volume of
+  /// every quadrature point.
   void compute_kinematics(const ElementBatch& batch) {
     std::array<Pack, 3 * nodes> X;
     std::array<Pack, 3 * nodes> u;
@@ -100,7 +102,8 @@ class ElementEvaluation {
     }
   }
 
-  /// Pressure (positive in tension) at every quadrature point, and what the stiffness needs of the volumetric energy.
+  /// Computes the pressure (positive in tension) at every quadrature point, and the derivatives of the volumetric energy that the
+  /// stiffness needs.
   void respond_to_volume(const ElementTask& task) {
     static constexpr auto laws = PackTables<VolumetricLaw>::volumetric<Pack>();
     const auto respond = [&](const Pack& ratio) { return laws[task.volume.index](task.volume.parameters, ratio); };
@@ -128,33 +131,34 @@ class ElementEvaluation {
     bulk_of_modes_ = projection.sandwiched(bulk_);
   }
 
-  /// Isochoric stress and tangent plus the stress of the pressure, both times the volume of their point; returns the energy.
+  /// Computes the isochoric stress and tangent and adds the stress of the pressure. Both are multiplied by the volume of their
+  /// point. Returns the energy.
   Pack compute_stress(const ElementTask& task, bool wants_tangent) {
     static constexpr auto laws = PackTables<materials::HyperelasticLaw>::isochoric<Pack>();
     const PackLaw<Pack>& law = laws[task.law.index];
     Pack energy = volumetric_energy_;
-    Pack answered(1.0);
+    Pack admissible(1.0);
     for (std::size_t q = 0; q < points; ++q) {
       Pack density;
       if (wants_tangent) {
         StressAndTangent<Pack> response;
-        answered = xsimd::min(answered, law.tangent(task.law.parameters, deformation_gradient_[q], response, density));
+        admissible = xsimd::min(admissible, law.tangent(task.law.parameters, deformation_gradient_[q], response, density));
         stress_[q] = response.stress;
         for (std::size_t n = 0; n < 81; ++n) tangent_[q].components[n] = response.tangent.components[n] * volume_[q];
       } else {
-        answered = xsimd::min(answered, law.stress(task.law.parameters, deformation_gradient_[q], stress_[q], density));
+        admissible = xsimd::min(admissible, law.stress(task.law.parameters, deformation_gradient_[q], stress_[q], density));
       }
       energy = energy + density * volume_[q];
       for (std::size_t n = 0; n < 9; ++n) {
         stress_[q].components[n] = (stress_[q].components[n] + pressure_[q] * cofactor_[q].components[n]) * volume_[q];
       }
     }
-    smallest_ratio_ = xsimd::min(smallest_ratio_, select(answered > Pack(0.0), smallest_ratio_, Pack(-1.0)));
+    smallest_ratio_ = xsimd::min(smallest_ratio_, select(admissible > Pack(0.0), smallest_ratio_, Pack(-1.0)));
     return energy;
   }
 
-  /// The derivative of pressure times cofactor at fixed pressure, and without a pressure field also that of the pressure:
-  /// d cof_iJ / dF_kL = (cof_iJ cof_kL - cof_iL cof_kJ) / J.
+  /// Adds the derivative of pressure times cofactor at fixed pressure to the tangent; without a pressure field, also the
+  /// derivative of the pressure: d cof_iJ / dF_kL = (cof_iJ cof_kL - cof_iL cof_kJ) / J.
   void add_pressure_to_tangent(const ElementTask& task, const double* predicted_pressure) {
     const bool displacement_only = task.formulation == Formulation::displacement;
     for (std::size_t q = 0; q < points; ++q) {
@@ -172,7 +176,7 @@ class ElementEvaluation {
     }
   }
 
-  /// Pressure of every point after a step of the displacements, to first order: p + U''(theta) projected dJ/du . step.
+  /// Writes the pressure of every point after a step of the displacements, to first order: p + U''(theta) projected dJ/du . step.
   void write_predicted_pressure(const ElementTask& task, const double* step, double* predicted_pressure) const {
     std::array<Pack, points> change;
     for (std::size_t q = 0; q < points; ++q) {
@@ -193,7 +197,7 @@ class ElementEvaluation {
     for (std::size_t q = 0; q < points; ++q) store(pressure_[q] + change[q], predicted_pressure, q);
   }
 
-  /// r_ai = sum over points of P_iJ dN_a/dX_J
+  /// Writes the residual r_ai = sum over points of P_iJ dN_a/dX_J.
   void write_residual(double* residual) const {
     for (std::size_t a = 0; a < nodes; ++a) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -206,8 +210,8 @@ class ElementEvaluation {
     }
   }
 
-  /// The blocks of all pairs of nodes. For one node b the tangent is contracted with its gradient once and then used by all a >=
-  /// b; sums over the quadrature points stay in registers.
+  /// Writes the blocks of all pairs of nodes. For one node b the tangent is contracted with its gradient once, and then used for
+  /// all a >= b. Sums over the quadrature points stay in registers.
   void write_stiffness(const ElementTask& task, double* stiffness) {
     if (task.formulation == Formulation::three_field) compute_mode_gradients();
     for (std::size_t b = 0; b < nodes; ++b) {
@@ -226,7 +230,7 @@ class ElementEvaluation {
     }
   }
 
-  /// Blocks of the pairs (a, b), (a + 1, b), ..., so many at once as there are registers for their sums.
+  /// Writes the blocks of the pairs (a, b), (a + 1, b), ..., as many at once as there are registers for their sums.
   template <std::size_t count>
   void write_blocks(const ElementTask& task, std::size_t a, std::size_t b, double* stiffness) const {
     std::array<std::array<Pack, 9>, count> blocks;
@@ -249,7 +253,7 @@ class ElementEvaluation {
     }
   }
 
-  /// D_m = integral mode_m dJ/du for every mode, and the same times the condensed bulk stiffness of the modes.
+  /// Computes D_m = integral mode_m dJ/du for every mode, and the same times the condensed bulk stiffness of the modes.
   void compute_mode_gradients() {
     for (std::size_t a = 0; a < nodes; ++a) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -310,7 +314,7 @@ class ElementEvaluation {
   std::array<std::array<Pack, modes>, 3 * nodes> stiff_mode_gradient_;
 };
 
-/// One evaluation of each degree per thread: they are too large for the stack.
+/// Returns the evaluation of a degree for this thread. The objects are too large for the stack.
 template <int degree, class Pack>
 ElementEvaluation<degree, Pack>& element_evaluation() {
   thread_local const auto evaluation = std::make_unique<ElementEvaluation<degree, Pack>>();

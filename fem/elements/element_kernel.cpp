@@ -17,7 +17,7 @@ const std::vector<const KernelTable*>& available_tables() {
   static const std::vector<const KernelTable*> tables = [] {
     std::vector<const KernelTable*> result{&detail::baseline_kernels()};
 #ifdef MENGER_X86_KERNELS
-    // The compiler's test, which also asks whether the operating system saves the wide registers.
+    // This test of the compiler also checks whether the operating system saves the wide registers.
     if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) result.push_back(&detail::avx2_kernels());
     if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
       result.push_back(&detail::avx512_kernels());

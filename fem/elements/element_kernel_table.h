@@ -5,7 +5,8 @@
 
 namespace menger::fem::detail {
 
-/// Which element and which laws; laws by index and address, so that files of one instruction set need not visit variants.
+/// The element and the laws of a task. Laws are given by index and address, so that the files of one instruction set do not visit
+/// variants.
 struct ElementTask {
   int degree;
   Formulation formulation;
@@ -13,7 +14,7 @@ struct ElementTask {
   LawReference volume;
 };
 
-/// The functions of one instruction set.
+/// The kernel functions of one instruction set.
 struct KernelTable {
   std::string_view instruction_set;
   std::size_t width;

@@ -5,7 +5,8 @@
 
 namespace menger::fem {
 
-/// Shape functions of the Lagrange hexahedron of a degree at the points of its Gauss rule, on the reference cube [-1, 1]^3.
+/// Tables of the shape functions of the Lagrange hexahedron of a degree, at the points of its Gauss rule on the reference cube
+/// [-1, 1]^3.
 template <int degree>
 struct ElementShapeTables {
   static constexpr std::size_t side = degree + 1;
@@ -15,7 +16,7 @@ struct ElementShapeTables {
   static constexpr std::size_t pairs = nodes * (nodes + 1) / 2;
 
   std::array<double, points> weight{};
-  std::array<std::array<std::array<double, 3>, nodes>, points> gradient{};  ///< by reference coordinate
+  std::array<std::array<std::array<double, 3>, nodes>, points> gradient{};  ///< derivatives by the reference coordinates
   std::array<std::array<double, nodes>, points> value{};
   std::array<std::array<double, modes>, points> mode{};
 };

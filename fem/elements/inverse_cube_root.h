@@ -7,10 +7,12 @@
 
 namespace menger::fem::detail {
 
-/// x^(-1/3) of positive normal numbers, to about two units in the last place; something finite or not a number for others.
+/// Returns x^(-1/3) for positive normal numbers, to about two units in the last place. For other numbers the result is some
+/// finite number or NaN.
 ///
-/// The upper half of a double is about a logarithm in fixed point, so that minus a third of it gives a first guess y with
-/// |1 - x y^3| < 0.103. Two steps of y (1 - r)^(-1/3), r = 1 - x y^3, with the series up to r^3 leave 2e-5 and 5e-19.
+/// The upper half of a double is approximately a logarithm in fixed point. Minus a third of it therefore gives a first guess y
+/// with |1 - x y^3| < 0.103. Two steps of y (1 - r)^(-1/3), r = 1 - x y^3, with the series up to r^3 reduce this to 2e-5 and
+/// 5e-19.
 template <class Pack>
 Pack inverse_cube_root(const Pack& x) {
   using Bits = xsimd::batch<std::uint64_t, typename Pack::arch_type>;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Laws for packs, chosen at run time by their index in the variants. Included only by the kernels of an instruction set.
+// Laws for packs, selected at run time by their index in the variants. Included only by the kernels of one instruction set.
 
 #include <array>
 #include <cstddef>
@@ -16,9 +16,9 @@ namespace menger::fem::detail {
 using materials::StressAndTangent;
 using materials::Tensor;
 
-/// Whether an isochoric law has an answer at a deformation, lane by lane.
+/// Returns whether an isochoric law is defined at a deformation, lane by lane.
 template <class Law, class Pack>
-auto law_has_answer(const Law& law, const materials::Kinematics<Pack>& k) {
+auto is_in_domain(const Law& law, const materials::Kinematics<Pack>& k) {
   if constexpr (requires { law.is_within_limit(k.first_excess); }) {
     return law.is_within_limit(k.first_excess);
   } else {
@@ -26,8 +26,8 @@ auto law_has_answer(const Law& law, const materials::Kinematics<Pack>& k) {
   }
 }
 
-/// What an element asks of its isochoric law at one quadrature point. The functions return whether the law has an answer, as 1 or
-/// -1 in each lane.
+/// The functions of an isochoric law at one quadrature point. They return whether the law is defined there, as 1 or -1 in each
+/// lane.
 template <class Pack>
 struct PackLaw {
   Pack (*stress)(const void* law, const Tensor<Pack>& F, Tensor<Pack>& P, Pack& energy);
@@ -40,7 +40,7 @@ Pack pack_stress(const void* law, const Tensor<Pack>& F, Tensor<Pack>& P, Pack& 
   const materials::Kinematics<Pack> k = materials::kinematics_of(F);
   P = materials::first_piola_stress(this_law, k);
   energy = materials::strain_energy_density(this_law, k);
-  return select(law_has_answer(this_law, k), Pack(1.0), Pack(-1.0));
+  return select(is_in_domain(this_law, k), Pack(1.0), Pack(-1.0));
 }
 
 template <class Law, class Pack>
@@ -49,10 +49,10 @@ Pack pack_tangent(const void* law, const Tensor<Pack>& F, StressAndTangent<Pack>
   const materials::Kinematics<Pack> k = materials::kinematics_of(F);
   response = materials::stress_and_tangent(this_law, k);
   energy = materials::strain_energy_density(this_law, k);
-  return select(law_has_answer(this_law, k), Pack(1.0), Pack(-1.0));
+  return select(is_in_domain(this_law, k), Pack(1.0), Pack(-1.0));
 }
 
-/// Value and derivatives of a volumetric energy.
+/// The value and derivatives of a volumetric energy.
 template <class Pack>
 struct VolumeResponse {
   Pack energy;
@@ -81,13 +81,13 @@ struct PackTables<std::variant<Laws...>> {
   }
 };
 
-/// A law as the kernels take it: its index in its variant and its parameters.
+/// A law in the form that the kernels use: its index in its variant and its parameters.
 struct LawReference {
   std::size_t index;
   const void* parameters;
 };
 
-/// To the law that a variant holds; valid as long as the variant is neither changed nor moved.
+/// Returns a reference to the law that a variant holds. It is valid as long as the variant is neither changed nor moved.
 template <class Variant>
 LawReference reference_to(const Variant& law) {
   return {law.index(), std::visit([](const auto& any) -> const void* { return &any; }, law)};

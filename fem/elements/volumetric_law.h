@@ -6,7 +6,7 @@
 
 namespace menger::fem {
 
-/// The volumetric energies by name: "quadratic", "log_squared", "simo_taylor".
+/// A volumetric energy. Their names are "quadratic", "log_squared" and "simo_taylor".
 using VolumetricLaw = std::variant<materials::QuadraticVolume, materials::LogSquaredVolume, materials::SimoTaylorVolume>;
 
 }  // namespace menger::fem

@@ -8,7 +8,7 @@
 
 namespace menger::fem::detail {
 
-/// Nodal values of one batch, gathered into lanes.
+/// Gathers the nodal values of one batch into lanes.
 template <class Pack>
 void gather(const std::uint32_t* first_components, const double* values, std::array<Pack, 24>& lanes) {
   alignas(64) std::array<double, 24 * Pack::size> buffer;
@@ -21,7 +21,7 @@ void gather(const std::uint32_t* first_components, const double* values, std::ar
   for (std::size_t n = 0; n < 24; ++n) lanes[n] = Pack::load_aligned(buffer.data() + n * Pack::size);
 }
 
-/// The elements of one batch.
+/// The elements of one batch: their deformation, forces and energy.
 template <class Pack>
 class BoxElements {
  public:
@@ -32,7 +32,7 @@ class BoxElements {
       inverse_edges_[j] = Pack::load_aligned(batches.inverse_edges_per_m + (3 * batch + j) * Pack::size);
   }
 
-  /// F, the volume of every point, and the mean dilatation.
+  /// Computes F and the volume ratio at every point, and the mean dilatation.
   void place(const double* displacements) {
     std::array<Pack, 24> u;
     gather(nodes_, displacements, u);
@@ -55,13 +55,15 @@ class BoxElements {
       point.ratio = xsimd::fma(gradient_.at(0, 0, q), point.cofactor[0],
                                xsimd::fma(gradient_.at(0, 1, q), point.cofactor[1], gradient_.at(0, 2, q) * point.cofactor[2]));
       sum = sum + point.ratio;
-      // false for what is not a number
+      // the comparison is false for NaN
       smallest_ratio_ = xsimd::min(smallest_ratio_, xsimd::select(point.ratio > Pack(0.0), point.ratio, Pack(-1.0)));
     }
     dilatation_ = sum * Pack(0.125);
   }
 
-  /// Lets the branches go a share of the way to rest. @param tensors of this batch, changed @return means of before and after
+  /// Relaxes the branches by their share of the distance to rest.
+  /// @param tensors of this batch, changed
+  /// @return the means of the tensors before and after
   const double* relax(const BranchTask& branch, double* tensors) {
     BranchSums<Pack> sums;
     for (std::size_t q = 0; q < 8; ++q) {
@@ -73,6 +75,8 @@ class BoxElements {
     return mean_tensors_.data();
   }
 
+  /// Computes the stress at every point and sums it up for the nodal forces. Marks elements for which the law gives no stress
+  /// with a negative volume ratio.
   /// @param tensors of the branches of this batch, or nullptr
   template <class Stress>
   void compute_forces(const Stress& stress, const ExplicitTask& task, const double* tensors) {
@@ -84,12 +88,12 @@ class BoxElements {
       gather(nodes_, task.motion.velocities_m_per_s, v);
       compute_gradient(v, BoxFactors<Pack>(inverse_edges_, Pack(0.25)), 0.0, rate_);
     }
-    Pack answered(1.0);
+    Pack admissible(1.0);
     dissipation_ = Pack(0.0);
     for (std::size_t q = 0; q < 8; ++q) {
       std::array<Pack, 9> P = tensor_at(gradient_, q);
       const double* tensor = tensors == nullptr ? nullptr : tensors + 6 * Pack::size * q;
-      const Pack inverse_ratio = stress(points_[q], tensor, pressure, P, answered);
+      const Pack inverse_ratio = stress(points_[q], tensor, pressure, P, admissible);
       if (viscous) {
         const Pack power = add_viscous_stress(twice_viscosity, points_[q], inverse_ratio, tensor_at(rate_, q), P);
         dissipation_ = dissipation_ + power;
@@ -97,7 +101,7 @@ class BoxElements {
       add_stress(P, q);
     }
     dissipation_ = dissipation_ * volume_ * Pack(0.125);
-    smallest_ratio_ = xsimd::select(answered > Pack(0.0), smallest_ratio_, Pack(-1.0));
+    smallest_ratio_ = xsimd::select(admissible > Pack(0.0), smallest_ratio_, Pack(-1.0));
   }
 
   void store_forces(double* forces) const {
@@ -107,20 +111,21 @@ class BoxElements {
     for (std::size_t n = 0; n < 24; ++n) f[n].store_aligned(forces + n * Pack::size);
   }
 
-  /// Strain energy; marks elements in which the law has no answer. @param tensors as above
+  /// Returns the strain energy of the elements. Marks elements for which the law gives no stress with a negative volume ratio.
+  /// @param tensors of the branches of this batch, or nullptr
   [[nodiscard]] Pack energy(const ExplicitTask& task, const double* tensors) {
     static constexpr auto laws = PackTables<materials::HyperelasticLaw>::template isochoric<Pack>();
     static constexpr auto volume_laws = PackTables<VolumetricLaw>::template volumetric<Pack>();
-    Pack answered(1.0);
+    Pack admissible(1.0);
     Pack sum(0.0);
     for (std::size_t q = 0; q < 8; ++q) {
       Tensor<Pack> stress;
       Pack density;
       const Tensor<Pack> F{tensor_at(gradient_, q)};
-      answered = xsimd::min(answered, laws[task.law.index].stress(task.law.parameters, F, stress, density));
+      admissible = xsimd::min(admissible, laws[task.law.index].stress(task.law.parameters, F, stress, density));
       sum = sum + density;
     }
-    smallest_ratio_ = xsimd::select(answered > Pack(0.0), smallest_ratio_, Pack(-1.0));
+    smallest_ratio_ = xsimd::select(admissible > Pack(0.0), smallest_ratio_, Pack(-1.0));
     if (tensors != nullptr) {
       BranchSums<Pack> branch;
       for (std::size_t q = 0; q < 8; ++q)
@@ -160,9 +165,10 @@ class BoxElements {
     return result;
   }
 
-  /// The largest |dev sym(G F^-1)|^2 of all G with |G| = 1. In the axes of F the off-diagonal entries have (s_i + s_j) / 2, s
-  /// being the eigenvalues of C^-1, and the diagonal ones the largest eigenvalue of diag(s) - d d^T / 3, d_i^2 = s_i, which is
-  /// never less: I1 / 3 + sqrt(I1^2 / 9 - I2 / 3) with the invariants I1 = |cof F|^2 / J^2 and I2 = |F|^2 / J^2 of C^-1.
+  /// Returns the largest |dev sym(G F^-1)|^2 over all G with |G| = 1. Let s be the eigenvalues of C^-1. In the axes of F the
+  /// off-diagonal entries contribute (s_i + s_j) / 2. The diagonal ones contribute the largest eigenvalue of diag(s) - d d^T / 3
+  /// with d_i^2 = s_i, which is never less. It is I1 / 3 + sqrt(I1^2 / 9 - I2 / 3) with the invariants I1 = |cof F|^2 / J^2 and
+  /// I2 = |F|^2 / J^2 of C^-1.
   [[nodiscard]] Pack largest_deviatoric_square(std::size_t q) const {
     const PointVolume<Pack>& point = points_[q];
     Pack first(0.0);
@@ -179,7 +185,7 @@ class BoxElements {
     return third + xsimd::sqrt(xsimd::max(root, Pack(0.0)));
   }
 
-  /// Two points share each place of a column; the one with the smaller number comes first.
+  /// Adds the stress of point q. Two points share each place of a column; the one with the smaller number must come first.
   void add_stress(const std::array<Pack, 9>& P, std::size_t q) {
     for (std::size_t j = 0; j < 3; ++j) {
       const bool is_first = (q >> j & 1U) == 0;

@@ -8,14 +8,14 @@
 
 namespace menger::fem::detail {
 
-/// Values of a 3x3 field at the eight Gauss points of a box; point q lies at (q & 1, q >> 1 & 1, q >> 2 & 1).
+/// The values of a 3x3 field at the eight Gauss points of a box; point q lies at (q & 1, q >> 1 & 1, q >> 2 & 1).
 ///
-/// Column j does not change along axis j, as the derivative by X_j of a trilinear function does not: four values each.
+/// Column j is constant along axis j, because the derivative by X_j of a trilinear function is. So it has four values.
 template <class Pack>
 struct BoxGradient {
   std::array<std::array<std::array<Pack, 4>, 3>, 3> values;  ///< [i][j][k]
 
-  /// Which of the four values of column j stands at point q.
+  /// Returns the index of the value of column j that belongs to point q.
   static constexpr std::size_t position(std::size_t j, std::size_t q) {
     if (j == 0) return q >> 1U;
     return j == 1 ? (q & 1U) | (q >> 1U & 2U) : q & 3U;
@@ -24,7 +24,7 @@ struct BoxGradient {
   Pack& at(std::size_t i, std::size_t j, std::size_t q) { return values[i][j][position(j, q)]; }
 };
 
-/// A box's factors for gradients: by coefficient, of the linear, bilinear and trilinear functions.
+/// The factors of a box for gradients: one per axis for the linear, bilinear and trilinear coefficients of a field.
 template <class Pack>
 struct BoxFactors {
   std::array<Pack, 3> linear;  ///< 2/h_j times a constant
@@ -41,15 +41,14 @@ struct BoxFactors {
   }
 };
 
-/// The two other axes of each axis, and the coefficients that its derivative needs: bit b of a coefficient's index says that the
-/// function is odd along axis b.
+/// The two other axes of each axis. Bit b of a coefficient's index is set if its function is odd along axis b.
 struct OtherAxes {
   std::size_t first;
   std::size_t second;
 };
 inline constexpr std::array<OtherAxes, 3> other_axes{{{1, 2}, {0, 2}, {0, 1}}};
 
-/// Gradient of the nodal values u[3 corner + i], plus the identity if asked for. Factors of 1/8 * 2/h.
+/// Computes the gradient of the nodal values u[3 corner + i], plus `identity` on its diagonal. The factors contain 1/8 * 2/h.
 template <class Pack>
 inline void compute_gradient(const std::array<Pack, 24>& u, const BoxFactors<Pack>& factors, double identity,
                              BoxGradient<Pack>& gradient) {
@@ -82,8 +81,8 @@ inline void compute_gradient(const std::array<Pack, 24>& u, const BoxFactors<Pac
   }
 }
 
-/// The transpose: f[3 corner + i] = sum over points of H_ij dN_corner/dX_j, where `sums` holds for each place of column j the sum
-/// over the two points there. Factors of 1/8 * 2/h times the weight of a point.
+/// Computes the transpose, the nodal forces f[3 corner + i] = sum over points of H_ij dN_corner/dX_j. `sums` holds for each place
+/// of column j the sum over its two points. The factors contain 1/8 * 2/h times the weight of a point.
 template <class Pack>
 inline void compute_nodal_forces(const BoxGradient<Pack>& sums, const BoxFactors<Pack>& factors, std::array<Pack, 24>& forces) {
   for (std::size_t i = 0; i < 3; ++i) {

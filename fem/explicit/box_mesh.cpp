@@ -10,7 +10,7 @@
 namespace menger::fem {
 namespace {
 
-/// Edges of an element that is a box along the axes. @throws io::InputError if it is none
+/// Returns the edges of an element that is a box along the axes. @throws io::InputError if it is none
 meshes::Point box_edges(const meshes::HexahedralMesh& mesh, std::size_t element) {
   const meshes::CornerPoints corners = meshes::corner_points(mesh, element);
   const meshes::Point edges = meshes::difference(corners[7], corners[0]);

@@ -11,15 +11,15 @@
 
 namespace menger::fem {
 
-/// Numbers that packs load.
+/// Numbers aligned for SIMD packs.
 using AlignedNumbers = std::vector<double, xsimd::aligned_allocator<double, 64>>;
 
-/// Where forces on a node stand in an array of forces per element or face: the three components of slot s are `stride` apart.
+/// The slots of each node in an array of forces per element or face. The three components of slot s are `stride` apart.
 struct NodeSlots {
   static constexpr std::size_t padding = 32;
   std::vector<std::uint32_t> offsets;  ///< node_count + 1 positions in slots
-  /// Index of the first component, in the order of elements or faces; at the end so many more of no meaning, 0, for those who
-  /// look ahead.
+  /// Index of the first component of each slot, in the order of elements or faces. `padding` further entries, all 0, follow at
+  /// the end, so that a loop may read ahead.
   std::vector<std::uint32_t> slots;
   std::size_t stride = 1;
 
@@ -28,7 +28,9 @@ struct NodeSlots {
   }
 };
 
-/// Sorts slots by node. @param nodes node of each slot @param first_component of each slot
+/// Sorts slots by node.
+/// @param nodes node of each slot
+/// @param first_component index of the first component of each slot
 NodeSlots sorted_by_node(std::span<const std::uint32_t> nodes, std::span<const std::uint32_t> first_component,
                          std::size_t node_count, std::size_t stride);
 
@@ -39,10 +41,11 @@ struct BoxGroup {
   std::size_t batch_count = 0;
 };
 
-/// A mesh whose elements are boxes along the axes, in batches for kernels of `width` lanes. Lanes at the end of a group that have
-/// no element repeat its last one with a volume of zero; nothing reads their forces.
+/// A mesh whose elements are boxes along the axes, in batches for kernels of `width` lanes. The lanes at the end of a group that
+/// have no element repeat its last one with a volume of zero; their forces are never read.
 class BoxMesh {
  public:
+  /// Sorts the elements of a mesh into batches.
   /// @throws io::InputError naming the first element that is no box along the axes
   BoxMesh(const meshes::HexahedralMesh& mesh, std::size_t width);
 
@@ -55,7 +58,7 @@ class BoxMesh {
 
   [[nodiscard]] BoxBatches batches(std::size_t first, std::size_t count) const;
 
-  /// The element of the mesh in a lane, counted over all batches.
+  /// Returns the element of the mesh in a lane; lanes are counted over all batches.
   [[nodiscard]] std::size_t element(std::size_t lane) const { return elements_[lane]; }
   [[nodiscard]] double volume_m3(std::size_t lane) const { return volumes_[lane]; }  ///< 0 where an element is repeated
   [[nodiscard]] double shortest_edge_m(std::size_t lane) const;

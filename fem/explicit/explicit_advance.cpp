@@ -10,7 +10,7 @@
 namespace menger::fem {
 namespace {
 
-constexpr double little_change = 0.02;  // of the stable step in an interval
+constexpr double little_change = 0.02;  // change of the stable step in an interval
 constexpr std::size_t least_steps_to_bound = 10;
 
 }  // namespace
@@ -82,26 +82,26 @@ std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::s
     if (air.status != io::RunStatus::completed) return failure(air.status, air.reason);
     if (walls_have_met()) break;
   }
-  return judge();
+  return check();
 }
 
-std::optional<ExplicitReport> ExplicitDynamics::judge() {
+std::optional<ExplicitReport> ExplicitDynamics::check() {
   if (body_.failed_element(state_.displacements_m)) return failure_in_element();
-  const ExplicitEnergies books = energies();
-  state_.turnover_J = std::max(state_.turnover_J, books.turnover_J());
-  const double imbalance = std::abs(books.imbalance_J());
-  // Not a number is an objection, too.
+  const MotionEnergies now = energies();
+  state_.turnover_J = std::max(state_.turnover_J, now.turnover_J());
+  const double imbalance = std::abs(now.imbalance_J());
+  // Written so that NaN fails, too.
   if (!(imbalance <= options_.largest_imbalance * state_.turnover_J + energy_noise_))
-    return failure(io::RunStatus::diverged, "the energy books are open by " + io::number_text(imbalance) + " J of " +
-                                                io::number_text(state_.turnover_J) + " J");
-  if (std::optional<ExplicitReport> objection = judge_contact()) return objection;
+    return failure(io::RunStatus::diverged, "the energy balance has an error of " + io::number_text(imbalance) +
+                                                " J for a turnover of " + io::number_text(state_.turnover_J) + " J");
+  if (std::optional<ExplicitReport> objection = check_contact()) return objection;
   stable_step_ = stable_step_at(state_.displacements_m, state_.branches->tensors);
   if (!(stable_step_ >= state_.last_step_s))
     return failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(stable_step_) + " s");
   return std::nullopt;
 }
 
-std::optional<ExplicitReport> ExplicitDynamics::judge_contact() const {
+std::optional<ExplicitReport> ExplicitDynamics::check_contact() const {
   const double depth = self_contact_.largest_depth_m();
   if (options_.self_contact && depth > self_contact_.allowed_depth_m())
     return failure(io::RunStatus::diverged, "parts of the surface are " + io::number_text(depth) +
@@ -113,7 +113,7 @@ std::optional<ExplicitReport> ExplicitDynamics::judge_contact() const {
 
 bool ExplicitDynamics::walls_have_met() const { return !options_.self_contact && !self_contact_.touches().empty(); }
 
-/// Findings that shorter steps would not change, and the length of the next interval.
+/// Ends the run for failures that shorter steps would not change, and sets the length of the next interval.
 void ExplicitDynamics::accept(double last_stable_step_s, std::size_t count) {
   look_at_chambers();
   if (stable_step_ < options_.smallest_step_ratio * rest_stable_step_)

@@ -117,7 +117,7 @@ AlignedNumbers ExplicitBody::branches_at_rest(std::span<const double> displaceme
   const std::size_t width = boxes_.width();
   AlignedNumbers tensors(branch_position(boxes_.batch_count()), 0.0);
   for (std::size_t n = 0; n < tensors.size(); ++n)
-    if (n / width % 6 < 3) tensors[n] = 1.0;  // any that is positive, to go all of the way from
+    if (n / width % 6 < 3) tensors[n] = 1.0;  // any positive tensor will do: it relaxes completely
   AlignedNumbers slots(24 * width * boxes_.batch_count());
   element_forces({displacements_m.data()}, 0, boxes_.batch_count(), slots.data(),
                  {tensors.data(), std::numeric_limits<double>::infinity()});

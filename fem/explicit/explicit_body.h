@@ -12,32 +12,34 @@
 
 namespace menger::fem {
 
-/// What a region of a body is made of.
+/// The material of a region of a body.
 struct ExplicitRegion {
   ExplicitMaterial material;
   double density_kg_per_m3 = 0.0;  ///< of the reference configuration, > 0
 };
 
-/// What is asked of a body besides its mesh.
+/// The materials and supports of a body.
 struct ExplicitBodyOptions {
   std::vector<ExplicitRegion> regions;       ///< one per region of the mesh
   std::vector<Support> supports;             ///< nodes of labels that are held
   std::vector<PointSupport> point_supports;  ///< single nodes that are held
 };
 
-/// An element whose volume ratio is not positive, or in which the law has no answer.
+/// An element that has failed: its volume ratio is not positive, or its law gives no stress there.
 struct FailedElement {
   std::size_t element;    ///< of the mesh
   Point position_m;       ///< its first corner in the reference configuration
-  bool is_finite = true;  ///< whether its displacements are numbers at all
+  bool is_finite = true;  ///< whether its displacements are finite
 };
 
-/// A body for explicit dynamics: boxes, lumped masses and what is held. Everything is per node a of the mesh, component i at
-/// 3 a + i. Masses are row sums, an eighth of an element's exact mass for each of its corners.
+/// A body for explicit dynamics: its box elements, lumped masses and supports. Values are per node a of the mesh, component i at
+/// 3 a + i. Masses are row sums: each corner of an element gets an eighth of the element's exact mass.
 class ExplicitBody {
  public:
-  /// @throws io::InputError for elements that are no boxes, regions of elements or options that the mesh has not, nodes without
-  /// an element, densities that are not positive, negative viscosities and moduli of branches, and branches that never relax
+  /// Makes a body from a mesh.
+  /// @throws io::InputError for elements that are no boxes along the axes, elements of a region that the mesh does not have, a
+  /// number of materials that is not that of the mesh's regions, nodes without an element, densities that are not positive,
+  /// negative viscosities and branch moduli, and branches that never relax
   ExplicitBody(const meshes::HexahedralMesh& mesh, ExplicitBodyOptions options,
                const ExplicitKernels& kernels = best_explicit_kernels());
 
@@ -47,29 +49,33 @@ class ExplicitBody {
   [[nodiscard]] const ExplicitRegion& region(std::size_t region) const { return regions_[region]; }
   [[nodiscard]] const std::vector<double>& reference_positions_m() const { return positions_; }
   [[nodiscard]] const std::vector<double>& masses_kg() const { return masses_; }  ///< per node
-  /// Per component; 0 where it is held.
+  /// Inverse masses per component; 0 where the component is held.
   [[nodiscard]] const std::vector<double>& inverse_masses_per_kg() const { return inverse_masses_; }
   [[nodiscard]] double mass_kg() const;
-  [[nodiscard]] double stiffness_J() const;  ///< shear modulus at rest over the volume, a measure of the body's energies
+  /// The shear modulus at rest, integrated over the volume: a measure of the body's energies.
+  [[nodiscard]] double stiffness_J() const;
 
-  /// The shortest relaxation time of all branches; nothing: there are none.
+  /// Returns the shortest relaxation time of all branches; empty if there are none.
   [[nodiscard]] std::optional<double> shortest_relaxation_time_s() const;
-  /// Tensors of all batches (see BranchTensors) whose branches are at rest at the displacements, no element of which has failed;
-  /// empty without branches.
+  /// Returns the tensors of all batches (see BranchTensors) for branches at rest at these displacements; empty without branches.
+  /// No element may have failed.
   [[nodiscard]] AlignedNumbers branches_at_rest(std::span<const double> displacements_m) const;
 
-  /// Forces of some batches, to their slots in an array of 24 width numbers per batch (see ExplicitKernels::forces).
+  /// Computes the forces of some batches and writes them to their slots in an array of 24 width numbers per batch (see
+  /// ExplicitKernels::forces).
   /// @param branch of all batches
   ElementsOutcome element_forces(const NodalMotion& motion, std::size_t first_batch, std::size_t batch_count, double* slots_N,
                                  const BranchTensors& branch = {}) const;
 
-  /// @param displacements_m 3 node_count @param branch tensors of all batches; empty: without what branches store
+  /// Returns the strain energy of the body.
+  /// @param displacements_m 3 node_count numbers
+  /// @param branch tensors of all batches; empty: without the energy of branches
   [[nodiscard]] double strain_energy_J(std::span<const double> displacements_m, std::span<const double> branch = {}) const;
 
-  /// The first element that has failed, if any.
+  /// Returns the first element that has failed, if any.
   [[nodiscard]] std::optional<FailedElement> failed_element(std::span<const double> displacements_m) const;
 
-  /// Where the tensors of a batch begin among those of all batches.
+  /// Returns the position of the first number of a batch in the tensors of all batches.
   [[nodiscard]] std::size_t branch_position(std::size_t batch) const { return branch_numbers_per_lane * boxes_.width() * batch; }
 
  private:

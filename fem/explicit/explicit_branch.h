@@ -10,18 +10,18 @@
 
 namespace menger::fem::detail {
 
-/// A point of the element: cofactor of F, J = det F.
+/// The cofactor of F and J = det F at a point of an element.
 template <class Pack>
 struct PointVolume {
   std::array<Pack, 9> cofactor;
   Pack ratio;
 };
 
-/// A symmetric tensor: xx, yy, zz, yz, xz, xy.
+/// A symmetric tensor, by its components xx, yy, zz, yz, xz, xy. Shear components are not doubled.
 template <class Pack>
 using Symmetric = std::array<Pack, 6>;
 
-/// Where component (i, j) of a symmetric tensor stands, by 3 i + j.
+/// The index of component (i, j) in a symmetric tensor, at 3 i + j.
 inline constexpr std::array<std::size_t, 9> symmetric_places{0, 5, 4, 5, 1, 3, 4, 3, 2};
 
 template <class Pack>
@@ -31,7 +31,7 @@ Symmetric<Pack> load_symmetric(const double* values) {
   return result;
 }
 
-/// M^T M.
+/// Returns M^T M.
 template <class Pack>
 [[gnu::always_inline]] inline Symmetric<Pack> gram(const std::array<Pack, 9>& M) {
   const auto entry = [&](std::size_t j, std::size_t k) {
@@ -40,7 +40,7 @@ template <class Pack>
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(1, 2), entry(0, 2), entry(0, 1)};
 }
 
-/// A : B.
+/// Returns A : B.
 template <class Pack>
 Pack contraction(const Symmetric<Pack>& A, const Symmetric<Pack>& B) {
   const Pack off = xsimd::fma(A[3], B[3], xsimd::fma(A[4], B[4], A[5] * B[5]));
@@ -55,7 +55,7 @@ Pack determinant(const Symmetric<Pack>& A) {
   return xsimd::fma(A[0], first, xsimd::fma(A[5], second, A[4] * third));
 }
 
-/// F B.
+/// Returns the matrix product F B of a 3x3 tensor F, row by row, and a symmetric tensor B.
 template <class Pack>
 std::array<Pack, 9> times_symmetric(const std::array<Pack, 9>& F, const Symmetric<Pack>& B) {
   std::array<Pack, 9> product;
@@ -69,8 +69,10 @@ std::array<Pack, 9> times_symmetric(const std::array<Pack, 9>& F, const Symmetri
   return product;
 }
 
-/// J^(-2/3) (F B - (B : C)/3 F^-T) + p cof F: the stress of the energy J^(-2/3) (B : C) / 2 for a constant B, and of a pressure.
-/// @param F turned into it @return 1 / J
+/// Computes J^(-2/3) (F B - (B : C)/3 F^-T) + p cof F: the stress of the energy J^(-2/3) (B : C) / 2 for a constant B, and of a
+/// pressure p.
+/// @param F replaced by the stress
+/// @return 1 / J
 template <class Pack>
 [[gnu::always_inline]] inline Pack carried_stress(const Symmetric<Pack>& B, const PointVolume<Pack>& point, const Pack& pressure,
                                                   std::array<Pack, 9>& F) {
@@ -85,17 +87,19 @@ template <class Pack>
   return inverse_ratio;
 }
 
-/// What points of an element sum up while their tensors A change or are looked at. The logarithms of their determinants are that
-/// of one product: an A that began as C'^-1 is a mean of such tensors, whose determinant is neither below 1 nor large.
+/// Sums over the points of an element while their tensors A change or are evaluated. The logarithms of the determinants are
+/// computed as that of their product. This is safe because an A that began as C'^-1 is a mean of such tensors, so that its
+/// determinant is neither below 1 nor large.
 template <class Pack>
 struct BranchSums {
-  Pack contractions = Pack(0.0);         ///< of A or its change with C'
+  Pack contractions = Pack(0.0);         ///< contractions of A, or of its change, with C'
   Pack determinants_before = Pack(1.0);  ///< product
   Pack determinants = Pack(1.0);         ///< product
 };
 
-/// A + share (C'^-1 - A) in place of A: what A comes to in the time h while C' stays, where share = 1 - exp(-h / tau).
-/// @param tensor A, six packs @param mean of A before and after
+/// Replaces A by A + share (C'^-1 - A): its value after the time h at constant C', where share = 1 - exp(-h / tau).
+/// @param tensor A, six packs, changed
+/// @param mean the mean of A before and after, written
 template <class Pack>
 [[gnu::always_inline]] inline void relax_point(const Pack& share, const std::array<Pack, 9>& F, const PointVolume<Pack>& point,
                                                double* tensor, double* mean, BranchSums<Pack>& sums) {
@@ -117,7 +121,7 @@ template <class Pack>
   sums.determinants = sums.determinants * determinant(after);
 }
 
-/// A : C' - 3 and det A of one point.
+/// Adds A : C' - 3 of one point to the contractions, and multiplies the determinants by det A.
 template <class Pack>
 void add_branch_point(const std::array<Pack, 9>& F, const PointVolume<Pack>& point, const double* tensor,
                       BranchSums<Pack>& sums) {
@@ -127,8 +131,8 @@ void add_branch_point(const std::array<Pack, 9>& F, const PointVolume<Pack>& poi
   sums.determinants = sums.determinants * determinant(A);
 }
 
-/// Not less than the largest eigenvalue of a symmetric tensor: a third of its trace plus sqrt(2/3) times the norm of its
-/// deviator.
+/// Returns an upper bound of the largest eigenvalue of a symmetric tensor: a third of its trace plus sqrt(2/3) times the norm of
+/// its deviator.
 template <class Pack>
 Pack eigenvalue_bound(const Symmetric<Pack>& A) {
   const Pack third = (A[0] + A[1] + A[2]) * Pack(1.0 / 3.0);
@@ -136,12 +140,14 @@ Pack eigenvalue_bound(const Symmetric<Pack>& A) {
   return third + xsimd::sqrt(square * Pack(2.0 / 3.0));
 }
 
-/// Not less than half the second derivative of the branch's energy over its modulus along any G with |G| = 1, for a given A.
+/// Returns an upper bound of half the second derivative of the branch's energy, over its modulus, along any G with |G| = 1, for a
+/// given A.
 ///
-/// With h = G F^-1, b = J^(-2/3) F A F^T of mean k and deviator b', t = tr h, that is half of
-/// tr(h b h^T) + k tr(h^2) - 2/3 k t^2 - 4/3 t (h : b'). The first is J^(-2/3) tr(G A G^T), at most J^(-2/3) times the largest
-/// eigenvalue of A; |h|^2 is at most the largest eigenvalue s of C^-1; and the last two are largest at t = -(h : b') / k, where
-/// they are 2/3 (h : b')^2 / k, at most 2/3 |b'|^2 s / k. At rest both sides are 1.
+/// Let h = G F^-1, t = tr h, and b = J^(-2/3) F A F^T with the mean k and the deviator b'. The quantity is half of
+///   tr(h b h^T) + k tr(h^2) - 2/3 k t^2 - 4/3 t (h : b').
+/// The first term is J^(-2/3) tr(G A G^T), at most J^(-2/3) times the largest eigenvalue of A. |h|^2 is at most the largest
+/// eigenvalue s of C^-1. The last two terms are largest at t = -(h : b') / k, where they are 2/3 (h : b')^2 / k, at most 2/3
+/// |b'|^2 s / k. At rest both sides are 1.
 template <class Pack>
 Pack branch_square(const std::array<Pack, 9>& F, const PointVolume<Pack>& point, const double* tensor) {
   const Pack root = inverse_cube_root(point.ratio);

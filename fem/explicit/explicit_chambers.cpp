@@ -11,8 +11,9 @@ Point point_at(std::span<const double> positions, std::size_t first) {
   return {positions[first], positions[first + 1], positions[first + 2]};
 }
 
-/// int N_a x_u x x_v du dv over the bilinear face, for corners that run around: with edges e along u (at v = 0 and 1) and along
-/// v, the integrand is (e_u0 (1 - v) + e_u1 v) x (e_v0 (1 - u) + e_v1 u) and N_a a product of 1 - u or u and 1 - v or v.
+/// Returns int N_a x_u x x_v du dv over the bilinear face, for corners in cyclic order. With edges e along u (at v = 0 and 1) and
+/// along v, the integrand is (e_u0 (1 - v) + e_u1 v) x (e_v0 (1 - u) + e_v1 u), and N_a is a product of 1 - u or u and 1 - v or
+/// v.
 inline std::array<Point, 4> area_vectors(const std::array<Point, 4>& x) {
   const Point u0 = difference(x[1], x[0]);
   const Point u1 = difference(x[2], x[3]);
@@ -98,8 +99,8 @@ void ExplicitChambers::set_cap_forces(std::span<const double> positions_m, std::
     const double pressure = pressures_Pa[plenums_[cap.chamber]];
     const std::vector<Point> points = rim_points(positions_m, cap.nodes);
     std::vector<double> gradient = cap_volume_gradient<2>(cap.rim, points);
-    // The faces' share 1/3 int x . n dA of the volume has the gradient int N n dA, which their forces are, and terms of its rim,
-    // 1/3 int (x x dx) along it: half of first x last for each end of a segment.
+    // The faces contribute 1/3 int x . n dA to the volume. Its gradient is int N n dA, which the faces' forces are, plus terms of
+    // the rim, 1/3 int (x x dx) along it: half of first x last for each end of a segment.
     for (const auto& [first, last] : cap.rim.segments) {
       const Point term = scaled(1.0 / 6.0, cross(points[first], points[last]));
       for (std::size_t i = 0; i < 3; ++i) {

@@ -12,17 +12,17 @@
 
 namespace menger::fem {
 
-/// Part of the work on surfaces: forces of some faces and the volume they bound.
+/// A range of faces or nodes, from begin up to, but not including, end.
 struct FaceRange {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// The surfaces of a body's chambers under pressure that follows them, on bilinear faces.
+/// The surfaces of a body's chambers, made of bilinear faces, under follower pressure.
 ///
-/// The force on node a of a face is p int N_a n dA over its current shape, exact, n pointing out of the chamber's air. It is p
-/// dV/dx_a of the volume V of the chamber, so that the work of a pressure is int p dV. Caps (see meshes::Cap) hand their pressure
-/// to their rims.
+/// The force on node a of a face is p int N_a n dA over the face's current shape. The integral is exact; n points out of the
+/// chamber's air. The force is p dV/dx_a with the volume V of the chamber, so that the work of a pressure is int p dV. The
+/// pressure on a cap (see meshes::Cap) acts on the nodes of its rim.
 class ExplicitChambers {
  public:
   explicit ExplicitChambers(const meshes::HexahedralMesh& mesh);
@@ -32,17 +32,22 @@ class ExplicitChambers {
   [[nodiscard]] std::size_t plenum(std::size_t chamber) const { return plenums_[chamber]; }
   [[nodiscard]] std::size_t face_count() const { return faces_.size(); }
 
-  /// Nodes' forces in the array that set_forces fills: 12 per face, then 3 per node of a rim.
+  /// Returns the slots of the nodes in the array that set_face_forces and set_cap_forces fill: 12 per face, then 3 per node of a
+  /// rim.
   [[nodiscard]] const NodeSlots& slots() const { return slots_; }
   [[nodiscard]] std::size_t slot_count() const { return slot_count_; }
 
-  /// Forces of faces begin to end, N. @param positions_m current, 3 per node @param pressures_Pa gauge, one per plenum
+  /// Computes the forces of a range of faces, N.
+  /// @param positions_m current, 3 per node
+  /// @param pressures_Pa gauge, one per plenum
   void set_face_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa, FaceRange range,
                        std::span<double> slots_N) const;
-  /// Those of all caps.
+  /// Writes into slots_N the forces (N) of the pressure on all caps, on the nodes of their rims. The slots of faces stay.
+  /// @param positions_m, pressures_Pa as in set_face_forces
   void set_cap_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa, std::span<double> slots_N) const;
 
-  /// Volumes of the chambers, m^3. @param positions_m current, 3 per node
+  /// Returns the volumes of the chambers, m^3.
+  /// @param positions_m current, 3 per node
   [[nodiscard]] std::vector<double> volumes_m3(std::span<const double> positions_m) const;
 
  private:

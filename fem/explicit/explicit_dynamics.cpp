@@ -18,7 +18,7 @@ constexpr std::size_t faces_per_block = 256;
 constexpr std::size_t nodes_per_block = 256;
 constexpr std::size_t components_per_block = 4096;
 
-/// Of the shortest relaxation time, between relaxations: the branch's dynamic modulus then lies within 2e-4 of that of the
+/// Time between relaxations over the shortest relaxation time. The branch's dynamic modulus is then within 2e-4 of that of the
 /// material where it dissipates most.
 constexpr double relaxation_share = 0.04;
 
@@ -60,7 +60,7 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
     if (options_.schedules.empty()) options_.schedules.resize(chambers_.plenum_count());
     options_.supply.emplace(std::vector<PlenumSupply>(options_.schedules.begin(), options_.schedules.end()));
   } else if (!options_.schedules.empty()) {
-    throw io::InputError("explicit dynamics: schedules beside a supply of all plena");
+    throw io::InputError("explicit dynamics: there are schedules and a supply of all plena: keep one of them");
   }
   check(mesh);
   if (options_.supply->has_lines()) air_.emplace(*options_.supply);
@@ -81,8 +81,8 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
   const double step_s = std::min(options_.step_safety * rest_stable_step_, options_.largest_step_s.value_or(rest_stable_step_));
   if (relaxation_interval_s_ && step_s > *relaxation_interval_s_) {
     throw UnresolvedRelaxation("a Maxwell branch relaxes within " + io::number_text(*body.shortest_relaxation_time_s()) +
-                               " s, which must be " + io::number_text(1.0 / relaxation_share) + " steps of " +
-                               io::number_text(step_s) + " s at least");
+                               " s, but this time must be at least " + io::number_text(1.0 / relaxation_share) + " steps of " +
+                               io::number_text(step_s) + " s");
   }
   options_.supply->check_resolved(mesh.plenum_names, step_s);
 }
@@ -102,8 +102,8 @@ void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
            "must be > 0");
   if (o.self_contact && o.self_contact->friction) {
     const auto [static_coefficient, kinetic_coefficient] = *o.self_contact->friction;
-    demand(kinetic_coefficient >= 0.0, "self-contact kinetic_coefficient", kinetic_coefficient, "must be >= 0");
-    demand(static_coefficient >= kinetic_coefficient, "self-contact static_coefficient", static_coefficient,
+    demand(kinetic_coefficient >= 0.0, "self_contact_kinetic_friction", kinetic_coefficient, "must be >= 0");
+    demand(static_coefficient >= kinetic_coefficient, "self_contact_static_friction", static_coefficient,
            "must not be below the kinetic one");
   }
   demand(o.loads.mass_damping_per_s >= 0.0, "mass_damping_per_s", o.loads.mass_damping_per_s, "must be >= 0");
@@ -113,8 +113,8 @@ void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
   if (!o.loads.ground) return;
   const RigidGround& ground = *o.loads.ground;
   demand(ground.stiffness_Pa_per_m > 0.0, "ground stiffness_Pa_per_m", ground.stiffness_Pa_per_m, "must be > 0");
-  demand(ground.friction.kinetic_coefficient >= 0.0, "kinetic_coefficient", ground.friction.kinetic_coefficient, "must be >= 0");
-  demand(ground.friction.static_coefficient >= ground.friction.kinetic_coefficient, "static_coefficient",
+  demand(ground.friction.kinetic_coefficient >= 0.0, "kinetic_friction", ground.friction.kinetic_coefficient, "must be >= 0");
+  demand(ground.friction.static_coefficient >= ground.friction.kinetic_coefficient, "static_friction",
          ground.friction.static_coefficient, "must not be below the kinetic one");
   demand(ground.friction.regularisation_speed_m_per_s >= 0.0, "regularisation_speed_m_per_s",
          ground.friction.regularisation_speed_m_per_s, "must be >= 0");
@@ -149,7 +149,8 @@ void ExplicitDynamics::set_state(ExplicitState state) {
   state_.turnover_J = energies().turnover_J();
 }
 
-/// The time by which branches relax at the start of a step: nothing, until more has passed than half a step before the interval.
+/// Returns the time by which branches relax at the start of a step: the time since they last relaxed if it is longer than the
+/// relaxation interval minus half a step, otherwise 0.
 double ExplicitDynamics::due_relaxation_s(double step_s) const {
   const double age = state_.branches->age_s;
   return relaxation_interval_s_ && age + 0.5 * step_s > *relaxation_interval_s_ ? age : 0.0;
@@ -179,7 +180,8 @@ double ExplicitDynamics::compute_forces(double relaxed_s) {
   return smallest;
 }
 
-/// Changes nothing in the state: what came before it stays its past until it takes a step.
+/// Searches the contacts of the current positions. The state does not change: its memory of contact stays that of the time before
+/// it until a step is taken.
 void ExplicitDynamics::find_touches() {
   if (!state_.contact) return self_contact_.find_touches(current_positions_, loop_);
   const ContactPast past{*state_.contact, state_.velocities_m_per_s, state_.last_step_s};
@@ -243,7 +245,7 @@ ExplicitReport ExplicitDynamics::failure_in_element() const {
   if (!failed) return failure(io::RunStatus::diverged, "forces that are not finite");
   const std::string where = "element " + std::to_string(failed->element) + " at " + meshes::millimetre_text(failed->position_m);
   ExplicitReport report = failed->is_finite ? failure(io::RunStatus::inverted_element, where + " turned inside out")
-                                            : failure(io::RunStatus::diverged, where + " left all bounds");
+                                            : failure(io::RunStatus::diverged, where + " has displacements that are not finite");
   report.failed_element = failed->element;
   return report;
 }

@@ -14,7 +14,7 @@
 #include "fem/explicit/explicit_chambers.h"
 #include "fem/explicit/explicit_nodes.h"
 #include "fem/explicit/explicit_step_bound.h"
-#include "fem/motion/explicit_energy.h"
+#include "fem/motion/motion_energy.h"
 #include "fem/pneumatics/pneumatic_integrator.h"
 #include "fem/pneumatics/pneumatic_supply.h"
 #include "fem/pneumatics/pressure_schedule.h"
@@ -23,102 +23,116 @@
 
 namespace menger::fem {
 
-/// How a body is moved on in time.
+/// Settings of explicit dynamics.
 struct ExplicitOptions {
   NodalLoads loads;
-  std::vector<PlenumSchedule> schedules;    ///< one per plenum; empty: no pressure, or that of the supply
-  std::optional<PneumaticSupply> supply{};  ///< of all plena, in place of schedules
-  double step_safety = 0.9;                 ///< part of the stable step that is used, in (0, 1]
+  std::vector<PlenumSchedule> schedules;    ///< one per plenum; empty: no pressure, or the supply
+  std::optional<PneumaticSupply> supply{};  ///< of all plena, instead of schedules
+  double step_safety = 0.9;                 ///< step over the stable step, in (0, 1]
   std::optional<double> largest_step_s{};   ///< > 0; for studies of the step
-  std::size_t steps_per_bound = 500;        ///< at most, after which an interval is judged, >= 1
-  double largest_imbalance = 0.2;           ///< > 0, of the largest turnover so far; more and the books are open: diverged
-  double largest_volume_ratio = 20.0;       ///< of a chamber to its start; beyond it has run away: diverged
-  double smallest_step_ratio = 0.02;        ///< of the stable step to that at rest; below it the body has diverged
-  std::optional<SelfContactLaw> self_contact = SelfContactLaw{};  ///< nothing: walls that touch end the run
+  std::size_t steps_per_bound = 500;        ///< largest number of steps in an interval, >= 1
+  /// > 0: largest imbalance of the energy over the largest turnover so far. Beyond it steps are shortened, and if that does not
+  /// help the run ends as `diverged`.
+  double largest_imbalance = 0.2;
+  /// Largest volume of a chamber over its volume at rest; beyond it the run ends as `diverged`.
+  double largest_volume_ratio = 20.0;
+  /// Smallest stable step over that at rest; below it the run ends as `diverged`.
+  double smallest_step_ratio = 0.02;
+  std::optional<SelfContactLaw> self_contact = SelfContactLaw{};  ///< empty: walls that touch end the run
   int threads = 1;                                                ///< >= 1; results do not depend on it
   const std::atomic<bool>* stop = nullptr;                        ///< ends a run as `stopped` when it becomes true
 };
 
-/// Where the branches of a body's materials are.
+/// The state of the Maxwell branches of a body's materials.
 struct BranchState {
-  AlignedNumbers tensors;  ///< of all batches, see BranchTensors; empty without branches. Laid out for one width of kernels
-  double age_s = 0.0;      ///< since they relaxed
+  /// Of all batches, see BranchTensors; empty without branches. The layout depends on the width of the kernels.
+  AlignedNumbers tensors;
+  double age_s = 0.0;  ///< time since they last relaxed
 
   bool operator==(const BranchState&) const = default;
 };
 
-/// Where a body is and how it moves; component i of node a at 3 a + i.
+/// The state of a moving body; component i of node a at 3 a + i.
 struct ExplicitState {
   double time_s = 0.0;
   std::vector<double> displacements_m;     ///< at time_s
-  std::vector<double> velocities_m_per_s;  ///< half a step before
-  double last_step_s = 0.0;                ///< 0 at the start: velocities are those at time_s
+  std::vector<double> velocities_m_per_s;  ///< half a step before time_s
+  double last_step_s = 0.0;                ///< 0 at the start, where velocities are those at time_s
   std::size_t steps = 0;
-  std::size_t steps_to_bound = 25;             ///< of the next interval
-  double step_share = 1.0;                     ///< of the stable step, less after steps that had to be taken again
-  ExplicitWork work;                           ///< up to the velocities' time
-  std::optional<double> at_start_J{};          ///< see ExplicitEnergies; nothing: the books begin with this state
-  double turnover_J = 0.0;                     ///< largest so far
-  std::optional<PneumaticState> pneumatics{};  ///< at time_s, of the options' supply; nothing: it starts with this state
-  /// Of contact of the body with itself, before the last step; nothing: what touches in this state is pressed by all of its
-  /// depth.
+  std::size_t steps_to_bound = 25;  ///< number of steps in the next interval
+  /// Factor on the step, at most 1; reduced after steps that had to be repeated.
+  double step_share = 1.0;
+  MotionWork work;  ///< up to the time of the velocities
+  /// See MotionEnergies; empty: the energy balance begins with this state.
+  std::optional<double> at_start_J{};
+  double turnover_J = 0.0;  ///< largest so far, see MotionEnergies
+  /// Of the supply in the options, at time_s; empty: the supply starts with this state.
+  std::optional<PneumaticState> pneumatics{};
+  /// The memory of self-contact before the last step. Empty: every contact in this state presses with its full depth.
   std::optional<std::vector<ContactMemory>> contact{};
-  std::optional<BranchState> branches{};  ///< nothing: they are at rest in this state
+  std::optional<BranchState> branches{};  ///< empty: they are at rest in this state
 };
 
-/// How far a run came.
+/// How a run ended.
 struct ExplicitReport {
   io::RunStatus status = io::RunStatus::completed;
-  std::string reason;                           ///< in words, where it did not complete
+  std::string reason;                           ///< why the run did not complete
   std::optional<std::size_t> failed_element{};  ///< of the mesh
 };
 
-/// A branch of the material relaxes faster than steps of the body can follow.
+/// Thrown if a branch of the material relaxes faster than the steps of the body can resolve.
 class UnresolvedRelaxation : public io::InputError {
   using io::InputError::InputError;
 };
 
-/// Central differences with lumped masses. Bytes of all results are the same for any number of threads.
+/// Moves a body in time by central differences with lumped masses. All results are the same bytes for any number of threads.
 ///
-/// Maxwell branches relax by themselves, at a held deformation and by the exact exponential, every few steps: whenever a
-/// twenty-fifth of the shortest relaxation time has passed. In between they are springs. What they lose is what their energy
-/// falls by, never negative, so that the books close as well as those of an elastic body. Motion that is slow against the time
-/// between gets its branches to second order in it (their tensors stand for the middle of that time).
+/// Maxwell branches relax separately from the steps: by the exact exponential at fixed deformation, whenever a twenty-fifth of
+/// the shortest relaxation time has passed. In between they act as springs. Their loss is the decrease of their energy and is
+/// never negative, so that the energy balance closes as well as that of an elastic body. For motion that is slow against the time
+/// between two relaxations, the branches are accurate to second order in that time, because their tensors stand for its middle.
 ///
-/// Time goes on in intervals of equal steps, at most `steps_per_bound`. At the end of each the state is judged: the stable step
-/// there must not be below the step that was taken, the energy books must close, and parts of the surface must not have been
-/// deeper in each other, nor have moved further in a step while they were near, than is certain to be seen. Otherwise the
-/// interval is taken again from a copy of its start, with half as many steps of half the length, until it passes or the step
-/// falls below its smallest ratio. Intervals get longer where the stable step changes little (2 % in one), and shorter where it
-/// changes more.
+/// Time advances in intervals of equal steps, at most `steps_per_bound`. The state is checked at the end of each interval:
+/// - The stable step there must not be below the step that was taken.
+/// - The energy balance must close.
+/// - No part of the surface may have penetrated another one more deeply than contact detects with certainty.
+/// - No part of the surface near another one may have moved further in a step than contact detects with certainty.
 ///
-/// The books count energy at one time: that of modes whose period is a few steps is known only roughly (to the square of step
-/// times frequency), and a body that mostly moves in such modes gets shorter steps for it.
+/// If a check fails, the interval is repeated from a copy of its start, with half as many steps of half the length. This goes on
+/// until the checks pass or the step falls below its smallest ratio. Intervals get longer where the stable step changes by at
+/// most 2 % in one interval, and shorter where it changes more.
 ///
-/// Parts of the outside that meet, and walls of one chamber, push each other and rub (see SelfContact); chamber pressure
-/// acts on walls that touch as on all others. While nothing touches, results are the same bytes with and without, unless near
-/// parts move a twentieth of an edge in a step. Without self-contact, walls that touch end the run as `wall_contact`, and parts
-/// of the outside pass through each other; a chamber that has no volume left ends it so, too, with and without.
+/// The energy balance is taken at one time. The energy of modes whose period is only a few steps is known only roughly, to the
+/// square of step times frequency. A body that mostly moves in such modes gets shorter steps because of it.
+///
+/// Parts of the outside that meet, and walls of one chamber, push each other and rub (see SelfContact). Chamber pressure acts on
+/// walls that touch as on all others. While nothing touches, results are the same bytes with and without self-contact, unless
+/// near parts move a twentieth of an edge in a step. Without self-contact, walls that touch end the run as `wall_contact`, and
+/// parts of the outside pass through each other. In both cases a chamber that has no volume left ends the run as `wall_contact`.
 class ExplicitDynamics {
  public:
-  /// The body at rest in its reference configuration. Keeps references to the body.
-  /// @throws io::InputError for options outside their ranges, as many schedules as the mesh has not plena, and schedules that the
-  /// first step cannot resolve; UnresolvedRelaxation
+  /// Starts with the body at rest in its reference configuration. Keeps a reference to the body.
+  /// @throws io::InputError for options outside their ranges, for schedules beside a supply, if the number of schedules is not
+  /// that of the mesh's plena, and for schedules that the first step cannot resolve
+  /// @throws UnresolvedRelaxation if a branch relaxes faster than the steps can resolve
   ExplicitDynamics(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, ExplicitOptions options);
 
   ExplicitDynamics(const ExplicitDynamics&) = delete;
   ExplicitDynamics& operator=(const ExplicitDynamics&) = delete;
 
-  /// Another start: a state from before, to go on from as if nothing had happened, or one that was changed; then its
-  /// `at_start_J` must be empty, or the books stay open by the change, and so must be `pneumatics` where time or chambers'
-  /// volumes changed, and `contact` where displacements or velocities did; `branches` may be. Velocities of what is held become
-  /// zero. Sizes must fit (asserts).
-  /// @throws io::InputError naming an element that is inside out there or not finite
+  /// Sets the state from which the run continues. A state that was returned before continues as if the run had not been
+  /// interrupted.
+  ///
+  /// A state that was changed must leave some members empty: `at_start_J` always, since otherwise the energy balance is off by
+  /// the change; `pneumatics` if the time or volumes of chambers changed; `contact` if displacements or velocities changed.
+  /// `branches` may be empty. Velocities of held components become zero. Sizes must fit (asserts).
+  /// @throws io::InputError naming an element that is inverted or not finite there
   void set_state(ExplicitState state);
   [[nodiscard]] const ExplicitState& state() const { return state_; }
 
-  /// To a time; the end of each call is the end of an interval. Once a run has not completed, the state is the last one that was
-  /// judged good (that of the contact or of the volume that ended it), and further calls return the same report.
+  /// Advances to this time. The end of each call is the end of an interval. If a run does not complete, its state is the last one
+  /// that passed the checks (for a contact or a volume that ended it, the state where that was found), and further calls return
+  /// the same report.
   [[nodiscard]] const ExplicitReport& advance_to(double time_s);
 
   [[nodiscard]] const ExplicitBody& body() const { return body_; }
@@ -127,7 +141,7 @@ class ExplicitDynamics {
   [[nodiscard]] std::vector<double> chamber_volumes_m3() const { return chambers_.volumes_m3(positions_m()); }
   [[nodiscard]] std::vector<double> plenum_volumes_m3() const;
   [[nodiscard]] double plenum_pressure_Pa(std::size_t plenum) const;
-  [[nodiscard]] ExplicitEnergies energies();
+  [[nodiscard]] MotionEnergies energies();
   [[nodiscard]] double ground_force_N() const;          ///< upwards on the body
   [[nodiscard]] std::vector<SelfTouch> self_touches();  ///< none without self-contact
   [[nodiscard]] Point centre_of_mass_m() const;
@@ -135,16 +149,17 @@ class ExplicitDynamics {
  private:
   struct HalfStep {
     std::vector<double> velocities;
-    ExplicitWork work;
+    MotionWork work;
   };
   void check(const meshes::HexahedralMesh& mesh) const;
-  /// With the touches found last. @param branch tensors of all batches
+  /// Returns the stable step, with the contacts found last.
+  /// @param branch tensors of all batches
   [[nodiscard]] double stable_step_at(std::span<const double> displacements_m, std::span<const double> branch) const;
   void pass_interval(double time_s);
   std::optional<ExplicitReport> take_steps(double step_s, std::size_t count, double end_s);
-  std::optional<ExplicitReport> judge();
+  std::optional<ExplicitReport> check();
   void accept(double last_stable_step_s, std::size_t count);
-  [[nodiscard]] std::optional<ExplicitReport> judge_contact() const;
+  [[nodiscard]] std::optional<ExplicitReport> check_contact() const;
   [[nodiscard]] bool walls_have_met() const;
   void look_at_chambers();
   bool take_step(double step_s);
@@ -162,7 +177,8 @@ class ExplicitDynamics {
   const ExplicitBody& body_;
   ExplicitOptions options_;
   ExplicitChambers chambers_;
-  SelfContact self_contact_;  ///< of chambers' walls alone, without forces, where the options have none
+  /// Only between walls of chambers, and without forces, if the options have no self-contact.
+  SelfContact self_contact_;
   std::vector<double> areas_;
   NodeUpdate nodes_;
   BlockLoop loop_;
@@ -172,7 +188,7 @@ class ExplicitDynamics {
   ExplicitReport report_;
   double rest_stable_step_ = 0.0;
   double stable_step_ = 0.0;   ///< at the start of an interval
-  double energy_noise_ = 0.0;  ///< J, of no meaning in the books
+  double energy_noise_ = 0.0;  ///< J, negligible in the energy balance
   std::optional<double> relaxation_interval_s_;
   Point common_velocity_{};  ///< of the centre of mass at the start of an interval
   std::vector<double> first_volumes_;
@@ -183,7 +199,8 @@ class ExplicitDynamics {
   std::vector<NodesOutcome> moves_;
 };
 
-/// Advances to each of the times (increasing) and calls observe there, the start included; ends where a run does not complete.
+/// Advances to each of the times (increasing) and calls `observe` at the start and at each of them. Ends where a run does not
+/// complete.
 const ExplicitReport& follow(ExplicitDynamics& dynamics, const std::vector<double>& times_s,
                              const std::function<void(ExplicitDynamics&)>& observe);
 

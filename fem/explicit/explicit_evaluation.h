@@ -7,11 +7,11 @@
 
 namespace menger::fem::detail {
 
-/// Numbers of a batch's branches: six for each of eight points and each lane.
+/// The count of numbers in a batch's branch tensors: six for each of eight points and each lane.
 template <class Pack>
 constexpr std::size_t branch_numbers = std::size_t{Pack::size} * branch_numbers_per_lane;
 
-/// Tensors of one batch, if there are any.
+/// Returns the tensors of one batch, or nullptr if there are none.
 template <class Pack, class Number>
 Number* tensors_of(Number* tensors, std::size_t batch) {
   return tensors == nullptr ? nullptr : tensors + branch_numbers<Pack> * batch;

@@ -14,7 +14,7 @@ using detail::ExplicitKernelTable;
 using detail::ExplicitTask;
 using detail::reference_to;
 
-/// Branches as they are.
+/// Returns a task whose branches do not relax.
 BranchTask resting(const MaxwellBranch& branch, const double* tensors) {
   return {branch.shear_modulus_Pa, 0.0, branch.is_there() ? tensors : nullptr, nullptr};
 }
@@ -32,12 +32,12 @@ ExplicitTask task_of(const ExplicitMaterial& material, const BranchTask& branch,
   return {reference_to(material.law), reference_to(material.volume), material.viscosity_Pa_s, branch, batches, motion};
 }
 
-/// All kernels this machine can run, the widest last.
+/// Returns all kernels that this machine can run, the widest last.
 const std::vector<const ExplicitKernelTable*>& available_tables() {
   static const std::vector<const ExplicitKernelTable*> tables = [] {
     std::vector<const ExplicitKernelTable*> result{&detail::baseline_explicit_kernels()};
 #ifdef MENGER_X86_KERNELS
-    // The compiler's test, which also asks whether the operating system saves the wide registers.
+    // The compiler's builtin also checks whether the operating system saves the wide registers.
     if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0)
       result.push_back(&detail::avx2_explicit_kernels());
     if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)

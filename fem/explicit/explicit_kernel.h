@@ -11,11 +11,11 @@
 
 namespace menger::fem {
 
-/// What elements of explicit dynamics are made of: P = d psi/dF of the law with the mean dilatation of the element, plus the
+/// The material of elements of explicit dynamics: P = d psi/dF of the law with the mean dilatation of the element, plus the
 /// stress of a Maxwell branch, plus a viscous stress.
 ///
-/// The viscous Kirchhoff stress is 2 eta dev(d), d the rate of deformation: objective, without pressure, and never a source of
-/// energy.
+/// The viscous Kirchhoff stress is 2 eta dev(d) with the rate of deformation d. It is objective, has no pressure part, and never
+/// adds energy.
 struct ExplicitMaterial {
   materials::HyperelasticLaw law;
   VolumetricLaw volume;
@@ -23,49 +23,51 @@ struct ExplicitMaterial {
   MaxwellBranch branch{};
 };
 
-/// Batches of trilinear elements of equal material that are boxes along the axes in the reference configuration. Lanes without an
+/// Batches of trilinear elements of one material that are boxes along the axes in the reference configuration. Lanes without an
 /// element repeat another one.
 struct BoxBatches {
   std::size_t count = 0;
-  /// Per lane eight corners in the order of meshes::ElementCorners: three times the index of the node; corner c of lane l of
-  /// batch b at 8 (b width + l) + c.
+  /// Eight corners per lane in the order of meshes::ElementCorners, each as three times the index of its node. Corner c of lane l
+  /// of batch b is at 8 (b width + l) + c.
   const std::uint32_t* first_components = nullptr;
   const double* inverse_edges_per_m = nullptr;  ///< per batch 1/h along x, y, z, interleaved: entry i of lane l at i width + l
   const double* volumes_m3 = nullptr;           ///< per batch and lane
 };
 
-/// Where a body is; component i of node a at 3 a + i.
+/// The motion of a body's nodes; component i of node a at 3 a + i.
 struct NodalMotion {
   const double* displacements_m = nullptr;
-  const double* velocities_m_per_s = nullptr;  ///< read where there is a viscosity; nullptr: no viscous force
+  const double* velocities_m_per_s = nullptr;  ///< read if there is a viscosity; nullptr: no viscous force
 };
 
-/// Of the tensors of a lane: six components at eight points.
+/// Numbers in the tensors of a lane: six components at eight points.
 inline constexpr std::size_t branch_numbers_per_lane = 48;
 
-/// Tensors A of the branches (see MaxwellBranch) of batches: per batch 48 width numbers, component c (xx, yy, zz, yz, xz, xy) of
-/// point q of lane l at (6 q + c) width + l; aligned to 64 bytes.
+/// The tensors A of the branches (see MaxwellBranch) of some batches: 48 width numbers per batch, aligned to 64 bytes. Component
+/// c (xx, yy, zz, yz, xz, xy) of point q of lane l is at (6 q + c) width + l.
 struct BranchTensors {
   double* values = nullptr;  ///< nullptr: no branch acts
-  /// >= 0, the time by which they relax at the deformation that is given; forces are those of the mean of before and after, as
-  /// central differences want them at the end of one spring and the beginning of another.
+  /// >= 0: the time by which they relax at the given deformation. Forces are those of the mean of the tensors before and after.
+  /// Central differences need this mean, since one spring ends and another begins at this time.
   double relaxed_s = 0.0;
 };
 
-/// What elements say besides their forces.
+/// Results of elements other than their forces.
 struct ElementsOutcome {
-  double smallest_ratio = 1.0;  ///< of the volume, over all points and elements; not positive where the law has no answer
-  double dissipated_W = 0.0;    ///< by the viscous stress, >= 0
-  double relaxed_J = 0.0;       ///< what the branches' energy fell by while they relaxed, >= 0 up to rounding
+  /// The smallest volume ratio of all points and elements; not positive where the law gives no stress.
+  double smallest_ratio = 1.0;
+  double dissipated_W = 0.0;  ///< by the viscous stress, >= 0
+  /// The decrease of the branches' energy while they relaxed, >= 0 up to rounding.
+  double relaxed_J = 0.0;
 };
 
-/// What bounds of the eigenvalues need of elements. Arrays hold numbers per batch and are aligned to 64 bytes.
+/// The values of elements that bounds of the eigenvalues need. Arrays hold numbers per batch and are aligned to 64 bytes.
 struct ElementBounds {
   double* volume_gradients_m2;  ///< 24 width: d(volume)/du, in the order of the forces
   double* bulk_moduli_Pa;       ///< width: U'' at the mean dilatation
   double* deviatoric_squares;   ///< width: largest |dev sym(G F^-1)|^2 over |G| = 1 and the points; 1 at rest
-  /// width: not less than half the largest second derivative of the branch's energy over its modulus, over |G| = 1 and the
-  /// points; 1 at rest, 0 without a branch
+  /// width: an upper bound of half the second derivative of the branch's energy over its modulus, for all |G| = 1 and all points;
+  /// 1 at rest, 0 without a branch
   double* branch_squares;
 };
 
@@ -73,10 +75,10 @@ namespace detail {
 struct ExplicitKernelTable;
 }
 
-/// Internal forces of eight-point Q1/P0 elements with mean dilatation, for explicit dynamics; one instruction set.
+/// Kernels of one instruction set for explicit dynamics: internal forces of eight-point Q1/P0 elements with mean dilatation.
 ///
-/// The energy is that of `Formulation::three_field` of degree 1: forces agree with the residual of ElementKernels to rounding.
-/// Results of two instruction sets differ by rounding.
+/// The energy is that of `Formulation::three_field` of degree 1: the forces agree with the residual of ElementKernels to
+/// rounding. Results of two instruction sets differ by rounding.
 class ExplicitKernels {
  public:
   explicit ExplicitKernels(const detail::ExplicitKernelTable& table);
@@ -84,17 +86,20 @@ class ExplicitKernels {
   std::string_view instruction_set;  ///< "baseline", "avx2", "avx512"
   std::size_t width;                 ///< lanes: elements computed at once
 
-  /// @param branch changed where they relax @param forces_N per batch 24 width numbers, aligned to 64 bytes: d(energy)/du plus
-  /// the viscous force, component i of corner c of lane l at (3 c + i) width + l; to be subtracted from what accelerates the
-  /// nodes
+  /// Computes the nodal forces of elements: d(energy)/du plus the viscous force. They have to be subtracted from the forces that
+  /// accelerate the nodes.
+  /// @param branch tensors, changed if they relax
+  /// @param forces_N per batch 24 width numbers, aligned to 64 bytes; component i of corner c of lane l at (3 c + i) width + l
   ElementsOutcome forces(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
                          const BranchTensors& branch, double* forces_N) const;
 
-  /// Strain energy of each lane of each batch, J, with that of its branches, and its smallest volume ratio, as above; both
-  /// aligned to 64 bytes. @param branch values as of BranchTensors, nullptr: without them
+  /// Computes for each lane of each batch the strain energy, J, with that of its branches, and the smallest volume ratio, as in
+  /// ElementsOutcome. Both arrays are aligned to 64 bytes.
+  /// @param branch values as in BranchTensors; nullptr: without branches
   void energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion, const double* branch,
                 double* energies_J, double* smallest_ratios) const;
 
+  /// Computes the values that bounds of the eigenvalues need.
   /// @param branch as above
   void bounds(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion, const double* branch,
               const ElementBounds& bounds) const;
@@ -103,10 +108,10 @@ class ExplicitKernels {
   const detail::ExplicitKernelTable* table_;
 };
 
-/// The kernels of the widest instruction set that this machine has.
+/// Returns the kernels of the widest instruction set that this machine has.
 ExplicitKernels best_explicit_kernels();
 
-/// All kernels that this machine can run, the portable ones first.
+/// Returns all kernels that this machine can run, the portable ones first.
 std::vector<ExplicitKernels> available_explicit_kernels();
 
 }  // namespace menger::fem

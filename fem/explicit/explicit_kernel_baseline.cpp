@@ -2,7 +2,7 @@
 
 namespace menger::fem::detail {
 
-// The packs that every processor of this architecture has.
+// Uses the packs that every processor of this architecture has.
 const ExplicitKernelTable& baseline_explicit_kernels() { return explicit_kernel_table<xsimd::batch<double>>("baseline"); }
 
 }  // namespace menger::fem::detail

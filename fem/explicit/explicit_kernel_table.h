@@ -5,15 +5,16 @@
 
 namespace menger::fem::detail {
 
-/// Branches of elements.
+/// The branches of elements in a task.
 struct BranchTask {
   double shear_modulus_Pa;
-  double share;           ///< of the way to rest that they go before they act, in [0, 1]
+  double share;           ///< share of the distance to rest by which they relax first, in [0, 1]
   const double* tensors;  ///< nullptr: none
-  double* relaxing;       ///< the same where they go a part of it
+  double* relaxing;       ///< the same tensors if they relax, otherwise nullptr
 };
 
-/// Elements and their laws; laws by index and address, so that files of one instruction set need not visit variants.
+/// Elements and their laws. Laws are given by index and address, so that the files of one instruction set need not visit
+/// variants.
 struct ExplicitTask {
   LawReference law;
   LawReference volume;

@@ -7,7 +7,8 @@
 namespace menger::fem {
 namespace {
 
-/// Forces of elements are further away than the nearest caches; those of nodes to come are asked for in time.
+/// Returns the sum of the forces in a node's slots. The forces of later nodes are prefetched, as they do not lie in the nearest
+/// caches.
 inline Point sum_of(const NodeSlots& slots, std::span<const double> forces, std::size_t node) {
   const double* values = forces.data();
   const std::size_t stride = slots.stride;
@@ -29,21 +30,24 @@ inline Point sum_of(const NodeSlots& slots, std::span<const double> forces, std:
   return {x, y, z};
 }
 
-/// What a kick does to velocities: v1 = kept v0 + time f / m, with the time times 1 / (1 + a dt/2).
+/// The coefficients of a kick: v1 = kept v0 + time_s f / m, where time_s is dt / (1 + a dt/2).
 struct Kick {
   double kept;
   double share;  ///< 1 / (1 + a dt/2)
   double time_s;
 };
 
-/// Mass damping is taken at the mean of both velocities: (1 + a dt/2) v1 = (1 - a dt/2) v0 + dt f/m.
+/// Returns the kick of a duration dt. Mass damping acts on the mean of both velocities: (1 + a dt/2) v1 = (1 - a dt/2) v0 + dt
+/// f/m.
 Kick kick_of(double time_s, double mass_damping_per_s) {
   const double damping = 0.5 * time_s * mass_damping_per_s;
   const double share = 1.0 / (1.0 + damping);
   return {(1.0 - damping) * share, share, time_s * share};
 }
 
-/// Friction acts last, on what all other forces would do. @param after changed @return what is lost, J
+/// Applies friction to the velocity that all other forces would give.
+/// @param after that velocity, changed
+/// @return the energy lost, J
 double apply_friction(const Friction& friction, const Kick& kick, double normal_N, double mass, const double* before,
                       double* after) {
   const double change = kick.time_s * normal_N / mass;
@@ -57,7 +61,8 @@ double apply_friction(const Friction& friction, const Kick& kick, double normal_
   return lost;
 }
 
-/// Sum of products, in an order that registers do not decide: each place modulo the number of lanes has a sum of its own.
+/// Returns the sum of products. The order of summation does not depend on the width of the registers: each index modulo the
+/// number of lanes has its own sum.
 double product_sum(const double* a, const double* b, std::size_t count) {
   constexpr std::size_t lanes = 8;
   std::array<double, lanes> sums{};
@@ -81,16 +86,16 @@ constexpr std::size_t nodes_per_block = 128;
 
 }  // namespace
 
-/// Some nodes on their way through a step, component i of the nth of them at 3 n + i. Loops over whole arrays make use of vector
-/// registers, and give the same numbers in those of any width.
+/// A block of nodes during a step; component i of its nth node at 3 n + i. Loops over whole arrays use vector registers, and give
+/// the same numbers for any register width.
 struct NodeUpdate::Block {
-  std::size_t first = 0;  ///< component of the body
+  std::size_t first = 0;  ///< first component in the body
   std::size_t count = 0;  ///< of components
   std::array<double, 3 * nodes_per_block> pressure_N;
   std::array<double, 3 * nodes_per_block> load_N;
   std::array<double, 3 * nodes_per_block> after_m_per_s;
   std::array<double, 3 * nodes_per_block> mean_m_per_s;
-  std::size_t standing_count = 0;                     ///< of nodes that the ground pushes
+  std::size_t standing_count = 0;                     ///< number of nodes that the ground pushes
   std::array<std::size_t, nodes_per_block> standing;  ///< the first component of each
   std::array<double, nodes_per_block> normal_N;
 };
@@ -117,7 +122,7 @@ NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
     const double* inverse_masses = body_.inverse_masses_per_kg().data() + block.first;
     for (std::size_t n = 0; n < block.count; ++n)
       block.after_m_per_s[n] = kick.kept * v[n] + kick.time_s * inverse_masses[n] * block.load_N[n];
-    ExplicitWork work;
+    MotionWork work;
     for (std::size_t s = 0; s < block.standing_count; ++s) {
       const std::size_t n = block.standing[s];
       if (!(inverse_masses[n] > 0.0 && inverse_masses[n + 1] > 0.0)) continue;
@@ -138,7 +143,7 @@ NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
   return outcome;
 }
 
-/// All forces but friction on the ground.
+/// Sums all forces except friction on the ground.
 void NodeUpdate::sum_forces(const SlotForces& forces, std::span<const double> displacements_m, Block& block) const {
   for (std::size_t n = 0; n < block.count; n += 3) {
     const std::size_t node = (block.first + n) / 3;
@@ -168,9 +173,10 @@ void NodeUpdate::sum_forces(const SlotForces& forces, std::span<const double> di
     for (std::size_t n = 0; n < (more.empty() ? 0 : block.count); ++n) block.load_N[n] += more[block.first + n];
 }
 
-/// Work of pressure, weight, ground, contact, friction and mass damping is force times the mean of both velocities, as the change
-/// of kinetic energy is. That of the elements is not counted here: the books have their energy and their dissipation instead.
-void NodeUpdate::add_work(const SlotForces& forces, double time_s, const Block& block, ExplicitWork& work) const {
+/// Adds the work of a kick. The work of pressure, weight, ground, contact, friction and mass damping is force times the mean of
+/// both velocities, consistent with the change of kinetic energy. The work of the elements is not counted here: the energy
+/// balance has their energy and their dissipation instead.
+void NodeUpdate::add_work(const SlotForces& forces, double time_s, const Block& block, MotionWork& work) const {
   const double* mean = block.mean_m_per_s.data();
   const auto work_of = [&](const double* force) { return time_s * product_sum(force, mean, block.count); };
   work.pressure_J += work_of(block.pressure_N.data());

@@ -23,16 +23,16 @@ double ExplicitDynamics::plenum_pressure_Pa(std::size_t plenum) const {
   return options_.supply->pressure_Pa(*state_.pneumatics, plenum);
 }
 
-/// Pressures at the time that the state has come to.
+/// Advances the pneumatic supply to the time of the state.
 PneumaticReport ExplicitDynamics::supply_air() {
   if (air_) return air_->advance(*state_.pneumatics, state_.time_s, plenum_volumes_m3());
   state_.pneumatics->time_s = state_.time_s;
   return {.time_s = state_.time_s};
 }
 
-ExplicitEnergies ExplicitDynamics::energies() {
+MotionEnergies ExplicitDynamics::energies() {
   const HalfStep half = half_step();
-  ExplicitEnergies result;
+  MotionEnergies result;
   for (std::size_t n = 0; n < half.velocities.size(); ++n)
     result.kinetic_J += 0.5 * body_.masses_kg()[n / 3] * half.velocities[n] * half.velocities[n];
   result.strain_J = body_.strain_energy_J(state_.displacements_m, state_.branches->tensors);
@@ -52,7 +52,7 @@ std::vector<SelfTouch> ExplicitDynamics::self_touches() {
   return self_contact_.touches();
 }
 
-/// By masses, half a step before the state.
+/// Returns the mean velocity weighted by mass, half a step before the state.
 Point ExplicitDynamics::mean_velocity_m_per_s() const {
   Point momentum{};
   for (std::size_t n = 0; n < state_.velocities_m_per_s.size(); ++n)

@@ -9,7 +9,7 @@
 namespace menger::fem {
 namespace {
 
-/// Arrays of ElementBounds for all batches of a body.
+/// The arrays of ElementBounds for all batches of a body.
 struct AllBounds {
   AlignedNumbers gradients;
   AlignedNumbers bulk_moduli;
@@ -48,14 +48,14 @@ AllBounds element_bounds(const ExplicitBody& body, std::span<const double> displ
   return all;
 }
 
-/// The implicit kernels with the packs of a body's own.
+/// Returns the implicit kernels with the same packs as the kernels of the body.
 ElementKernels implicit_kernels(const ExplicitBody& body) {
   for (const ElementKernels& kernels : available_element_kernels())
     if (kernels.instruction_set == body.kernels().instruction_set) return kernels;
   return best_element_kernels();
 }
 
-/// Frobenius norms of K_rest, N/m, of the elements of one batch.
+/// Computes the Frobenius norms of K_rest, N/m, of the elements of one batch.
 class RestStiffness {
  public:
   explicit RestStiffness(const ExplicitBody& body)
@@ -68,6 +68,7 @@ class RestStiffness {
     assert(kernels_.width == body.boxes().width());
   }
 
+  /// Computes the norms of one batch.
   /// @param norms one per lane of the body
   void set_norms(const BoxGroup& group, std::size_t batch, std::span<const double> displacements, const AllBounds& bounds,
                  std::span<double> norms) {
@@ -94,7 +95,7 @@ class RestStiffness {
   }
 
  private:
-  /// |K - bulk g g^T|^2 of one lane.
+  /// Returns |K - bulk g g^T|^2 of one lane.
   [[nodiscard]] double norm_square(const double* gradient, double bulk, std::size_t lane, std::size_t width) const {
     double sum = 0.0;
     for (std::size_t a = 0; a < 8; ++a) {
@@ -119,7 +120,7 @@ class RestStiffness {
   AlignedNumbers ratios_;
 };
 
-/// s g_e / sqrt(m) of all elements, s = sqrt(U'' / V), in the order of the forces.
+/// Returns s g_e / sqrt(m) of all elements, where s = sqrt(U'' / V), in the order of the forces.
 AlignedNumbers scaled_gradients(const ExplicitBody& body, const AllBounds& bounds, const BlockLoop& loop) {
   const BoxMesh& boxes = body.boxes();
   const std::size_t width = boxes.width();
@@ -138,8 +139,8 @@ AlignedNumbers scaled_gradients(const ExplicitBody& body, const AllBounds& bound
   return result;
 }
 
-/// (B w)_e for all lanes. Absolute values are taken at every node, not of the sum over the nodes that two elements share, which
-/// is the same for boxes at rest and never smaller.
+/// Returns (B w)_e for all lanes. Absolute values are taken at every node, not of the sum over the nodes that two elements share.
+/// For boxes at rest this is the same, and it is never smaller.
 std::vector<double> bulk_product(const BoxMesh& boxes, const AlignedNumbers& gradients, const std::vector<double>& weights,
                                  const BlockLoop& loop) {
   const std::size_t width = boxes.width();
@@ -171,13 +172,13 @@ double bulk_bound(const ExplicitBody& body, const AllBounds& bounds, const Block
     for (std::size_t lane = 0; lane < product.size(); ++lane) largest = std::max(largest, product[lane] / weights[lane]);
     if (largest == 0.0) return 0.0;
     bound = iteration == 0 ? largest : std::min(bound, largest);
-    // Half of the old weights keeps all of them positive, also those of lanes without an element.
+    // Half of the old weights keeps all weights positive, also those of lanes without an element.
     for (std::size_t lane = 0; lane < product.size(); ++lane) weights[lane] = 0.5 * (weights[lane] + product[lane] / largest);
   }
   return bound;
 }
 
-/// What a node gets of the matrices of each of its elements: a number per lane.
+/// The contribution of each element's matrices to each of its nodes: one number per lane.
 struct NodeShares {
   std::vector<double> stiffness_N_per_m;
   std::vector<double> damping_kg_per_s;
@@ -206,7 +207,7 @@ NodeShares node_shares(const ExplicitBody& body, std::span<const double> displac
   return shares;
 }
 
-/// The parts of the bounds that come from elements one by one: the largest sum of shares at a node over its mass.
+/// Returns the parts of the bounds that come from single elements: the largest sum of shares at a node over its mass.
 EigenvalueBounds bounds_of_elements(const ExplicitBody& body, std::span<const double> displacements, const AllBounds& elements,
                                     const BlockLoop& loop) {
   const BoxMesh& boxes = body.boxes();

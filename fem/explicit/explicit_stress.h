@@ -13,7 +13,7 @@
 
 namespace menger::fem::detail {
 
-/// Derivatives alone: the logarithm of an energy costs as much as a point.
+/// Returns only the derivative: the logarithm in an energy costs as much as a whole point.
 template <class Law, class Pack>
 Pack pack_volume_derivative(const void* law, const Pack& ratio) {
   return static_cast<const Law*>(law)->derivative(ratio);
@@ -30,18 +30,21 @@ Pack volume_derivative(const LawReference& volume, const Pack& ratio) {
   return laws[volume.index](volume.parameters, ratio);
 }
 
-/// Neo-Hookean isochoric stress plus p cof F. P = mu J^(-2/3) (F - tr(C)/3 F^-T) with J^(-1/3) from one series: neither root nor
-/// division. For packs and laws of any other kind see GeneralStress.
+/// Computes the Neo-Hookean isochoric stress plus p cof F: P = mu J^(-2/3) (F - tr(C)/3 F^-T). J^(-1/3) comes from one series,
+/// without root and division. For laws of any other kind see GeneralStress.
 template <class Pack>
 class NeoHookeanStress {
  public:
   explicit NeoHookeanStress(const ExplicitTask& task)
       : shear_modulus_(static_cast<const materials::NeoHookean*>(task.law.parameters)->shear_modulus_Pa) {}
 
-  /// @param F turned into P @return 1 / J; `answered` is left alone: the law always has an answer where J > 0
+  /// Computes the stress.
+  /// @param F replaced by P
+  /// @param computed unchanged: the law has a stress wherever J > 0
+  /// @return 1 / J
   Pack operator()(const PointVolume<Pack>& point, const double* /*tensor*/, const Pack& pressure, std::array<Pack, 9>& F,
-                  Pack& answered) const {
-    static_cast<void>(answered);
+                  Pack& admissible) const {
+    static_cast<void>(admissible);
     const Pack root = inverse_cube_root(point.ratio);
     const Pack root_square = root * root;
     const Pack inverse_ratio = root_square * root;
@@ -57,7 +60,7 @@ class NeoHookeanStress {
   Pack shear_modulus_;
 };
 
-/// The same with a branch: both energies are linear in C, so that mu I + m A carries both.
+/// Computes the same with a branch. Both energies are linear in C, so that mu I + m A gives the sum of both stresses.
 template <class Pack>
 class BranchedNeoHookeanStress {
  public:
@@ -65,10 +68,11 @@ class BranchedNeoHookeanStress {
       : shear_modulus_(static_cast<const materials::NeoHookean*>(task.law.parameters)->shear_modulus_Pa),
         branch_modulus_(task.branch.shear_modulus_Pa) {}
 
+  /// Computes the stress.
   /// @param tensor A of the branch
   Pack operator()(const PointVolume<Pack>& point, const double* tensor, const Pack& pressure, std::array<Pack, 9>& F,
-                  Pack& answered) const {
-    static_cast<void>(answered);
+                  Pack& admissible) const {
+    static_cast<void>(admissible);
     Symmetric<Pack> both = load_symmetric<Pack>(tensor);
     for (std::size_t c = 0; c < 3; ++c) both[c] = xsimd::fma(branch_modulus_, both[c], shear_modulus_);
     for (std::size_t c = 3; c < 6; ++c) both[c] = branch_modulus_ * both[c];
@@ -80,19 +84,22 @@ class BranchedNeoHookeanStress {
   Pack branch_modulus_;
 };
 
-/// Any law, through the functions that the implicit elements use.
+/// Computes the stress of any law, through the functions that the implicit elements use.
 template <class Pack>
 class GeneralStress {
  public:
   explicit GeneralStress(const ExplicitTask& task) : law_(task.law) {}
 
-  /// @param F turned into P @param answered not positive in lanes without an answer @return 1 / J
+  /// Computes the stress.
+  /// @param F replaced by P
+  /// @param computed not positive in lanes where the law gives no stress
+  /// @return 1 / J
   Pack operator()(const PointVolume<Pack>& point, const double* /*tensor*/, const Pack& pressure, std::array<Pack, 9>& F,
-                  Pack& answered) const {
+                  Pack& admissible) const {
     static constexpr auto laws = PackTables<materials::HyperelasticLaw>::template isochoric<Pack>();
     Tensor<Pack> stress;
     Pack energy;
-    answered = xsimd::min(answered, laws[law_.index].stress(law_.parameters, {F}, stress, energy));
+    admissible = xsimd::min(admissible, laws[law_.index].stress(law_.parameters, {F}, stress, energy));
     for (std::size_t n = 0; n < 9; ++n) F[n] = xsimd::fma(pressure, point.cofactor[n], stress.components[n]);
     return Pack(1.0) / point.ratio;
   }
@@ -101,18 +108,19 @@ class GeneralStress {
   LawReference law_;
 };
 
+/// Computes the stress of any law with a branch.
 template <class Pack>
 class BranchedGeneralStress {
  public:
   explicit BranchedGeneralStress(const ExplicitTask& task) : law_(task), branch_modulus_(task.branch.shear_modulus_Pa) {}
 
   Pack operator()(const PointVolume<Pack>& point, const double* tensor, const Pack& pressure, std::array<Pack, 9>& F,
-                  Pack& answered) const {
+                  Pack& admissible) const {
     std::array<Pack, 9> carried = F;
     Symmetric<Pack> branch = load_symmetric<Pack>(tensor);
     for (Pack& component : branch) component = branch_modulus_ * component;
     carried_stress(branch, point, Pack(0.0), carried);
-    const Pack inverse_ratio = law_(point, tensor, pressure, F, answered);
+    const Pack inverse_ratio = law_(point, tensor, pressure, F, admissible);
     for (std::size_t n = 0; n < 9; ++n) F[n] = F[n] + carried[n];
     return inverse_ratio;
   }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double close_steps = 1.2;  // ratio of steps that can share a factorisation
 constexpr double touching_gap = 1e-3;
-constexpr double moment_s = 1e-9;  // too short for a step: accelerations would be rounding
+constexpr double moment_s = 1e-9;  // too short for a step: its accelerations would be rounding errors
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void ImplicitDynamics::fail(io::RunStatus status, const std::string& reason) {
   report_ = {status, reason + " at " + io::number_text(state_.time_s) + " s"};
 }
 
-/// One good step, the last of equal ones to a time where it is near; none where told to stop within it.
+/// Takes one good step. The time that remains is divided into equal steps. No step is taken if the run is stopped within it.
 void ImplicitDynamics::pass_step(double end_s) {
   std::vector<double> u;
   for (;;) {
@@ -40,34 +40,34 @@ void ImplicitDynamics::pass_step(double end_s) {
     const double count = std::max(1.0, std::ceil(left / wanted * (1.0 - 1e-9)));
     const double step = left / count;
     trial_.time_s = count == 1.0 ? end_s : state_.time_s + step;
-    const Judgement judgement = try_step(step, u);
-    if (judgement == Judgement::good) {
+    const StepOutcome outcome = try_step(step, u);
+    if (outcome == StepOutcome::good) {
       if (count > 1.0 || error_ > 0.5) state_.next_step_s = next_step_s(step, error_, wanted);
       accept(std::move(u));
       return;
     }
-    if (judgement == Judgement::stopped) return;
+    if (outcome == StepOutcome::stopped) return;
     ++state_.rejected_steps;
-    state_.next_step_s = judgement == Judgement::inaccurate ? std::min(0.9 * step, next_step_s(step, error_, step)) : 0.4 * step;
+    state_.next_step_s = outcome == StepOutcome::inaccurate ? std::min(0.9 * step, next_step_s(step, error_, step)) : 0.4 * step;
     if (state_.next_step_s >= options_.smallest_step_s) continue;
-    switch (judgement) {
-      case Judgement::inverted:
+    switch (outcome) {
+      case StepOutcome::inverted:
         fail(io::RunStatus::inverted_element,
-             "an element would turn inside out, or its law has no answer, however short the step");
+             "an element would turn inside out or be stretched beyond the limit of its law, however short the step");
         break;
-      case Judgement::crossing:
+      case StepOutcome::crossing:
         fail(io::RunStatus::wall_contact, "chamber walls touch");
         break;
       default:
-        fail(io::RunStatus::not_converged,
-             "no step as short as " + io::number_text(options_.smallest_step_s) + " s has an answer");
+        fail(io::RunStatus::not_converged, "no step as short as " + io::number_text(options_.smallest_step_s) + " s converges");
     }
     return;
   }
 }
 
-/// @param u where the step ends
-ImplicitDynamics::Judgement ImplicitDynamics::try_step(double step_s, std::vector<double>& u) {
+/// Tries a step and checks its error and the walls.
+/// @param u displacements at the end of the step
+ImplicitDynamics::StepOutcome ImplicitDynamics::try_step(double step_s, std::vector<double>& u) {
   trial_.step_s = step_s;
   u = state_.displacements_m;
   for (std::size_t n = 0; n < u.size(); ++n)
@@ -75,17 +75,18 @@ ImplicitDynamics::Judgement ImplicitDynamics::try_step(double step_s, std::vecto
   if (std::max(step_s, factorised_step_s_) > close_steps * std::min(step_s, factorised_step_s_)) newton_.forget_tangent();
   copy_owned(u, unknown_);
   const NewtonOutcome outcome = newton_.solve(unknown_, options_.stop);
-  if (outcome.end == NewtonEnd::stopped) return Judgement::stopped;
+  if (outcome.end == NewtonEnd::stopped) return StepOutcome::stopped;
   state_.iterations += static_cast<std::size_t>(outcome.iterations);
-  if (outcome.end == NewtonEnd::no_residual) return Judgement::inverted;
-  if (outcome.end != NewtonEnd::solved) return Judgement::unsolved;
+  if (outcome.end == NewtonEnd::no_residual) return StepOutcome::inverted;
+  if (outcome.end != NewtonEnd::solved) return StepOutcome::unsolved;
   copy_owned(unknown_, u);
   error_ = error_of_step() / tolerance_m_;
-  if (!(error_ <= 1.0)) return Judgement::inaccurate;
+  if (!(error_ <= 1.0)) return StepOutcome::inaccurate;
   return look_at_walls(u);
 }
 
-/// c h^2 (a1 - a0) filtered by the matrix at hand, in which M stands with the factor m of the step that it was made for.
+/// Returns the size of the local error of the step: c h^2 (a1 - a0), filtered by the matrix that was factorised last. In that
+/// matrix, M has the factor m of the step for which it was made.
 double ImplicitDynamics::error_of_step() {
   const double h = trial_.step_s;
   const double mass_factor =
@@ -104,35 +105,38 @@ double ImplicitDynamics::error_of_step() {
   return size_of(error);
 }
 
-/// An upper bound of how far two points of the body have come nearer to each other: motion apart from the mean one, twice.
+/// Returns an upper bound of how much closer two points of the body have come: twice the largest displacement relative to the
+/// mean one.
 double ImplicitDynamics::approach_m(std::span<const double> from, std::span<const double> to) const {
   Point mean{};
   for (std::size_t n = 0; n < 3 * masses_.size(); ++n) mean[n % 3] += masses_[n / 3] * (to[n] - from[n]) / mass_kg_;
   MPI_Allreduce(MPI_IN_PLACE, mean.data(), 3, MPI_DOUBLE, MPI_SUM, space().communicator);
   double square = 0.0;
   for (std::size_t node = 0; node < masses_.size(); ++node) {
-    Point way{};
-    for (std::size_t i = 0; i < 3; ++i) way[i] = to[3 * node + i] - from[3 * node + i] - mean[i];
-    square = std::max(square, dot(way, way));
+    Point relative{};
+    for (std::size_t i = 0; i < 3; ++i) relative[i] = to[3 * node + i] - from[3 * node + i] - mean[i];
+    square = std::max(square, dot(relative, relative));
   }
   MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_MAX, space().communicator);
   return 2.0 * std::sqrt(square);
 }
 
-/// Walls of a chamber are looked at where it has shrunk and they may have closed half of their gap since the last look. Where
-/// that was before this step, they are looked at where it began, too: what they may have passed unseen is judged by this step.
-ImplicitDynamics::Judgement ImplicitDynamics::look_at_walls(std::span<const double> u) {
+/// Checks the walls of the chambers for crossings. The check is made where a chamber has shrunk and its walls may have closed
+/// half of their gap since the last check. It is first made at the start of this step, so that an undetected crossing can only
+/// have happened within this step.
+ImplicitDynamics::StepOutcome ImplicitDynamics::look_at_walls(std::span<const double> u) {
   const std::vector<double>& volumes = trial_.forces.totals.chamber_volumes_m3;
   bool shrinks = false;
   for (std::size_t c = 0; c < volumes.size(); ++c) shrinks = shrinks || volumes[c] < 0.999 * first_volumes_[c];
-  if (!shrinks) return Judgement::good;
-  if (gap_m_ && approach_m(gap_displacements_, u) < 0.5 * *gap_m_) return Judgement::good;
-  if (!look_from(state_.displacements_m)) return Judgement::crossing;
-  if (gap_m_ && approach_m(state_.displacements_m, u) > *gap_m_ + gaps_.recognised_depth_m()) return Judgement::crossing;
-  return look_from(u) ? Judgement::good : Judgement::crossing;
+  if (!shrinks) return StepOutcome::good;
+  if (gap_m_ && approach_m(gap_displacements_, u) < 0.5 * *gap_m_) return StepOutcome::good;
+  if (!look_from(state_.displacements_m)) return StepOutcome::crossing;
+  if (gap_m_ && approach_m(state_.displacements_m, u) > *gap_m_ + gaps_.recognised_depth_m()) return StepOutcome::crossing;
+  return look_from(u) ? StepOutcome::good : StepOutcome::crossing;
 }
 
-/// @return whether no walls cross there
+/// Searches the smallest gap between chamber walls and stores it.
+/// @return whether no walls cross
 bool ImplicitDynamics::look_from(std::span<const double> u) {
   const std::optional<WallGap> gap = gaps_.smallest(u);
   gap_m_.reset();
@@ -143,7 +147,7 @@ bool ImplicitDynamics::look_from(std::span<const double> u) {
   return true;
 }
 
-/// Of the mean of two forces over the step to u.
+/// Returns the work of the mean of two forces over the step to u, J.
 double ImplicitDynamics::mean_work(std::span<const double> before, std::span<const double> after,
                                    std::span<const double> u) const {
   double work = 0.0;
@@ -155,7 +159,7 @@ double ImplicitDynamics::mean_work(std::span<const double> before, std::span<con
 
 void ImplicitDynamics::accept(std::vector<double>&& u) {
   const Forces& now = trial_.forces;
-  ExplicitWork& work = state_.work;
+  MotionWork& work = state_.work;
   for (std::size_t c = 0; c < body_.chambers.size(); ++c) {
     const std::size_t plenum = body_.chambers[c].plenum;
     work.pressure_J += 0.5 * (forces_.pressures_Pa[plenum] + now.pressures_Pa[plenum]) *

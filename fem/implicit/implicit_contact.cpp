@@ -14,7 +14,7 @@ Plane in_plane(std::span<const double> field, std::size_t node) { return {field[
 
 double length(const Plane& a) { return std::hypot(a[0], a[1]); }
 
-/// Area of each local node on faces that bound no chamber.
+/// Returns the area of each node of this rank on the faces that bound no chamber.
 std::vector<double> outer_areas_m2(const Assembly& assembly, const Body& body) {
   const Space& space = assembly.space();
   std::vector<bool> is_inside;
@@ -36,7 +36,7 @@ std::vector<double> outer_areas_m2(const Assembly& assembly, const Body& body) {
   return per_node;
 }
 
-/// part (I - n n^T) along a direction n.
+/// Returns part (I - n n^T) for a unit vector n.
 std::array<double, 4> across(double part, const Plane& n) {
   return {part * (1.0 - n[0] * n[0]), -part * n[0] * n[1], -part * n[0] * n[1], part * (1.0 - n[1] * n[1])};
 }
@@ -120,7 +120,8 @@ ImplicitContact::Response ImplicitContact::response_of(const Spring& spring, con
   return response;
 }
 
-/// Work against friction, less what the stick spring took up; what it held where the node has left the ground is lost, too.
+/// Returns the energy lost to friction in the step: the work against friction minus the energy stored in the stick spring. The
+/// energy of the stick spring of a node that has left the ground is lost, too.
 double ImplicitContact::loss_of(const Spring& spring, const StepMotion& motion, const GroundNode& before,
                                 const GroundNode& after) const {
   const auto node = static_cast<std::size_t>(spring.node);
@@ -164,7 +165,7 @@ GroundTotals ImplicitContact::add_remembered_forces(std::span<const double> disp
   return totals;
 }
 
-/// What the ground does to a node that touches it.
+/// Subtracts the ground's forces on a node that touches it from the residual, and adds to the totals.
 void ImplicitContact::push(const Spring& spring, double normal_N, const GroundNode& node, std::span<double> residual_N,
                            GroundTotals& totals) const {
   if (!node.touches) return;

@@ -12,7 +12,7 @@
 
 namespace menger::fem {
 
-/// Motion over a step: 3 numbers per local node.
+/// The motion of the nodes over a step: 3 numbers per local node.
 struct StepMotion {
   std::span<const double> start_displacements_m;
   std::span<const double> displacements_m;
@@ -20,7 +20,7 @@ struct StepMotion {
   double velocity_by_displacement_per_s = 0.0;  ///< dv/du at the end of the step
 };
 
-/// Sums over the nodes of this rank.
+/// Totals of the ground contact over the nodes of this rank.
 struct GroundTotals {
   double force_N = 0.0;          ///< upwards on the body
   double normal_energy_J = 0.0;  ///< in the springs of the ground
@@ -28,44 +28,53 @@ struct GroundTotals {
   double friction_loss_J = 0.0;  ///< over the step, by the mean of the forces at its ends
 };
 
-/// A rigid ground under the nodes of a rank, by the model of explicit dynamics: each node of outer area A has a spring of A times
-/// the ground's stiffness, and Coulomb's friction on its normal force N at the end of the step.
+/// The contact of the nodes of a rank with a rigid ground, for implicit dynamics.
 ///
-/// Without a regularisation speed friction is an elastic-plastic return map: a node that touches hangs on a stick spring, a given
-/// part of its normal one, whose other end, the anchor, gives way where the force would exceed the friction that the node bears:
-/// during a step the static coefficient times N where the node stuck before, the kinetic one where it slid or was in the air. A
-/// node slides on as long as it moves along its pull, also where its spring loads again because N has grown; it sticks when it
-/// stands still or turns back. So the force is continuous within a step, and falls to the kinetic one a step after a node broke
-/// loose. Loaded nodes that stick have moved by force over spring and come back: what is to be seen of friction must be slower
-/// or larger than mu N over the spring, mu times the depth at equal stiffness. With a regularisation speed friction is that of
-/// rigid_ground.h, by velocity.
+/// The ground acts on each node of outer area A through a normal spring of A times the ground's stiffness, as in explicit
+/// dynamics. Coulomb friction uses the normal force N at the end of the step.
 ///
-/// Nodes that are held in x or y feel no friction. Outer areas are int N_a dA over boundary faces that bound no chamber, in the
-/// reference configuration: a quarter of each face at a node where elements are boxes of degree 1, as in explicit dynamics.
+/// Without a regularisation speed, friction is an elastic-plastic return map. A node in contact is attached to a stick spring,
+/// whose stiffness is a given multiple of that of the normal spring. The other end of the stick spring is the anchor. The anchor
+/// moves where the spring force would exceed the friction limit of the node. During a step this limit is the static coefficient
+/// times N for a node that stuck before, and the kinetic coefficient times N for a node that slid or was in the air. A sliding
+/// node continues to slide as long as it moves along the pull of its spring, even where the spring loads again because N has
+/// grown. It sticks when it stands still or turns back. So the friction force is continuous within a step, and falls to the
+/// kinetic limit one step after a node has broken loose. A sticking node under load is displaced by force over spring stiffness,
+/// and returns when the load ends. So only motion that is slower than this, or larger than mu N over the stick stiffness, shows
+/// friction correctly; at equal stiffnesses that is mu times the depth.
+///
+/// With a regularisation speed, friction depends on the velocity as in rigid_ground.h.
+///
+/// Nodes that are held in x or y feel no friction. The outer area of a node is int N_a dA over the boundary faces that bound no
+/// chamber, in the reference configuration. For boxes of degree 1 that is a quarter of each face at the node, as in explicit
+/// dynamics.
 class ImplicitContact {
  public:
-  /// Collective. @param stick_stiffness of the stick spring by that of the normal one, > 0
+  /// Finds the outer areas of the nodes. Collective.
+  /// @param stick_stiffness stiffness of the stick spring over that of the normal spring, > 0
   ImplicitContact(const Assembly& assembly, const Body& body, const RigidGround& ground, double stick_stiffness);
 
-  /// No node touches.
+  /// Returns the state in which no node touches the ground.
   [[nodiscard]] std::vector<GroundNode> free_nodes() const { return std::vector<GroundNode>(springs_.size()); }
 
-  /// Subtracts the ground's forces from a residual. @param before, after nodes at the start and at the end of the step
+  /// Subtracts the ground's forces from a residual and returns their totals.
+  /// @param before, after nodes at the start and at the end of the step; `after` is written
   GroundTotals add_forces(const StepMotion& motion, std::span<const GroundNode> before, std::span<GroundNode> after,
                           std::span<double> residual_N) const;
 
-  /// The same for a state that was reached before: friction as its nodes remember it.
+  /// Does the same for a state that was reached before, with the friction forces that its nodes hold.
   GroundTotals add_remembered_forces(std::span<const double> displacements_m, std::span<const GroundNode> nodes,
                                      std::span<double> residual_N) const;
 
-  /// What a residual leaves of the forces in the plane on nodes that feel friction, added up without their directions, N.
+  /// Returns the sum of the sizes of the in-plane residual forces, N, over the nodes that touch the ground and feel friction.
   [[nodiscard]] double unbalanced_N(std::span<const GroundNode> nodes, std::span<const double> residual_N) const;
 
-  /// Largest of the stick springs, N/m, the same on all ranks.
+  /// Returns the largest stiffness of a stick spring, N/m, the same on all ranks.
   [[nodiscard]] double largest_stick_stiffness_N_per_m() const { return largest_stick_stiffness_; }
 
-  /// Adds the symmetric part of d(residual)/du to a matrix that has not been assembled since: without the change of friction with
-  /// the normal force, which is not symmetric, and with the direction, where that decides about its coefficients.
+  /// Adds the symmetric part of d(residual)/du to a matrix. The matrix must not have been assembled since values were added to
+  /// it. Two terms are left out: the change of friction with the normal force, which is not symmetric, and its change with the
+  /// direction of sliding where the coefficients depend on that direction.
   void add_matrix(const StepMotion& motion, std::span<const GroundNode> before, Mat matrix) const;
 
  private:

@@ -21,8 +21,8 @@ void demand(bool is_met, const std::string& name, double value, const std::strin
 void check_ground(const RigidGround& ground) {
   const Friction& friction = ground.friction;
   demand(ground.stiffness_Pa_per_m > 0.0, "ground stiffness_Pa_per_m", ground.stiffness_Pa_per_m, "must be > 0");
-  demand(friction.kinetic_coefficient >= 0.0, "kinetic_coefficient", friction.kinetic_coefficient, "must be >= 0");
-  demand(friction.static_coefficient >= friction.kinetic_coefficient, "static_coefficient", friction.static_coefficient,
+  demand(friction.kinetic_coefficient >= 0.0, "kinetic_friction", friction.kinetic_coefficient, "must be >= 0");
+  demand(friction.static_coefficient >= friction.kinetic_coefficient, "static_friction", friction.static_coefficient,
          "must not be below the kinetic one");
   demand(friction.regularisation_speed_m_per_s >= 0.0, "regularisation_speed_m_per_s", friction.regularisation_speed_m_per_s,
          "must be >= 0");
@@ -92,7 +92,8 @@ void ImplicitDynamics::copy_owned(std::span<const double> field, Vec vector) con
   std::copy_n(field.begin(), 3 * space().owned_count, data.data());
 }
 
-/// @param field 3 per local node, ghosts up to date afterwards
+/// Copies a PETSc vector into a field and updates its ghosts.
+/// @param field 3 per local node
 void ImplicitDynamics::copy_owned(Vec vector, std::vector<double>& field) const {
   field.resize(3 * space().positions.size());
   {
@@ -107,7 +108,7 @@ double ImplicitDynamics::sum_over_ranks(double value) const {
   return value;
 }
 
-/// Masses of nodes are those of a body that nothing holds.
+/// Computes the masses. The nodal masses are those of the body without supports.
 void ImplicitDynamics::weigh() {
   mass_kg_ = mass_of(space(), body_);
   Body free = body_;
@@ -127,7 +128,7 @@ void ImplicitDynamics::weigh() {
   add_masses(1.0, mass_);
 }
 
-/// Adds a multiple of the mass to a matrix and assembles it.
+/// Adds a multiple of the mass matrix to a matrix and assembles it.
 void ImplicitDynamics::add_masses(double factor, Mat matrix) const {
   if (!options_.lumped_mass) {
     add_mass(assembly_, body_, factor, matrix);
@@ -143,7 +144,7 @@ void ImplicitDynamics::add_masses(double factor, Mat matrix) const {
   petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
 }
 
-/// Root mean square by mass.
+/// Returns the root mean square of a field, weighted by mass.
 double ImplicitDynamics::size_of(std::span<const double> field) const {
   double square = 0.0;
   for (std::size_t n = 0; n < 3 * masses_.size(); ++n) square += masses_[n / 3] * field[n] * field[n];
@@ -154,7 +155,7 @@ NewtonProblem ImplicitDynamics::problem() {
   return {.residual = [this](Vec x, Vec residual) { return compute_residual(x, residual); },
           .prepare_tangent = [this](Vec x) { return prepare_matrix(x); },
           .solve_tangent = [this](Vec b, Vec y) { return linear_.solve(b, y); },
-          .judge = [this](const NewtonIterate& iterate) { return judge(iterate); }};
+          .check = [this](const NewtonIterate& iterate) { return check(iterate); }};
 }
 
 NewtonOptions ImplicitDynamics::newton_options() {

@@ -8,8 +8,8 @@ double ImplicitDynamics::plenum_pressure_Pa(std::size_t plenum) const {
   return pressure_Pa(options_.schedules[plenum], state_.time_s);
 }
 
-ExplicitEnergies ImplicitDynamics::energies() {
-  ExplicitEnergies result;
+MotionEnergies ImplicitDynamics::energies() {
+  MotionEnergies result;
   copy_owned(state_.velocities_m_per_s, work_in_);
   petsc(MatMult(mass_, work_in_, work_out_));
   petsc(VecDot(work_in_, work_out_, &result.kinetic_J));

@@ -26,7 +26,8 @@ struct CurrentPoint {
   std::array<Point, shape.nodes> gradients;  ///< dN_a/dx, 1/m
 };
 
-/// Gradients by the reference configuration, then by the current one: dN/dx = F^-T dN/dX; F = I + sum u_a dN_a/dX.
+/// Computes the gradients by the reference coordinates, then by the current ones: dN/dx = F^-T dN/dX with F = I + sum u_a
+/// dN_a/dX.
 template <int degree>
 CurrentPoint<degree> point_of(const Space& space, const Index* nodes, std::span<const double> u, std::size_t q) {
   constexpr const auto& shape = CurrentPoint<degree>::shape;

@@ -34,7 +34,7 @@ struct Common {
   std::size_t steps;
   std::size_t rejected_steps;
   std::size_t iterations;
-  ExplicitWork work;
+  MotionWork work;
   double at_start_J;
   bool has_start;
   bool has_accelerations;

@@ -24,7 +24,7 @@ vtkSmartPointer<vtkDoubleArray> real_array(const char* name, int components, std
   return array;
 }
 
-/// Place of every node of a cell of VTK in our lexicographic order, from the reference coordinates that the library states.
+/// Returns the lexicographic index of every node of a VTK cell, from the reference coordinates that VTK states.
 std::vector<std::size_t> lexicographic_places(vtkCell& cell, int degree) {
   std::vector<std::size_t> places;
   const double* coordinates = cell.GetParametricCoords();

@@ -11,11 +11,12 @@
 
 namespace menger::fem {
 
-/// The elements of this rank with the fields of a state, as FieldSeries writes them.
+/// Returns the elements of this rank as a grid with the fields of a state, as FieldSeries writes them.
 vtkSmartPointer<vtkUnstructuredGrid> field_grid(const Space& space, std::span<const double> displacements,
                                                 const NodalFields& fields, const FieldStep& step);
 
-/// The text of a .pvtu file that joins pieces with the arrays of a grid. @param pieces file names beside it
+/// Returns the text of a .pvtu file that joins pieces with the arrays of a grid.
+/// @param pieces names of the files beside it
 std::string parallel_grid_text(vtkUnstructuredGrid& grid, const std::vector<std::string>& pieces);
 
 }  // namespace menger::fem

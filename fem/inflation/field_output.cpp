@@ -21,7 +21,7 @@ constexpr std::string_view folder_name = "fields";
 constexpr std::string_view collection_name = "fields.pvd";
 constexpr std::string_view file_start = "step_";
 
-/// A step's file: step_0000.vtu, step_0000_1.vtu, step_0000.pvtu.
+/// Returns whether a name is that of a step's file: step_0000.vtu, step_0000_1.vtu, step_0000.pvtu.
 bool is_step_file(const std::string& name) {
   const bool is_fields = name.ends_with(".vtu") || name.ends_with(".pvtu");
   return is_fields && name.starts_with(file_start) &&
@@ -55,19 +55,19 @@ void FieldSeries::keep_only(const std::vector<FieldStep>& steps) {
       kept.push_back(step_file(step.step).filename());
       for (int rank = 0; rank < rank_count_; ++rank) kept.push_back(piece_file(step.step, rank).filename());
     }
-    // collected first: whether a listing goes on over files that vanish is not defined
+    // names are collected first: removing files while a folder is listed is not defined
     std::vector<fs::path> surplus;
     std::error_code no_such_folder;
     for (const auto& entry : fs::directory_iterator(folder_ / folder_name, no_such_folder)) {
       const fs::path name = entry.path().filename();
       if (is_step_file(name.string()) && std::find(kept.begin(), kept.end(), name) == kept.end()) surplus.push_back(entry.path());
     }
-    // a run without fields of its own may come before this one
+    // a run that wrote no fields may have come before this one
     std::erase_if(entries_, [&](const Entry& entry) {
       std::error_code unreadable;
       return !fs::exists(folder_ / entry.file, unreadable);
     });
-    // before the files go, so that the collection never names one that is not there
+    // the collection is updated before the files are removed, so that it never names one that does not exist
     if (entries_.empty())
       io::remove_if_there(folder_ / collection_name);
     else

@@ -11,36 +11,37 @@
 
 namespace menger::fem {
 
-/// What a file of fields says about the state as a whole.
+/// The values in a file of fields that belong to the state as a whole.
 struct FieldStep {
-  int step = 0;                               ///< number of the state on its path; part of the file's name
-  double s = 0.0;                             ///< path parameter: TimeValue
+  int step = 0;                               ///< number of the state on its path, and in the file's name
+  double s = 0.0;                             ///< path parameter, written as TimeValue
   std::vector<double> plenum_pressures_Pa{};  ///< gauge
 };
 
-/// Fields of the states of a path for ParaView: `fields/step_0000.vtu`, ... and the collection `fields.pvd` in a folder. With
-/// several ranks each writes a piece, `fields/step_0000_<rank>.vtu`, and the first one `fields/step_0000.pvtu` that names them.
+/// Writes the fields of the states of a path for ParaView: `fields/step_0000.vtu`, ... and the collection `fields.pvd` in a
+/// folder. With several ranks each one writes a piece, `fields/step_0000_<rank>.vtu`, and the first rank writes
+/// `fields/step_0000.pvtu`, which names the pieces.
 ///
 /// Cells are hexahedra with all nodes of their elements (VTK_HEXAHEDRON or VTK_TRIQUADRATIC_HEXAHEDRON) in the reference
 /// configuration. Point data: displacement_m; means over the elements of a node (see NodalFields): cauchy_stress_Pa (xx, yy, zz,
 /// xy, yz, xz), von_mises_stress_Pa, pressure_Pa (-tr/3 of that stress), principal_stretches (the largest first), volume_ratio.
 /// Cell data: region (index), rank. Field data: TimeValue (path parameter), plenum_pressures_Pa. Double precision, compressed.
 ///
-/// All members are collective; every file is written whole or not at all. @throws io::InputError on all ranks if one cannot be
+/// All members are collective. Every file is written whole or not at all.
+/// @throws io::InputError on all ranks if a file cannot be written
 class FieldSeries {
  public:
   FieldSeries(std::filesystem::path folder, MPI_Comm communicator);
 
-  /// Removes the files of fields that are there, and no other file; those of the given steps stay and are the members of the
-  /// collection. Without any the collection is removed.
+  /// Keeps the files of the given steps, which become the members of the collection, and removes all other files of fields, and
+  /// nothing else. Without any steps the collection is removed, too.
   void keep_only(const std::vector<FieldStep>& steps);
 
-  /// Writes the fields of a state and the collection with it.
-  /// @param displacements 3 per local node, ghosts up to date
+  /// Writes the fields of a state, and the collection with them.
   void add(const Space& space, std::span<const double> displacements, const NodalFields& fields, const FieldStep& step);
 
  private:
-  /// Name of a step's file in the collection, and of a rank's piece of it.
+  /// The file of a step in the collection, and a rank's piece of it.
   [[nodiscard]] std::filesystem::path step_file(int step) const;
   [[nodiscard]] std::filesystem::path piece_file(int step, int rank) const;
   void write_collection() const;

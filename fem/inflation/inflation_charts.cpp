@@ -7,9 +7,10 @@
 namespace menger::fem {
 namespace {
 
-constexpr std::size_t largest_named_count = 12;  ///< plena beyond it share the colours, and a legend would say nothing
+/// with more plena, colours repeat and there is no legend
+constexpr std::size_t largest_named_count = 12;
 
-/// Where a volume stands on an axis.
+/// The scale of a volume axis.
 enum class VolumeScale { cubic_centimetres, per_cent };
 
 double on_axis(VolumeScale scale, double volume_m3, double rest_m3) {

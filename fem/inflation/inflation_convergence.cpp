@@ -12,7 +12,7 @@
 namespace menger::fem {
 namespace {
 
-/// Names and values of what is compared.
+/// Returns the names and values of the observables.
 std::vector<std::pair<std::string, double>> observables_of(const InflationResult& result) {
   std::vector<std::pair<std::string, double>> values;
   const PathPoint& last = result.path.points.back();
@@ -31,7 +31,7 @@ std::vector<std::pair<std::string, double>> observables_of(const InflationResult
   return values;
 }
 
-/// What is given, or is zero by symmetry but for rounding, has nothing to converge.
+/// Smaller changes are not extrapolated: a value that is prescribed, or zero by symmetry except for rounding, does not converge.
 constexpr double negligible = 1e-7;  ///< relative; tolerances of the solver are of this order
 
 void extrapolate(ConvergenceRow& row, const ConvergenceRow& before) {
@@ -91,7 +91,7 @@ io::PictureOutcome draw_convergence(const std::filesystem::path& file, const std
       series.x.push_back(1e3 * rows[r].element_size_m);
       series.y.push_back(difference / scale);
     }
-    // of two meshes one is the limit; of more, a single point is left of what is zero by symmetry
+    // with two meshes one is the limit; with more, a single point is left of an observable that is zero by symmetry
     const std::size_t fewest = end - first <= 2 ? 1 : 2;
     if (series.x.size() == 1) series.marks = io::Marks::points;
     if (series.x.size() >= fewest) panel.series.push_back(std::move(series));

@@ -21,7 +21,7 @@
 namespace menger::fem {
 namespace {
 
-/// The body in linear hexahedra, eight for each of degree 2, with scalars "stress" (kPa) and "depth" (reference y, m).
+/// Returns the body as linear hexahedra, eight for each of degree 2, with scalars "stress" (kPa) and "depth" (reference y, m).
 vtkSmartPointer<vtkUnstructuredGrid> linear_grid(const DeformedBody& body, bool deformed) {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
@@ -59,7 +59,7 @@ vtkSmartPointer<vtkUnstructuredGrid> linear_grid(const DeformedBody& body, bool 
   return grid;
 }
 
-/// What lies behind the cut.
+/// Returns the part of a grid behind the cut.
 vtkSmartPointer<vtkUnstructuredGrid> half_of(vtkUnstructuredGrid& grid, double cut) {
   grid.GetPointData()->SetActiveScalars("depth");
   vtkNew<vtkTableBasedClipDataSet> clip;
@@ -77,7 +77,7 @@ double middle_depth(const DeformedBody& body) {
   return 0.5 * ((*low)[1] + (*high)[1]);
 }
 
-/// The stress that a fiftieth of the nodes exceed, kPa.
+/// Returns the stress that a fiftieth of the nodes exceed, kPa.
 double highest_colour(const DeformedBody& body) {
   std::vector<double> stresses = body.von_mises_Pa;
   const auto place = stresses.begin() + static_cast<std::ptrdiff_t>(stresses.size() * 49 / 50);

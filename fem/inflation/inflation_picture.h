@@ -11,7 +11,7 @@
 
 namespace menger::fem {
 
-/// A deformed body with its stresses, all ranks' parts in one.
+/// A deformed body with its stresses, gathered from all ranks.
 struct DeformedBody {
   int degree = 2;
   std::vector<Point> positions;  ///< of the nodes, reference configuration, m
@@ -20,13 +20,14 @@ struct DeformedBody {
   std::vector<Index> element_nodes;  ///< lexicographic, see Space
 };
 
-/// Brings a state together on the first rank; the others get an empty body. Collective.
+/// Gathers a state on the first rank; the others get an empty body. Collective.
 DeformedBody gather_deformed_body(const Space& space, std::span<const double> displacements, const NodalFields& fields);
 
 /// Draws a body that has elements, cut open along the vertical plane y = const through its middle (in the reference
-/// configuration), coloured by von Mises stress, with the edges of the undeformed half as lines, a scale bar and a caption. The
-/// colours end at the stress that 2 % of the nodes exceed, for at re-entrant edges it has no bound.
-/// @return what is missing where nothing can be drawn @throws io::InputError if the place cannot be written
+/// configuration). It is coloured by von Mises stress, with the edges of the undeformed half as lines, a scale bar and a caption.
+/// The colours end at the stress that 2 % of the nodes exceed, because the stress is unbounded at re-entrant edges.
+/// @return what is missing if nothing can be drawn
+/// @throws io::InputError if the file cannot be written
 io::PictureOutcome draw_deformed_body(const std::filesystem::path& file, const DeformedBody& body, const std::string& caption,
                                       const io::PictureStyle& style = {});
 

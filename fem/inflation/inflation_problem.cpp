@@ -52,7 +52,7 @@ Box bounding_box(const meshes::HexahedralMesh& mesh) {
   return box;
 }
 
-/// The point with the smallest key; of equal ones the first.
+/// Returns the point with the smallest key; of equal ones the first.
 template <class Key>
 Point least(const std::vector<Point>& points, const Key& key) {
   return *std::min_element(points.begin(), points.end(), [&](const Point& a, const Point& b) { return key(a) < key(b); });
@@ -114,7 +114,8 @@ class ProblemBuilder {
     switch (study_.supports.kind) {
       case SupportKind::ground_guided:
         body.supports.push_back({label("ground"), {false, false, true}});
-        // A bonded plate holds the body; what two points beside it carried would be missing from its forces.
+        // A bonded plate holds the body already. Two further held points would carry forces that are then missing from those of
+        // the plate.
         if (std::all_of(study_.plates.begin(), study_.plates.end(), [](const StudyPlate& plate) { return plate.slides; }))
           hold_horizontal_motion();
         break;
@@ -127,8 +128,8 @@ class ProblemBuilder {
         break;
       case SupportKind::free:
         if (symmetric_ != std::array<bool, 3>{})
-          throw io::InputError(file_ +
-                               ": supports.kind \"free\": planes of symmetry hold the body, too; \"labels\" leaves it to them");
+          throw io::InputError(
+              file_ + ": supports.kind \"free\": planes of symmetry also hold the body; choose \"labels\" to hold it by them");
         body.point_supports = free_supports(problem_.mesh.points);
         break;
       case SupportKind::labels:
@@ -159,7 +160,8 @@ class ProblemBuilder {
                          "\"; planes of symmetry are \"symmetry x\", \"symmetry y\" and \"symmetry z\"");
   }
 
-  /// Volumes of a part of a chamber are right only if the planes that cut it go through the origin.
+  /// Checks that a face lies in the plane where the coordinate is 0: the volume of a part of a chamber is right only if the
+  /// planes that cut it go through the origin.
   void require_at_zero(const std::string& name, const meshes::BoundaryFace& face, std::size_t axis) const {
     for (const std::size_t corner : face.corners) {
       const double coordinate = problem_.mesh.points[corner][axis];
@@ -169,12 +171,12 @@ class ProblemBuilder {
     }
   }
 
-  /// Holds what planes of symmetry leave free of the shifts in x and y and the turn about z.
+  /// Holds the shifts in x and y and the turn about z, as far as planes of symmetry leave them free.
   void hold_horizontal_motion() {
     const auto [has_x, has_y, has_z] = symmetric_;
     const std::vector<Point> nodes = surface_nodes();
     const Point middle = box_.centre();
-    const double grain = 1e-9 * length_;  // so that rounding of positions decides nothing
+    const double grain = 1e-9 * length_;  // so that the choice does not depend on rounding of positions
     const auto rounded = [&](double value) { return std::round(value / grain); };
     const Point first = least(nodes, [&](const Point& x) {
       return std::tuple(rounded(std::hypot(x[0] - middle[0], x[1] - middle[1])), rounded(x[2]), rounded(x[0]), rounded(x[1]));
@@ -182,7 +184,7 @@ class ProblemBuilder {
     if (!has_x || !has_y) problem_.body.point_supports.push_back({first, {!has_x, !has_y, false}});
     if (has_x || has_y) return;  // a plane of symmetry holds the turn, too
 
-    // The farthest node along an axis, beside the first one.
+    // The node farthest from the first along an axis, and nearest to it across that axis.
     const auto farthest = [&](std::size_t along) {
       const std::size_t across = 1 - along;
       return least(nodes, [&](const Point& x) {
@@ -190,8 +192,8 @@ class ProblemBuilder {
                           rounded(x[2]), rounded(x[along]));
       });
     };
-    // Two points of a symmetric body must move alike in the direction that is held, or it would turn: both in its plane of
-    // symmetry, or images of one another.
+    // Both points of a symmetric body must move alike in the direction that is held, or it would turn. So both lie in its plane
+    // of symmetry, or they are mirror images.
     const std::array<bool, 2> off{rounded(first[0] - middle[0]) != 0.0, rounded(first[1] - middle[1]) != 0.0};
     const Point image{2.0 * middle[0] - first[0], first[1], first[2]};
     const Point nearest_image = least(nodes, [&](const Point& x) { return rounded(norm(difference(x, image))); });
@@ -204,8 +206,8 @@ class ProblemBuilder {
     problem_.body.point_supports.push_back(second);
   }
 
-  /// Positions at which the space will have nodes, on the surface: corners, and what lies between them for elements of degree 2
-  /// and refined ones.
+  /// Returns the positions on the surface at which the space will have nodes: the corners, and the points between them for
+  /// elements of degree 2 and refined ones.
   [[nodiscard]] std::vector<Point> surface_nodes() const {
     const bool has_middles = study_.degree > 1 || study_.refinements > 0;
     std::vector<Point> nodes;
@@ -233,7 +235,7 @@ class ProblemBuilder {
     if (!(area_m2 > 0.0))
       throw io::InputError(file_ + ": supports.kind \"resting\": the body has no faces labelled \"ground\" to rest on");
     double weight_N = 0.0;
-    for (const RegionMaterial& region : problem_.body.regions)  // regions are much alike: one density stands for all here
+    for (const RegionMaterial& region : problem_.body.regions)  // regions are much alike: one density is used for all here
       weight_N = std::max(weight_N, region.density_kg_per_m3 * study_.gravity_m_per_s2 * problem_.solid_volume_m3);
     const double depth_m = weight_N / (area_m2 * study_.supports.ground_stiffness_Pa_per_m);
     problem_.body.ground = GroundPlane{box_.low[2] + depth_m, study_.supports.ground_stiffness_Pa_per_m};
@@ -277,7 +279,7 @@ class ProblemBuilder {
       plate.centre = middle_of(corners);
       for (const std::size_t corner : corners) {
         if (!gripped.insert(corner).second)
-          throw io::InputError(file_ + ": plate \"" + study_plate.name + "\" meets another plate: one of them must go");
+          throw io::InputError(file_ + ": plate \"" + study_plate.name + "\" meets another plate: remove one of them");
       }
       problem_.body.plates.push_back(plate);
       problem_.plate_drives.push_back(study_plate.drive);
@@ -297,7 +299,7 @@ class ProblemBuilder {
     return corners;
   }
 
-  /// Of the box around some corners.
+  /// Returns the centre of the box around some corners.
   [[nodiscard]] Point middle_of(const std::set<std::size_t>& corners) const {
     Box box{problem_.mesh.points[*corners.begin()], problem_.mesh.points[*corners.begin()]};
     for (const std::size_t corner : corners) {
@@ -332,14 +334,15 @@ class ProblemBuilder {
     if (!is_on_boundary(wanted, axis)) {
       point.position = least(problem_.mesh.points, [&](const Point& x) { return norm(difference(x, wanted)); });
       problem_.notes.push_back("point \"" + name +
-                               "\": the body is not there; the nearest corner of an element takes its place, (" +
+                               "\": it is not in the body; the nearest corner of an element is used instead: (" +
                                io::number_text(point.position[0]) + ", " + io::number_text(point.position[1]) + ", " +
                                io::number_text(point.position[2]) + ") m");
     }
     problem_.points.push_back(std::move(point));
   }
 
-  /// Whether a boundary face in the plane of the point that is normal to the axis covers it, seen along the axis.
+  /// Returns whether a boundary face covers the point, seen along the axis. The face must lie in the plane of the point that is
+  /// normal to the axis.
   [[nodiscard]] bool is_on_boundary(const Point& point, std::size_t axis) const {
     const double near = 1e-9 * length_;
     const std::size_t u = (axis + 1) % 3;

@@ -9,7 +9,7 @@
 
 namespace menger::fem {
 
-/// A study made into what the solver takes: a mesh, what acts on it, and how its plena are driven.
+/// The input of the solver, made from a study: a mesh, its loads and supports, and the drives of its plena.
 struct InflationProblem {
   meshes::HexahedralMesh mesh;
   Body body;
@@ -22,27 +22,31 @@ struct InflationProblem {
   std::vector<std::string> notes;
 };
 
-/// Meshes the body and names what holds and drives it.
+/// Meshes the body of a study, and sets its supports, drives, plates and named points.
 ///
-/// Faces labelled "symmetry x", "symmetry y" or "symmetry z" lie in the plane where that coordinate is 0 and are held in that
-/// direction. Where the body stands guided or rests, its horizontal rigid motions are held at two nodes of its surface: the one
-/// nearest to its vertical middle line in x and y (of several the lowest, then that with the least x and y), and another in one
-/// direction, against turning. That one lies far away along x beside the first, where the first lies in the middle plane of y;
-/// else along y, where it lies in that of x; else it is the image of the first. So a body whose loads, shape and mesh are
-/// symmetric about the two vertical planes through the line never turns, and keeps the line in its place if nodes lie on it; if
-/// not, as with linear elements of odd number, it shifts with the first node, by a part of what the wall moves there. For any
-/// other body the nodes change where it lies and not how it deforms.
+/// Planes of symmetry: faces labelled "symmetry x", "symmetry y" or "symmetry z" lie in the plane where that coordinate is 0 and
+/// are held in that direction.
 ///
-/// "top centre" and "side centre" are the middles of the top and of the +x side of the body's bounding box; where the body is not
-/// there, the nearest corner of an element takes their place, and a note says so.
+/// Horizontal rigid motions: where the body stands guided without a bonded plate, or rests, they are held at two nodes of its
+/// surface, unless planes of symmetry hold them. The first node is the one nearest to the body's vertical middle line in x and y
+/// (of several the lowest, then that with the least x and y). The second node is held in one direction, against turning:
+/// - If the first node lies in the middle plane of y, the second one lies far away from it along x.
+/// - Otherwise, if the first node lies in the middle plane of x, the second one lies far away from it along y.
+/// - Otherwise the second node is the mirror image of the first. If there is no node, it lies far away along x.
 ///
-/// A free body is held at three points (see free_supports), and must have no planes of symmetry, which would hold it, too.
+/// So a body whose loads, shape and mesh are symmetric about the two vertical planes through the line never turns. It keeps the
+/// line in its place if nodes lie on it. If not, as with linear elements of odd number, it shifts with the first node, by a part
+/// of the wall's displacement there. For any other body, the choice of the nodes changes its position but not its deformation.
+///
+/// Named points: "top centre" and "side centre" are the middles of the top and of the +x side of the body's bounding box. If the
+/// body is not there, the nearest corner of an element replaces them, and a note says so.
+///
+/// A free body is held at three points (see free_supports). It must have no planes of symmetry, which would hold it, too.
 ///
 /// A resting body starts where the ground's pressure on faces labelled "ground" carries its weight.
-/// @throws io::InputError naming file and value: what the meshing refuses, an unknown label, region or plenum, plena that nothing
-/// drives, a body without ground, labels that begin with "symmetry" and are none of the three or lie elsewhere, a
-/// free body with planes of symmetry,
-/// plates without a face or with a corner in common
+/// @throws io::InputError naming file and value: for everything that the meshing rejects, an unknown label, region or plenum,
+/// plena without a drive, a body without ground, labels that begin with "symmetry" and are none of the three or lie elsewhere, a
+/// free body with planes of symmetry, and plates without a face or with a corner in common
 InflationProblem make_problem(const InflationStudy& study);
 
 }  // namespace menger::fem

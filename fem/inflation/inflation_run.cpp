@@ -1,7 +1,6 @@
 #include "fem/inflation/inflation_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -15,9 +14,9 @@
 #include "fem/inflation/path_checkpoint.h"
 #include "fem/space/rank_agreement.h"
 #include "fem/statics/body_ends.h"
+#include "io/process/run_folder.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
-#include "io/text/manifest.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_text.h"
 #include "io/text/version.h"
@@ -27,23 +26,22 @@ namespace menger::fem {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::string_view checkpoint_name = "path.checkpoint";
 
-/// How the observer, which has no other way to do so, ends a path.
+/// Thrown by the observer to end a path: it has no other means.
 struct EndOfPath {
   io::RunStatus status;
   std::string reason;
 };
 
-/// Whether a drive asks for less air than at rest.
+/// Returns whether a drive asks for less air than at rest.
 bool is_vacuum(const PlenumDrive& drive) {
   const double rest = drive.kind == DriveKind::pressure ? 0.0 : 1.0;
   return std::any_of(drive.values.begin(), drive.values.end(), [&](double value) { return value < rest; });
 }
 
-/// Each rank makes the whole problem, and a file may fail one of them alone.
+/// Makes the problem on every rank, and throws on all of them if one fails: a file may be unreadable for one rank only.
 InflationProblem agreed_problem(const InflationStudy& study, MPI_Comm communicator) {
   InflationProblem problem;
   on_every_rank(communicator, [&] { problem = make_problem(study); });
@@ -54,7 +52,7 @@ class InflationRun {
  public:
   InflationRun(const InflationStudy& study, const fs::path& folder, const InflationOptions& options)
       : study_(study),
-        folder_(folder),
+        folder_("menger-inflate", folder),
         options_(options),
         problem_(agreed_problem(study, options.communicator)),
         space_(make_space(problem_.mesh, study.degree, study.refinements, options.communicator)),
@@ -77,7 +75,7 @@ class InflationRun {
   }
 
   InflationResult run() {
-    take_up_or_begin();
+    resume_or_begin();
     if (const auto refusal = strict_refusal())
       conclude(*refusal);
     else if (progress_.outcome)
@@ -94,8 +92,8 @@ class InflationRun {
 
   [[nodiscard]] static FieldStep field_step(const PathPoint& point) { return {point.step, point.s, point.pressures_Pa}; }
 
-  /// What a checkpoint depends on: the path, the points at which it was observed, and what computed it: the pressures of elements
-  /// are stored in batches as wide as the kernels of the instruction set.
+  /// Returns everything that a checkpoint depends on: the path, its named points, the version, and the instruction set. The
+  /// pressures of elements are stored in batches as wide as the kernels of the instruction set.
   [[nodiscard]] std::string identity() const {
     std::string text = path_text(study_);
     text += "version = " + std::string(io::version()) + "\n";
@@ -126,26 +124,22 @@ class InflationRun {
     }
   }
 
-  void take_up_or_begin() {
-    const fs::path checkpoint = folder_ / checkpoint_name;
+  void resume_or_begin() {
+    const fs::path checkpoint = folder_.file(checkpoint_name);
     if (!options_.restart) {
       if (auto earlier = read_checkpoint(checkpoint, identity(), options_.communicator)) progress_ = std::move(*earlier);
     }
-    result_.points_taken_up = progress_.restart.points.size();
+    result_.resumed_points = progress_.restart.points.size();
     result_.path.points = progress_.restart.points;
     result_.observations = progress_.observations;
     result_.extent_changes_m = progress_.extent_changes_m;
-    // from here on no file of an earlier run may pass for one of this run, also if this one is killed
+    // from here on no file of an earlier run may be mistaken for one of this run, even if this one is killed
     const bool ended = progress_.outcome.has_value();
     on_first_rank(options_.communicator, [&] {
-      for (const std::string_view name : {"result.toml", "manifest.json"}) remove(name);
-      if (!ended || study_.output.pictures) {  // those of an ended path stay true where none are drawn
-        for (const std::string_view name : {"chamber.png", "pv_curve.png"}) remove(name);
-      }
-      if (progress_.restart.points.empty()) {
-        remove(checkpoint_name);
-        remove("curves.csv");
-      }
+      folder_.begin({"result.toml"});
+      if (!ended || study_.output.pictures)
+        folder_.remove({"chamber.png", "pv_curve.png"});  // else those of an ended path stay true
+      if (progress_.restart.points.empty()) folder_.remove({checkpoint_name, "curves.csv"});
     });
     if (ended && !study_.output.fields) return;  // the same holds for its fields
     std::vector<FieldStep> kept;
@@ -155,18 +149,16 @@ class InflationRun {
     fields_.keep_only(kept);
   }
 
-  void remove(std::string_view name) const { io::remove_if_there(folder_ / name); }
-
   void follow() {
     const PathObserver observer = [this](const PathPoint& point, const BodyState& state, const PathRestart& restart) {
       accept(point, state, restart);
     };
-    const PathRestart taken_up = progress_.restart;
-    const bool goes_on = !taken_up.points.empty();
+    const PathRestart resumed = progress_.restart;
+    const bool goes_on = !resumed.points.empty();
     PathOutcome outcome;
     try {
       const PathReport report = follow_path(equilibrium_, PathDrives{.plena = problem_.drives, .plates = problem_.plate_drives},
-                                            study_.path, observer, options_.stop, goes_on ? &taken_up : nullptr);
+                                            study_.path, observer, options_.stop, goes_on ? &resumed : nullptr);
       outcome = {report.status, report.reason, report.limit_points, report.rejected_steps};
       result_.path.factorisations = report.factorisations;
     } catch (const EndOfPath& end) {
@@ -176,7 +168,7 @@ class InflationRun {
     if (outcome.status == io::RunStatus::stopped) return;
     progress_.outcome = std::move(outcome);
     if (!progress_.restart.points.empty())
-      write_checkpoint(folder_ / checkpoint_name, identity(), progress_, options_.communicator);
+      write_checkpoint(folder_.file(checkpoint_name), identity(), progress_, options_.communicator);
   }
 
   void conclude(const PathOutcome& outcome) {
@@ -186,13 +178,13 @@ class InflationRun {
     result_.path.rejected_steps = outcome.rejected_steps;
   }
 
-  /// An end at the last point that was reached.
+  /// Returns an outcome that ends the path at the last point that was reached.
   [[nodiscard]] PathOutcome ended_here(io::RunStatus status, const std::string& reason) const {
     return {status, reason, progress_.restart.limit_points, progress_.restart.rejected_steps};
   }
 
-  /// The end that `strict` makes of a path whose points, those of earlier runs, have left the range of a law. It is this run's
-  /// alone: the checkpoint keeps how the path itself ended.
+  /// Returns the outcome with `strict` if a point of an earlier run has left the range of a law. It applies to this run only: the
+  /// checkpoint keeps how the path itself ended.
   [[nodiscard]] std::optional<PathOutcome> strict_refusal() const {
     if (!options_.strict) return std::nullopt;
     for (const auto& observations : progress_.observations) {
@@ -211,7 +203,7 @@ class InflationRun {
     result_.extent_changes_m = progress_.extent_changes_m;
     if (is_due(point.step)) fields_.add(space_, state.displacements_m, fields, field_step(point));
     write_curves();
-    write_checkpoint(folder_ / checkpoint_name, identity(), progress_, options_.communicator);
+    write_checkpoint(folder_.file(checkpoint_name), identity(), progress_, options_.communicator);
     if (rank_ == 0 && options_.progress) {
       options_.progress(point, restart.points.front().s, static_cast<double>(problem_.drives.front().values.size()) - 1.0);
     }
@@ -230,7 +222,7 @@ class InflationRun {
   }
 
   void write_curves() const {
-    on_first_rank(options_.communicator, [&] { curves_table(result_).write(folder_ / "curves.csv"); });
+    on_first_rank(options_.communicator, [&] { curves_table(result_).write(folder_.file("curves.csv")); });
   }
 
   struct Excess {
@@ -238,7 +230,7 @@ class InflationRun {
     std::string text;
   };
 
-  /// The named point whose stretch exceeds the range of its law most.
+  /// Returns the named point whose stretch exceeds the range of its law most, if any does.
   [[nodiscard]] std::optional<Excess> largest_excess(const std::vector<PointObservation>& observations) const {
     std::optional<Excess> largest;
     for (std::size_t p = 0; p < points_.size(); ++p) {
@@ -270,26 +262,22 @@ class InflationRun {
       write_curves();
       if (study_.output.pictures) draw(last, fields);
     }
-    result_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    result_.seconds = folder_.seconds();
     on_first_rank(options_.communicator, [&] {
-      io::write_whole(folder_ / "result.toml", result_text(result_));
-      io::write_manifest(folder_, {.program = "menger-inflate",
-                                   .parameters = io::TomlText().add("processes", rank_count_).lines(resolved_text(study_)).text(),
-                                   .seed = std::nullopt,
-                                   .seconds = result_.seconds,
-                                   .inputs = study_.inputs});
+      io::write_whole(folder_.file("result.toml"), result_text(result_));
+      folder_.finish(io::TomlText().add("processes", rank_count_).lines(resolved_text(study_)).text(), study_.inputs);
     });
   }
 
   void draw(const BodyState& last, const NodalFields& fields) {
     const DeformedBody body = gather_deformed_body(space_, last.displacements_m, fields);
     on_first_rank(options_.communicator, [&] {
-      const io::PictureOutcome chamber = draw_deformed_body(folder_ / "chamber.png", body, caption());
+      const io::PictureOutcome chamber = draw_deformed_body(folder_.file("chamber.png"), body, caption());
       if (!chamber.written) {
         result_.notes.push_back("no pictures: " + chamber.missing);
         return;
       }
-      const io::PictureOutcome curve = draw_pressure_volume(folder_ / "pv_curve.png", result_);
+      const io::PictureOutcome curve = draw_pressure_volume(folder_.file("pv_curve.png"), result_);
       if (!curve.written) result_.notes.push_back("no plot of pressure over volume: " + curve.missing);
     });
   }
@@ -307,9 +295,8 @@ class InflationRun {
   }
 
   const InflationStudy& study_;
-  const fs::path& folder_;
+  io::RunFolder folder_;
   const InflationOptions& options_;
-  Clock::time_point start_ = Clock::now();
   InflationProblem problem_;
   Space space_;
   std::vector<LocatedPoint> points_;

@@ -12,9 +12,9 @@
 namespace menger::fem {
 namespace {
 
-constexpr double largest_refinement_count = 6;  ///< eight to its power elements for each
+constexpr double largest_refinement_count = 6;  ///< 8^n elements for each element of the mesh
 
-// Maps of a study, as the lists that its file has.
+// Entries of the maps of a study, which its file has as lists.
 struct RegionMaterial {
   std::string region{};
   StudyMaterial material{};
@@ -30,7 +30,7 @@ std::size_t count_of(const std::vector<Value>& values, const std::string& name, 
       std::count_if(values.begin(), values.end(), [&](const Value& value) { return value.*member == name; }));
 }
 
-/// A name that can stand in the head of a column, and no other value has.
+/// Describes a name that is valid in the head of a column and that no other value has.
 template <class Value>
 void describe_name(io::StudyVisitor& visitor, const io::Key& key, Value& value, const std::vector<Value>& all) {
   visitor.text(key, value.name);
@@ -50,11 +50,11 @@ void describe_design_table(io::StudyVisitor& visitor, InflationStudy& study) {
 void describe_mesh_table(io::StudyVisitor& visitor, InflationStudy& study) {
   visitor.table({"mesh", "A body from a mesh file."}, [&] {
     auto& mesh = std::get<MeshSource>(study.source);
-    visitor.path({"file", "A mesh of Gmsh (.msh) or of menger (.vtu).", "\"body.msh\""}, mesh.file);
+    visitor.path({"file", "A mesh file of Gmsh (.msh) or of menger (.vtu).", "\"body.msh\""}, mesh.file);
     const bool is_vtu = mesh.file.extension() == ".vtu";
     visitor.check(is_vtu || mesh.file.extension() == ".msh", "file", "must be a mesh file, .msh or .vtu");
-    visitor.only_if(!is_vtu, "a .msh, for a .vtu is in metres", [&] {
-      visitor.number({"length_unit_m", "Unit of length of a .msh."}, mesh.length_unit_m, io::positive());
+    visitor.only_if(!is_vtu, "a .msh file (a .vtu file is in metres)", [&] {
+      visitor.number({"length_unit_m", "Unit of length of the .msh file."}, mesh.length_unit_m, io::positive());
     });
   });
 }
@@ -70,15 +70,15 @@ void describe_source(io::StudyVisitor& visitor, InflationStudy& study) {
   visitor.one_of({{"design", design != nullptr && design->design.body.count() > 0, choose_design,
                    [&] { describe_design_table(visitor, study); }},
                   {"mesh", design == nullptr, choose_mesh, [&] { describe_mesh_table(visitor, study); }}},
-                 "a body is needed, as a table");
+                 "give the body as one of these tables");
 }
 
 void describe_materials(io::StudyVisitor& visitor, InflationStudy& study) {
   std::vector<RegionMaterial> regions;
   for (const auto& [region, material] : study.region_materials) regions.push_back({region, material});
-  visitor.table({"material", "What the body is made of."}, [&] {
+  visitor.table({"material", "The material of the body."}, [&] {
     describe(visitor, study.material);
-    visitor.tables({"regions", "Regions of the body with a material of their own."}, regions, [&](RegionMaterial& entry) {
+    visitor.tables({"regions", "Regions of the body that have another material."}, regions, [&](RegionMaterial& entry) {
       visitor.text({"region", "Name of the region.", "\"lid\""}, entry.region);
       visitor.check(count_of(regions, entry.region, &RegionMaterial::region) == 1, "region", "is given twice");
       describe(visitor, entry.material);
@@ -91,8 +91,8 @@ void describe_materials(io::StudyVisitor& visitor, InflationStudy& study) {
 void describe_element(io::StudyVisitor& visitor, InflationStudy& study) {
   visitor.table({"element", "The finite elements."}, [&] {
     visitor.integer({"degree", "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1."}, study.degree, io::within(1, 2));
-    visitor.word({"formulation", "Whether pressure and dilatation are fields of their own."}, study.formulation,
-                 formulation_words());
+    visitor.word({"formulation", "three_field: pressure and dilatation are separate fields; displacement: they are not."},
+                 study.formulation, formulation_words());
     visitor.integer({"refinements", "How many times every element is split into eight."}, study.refinements,
                     io::within(0, largest_refinement_count));
   });
@@ -104,45 +104,50 @@ void describe(io::StudyVisitor& visitor, LabelSupport& support) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (support.held[axis]) axes.push_back(axis);
   }
-  visitor.words({"held", "Directions in which they do not move.", "[\"z\"]"}, axes, axis_words());
+  visitor.words({"held", "Directions in which these faces do not move.", "[\"z\"]"}, axes, axis_words());
   support.held = {};
   for (const std::size_t axis : axes) support.held[axis] = true;
 }
 
 void describe_supports(io::StudyVisitor& visitor, InflationStudy& study) {
   StudySupports& supports = study.supports;
-  visitor.table({"supports", "How the body stands."}, [&] {
-    visitor.word({"kind", "On the ground, sliding or held; by its weight; free; or by labels alone."}, supports.kind,
-                 support_words());
+  visitor.table({"supports", "How the body is held."}, [&] {
+    visitor.word({"kind",
+                  "ground_guided: slides on the ground; ground_held: held on the ground; resting: rests on the ground by its "
+                  "weight; free: only its rigid motions are held; labels: held by labels only."},
+                 supports.kind, support_words());
     visitor.only_if(supports.kind == SupportKind::resting, "kind = \"resting\"", [&] {
-      visitor.number({"ground_stiffness_Pa_per_m", "Pressure of the ground by depth."}, supports.ground_stiffness_Pa_per_m,
-                     io::positive());
+      visitor.number({"ground_stiffness_Pa_per_m", "Pressure of the ground divided by depth."},
+                     supports.ground_stiffness_Pa_per_m, io::positive());
     });
-    visitor.tables({"labels", "Faces that are held besides."}, supports.labels,
+    visitor.tables({"labels", "Faces that are held in addition."}, supports.labels,
                    [&](LabelSupport& support) { describe(visitor, support); });
   });
-  visitor.table({"loads", "What loads the body beside its path."}, [&] {
-    visitor.number({"gravity_m_per_s2", "Gravity, downwards."}, study.gravity_m_per_s2, io::non_negative());
+  visitor.table({"loads", "Loads on the body in addition to its path."}, [&] {
+    visitor.number({"gravity_m_per_s2", "Acceleration of gravity, downwards."}, study.gravity_m_per_s2, io::non_negative());
   });
 }
 
 void describe_drive(io::StudyVisitor& visitor, PlenumDrive& drive) {
   const bool is_pressure = drive.kind == DriveKind::pressure;
   const std::string_view key = drive_key(drive.kind);
-  constexpr std::array<std::string_view, 3> helps{"Gauge pressure at the knots of the path, from 0.",
-                                                  "Volume of the air by that at rest at the knots of the path, from 1.",
-                                                  "Amount of gas by that at rest at the knots of the path, from 1."};
+  constexpr std::array<std::string_view, 3> helps{
+      "Gauge pressure at the knots of the path. It begins with 0.",
+      "Volume of the air at the knots of the path, divided by its volume at rest. It begins with 1.",
+      "Amount of gas at the knots of the path, divided by its amount at rest. It begins with 1."};
   visitor.numbers({key, helps.at(static_cast<std::size_t>(drive.kind)), is_pressure ? "[0, 2000]" : "[1, 1.05]"}, drive.values,
                   is_pressure ? io::any_number() : io::positive(), {.fewest = 2});
   const double rest = is_pressure ? 0.0 : 1.0;
   visitor.check(!drive.values.empty() && drive.values.front() == rest, key,
                 "must begin with " + io::number_text(rest) + ": a path begins at rest", {0});
   if (drive.kind != DriveKind::gas) return;
-  visitor.number({"gas_exponent", "Of the gas law p V^n: 1 isothermal, 1.4 adiabatic air."}, drive.gas_exponent, io::positive());
+  visitor.number({"gas_exponent", "Exponent n of the gas law p V^n: 1 is isothermal, 1.4 is adiabatic air."}, drive.gas_exponent,
+                 io::positive());
   visitor.number({"ambient_pressure_Pa", "Absolute pressure of the surroundings."}, drive.ambient_pressure_Pa, io::positive());
 }
 
-/// The ways to drive plena. @param choose is called with each
+/// Returns the alternatives for driving plena.
+/// @param choose called with each choice
 std::vector<io::Alternative> drive_alternatives(io::StudyVisitor& visitor, PlenumDrive& drive,
                                                 const std::function<void()>& choose) {
   std::vector<io::Alternative> alternatives;
@@ -157,16 +162,17 @@ std::vector<io::Alternative> drive_alternatives(io::StudyVisitor& visitor, Plenu
   return alternatives;
 }
 
-constexpr std::string_view drive_missing = "must say how the plenum is driven";
+constexpr std::string_view drive_missing = "give one of them to drive the plenum";
 
 void describe_plena(io::StudyVisitor& visitor, std::vector<NamedDrive>& plena) {
   const auto describe_plenum = [&](NamedDrive& entry) {
     visitor.text({"name", "Name of the plenum.", "\"plenum 0\""}, entry.plenum);
     visitor.check(!entry.plenum.empty(), "name", "must name a plenum");
-    visitor.check(count_of(plena, entry.plenum, &NamedDrive::plenum) == 1, "name", "this plenum is driven twice");
+    visitor.check(count_of(plena, entry.plenum, &NamedDrive::plenum) == 1, "name",
+                  "this plenum has two drives: keep one of them");
     visitor.one_of(drive_alternatives(visitor, entry.drive, [] {}), drive_missing);
     visitor.check(entry.drive.values.size() == plena.front().drive.values.size(), drive_key(entry.drive.kind),
-                  "all plena need equally many values");
+                  "all plena must have the same number of values");
   };
   visitor.tables({"plenum", "How each plenum is driven."}, plena, describe_plenum, {.fewest = 1});
 }
@@ -188,32 +194,34 @@ void describe_drives(io::StudyVisitor& visitor, InflationStudy& study) {
   for (const NamedDrive& entry : plena) study.drives[entry.plenum] = entry.drive;
 }
 
-/// Knots of the path.
+/// Returns the number of knots of the path.
 std::size_t knot_count(const InflationStudy& study) {
   return study.drives.empty() ? 2 : study.drives.begin()->second.values.size();
 }
 
 void describe_steps(io::StudyVisitor& visitor, PathOptions& path, std::size_t knots) {
   const auto up_to = [](double most) { return io::Range{.lowest = 0.0, .highest = most, .lowest_excluded = true}; };
-  visitor.number({"largest_step", "Largest step, as a part of the leg between two knots."}, path.largest_step, up_to(1.0));
+  visitor.number({"largest_step", "Largest step, as a fraction of the path between two knots."}, path.largest_step, up_to(1.0));
   path.first_step = std::min(path.first_step, path.largest_step);
-  visitor.number({"first_step", "First step of a leg."}, path.first_step, up_to(path.largest_step));
+  visitor.number({"first_step", "First step after a knot."}, path.first_step, up_to(path.largest_step));
   path.smallest_step = std::min(path.smallest_step, path.first_step);
-  visitor.number({"smallest_step", "Smallest step: where even this one fails the path ends."}, path.smallest_step,
+  visitor.number({"smallest_step", "Smallest step. If even this step fails, the path ends."}, path.smallest_step,
                  up_to(path.first_step));
-  visitor.integer({"desired_iterations", "Steps grow when they take fewer iterations of Newton, and shrink when they take more."},
-                  path.desired_iterations, io::within(1, 100));
-  visitor.integer({"predictor_order", "What a step starts from: 0 the last state, 1 a secant, 2 a parabola."},
-                  path.predictor_order, io::within(0, 2));
-  visitor.numbers({"stations", "Values of the path parameter, knots at 0, 1, ..., that are met exactly beside the knots."},
+  visitor.integer(
+      {"desired_iterations", "Steps grow if they take fewer Newton iterations than this, and shrink if they take more."},
+      path.desired_iterations, io::within(1, 100));
+  visitor.integer({"predictor_order", "Start of a step: 0 is the last state, 1 a secant, 2 a parabola."}, path.predictor_order,
+                  io::within(0, 2));
+  visitor.numbers({"stations", "Values of the path parameter that the path meets exactly, in addition to the knots at 0, 1, ..."},
                   path.stations, io::within(0.0, static_cast<double>(knots - 1)));
   std::sort(path.stations.begin(), path.stations.end());
   visitor.number(
-      {"touching_gap", "Walls touch where their gap is this part of the chamber's size; 0: contact is not looked for."},
+      {"touching_gap", "Walls touch where their gap is this fraction of the chamber's size. 0: no search for contact."},
       path.touching_gap, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
 }
 
-/// A part of the motion of a plate at the knots. @param part of a motion
+/// Describes one component of the motion of a plate at the knots.
+/// @param part selects the component
 template <class Part>
 void describe_motion(io::StudyVisitor& visitor, const io::Key& key, bool may_move, std::vector<PlateMotion>& motions,
                      const Part& part) {
@@ -221,7 +229,7 @@ void describe_motion(io::StudyVisitor& visitor, const io::Key& key, bool may_mov
   values.reserve(motions.size());
   for (PlateMotion& motion : motions) values.push_back(part(motion));
   const std::string count = std::to_string(motions.size());
-  visitor.only_if(may_move, "grip = \"bonded\": a sliding plate moves along the normal of its side alone", [&] {
+  visitor.only_if(may_move, "grip = \"bonded\" (a sliding plate moves only along the normal of its side)", [&] {
     visitor.numbers(key, values);
     visitor.check(values.size() == motions.size(), key.name,
                   "must hold one value for each of the " + count + " knots of the path");
@@ -240,36 +248,41 @@ void describe_motions(io::StudyVisitor& visitor, StudyPlate& plate, std::size_t 
     const bool may_shift = !plate.slides || (plate.side && meshes::axis_of(*plate.side) == axis);
     describe_motion(visitor, {displacements.at(axis), "Displacement at the knots of the path."}, may_shift, motions,
                     [axis](PlateMotion& motion) -> double& { return motion.displacement_m[axis]; });
-    describe_motion(visitor, {rotations.at(axis), "Part of the rotation vector about the middle of its faces at the knots."},
-                    !plate.slides, motions, [axis](PlateMotion& motion) -> double& { return motion.rotation_rad[axis]; });
+    describe_motion(
+        visitor,
+        {rotations.at(axis), "Component of the rotation vector about the middle of the plate's faces, at the knots of the path."},
+        !plate.slides, motions, [axis](PlateMotion& motion) -> double& { return motion.rotation_rad[axis]; });
   }
 }
 
 void describe_plate(io::StudyVisitor& visitor, StudyPlate& plate, std::size_t knots) {
   const auto describe_side = [&] {
     meshes::Side side = plate.side.value_or(meshes::Side::x_max);
-    visitor.word({"side", "Side of the body's bounding box whose faces it holds.", "\"x max\""}, side, meshes::side_words());
+    visitor.word({"side", "Side of the body's bounding box. The plate holds the faces on it.", "\"x max\""}, side,
+                 meshes::side_words());
     plate.side = side;
   };
   const auto choose_label = [&] { plate.side.reset(); };
   visitor.one_of({{"side", plate.side.has_value(), [&] { plate.label.clear(); }, describe_side},
                   {"label", !plate.side && !plate.label.empty(), choose_label,
                    [&] {
-                     visitor.text({"label", "Label of the faces that it holds.", "\"ground\""}, plate.label);
+                     visitor.text({"label", "Label of the faces that the plate holds.", "\"ground\""}, plate.label);
                    }}},
-                 "a plate holds faces");
-  visitor.word({"grip", "Whether the faces are bonded to the plate, or slide on it; then only it moves along the side's normal."},
-               plate.slides, grip_words());
-  visitor.check(!plate.slides || plate.side, "grip", "only the faces of a side slide");
+                 "give the faces that the plate holds");
+  visitor.word(
+      {"grip",
+       "bonded: the faces are bonded to the plate; sliding: they slide on it, and it moves only along the normal of its side."},
+      plate.slides, grip_words());
+  visitor.check(!plate.slides || plate.side, "grip", "only the faces of a side can slide: give a side");
   describe_motions(visitor, plate, knots);
 }
 
 void describe_path(io::StudyVisitor& visitor, InflationStudy& study) {
-  visitor.table({"path", "The path along which equilibria are followed, through knots."}, [&] {
+  visitor.table({"path", "The path of equilibria, which goes through knots."}, [&] {
     describe_drives(visitor, study);
     describe_steps(visitor, study.path, knot_count(study));
   });
-  visitor.tables({"plates", "Rigid plates on faces of the body. What a plate holds no support moves."}, study.plates,
+  visitor.tables({"plates", "Rigid plates on faces of the body. Supports do not act on what a plate holds."}, study.plates,
                  [&](StudyPlate& plate) {
                    describe_name(visitor, {"name", "Name of the plate, in columns of results.", "\"tip\""}, plate, study.plates);
                    describe_plate(visitor, plate, knot_count(study));
@@ -279,17 +292,19 @@ void describe_path(io::StudyVisitor& visitor, InflationStudy& study) {
 void describe_solver(io::StudyVisitor& visitor, EquilibriumOptions& solver) {
   const io::Range tolerance{.lowest = 0.0, .highest = 1e-2, .lowest_excluded = true};
   visitor.table({"solver", "How each equilibrium is found."}, [&] {
-    visitor.word({"linear", "Linear solver; automatic: direct up to largest_direct_size."}, solver.linear.method, linear_words());
-    visitor.integer({"largest_direct_size", "Most unknowns of the direct linear solver where it is chosen automatically."},
+    visitor.word({"linear", "Linear solver. automatic: direct up to largest_direct_size unknowns."}, solver.linear.method,
+                 linear_words());
+    visitor.integer({"largest_direct_size", "Largest number of unknowns for which automatic chooses the direct solver."},
                     solver.linear.largest_direct_size, io::at_least(1));
     visitor.number({"linear_tolerance", "Relative residual of the iterative linear solver."}, solver.linear.relative_tolerance,
                    tolerance);
-    visitor.number({"force_tolerance", "Residual force by the force of the loads."}, solver.relative_force_tolerance, tolerance);
-    visitor.number({"volume_tolerance", "Relative error of a volume that drives a plenum."}, solver.relative_volume_tolerance,
-                   tolerance);
-    visitor.integer({"largest_iteration_count", "Most iterations of Newton of a step."}, solver.largest_iteration_count,
+    visitor.number({"force_tolerance", "Largest residual force divided by the force of the loads."},
+                   solver.relative_force_tolerance, tolerance);
+    visitor.number({"volume_tolerance", "Largest relative error of a volume that drives a plenum."},
+                   solver.relative_volume_tolerance, tolerance);
+    visitor.integer({"largest_iteration_count", "Largest number of Newton iterations of a step."}, solver.largest_iteration_count,
                     io::within(1, 1000));
-    visitor.boolean({"predict_pressure", "Newton's method of the three fields; false: of the displacements alone."},
+    visitor.boolean({"predict_pressure", "true: Newton's method in the three fields; false: in the displacements only."},
                     solver.predict_pressure);
   });
 }
@@ -297,23 +312,23 @@ void describe_solver(io::StudyVisitor& visitor, EquilibriumOptions& solver) {
 void check_gravity(const io::StudyVisitor& visitor, const InflationStudy& study) {
   const bool is_weightless = study.gravity_m_per_s2 == 0.0;
   visitor.check(study.supports.kind != SupportKind::resting || !is_weightless, "supports.kind",
-                "a body rests on the ground by its weight: loads.gravity_m_per_s2 must be > 0");
+                "the weight holds the body on the ground: loads.gravity_m_per_s2 must be > 0");
   const auto has_density = [](const auto& entry) { return entry.second.density_kg_per_m3.has_value(); };
   const bool has_densities =
       study.material.density_kg_per_m3 && std::all_of(study.region_materials.begin(), study.region_materials.end(), has_density);
   visitor.check(is_weightless || has_densities, "loads.gravity_m_per_s2", "needs material.density_kg_per_m3");
 }
 
-/// Whatever else holds or loads a body would pass forces into the three points.
+/// Checks that nothing else holds or loads a free body: the forces would pass into its three held points.
 void check_freedom(const io::StudyVisitor& visitor, const InflationStudy& study) {
   if (study.supports.kind != SupportKind::free) return;
-  visitor.check(study.supports.labels.empty(), "supports.kind", "nothing else may hold a free body: [[supports.labels]] does");
-  visitor.check(study.plates.empty(), "supports.kind", "nothing else may hold a free body: [[plates]] does");
+  visitor.check(study.supports.labels.empty(), "supports.kind", "nothing else may hold a free body: remove [[supports.labels]]");
+  visitor.check(study.plates.empty(), "supports.kind", "nothing else may hold a free body: remove [[plates]]");
   visitor.check(study.gravity_m_per_s2 == 0.0, "supports.kind",
                 "nothing carries a free body's weight: loads.gravity_m_per_s2 must be 0");
 }
 
-/// All that decides the path.
+/// Describes everything that the path depends on.
 void describe_states(io::StudyVisitor& visitor, InflationStudy& study) {
   describe_source(visitor, study);
   describe_materials(visitor, study);
@@ -328,12 +343,12 @@ void describe_states(io::StudyVisitor& visitor, InflationStudy& study) {
 void describe_output(io::StudyVisitor& visitor, StudyOutput& output) {
   visitor.table({"output", "What is written."}, [&] {
     visitor.boolean({"fields", "Whether displacements and stresses are written, for ParaView."}, output.fields);
-    visitor.integer({"fields_every", "States of the path for each that is written; the last one always is."}, output.fields_every,
-                    io::at_least(1));
+    visitor.integer({"fields_every", "Number of states of the path per state that is written. The last state is always written."},
+                    output.fields_every, io::at_least(1));
     visitor.boolean({"pictures", "Whether pictures are drawn."}, output.pictures);
-    visitor.tables({"points", "Points whose displacement and stretch are followed."}, output.points, [&](NamedPoint& point) {
+    visitor.tables({"points", "Points whose displacement and stretch are recorded."}, output.points, [&](NamedPoint& point) {
       describe_name(visitor, {"name", "Name of the point, in columns of results.", "\"foot\""}, point, output.points);
-      visitor.numbers({"position_m", "Where it is at rest.", "[0, 0, 0]"}, point.position);
+      visitor.numbers({"position_m", "Position of the point at rest.", "[0, 0, 0]"}, point.position);
     });
   });
 }
@@ -348,7 +363,7 @@ void describe(io::StudyVisitor& visitor, InflationStudy& study) {
 std::string path_text(const InflationStudy& study) {
   InflationStudy identified = study;
   if (auto* mesh = std::get_if<MeshSource>(&identified.source)) {
-    // a mesh counts by its content, wherever it lies
+    // a mesh is identified by its content, not by its place
     mesh->file = study.inputs.at(mesh->file.string()) + mesh->file.extension().string();
   }
   io::StudyTextWriter writer;

@@ -20,25 +20,25 @@
 
 namespace menger::fem {
 
-/// A silicone as a study names it: a law with its range, a volumetric energy and a density.
+/// A silicone in a study: a law with its range, a volumetric energy and a density.
 struct StudyMaterial {
   materials::HyperelasticLaw law;
   VolumetricLaw volume = materials::SimoTaylorVolume{};
   std::optional<double> density_kg_per_m3;  ///< gravity needs one
-  double smallest_stretch = 0.0;            ///< 1: never compared with compression; 0: no range is stated
+  double smallest_stretch = 0.0;            ///< 1: the law was never compared with compression; 0: no range is stated
   double largest_stretch = std::numeric_limits<double>::infinity();
-  std::string name;                           ///< for messages: of the record and the law
+  std::string name;                           ///< of the record and the law, for messages
   std::string silicone = "unnamed silicone";  ///< name of the record
   std::optional<std::filesystem::path> file;  ///< of the record, if there is one
-  std::vector<std::string> notes;             ///< what was assumed, for people
+  std::vector<std::string> notes;             ///< assumptions, for users
 };
 
-/// The keys of a silicone (see materials::StudyLaw) with its volumetric energy and its density.
+/// Describes the keys of a silicone (see materials::StudyLaw) with its volumetric energy and its density.
 void describe(io::StudyVisitor& visitor, StudyMaterial& material);
 
 /// A body from a design.
 struct DesignSource {
-  std::optional<std::filesystem::path> file;  ///< nothing for one that is drawn in the study
+  std::optional<std::filesystem::path> file;  ///< empty for a design that is drawn in the study
   meshes::Design design;
   meshes::HollowBodyOptions options;
 };
@@ -49,78 +49,85 @@ struct MeshSource {
   double length_unit_m = 1.0;  ///< of a .msh
 };
 
-/// How a body stands.
+/// The supports of a body.
 enum class SupportKind {
-  ground_guided,  ///< faces on the ground held in z; the body's other rigid motions are held at two points
-  ground_held,    ///< faces on the ground held in all directions
-  resting,        ///< gravity presses the body on a plane that only pushes; horizontal rigid motions are held at two points
-  free,           ///< nothing but the six rigid motions, held at three points without any force (see free_supports)
-  labels          ///< nothing but what label supports and planes of symmetry hold
+  /// Faces on the ground are held in z; the body's other rigid motions are held at two points.
+  ground_guided,
+  ground_held,  ///< faces on the ground held in all directions
+  /// Gravity presses the body on a plane that only pushes; horizontal rigid motions are held at two points.
+  resting,
+  /// Only the six rigid motions are held, at three points without any force (see free_supports).
+  free,
+  labels  ///< only the label supports and planes of symmetry hold the body
 };
 
-/// Components held at zero on the faces with a label.
+/// Displacement components held at zero on the faces with a label.
 struct LabelSupport {
   std::string label;
   std::array<bool, 3> held{};
 };
 
+/// The supports of a study's body.
 struct StudySupports {
   SupportKind kind = SupportKind::ground_guided;
-  std::vector<LabelSupport> labels;  ///< in addition
+  std::vector<LabelSupport> labels;  ///< in addition to `kind`
   double ground_stiffness_Pa_per_m = 1e7;
 };
 
-/// A rigid plate on faces of the body: all those on a side of its bounding box, or with a label.
+/// A rigid plate on faces of the body: on all faces on a side of its bounding box, or on all faces with a label.
 struct StudyPlate {
   std::string name;                  ///< in the columns of curves.csv
   std::optional<meshes::Side> side;  ///< or `label`
   std::string label;
-  bool slides = false;  ///< on a side only: the faces slide on it, and it moves along the side's normal
+  /// Only for plates on a side: the faces slide on the plate, and it moves along the side's normal.
+  bool slides = false;
   PlateDrive drive;
 };
 
-/// A point whose displacement and stretch are followed.
+/// A named point at which displacement and stretch are recorded.
 struct NamedPoint {
   std::string name;
   Point position{};  ///< in the reference configuration, m
 };
 
+/// The output of a study.
 struct StudyOutput {
   std::vector<NamedPoint> points;
   bool fields = true;
-  int fields_every = 1;  ///< points of the path per file of fields; the last point always gets one
+  /// Number of points of the path per file of fields; the last point always has a file.
+  int fields_every = 1;
   bool pictures = true;
 };
 
-/// Everything that decides what `menger inflate` computes. Physics takes parts of it and never sees the file.
+/// A study of `menger inflate`: everything that its results depend on. The physics takes parts of it and does not read the file.
 struct InflationStudy {
-  std::filesystem::path file;  ///< that it came from, for messages
+  std::filesystem::path file;  ///< from which it was read, for messages
   std::variant<DesignSource, MeshSource> source;
   StudyMaterial material;
-  std::map<std::string, StudyMaterial> region_materials;  ///< by region where it is not `material`
+  std::map<std::string, StudyMaterial> region_materials;  ///< by region, where the material is not `material`
   int degree = 2;
   Formulation formulation = Formulation::three_field;
   int refinements = 0;
   StudySupports supports;
   double gravity_m_per_s2 = 0.0;  ///< downwards, >= 0
   std::vector<StudyPlate> plates;
-  /// By plenum; the drive under the empty name is that of all plena.
+  /// Drives by plenum; the drive under the empty name is that of all plena.
   std::map<std::string, PlenumDrive> drives;
   PathOptions path;
   EquilibriumOptions solver;
   StudyOutput output;
-  std::map<std::string, std::string> inputs;  ///< content hash of every file that was read, the study's included
-  std::vector<std::string> notes;             ///< what was assumed or is doubtful, for people
+  std::map<std::string, std::string> inputs;  ///< content hash of every file that was read, with the study's own
+  std::vector<std::string> notes;             ///< assumptions and doubts, for users
 };
 
-/// The keys of a study of `menger inflate`; `menger inflate --keys` lists them.
+/// Describes the keys of a study of `menger inflate`, which `menger inflate --keys` lists.
 void describe(io::StudyVisitor& visitor, InflationStudy& study);
 
-/// All that decides the states of a path as text: settings with defaults filled in, the design, and the hash of a mesh. Equal
-/// texts give equal paths; what is written about them does not enter.
+/// Returns as text everything that the states of a path depend on: settings with defaults filled in, the design, and the hash of
+/// a mesh. Equal texts give equal paths. Output settings are not part of it.
 std::string path_text(const InflationStudy& study);
 
-/// The text of the study, from which it is read back: the resolved parameters for the manifest.
+/// Returns the text of the study, from which it can be read back: the resolved parameters for the manifest.
 std::string resolved_text(const InflationStudy& study);
 
 }  // namespace menger::fem

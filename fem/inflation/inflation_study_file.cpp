@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 void add_input(InflationStudy& study, const fs::path& file) { study.inputs[file.string()] = io::file_hash(file); }
 
-void take_up(InflationStudy& study, const StudyMaterial& material) {
+void resume(InflationStudy& study, const StudyMaterial& material) {
   if (material.file) add_input(study, *material.file);
   study.notes.insert(study.notes.end(), material.notes.begin(), material.notes.end());
 }
@@ -27,8 +27,8 @@ InflationStudy read_inflation_study(const fs::path& file) {
   } else if (const auto& design = std::get<DesignSource>(study.source).file) {
     add_input(study, *design);
   }
-  take_up(study, study.material);
-  for (const auto& [region, material] : study.region_materials) take_up(study, material);
+  resume(study, study.material);
+  for (const auto& [region, material] : study.region_materials) resume(study, material);
   return study;
 }
 

@@ -7,7 +7,7 @@
 namespace menger::fem {
 
 /// Reads a study of `menger inflate`, whose keys `menger inflate --keys` lists.
-/// @throws io::InputError with file, key and value for anything else, and for files that it names and that cannot be read
+/// @throws io::InputError with file, key and value for wrong input, and for files that the study names and that cannot be read
 InflationStudy read_inflation_study(const std::filesystem::path& file);
 
 }  // namespace menger::fem

@@ -31,13 +31,13 @@ inline const io::Words<LinearMethod>& linear_words() {
   return words;
 }
 
-/// Whether the faces slide on a plate.
+/// The words for whether the faces slide on a plate.
 inline const io::Words<bool>& grip_words() {
   static const io::Words<bool> words{{"bonded", false}, {"sliding", true}};
   return words;
 }
 
-/// Volumetric energies by their place in VolumetricLaw.
+/// The words for volumetric energies, by their index in VolumetricLaw.
 inline const io::Words<std::size_t>& volumetric_words() {
   static const io::Words<std::size_t> words{{"quadratic", 0}, {"log_squared", 1}, {"simo_taylor", 2}};
   return words;
@@ -49,13 +49,13 @@ inline double bulk_modulus_of(const VolumetricLaw& law) {
   return std::visit([](const auto& any) { return any.bulk_modulus_Pa; }, law);
 }
 
-/// Axes by their number.
+/// The words for axes, by their number.
 inline const io::Words<std::size_t>& axis_words() {
   static const io::Words<std::size_t> words{{"x", 0}, {"y", 1}, {"z", 2}};
   return words;
 }
 
-/// The key under which a study gives the values of a drive.
+/// Returns the key under which a study gives the values of a drive.
 inline std::string_view drive_key(DriveKind kind) {
   constexpr std::array<std::string_view, 3> keys{"pressure_Pa", "volume_ratio", "gas_amount"};
   return keys[static_cast<std::size_t>(kind)];

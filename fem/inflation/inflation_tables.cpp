@@ -11,7 +11,7 @@ namespace menger::fem {
 namespace {
 
 std::vector<std::string> columns_of(const InflationResult& result) {
-  std::vector<std::string> columns{"step", "s"};
+  std::vector<std::string> columns{"step", "path_parameter"};
   for (const std::string& plenum : result.plenum_names) {
     columns.push_back(io::column_part(plenum) + "_pressure_Pa");
     columns.push_back(io::column_part(plenum) + "_volume_m3");
@@ -81,7 +81,7 @@ std::string result_text(const InflationResult& result) {
   for (const PathPoint& point : result.path.points) iterations += static_cast<std::uint64_t>(point.iterations);
   text.add("accepted_newton_iterations", iterations);
   text.add("rejected_steps", result.path.rejected_steps);
-  if (!result.path.points.empty()) text.add("s", result.path.points.back().s);
+  if (!result.path.points.empty()) text.add("path_parameter", result.path.points.back().s);
   text.line("notes = [");
   for (const std::string& note : result.notes) text.line("  " + io::toml_quoted(note) + ",");
   text.line("]");

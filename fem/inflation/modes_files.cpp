@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view shape_prefix = "mode_";
 
-/// The largest size of an amplitude.
+/// Returns the largest magnitude of the amplitudes of a curve.
 double peak_of(const ModesCurve& curve) {
   double peak = 0.0;
   for (const auto& amplitude : curve.amplitudes) peak = std::max(peak, amplitude ? std::abs(*amplitude) : 0.0);
@@ -43,7 +43,7 @@ io::ChartSeries series_of(const ModesResult& result, const ModesCurve& curve, do
   return series;
 }
 
-/// Curves that symmetry keeps at zero but for rounding are left out.
+/// Returns the panel of some curves. Curves that are zero by symmetry, except for rounding, are left out.
 io::ChartPanel panel_of(const ModesResult& result, const std::string& title, std::size_t first, std::size_t last, double scale) {
   constexpr double rounding = 1e-6;
   io::ChartPanel panel;
@@ -63,7 +63,7 @@ io::ChartPanel panel_of(const ModesResult& result, const std::string& title, std
 }  // namespace
 
 io::CsvTable modes_table(const ModesResult& result) {
-  std::vector<std::string> columns{"s"};
+  std::vector<std::string> columns{"path_parameter"};
   for (const std::string& plenum : result.plenum_names) columns.push_back(io::column_part(plenum) + "_pressure_Pa");
   for (const char* name : {"rigid_modes", "mode", "frequency_Hz"}) columns.emplace_back(name);
   io::CsvTable table(columns);
@@ -113,7 +113,7 @@ std::string modes_result_text(const ModesResult& result) {
   for (const std::string& note : result.notes) text.line("  " + io::toml_quoted(note) + ",");
   text.line("]");
   for (const ModesState& state : result.states) {
-    text.line("").entry("states").add("s", state.s).add("status", io::to_string(state.vibrations.status));
+    text.line("").entry("states").add("path_parameter", state.s).add("status", io::to_string(state.vibrations.status));
     if (!state.vibrations.reason.empty()) text.add("reason", state.vibrations.reason);
     text.add("rigid_modes", state.vibrations.rigid_modes);
   }
@@ -124,7 +124,7 @@ io::PictureOutcome draw_frequency_response(const fs::path& file, const ModesResu
   // the first curve is the volume's, then three components of each point
   const std::size_t last = std::min<std::size_t>(result.curves.size(), 7);
   io::Chart chart{
-      .title = "answer to harmonic chamber pressure",
+      .title = "response to harmonic chamber pressure",
       .panels = {panel_of(result, "chamber volume (mm³/Pa)", 0, 1, 1e9), panel_of(result, "displacement (µm/Pa)", 1, last, 1e6)}};
   return io::write_chart(file, chart, {.width_px = 2000, .height_px = 900});
 }

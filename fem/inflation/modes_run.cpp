@@ -1,15 +1,14 @@
 #include "fem/inflation/modes_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "fem/inflation/inflation_problem.h"
 #include "fem/inflation/modes_files.h"
 #include "fem/inflation/observables.h"
+#include "io/process/run_folder.h"
 #include "io/text/input_error.h"
-#include "io/text/manifest.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
@@ -18,18 +17,17 @@ namespace menger::fem {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
-/// Modes that the frequency response follows at least: it reaches up to 1.5 times the first frequency, and what it leaves out
-/// falls with the sixth power of that over the frequency of the last mode.
+/// The least number of modes in the frequency response. The response reaches up to 1.5 times the first frequency. Its truncation
+/// error falls with the sixth power of that frequency over the frequency of the last mode.
 constexpr int modes_of_response = 20;
 
-/// The study with the path that the options ask for.
+/// Returns the study with the path that the options ask for.
 InflationStudy with_pressure(InflationStudy study, const ModesOptions& options) {
   if (options.pressure_Pa) {
     study.drives = {{"", {.kind = DriveKind::pressure, .values = {0.0, *options.pressure_Pa}}}};
     study.path.stations.clear();
-    for (StudyPlate& plate : study.plates) plate.drive = {};  // its knots are those of the path that is left out
+    for (StudyPlate& plate : study.plates) plate.drive = {};  // its knots are those of the replaced path
   }
   return study;
 }
@@ -37,10 +35,11 @@ InflationStudy with_pressure(InflationStudy study, const ModesOptions& options) 
 void require_density(const InflationStudy& study, const StudyMaterial& material, const std::string& key) {
   if (material.density_kg_per_m3) return;
   throw io::InputError(study.file.string() + ": " + key + ".density_kg_per_m3: missing, and " + material.name +
-                       " states none; vibrations need one");
+                       " has none; give a density for vibrations");
 }
 
-/// Frequencies of the band in which soft robots walk, 0.5 to 5 Hz, and from there on past the first resonance.
+/// Returns the frequencies of the response: the band in which soft robots walk, 0.5 to 5 Hz, and from there on past the first
+/// resonance.
 std::vector<double> response_frequencies_Hz(double first_Hz) {
   constexpr int steps_in_band = 45;
   constexpr int steps_beyond = 200;
@@ -51,8 +50,8 @@ std::vector<double> response_frequencies_Hz(double first_Hz) {
   return frequencies;
 }
 
-/// The nodes at which a body is held only to keep it from drifting carry no force in equilibrium; under inertia they would, and
-/// the whole body would swing about them. Without them these motions are rigid ones.
+/// Returns the body without its point supports. Nodes that are held only against drifting carry no force in equilibrium. Under
+/// inertia they would, and the whole body would swing about them. Without these supports the drifts are rigid motions.
 Body without_point_supports(Body body) {
   body.point_supports.clear();
   return body;
@@ -62,7 +61,7 @@ class ModesRun {
  public:
   ModesRun(const InflationStudy& study, const fs::path& folder, const ModesOptions& options)
       : study_(with_pressure(study, options)),
-        folder_(folder),
+        folder_("menger-modes", folder),
         options_(options),
         problem_(make_problem(study_)),
         space_(make_space(problem_.mesh, study_.degree, study_.refinements, MPI_COMM_SELF)),
@@ -105,9 +104,8 @@ class ModesRun {
   }
 
   void remove_earlier_files() const {
-    for (const char* name : {"modes.csv", "frequency_response.csv", "frequency_response.png", "result.toml", "manifest.json"})
-      io::remove_if_there(folder_ / name);
-    remove_mode_shapes(folder_ / "modes");
+    folder_.begin({"modes.csv", "frequency_response.csv", "frequency_response.png", "result.toml"});
+    remove_mode_shapes(folder_.file("modes"));
   }
 
   [[nodiscard]] double end() const { return static_cast<double>(problem_.drives.front().values.size()) - 1.0; }
@@ -115,7 +113,7 @@ class ModesRun {
   [[nodiscard]] bool is_wanted(double s) const {
     const auto meets = [s](double station) { return std::abs(s - station) < 1e-12; };
     if (options_.pressure_Pa) return meets(end());
-    if (s < 0.0) return false;  // dead loads still grow
+    if (s < 0.0) return false;  // the dead loads are still growing
     const auto& stations = study_.path.stations;
     return meets(std::round(s)) || std::any_of(stations.begin(), stations.end(), meets);
   }
@@ -144,10 +142,10 @@ class ModesRun {
     report.frequencies_Hz.resize(kept);
     report.modes.resize(kept);
     if (is_last && has_modes) {
-      write_mode_shapes(folder_ / "modes", space_, state.displacements_m,
+      write_mode_shapes(folder_.file("modes"), space_, state.displacements_m,
                         nodal_fields(vibrating_.assembly(), state.displacements_m), step, report);
     }
-    report.modes.clear();  // shapes of all states together may be large, and only the last are written
+    report.modes.clear();  // the shapes of all states may be large, and only the last are written
     result_.states.push_back({step.s, step.plenum_pressures_Pa, std::move(report)});
     tell(0.5 + 0.5 * static_cast<double>(n + 1) / static_cast<double>(states_.size()), "modes");
   }
@@ -179,25 +177,19 @@ class ModesRun {
   }
 
   void finish() {
-    modes_table(result_).write(folder_ / "modes.csv");
+    modes_table(result_).write(folder_.file("modes.csv"));
     if (!result_.curves.empty()) {
-      frequency_response_table(result_).write(folder_ / "frequency_response.csv");
+      frequency_response_table(result_).write(folder_.file("frequency_response.csv"));
       if (study_.output.pictures) {
-        const io::PictureOutcome picture = draw_frequency_response(folder_ / "frequency_response.png", result_);
+        const io::PictureOutcome picture = draw_frequency_response(folder_.file("frequency_response.png"), result_);
         if (!picture.written) result_.notes.push_back("no picture: " + picture.missing);
       }
     }
-    result_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    io::write_whole(folder_ / "result.toml", modes_result_text(result_));
-    io::write_manifest(folder_, {.program = "menger-modes",
-                                 .parameters = io::TomlText()
-                                                   .add("mode_count", options_.mode_count)
-                                                   .add("loss_factor", options_.loss_factor)
-                                                   .lines(resolved_text(study_))
-                                                   .text(),
-                                 .seed = std::nullopt,
-                                 .seconds = result_.seconds,
-                                 .inputs = study_.inputs});
+    result_.seconds = folder_.seconds();
+    io::write_whole(folder_.file("result.toml"), modes_result_text(result_));
+    io::TomlText parameters;
+    parameters.add("mode_count", options_.mode_count).add("loss_factor", options_.loss_factor).lines(resolved_text(study_));
+    folder_.finish(parameters.text(), study_.inputs);
   }
 
   struct Visited {
@@ -206,9 +198,8 @@ class ModesRun {
   };
 
   InflationStudy study_;
-  const fs::path& folder_;
+  io::RunFolder folder_;
   const ModesOptions& options_;
-  Clock::time_point start_ = Clock::now();
   InflationProblem problem_;
   Space space_;
   std::vector<LocatedPoint> points_;

@@ -14,14 +14,14 @@
 
 namespace menger::fem {
 
-/// What is asked about the small motions of a study's body.
+/// Options of run_modes, which computes small vibrations of a study's body about the states of its path.
 struct ModesOptions {
   int mode_count = 6;  ///< > 0
-  /// Gauge pressure of all plena at which the body vibrates, in place of the study's path.
+  /// Gauge pressure of all plena at which the body vibrates, instead of the study's path.
   std::optional<double> pressure_Pa{};
   double loss_factor = 0.0;                 ///< >= 0, of structural damping in the frequency response
   const std::atomic<bool>* stop = nullptr;  ///< ends the run with status `stopped`; the frequencies found so far are written
-  /// Called after every piece of work, with the part of it that is done, 0 to 1, and what is being done.
+  /// Called after every part of the work, with the fraction done, 0 to 1, and a note on the current work.
   std::function<void(double part, const std::string& note)> progress{};
 };
 
@@ -32,19 +32,21 @@ struct ModesState {
   VibrationReport vibrations{};
 };
 
-/// An observable and its answer to 1 Pa in all plena, in phase, about the last state.
+/// The response of an observable to 1 Pa in all plena, in phase, about the last state.
 struct ModesCurve {
   std::string name{};
   std::string unit{};  ///< m or m3
   std::vector<std::optional<std::complex<double>>> amplitudes{};
 };
 
+/// The result of a run of `menger modes`.
 struct ModesResult {
-  io::RunStatus status = io::RunStatus::completed;  ///< of the path, then of the first state whose modes were not found
+  /// Of the path; if that completed, of the first state whose modes were not found.
+  io::RunStatus status = io::RunStatus::completed;
   std::string reason{};
   std::vector<std::string> plenum_names{};
   std::vector<ModesState> states{};      ///< at the knots and stations of the path
-  std::vector<double> frequencies_Hz{};  ///< of the response: 0.5 to 5 Hz and on to 1.5 times the first natural frequency
+  std::vector<double> frequencies_Hz{};  ///< of the response: 0.5 to 5 Hz, and on to 1.5 times the first natural frequency
   std::vector<ModesCurve> curves{};      ///< empty if the last state has no modes
   std::vector<std::string> notes{};
   std::size_t elements = 0;
@@ -52,12 +54,16 @@ struct ModesResult {
   double seconds = 0.0;
 };
 
-/// Inflates a study's body and finds its natural frequencies at the knots and stations of its path, and about the last of them
-/// the answer to harmonic chamber pressure. The body vibrates on the supports of the study but for the two nodes that keep a
-/// guided or resting body from drifting: its horizontal rigid motions are free, and none of the modes. Writes into `folder`, each
-/// file whole or not at all: modes.csv, frequency_response.csv and .png, modes/mode_01.vtu, ... (shapes about the last state),
-/// result.toml, manifest.json. Files of these names that an earlier run left are removed. One process.
-/// @throws io::InputError naming file and key if a material has no density, which only gravity needs elsewhere; as make_problem
+/// Inflates a study's body and computes its natural frequencies at the knots and stations of its path. About the last of these
+/// states it computes the response to harmonic chamber pressure.
+///
+/// The body vibrates on the supports of the study, except for the two nodes that keep a guided or resting body from drifting. Its
+/// horizontal rigid motions are therefore free, and are not among the modes.
+///
+/// Writes into `folder`, each file whole or not at all: modes.csv, frequency_response.csv and .png, modes/mode_01.vtu, ...
+/// (shapes about the last state), result.toml, manifest.json. Files of these names that an earlier run left are removed. One
+/// process.
+/// @throws io::InputError naming file and key if a material has no density, which otherwise only gravity needs; as make_problem
 /// does; if the folder cannot be written
 ModesResult run_modes(const InflationStudy& study, const std::filesystem::path& folder, const ModesOptions& options = {});
 

@@ -14,9 +14,9 @@
 namespace menger::fem {
 namespace {
 
-constexpr double outside_tolerance = 1e-4;  ///< of the edge of an element, for points on the boundary of a curved body
+constexpr double outside_tolerance = 1e-4;  ///< part of the edge of an element, for points on the boundary of a curved body
 
-/// Shape functions of an element at a point of the unit cube, and their derivatives.
+/// Computes the shape functions of an element, and their derivatives, at a point of the unit cube.
 template <std::size_t degree>
 struct ShapeAt {
   static constexpr std::size_t side = degree + 1;
@@ -40,7 +40,7 @@ struct ShapeAt {
   }
 };
 
-/// A point in the coordinates of an element, and by how much it lies outside, in edges of the element.
+/// A point in the coordinates of an element, and its distance outside of it, in edges of the element.
 struct LocalPoint {
   Point xi{};
   double outside = std::numeric_limits<double>::max();
@@ -64,7 +64,7 @@ LocalPoint local_point(const Space& space, std::span<const Index> nodes, const P
     const Eigen::Vector3d step = jacobian.inverse() * residual;
     if (!step.allFinite()) return {};
     for (std::size_t i = 0; i < 3; ++i) {
-      // a point far from the element leads nowhere: kept near, it is outside in the end
+      // the iteration diverges for points far from the element: clamped, they end up outside
       result.xi[i] = std::clamp(result.xi[i] + step[static_cast<Eigen::Index>(i)], -1.0, 2.0);
     }
     if (step.norm() > converged) continue;
@@ -75,7 +75,7 @@ LocalPoint local_point(const Space& space, std::span<const Index> nodes, const P
   return result;
 }
 
-/// Whether a point lies in the box of some nodes, made larger by a tenth of its size.
+/// Returns whether a point lies in the box of some nodes, made larger by a tenth of its size.
 bool is_near(const Space& space, std::span<const Index> nodes, const Point& position) {
   Point low = space.positions[static_cast<std::size_t>(nodes[0])];
   Point high = low;
@@ -93,7 +93,7 @@ bool is_near(const Space& space, std::span<const Index> nodes, const Point& posi
   return true;
 }
 
-/// The element of this rank that holds a point best.
+/// Returns the element of this rank that contains a point best.
 template <std::size_t degree>
 LocatedPoint locate_here(const Space& space, const NamedPoint& point, double& outside) {
   LocatedPoint located{point, 0, {}, {}, 0};

@@ -47,7 +47,7 @@ class Writer {
   std::string bytes_;
 };
 
-/// Takes values out of bytes in the order in which they were put in.
+/// Reads values from bytes in the order in which they were written.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
@@ -74,7 +74,7 @@ class Reader {
   void operator()(std::vector<Value>& values) {
     std::uint64_t size = 0;
     (*this)(size);
-    if (size > bytes_.size()) throw io::InputError("ends too early");  // every value takes a byte at least
+    if (size > bytes_.size()) throw io::InputError("ends too early");  // every value takes at least one byte
     values.resize(size);
     for (Value& value : values) transfer(*this, value);
   }
@@ -89,7 +89,7 @@ class Reader {
   std::string_view bytes_;
 };
 
-/// One list of members for both directions; Value is const when writing.
+/// Lists the members once for reading and writing; Value is const when writing.
 template <class Transfer, class Value>
 void transfer(Transfer& stream, Value& value) {
   using Plain = std::remove_const_t<Value>;
@@ -128,7 +128,7 @@ void transfer(Transfer& stream, Value& value) {
     stream(value.reason);
     stream(value.limit_points);
     stream(value.rejected_steps);
-  } else if constexpr (std::is_same_v<Plain, PathProgress>) {  // but for the states, of which every rank has its own part
+  } else if constexpr (std::is_same_v<Plain, PathProgress>) {  // except the states, of which every rank has its own part
     stream(value.restart.s);
     stream(value.restart.points);
     stream(value.restart.limit_points);
@@ -151,7 +151,7 @@ void transfer(Transfer& stream, Value& value) {
   }
 }
 
-/// The bytes of every rank, on the first one.
+/// Returns the bytes of every rank on the first one.
 std::vector<std::string> gather(const std::string& bytes, MPI_Comm communicator) {
   int rank = 0;
   int count = 0;
@@ -175,7 +175,8 @@ std::vector<std::string> gather(const std::string& bytes, MPI_Comm communicator)
   return parts;
 }
 
-/// What two runs must agree on: the states of a rank mean nothing to another number of ranks.
+/// Returns the identity that two runs must have in common. It includes the number of ranks, since the states of a rank have no
+/// meaning for another number.
 std::string whole_identity(const std::string& identity, MPI_Comm communicator) {
   int count = 0;
   MPI_Comm_size(communicator, &count);

@@ -12,7 +12,7 @@
 
 namespace menger::fem {
 
-/// How a path ended that is not to be taken up again.
+/// The outcome of a path that has ended and is not resumed.
 struct PathOutcome {
   io::RunStatus status = io::RunStatus::completed;
   std::string reason;
@@ -20,23 +20,25 @@ struct PathOutcome {
   int rejected_steps = 0;
 };
 
-/// A path that is under way or at its end: where it can be taken up, and what was observed at its points.
+/// The progress of a path that is under way or has ended: the state from which it can be resumed, and the observations at its
+/// points.
 struct PathProgress {
   PathRestart restart;
   std::vector<std::vector<PointObservation>> observations;  ///< per point of the path, per named point
   std::vector<std::optional<Point>> extent_changes_m;       ///< per point of the path, see InflationResult
-  std::optional<PathOutcome> outcome;                       ///< none while it is under way
+  std::optional<PathOutcome> outcome;                       ///< empty while it is under way
 };
 
-/// Writes a checkpoint on the first rank, with the states of all ranks, whole or not at all. Collective.
-/// @param identity what the path depends on; reading demands the same
-/// @throws io::InputError on all ranks if the place cannot be written
+/// Writes the progress of an inflation path to a checkpoint file, whole or not at all. Every rank has its part of each state; the
+/// first rank collects all parts and writes the file. Collective.
+/// @param identity text of everything that the path depends on; read_checkpoint refuses the file if it is given another text
+/// @throws io::InputError on all ranks if the file cannot be written
 void write_checkpoint(const std::filesystem::path& file, const std::string& identity, const PathProgress& progress,
                       MPI_Comm communicator);
 
-/// Reads a checkpoint, every rank its own states; nothing if there is no such file. Collective. Numbers come back exactly. The
-/// file is binary in the byte order of the machine and holds a hash of its content.
-/// @throws io::InputError on all ranks if it is damaged, of another identity, or of another number of ranks
+/// Reads a checkpoint, each rank its own states. Empty if there is no such file. Collective. Numbers are restored exactly. The
+/// file is binary in the byte order of the machine and contains a hash of its content.
+/// @throws io::InputError on all ranks if it is damaged, or has another identity or number of ranks
 std::optional<PathProgress> read_checkpoint(const std::filesystem::path& file, const std::string& identity,
                                             MPI_Comm communicator);
 

@@ -17,7 +17,7 @@ using meshes::LoadCaseKind;
 
 constexpr double standard_gravity_m_per_s2 = 9.80665;
 
-/// Stiffness of the rigid ground by shear modulus over wall thickness: under a pressure of a tenth of the modulus it yields by a
+/// Stiffness of the rigid ground over shear modulus and wall thickness: under a pressure of a tenth of the modulus it yields by a
 /// thousandth of the wall.
 constexpr double ground_stiffness_factor = 100.0;
 
@@ -41,7 +41,7 @@ meshes::HexahedralMesh make_mesh(const LoadCase& load_case, const LoadCaseElemen
   }
 }
 
-/// The corner of the mesh nearest to a point.
+/// Returns the corner of the mesh nearest to a point.
 Point nearest_corner(const meshes::HexahedralMesh& mesh, const Point& point) {
   return *std::min_element(mesh.points.begin(), mesh.points.end(), [&](const Point& a, const Point& b) {
     return norm(difference(a, point)) < norm(difference(b, point));
@@ -74,7 +74,7 @@ LoadCaseBody::LoadCaseBody(const LoadCase& load_case, const StudyMaterial& mater
   const Point top{0.5 * (low_[0] + high_[0]), 0.5 * (low_[1] + high_[1]), high_[2]};
   try {
     top_ = locate_points(space_, {{"top centre", top}});
-  } catch (const io::InputError&) {  // the body is not there
+  } catch (const io::InputError&) {  // the point is not in the body
     top_ = locate_points(space_, {{"top centre", nearest_corner(mesh, top)}});
   }
   rest_volume_m3_ = equilibrium_->plenum_volumes(equilibrium_->totals(equilibrium_->rest(), 0.0)).front();

@@ -13,9 +13,10 @@
 
 namespace menger::fem {
 
-/// The hollow body of a load case in the grips of its kind, with its solver and its measures. All chambers are one plenum.
+/// The hollow body of a load case in the grips of its kind, with its solver and its measures. All chambers form one plenum.
 class LoadCaseBody {
  public:
+  /// Meshes the body of a case and makes its solver.
   /// @throws io::InputError naming the case and what cannot be meshed
   LoadCaseBody(const meshes::LoadCase& load_case, const StudyMaterial& material, const LoadCaseElements& elements,
                MPI_Comm communicator);
@@ -26,19 +27,20 @@ class LoadCaseBody {
   [[nodiscard]] std::size_t unknowns() const { return 3 * static_cast<std::size_t>(space_.node_count); }
   [[nodiscard]] std::size_t element_count() const { return space_.element_count; }
 
-  /// Drives at rest: every plate where it was, the pressure 0, and no gravity.
+  /// Returns the drives at rest: no plate moves, the pressure is 0, and there is no gravity.
   [[nodiscard]] PathDrives at_rest() const;
 
-  /// Drives that take the imposed value of the kind from 0 at the first knot to `value` at the second.
+  /// Returns the drives that take the imposed value of the load case from 0 at the first knot to `value` at the second.
   [[nodiscard]] PathDrives impose(double value) const;
 
-  /// The ordinates of response_columns at a state; those of modes are left to others (empty).
+  /// Returns the ordinates of response_columns at a state; empty for modes, which are computed elsewhere.
   [[nodiscard]] std::vector<double> ordinates(const PathPoint& point, const BodyState& state) const;
 
  private:
   void add_grips(const meshes::HexahedralMesh& mesh);
   [[nodiscard]] Point top_displacement_m(const BodyState& state) const;
-  /// Growth of the height of the top centre over the mean of the bottom faces, after the rotation of the body is taken out.
+  /// Returns how much the height of the top centre over the mean of the bottom faces has grown, after the rotation of the body is
+  /// removed.
   [[nodiscard]] double top_rise_m(const BodyState& state) const;
 
   meshes::LoadCase load_case_;
@@ -52,7 +54,8 @@ class LoadCaseBody {
   double rest_volume_m3_ = 0.0;
 };
 
-/// Meshes the body of a case and forgets it. @throws io::InputError naming the case and what cannot be meshed
+/// Checks that the body of a case can be meshed.
+/// @throws io::InputError naming the case and what cannot be meshed
 void require_meshable(const meshes::LoadCase& load_case, const LoadCaseElements& elements);
 
 }  // namespace menger::fem

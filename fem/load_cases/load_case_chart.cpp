@@ -11,7 +11,7 @@ namespace {
 
 using meshes::ResponseCurve;
 
-/// A column as the title of an axis, with the factor from its unit to that of the figure.
+/// The title of an axis for a column, with the factor from the column's unit to that of the figure.
 struct Quantity {
   std::string title;
   double factor = 1.0;
@@ -61,7 +61,7 @@ io::ChartPanel panel_of(const ResponseCurve& curve, std::size_t ordinate) {
   return panel;
 }
 
-/// Ordinates that share their unit and abscissa in one panel.
+/// Returns one panel of ordinates that share their unit and abscissa.
 io::ChartPanel panel_of_all(const ResponseCurve& curve, const std::string& title, const std::vector<std::size_t>& ordinates) {
   io::ChartPanel panel;
   const Quantity x = quantity_of(curve.columns.front());

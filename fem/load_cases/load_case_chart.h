@@ -7,9 +7,10 @@
 
 namespace menger::fem {
 
-/// Draws a response curve: a panel for each kind of ordinate over the last abscissa, one line for each pressure where there is a
-/// second one. @return what is missing where no display can be had @throws io::InputError naming the file if the place cannot be
-/// written
+/// Draws a response curve: a panel for each kind of ordinate over the last abscissa. If there is a second abscissa, each pressure
+/// has its own line.
+/// @return what is missing if there is no display
+/// @throws io::InputError naming the file if it cannot be written
 io::PictureOutcome draw_response_curve(const std::filesystem::path& file, const meshes::ResponseCurve& curve);
 
 }  // namespace menger::fem

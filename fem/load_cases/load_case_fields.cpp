@@ -39,7 +39,7 @@ void LoadCaseFields::remove_others() const {
   FieldSeries(place_, communicator_).keep_only({});
   on_first_rank(communicator_, [&] {
     fs::remove(place_ / hash_name);
-    // folders that hold something else stay
+    // folders with other files are kept
     std::error_code not_empty;
     for (const fs::path& folder : {place_ / step_folder_name, place_, place_.parent_path()}) fs::remove(folder, not_empty);
   });
@@ -61,7 +61,7 @@ void LoadCaseFields::publish() {
     fs::create_directories(place_);
     fs::rename(collected_ / step_folder_name, place_ / step_folder_name);
     io::write_whole(place_ / hash_name, key_);
-    // last, so that it never names what is not there
+    // last, so that it never names files that do not exist
     fs::rename(collected_ / collection_name, place_ / collection_name);
   });
   discard();

@@ -13,30 +13,35 @@
 
 namespace menger::fem {
 
-/// Fields of the states of a load case beside its curve: `fields/CASE/fields.pvd`, which names one step per row of the curve, in
-/// the order of its rows (see FieldSeries for what a step holds; its TimeValue is the place of the state, see CaseObserver).
+/// Writes the fields of the states of a load case beside its curve: `fields/CASE/fields.pvd`, which names one step per row of the
+/// curve, in the order of its rows. See FieldSeries for the content of a step; its TimeValue is the index of the state, see
+/// CaseObserver.
 ///
-/// They are collected in cache/KEY and take their place when all are there, together with a file `content_hash` that says of
-/// which answer they are. Collective, but for what asks.
+/// The fields are collected in cache/KEY and moved to their place when all are there. A file `content_hash` beside them names the
+/// response to which they belong. Collective, except for are_kept.
 class LoadCaseFields {
  public:
+  /// Prepares the fields of a case.
   /// @param folder of the curves
-  /// @param key hash of everything that decides the answer
+  /// @param key hash of everything that the response depends on
   LoadCaseFields(const std::filesystem::path& folder, const std::string& name, std::string key, MPI_Comm communicator);
 
-  /// Whether the fields of this answer are in their place.
+  /// Returns whether the fields of this response are in their place.
   [[nodiscard]] bool are_kept() const;
 
-  /// Removes fields in their place that are of another answer, and no other file. @throws io::InputError if one cannot be
+  /// Removes fields in their place that belong to another response, and no other file.
+  /// @throws io::InputError if a file cannot be removed
   void remove_others() const;
 
-  /// Collects the fields of a state. @throws io::InputError if they cannot be written
+  /// Writes the fields of a state into the collection.
+  /// @throws io::InputError if they cannot be written
   void add(std::size_t place, Equilibrium& equilibrium, const PathPoint& point, const BodyState& state);
 
-  /// Puts what was collected into its place, instead of what is there. @throws io::InputError if that cannot be done
+  /// Moves the collected fields to their place, where they replace earlier ones.
+  /// @throws io::InputError if that fails
   void publish();
 
-  /// Forgets what was collected.
+  /// Removes the collected fields.
   void discard() const;
 
  private:

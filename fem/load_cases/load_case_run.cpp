@@ -15,13 +15,13 @@ namespace {
 
 using meshes::LoadCaseKind;
 
-/// A state from which paths go on.
+/// A state from which paths continue.
 struct Anchor {
   PathPoint point;
   BodyState state;
 };
 
-constexpr double vacuum_share = 0.98;  ///< of the vacuum at which walls touch, so that they do not
+constexpr double vacuum_share = 0.98;  ///< part of the vacuum at which walls touch, so that they do not
 
 class CaseRun {
  public:
@@ -30,35 +30,35 @@ class CaseRun {
         request_(request),
         options_(options),
         body_(request.load_case, material, request.elements, options.communicator) {
-    answer_.elements = body_.element_count();
-    answer_.unknowns = body_.unknowns();
+    response_.elements = body_.element_count();
+    response_.unknowns = body_.unknowns();
   }
 
-  CaseAnswer run() {
-    answer_.pressures_Pa = request_.load_case.pressures_Pa;
-    if (answer_.pressures_Pa.empty()) find_pressures();
+  CaseResponse run() {
+    response_.pressures_Pa = request_.load_case.pressures_Pa;
+    if (response_.pressures_Pa.empty()) find_pressures();
     if (!is_stopped()) from_rest();
-    std::sort(answer_.rows.begin(), answer_.rows.end());
-    return std::move(answer_);
+    std::sort(response_.rows.begin(), response_.rows.end());
+    return std::move(response_);
   }
 
  private:
   using Reached = std::function<void(double value, const Anchor& anchor)>;
 
-  [[nodiscard]] bool is_stopped() const { return answer_.status == io::RunStatus::stopped; }
+  [[nodiscard]] bool is_stopped() const { return response_.status == io::RunStatus::stopped; }
 
   void find_pressures() {
     const PressureRange range = find_pressure_range(body_, request_.largest_pressure_Pa, options_.stop);
-    answer_.limit_pressure_Pa = range.limit_pressure_Pa;
-    answer_.contact_pressure_Pa = range.contact_pressure_Pa;
-    answer_.reason = range.reason;
+    response_.limit_pressure_Pa = range.limit_pressure_Pa;
+    response_.contact_pressure_Pa = range.contact_pressure_Pa;
+    response_.reason = range.reason;
     if (range.stopped) {
-      answer_.status = io::RunStatus::stopped;
+      response_.status = io::RunStatus::stopped;
       return;
     }
     const double lowest = vacuum_share * range.lowest_pressure_Pa;
     const double highest = range.limit_pressure_Pa ? safe_share * *range.limit_pressure_Pa : range.highest_pressure_Pa;
-    answer_.pressures_Pa = pressures_between(lowest, highest, request_.state_count);
+    response_.pressures_Pa = pressures_between(lowest, highest, request_.state_count);
   }
 
   void from_rest() {
@@ -71,7 +71,7 @@ class CaseRun {
     }
     std::vector<double> up;
     std::vector<double> down;
-    for (const double pressure_Pa : answer_.pressures_Pa) {
+    for (const double pressure_Pa : response_.pressures_Pa) {
       if (pressure_Pa > 0.0) up.push_back(pressure_Pa);
       if (pressure_Pa < 0.0) down.insert(down.begin(), pressure_Pa);
       if (pressure_Pa == 0.0) at_pressure(0.0, rest);
@@ -89,7 +89,7 @@ class CaseRun {
     }
   }
 
-  /// All that is imposed on the body at a pressure.
+  /// Computes all states at a pressure.
   void at_pressure(double pressure_Pa, const Anchor& anchor) {
     if (is_stopped()) return;
     if (kind_ == LoadCaseKind::modes) {
@@ -120,7 +120,7 @@ class CaseRun {
     }
   }
 
-  /// Follows a path from a state through targets, which lie ever farther from zero on one side.
+  /// Follows a path from a state through targets, which lie at increasing distance from zero on one side.
   template <class Drives>
   void follow(const Anchor& from, const std::vector<double>& targets, const Drives& drives, const std::string& what,
               const Reached& reached) {
@@ -139,8 +139,8 @@ class CaseRun {
   }
 
   void end_early(io::RunStatus status, const std::string& reason, const std::string& where) {
-    if (answer_.status == io::RunStatus::completed || status == io::RunStatus::stopped) answer_.status = status;
-    answer_.reason += (answer_.reason.empty() ? "" : "; ") + where + ": " + reason;
+    if (response_.status == io::RunStatus::completed || status == io::RunStatus::stopped) response_.status = status;
+    response_.reason += (response_.reason.empty() ? "" : "; ") + where + ": " + reason;
   }
 
   void add_row(std::vector<double> row, const Anchor& anchor) {
@@ -162,24 +162,24 @@ class CaseRun {
     add({pressure_Pa, report.frequencies_Hz[0], report.frequencies_Hz[1], report.frequencies_Hz[2]}, anchor);
   }
 
-  /// Place of a row among the states that were asked for.
+  /// Returns the index of a row among the states that were asked for.
   [[nodiscard]] std::size_t place_of(const std::vector<double>& row) const {
     const auto place = [](const std::vector<double>& values, double value) {
       return static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
     };
-    const std::size_t pressure = place(answer_.pressures_Pa, row[0]);
+    const std::size_t pressure = place(response_.pressures_Pa, row[0]);
     if (meshes::abscissa_count(kind_) == 1) return pressure;
     return pressure * request_.load_case.imposed.size() + place(request_.load_case.imposed, row[1]);
   }
 
   void add(std::vector<double> row, const Anchor& anchor) {
     if (options_.observer) options_.observer(place_of(row), body_.equilibrium(), anchor.point, anchor.state);
-    answer_.rows.push_back(std::move(row));
+    response_.rows.push_back(std::move(row));
     if (!options_.progress) return;
     const std::size_t inner = meshes::abscissa_count(kind_) == 1 ? 1 : request_.load_case.imposed.size();
-    const auto total = static_cast<double>(answer_.pressures_Pa.size() * inner);
-    options_.progress(static_cast<double>(answer_.rows.size()) / total,
-                      std::to_string(answer_.rows.size()) + " of " + std::to_string(static_cast<int>(total)) + " states");
+    const auto total = static_cast<double>(response_.pressures_Pa.size() * inner);
+    options_.progress(static_cast<double>(response_.rows.size()) / total,
+                      std::to_string(response_.rows.size()) + " of " + std::to_string(static_cast<int>(total)) + " states");
   }
 
   LoadCaseKind kind_;
@@ -187,12 +187,12 @@ class CaseRun {
   const CaseOptions& options_;
   LoadCaseBody body_;
   std::vector<std::pair<double, Anchor>> pressed_;
-  CaseAnswer answer_;
+  CaseResponse response_;
 };
 
 }  // namespace
 
-CaseAnswer run_load_case(const CaseRequest& request, const StudyMaterial& material, const CaseOptions& options) {
+CaseResponse run_load_case(const CaseRequest& request, const StudyMaterial& material, const CaseOptions& options) {
   assert(!request.load_case.pressures_Pa.empty() || request.load_case.kind == LoadCaseKind::inflation);
   return CaseRun(request, material, options).run();
 }

@@ -13,13 +13,14 @@ namespace menger::fem {
 
 /// How finely the walls of a body are meshed.
 struct LoadCaseElements {
-  int degree = 2;                           ///< 1: Q1/P0, 2: Q2/P1
-  int through_wall = 1;                     ///< elements, at least
-  std::optional<double> largest_element_m;  ///< edge to which elements grow away from walls; none: as in the wall
-  double growth = 1.5;                      ///< largest ratio of neighbouring edges
+  int degree = 2;        ///< 1: Q1/P0, 2: Q2/P1
+  int through_wall = 1;  ///< elements, at least
+  /// Edge up to which elements grow away from walls; empty: as in the wall.
+  std::optional<double> largest_element_m;
+  double growth = 1.5;  ///< largest ratio of neighbouring edges
 };
 
-/// What the bodies of a set have in common, where they say nothing else; 0: not given.
+/// The dimensions that the bodies of a set have in common where they state no others; 0: not given.
 struct CaseBody {
   double cell_edge_m = 0.0;
   double wall_thickness_m = 0.0;
@@ -27,43 +28,44 @@ struct CaseBody {
   bool per_phase = false;
 };
 
-/// For people and provenance: "finite elements, Q2/P1, 1 through the wall, largest 0.003 m".
+/// Returns a text on the elements, for users and provenance: "finite elements, Q2/P1, 1 through the wall, largest 0.003 m".
 std::string elements_text(const LoadCaseElements& elements);
 
-/// A load case as it is asked for: its pressures may still have to be found.
+/// A requested load case, whose pressures may still have to be found.
 struct CaseRequest {
-  meshes::LoadCase load_case;  ///< pressures and imposed values ascending; no pressures: those below say which
-  /// Negative: of the pressure at which walls first touch under vacuum, or buckle before they do; positive: of `safe_share` of
-  /// the limit pressure; of the same body and law. Ascending.
+  /// Pressures and imposed values are ascending. Without pressures, the members below determine them.
+  meshes::LoadCase load_case;
+  /// Fractions of pressures of the same body and law, ascending. Negative ones are fractions of the pressure at which walls first
+  /// touch under vacuum, or buckle before they do. Positive ones are fractions of `safe_share` of the limit pressure.
   std::vector<double> pressure_fractions;
-  int state_count = 12;  ///< of an inflation without pressures
-  /// Under which a limit point is looked for; laws that stiffen have none.
+  int state_count = 12;  ///< number of states of an inflation without pressures
+  /// Pressure up to which a limit point is searched for. Bodies of laws that stiffen have no limit point.
   std::optional<double> largest_pressure_Pa;
   LoadCaseElements elements;
-  std::optional<std::filesystem::path> design_file;  ///< that gave the body, if one did
+  std::optional<std::filesystem::path> design_file;  ///< file of the body, if there is one
 };
 
-/// Part of the limit pressure that bodies are driven with.
+/// The part of the limit pressure up to which bodies are driven.
 inline constexpr double safe_share = 0.8;
 
-/// Everything that decides what `menger load-cases` computes.
+/// A study of `menger load-cases`: everything that its results depend on.
 struct LoadCaseStudy {
-  std::filesystem::path file;  ///< that it came from, for messages
+  std::filesystem::path file;  ///< from which it was read, for messages
   StudyMaterial material;      ///< with a density
-  /// Of every ordinate by its largest magnitude: what the discretisation and the idealised shape (walls of even thickness, sharp
-  /// edges) are taken to be worth where nothing better is known.
+  /// Uncertainty of every ordinate over its largest magnitude. It is the estimate for the discretisation and the idealised shape
+  /// (walls of even thickness, sharp edges) where nothing better is known.
   double relative_uncertainty = 0.05;
-  std::optional<CaseBody> body;  ///< of cases that give none of their own
-  LoadCaseElements elements;     ///< the same
+  std::optional<CaseBody> body;  ///< for cases that state none of their own
+  LoadCaseElements elements;     ///< for cases that state none of their own
   std::vector<CaseRequest> cases;
-  std::map<std::string, std::string> inputs;  ///< content hash of every file that was read, the study's included
+  std::map<std::string, std::string> inputs;  ///< content hash of every file that was read, with the study's own
   std::vector<std::string> notes;
 };
 
-/// The keys of a set of load cases; `menger load-cases --keys` lists them.
+/// Describes the keys of a set of load cases, which `menger load-cases --keys` lists.
 void describe(io::StudyVisitor& visitor, LoadCaseStudy& study);
 
-/// All that decides the answer to a case, but for its name: equal texts give equal curves.
+/// Returns everything that the response to a case depends on, except for its name: equal texts give equal curves.
 std::string case_text(const CaseRequest& request, const StudyMaterial& material);
 
 }  // namespace menger::fem

@@ -17,7 +17,7 @@ using meshes::LoadCaseKind;
 
 constexpr int most_states = 1000;
 
-/// Lengths must be given where nothing gives them for all.
+/// Describes the keys of a body. Lengths must be given here unless they are given for all cases.
 void describe(io::StudyVisitor& visitor, CaseBody& body) {
   const auto length = [&](std::string_view name, std::string_view help, std::string_view example, double& value) {
     visitor.number({.name = name, .help = help, .example = value > 0.0 ? "" : example, .may_be_elsewhere = true}, value,
@@ -42,7 +42,7 @@ void describe(io::StudyVisitor& visitor, LoadCaseElements& elements) {
   visitor.number({"growth", "Largest ratio of neighbouring edges while they grow."}, elements.growth, io::at_least(1.0));
 }
 
-/// A list of values in any order, each once.
+/// Describes a list of values in any order, without repetitions. The values are sorted.
 void describe_ascending(io::StudyVisitor& visitor, const io::Key& key, std::vector<double>& values,
                         const io::Range& range = io::any_number()) {
   visitor.numbers(key, values, range, {.fewest = 1});
@@ -52,7 +52,7 @@ void describe_ascending(io::StudyVisitor& visitor, const io::Key& key, std::vect
 
 void describe_design_file(io::StudyVisitor& visitor, CaseRequest& request) {
   fs::path file;
-  visitor.path({"design", "A design file; its cell edge does not count.", "\"design.toml\""}, file);
+  visitor.path({"design", "A design file. Its cell edge is not used.", "\"design.toml\""}, file);
   if (visitor.source() == nullptr) return;
   const meshes::Polycube body = meshes::read_design(file).body;
   request.load_case.cells = {body.nx(), body.ny(), body.nz()};
@@ -60,13 +60,14 @@ void describe_design_file(io::StudyVisitor& visitor, CaseRequest& request) {
   request.design_file = file;
 }
 
-/// @param has_body whether the case says which body already
+/// Describes the body of a case.
+/// @param has_body whether the case has a body already
 void describe_body(io::StudyVisitor& visitor, CaseRequest& request, bool has_body) {
   LoadCase& load_case = request.load_case;
   const auto keep = [] {};
   visitor.one_of({{"digits", has_body, keep, [&] { meshes::describe_cells(visitor, load_case); }},
                   {"design", false, keep, [&] { describe_design_file(visitor, request); }}},
-                 "a body is needed");
+                 "give a body");
   CaseBody body{load_case.cell_edge_m, load_case.wall_thickness_m, load_case.level, load_case.per_phase};
   describe(visitor, body);
   load_case.cell_edge_m = body.cell_edge_m;
@@ -89,7 +90,8 @@ void describe_pressures(io::StudyVisitor& visitor, CaseRequest& request) {
          describe_ascending(
              visitor,
              {"pressure_fractions",
-              "Pressures by that at which walls touch (negative) or by the safe part of the limit pressure.", "[0, 0.5]"},
+              "Pressures as fractions. Negative: of that at which walls touch; positive: of the safe part of the limit pressure.",
+              "[0, 0.5]"},
              fractions, io::within(-1.0, 1.0));
        }}};
   if (request.load_case.kind == LoadCaseKind::inflation) {
@@ -98,25 +100,25 @@ void describe_pressures(io::StudyVisitor& visitor, CaseRequest& request) {
       fractions.clear();
     };
     alternatives.push_back({"states", finds_its_own, find_own, [&] {
-                              visitor.integer({"states", "Pressures that an inflation finds on its own."}, request.state_count,
-                                              io::within(3, most_states));
+                              visitor.integer({"states", "Number of pressures. The inflation finds their values."},
+                                              request.state_count, io::within(3, most_states));
                             }});
   }
-  visitor.one_of(alternatives, "a load case that is no inflation needs its pressures");
-  visitor.only_if(pressures_Pa.empty(), "pressures that are looked for", [&] {
-    visitor.optional_number({"largest_pressure_Pa", "Up to where a limit pressure is looked for.", "20000"},
+  visitor.one_of(alternatives, "give its pressures, because this load case is not an inflation");
+  visitor.only_if(pressures_Pa.empty(), "pressures that are searched for", [&] {
+    visitor.optional_number({"largest_pressure_Pa", "The limit pressure is searched for up to this pressure.", "20000"},
                             request.largest_pressure_Pa, io::positive());
   });
 }
 
-/// A body of level 1 must stay longer than nothing.
+/// Checks that the imposed displacement leaves a body of level 1 a positive length.
 void check_length(const io::StudyVisitor& visitor, const LoadCase& load_case) {
   if (load_case.imposed.empty() || load_case.level > 1) return;
   const bool is_press = load_case.kind == LoadCaseKind::press;
   if (!is_press && load_case.kind != LoadCaseKind::stretch) return;
   const double length_m = load_case.cell_edge_m * load_case.cells[is_press ? 2 : 0];
   const double most_m = is_press ? load_case.imposed.back() : -load_case.imposed.front();
-  visitor.check(most_m < length_m, "displacement_m", "leaves nothing of the length of the body");
+  visitor.check(most_m < length_m, "displacement_m", "must shorten the body by less than its length");
 }
 
 void describe(io::StudyVisitor& visitor, CaseRequest& request, const LoadCaseStudy& study) {
@@ -147,16 +149,17 @@ void describe(io::StudyVisitor& visitor, CaseRequest& request, const LoadCaseStu
 }  // namespace
 
 void describe(io::StudyVisitor& visitor, LoadCaseStudy& study) {
-  visitor.number({"relative_uncertainty", "Of every ordinate by its largest magnitude, where nothing better is known."},
-                 study.relative_uncertainty, io::positive());
+  visitor.number(
+      {"relative_uncertainty", "Uncertainty of every ordinate divided by its largest magnitude, where nothing better is known."},
+      study.relative_uncertainty, io::positive());
   const io::TomlTable* table = visitor.source();
   visitor.check(table == nullptr || !table->has("material"), "material",
-                "its keys stand at the top now, without a table: silicone = ...");
+                "its keys are now at the top of the file, without a table: silicone = ...");
   describe(visitor, study.material);
-  visitor.check(study.material.density_kg_per_m3.has_value(), "law", "needs density_kg_per_m3 beside it");
-  visitor.optional_table({"body", "For cases that give none of their own."}, study.body,
+  visitor.check(study.material.density_kg_per_m3.has_value(), "law", "also needs density_kg_per_m3");
+  visitor.optional_table({"body", "The body of cases that give none of their own."}, study.body,
                          [&](CaseBody& body) { describe(visitor, body); });
-  visitor.table({"elements", "The finite elements, for cases that say nothing else."},
+  visitor.table({"elements", "The finite elements of cases that give none of their own."},
                 [&] { describe(visitor, study.elements); });
   visitor.tables({"case", "The load cases."}, study.cases, [&](CaseRequest& request) { describe(visitor, request, study); },
                  {.fewest = 1});

@@ -7,7 +7,7 @@
 namespace menger::fem {
 
 /// Reads a set of load cases, whose keys `menger load-cases --keys` lists.
-/// @throws io::InputError with file, key and value for anything else, and for files that it names and that cannot be read
+/// @throws io::InputError with file, key and value for wrong input, and for files that the set names and that cannot be read
 LoadCaseStudy read_load_case_study(const std::filesystem::path& file);
 
 }  // namespace menger::fem

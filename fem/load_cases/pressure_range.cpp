@@ -9,20 +9,21 @@
 namespace menger::fem {
 namespace {
 
-/// Volume of the chambers by that at rest at which the search for a limit point ends for want of one.
+/// Volume of the chambers over that at rest at which the search for a limit point ends without one.
 constexpr double largest_volume_ratio = 40.0;
 
-/// Steps in volume by that at rest: as long as Newton's method takes at moderate strain.
+/// Steps in volume over that at rest: as long as Newton's method allows at moderate strain.
 constexpr double first_volume_step = 0.05;
 constexpr double largest_volume_step = 0.4;
 constexpr double smallest_volume_step = 1e-3;
 
-/// Steps in vacuum by the end of the search: the shear modulus or, for stiff bodies, absolute vacuum.
+/// Steps in vacuum over the end of the search, which is the shear modulus or, for stiff bodies, absolute vacuum.
 constexpr double first_vacuum_step = 0.02;
 constexpr double largest_vacuum_step = 0.1;
 constexpr double smallest_vacuum_step = 2e-4;
 
-/// Under vacuum by pressure, so that walls that buckle are noticed; the search ends where it is told to, or there.
+/// Follows the body under vacuum by pressure, so that buckling of walls is detected. The search ends at the last pressure, or
+/// there.
 PathReport follow_vacuum(LoadCaseBody& body, double last_pressure_Pa, const std::atomic<bool>* stop) {
   PathDrives drives = body.at_rest();
   drives.plena.front().values = {0.0, last_pressure_Pa};
@@ -33,7 +34,7 @@ PathReport follow_vacuum(LoadCaseBody& body, double last_pressure_Pa, const std:
   return follow_path(body.equilibrium(), drives, options, {}, stop);
 }
 
-/// To larger volumes by volume, so that a limit point is passed.
+/// Follows the body to larger volumes by volume, so that it passes a limit point.
 PathReport follow_volume(LoadCaseBody& body, std::optional<double> largest_pressure_Pa, const std::atomic<bool>* stop) {
   PathDrives drives = body.at_rest();
   drives.plena.front() = {.kind = DriveKind::volume, .values = {1.0, largest_volume_ratio}};

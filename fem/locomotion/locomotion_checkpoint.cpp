@@ -14,21 +14,22 @@ using Json = nlohmann::json;
 
 constexpr std::string_view title = "menger locomotion checkpoint 4";
 
-/// Reads values that stand one after the other, from a place on.
+/// Reads consecutive values, starting at a place.
 template <class... Values>
 void take(const Json& json, std::size_t first, Values&... values) {
   (json.at(first++).get_to(values), ...);
 }
 
-// Bindings name all members of a struct, so that one that is added does not compile until it is kept here, too.
+// The structured bindings name all members of a struct. So code with an added member does not compile until the member is kept
+// here, too.
 
-Json to_json(const ExplicitWork& work) {
+Json to_json(const MotionWork& work) {
   const auto& [pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = work;
   return {pressure, gravity, contact, self_contact, friction, viscous, mass_damping};
 }
 
-ExplicitWork work_from(const Json& json) {
-  ExplicitWork work;
+MotionWork work_from(const Json& json) {
+  MotionWork work;
   auto& [pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = work;
   take(json, 0, pressure, gravity, contact, self_contact, friction, viscous, mass_damping);
   return work;
@@ -155,7 +156,7 @@ ImplicitState implicit_state_from(const Json& json) {
   return state;
 }
 
-/// With the place of the method among the kinds of states.
+/// Writes a state with the index of its method in the variant.
 Json to_json(const LocomotionState& state) {
   return {state.index(), std::visit([](const auto& kind) { return to_json(kind); }, state)};
 }
@@ -181,7 +182,7 @@ LocomotionRecord record_from(const Json& json) {
   return record;
 }
 
-/// The progress as CBOR, whose numbers are those of the machine.
+/// Returns the progress as CBOR, which holds numbers exactly.
 std::string content_of(const LocomotionProgress& progress) {
   const auto& [state, records, outcome, seconds] = progress;
   Json list = Json::array();
@@ -215,7 +216,7 @@ std::optional<LocomotionProgress> read_locomotion_checkpoint(const std::filesyst
   if (!content) return std::nullopt;
   try {
     return progress_from(*content);
-  } catch (const Json::exception&) {  // the hash is that of its content, but another build arranged it
+  } catch (const Json::exception&) {  // the content is undamaged, but another build arranged it differently
     throw checkpoint.error("is of another build of menger");
   }
 }

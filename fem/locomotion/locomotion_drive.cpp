@@ -13,7 +13,7 @@
 namespace menger::fem {
 namespace {
 
-/// When a cell is driven, as fraction of a period.
+/// Returns the phase of a cell, as a fraction of a period.
 double phase_of(const SurrogateDrive& drive, const meshes::Polycube& body, const meshes::CellIndex& cell) {
   if (drive.mode == DriveMode::antiphase) return drive.material_phase.at(body.at(cell) == 2 ? 1 : 0);
   if (drive.mode != DriveMode::wave) return 0.0;
@@ -24,14 +24,14 @@ double phase_of(const SurrogateDrive& drive, const meshes::Polycube& body, const
   return drive.wave_periods_per_body * position[axis] / length;
 }
 
-/// Whether two phases are the same moment of a period, but for rounding.
+/// Returns whether two phases are the same moment of a period, except for rounding.
 bool are_equal(double a, double b) { return std::abs(std::remainder(a - b, 1.0)) < 1e-9; }
 
 std::string cell_text(const meshes::CellIndex& cell) {
   return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " + std::to_string(cell.z) + ")";
 }
 
-/// The phase of each plenum, which all its cells must share.
+/// Returns the phase of each plenum. All of its cells must have it.
 std::vector<double> plenum_phases(const io::TomlTable& table, const SurrogateDrive& drive, const meshes::ModularBody& body,
                                   const meshes::HexahedralMesh& mesh) {
   struct Found {
@@ -57,23 +57,25 @@ std::vector<double> plenum_phases(const io::TomlTable& table, const SurrogateDri
 }  // namespace
 
 void describe(io::StudyVisitor& visitor, SurrogateDrive& drive) {
-  visitor.word({"mode", "Which cells are driven when; hold: all by the highest pressure, none: not at all.", "\"in_phase\""},
-               drive.mode,
-               {{"none", DriveMode::none},
-                {"in_phase", DriveMode::in_phase},
-                {"antiphase", DriveMode::antiphase},
-                {"wave", DriveMode::wave},
-                {"hold", DriveMode::hold}});
+  visitor.word(
+      {"mode", "Which cells are driven at which time. hold: all cells have the highest pressure; none: no cell is driven.",
+       "\"in_phase\""},
+      drive.mode,
+      {{"none", DriveMode::none},
+       {"in_phase", DriveMode::in_phase},
+       {"antiphase", DriveMode::antiphase},
+       {"wave", DriveMode::wave},
+       {"hold", DriveMode::hold}});
   visitor.numbers({"pressure_Pa", "Lowest and highest gauge pressure.", "[0, 6000]"}, drive.pressure_Pa);
   visitor.check(drive.pressure_Pa[0] > -standard_atmosphere_Pa, "pressure_Pa", "reaches a perfect vacuum or less");
   visitor.check(drive.pressure_Pa[0] <= drive.pressure_Pa[1], "pressure_Pa", "must ascend: lowest, then highest");
   visitor.number({.name = "frequency_Hz",
-                  .help = "Periods in a second.",
+                  .help = "Periods per second.",
                   .example = drive.mode == DriveMode::none ? "" : "3",
                   .earlier = "period_s",
                   .was_reciprocal = true},
                  drive.frequency_Hz, io::positive());
-  visitor.optional_number({"ramp_s", "Time in which the pressure grows to all of it; one period unless stated.", "0.1"},
+  visitor.optional_number({"ramp_s", "Time in which the pressure grows to its full value. If not given: one period.", "0.1"},
                           drive.ramp_s, io::non_negative());
   visitor.only_if(drive.mode == DriveMode::antiphase, "mode = \"antiphase\"", [&] {
     visitor.numbers({"material_phase", "Fraction of a period by which cells of materials 1 and 2 are ahead."},
@@ -81,8 +83,9 @@ void describe(io::StudyVisitor& visitor, SurrogateDrive& drive) {
   });
   visitor.only_if(drive.mode == DriveMode::wave, "mode = \"wave\"", [&] {
     visitor.word({"wave_axis", "Axis along which the wave runs."}, drive.wave_axis, {{"x", 0}, {"y", 1}, {"z", 2}});
-    visitor.number({"wave_periods_per_body", "Periods over the length of the body."}, drive.wave_periods_per_body);
-    visitor.boolean({"wave_over_gaps", "Whether the length is that between the first cell and the last."}, drive.wave_over_gaps);
+    visitor.number({"wave_periods_per_body", "Periods of the wave over the length of the body."}, drive.wave_periods_per_body);
+    visitor.boolean({"wave_over_gaps", "Whether the length of the body is the distance between its first and its last cell."},
+                    drive.wave_over_gaps);
   });
 }
 
@@ -96,7 +99,7 @@ std::vector<PlenumSchedule> plenum_schedules(const SurrogateDrive& drive, const 
   for (const double phase : plenum_phases(table, drive, body, mesh)) {
     PlenumSchedule plenum{ConstantPressure{}, ramp_s};
     if (drive.mode == DriveMode::hold) plenum.schedule = ConstantPressure{highest_Pa};
-    // A sine is the lowered cosine of SinePressure a quarter of a period later.
+    // The sine of the drive is the lowered cosine of SinePressure, a quarter of a period later.
     if (drive.mode != DriveMode::hold && drive.mode != DriveMode::none)
       plenum.schedule =
           SinePressure{.low_Pa = lowest_Pa, .high_Pa = highest_Pa, .frequency_Hz = drive.frequency_Hz, .phase = phase + 0.25};

@@ -15,16 +15,16 @@
 
 namespace menger::fem {
 
-/// Where a run can be taken up, by the method that it was made with.
+/// The state from which a run can be resumed, one kind for each method.
 using LocomotionState = std::variant<ExplicitState, ImplicitState>;
 
-/// How far the body of a study came.
+/// How the run of a study ended.
 struct LocomotionOutcome {
   io::RunStatus status = io::RunStatus::completed;
-  std::string reason{};  ///< in words, where it did not complete
+  std::string reason{};  ///< why it did not complete
 };
 
-/// The body of a study, moved on in time by one method or another. Nodes are those of the study's mesh.
+/// Moves the body of a study in time, by one of the methods. Nodes are those of the study's mesh.
 class LocomotionDynamics {
  public:
   LocomotionDynamics() = default;
@@ -32,34 +32,35 @@ class LocomotionDynamics {
   LocomotionDynamics& operator=(const LocomotionDynamics&) = delete;
   virtual ~LocomotionDynamics() = default;
 
-  /// To a time, exactly; see ExplicitDynamics::advance_to.
+  /// Advances to exactly this time; see ExplicitDynamics::advance_to.
   [[nodiscard]] virtual LocomotionOutcome advance_to(double time_s) = 0;
 
-  /// Goes on from a state of this method (asserts).
+  /// Sets the state from which the run continues. It must be of this method (asserts).
   virtual void set_state(LocomotionState state) = 0;
   [[nodiscard]] virtual LocomotionState state() const = 0;
   [[nodiscard]] virtual double time_s() const = 0;
   [[nodiscard]] virtual std::size_t steps() const = 0;
 
-  /// Whether a run that is taken up from any state goes on as if nothing had happened. Otherwise only from one that the method
-  /// was set to: both runs must set it.
+  /// Returns whether a run that is resumed from any of its states gives the same results as an uninterrupted one. If not, this
+  /// holds only for states that were passed to set_state: both runs must set them.
   [[nodiscard]] virtual bool goes_on_from_any_state() const = 0;
 
-  /// What decides about results beside the study: the instruction set.
+  /// Returns what results depend on besides the study: the instruction set, and for several processes their number.
   [[nodiscard]] virtual std::string machine_text() const = 0;
 
-  /// Everything at the time that was reached.
+  /// Returns the record of the time that was reached.
   [[nodiscard]] virtual LocomotionRecord record() = 0;
   [[nodiscard]] virtual std::vector<double> displacements_m() const = 0;  ///< 3 per node
   [[nodiscard]] virtual std::vector<double> velocities_m_per_s() = 0;     ///< 3 per node
 };
 
-/// Makes the body of a study at rest. @param stop as in ExplicitOptions
-/// @throws io::InputError if the dynamics refuse the study
+/// Makes the dynamics of a study, with the body at rest.
+/// @param stop as in ExplicitOptions
+/// @throws io::InputError if the dynamics reject the study
 using LocomotionMaker =
     std::function<std::unique_ptr<LocomotionDynamics>(const LocomotionStudy& study, const std::atomic<bool>* stop)>;
 
-/// The maker for studies of explicit dynamics.
+/// Makes the dynamics of a study by explicit dynamics.
 std::unique_ptr<LocomotionDynamics> make_explicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop);
 
 }  // namespace menger::fem

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* collection_name = "frames.pvd";
 
-/// Relative to the folder of the run.
+/// Returns the path of a frame, relative to the folder of the run.
 fs::path frame_file(std::size_t number) { return fs::path("frames") / ("frame_" + io::padded(number, 4) + ".vtu"); }
 
 bool is_there(const fs::path& file) {
@@ -50,7 +50,7 @@ vtkSmartPointer<Array> named(const char* name) {
   return array;
 }
 
-/// The chamber of each label; nothing for labels outside.
+/// Returns the chamber of each label; empty for labels of the outside.
 std::vector<std::optional<std::size_t>> chambers_of_labels(const meshes::HexahedralMesh& mesh) {
   std::vector<std::optional<std::size_t>> chambers(mesh.label_names.size());
   for (std::size_t c = 0; c < mesh.chambers.size(); ++c)
@@ -58,7 +58,7 @@ std::vector<std::optional<std::size_t>> chambers_of_labels(const meshes::Hexahed
   return chambers;
 }
 
-/// What is told of cells.
+/// The data arrays of the cells.
 struct CellArrays {
   vtkSmartPointer<vtkIntArray> region = named<vtkIntArray>("region");
   vtkSmartPointer<vtkIntArray> chamber = named<vtkIntArray>("chamber");
@@ -74,7 +74,7 @@ struct CellArrays {
 void add_elements(vtkUnstructuredGrid& grid, const meshes::HexahedralMesh& mesh, const CellArrays& arrays) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     std::array<vtkIdType, 8> corners{};
-    for (std::size_t c = 0; c < corners.size(); ++c)  // VTK's corners run around
+    for (std::size_t c = 0; c < corners.size(); ++c)  // VTK numbers corners in cyclic order
       corners.at(c) = static_cast<vtkIdType>(mesh.elements[e].at(c % 4 < 2 ? c : c ^ 1U));
     grid.InsertNextCell(VTK_HEXAHEDRON, 8, corners.data());
     arrays.add(static_cast<int>(mesh.regions[e]), -1, 0.0);
@@ -126,11 +126,11 @@ vtkSmartPointer<vtkUnstructuredGrid> moved_body_grid(const meshes::HexahedralMes
 
 void LocomotionFrames::keep_only(const std::vector<double>& times_s) {
   times_s_ = times_s;
-  // Somebody may have removed some: from the first that is missing on there are none.
+  // Users may have removed some frames. Frames after the first missing one do not count.
   std::size_t kept = 0;
   while (kept < times_s_.size() && is_there(folder_ / frame_file(kept))) ++kept;
   times_s_.resize(kept);
-  // Before the files go, so that the collection never names one that is not there.
+  // The collection is updated before the files are removed, so that it never names one that does not exist.
   if (times_s_.empty())
     io::remove_if_there(folder_ / collection_name);
   else

@@ -13,7 +13,7 @@
 
 namespace menger::fem {
 
-/// A body at one time; component i of node a at 3 a + i.
+/// The motion of a body at one time; component i of node a at 3 a + i.
 struct MovedBody {
   double time_s = 0.0;
   std::span<const double> displacements_m;
@@ -21,14 +21,12 @@ struct MovedBody {
   std::span<const double> plenum_pressures_Pa;  ///< gauge, one per plenum
 };
 
-/// The body where it is: its elements as hexahedra and the walls of its chambers as quadrilaterals.
-///
-/// Point data: displacement_m, velocity_m_per_s. Cell data: region (of elements, -1 on walls), chamber (of walls, -1 elsewhere),
-/// chamber_pressure_Pa (on walls, 0 elsewhere). Field data: TimeValue, plenum_pressures_Pa.
+/// Returns the body at its current position: its elements as hexahedra and the walls of its chambers as quadrilaterals.
 vtkSmartPointer<vtkUnstructuredGrid> moved_body_grid(const meshes::HexahedralMesh& mesh, const MovedBody& body);
 
-/// Frames of a run for ParaView: frames/frame_0000.vtu, ... and the collection frames.pvd in a folder, each file written whole or
-/// not at all. Throws io::InputError where the place cannot be written.
+/// Writes frames of a run for ParaView: frames/frame_0000.vtu, ... and the collection frames.pvd in a folder. Each file is
+/// written whole or not at all.
+/// @throws io::InputError if a file cannot be written
 class LocomotionFrames {
  public:
   explicit LocomotionFrames(std::filesystem::path folder) : folder_(std::move(folder)) {}

@@ -9,7 +9,7 @@
 namespace menger::fem {
 namespace {
 
-/// Branch or viscosity of a material that has its law, and how well they are known.
+/// Sets the branch or the viscosity of a material whose law is set, and adds a note unless the damping was measured.
 void set_damping(const StudySilicone& given, LocomotionMaterial& material, std::vector<std::string>& notes) {
   const double shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(material.law);
   std::optional<materials::LossData> recorded;
@@ -25,19 +25,21 @@ void set_damping(const StudySilicone& given, LocomotionMaterial& material, std::
   if (material.is_damping_measured) return;
   notes.push_back("material: damping is not measured; loss factor " + io::number_text(material.loss.tan_delta) + " at " +
                   io::number_text(material.loss.frequency_Hz) + " Hz, " +
-                  (given.loss_factor ? "stated by the study" : std::string(material.loss.source)) +
-                  (material.damping_model == DampingModel::maxwell ? "; a Maxwell branch damps most there"
-                                                                   : "; of a viscosity, which damps more the faster the motion"));
+                  (given.loss_factor ? "given by the study" : std::string(material.loss.source)) +
+                  (material.damping_model == DampingModel::maxwell
+                       ? "; it is a Maxwell branch, which damps most at this frequency"
+                       : "; it is a viscosity, which damps more the faster the motion is"));
 }
 
 void describe_stiffening(io::StudyVisitor& visitor, StudySilicone& silicone) {
   const auto describe_factor = [&] {
-    visitor.number({"modulus_factor", "Factor of all moduli of the law."}, silicone.modulus_factor, io::positive());
+    visitor.number({"modulus_factor", "All moduli of the law are multiplied by this factor."}, silicone.modulus_factor,
+                   io::positive());
   };
   const auto describe_modulus = [&] {
     double modulus_Pa = silicone.youngs_modulus_Pa.value_or(0.0);
-    visitor.number({"youngs_modulus_Pa", "Young's modulus at rest to which the law is stiffened.", "1.5e5"}, modulus_Pa,
-                   io::positive());
+    visitor.number({"youngs_modulus_Pa", "Young's modulus at rest. All moduli of the law are scaled to reach it.", "1.5e5"},
+                   modulus_Pa, io::positive());
     silicone.youngs_modulus_Pa = modulus_Pa;
   };
   const bool has_modulus = silicone.youngs_modulus_Pa.has_value();
@@ -57,25 +59,27 @@ materials::HyperelasticLaw stiffened(const materials::HyperelasticLaw& law, doub
 void describe(io::StudyVisitor& visitor, StudySilicone& silicone) {
   describe(visitor, silicone.law);
   describe_stiffening(visitor, silicone);
-  visitor.number({"bulk_modulus_ratio", "Bulk modulus by shear modulus at rest."}, silicone.bulk_modulus_ratio,
+  visitor.number({"bulk_modulus_ratio", "Bulk modulus divided by the shear modulus at rest."}, silicone.bulk_modulus_ratio,
                  io::at_least(1.0));
-  visitor.optional_number({"density_kg_per_m3", "Density, beside a law, or in place of the silicone's.", "1070"},
-                          silicone.density_kg_per_m3, io::positive());
-  visitor.optional_number({"loss_factor", "Loss factor of small shear, in place of the silicone's.", "0.1"}, silicone.loss_factor,
-                          io::non_negative());
+  visitor.optional_number(
+      {"density_kg_per_m3", "Density. Needed with a law; with a silicone it replaces the silicone's density.", "1070"},
+      silicone.density_kg_per_m3, io::positive());
+  visitor.optional_number({"loss_factor", "Loss factor of small shear. It replaces the silicone's loss factor.", "0.1"},
+                          silicone.loss_factor, io::non_negative());
   visitor.only_if(silicone.loss_factor.has_value(), "loss_factor", [&] {
-    visitor.number({"loss_frequency_Hz", "Frequency of that loss factor.", "30"}, silicone.loss_frequency_Hz, io::positive());
+    visitor.number({"loss_frequency_Hz", "Frequency of the loss factor.", "30"}, silicone.loss_frequency_Hz, io::positive());
   });
-  visitor.optional_word({"damping_model",
-                         "A branch damps most at one frequency, a viscosity more the faster the motion; unless stated the former "
-                         "for explicit dynamics, the latter, which is all there is, for implicit.",
-                         "\"kelvin_voigt\""},
-                        silicone.damping_model,
-                        {{"maxwell", DampingModel::maxwell}, {"kelvin_voigt", DampingModel::kelvin_voigt}});
+  visitor.optional_word(
+      {"damping_model",
+       "maxwell: a branch that damps most at one frequency; kelvin_voigt: a viscosity that damps more the faster "
+       "the motion is. If not given: maxwell for explicit dynamics. Implicit dynamics has only kelvin_voigt.",
+       "\"kelvin_voigt\""},
+      silicone.damping_model, {{"maxwell", DampingModel::maxwell}, {"kelvin_voigt", DampingModel::kelvin_voigt}});
   const io::TomlTable* table = visitor.source();
   if (table == nullptr) return;
   silicone.is_ratio_assumed = !table->has("bulk_modulus_ratio");
-  if (!silicone.density_kg_per_m3 && !silicone.law.record) throw table->missing("density_kg_per_m3", "a law in place has none");
+  if (!silicone.density_kg_per_m3 && !silicone.law.record)
+    throw table->missing("density_kg_per_m3", "a law that is given in the study has no density");
 }
 
 LocomotionMaterial material_of(StudySilicone& given, DampingModel usual, std::vector<std::string>& notes) {

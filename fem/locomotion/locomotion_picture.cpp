@@ -26,12 +26,12 @@
 namespace menger::fem {
 namespace {
 
-/// Axes cover at least this many body lengths, so that a body that stays where it is does not fill the plot with its tremor.
+/// Axes cover at least this many body lengths, so that the tremor of a body that stays in place does not fill the plot.
 constexpr double least_span = 0.02;
 
 constexpr std::size_t most_plena_in_chart = 12;
 
-/// The outside of the body, without the walls of its chambers.
+/// Returns the outside of the body, without the walls of its chambers.
 vtkSmartPointer<vtkUnstructuredGrid> outside_grid(const meshes::HexahedralMesh& mesh, std::span<const double> displacements_m) {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkUnstructuredGrid> outside_grid(const meshes::HexahedralMesh& 
   return grid;
 }
 
-/// The ground that is shown, one grid so that the camera takes it in.
+/// Returns the part of the ground that is shown, as one grid so that the camera includes it.
 vtkSmartPointer<vtkUnstructuredGrid> ground_grid(const std::array<double, 6>& bounds, double height_m, double margin_m) {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
@@ -83,7 +83,7 @@ void add_ground(vtkRenderer& renderer, vtkUnstructuredGrid& grid) {
   renderer.AddActor(actor);
 }
 
-/// The path of the centre of mass, just above the ground.
+/// Draws the path of the centre of mass, just above the ground.
 void add_path(vtkRenderer& renderer, const LocomotionResult& result) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -99,7 +99,7 @@ void add_path(vtkRenderer& renderer, const LocomotionResult& result) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(path);
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -1e5);  // seen through the body
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -1e5);  // visible through the body
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(0.74, 0.17, 0.16);
@@ -108,17 +108,18 @@ void add_path(vtkRenderer& renderer, const LocomotionResult& result) {
   renderer.AddActor(actor);
 }
 
-/// Colours the points by their way, mm. @return the longest
-double add_ways(vtkUnstructuredGrid& grid, std::span<const double> displacements_m) {
-  vtkNew<vtkDoubleArray> ways;
-  ways->SetName("way");
+/// Colours the points by the length of their displacement, mm.
+/// @return the greatest length
+double add_displacements(vtkUnstructuredGrid& grid, std::span<const double> displacements_m) {
+  vtkNew<vtkDoubleArray> displacements;
+  displacements->SetName("displacement");
   double longest = std::numeric_limits<double>::min();
   for (std::size_t n = 0; n < displacements_m.size(); n += 3) {
-    const double way_mm = 1e3 * std::hypot(displacements_m[n], displacements_m[n + 1], displacements_m[n + 2]);
-    ways->InsertNextValue(way_mm);
-    longest = std::max(longest, way_mm);
+    const double length_mm = 1e3 * std::hypot(displacements_m[n], displacements_m[n + 1], displacements_m[n + 2]);
+    displacements->InsertNextValue(length_mm);
+    longest = std::max(longest, length_mm);
   }
-  grid.GetPointData()->SetScalars(ways);
+  grid.GetPointData()->SetScalars(displacements);
   return longest;
 }
 
@@ -141,7 +142,7 @@ io::PictureOutcome draw_moved_body(const std::filesystem::path& file, const mesh
                                    const LocomotionResult& result, const std::string& caption, const io::PictureStyle& style) {
   return io::write_picture(file, style, [&](vtkRenderWindow& window) {
     const auto moved = outside_grid(mesh, body.displacements_m);
-    const double longest = add_ways(*moved, body.displacements_m);
+    const double longest = add_displacements(*moved, body.displacements_m);
     const std::vector<double> rest(body.displacements_m.size(), 0.0);
     const auto start = outside_grid(mesh, rest);
     std::array<double, 6> bounds{};
@@ -161,7 +162,7 @@ io::PictureOutcome draw_moved_body(const std::filesystem::path& file, const mesh
     add_path(*renderer, result);
     const double pixels_per_m = aim(*renderer, {moved, start, ground}, style);
     add_scale_bar(*renderer, pixels_per_m, style);
-    add_colour_bar(*renderer, "way (mm)", longest, style);
+    add_colour_bar(*renderer, "displacement (mm)", longest, style);
     add_caption(*renderer, caption, style);
   });
 }

@@ -11,14 +11,15 @@
 
 namespace menger::fem {
 
-/// Draws a body at the end of its run, coloured by the way of its points, the edges of the body at the start, the ground, and on
-/// it the path of the centre of mass.
-/// @return what is missing where nothing can be drawn @throws io::InputError if the place cannot be written
+/// Draws a body at the end of its run, coloured by the displacement of its points, with the edges of the body at the start, the
+/// ground, and on it the path of the centre of mass.
+/// @return what is missing if nothing can be drawn
+/// @throws io::InputError if the file cannot be written
 io::PictureOutcome draw_moved_body(const std::filesystem::path& file, const meshes::HexahedralMesh& mesh, const MovedBody& body,
                                    const LocomotionResult& result, const std::string& caption,
                                    const io::PictureStyle& style = {});
 
-/// Displacement over time, the path from above, and the pressures of the plena.
+/// Plots the displacement over time, the path from above, and the pressures of the plena.
 io::PictureOutcome plot_locomotion(const std::filesystem::path& file, const LocomotionResult& result,
                                    const io::PictureStyle& style = {});
 

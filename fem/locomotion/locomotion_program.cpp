@@ -41,9 +41,9 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "Example:\n  menger locomote fem/studies/locomotion.toml -o walk\n"
       "writes walk/locomotion.toml, trajectory.csv, frames.pvd (open it in ParaView), robot.png, trajectory.png and "
       "manifest.json;\na study with a table [sweep] writes one such folder for each value, sweep.csv and sweep.png.\n"
-      "Ctrl-C keeps what is done, and the same command goes on from there. Large bodies by implicit dynamics on several cores: "
-      "mpirun -n 2 menger-locomote ...\n"
-      "Exit codes: 0 completed, 2 wrong input, 3 the run ended early (locomotion.toml says why), 130 interrupted.");
+      "Ctrl-C keeps finished steps. Run the same command again to resume. For large bodies use implicit dynamics on several\n"
+      "cores: mpirun -n 2 menger-locomote ...\n"
+      "Exit codes: 0 completed, 2 wrong input, 3 the run ended early (locomotion.toml contains the reason), 130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     LocomotionStudy study;
     describe(visitor, study);
@@ -52,9 +52,9 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--threads", arguments.threads, "threads, instead of the study's; results do not depend on them")
       ->check(CLI::Range(1, 1024));
-  app.add_flag("--restart", arguments.restart, "begin anew instead of going on where an earlier run was stopped");
+  app.add_flag("--restart", arguments.restart, "start again from the beginning instead of resuming a stopped run");
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
-  app.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+  app.add_flag("-q,--quiet", arguments.quiet, "print only errors");
   return io::parse_arguments(app, argc, argv);
 }
 
@@ -72,7 +72,7 @@ void print(const LocomotionResult& result) {
   std::cout << '\n' << std::flush;
 }
 
-/// Of a sweep: that of the first case that did not complete, unless it was interrupted.
+/// Returns the exit code of a sweep: `interrupted` if its last case was stopped, `numerical` if any case did not complete.
 int exit_code_of(const std::vector<SweepCase>& cases) {
   if (cases.back().result.status == io::RunStatus::stopped) return io::exit_code::interrupted;
   const bool all =
@@ -80,7 +80,7 @@ int exit_code_of(const std::vector<SweepCase>& cases) {
   return all ? io::exit_code::done : io::exit_code::numerical;
 }
 
-/// The line that tells how long a study, or the cases of one, still take.
+/// The progress line, which shows the time that a study, or the cases of its sweep, still takes.
 class StudyProgress {
  public:
   StudyProgress(const LocomotionStudy& study, bool quiet)
@@ -135,12 +135,13 @@ int run_all(const LocomotionStudy& study, const Arguments& arguments, Locomotion
   return exit_code_of(run_sweep(study, arguments.folder, options, ran));
 }
 
-/// What one process does alone.
+/// Refuses studies that run in one process only if several were started.
 void refuse_processes(const LocomotionStudy& study, int process_count) {
   if (process_count == 1) return;
   const std::string file = study.file.string();
   const std::string started = ", and " + std::to_string(process_count) + " were started";
-  if (!study.implicit) throw io::InputError(file + ": explicit dynamics runs in one process" + started + ": it has --threads");
+  if (!study.implicit)
+    throw io::InputError(file + ": explicit dynamics runs in one process" + started + ": use --threads instead");
   if (study.sweep) throw io::InputError(file + ": sweep: its cases run one after the other in one process" + started);
 }
 
@@ -153,7 +154,7 @@ int locomotion_program(int argc, const char* const* argv, const LocomotionMethod
   method.on_every_process([&] { study = read_locomotion_study(arguments.study); });
   if (study.implicit.has_value() != method.is_implicit) return method.pass_on(arguments.study);
   if (arguments.threads) {
-    if (study.implicit) throw io::InputError("--threads: " + study.file.string() + ": implicit dynamics has none");
+    if (study.implicit) throw io::InputError("--threads: " + study.file.string() + ": implicit dynamics has no threads");
     study.threads = *arguments.threads;
   }
   refuse_processes(study, method.process_count);

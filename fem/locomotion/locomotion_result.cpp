@@ -8,18 +8,21 @@
 #include <utility>
 
 #include "io/text/formatted.h"
+#include "io/text/input_error.h"
+#include "io/text/run_status_words.h"
+#include "io/text/toml_document.h"
 #include "io/text/toml_text.h"
 #include "meshes/load_cases/observables.h"
 
 namespace menger::fem {
 namespace {
 
-/// Works and losses in the order of their columns.
-constexpr std::pair<const char*, double ExplicitWork::*> work_columns[] = {
-    {"pressure_work_J", &ExplicitWork::pressure_J},         {"gravity_work_J", &ExplicitWork::gravity_J},
-    {"contact_work_J", &ExplicitWork::contact_J},           {"self_contact_work_J", &ExplicitWork::self_contact_J},
-    {"friction_loss_J", &ExplicitWork::friction_J},         {"viscous_loss_J", &ExplicitWork::viscous_J},
-    {"mass_damping_loss_J", &ExplicitWork::mass_damping_J},
+/// The works and losses in the order of their columns.
+constexpr std::pair<const char*, double MotionWork::*> work_columns[] = {
+    {"pressure_work_J", &MotionWork::pressure_J},         {"gravity_work_J", &MotionWork::gravity_J},
+    {"contact_work_J", &MotionWork::contact_J},           {"self_contact_work_J", &MotionWork::self_contact_J},
+    {"friction_loss_J", &MotionWork::friction_J},         {"viscous_loss_J", &MotionWork::viscous_J},
+    {"mass_damping_loss_J", &MotionWork::mass_damping_J},
 };
 
 std::vector<std::string> columns_of(const LocomotionResult& result) {
@@ -68,6 +71,28 @@ io::CsvTable trajectory_table(const LocomotionResult& result) {
     table.add_cells(cells);
   }
   return table;
+}
+
+LocomotionResult read_locomotion_result(const std::filesystem::path& folder) {
+  const io::TomlTable table = io::read_toml(folder / "locomotion.toml");
+  LocomotionResult result;
+  result.status = table.word("status", io::run_status_words());
+  result.reason = table.text_or("reason", "");
+  result.time_s = table.number("time_s", io::non_negative());
+  result.steps = table.integer<std::size_t>("steps", io::at_least(0));
+  result.elements = table.integer<std::size_t>("elements", io::at_least(0));
+  result.seconds = table.number("seconds", io::non_negative());
+  result.body_length_m = table.number("body_length_m", io::positive());
+
+  const io::CsvContents trajectory = io::read_csv(folder / "trajectory.csv");
+  for (std::size_t row = 0; row < trajectory.row_count(); ++row) {
+    result.records.push_back(
+        {.time_s = trajectory.number(row, "time_s"),
+         .centre_of_mass_m = {trajectory.number(row, "centre_of_mass_x_m"), trajectory.number(row, "centre_of_mass_y_m"),
+                              trajectory.number(row, "centre_of_mass_z_m")}});
+  }
+  if (result.records.empty()) throw io::InputError((folder / "trajectory.csv").string() + ": holds no row");
+  return result;
 }
 
 std::string result_text(const LocomotionResult& result) {

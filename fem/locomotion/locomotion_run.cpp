@@ -12,10 +12,11 @@
 #include "fem/locomotion/locomotion_checkpoint.h"
 #include "fem/locomotion/locomotion_frames.h"
 #include "fem/locomotion/locomotion_picture.h"
+#include "io/process/run_folder.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
-#include "io/text/manifest.h"
 #include "io/text/number_text.h"
+#include "io/text/toml_text.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
 
@@ -25,19 +26,20 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Between the states that a run can be taken up from, where not every one will do: it costs a factorisation each time.
+/// Records between two restart points, for methods that can be resumed only from some states: each restart point costs a
+/// factorisation.
 constexpr std::size_t records_per_restart = 10;
 
 constexpr std::string_view checkpoint_name = "locomotion.checkpoint";
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// One study on its way through its records.
+/// Runs one study, record by record.
 class LocomotionRun {
  public:
   LocomotionRun(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options)
       : study_(study),
-        folder_(folder),
+        folder_("menger-locomote", folder),
         options_(options),
         dynamics_(options.make(study, options.stop)),
         overlaps_(study.mesh),
@@ -56,7 +58,7 @@ class LocomotionRun {
   }
 
   LocomotionResult run() {
-    begin_or_take_up();
+    begin_or_resume();
     if (result_.records.empty()) record();
     if (outcome_)
       conclude(*outcome_);
@@ -71,39 +73,36 @@ class LocomotionRun {
     return study_.output.frames && record % study_.output.records_per_frame == 0;
   }
 
-  void begin_or_take_up() {
+  void begin_or_resume() {
     // From here on no file of an earlier run may pass for one of this run, also if this one is killed.
-    for (const std::string_view name : {"locomotion.toml", "manifest.json", "trajectory.csv", "robot.png", "trajectory.png"})
-      remove(name);
+    folder_.begin({"locomotion.toml", "trajectory.csv", "robot.png", "trajectory.png"});
     std::vector<double> frame_times_s;
     if (earlier_) {
       dynamics_->set_state(std::move(earlier_->state));
       result_.records = std::move(earlier_->records);
-      earlier_seconds_ = earlier_->seconds;
-      if (earlier_->outcome) outcome_ = judged(std::move(*earlier_->outcome));
-      result_.seconds = earlier_seconds_;
+      folder_.add_seconds(earlier_->seconds);
+      result_.seconds = earlier_->seconds;
+      if (earlier_->outcome) outcome_ = checked(std::move(*earlier_->outcome));
       for (std::size_t r = 0; r < result_.records.size(); ++r) {
-        // The end of a run has a frame of its own.
+        // The end of a run always has a frame.
         if (is_due(r) || (study_.output.frames && outcome_ && r + 1 == result_.records.size()))
           frame_times_s.push_back(result_.records[r].time_s);
       }
     } else {
-      remove(checkpoint_name);
+      folder_.remove({checkpoint_name});
     }
     frames_.keep_only(frame_times_s);
   }
-
-  void remove(std::string_view name) const { io::remove_if_there(folder_ / name); }
 
   void follow() {
     if (options_.started) options_.started(dynamics_->time_s());
     LocomotionOutcome outcome;
     while (outcome.status == io::RunStatus::completed && result_.records.size() <= times_s_.size()) {
       make_restart_point();
-      outcome = judged(dynamics_->advance_to(times_s_[result_.records.size() - 1]));
+      outcome = checked(dynamics_->advance_to(times_s_[result_.records.size() - 1]));
       if (outcome.status == io::RunStatus::stopped) break;
       const bool is_last = outcome.status != io::RunStatus::completed || result_.records.size() == times_s_.size();
-      // What was reached by a run that failed may be a record that is there already, without the frame of an end.
+      // The time reached by a failed run may have a record already, but not the frame of an end.
       if (dynamics_->time_s() > result_.records.back().time_s)
         record(is_last);
       else if (is_last && study_.output.frames && !is_due(result_.records.size() - 1))
@@ -116,8 +115,8 @@ class LocomotionRun {
     result_.seconds = write_checkpoint();
   }
 
-  /// A body that has gone through itself is no robot, however far it comes.
-  [[nodiscard]] LocomotionOutcome judged(LocomotionOutcome outcome) const {
+  /// Changes the outcome to `diverged` if the body has passed through itself.
+  [[nodiscard]] LocomotionOutcome checked(LocomotionOutcome outcome) const {
     if (outcome.status != io::RunStatus::completed) return outcome;
     const std::optional<BodyOverlap> overlap = overlaps_.find(dynamics_->displacements_m());
     if (!overlap) return outcome;
@@ -136,7 +135,7 @@ class LocomotionRun {
     frames_.add(study_.mesh, {record.time_s, displacements, velocities, record.plenum_pressures_Pa});
   }
 
-  /// Keeps a state to be taken up from, and goes on from it as that run will.
+  /// Keeps a state from which the run can be resumed, and continues from it as a resumed run would.
   void make_restart_point() {
     if (dynamics_->goes_on_from_any_state() || (result_.records.size() - 1) % records_per_restart != 0) return;
     restart_.emplace(dynamics_->state());
@@ -144,15 +143,16 @@ class LocomotionRun {
     restart_records_ = result_.records.size();
   }
 
-  /// @return the wall time that it states
+  /// Writes the checkpoint.
+  /// @return the wall time written in it
   double write_checkpoint() {
-    const double seconds = earlier_seconds_ + seconds_since(start_);
+    const double seconds = folder_.seconds();
     LocomotionProgress progress{dynamics_->state(), result_.records, outcome_, seconds};
     if (restart_ && !outcome_) {
       progress.state = *restart_;
       progress.records.resize(restart_records_);
     }
-    write_locomotion_checkpoint(folder_ / checkpoint_name, identity_, progress);
+    write_locomotion_checkpoint(folder_.file(checkpoint_name), identity_, progress);
     last_checkpoint_ = Clock::now();
     return seconds;
   }
@@ -165,55 +165,43 @@ class LocomotionRun {
   void finish() {
     result_.time_s = dynamics_->time_s();
     result_.steps = dynamics_->steps();
-    trajectory_table(result_).write(folder_ / "trajectory.csv");
+    trajectory_table(result_).write(folder_.file("trajectory.csv"));
     if (study_.output.pictures) draw();
-    io::write_manifest(folder_, {.program = "menger-locomote",
-                                 .parameters = locomotion_text(study_) + "\n" + notes_text(),
-                                 .seed = std::nullopt,
-                                 .seconds = result_.seconds,
-                                 .inputs = study_.inputs});
-    io::write_whole(folder_ / "locomotion.toml", result_text(result_));
-  }
-
-  [[nodiscard]] std::string notes_text() const {
-    std::string text;
-    for (const std::string& note : result_.notes) text += "# " + note + "\n";
-    return text;
+    folder_.finish(io::TomlText().add("notes", result_.notes).lines(locomotion_text(study_)).text(), study_.inputs);
+    io::write_whole(folder_.file("locomotion.toml"), result_text(result_));
   }
 
   void draw() {
     const LocomotionRecord& last = result_.records.back();
-    const Point way = difference(last.centre_of_mass_m, result_.records.front().centre_of_mass_m);
+    const Point moved = difference(last.centre_of_mass_m, result_.records.front().centre_of_mass_m);
     const std::string caption = study_.design.name + " after " + io::shown(result_.time_s, 3) + " s: its centre moved by (" +
-                                io::formatted("%.2f", 1e3 * way[0]) + ", " + io::formatted("%.2f", 1e3 * way[1]) + ") mm";
+                                io::formatted("%.2f", 1e3 * moved[0]) + ", " + io::formatted("%.2f", 1e3 * moved[1]) + ") mm";
     const std::vector<double> displacements = dynamics_->displacements_m();
     const std::vector<double> velocities = dynamics_->velocities_m_per_s();
     const io::PictureOutcome robot =
-        draw_moved_body(folder_ / "robot.png", study_.mesh, {result_.time_s, displacements, velocities, last.plenum_pressures_Pa},
-                        result_, caption);
+        draw_moved_body(folder_.file("robot.png"), study_.mesh,
+                        {result_.time_s, displacements, velocities, last.plenum_pressures_Pa}, result_, caption);
     if (!robot.written) {
       result_.notes.push_back("no pictures: " + robot.missing);
       return;
     }
-    if (const auto plot = plot_locomotion(folder_ / "trajectory.png", result_); !plot.written)
+    if (const auto plot = plot_locomotion(folder_.file("trajectory.png"), result_); !plot.written)
       result_.notes.push_back("no plot of the trajectory: " + plot.missing);
   }
 
   const LocomotionStudy& study_;
-  const fs::path& folder_;
+  io::RunFolder folder_;
   const LocomotionRunOptions& options_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_checkpoint_ = start_;
+  Clock::time_point last_checkpoint_ = Clock::now();
   std::unique_ptr<LocomotionDynamics> dynamics_;
-  std::optional<LocomotionState> restart_;  ///< of the last restart point, where there are such
-  std::size_t restart_records_ = 0;         ///< up to it
+  std::optional<LocomotionState> restart_;  ///< of the last restart point, if the method needs them
+  std::size_t restart_records_ = 0;         ///< records up to it
   BodyOverlapSearch overlaps_;
   std::vector<double> times_s_;
   LocomotionFrames frames_;
   std::string identity_;
   std::optional<LocomotionProgress> earlier_;
   std::optional<LocomotionOutcome> outcome_;
-  double earlier_seconds_ = 0.0;
   LocomotionResult result_;
 };
 
@@ -224,7 +212,7 @@ void begin(std::optional<LocomotionRun>& run, const LocomotionStudy& study, cons
   } catch (const UnresolvedRelaxation& error) {
     throw io::InputError(study.file.string() +
                          ": material.loss_frequency_Hz = " + io::number_text(study.material.loss.frequency_Hz) + ": " +
-                         error.what() + "; damping_model = \"kelvin_voigt\" has no relaxation");
+                         error.what() + "; choose damping_model = \"kelvin_voigt\", which has no relaxation");
   } catch (const io::InputError& error) {
     throw io::InputError(study.file.string() + ": " + error.what());
   }

@@ -47,7 +47,7 @@ ExplicitOptions dynamics_options(const LocomotionStudy& study) {
 }
 
 std::vector<double> record_times_s(const LocomotionStudy& study) {
-  // The last record lies at the duration itself, which need not be a multiple of the interval.
+  // The last record is at the duration itself, which need not be a multiple of the interval.
   const auto intervals = static_cast<std::uint64_t>(std::ceil(study.duration_s / study.record_interval_s * (1.0 - 1e-12)));
   std::vector<double> times;
   for (std::uint64_t i = 1; i < intervals; ++i) times.push_back(static_cast<double>(i) * study.record_interval_s);

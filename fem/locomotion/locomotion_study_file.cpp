@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr int schema_version = 2;
 constexpr double largest_record_count = 1e6;
 
-/// Deepest fractal: 27 cells per side of a design of three.
+/// The highest level: 27 cells per side for a design of three.
 constexpr int largest_level = 3;
 
 enum class Method { explicit_dynamics, implicit_dynamics };
@@ -36,9 +36,9 @@ void note_input(LocomotionStudy& study, const std::optional<fs::path>& file) {
 void describe_version(io::StudyVisitor& visitor) {
   int version = schema_version;
   visitor.integer({"schema_version", "Version of these keys."}, version);
-  visitor.check(
-      version != 1, "schema_version",
-      "some keys have other names since then (menger locomote --keys lists all): remove this line, and the message names them");
+  visitor.check(version != 1, "schema_version",
+                "some keys have new names since version 1: remove this line to get a message with the new names (menger locomote "
+                "--keys lists all keys)");
   visitor.check(version == 1 || version == schema_version, "schema_version", "must be " + std::to_string(schema_version));
 }
 
@@ -55,7 +55,7 @@ void describe_silicone(io::StudyVisitor& visitor, LocomotionStudy& study) {
   if (visitor.source() != nullptr && study.silicone.law.record) note_input(study, study.silicone.law.file);
 }
 
-/// Either the surrogate's drive or what the study says of each plenum.
+/// Describes the pressures: either the surrogate's drive, or a schedule or supply of each plenum.
 void describe_pressures(io::StudyVisitor& visitor, LocomotionStudy& study) {
   const auto choose_drive = [&] {
     if (!study.drive) study.drive.emplace();
@@ -63,9 +63,9 @@ void describe_pressures(io::StudyVisitor& visitor, LocomotionStudy& study) {
   const auto describe_drive = [&] {
     for (const char* other : {"piston", "gas"}) {
       const bool has_other = visitor.source() != nullptr && visitor.source()->has(other);
-      visitor.check(!has_other, other, "a table [drive] beside it drives all plena: keep one of them");
+      visitor.check(!has_other, other, "the table [drive] already drives all plena: keep one of them");
     }
-    visitor.table({"drive", "Pressure in all chambers, as the surrogate has it."}, [&] { describe(visitor, *study.drive); });
+    visitor.table({"drive", "Pressure in all chambers, as in the surrogate."}, [&] { describe(visitor, *study.drive); });
   };
   const auto describe_supply = [&] {
     describe(visitor, study.stated_supply);
@@ -75,11 +75,11 @@ void describe_pressures(io::StudyVisitor& visitor, LocomotionStudy& study) {
   const bool has_plena = !study.drive && !study.stated_supply.plena.empty();
   visitor.one_of({{"drive", study.drive.has_value(), choose_drive, describe_drive},
                   {"pressure", has_plena, [&] { study.drive.reset(); }, describe_supply}},
-                 "a table [drive] or [[pressure]] is needed");
+                 "give a table [drive] or [[pressure]]");
 }
 
 void describe_time(io::StudyVisitor& visitor, LocomotionStudy& study) {
-  visitor.number({"duration_s", "Time that is simulated.", "0.1"}, study.duration_s, io::positive());
+  visitor.number({"duration_s", "Simulated time.", "0.1"}, study.duration_s, io::positive());
   study.record_interval_s = std::min(study.record_interval_s, study.duration_s);
   visitor.number({"record_interval_s", "Time between the lines of trajectory.csv, at most the duration."},
                  study.record_interval_s, {.lowest = 0.0, .highest = study.duration_s, .lowest_excluded = true});
@@ -89,27 +89,29 @@ void describe_time(io::StudyVisitor& visitor, LocomotionStudy& study) {
 }
 
 void describe_implicit(io::StudyVisitor& visitor, LocomotionImplicit& implicit) {
-  visitor.integer({"degree", "Of the elements: 1 (Q1/P0) or 2 (Q2/P1)."}, implicit.degree, io::within(1, 2));
-  visitor.number({"tolerance", "Largest error of a step, root mean square, by the diameter of the body."}, implicit.tolerance,
-                 io::positive());
-  visitor.number({"stick_stiffness", "Springs of points that stick, by those against depth."}, implicit.stick_stiffness,
-                 io::positive());
+  visitor.integer({"degree", "Degree of the elements: 1 (Q1/P0) or 2 (Q2/P1)."}, implicit.degree, io::within(1, 2));
+  visitor.number({"tolerance", "Largest error of a step: its root mean square divided by the diameter of the body."},
+                 implicit.tolerance, io::positive());
+  visitor.number(
+      {"stick_stiffness", "Stiffness of the springs of points that stick, divided by that of the springs against depth."},
+      implicit.stick_stiffness, io::positive());
 }
 
-/// As on the ground where nothing else is stated.
+/// Describes the friction of self-contact. It is that of the ground if nothing else is stated.
 void describe_self_friction(io::StudyVisitor& visitor, const Friction& ground, SelfContactLaw& law) {
   std::optional<double> kinetic;
   std::optional<double> statical;
   if (law.friction) kinetic = law.friction->kinetic_coefficient;
   if (law.friction) statical = law.friction->static_coefficient;
   visitor.optional_number({.name = "self_contact_kinetic_friction",
-                           .help = "Coefficient of friction of walls that slide on each other; the ground's unless stated.",
+                           .help = "Coefficient of friction of walls that slide on each other. If not given: that of the ground.",
                            .example = "0.5",
                            .earlier = "self_contact_kinetic_coefficient"},
                           kinetic, io::non_negative());
   const double sliding = kinetic.value_or(ground.kinetic_coefficient);
   visitor.optional_number({.name = "self_contact_static_friction",
-                           .help = "The same at rest, at least the kinetic one.",
+                           .help = "Coefficient of friction of walls that are at rest on each other, at least the kinetic one. "
+                                   "If not given: that of the ground, or the kinetic one if that is larger.",
                            .example = "1",
                            .earlier = "self_contact_static_coefficient"},
                           statical, io::at_least(sliding));
@@ -120,16 +122,17 @@ void describe_self_friction(io::StudyVisitor& visitor, const Friction& ground, S
 }
 
 void describe_explicit(io::StudyVisitor& visitor, LocomotionStudy& study) {
-  visitor.number({"step_safety", "Time step by the largest stable one."}, study.step_safety,
+  visitor.number({"step_safety", "Time step divided by the largest stable time step."}, study.step_safety,
                  {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true});
   visitor.integer({"threads", "Threads; results do not depend on them."}, study.threads, io::within(1, 1024));
   bool has_contact = study.self_contact.has_value();
-  visitor.boolean({"self_contact", "Whether walls may touch each other; without, that ends the run."}, has_contact);
+  visitor.boolean({"self_contact", "Whether walls may touch each other. false: the run ends when walls touch."}, has_contact);
   SelfContactLaw law = study.self_contact.value_or(SelfContactLaw{});
   visitor.only_if(has_contact, "self_contact = true", [&] {
-    visitor.optional_number({"self_contact_stiffness_Pa_per_m",
-                             "Pressure by depth of walls that touch; a fraction of that of an element unless stated.", "6e7"},
-                            law.stiffness_Pa_per_m, io::positive());
+    visitor.optional_number(
+        {"self_contact_stiffness_Pa_per_m",
+         "Pressure of walls that touch, divided by depth. If not given: a fraction of the stiffness of an element.", "6e7"},
+        law.stiffness_Pa_per_m, io::positive());
     describe_self_friction(visitor, study.stated_ground.friction, law);
   });
   study.self_contact.reset();
@@ -138,7 +141,7 @@ void describe_explicit(io::StudyVisitor& visitor, LocomotionStudy& study) {
 
 void describe_dynamics(io::StudyVisitor& visitor, LocomotionStudy& study) {
   Method method = study.implicit ? Method::implicit_dynamics : Method::explicit_dynamics;
-  visitor.word({"method", "Explicit steps, many and cheap, or implicit ones with error control."}, method,
+  visitor.word({"method", "explicit: many cheap steps; implicit: steps with error control."}, method,
                {{"explicit", Method::explicit_dynamics}, {"implicit", Method::implicit_dynamics}});
   const bool is_implicit = method == Method::implicit_dynamics;
   visitor.optional_number({"largest_step_s", "Largest time step.", "1e-3"}, study.largest_step_s, io::positive());
@@ -154,17 +157,17 @@ void describe_dynamics(io::StudyVisitor& visitor, LocomotionStudy& study) {
 void describe_output(io::StudyVisitor& visitor, LocomotionOutput& output) {
   visitor.boolean({"frames", "Whether frames for ParaView are written."}, output.frames);
   visitor.boolean({"pictures", "Whether PNG pictures are made."}, output.pictures);
-  visitor.integer({"records_per_frame", "Lines of trajectory.csv by frame."}, output.records_per_frame, io::at_least(1));
+  visitor.integer({"records_per_frame", "Lines of trajectory.csv per frame."}, output.records_per_frame, io::at_least(1));
 }
 
 void describe_sweep(io::StudyVisitor& visitor, LocomotionSweep& sweep) {
-  visitor.texts({"keys", "Numbers of this study, with their tables.", R"(["ground.kinetic_friction"])"}, sweep.keys,
+  visitor.texts({"keys", "Keys of numbers of this study, with their tables.", R"(["ground.kinetic_friction"])"}, sweep.keys,
                 {.fewest = 1});
-  visitor.numbers({"values", "Values that they take, all the same in each run.", "[0.4, 0.5]"}, sweep.values, io::any_number(),
-                  {.fewest = 1});
+  visitor.numbers({"values", "Values of these keys. In each run all keys have the same value.", "[0.4, 0.5]"}, sweep.values,
+                  io::any_number(), {.fewest = 1});
 }
 
-/// Where the body's lowest point is.
+/// Returns the height of the body's lowest point.
 double lowest_m(const meshes::HexahedralMesh& mesh) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const meshes::Point& point : mesh.points) lowest = std::min(lowest, point[2]);
@@ -185,7 +188,7 @@ void lay_ground(const io::TomlTable& top, LocomotionStudy& study) {
   const double lowest = lowest_m(study.mesh);
   study.ground =
       study.stated_ground.ground(lowest, ground_stiffness_Pa_per_m(study.material.bulk_modulus_Pa, shortest_edge_m(study.mesh)));
-  // Springs that are loaded at the start would throw the body up.
+  // Springs that are compressed at the start would throw the body up.
   if (study.ground.height_m > lowest)
     throw top.error("ground.height_m", "is above the body's lowest point, which is at " + io::number_text(lowest));
   study.stated_ground.height_m = study.ground.height_m;
@@ -206,18 +209,18 @@ void supply_air(const io::TomlTable& top, LocomotionStudy& study) {
   study.supply.emplace(std::vector<PlenumSupply>(schedules.begin(), schedules.end()));
 }
 
-/// Branches and air through lines are moved by explicit dynamics alone.
+/// Refuses branches and supplies through lines, which only explicit dynamics has.
 void refuse_what_implicit_has_not(const io::TomlTable& top, const LocomotionStudy& study) {
   if (study.material.damping_model == DampingModel::maxwell)
-    throw top.error("material.damping_model", "dynamics.method = \"implicit\" has \"kelvin_voigt\" alone");
+    throw top.error("material.damping_model", "dynamics.method = \"implicit\" has only \"kelvin_voigt\"");
   for (std::size_t n = 0; n < study.stated_supply.plena.size(); ++n) {
     if (study.stated_supply.plena[n].supply == SupplyKind::schedule) continue;
     throw top.tables("pressure")[n].error(
-        "supply", "dynamics.method = \"implicit\" has no lines: prescribe the pressure, or use \"explicit\"");
+        "supply", "dynamics.method = \"implicit\" has no lines: choose supply = \"schedule\" or dynamics.method = \"explicit\"");
   }
 }
 
-/// Makes of what was read all that follows from it, and states what it leaves open.
+/// Computes the members that are derived from what was read, and fills in what the study does not state.
 void complete(const io::TomlTable& top, LocomotionStudy& study) {
   mesh_body(top, study);
   study.material = material_of(study.silicone, study.implicit ? DampingModel::kelvin_voigt : DampingModel::maxwell, study.notes);
@@ -225,8 +228,7 @@ void complete(const io::TomlTable& top, LocomotionStudy& study) {
   supply_air(top, study);
   if (!study.implicit) return;
   refuse_what_implicit_has_not(top, study);
-  study.notes.push_back(
-      "dynamics: without self-contact: walls that touch end the run, and so do other parts that go through each other");
+  study.notes.push_back("dynamics: there is no self-contact: the run ends when walls touch or other parts go through each other");
 }
 
 }  // namespace
@@ -234,17 +236,18 @@ void complete(const io::TomlTable& top, LocomotionStudy& study) {
 void describe(io::StudyVisitor& visitor, LocomotionStudy& study) {
   describe_version(visitor);
   visitor.table({"design", "The body and how it is hollowed out."}, [&] { describe_body(visitor, study); });
-  visitor.table({"material", "What it is made of."}, [&] { describe_silicone(visitor, study); });
-  visitor.table({"ground", "A plane below it."}, [&] { describe(visitor, study.stated_ground); });
-  visitor.table({"loads", "Forces on all of it."}, [&] {
+  visitor.table({"material", "The material of the body."}, [&] { describe_silicone(visitor, study); });
+  visitor.table({"ground", "The ground: a plane below the body."}, [&] { describe(visitor, study.stated_ground); });
+  visitor.table({"loads", "Forces on the whole body."}, [&] {
     visitor.number({"gravity_m_per_s2", "Acceleration downwards."}, study.gravity_m_per_s2, io::non_negative());
-    visitor.number({"mass_damping_per_s", "Damping force by mass and velocity."}, study.mass_damping_per_s, io::non_negative());
+    visitor.number({"mass_damping_per_s", "Damping force divided by mass and velocity."}, study.mass_damping_per_s,
+                   io::non_negative());
   });
   describe_pressures(visitor, study);
-  visitor.table({"time", "How long."}, [&] { describe_time(visitor, study); });
-  visitor.table({"dynamics", "How it is moved."}, [&] { describe_dynamics(visitor, study); });
+  visitor.table({"time", "The simulated time."}, [&] { describe_time(visitor, study); });
+  visitor.table({"dynamics", "The method that computes the motion."}, [&] { describe_dynamics(visitor, study); });
   visitor.table({"output", "What is written."}, [&] { describe_output(visitor, study.output); });
-  visitor.optional_table({"sweep", "Runs the study with several values of some of its numbers."}, study.sweep,
+  visitor.optional_table({"sweep", "Runs the study several times, with different values of some of its numbers."}, study.sweep,
                          [&](LocomotionSweep& sweep) { describe_sweep(visitor, sweep); });
 }
 

@@ -8,15 +8,15 @@
 
 namespace menger::fem {
 
-/// The keys of a study of `menger locomote`, which `menger locomote --keys` lists. Texts have the design, the law and the points
-/// of schedules themselves.
+/// Describes the keys of a study of `menger locomote`, which `menger locomote --keys` lists. The text of a study contains its
+/// design, its law and the points of its schedules, instead of the files that they came from.
 void describe(io::StudyVisitor& visitor, LocomotionStudy& study);
 
 /// Reads a study of `menger locomote` and meshes its body.
-/// @throws io::InputError with file, key and value for anything else, and for a body that cannot be hollowed out or meshed
+/// @throws io::InputError with file, key and value for wrong input, and for a body that cannot be hollowed out or meshed
 LocomotionStudy read_locomotion_study(const std::filesystem::path& file);
 
-/// The same from text that stands for that of the file.
+/// Does the same with a text that replaces the content of the file.
 LocomotionStudy parse_locomotion_study(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace menger::fem

@@ -19,7 +19,7 @@ constexpr double least_span = 0.02;  ///< body lengths
 
 fs::path case_folder(std::size_t number) { return "case_" + io::padded(number, 2); }
 
-/// Paths from above.
+/// Returns the panel of the paths from above.
 io::ChartPanel paths_panel(const std::vector<SweepCase>& cases) {
   io::ChartPanel panel{.x = {.title = "path from above: x (body lengths)", .least_span = least_span},
                        .y = {.title = "y (body lengths)", .least_span = least_span},
@@ -28,16 +28,16 @@ io::ChartPanel paths_panel(const std::vector<SweepCase>& cases) {
     io::ChartSeries path{.name = io::number_text(one.value)};
     const LocomotionResult& result = one.result;
     for (const LocomotionRecord& record : result.records) {
-      const Point way = difference(record.centre_of_mass_m, result.records.front().centre_of_mass_m);
-      path.x.push_back(way[0] / result.body_length_m);
-      path.y.push_back(way[1] / result.body_length_m);
+      const Point moved = difference(record.centre_of_mass_m, result.records.front().centre_of_mass_m);
+      path.x.push_back(moved[0] / result.body_length_m);
+      path.y.push_back(moved[1] / result.body_length_m);
     }
     panel.series.push_back(std::move(path));
   }
   return panel;
 }
 
-/// Speeds over the value, of the cases that completed.
+/// Returns the panel of speeds over the value, for the cases that completed.
 io::ChartPanel speeds_panel(const LocomotionSweep& sweep, const std::vector<SweepCase>& cases) {
   io::ChartSeries along_x{.name = "x", .marks = io::Marks::line_and_points};
   io::ChartSeries along_y{.name = "y", .marks = io::Marks::line_and_points};
@@ -64,7 +64,7 @@ std::vector<LocomotionStudy> sweep_studies(const LocomotionStudy& study) {
     for (const std::string& key : study.sweep->keys) text = io::with_number(text, key, value, study.file);
     studies.push_back(parse_locomotion_study(text, study.file));
     studies.back().sweep.reset();
-    studies.back().threads = study.threads;  // what the command line may have changed
+    studies.back().threads = study.threads;  // the command line may have changed it
     studies.back().output.pictures = study.output.pictures;
     studies.back().inputs[study.file.string()] = study.inputs.at(study.file.string());
   }
@@ -74,7 +74,8 @@ std::vector<LocomotionStudy> sweep_studies(const LocomotionStudy& study) {
 std::vector<SweepCase> run_sweep(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options,
                                  const std::function<void(std::size_t number, const SweepCase& done)>& ran) {
   const std::vector<LocomotionStudy> studies = sweep_studies(study);
-  // A case that cannot begin is found before hours of others, and before anything of an earlier sweep is removed.
+  // All cases are checked first: one that cannot begin is found before the others have run for hours, and before files of an
+  // earlier sweep are removed.
   for (std::size_t n = 0; n < studies.size(); ++n) check_locomotion(studies[n], folder / case_folder(n + 1), options);
   io::require_writable_folder(folder);
   for (const char* name : {"sweep.csv", "sweep.png"}) io::remove_if_there(folder / name);

@@ -14,24 +14,26 @@ namespace menger::fem {
 
 /// One run of a sweep.
 struct SweepCase {
-  double value = 0.0;  ///< of the keys of the sweep
+  double value = 0.0;  ///< of the swept keys
   LocomotionResult result;
 };
 
-/// The studies of a sweep: the study with each set of values in place of the numbers that it states.
-/// @param study with a sweep @throws io::InputError naming file, key and value for a key that is no number of the study and a
-/// value that the study refuses
+/// Returns the studies of a sweep: the study with each value in place of the numbers that the keys name.
+/// @param study with a sweep
+/// @throws io::InputError naming file, key and value for a key that is no number of the study, and for a value that the study
+/// rejects
 std::vector<LocomotionStudy> sweep_studies(const LocomotionStudy& study);
 
-/// Runs them all, each into a folder case_01, case_02, ... of its own (see run_locomotion), and writes sweep.csv after each and
-/// sweep.png at the end. A case that fails does not stop the others; when stopped, the same call goes on.
-/// @param ran is called after each case with its number, from 1
+/// Runs all cases of a sweep, each into its own folder case_01, case_02, ... (see run_locomotion). Writes sweep.csv after each
+/// case and sweep.png at the end. A case that fails does not stop the others. After a stop, the same call resumes the sweep.
+/// @param ran called after each case with its number, from 1
 /// @return the cases that were run
 std::vector<SweepCase> run_sweep(const LocomotionStudy& study, const std::filesystem::path& folder,
                                  const LocomotionRunOptions& options = {},
                                  const std::function<void(std::size_t number, const SweepCase& done)>& ran = {});
 
-/// One line per case: its number, the values of the keys, status, travel (empty where it did not complete), seconds.
+/// Returns a table with one line per case: its number, the values of the keys, status, travel (empty if the case did not
+/// complete), seconds.
 io::CsvTable sweep_table(const LocomotionSweep& sweep, const std::vector<SweepCase>& cases);
 
 }  // namespace menger::fem

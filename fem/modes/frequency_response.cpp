@@ -12,7 +12,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Relative distance from an undamped natural frequency below which nothing is answered.
+/// Smallest relative distance from an undamped natural frequency at which an amplitude is given.
 constexpr double smallest_detuning = 1e-9;
 
 constexpr int correction_terms = 3;
@@ -24,16 +24,17 @@ double dot_of_owned(const Space& space, std::span<const double> a, std::span<con
   return sum;
 }
 
-/// What a mode contributes to an observable: its product with the load and the observable, and its omega^2.
+/// The contribution of a mode to an observable: the product of the mode with load and observable, and its omega^2.
 struct ModeShare {
   double weight;
   double eigenvalue;
 };
 
-/// An observable's answer as function of frequency.
+/// The response of an observable as a function of frequency.
 struct Superposition {
   double shift;
-  std::vector<double> others{};  ///< coefficients of the powers of z - shift: the modes that are not followed
+  /// Coefficients of the powers of z - shift: the contribution of the modes that are not given.
+  std::vector<double> others{};
   std::vector<ModeShare> modes{};
 
   [[nodiscard]] std::optional<Complex> at(double eigenvalue, double loss_factor) const {
@@ -56,7 +57,7 @@ double eigenvalue_of(double frequency_Hz) {
   return omega * omega;
 }
 
-/// Takes vectors orthonormal in the mass out of a vector.
+/// Removes vectors that are orthonormal in the mass from a vector.
 class Projection {
  public:
   explicit Projection(const LinearisedBody& body) : mass_(body.mass()), product_(body.make_vector()) {}
@@ -77,22 +78,22 @@ class Projection {
   std::vector<VectorHandle> directions_;
 };
 
-/// (A^-1 M)^m P A^-1 f, m = 0, 1, 2, as fields; nothing if a system could not be solved.
-std::optional<std::vector<std::vector<double>>> answers_of_others(LinearisedBody& body, const VibrationReport& modes,
-                                                                  std::span<const double> load) {
+/// Returns (A^-1 M)^m P A^-1 f, m = 0, 1, 2, as fields; nothing if a system could not be solved.
+std::optional<std::vector<std::vector<double>>> responses_of_others(LinearisedBody& body, const VibrationReport& modes,
+                                                                    std::span<const double> load) {
   Projection projection(body);
   for (VectorHandle& motion : body.free_rigid_motions()) projection.add(std::move(motion));
   for (const std::vector<double>& mode : modes.modes) projection.add(body.vector_of(mode));
   VectorHandle force = body.vector_of(load);
-  const VectorHandle answer = body.make_vector();
-  std::vector<std::vector<double>> answers;
+  const VectorHandle response = body.make_vector();
+  std::vector<std::vector<double>> responses;
   for (int term = 0; term < correction_terms; ++term) {
-    if (!body.solve(force, answer)) return std::nullopt;
-    projection.apply(answer);  // again in every term: rounding grows along the lowest modes
-    answers.push_back(body.field_of(answer));
-    petsc(MatMult(body.mass(), answer, force));
+    if (!body.solve(force, response)) return std::nullopt;
+    projection.apply(response);  // again in every term, because rounding grows along the lowest modes
+    responses.push_back(body.field_of(response));
+    petsc(MatMult(body.mass(), response, force));
   }
-  return answers;
+  return responses;
 }
 
 }  // namespace
@@ -108,15 +109,15 @@ FrequencyResponse frequency_response(LinearisedBody& body, const VibrationReport
     return response;
   }
   const Space& space = body.assembly().space();
-  const auto others = answers_of_others(body, modes, load);
+  const auto others = responses_of_others(body, modes, load);
   if (!others) {
-    response.reason = "the static answer to the load was not found";
+    response.reason = "the static response to the load was not found";
     return response;
   }
   const double highest_Hz = modes.frequencies_Hz.empty() ? 0.0 : modes.frequencies_Hz.back();
   for (const std::vector<double>& observable : observables) {
     Superposition superposition{.shift = body.shift()};
-    for (const std::vector<double>& answer : *others) superposition.others.push_back(dot_of_owned(space, observable, answer));
+    for (const std::vector<double>& field : *others) superposition.others.push_back(dot_of_owned(space, observable, field));
     for (std::size_t k = 0; k < modes.modes.size(); ++k) {
       superposition.modes.push_back({dot_of_owned(space, observable, modes.modes[k]) * dot_of_owned(space, modes.modes[k], load),
                                      eigenvalue_of(modes.frequencies_Hz[k])});

@@ -18,27 +18,27 @@ struct FrequencyResponseOptions {
 
 /// Steady motion under a harmonic load f exp(i omega t).
 struct FrequencyResponse {
-  /// completed, or not_converged where the static solution could not be had; otherwise that of the modes
+  /// completed, or not_converged where no static solution was found; otherwise the status of the modes
   io::RunStatus status = io::RunStatus::not_converged;
-  std::string reason;  ///< why it is not completed, for people
-  /// By observable, then by frequency: its complex amplitude per unit of the load; the motion lags where the imaginary part is
-  /// negative. Nothing where an undamped body is driven at a natural frequency (to within 1e-9 of it), for no steady motion is
-  /// finite there, and nothing from the highest frequency among the modes on.
+  std::string reason;  ///< why it is not completed, for the user
+  /// By observable, then by frequency: the complex amplitude per unit of the load. The motion lags where the imaginary part is
+  /// negative. There is no value where an undamped body is driven at a natural frequency (to within 1e-9 of it), because no
+  /// steady motion is finite there, nor at or above the highest frequency among the modes.
   std::vector<std::vector<std::optional<std::complex<double>>>> amplitudes;
 };
 
-/// Amplitudes of observables w . u for (K (1 + i eta) - omega^2 M) u = f, by superposition of modes x_k with lambda_k =
-/// omega_k^2, and of direct solutions for what all other modes add. With A = K - s M, s the body's shift, z = omega^2 / (1 + i
-/// eta) and P taking the given modes and the rigid motions out,
+/// Returns the amplitudes of observables w . u, where (K (1 + i eta) - omega^2 M) u = f. It superposes modes x_k with lambda_k =
+/// omega_k^2. Direct solutions add the contribution of all other modes. With A = K - s M, the body's shift s, z = omega^2 / (1 +
+/// i eta), and P, which removes the given modes and the rigid motions,
 ///
 /// u = 1/(1 + i eta) (sum_k x_k (x_k.f) / (lambda_k - z) + sum_m (z - s)^m (A^-1 M)^m P A^-1 f), m = 0, 1, 2.
 ///
-/// The first of the last terms is the static correction. What is left out is of the part (omega^2/lambda_j)^3 of the static share
-/// of each other mode, lambda_j: nothing at omega = 0, little below half the highest frequency among the modes. A load that moves
-/// the body rigidly, which chamber pressure cannot, loses that part.
+/// The first of the last terms is the static correction. The error for each other mode, with its lambda_j, is about
+/// (omega^2/lambda_j)^3 of its static share. It is zero at omega = 0, and small below half the highest frequency among the modes.
+/// A load that moves the body rigidly (chamber pressure cannot) loses that part.
 ///
-/// @param modes of the same body, completed @param load force per local component, as LinearisedBody::volume_gradient gives it
-/// (per Pa); ghosts are not read
+/// @param modes of the same body, completed
+/// @param load force per local component, as LinearisedBody::volume_gradient returns it (per Pa); ghosts are not read
 /// @param observables weights w per local component, the derivative of the observable by the displacements; ghosts are not read:
 /// volume_gradient for a chamber's volume (m^3), 1 at one component for a displacement (m)
 FrequencyResponse frequency_response(LinearisedBody& body, const VibrationReport& modes, std::span<const double> load,

@@ -11,11 +11,11 @@ namespace menger::fem {
 
 namespace {
 
-/// A rigid motion is free if its eigenvalue and the residual of K r = 0 are below this part of the elastic scale: far above what
-/// rounding and the tolerance of forces leave (about 1e-7), far below what even slender bodies have.
+/// A rigid motion is free if its eigenvalue and the residual of K r = 0 are below this part of the elastic scale. It is far above
+/// rounding and the tolerance of forces (about 1e-7), and far below the lowest values of even slender bodies.
 constexpr double rigid_tolerance = 1e-5;
 
-/// mu V / (m L^2), V/m being one by the mean density.
+/// Returns mu V / (m L^2); V/m is one over the mean density.
 double elastic_scale_of(const Space& space, const Body& body, double mass_kg, double diameter_m) {
   double modulus_Pa = 0.0;
   Body of_unit_density = body;
@@ -60,12 +60,12 @@ LinearisedBody::LinearisedBody(Equilibrium& equilibrium, const BodyState& state,
   assert(mass_kg > 0.0);
   elastic_scale_ = elastic_scale_of(equilibrium.space(), equilibrium.body(), mass_kg, diameter_m_);
   Assembly& assembly = equilibrium.assembly();
-  // the pressures that elements predicted in a search belong to it; the tangent is that of the displacements
+  // The pressures that elements predicted belong to the search. The tangent here is that of the displacements.
   assembly.elements().forget_prediction();
   assembly.assemble(displacements_, {state.plenum_pressures_Pa, dead_load_factor}, {}, volume_gradients_, stiffness_);
   assemble_mass(assembly, equilibrium.body(), mass_);
   petsc(MatCopy(stiffness_, solver_.matrix(), SAME_NONZERO_PATTERN));
-  // summed anew: MatAXPY of PETSc 3.18 loses part of a symmetric block matrix that is shared among ranks
+  // Summed again, because MatAXPY of PETSc 3.18 loses part of a symmetric block matrix that is shared among ranks.
   add_mass(assembly, equilibrium.body(), -shift(), solver_.matrix());
   if (solver_.prepare()) below_shift_ = solver_.negative_pivots();
 }
@@ -89,13 +89,13 @@ std::vector<double> LinearisedBody::field_of(Vec vector) const {
   return field;
 }
 
-/// Rigid motions of the present shape that leave held components at zero, of unit size at the body's ends.
+/// Returns the rigid motions of the present shape that leave held components at zero, of unit size at the body's ends.
 std::vector<VectorHandle> LinearisedBody::unheld_rigid_motions() const {
   const Space& space = assembly_.space();
   Point origin = space.positions.empty() ? Point{} : space.positions.front();
   MPI_Bcast(origin.data(), 3, MPI_DOUBLE, 0, space.communicator);
   using Row = Eigen::Vector<double, 6>;
-  // what the six motions do to component i of a node; rotations are about the origin, by lengths of the diameter
+  // The six motions at component i of a node. Rotations are about the origin; lengths are relative to the diameter.
   const auto row_of = [&](std::size_t node, std::size_t i) {
     const Point u{displacements_[3 * node], displacements_[3 * node + 1], displacements_[3 * node + 2]};
     const Point arm = scaled(1.0 / diameter_m_, difference(sum(space.positions[node], u), origin));
@@ -139,7 +139,7 @@ std::vector<VectorHandle> LinearisedBody::free_rigid_motions() const {
   }
   std::vector<VectorHandle> free;
   if (count == 0) return free;
-  // the chamber pressure or the ground may resist some of them
+  // The chamber pressure or the ground may resist some of the motions.
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> pairs(energies, masses);
   for (Eigen::Index m = 0; m < count; ++m) {
     VectorHandle motion = make_vector();

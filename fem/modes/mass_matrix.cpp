@@ -10,7 +10,7 @@ namespace menger::fem {
 
 namespace {
 
-/// Mass at each quadrature point of an element, kg.
+/// Returns the mass at each quadrature point of an element, kg.
 template <int degree>
 auto point_masses(const Space& space, const Body& body, std::size_t element) {
   static constexpr auto shape = element_shape_tables<degree>();
@@ -28,7 +28,7 @@ auto point_masses(const Space& space, const Body& body, std::size_t element) {
   return masses;
 }
 
-/// Adds m to the components of nodes a and b of an element's matrix that are not held.
+/// Adds m to those components of nodes a and b of an element's matrix that are not held.
 void add_isotropic(std::vector<double>& block, std::size_t columns, std::size_t a, std::size_t b, double m,
                    std::span<const std::uint8_t> held_of_a, std::span<const std::uint8_t> held_of_b) {
   for (std::size_t i = 0; i < 3; ++i) {

@@ -6,18 +6,18 @@
 
 namespace menger::fem {
 
-/// Sums the consistent mass matrix of a body into a matrix with the structure of its stiffness (Assembly::make_matrix): blocks
-/// M_ab = I int rho N_a N_b dV, kg, over the reference configuration, which holds in every state because mass stays where the
-/// material is. Gauss's rule with degree + 1 points per direction, exact on elements that are parallelepipeds.
+/// Assembles the consistent mass matrix of a body into a matrix with the structure of its stiffness (Assembly::make_matrix). Its
+/// blocks are M_ab = I int rho N_a N_b dV, kg, over the reference configuration. It is the same in every state, because mass
+/// moves with the material. Gauss's rule with degree + 1 points per direction is exact on elements that are parallelepipeds.
 ///
-/// Rows and columns of held components are zero, so that the matrix is positive semidefinite; without them it is definite where
+/// Rows and columns of held components are zero, so that the matrix is positive semidefinite. Without them it is definite where
 /// all densities are > 0. The air in the chambers and around the body adds nothing. Collective.
 void assemble_mass(const Assembly& assembly, const Body& body, Mat mass);
 
 /// Adds a multiple of the mass matrix to a matrix of the same structure, such as a stiffness. Collective.
 void add_mass(const Assembly& assembly, const Body& body, double factor, Mat matrix);
 
-/// Sum of density x volume over the body, kg, by the same rule. Collective; the same on all ranks.
+/// Returns the mass of the body, the sum of density x volume, kg, by the same rule. Collective; the same on all ranks.
 double mass_of(const Space& space, const Body& body);
 
 }  // namespace menger::fem

@@ -13,14 +13,14 @@ namespace {
 
 using EigensolverHandle = PetscHandle<EPS, EPSDestroy>;
 
-/// The factorisation of the body as a preconditioner that is exact.
+/// Applies the factorisation of the body as an exact preconditioner.
 PetscErrorCode apply_inverse(PC preconditioner, Vec right_hand_side, Vec solution) {
   void* context = nullptr;
   petsc(PCShellGetContext(preconditioner, &context));
   return static_cast<LinearisedBody*>(context)->solve(right_hand_side, solution) ? 0 : PETSC_ERR_NOT_CONVERGED;
 }
 
-/// Shift and invert with the body's own factorisation: SLEPc neither sums K - shift M nor factorises it again.
+/// Sets up shift-and-invert with the body's own factorisation: SLEPc neither computes K - shift M nor factorises it again.
 void set_transformation(EPS solver, LinearisedBody& body) {
   ST transformation = nullptr;
   petsc(EPSGetST(solver, &transformation));
@@ -37,7 +37,7 @@ void set_transformation(EPS solver, LinearisedBody& body) {
   petsc(PCShellSetApply(preconditioner, apply_inverse));
 }
 
-/// Unknowns that move: neither held nor rigid motions.
+/// Returns the number of unknowns that can move: neither held nor rigid motions.
 PetscInt moving_count(const LinearisedBody& body, std::size_t rigid_modes) {
   const Space& space = body.assembly().space();
   const auto& held = body.assembly().held();
@@ -51,7 +51,7 @@ struct Mode {
   VectorHandle shape;
 };
 
-/// The converged ones of the lowest modes that are orthogonal to some vectors.
+/// Returns the converged modes among the lowest ones that are orthogonal to the excluded vectors.
 std::vector<Mode> search(LinearisedBody& body, const std::vector<Vec>& excluded, PetscInt count, double tolerance) {
   EigensolverHandle solver;
   petsc(EPSCreate(body.assembly().space().communicator, solver.receive()));
@@ -77,10 +77,11 @@ std::vector<Mode> search(LinearisedBody& body, const std::vector<Vec>& excluded,
   return modes;
 }
 
-/// The lowest modes that are not rigid, sorted.
+/// Returns the lowest modes that are not rigid, sorted.
 ///
-/// A Krylov space holds one vector of each eigenspace but for rounding, so that of the equal frequencies of a symmetric body some
-/// may be missing. Hence what was found is excluded and the search repeated until it brings nothing lower.
+/// A Krylov space contains only one vector of each eigenspace, except for rounding. Of the equal frequencies of a symmetric body
+/// some may therefore be missing. Hence the modes found are excluded, and the search is repeated until it finds none that is
+/// lower.
 std::vector<Mode> lowest_modes(LinearisedBody& body, const std::vector<VectorHandle>& rigid, PetscInt wanted, double tolerance) {
   std::vector<Vec> excluded(rigid.begin(), rigid.end());
   const PetscInt available = moving_count(body, rigid.size());
@@ -109,7 +110,7 @@ void turn_largest_positive(Vec mode) {
   double least = 0.0;
   petsc(VecMax(mode, nullptr, &most));
   petsc(VecMin(mode, nullptr, &least));
-  // rounding must not decide between ends of a symmetric mode that move alike
+  // Rounding must not decide between ends of a symmetric mode that move alike.
   if (-least > (1.0 + 1e-6) * most) petsc(VecScale(mode, -1.0));
 }
 

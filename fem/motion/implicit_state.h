@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fem/motion/explicit_energy.h"
+#include "fem/motion/motion_energy.h"
 
 namespace menger::fem {
 
@@ -28,8 +28,8 @@ struct ImplicitState {
   std::size_t steps = 0;
   std::size_t rejected_steps = 0;
   std::size_t iterations = 0;  ///< of Newton's method
-  ExplicitWork work{};
-  std::optional<double> at_start_J{};  ///< see ExplicitEnergies; nothing: the books begin with this state
+  MotionWork work{};
+  std::optional<double> at_start_J{};  ///< see MotionEnergies; nothing: the energy balance begins with this state
 };
 
 }  // namespace menger::fem

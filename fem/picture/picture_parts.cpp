@@ -33,7 +33,8 @@ namespace {
 
 constexpr std::array<double, 3> ink{0.15, 0.17, 0.2};
 
-/// From the scene to the eye, to the right in the picture and up in it: not symmetric, so that faces and edges do not line up.
+/// The directions of the view: from the scene to the eye, to the right in the picture, and up in it. They are not symmetric, so
+/// that faces and edges do not line up.
 struct View {
   Point eye;
   Point right;
@@ -48,7 +49,7 @@ View view() {
   return {eye, right, cross(eye, right)};
 }
 
-/// Blue over light to red, as is told apart by colour-blind readers too.
+/// Returns a colour map from blue over light to red, which colour-blind readers can distinguish, too.
 vtkSmartPointer<vtkColorTransferFunction> colours(double highest) {
   auto map = vtkSmartPointer<vtkColorTransferFunction>::New();
   map->SetColorSpaceToLab();
@@ -71,7 +72,7 @@ void add_text(vtkRenderer& renderer, const std::string& text, double x, double y
   renderer.AddViewProp(actor);
 }
 
-/// 1, 2 or 5 times a power of ten, at most a length.
+/// Returns the largest of 1, 2 or 5 times a power of ten that is at most `longest`.
 double round_length(double longest) {
   const double decade = std::pow(10.0, std::floor(std::log10(longest)));
   for (const double factor : {5.0, 2.0}) {
@@ -120,7 +121,7 @@ void add_outline(vtkRenderer& renderer, vtkUnstructuredGrid& grid) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(edges->GetOutputPort());
   mapper->ScalarVisibilityOff();
-  // drawn in front of what it lies in
+  // drawn in front of the surface in which it lies
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -1e5);
   vtkNew<vtkActor> actor;

@@ -14,13 +14,13 @@ enum Work : std::size_t { piston_work, source_work, plenum_work, line_work };
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// V / N, by which the energy of flow changes with pressure, see flow_energy_J_per_m3.
+/// V / N, the derivative of flow_energy_J_per_m3 by pressure.
 double volume_per_air(const PneumaticGas& gas, double pressure_Pa) {
   const double ratio = 1.0 + pressure_Pa / gas.ambient_pressure_Pa;
   return gas.exponent == 1.0 ? 1.0 / ratio : std::pow(ratio, -1.0 / gas.exponent);
 }
 
-/// By Newton's method from the solution for n = 1, which is a quadratic equation.
+/// Solves for the pressure by Newton's method. It starts from the solution for n = 1, which is a quadratic equation.
 std::optional<double> pressure_of(const PneumaticGas& gas, double volume_m3, double compliance, double air_m3) {
   const double ambient = gas.ambient_pressure_Pa;
   const double linear = volume_m3 / ambient + compliance;
@@ -41,7 +41,7 @@ std::optional<double> pressure_of(const PneumaticGas& gas, double volume_m3, dou
   return pressure;
 }
 
-/// Flow over resistance in a mode. Beyond its end a law goes on by its tangent.
+/// The flow times the resistance in a mode. Beyond the end of the turbulent mode the law continues along its tangent.
 ResistedFlow flow_in_mode(double drive_Pa, double laminar_drive_Pa, double turbulent_sign) {
   if (turbulent_sign == 0.0) return {drive_Pa, 1.0};
   const double size = turbulent_sign * drive_Pa;
@@ -100,7 +100,7 @@ PneumaticFlow::PneumaticFlow(const PneumaticSupply& supply, bool with_works)
     }
     if (group.piston) turning_points_.push_back({Turn::piston, g});
   }
-  with_works_ = with_works_ || lines_.empty();  // an integrator wants an unknown
+  with_works_ = with_works_ || lines_.empty();  // the integrator needs at least one unknown
   evaluated_airs_m3_.resize(lines_.size());
 }
 
@@ -133,7 +133,7 @@ void PneumaticFlow::begin(const PneumaticState& from, double duration_s, const P
   }
 }
 
-/// The curve of a plenum with the free air at each of its points, from the piece of the pressure at the start.
+/// Stores the free air of a plenum at each point of its compliance curve, and chooses the piece of the pressure at the start.
 void PneumaticFlow::take_curve(std::size_t plenum) {
   const PlenumCompliance& curve = walls_.compliances[plenum];
   const double half = 0.5 * supply_.line(plenum)->volume_m3;
@@ -144,7 +144,8 @@ void PneumaticFlow::take_curve(std::size_t plenum) {
   set_piece(plenum, static_cast<std::size_t>(std::ranges::upper_bound(airs, from_.plenum_air_m3[plenum]) - airs.begin()));
 }
 
-/// Volume over pressure on one straight piece: that below a point of the curve, or beyond the last.
+/// Sets the volume as a function of pressure on one straight piece: the one below a point of the curve, or the one beyond the
+/// last point.
 void PneumaticFlow::set_piece(std::size_t plenum, std::size_t piece) {
   const PlenumCompliance& curve = walls_.compliances[plenum];
   const double half = 0.5 * supply_.line(plenum)->volume_m3;
@@ -169,7 +170,7 @@ double PneumaticFlow::smooth_part_end_s(double begin_s) const {
   const auto consider = [&](std::optional<double> corner) {
     if (corner) end = std::min(end, *corner);
   };
-  // A corner within rounding of the end of a part is that end.
+  // A corner that differs by rounding from the end of a part is that end.
   const double least = start + begin_s + 1e-9 * duration_s_;
   for (const PneumaticSupply::Group& group : supply_.groups()) {
     if (!group.piston)
@@ -186,7 +187,8 @@ void PneumaticFlow::start_unknowns(std::span<double> unknowns) const {
   for (std::size_t l = 0; l < lines_.size(); ++l) unknowns[l] = from_.plenum_air_m3[lines_[l].plenum];
 }
 
-/// Off the ends of the smooth part by more than times round: on which side of a corner its own time lies is not told.
+/// The time at which schedules are evaluated: it keeps off the ends of the smooth part by more than times are rounded. Otherwise
+/// rounding would decide on which side of a corner it lies.
 double PneumaticFlow::schedule_time_s(double since_s) const {
   const double margin = 1e-12 * (end_s_ - begin_s_) + 1e-15 * (from_.time_s + end_s_);
   return from_.time_s + std::clamp(since_s, begin_s_ + margin, end_s_ - margin);
@@ -219,14 +221,14 @@ bool PneumaticFlow::evaluate_root(std::size_t group, double since_s, std::span<c
     if (!found) return false;
     root.air = *found;
     const int moved = walls_.compliances.empty() ? 0 : move_piece(root);
-    // Air grows with pressure, so that pieces are passed in one direction; only rounding at a point of the curve turns back.
+    // Air grows with pressure, so pieces are passed in one direction. Only rounding at a point of the curve reverses it.
     if (moved == 0 || moved == -last) return true;
     last = moved;
   }
 }
 
-/// Where the pressure of a cylinder lies beyond the piece of a joined plenum: goes on to the next piece, of the plenum whose end
-/// is passed first. @return 1 upwards, -1 downwards, 0 where all pieces hold the pressure
+/// If the pressure of a cylinder lies beyond the piece of a joined plenum, changes to the next piece of the plenum whose piece
+/// was left furthest behind. @return 1 upwards, -1 downwards, 0 if the pressure lies in all pieces
 int PneumaticFlow::move_piece(const Root& root) {
   const double pressure = root.air.pressure_Pa;
   std::optional<std::size_t> passed;
@@ -292,7 +294,7 @@ bool PneumaticFlow::rates(double since_s, std::span<const double> unknowns, std:
     for (const std::size_t j : root.joined) {
       const double power = root.air.pressure_Pa * volumes_[j].rate_m3_per_s;
       work[plenum_work] += power;
-      if (is_source) work[source_work] += power;  // with what the air there gains, see settle_end
+      if (is_source) work[source_work] += power;  // the energy that the air there gains is added in settle_end
     }
     if (root.lines.empty()) continue;
     const double carried = flow_energy_J_per_m3(gas, root.air.pressure_Pa);
@@ -316,7 +318,7 @@ bool PneumaticFlow::jacobian(double since_s, std::span<const double> unknowns, s
     const Root& root = roots_[g];
     const bool is_source = !supply_.groups()[g].piston;
     const double root_Pa = root.air.pressure_Pa;
-    const double root_by_air = is_source ? 0.0 : -root.air.by_air_Pa_per_m3;  // by air that left it
+    const double root_by_air = is_source ? 0.0 : -root.air.by_air_Pa_per_m3;  // by the air that left it
     const double carried = root.lines.empty() || !with_works_ ? 0.0 : flow_energy_J_per_m3(gas, root_Pa);
     double joined_rate = 0.0;
     for (const std::size_t j : root.joined) joined_rate += volumes_[j].rate_m3_per_s;
@@ -347,7 +349,7 @@ bool PneumaticFlow::jacobian(double since_s, std::span<const double> unknowns, s
   return true;
 }
 
-/// dp/dt in lines and cylinders.
+/// Computes dp/dt in lines and cylinders.
 void PneumaticFlow::evaluate_rates() {
   const PneumaticGas& gas = supply_.gas();
   for (Root& root : roots_) {
@@ -394,7 +396,7 @@ void PneumaticFlow::pass(std::size_t mode_event) {
   line.turbulent_sign = line.turbulent_sign == 0.0 ? std::copysign(1.0, line.drive_Pa) : 0.0;
 }
 
-/// Air and volume of one plenum, and the works that follow from both ends of the step alone.
+/// Sets air and volume of one plenum, and adds the works that follow from both ends of the step alone.
 void PneumaticFlow::settle_end(std::size_t plenum, double air_m3, double pressure_Pa, double since_s, PneumaticState& to) const {
   const PneumaticSupply::Group& group = supply_.groups()[group_of_[plenum]];
   const double carried = air_m3 - from_.plenum_air_m3[plenum];
@@ -416,7 +418,7 @@ void PneumaticFlow::settle_end(std::size_t plenum, double air_m3, double pressur
   }
   to.source_air_m3[plenum] += carried;
   if (line_of_[plenum] || !with_works_) return;
-  // No line takes anything: what left the source is what the air here gained and did.
+  // No line loses energy: what left the source is the energy that the air here gained plus its work.
   to.work.source_J += work + air_energy_J(supply_.gas(), air_m3, to.volumes_m3[plenum] + half) -
                       air_energy_J(supply_.gas(), from_.plenum_air_m3[plenum], from_.volumes_m3[plenum] + half);
 }
@@ -436,7 +438,7 @@ bool PneumaticFlow::settle(double since_s, std::span<const double> unknowns, Pne
     settle_end(lines_[l].plenum, unknowns[l], lines_[l].air.pressure_Pa, since_s, to);
   for (std::size_t g = 0; g < roots_.size(); ++g) {
     const PneumaticSupply::Group& group = supply_.groups()[g];
-    // A source has its pressure of this very time, also where it jumps.
+    // A source has its pressure at exactly this time, also where it jumps.
     const double pressure = group.piston ? roots_[g].air.pressure_Pa : fem::pressure_Pa(supply_.source(group), to.time_s);
     for (const std::size_t j : roots_[g].joined) {
       const double volume = walls_.compliances.empty()

@@ -20,13 +20,13 @@
 namespace menger::fem {
 namespace {
 
-constexpr int recoverable = 1;           // what a function tells ARKODE to make it try a shorter step
-constexpr long most_steps = 1000000;     // without an event
-constexpr int most_restarts = 100000;    // after events, in one smooth part
-constexpr double newton_share = 0.1;     // of the tolerance, left to Newton's method
-constexpr int predict_by_last_step = 1;  // a stage begins from the last step's polynomial, where there is one
+constexpr int recoverable = 1;           // return value that makes ARKODE try a shorter step
+constexpr long most_steps = 1000000;     // largest number of steps without an event
+constexpr int most_restarts = 100000;    // largest number of restarts after events, in one smooth part
+constexpr double newton_share = 0.1;     // share of the tolerance for Newton's method
+constexpr int predict_by_last_step = 1;  // a stage starts from the polynomial of the last step, if there is one
 
-/// Shortest period of pistons and sources, s; infinite without one.
+/// The shortest period of pistons and sources, s; infinite without one.
 double shortest_period_s(const PneumaticSupply& supply) {
   double highest_Hz = 0.0;
   for (const PneumaticSupply::Group& group : supply.groups()) {
@@ -43,7 +43,7 @@ double shortest_period_s(const PneumaticSupply& supply) {
 
 }  // namespace
 
-/// ARKODE with its vectors. Times are counted from the start of an advance.
+/// Owns ARKODE and its vectors. Times are counted from the start of an advance.
 class PneumaticIntegrator::Solver {
  public:
   Solver(const PneumaticSupply& supply, const PneumaticAccuracy& accuracy)
@@ -67,7 +67,7 @@ class PneumaticIntegrator::Solver {
     demand(ARKStepSetLinearSolver(memory, linear_solver_.get(), matrix_.get()));
     demand(ARKStepSetJacFn(memory, jacobian));
     demand(ARKStepSetTableNum(memory, ARKODE_ESDIRK324L2SA_4_2_3, ARKODE_ERK_NONE));
-    // Rates of a line of hardly any resistance are rounding errors times 1 / R; differences of stages are not.
+    // In lines of hardly any resistance, computed rates are rounding errors times 1 / R; differences of stages are not.
     demand(ARKStepSetDeduceImplicitRhs(memory, SUNTRUE));
     // Few unknowns: a new Jacobian for each stage costs less than iterations with an old one.
     demand(ARKStepSetLSetupFrequency(memory, -1));
@@ -110,7 +110,7 @@ class PneumaticIntegrator::Solver {
     return {N_VGetArrayPointer_Serial(vector), static_cast<std::size_t>(N_VGetLength_Serial(vector))};
   }
 
-  /// A call with arguments that are right fails for want of memory only.
+  /// A call with correct arguments fails only for lack of memory.
   static void demand(int flag) {
     assert(flag == ARK_SUCCESS || flag == ARK_MEM_FAIL);
     if (flag != ARK_SUCCESS) throw std::bad_alloc();
@@ -150,7 +150,7 @@ class PneumaticIntegrator::Solver {
     return flow_.events(since_s, unknowns, modes, {result + modes.size(), found_.size() - modes.size()}) ? 0 : -1;
   }
 
-  /// Root finding for the modes of this step, and turning points if anybody looks.
+  /// Sets up root finding for the modes of this step, and for turning points if there is an observer.
   void find_events(bool with_turning_points) {
     const std::size_t modes = flow_.mode_event_count();
     const std::size_t count = modes + (with_turning_points ? flow_.turning_point_count() : 0);
@@ -176,7 +176,7 @@ class PneumaticIntegrator::Solver {
     for (int restarts = 0; restarts < most_restarts;) {
       demand(ARKStepSetStopTime(memory_.get(), end_s));
       const int flag = ARKStepEvolve(memory_.get(), end_s, unknowns_.get(), &since, ARK_ONE_STEP);
-      // So it says that an event function is zero for a while after its root, and stays at the root.
+      // ARKODE returns this flag if an event function stays zero for a while after its root. It then stays at the root.
       const bool lingers = flag == ARK_ILL_INPUT && since > begin_s;
       if (flag < 0 && !lingers) return failure(flag, since);
       if (observe_ != nullptr && !lingers) {
@@ -195,7 +195,7 @@ class PneumaticIntegrator::Solver {
     return failure(ARK_TOO_MUCH_WORK, since);
   }
 
-  /// @return whether the event at hand ends a mode
+  /// Changes the modes of the lines at the present event. @return whether any mode changed
   bool change_modes() {
     demand(ARKStepGetRootInfo(memory_.get(), found_.data()));
     bool has_changed = false;
@@ -230,7 +230,7 @@ class PneumaticIntegrator::Solver {
   io::SundialsMatrix matrix_;
   io::SundialsLinearSolver linear_solver_;
   Memory memory_;
-  std::vector<int> found_;  ///< per event: those of modes, then turning points
+  std::vector<int> found_;  ///< per event: events of modes first, then turning points
   std::size_t modes_ = 0;
   double start_s_ = 0.0;
   const Observer* observe_ = nullptr;

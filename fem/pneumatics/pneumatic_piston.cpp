@@ -11,7 +11,7 @@ namespace {
 
 double area_m2(const Piston& piston) { return 0.25 * pi * piston.bore_m * piston.bore_m; }
 
-/// Angle of the crank, from 0 to 2 pi.
+/// The angle of the crank, from 0 to 2 pi.
 double angle(const Piston& piston, double time_s) {
   const double periods = piston.frequency_Hz * time_s + piston.phase;
   return 2.0 * pi * (periods - std::floor(periods));
@@ -23,8 +23,8 @@ double swept_volume_m3(const Piston& piston) { return area_m2(piston) * piston.s
 
 double cylinder_volume_m3(const Piston& piston, double time_s) {
   const double ramp = time_s < piston.ramp_s ? time_s / piston.ramp_s : 1.0;
-  const double way_m = ramp * 0.5 * piston.stroke_m * (1.0 - std::cos(angle(piston, time_s)));
-  return piston.dead_volume_m3 + area_m2(piston) * (piston.cylinder_length_m - way_m);
+  const double path_m = ramp * 0.5 * piston.stroke_m * (1.0 - std::cos(angle(piston, time_s)));
+  return piston.dead_volume_m3 + area_m2(piston) * (piston.cylinder_length_m - path_m);
 }
 
 double cylinder_rate_m3_per_s(const Piston& piston, double time_s) {

@@ -66,9 +66,9 @@ PneumaticState PneumaticSupply::start(double time_s, std::span<const double> vol
 }
 
 double PneumaticSupply::pressure_Pa(const PneumaticState& state, std::size_t plenum) const {
-  const PneumaticLine* way = line(plenum);
-  if (way == nullptr) return fem::pressure_Pa(std::get<PlenumSchedule>(plena_[plenum]), state.time_s);
-  return air_pressure_Pa(gas_, state.plenum_air_m3[plenum], state.volumes_m3[plenum] + 0.5 * way->volume_m3);
+  const PneumaticLine* tube = line(plenum);
+  if (tube == nullptr) return fem::pressure_Pa(std::get<PlenumSchedule>(plena_[plenum]), state.time_s);
+  return air_pressure_Pa(gas_, state.plenum_air_m3[plenum], state.volumes_m3[plenum] + 0.5 * tube->volume_m3);
 }
 
 std::vector<double> PneumaticSupply::pressures_Pa(const PneumaticState& state) const {
@@ -87,18 +87,18 @@ double PneumaticSupply::piston_pressure_Pa(const PneumaticState& state, std::siz
 }
 
 std::optional<double> PneumaticSupply::flow_m3_per_s(const PneumaticState& state, std::size_t plenum) const {
-  const PneumaticLine* way = line(plenum);
-  if (way == nullptr || way->resistance_Pa_s_per_m3 == 0.0) return std::nullopt;
+  const PneumaticLine* tube = line(plenum);
+  if (tube == nullptr || tube->resistance_Pa_s_per_m3 == 0.0) return std::nullopt;
   const auto has = [plenum](const Group& group) { return std::ranges::find(group.plena, plenum) != group.plena.end(); };
   const double root = root_pressure_Pa(state, *std::ranges::find_if(groups_, has));
-  return line_flow_m3_per_s(gas_, *way, root, pressure_Pa(state, plenum));
+  return line_flow_m3_per_s(gas_, *tube, root, pressure_Pa(state, plenum));
 }
 
 double PneumaticSupply::stiffness_Pa_per_m3(const PneumaticState& state, std::size_t plenum) const {
-  const PneumaticLine* way = line(plenum);
-  if (way == nullptr) return 0.0;
+  const PneumaticLine* tube = line(plenum);
+  if (tube == nullptr) return 0.0;
   return gas_.exponent * (pressure_Pa(state, plenum) + gas_.ambient_pressure_Pa) /
-         (state.volumes_m3[plenum] + 0.5 * way->volume_m3);
+         (state.volumes_m3[plenum] + 0.5 * tube->volume_m3);
 }
 
 double PneumaticSupply::free_air_m3(const PneumaticState& state) const {

@@ -43,7 +43,7 @@ double pressure_at(const PressureTable& table, double time_s) {
   return std::lerp(table.pressures_Pa[n - 1], table.pressures_Pa[n], part);
 }
 
-/// Of a square: the start and the end of its rise and of its fall.
+/// The next corner of a square wave: the start or end of its rise or of its fall.
 std::optional<double> corner_after(const SquarePressure& square, double after_s) {
   const double rise = square.rise_s * square.frequency_Hz;
   const double whole = std::floor(square.frequency_Hz * after_s + square.phase);
@@ -67,7 +67,7 @@ std::optional<double> corner_after(const Smooth&, double) {
   return std::nullopt;
 }
 
-/// A time in which a schedule does something, with the steps that it needs.
+/// A part of a schedule that steps must resolve, with the number of steps that it needs.
 struct Detail {
   double duration_s;
   double steps;

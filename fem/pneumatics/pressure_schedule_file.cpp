@@ -9,7 +9,7 @@
 namespace menger::fem {
 namespace {
 
-/// Kinds by their place among the schedules.
+/// The names of the kinds, by their index among the schedules.
 const io::Words<std::size_t>& kind_words() {
   static const io::Words<std::size_t> words{{"constant", PressureSchedule(ConstantPressure{}).index()},
                                             {"sine", PressureSchedule(SinePressure{}).index()},
@@ -21,7 +21,7 @@ const io::Words<std::size_t>& kind_words() {
 void describe_swing(io::StudyVisitor& visitor, double& low_Pa, double& high_Pa, double& frequency_Hz, double& phase) {
   visitor.number({"low_Pa", "Lowest gauge pressure."}, low_Pa);
   visitor.number({"high_Pa", "Highest gauge pressure.", "4000"}, high_Pa);
-  visitor.number({"frequency_Hz", "Periods in a second.", "3"}, frequency_Hz, io::positive());
+  visitor.number({"frequency_Hz", "Periods per second.", "3"}, frequency_Hz, io::positive());
   visitor.number({"phase", "Fraction of a period by which the pressure is ahead."}, phase);
 }
 
@@ -39,19 +39,19 @@ void describe_members(io::StudyVisitor& visitor, SquarePressure& square) {
                  io::between(0.0, 1.0));
   visitor.number({"rise_s", "Duration of a rise and of a fall."}, square.rise_s, io::non_negative());
   visitor.check(square.rise_s * square.frequency_Hz <= std::min(square.duty, 1.0 - square.duty), "rise_s",
-                "must not be longer than the pressure is high or low");
+                "must not be longer than the time at high pressure or the time at low pressure");
 }
 
 void describe_points(io::StudyVisitor& visitor, PressureTable& table) {
   visitor.numbers({"times_s", "Times of the points, increasing.", "[0, 0.5]"}, table.times_s, io::any_number(), {.fewest = 1});
   visitor.numbers({"pressures_Pa", "Gauge pressures at these times; straight lines between them.", "[0, 4000]"},
                   table.pressures_Pa, io::any_number(), {.fewest = 1});
-  visitor.check(table.pressures_Pa.size() == table.times_s.size(), "pressures_Pa", "must be as many as times_s");
+  visitor.check(table.pressures_Pa.size() == table.times_s.size(), "pressures_Pa", "must have as many values as times_s");
   for (std::size_t n = 1; n < table.times_s.size(); ++n)
-    visitor.check(table.times_s[n] > table.times_s[n - 1], "times_s", "must be later than the one before it", {n});
+    visitor.check(table.times_s[n] > table.times_s[n - 1], "times_s", "must be later than the time before it", {n});
 }
 
-/// The keys of one kind of schedule, which mean something if the schedule is of this kind.
+/// Names the keys of one kind of schedule. They have a meaning only if the schedule is of this kind.
 template <class Schedule, class Describe>
 void describe_kind(io::StudyVisitor& visitor, PressureSchedule& schedule, std::size_t kind, const Describe& describe_own) {
   Schedule own = std::holds_alternative<Schedule>(schedule) ? std::get<Schedule>(schedule) : Schedule{};
@@ -91,9 +91,10 @@ void describe(io::StudyVisitor& visitor, PlenumSchedule& schedule, std::optional
     };
     visitor.one_of({{"times_s", !table.times_s.empty(), keep, [&] { describe_points(visitor, table); }},
                     {"file", false, keep, describe_file}},
-                   "the points of the table are needed");
+                   "give the points of the table");
   });
-  visitor.number({"ramp_s", "Time in which the pressure grows to what the schedule says."}, schedule.ramp_s, io::non_negative());
+  visitor.number({"ramp_s", "Time in which the pressure grows to the value of the schedule."}, schedule.ramp_s,
+                 io::non_negative());
 }
 
 }  // namespace menger::fem

@@ -7,16 +7,16 @@
 
 namespace menger::fem {
 
-/// Carries values of nodes, three each, between their owner and the ranks that have them as ghosts. Spans hold 3 values per local
-/// node, node by node.
+/// Exchanges values of nodes, three per node, between their owner and the ranks that have them as ghosts. Spans hold 3 values per
+/// local node, node by node.
 class NodeExchange {
  public:
   explicit NodeExchange(const Space& space);
 
-  /// Owned values to the ghosts of other ranks.
+  /// Copies owned values to the ghosts of other ranks.
   void update_ghosts(std::span<double> values) const;
 
-  /// Adds ghost values to those of their owner.
+  /// Adds the values of ghosts to those of their owner.
   void add_from_ghosts(std::span<double> values) const;
 
  private:

@@ -12,7 +12,7 @@ int run_parallel_program(std::string_view name, const std::function<int(int rank
   int rank_count = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
-  if (rank > 0) {  // what the ranks have to say is the same
+  if (rank > 0) {  // all ranks would print the same
     std::cout.setstate(std::ios::failbit);
     std::cerr.setstate(std::ios::failbit);
   }
@@ -24,11 +24,11 @@ int run_parallel_program(std::string_view name, const std::function<int(int rank
       throw;
     } catch (...) {
       is_agreed = false;
-      std::cerr.clear();  // the first rank may know nothing of it
+      std::cerr.clear();  // the first rank may not have had this error
       throw;
     }
   });
-  // the other ranks would wait for this one
+  // The other ranks would wait for this one.
   if (!is_agreed && rank_count > 1) MPI_Abort(MPI_COMM_WORLD, code);
   return code;
 }

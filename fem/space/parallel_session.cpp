@@ -7,16 +7,16 @@
 namespace menger::fem {
 namespace {
 
-/// Starts of Open MPI that depend on nothing but this process; what the user has set stays.
+/// Sets Open MPI up so that its start depends only on this process. What the user has set stays.
 void keep_the_start_to_this_process() {
   const int keep = 0;
-  // hwloc looks for graphics cards on X displays, and its client ends the process when such a display, perhaps one that another
-  // program opened to draw off-screen, closes meanwhile.
+  // hwloc looks for graphics cards on X displays. Its X client ends the process if such a display closes meanwhile, for example
+  // one that another program opened to draw off-screen.
   setenv("HWLOC_COMPONENTS", "-gl", keep);
-  // A process without mpirun starts a daemon, for spawning others: needless here, and it may fail on a busy machine.
+  // A process without mpirun starts a daemon to spawn others. It is not needed here, and its start may fail on a busy machine.
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
-  // Such processes share one folder for files, which the first to end takes away from those that start meanwhile; alone they need
-  // none.
+  // Processes without mpirun share one folder for files. The first one to end removes it while others start. A single process
+  // needs no such folder.
   const bool is_under_mpirun = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr;
   if (!is_under_mpirun) setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
 }

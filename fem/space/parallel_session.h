@@ -4,11 +4,11 @@
 
 namespace menger::fem {
 
-/// MPI, PETSc and what they need, from its construction to its end. One per program, in main; the program runs one thread per
-/// rank.
+/// Starts MPI, PETSc and the libraries they need, and ends them with its lifetime. A program has one, in main, and runs one
+/// thread per rank.
 class ParallelSession {
  public:
-  /// Takes the arguments of MPI and PETSc out of argv. @param argv ends with a null pointer
+  /// Removes the arguments of MPI and PETSc from argv. @param argv ends with a null pointer
   ParallelSession(int& argc, char**& argv);
   ~ParallelSession();
   ParallelSession(const ParallelSession&) = delete;

@@ -10,7 +10,7 @@
 
 namespace menger::fem {
 
-/// Turns an error code of PETSc into an exception: a fault of the program, not of its input.
+/// Turns an error code of PETSc into an exception. Such an error is a fault of the program, not of its input.
 inline void petsc(PetscErrorCode code) {
   if (code == 0) return;
   const char* text = nullptr;
@@ -18,7 +18,7 @@ inline void petsc(PetscErrorCode code) {
   throw std::runtime_error("PETSc: " + std::string(text != nullptr ? text : "error") + " (" + std::to_string(code) + ")");
 }
 
-/// Owner of an object of PETSc.
+/// Owns an object of PETSc.
 template <class Object, PetscErrorCode (*destroy)(Object*)>
 class PetscHandle {
  public:
@@ -35,7 +35,7 @@ class PetscHandle {
 
   // NOLINTNEXTLINE(google-explicit-constructor): it stands for the object in calls
   operator Object() const { return object_; }
-  /// Where a function of PETSc puts a new object.
+  /// Returns the address where a function of PETSc can store a new object.
   Object* receive() {
     reset();
     return &object_;
@@ -49,7 +49,7 @@ class PetscHandle {
   Object object_ = nullptr;
 };
 
-/// The numbers of a vector on this rank, to read as long as this lives.
+/// Read access to the numbers of a vector on this rank, as long as this object lives.
 class VectorReader {
  public:
   explicit VectorReader(Vec vector) : vector_(vector) { petsc(VecGetArrayRead(vector_, &data_)); }
@@ -64,7 +64,7 @@ class VectorReader {
   const double* data_ = nullptr;
 };
 
-/// The numbers of a vector on this rank, to change as long as this lives.
+/// Write access to the numbers of a vector on this rank, as long as this object lives.
 class VectorWriter {
  public:
   explicit VectorWriter(Vec vector) : vector_(vector) { petsc(VecGetArray(vector_, &data_)); }

@@ -10,7 +10,7 @@ namespace {
 
 enum class Failure : int { none, input, fault };
 
-/// What an action threw, as it travels between ranks.
+/// The exception of an action, in a form that can be sent between ranks.
 struct Outcome {
   Failure failure = Failure::none;
   std::string message{};

@@ -10,8 +10,8 @@
 
 namespace menger::fem {
 
-/// Marks an exception that all ranks throw together: each may end on its own, and none waits for another. Any other exception may
-/// be that of one rank alone, after which only MPI_Abort ends the rest.
+/// Marks an exception that all ranks throw together. Each rank may then end on its own, and none waits for another. Any other
+/// exception may come from one rank alone; then only MPI_Abort ends the others.
 class Agreed {
  public:
   Agreed() = default;
@@ -22,7 +22,7 @@ class Agreed {
   virtual ~Agreed() = default;
 };
 
-/// Wrong input, or a place or memory that the machine does not give.
+/// Wrong input, or a file or memory that the machine cannot provide.
 class AgreedInputError : public io::InputError, public Agreed {
  public:
   explicit AgreedInputError(const std::string& message) : io::InputError(message) {}
@@ -34,14 +34,14 @@ class AgreedFault : public std::runtime_error, public Agreed {
   explicit AgreedFault(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// Runs an action on the first rank only, such as writing a file, and lets all ranks share its outcome: what is thrown there is
-/// thrown everywhere, so that no rank waits for one that has left. Collective.
+/// Runs an action, such as writing a file, on the first rank only. All ranks share its outcome: if it throws there, all ranks
+/// throw, so that no rank waits for one that has left. Collective.
 /// @throws AgreedInputError with its message after InputError, std::filesystem::filesystem_error or std::bad_alloc
 /// @throws AgreedFault with its message after any other std::exception
 void on_first_rank(MPI_Comm communicator, const std::function<void()>& action);
 
-/// The same for an action of every rank: if it throws on any, all throw what the first of them did. The action is not collective
-/// itself, or all ranks throw in it together.
+/// Runs an action on every rank. If it throws on any rank, all ranks throw what the first of these threw. Either the action is
+/// not collective itself, or all ranks throw in it together.
 void on_every_rank(MPI_Comm communicator, const std::function<void()>& action);
 
 }  // namespace menger::fem

@@ -7,13 +7,14 @@
 
 namespace menger::fem {
 
-/// How many values each rank gave, and where they begin among those of all; on the first rank.
+/// The number of values that each rank gave, and where they begin in the list of all; on the first rank.
 struct RankShares {
   std::vector<int> counts;
   std::vector<int> offsets;
 };
 
-/// Values of all ranks, one rank after the other, on the first; nothing elsewhere. Collective. @param type of a value
+/// Collects the values of all ranks on the first rank, one rank after the other. Returns them there, and nothing elsewhere.
+/// Collective. @param type of a value
 template <class Value>
 std::vector<Value> gather_on_first(MPI_Comm communicator, MPI_Datatype type, const std::vector<Value>& own, RankShares& shares) {
   int ranks = 1;
@@ -33,7 +34,8 @@ inline std::vector<double> gather_on_first(MPI_Comm communicator, const std::vec
   return gather_on_first(communicator, MPI_DOUBLE, own, shares);
 }
 
-/// The other way: the part of this rank, which is as long as `own`, of what the first rank holds. Collective.
+/// Sends each rank its part of the values on the first rank; the part is as long as `own`. The reverse of gather_on_first.
+/// Collective.
 inline void scatter_from_first(MPI_Comm communicator, const std::vector<double>& all, std::vector<double>& own) {
   RankShares shares;
   gather_on_first(communicator, MPI_DOUBLE, own, shares);

@@ -24,7 +24,8 @@ namespace {
 
 using Dofs = dealii::DoFHandler<3>;
 
-/// Nodes (i, j, k) of an element's face as (u, v) with u x v out of the element, for faces x = 0, x = 1, y = 0, ...
+/// Returns the element's node at (u, v) of one of its faces, with u x v out of the element. Faces are in the order x = 0, x = 1,
+/// y = 0, ...
 Index node_of_face(int face, int degree, int u, int v) {
   const int side = degree + 1;
   const auto node = [side](int i, int j, int k) { return i + side * (j + side * k); };
@@ -44,7 +45,7 @@ Index node_of_face(int face, int degree, int u, int v) {
   }
 }
 
-/// Global node numbers of an element, lexicographically.
+/// Returns the global node numbers of an element in lexicographic order.
 std::vector<Index> nodes_of(const Dofs::active_cell_iterator& cell, const std::vector<unsigned>& hierarchic_of_lexicographic) {
   std::vector<dealii::types::global_dof_index> dofs(hierarchic_of_lexicographic.size());
   cell->get_dof_indices(dofs);
@@ -53,7 +54,7 @@ std::vector<Index> nodes_of(const Dofs::active_cell_iterator& cell, const std::v
   return nodes;
 }
 
-/// Everything of a space but the caps, with element and face nodes still global.
+/// Builds all of a space except the caps. Element and face nodes are still global.
 class SpaceBuilder {
  public:
   SpaceBuilder(const meshes::HexahedralMesh& mesh, int degree, int refinements, MPI_Comm communicator)
@@ -144,11 +145,11 @@ class SpaceBuilder {
   dealii::MappingQ<3> mapping_;
   Dofs dofs_;
   Space space_;
-  std::map<Index, std::array<double, 3>> support_points_;  ///< of the nodes that this rank knows, and of rims
+  std::map<Index, std::array<double, 3>> support_points_;  ///< of the nodes of this rank and of rims
   std::map<int, std::vector<RimOfLine>> rims_of_line_;     ///< by the index of a line that is not split
 };
 
-/// The edges of the rims of all caps, as refinement has split them; those of the coarse mesh are known by their corners.
+/// Finds the edges of the rims of all caps after refinement. Those of the coarse mesh are identified by their corners.
 void SpaceBuilder::find_rims() {
   std::map<std::array<std::size_t, 2>, std::vector<RimOfLine>> rims;
   for (std::size_t c = 0; c < mesh_.chambers.size(); ++c) {
@@ -176,7 +177,7 @@ void SpaceBuilder::find_rims() {
   }
 }
 
-/// The segments of rims on the elements of this rank.
+/// Returns the segments of rims on the elements of this rank.
 std::vector<SpaceBuilder::FoundSegment> SpaceBuilder::own_segments() const {
   std::vector<FoundSegment> found;
   for (const auto& cell : dofs_.active_cell_iterators()) {
@@ -205,7 +206,7 @@ std::vector<SpaceBuilder::FoundSegment> SpaceBuilder::own_segments() const {
   return found;
 }
 
-/// Brings the rims to the first rank; several elements may hold the same segment.
+/// Collects the rims on the first rank. Several elements may contain the same segment.
 void SpaceBuilder::collect_caps() {
   find_rims();
   const auto of_all_ranks = dealii::Utilities::MPI::gather(space_.communicator, own_segments(), 0);

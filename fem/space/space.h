@@ -11,22 +11,23 @@
 
 namespace menger::fem {
 
-using Index = int;  ///< of nodes; PETSc's indices are 32-bit here
+using Index = int;  ///< index of a node; PETSc's indices are 32-bit here
 
-/// A boundary face with its nodes, numbered lexicographically with (x_u) x (x_v) out of the solid; degree 1 uses the first four.
+/// A boundary face with its nodes. They are numbered lexicographically in (u, v), where (x_u) x (x_v) points out of the solid.
+/// Degree 1 uses only the first four.
 struct SpaceFace {
   std::size_t label;
   std::array<Index, 9> nodes;  ///< local
 };
 
-/// A segment of the rim of a virtual cap, in the direction of the rim; degree 1 has no middle node (-1).
+/// A segment of the rim of a virtual cap, in the direction of the rim. With degree 1 there is no middle node (-1).
 struct RimSegment {
   Index first;  ///< local nodes
   Index middle;
   Index last;
 };
 
-/// The rim of a cap; only the first rank holds it.
+/// The rim of a cap. Only the first rank holds it.
 struct SpaceCap {
   std::size_t chamber;
   std::vector<RimSegment> rim;
@@ -34,8 +35,9 @@ struct SpaceCap {
 
 /// The nodes and elements of this rank, as plain arrays.
 ///
-/// Nodes are numbered globally, each rank owning a contiguous range, and locally: owned ones first, in the order of their global
-/// numbers, then those of other ranks that the elements here need (ghosts). Every node has three displacement components.
+/// Nodes have global numbers, of which each rank owns a contiguous range, and local numbers. Local numbers start with the owned
+/// nodes, in the order of their global numbers. Then follow the nodes of other ranks that the elements of this rank need
+/// (ghosts). Every node has three displacement components.
 struct Space {
   MPI_Comm communicator = MPI_COMM_SELF;
   int degree = 2;
@@ -59,12 +61,12 @@ struct Space {
   }
 };
 
-/// The nodes of a rim, each once, ascending.
+/// Returns the nodes of a rim, each once, ascending.
 std::vector<Index> rim_nodes(const SpaceCap& cap);
 
-/// Lagrange elements of a degree on a mesh whose elements are split `refinements` times into eight, distributed over the ranks of
-/// a communicator. Nodes lie on the mesh's geometry (isoparametric elements).
-/// @param degree 1 or 2 (asserts) @throws io::InputError if the mesh is none
+/// Creates Lagrange elements of a degree on a mesh and distributes them over the ranks of a communicator. Each element of the
+/// mesh is split `refinements` times into eight. Nodes lie on the mesh's geometry (isoparametric elements).
+/// @param degree 1 or 2 (asserts) @throws io::InputError if the mesh is not valid
 Space make_space(const meshes::HexahedralMesh& mesh, int degree, int refinements, MPI_Comm communicator);
 
 }  // namespace menger::fem

@@ -4,7 +4,7 @@
 
 namespace menger::fem {
 
-/// Diagonal of the box along the axes around all nodes in the reference configuration, m. Collective; the same on all ranks.
+/// Returns the diagonal of the bounding box of all nodes in the reference configuration, m. Collective; the same on all ranks.
 double diameter_m(const Space& space);
 
 }  // namespace menger::fem

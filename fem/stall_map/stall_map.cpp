@@ -10,7 +10,7 @@
 namespace menger::fem {
 namespace {
 
-/// What a state says of a period's extremes.
+/// Updates the extremes of a period with a state.
 void observe(const PneumaticSupply& supply, const PneumaticState& state, StallPoint& point) {
   const double pressure = supply.pressure_Pa(state, 0);
   point.peak_pressure_Pa = std::max(point.peak_pressure_Pa, pressure);
@@ -21,15 +21,15 @@ void observe(const PneumaticSupply& supply, const PneumaticState& state, StallPo
   point.largest_flow_m3_per_s = std::max(point.largest_flow_m3_per_s, std::abs(supply.flow_m3_per_s(state, 0).value_or(0.0)));
 }
 
-/// Moves a point on by a period and looks at its extremes. @return completed, diverged where the plenum left its curve, or
-/// not_converged where the integrator gave up
+/// Advances a point by a period and updates its extremes.
+/// @return completed, diverged if the plenum left its curve, or not_converged if the integrator failed
 io::RunStatus pass_period(const PneumaticSupply& supply, PneumaticIntegrator& air, const std::vector<PlenumCompliance>& plena,
                           PneumaticState& state, StallPoint& point) {
   point.peak_pressure_Pa = point.lowest_pressure_Pa = supply.pressure_Pa(state, 0);
   point.piston_peak_pressure_Pa = supply.piston_pressure_Pa(state, 0);
   point.largest_volume_m3 = point.smallest_volume_m3 = state.volumes_m3[0];
   point.largest_flow_m3_per_s = 0.0;
-  // What a step misses must not count as suction beyond a curve that begins at the fill.
+  // The error of a step must not count as suction beyond a curve that begins at the fill.
   const double error_Pa = 1e-4 * (plena[0].pressures_Pa.back() - plena[0].pressures_Pa.front());
   const auto stays_on_curve = [&](const PneumaticState& now) {
     observe(supply, now, point);
@@ -42,13 +42,13 @@ io::RunStatus pass_period(const PneumaticSupply& supply, PneumaticIntegrator& ai
   return status == io::RunStatus::completed ? status : io::RunStatus::not_converged;
 }
 
-/// What is measured at a point, Pa.
+/// Returns the measured pressure at a point, Pa.
 double measured_Pa(const StallPoint& point, PressureMeasure measure) {
   return measure == PressureMeasure::peak ? point.peak_pressure_Pa : point.peak_pressure_Pa - point.lowest_pressure_Pa;
 }
 
-/// The stroke of a pressure between one that stays below it and one that leaves the plenum's curve; nothing if the curve ends
-/// first, as it does for a swing about a high mean.
+/// Returns the stroke that reaches a pressure, between a stroke that stays below it and one that leaves the plenum's curve. Empty
+/// if the curve ends first, as it does for a swing about a high mean.
 std::optional<double> stroke_before_end(const StallMapStudy& study, const StallPoint& beyond, double stroke_m,
                                         PressureMeasure measure, double pressure_Pa) {
   double low = stroke_m;
@@ -129,7 +129,7 @@ Isobar isobar(const StallMapStudy& study, const StallMap& map, std::size_t frequ
   const bool is_peak = measure == PressureMeasure::peak;
   Isobar result{measure, study.frequencies_Hz[frequency], pressure_Pa, {}};
   for (std::size_t r = 0; r < resistances; ++r) {
-    // Without a stroke the pressure stays that of the fill.
+    // Without a stroke the pressure is that of the fill.
     double stroke = 0.0;
     double before = is_peak ? study.piston.fill_pressure_Pa : 0.0;
     std::optional<double> found;

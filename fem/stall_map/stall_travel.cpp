@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Records in a period of the trajectory, so that one falls on the end of the first.
+/// Records in a period of the trajectory. One record lies at the end of the first period.
 constexpr int records_per_period = 20;
 
 const io::Words<io::RunStatus>& status_words() {
@@ -50,7 +50,7 @@ class Walks {
   void simulate(const fs::path& folder, const std::string& scene, StallTravel& travel) const {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw io::InputError(folder.string() + ": cannot be made: " + error.message());
+    if (error) throw io::InputError(folder.string() + ": cannot be created: " + error.message());
     io::write_whole(folder / "scene.toml", scene);
     const io::ChildOutcome outcome = io::run_child({.program = program_,
                                                     .arguments = {"scene.toml", "-o", "result", "--no-pictures"},
@@ -68,7 +68,8 @@ class Walks {
     }
   }
 
-  /// @return whether there is a finished walk
+  /// Reads a finished walk.
+  /// @return whether there is one
   [[nodiscard]] bool read(const fs::path& folder, StallTravel& travel) const {
     std::error_code ignored;
     if (!fs::is_regular_file(folder / "result.toml", ignored)) return false;
@@ -81,7 +82,8 @@ class Walks {
     if (travel.status != io::RunStatus::completed) return true;
     const io::CsvContents path = io::read_csv(folder / "trajectory.csv");
     const std::size_t last = path.row_count() - 1;
-    if (path.row_count() <= records_per_period + 1) throw io::InputError((folder / "trajectory.csv").string() + ": is not whole");
+    if (path.row_count() <= records_per_period + 1)
+      throw io::InputError((folder / "trajectory.csv").string() + ": is incomplete");
     const auto moved = [&](const char* column) { return path.number(last, column) - path.number(records_per_period, column); };
     travel.displacement_x_m = moved("centre_of_mass_x_m");
     travel.displacement_y_m = moved("centre_of_mass_y_m");

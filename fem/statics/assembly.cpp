@@ -85,7 +85,7 @@ MatrixHandle Assembly::make_matrix(bool symmetric_storage) const {
   return matrix;
 }
 
-/// The columns of a block that the matrix leaves out, times what they are multiplied with.
+/// Adds the columns of held components, which the matrix leaves out, times the change of these components to its forces.
 void Assembly::add_held_change(std::span<const Index> nodes, std::span<const double> block, const HeldChange& held_change) const {
   const std::size_t columns = 3 * nodes.size();
   for (std::size_t m = 0; m < columns; ++m) {
@@ -228,7 +228,8 @@ void Assembly::add_faces(std::span<const double> displacements, const Loads& loa
   }
 }
 
-/// Directions normal to the planes of symmetry that cut a cap: an open rim ends there, at nodes that are held in the plane.
+/// The directions normal to the planes of symmetry that cut a cap. An open rim ends at such a plane, at nodes that are held in
+/// it.
 std::array<bool, 3> Assembly::mirrored_directions(const SpaceCap& cap) const {
   std::map<Index, int> ends;  // how often a node begins or ends a segment
   for (const RimSegment& segment : cap.rim) {
@@ -287,7 +288,7 @@ void Assembly::add_dead_loads(std::span<const double> displacements, double fact
   }
 }
 
-/// What is left of the residual where a plate holds it is the plate's force on the body.
+/// Sums the forces and moments of the plates on the body: the residual at the components that a plate holds.
 void Assembly::add_plates(std::span<const double> displacements, const Loads& loads, std::span<const double> residual,
                           BodyTotals& totals) const {
   double square = 0.0;

@@ -15,60 +15,63 @@
 
 namespace menger::fem {
 
-/// Loads at a moment.
+/// The loads on a body in one state.
 struct Loads {
   std::span<const double> plenum_pressures_Pa;  ///< gauge
-  double dead_load_factor = 1.0;                ///< on gravity and tractions
-  std::span<const PlateMotion> plates{};        ///< where moments of plates are taken about; empty: at rest
+  double dead_load_factor = 1.0;                ///< factor on gravity and tractions
+  std::span<const PlateMotion> plates{};  ///< positions of the plates, about whose centres moments are taken; empty: at rest
 };
 
-/// A change of held components, and the forces K times it on the others.
+/// A change of held components, and the forces that it causes on the other components: K times the change.
 struct HeldChange {
   std::span<const double> change_m;  ///< per local component, zero where not held, ghosts up to date
   std::span<double> force_N;         ///< per local component, ghosts not up to date; zero where held
 };
 
-/// Sums over the body, the same on all ranks.
+/// Totals of a body, the same on all ranks.
 struct BodyTotals {
   double strain_energy_J = 0.0;
-  double smallest_ratio = 0.0;             ///< of volume, at the quadrature points; not positive: the state has no answer
-  std::vector<double> chamber_volumes_m3;  ///< of the modelled part
-  double ground_force_N = 0.0;             ///< of the ground on the body, upwards
+  /// Smallest volume ratio at the quadrature points. Not positive: an element is inverted, or its law is not defined there.
+  double smallest_ratio = 0.0;
+  std::vector<double> chamber_volumes_m3;  ///< of the modelled part of the chambers
+  double ground_force_N = 0.0;             ///< force of the ground on the body, upwards
   double ground_energy_J = 0.0;
-  double dead_load_work_J = 0.0;      ///< of gravity and tractions at factor 1, since the reference configuration
-  std::vector<PlateReaction> plates;  ///< on the body, where the residual was asked for
-  double plate_force_norm_N = 0.0;    ///< of the nodal forces of all plates
+  double dead_load_work_J = 0.0;      ///< work of gravity and tractions at factor 1, since the reference configuration
+  std::vector<PlateReaction> plates;  ///< on the body; only where the residual was asked for
+  double plate_force_norm_N = 0.0;    ///< norm of the nodal forces of all plates
 };
 
-/// Sums element, chamber and ground terms of a body into global vectors and a matrix.
+/// Sums the terms of elements, chambers and the ground of a body into global vectors and a matrix.
 ///
-/// The potential energy is E(u) + E_ground(u) - sum_plena p V(u) - f . u; the residual is its gradient, the matrix its Hessian.
-/// Held components have residual 0 and a row and column of the identity.
+/// The potential energy is E(u) + E_ground(u) - sum_plena p V(u) - f . u. The residual is its gradient, the matrix its Hessian.
+/// Held components have residual 0, and their row and column are those of the identity.
 class Assembly {
  public:
   Assembly(const Space& space, const Body& body);
 
   [[nodiscard]] const Space& space() const { return space_; }
   [[nodiscard]] const NodeExchange& exchange() const { return exchange_; }
-  /// Per local component, whether it is held by a support or a plate.
+  /// Whether a support or a plate holds each local component, 1 or 0.
   [[nodiscard]] const std::vector<std::uint8_t>& held() const { return held_; }
-  /// The owned nodes on a plate.
+  /// The nodes on a plate that this rank owns.
   [[nodiscard]] const std::vector<Index>& plate_nodes(std::size_t plate) const { return plate_nodes_[plate]; }
 
-  /// An empty matrix with the structure of the stiffness: symmetric, blocks of 3, or with both triangles.
+  /// Creates an empty matrix with the structure of the stiffness, in blocks of 3. @param symmetric_storage true: one triangle
+  /// only; false: both
   [[nodiscard]] MatrixHandle make_matrix(bool symmetric_storage) const;
 
+  /// Computes the totals of a state and, where wanted, the residual, the gradients of the volumes and the stiffness.
   /// @param displacements 3 per local node, ghosts up to date
   /// @param residual per local component, ghosts not up to date; empty if not wanted
-  /// @param volume_gradients dV/du of each plenum in the same form, with held components zero; empty if not wanted
-  /// @param stiffness or nullptr
+  /// @param volume_gradients dV/du of each plenum in the same layout, zero at held components; empty if not wanted
+  /// @param stiffness the matrix to fill, or nullptr
   /// @param held_change or nullptr; its forces are computed together with the stiffness
   BodyTotals assemble(std::span<const double> displacements, const Loads& loads, std::span<double> residual,
                       std::span<std::vector<double>> volume_gradients, Mat stiffness, const HeldChange* held_change = nullptr);
 
-  /// Adds a block of some local nodes, row by row, to a matrix of make_matrix that has yet to be assembled.
-  /// @param block its rows and columns of held components become zero @param held_change takes what those columns would do, or
-  /// nullptr
+  /// Adds a block of some local nodes, row by row, to a matrix from make_matrix that has not been assembled yet.
+  /// @param block its rows and columns of held components are set to zero
+  /// @param held_change receives the forces that those columns cause, or nullptr
   void add_to_matrix(Mat stiffness, std::span<const Index> nodes, std::span<double> block,
                      const HeldChange* held_change = nullptr) const;
 
@@ -97,7 +100,7 @@ class Assembly {
   NodeExchange exchange_;
   std::vector<std::uint8_t> held_;
   std::vector<std::vector<Index>> plate_nodes_;  ///< owned
-  std::vector<double> dead_load_;                ///< force per local component at factor 1, shares of this rank's elements
+  std::vector<double> dead_load_;  ///< force per local component at factor 1; only the shares of this rank's elements
   std::vector<std::vector<std::size_t>> chambers_of_label_;
   std::vector<bool> is_ground_label_;
 };

@@ -35,7 +35,7 @@ Point BodyEnds::extent_changes_m(std::span<const double> displacements_m) const 
 }
 
 Point BodyEnds::extent_changes_without_rotation_m(std::span<const double> displacements_m) const {
-  // from the same function on both sides, so that rounding in it leaves nothing at rest
+  // The same function on both sides, so that the result at rest is exactly zero in spite of rounding.
   return difference(meshes::extents_without_rotation(at_rest_, deformed(displacements_m)),
                     meshes::extents_without_rotation(at_rest_, at_rest_));
 }

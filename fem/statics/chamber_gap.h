@@ -11,20 +11,20 @@
 
 namespace menger::fem {
 
-/// Watches the walls of the chambers of a body for contact.
+/// Finds the smallest gaps between the walls of the chambers of a body.
 class ChamberGaps {
  public:
-  /// Gathers the chambers' faces of all ranks on the first one.
+  /// Collects the chambers' faces of all ranks on the first rank.
   ChamberGaps(const Space& space, const Body& body);
 
-  /// The smallest gap of all chambers at some displacements (3 per local node), the same on all ranks; nothing if no two parts of
-  /// a chamber's surface face each other.
+  /// Returns the smallest gap of all chambers at given displacements (3 per local node), the same on all ranks; nothing if no two
+  /// parts of a chamber's surface face each other.
   [[nodiscard]] std::optional<WallGap> smallest(std::span<const double> displacements) const;
 
-  /// Largest distance between two points of a chamber's box at rest, m; 0 without chambers.
+  /// Diagonal of the largest bounding box of a chamber at rest, m; 0 without chambers.
   [[nodiscard]] double size_m() const { return size_m_; }
 
-  /// Depth up to which walls that cross are recognised, m: half the shortest edge of the chambers' faces.
+  /// The largest depth at which crossing walls are recognised, m: half the shortest edge of the chambers' faces.
   [[nodiscard]] double recognised_depth_m() const { return depth_m_; }
 
  private:
@@ -34,7 +34,7 @@ class ChamberGaps {
 
   const Space& space_;
   std::vector<Index> own_nodes_;                                ///< local nodes of this rank's faces, as sent
-  RankShares shares_;                                           ///< of components; first rank only
+  RankShares shares_;                                           ///< numbers of components per rank; first rank only
   std::vector<std::vector<std::array<std::size_t, 9>>> faces_;  ///< per chamber, indices into the gathered nodes; first rank only
   std::vector<std::size_t> first_of_;                           ///< gathered node -> the first one of the same global number
   double size_m_ = 0.0;

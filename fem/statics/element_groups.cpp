@@ -70,7 +70,7 @@ ElementSums ElementGroups::evaluate(std::span<const double> displacements, const
                        .smallest_ratio = ratio_.data()});
     for (std::size_t lane = 0; lane < batch.elements.size(); ++lane) {
       sums.energy_J += energy_[lane];
-      // written so that a NaN is kept
+      // The comparison is written so that a NaN counts, too.
       if (!(ratio_[lane] >= sums.smallest_ratio)) sums.smallest_ratio = std::isnan(ratio_[lane]) ? -1.0 : ratio_[lane];
     }
     if (wanted.residual || wanted.stiffness) hand_over(batch, wanted, receive);

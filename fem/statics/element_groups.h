@@ -12,7 +12,7 @@
 
 namespace menger::fem {
 
-/// Doubles aligned for the packs of the element kernels.
+/// An allocator whose memory is aligned to 64 bytes, as the packs of the element kernels need.
 template <class T>
 struct PackAllocator {
   using value_type = T;  // NOLINT(readability-identifier-naming): the name that containers ask for
@@ -26,7 +26,7 @@ struct PackAllocator {
 };
 using PackedDoubles = std::vector<double, PackAllocator<double>>;
 
-/// What to compute of every element.
+/// The results to compute for every element.
 struct ElementWanted {
   bool residual = false;
   bool stiffness = false;
@@ -35,13 +35,13 @@ struct ElementWanted {
 /// Energy of all elements of this rank and the smallest volume ratio at their quadrature points.
 struct ElementSums {
   double energy_J = 0.0;
-  double smallest_ratio = 1e300;  ///< not positive or not a number: the state has no answer
+  double smallest_ratio = 1e300;  ///< not positive or NaN: the state is invalid
 };
 
-/// The elements of a rank in batches of one material each, as the kernels want them.
+/// The elements of a rank, in batches of one material each, as the kernels need them.
 class ElementGroups {
  public:
-  /// What a batch hands over for each of its elements, not interleaved any more.
+  /// The result of one element of a batch, no longer interleaved.
   struct ElementResult {
     std::span<const Index> nodes;       ///< local
     std::span<const double> residual;   ///< 3 nodes
@@ -51,22 +51,24 @@ class ElementGroups {
 
   ElementGroups(const Space& space, const Body& body, ElementKernels kernels = best_element_kernels());
 
+  /// Computes the energy and smallest volume ratio and, where wanted, the residual and stiffness of every element. After
+  /// predict_pressure the stiffness contains the predicted pressures (see ElementKernels).
   /// @param displacements 3 per local node @param receive called for each element unless nothing is wanted
-  /// With predict_pressure called before, the stiffness contains the predicted pressures (see ElementKernels).
   ElementSums evaluate(std::span<const double> displacements, const ElementWanted& wanted, const Receiver& receive);
 
-  /// Pressures for the next stiffness: what is expected at `displacements` + `step`.
+  /// Predicts the pressures for the next stiffness: those expected at `displacements` + `step`.
   void predict_pressure(std::span<const double> displacements, std::span<const double> step);
 
-  /// The pressures that predict_pressure has left, as numbers of this rank; to be kept with a state and given back.
+  /// The pressures that predict_pressure has stored on this rank. Keep them with a state, and give them to
+  /// set_predicted_pressures to restore it.
   [[nodiscard]] std::vector<double> predicted_pressures() const;
   void set_predicted_pressures(std::span<const double> pressures);
 
-  /// From here on the stiffness is again the exact one.
+  /// Discards the predicted pressures: the next stiffness is the exact one.
   void forget_prediction() { has_prediction_ = false; }
 
   /// Fields at the quadrature points of an element: deformation gradients (9 per point, row by row), Cauchy stresses (9 per
-  /// point), volume ratios, pressures; the spans live during the call.
+  /// point), volume ratios, pressures. The spans are valid only during the call.
   struct PointResult {
     std::size_t element;  ///< local
     std::span<const double> deformation_gradient;
@@ -79,7 +81,7 @@ class ElementGroups {
  private:
   struct Batch {
     std::size_t region;
-    std::vector<std::size_t> elements;  ///< at most as many as lanes
+    std::vector<std::size_t> elements;  ///< at most one per lane
     PackedDoubles positions;
     PackedDoubles predicted_pressure;
   };

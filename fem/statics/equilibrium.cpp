@@ -14,9 +14,11 @@ namespace menger::fem {
 
 namespace {
 
-/// Part of (shear modulus x length^2) that counts as load even without any, so that the state at rest is an equilibrium.
+/// The smallest reference load, divided by shear modulus x length^2. It makes the state at rest an equilibrium even without
+/// loads.
 constexpr double smallest_reference_load = 1e-4;
-/// Newton's steps shrink, or the residual does; one step that grew with it may find its way back, more of them do not.
+/// The number of steps at which both the step and the residual may grow in one search. After one of them the search may still
+/// converge; after more it does not.
 constexpr int most_growing_steps = 2;
 constexpr double longest_step_by_diameter = 3.0;
 
@@ -42,7 +44,7 @@ Equilibrium::Equilibrium(const Space& space, const Body& body, const Equilibrium
       is_held_(fem::is_held(space, body, assembly_.held())),
       diameter_m_(diameter_m(space)) {
   for (std::size_t p = 0; p < body.plenum_count; ++p) influences_.push_back(linear_.make_vector());
-  // The softest region: a load that strains it must not pass for none beside a stiff one.
+  // The softest region: beside a stiff one, a load that strains it must not count as no load.
   double modulus_Pa = std::numeric_limits<double>::infinity();
   for (const RegionMaterial& region : body.regions)
     modulus_Pa = std::min(modulus_Pa, materials::shear_modulus_at_rest_Pa(region.law));
@@ -64,7 +66,7 @@ NewtonProblem Equilibrium::problem() {
   return {.residual = [this](Vec x, Vec residual) { return compute_residual(x, residual); },
           .prepare_tangent = [this](Vec x) { return prepare_stiffness(x); },
           .solve_tangent = [this](Vec b, Vec y) { return solve_linear(b, y); },
-          .judge = [this](const NewtonIterate&) { return judge(); },
+          .check = [this](const NewtonIterate&) { return check(); },
           .correct_trial = [this](Vec trial, Vec from, double length) { carry_along(trial, from, length); },
           .follow_step = [this](Vec from, Vec) { follow_step(from); }};
 }
@@ -128,12 +130,12 @@ EquilibriumReport Equilibrium::solve(BodyState& state, std::span<const PlenumCon
   }
   const NewtonOutcome outcome = newton_.solve(unknown_, stop);
   // The last evaluation may have been that of a rejected trial.
-  const bool has_answer = outcome.end == NewtonEnd::solved || evaluate(unknown_);
+  const bool has_converged = outcome.end == NewtonEnd::solved || evaluate(unknown_);
   EquilibriumReport report = report_of(outcome);
   if (outcome.tangents > 0 && outcome.end != NewtonEnd::linear_failure) report.negative_pivots = linear_.negative_pivots();
   state.displacements_m = displacements_;
   state.plenum_pressures_Pa = pressures_;
-  if (options_.predict_pressure && has_answer) {
+  if (options_.predict_pressure && has_converged) {
     assembly_.elements().predict_pressure(displacements_, std::vector<double>(displacements_.size(), 0.0));
     state.element_pressures_Pa = assembly_.elements().predicted_pressures();
   }
@@ -164,7 +166,7 @@ std::string Equilibrium::reason_of(const NewtonOutcome& outcome) const {
     case NewtonEnd::stopped:
       return "stopped by the user";
     case NewtonEnd::no_residual:
-      return "an element would turn inside out, or its law has no answer, however short the step";
+      return "an element would turn inside out or be stretched beyond the limit of its law, however short the step";
     case NewtonEnd::linear_failure:
       return "the linear system has no solution: its factorisation or its iteration has failed";
     case NewtonEnd::diverging:
@@ -211,7 +213,7 @@ double Equilibrium::norm_of_owned(std::span<const double> field) const {
   return std::sqrt(square);
 }
 
-/// Everything that the search knows of a state. @return whether it has an answer
+/// Computes the residual, volumes and totals of a state. @return whether they exist
 bool Equilibrium::evaluate(Vec x) {
   unpack(x, displacements_, pressures_);
   residual_.resize(displacements_.size());
@@ -228,7 +230,7 @@ bool Equilibrium::evaluate(Vec x) {
   return are_closed && totals_.smallest_ratio > 0.0 && std::isfinite(totals_.strain_energy_J) && std::isfinite(residual_N_);
 }
 
-/// The equation of every plenum. @return whether each has an answer
+/// Evaluates the equation of every plenum. @return whether each can be evaluated
 bool Equilibrium::close_plena() {
   const std::vector<double> volumes = plenum_volumes(totals_);
   closures_.assign(body_.plenum_count, {0.0, 1.0, 0.0});
@@ -290,8 +292,8 @@ bool Equilibrium::prepare_stiffness(Vec x) {
   return true;
 }
 
-/// Solves K y - sum_p V_p y_p = r, V_p . y + c_p y_p = c for every free plenum p, V_p being dV_p/du. On a plate y = r, and K y
-/// there goes to the right-hand side; V_p leaves it out, which only the first step of a plate notices.
+/// Solves K y - sum_p V_p y_p = r, V_p . y + c_p y_p = c for every free plenum p, with V_p = dV_p/du. At components that a plate
+/// holds y = r, and K y of these goes to the right-hand side. V_p leaves them out, which affects only the first step of a plate.
 bool Equilibrium::solve_linear(Vec right_hand_side, Vec solution) {
   {
     const VectorReader r(right_hand_side);
@@ -309,7 +311,8 @@ bool Equilibrium::solve_linear(Vec right_hand_side, Vec solution) {
   return true;
 }
 
-/// Completes K^-1 r to the displacements y. @return y_p of each plenum, 0 where its pressure is given
+/// Adds the part of the plena to K^-1 r, which gives the displacements y. @return y_p of each plenum, 0 where its pressure is
+/// given
 std::vector<double> Equilibrium::eliminate_plena() {
   std::vector<std::size_t> free;
   for (std::size_t p = 0; p < body_.plenum_count; ++p)
@@ -334,7 +337,7 @@ std::vector<double> Equilibrium::eliminate_plena() {
   return result;
 }
 
-/// dV/du of a plenum, where the stiffness was factorised, times a vector of displacements.
+/// The product of dV/du of a plenum, at the state of the factorisation, and a vector of displacements.
 double Equilibrium::times_gradient(std::size_t plenum, Vec vector) const {
   const VectorReader values(vector);
   double sum = 0.0;
@@ -343,14 +346,15 @@ double Equilibrium::times_gradient(std::size_t plenum, Vec vector) const {
   return sum;
 }
 
-/// Puts the plates into a trial state exactly where a step of some length carries them: its arithmetic would leave rounding.
+/// Sets the plates of a trial state exactly where a step of this length carries them. The arithmetic of the step would leave
+/// rounding.
 void Equilibrium::carry_along(Vec trial, Vec from, double length) const {
   const VectorReader before(from);
   const VectorWriter data(trial);
   for (const auto& [place, imposed_m] : plate_components_) data[place] = (1.0 - length) * before[place] + length * imposed_m;
 }
 
-/// Watches over the sizes of steps, and predicts the pressures in the elements at the end of this one.
+/// Checks the sizes of steps for divergence, and predicts the pressures in the elements at the end of this step.
 void Equilibrium::follow_step(Vec from) {
   std::vector<double> start;
   std::vector<double> unused;
@@ -369,7 +373,7 @@ void Equilibrium::follow_step(Vec from) {
   if (options_.predict_pressure) assembly_.elements().predict_pressure(start, change);
 }
 
-NewtonVerdict Equilibrium::judge() {
+NewtonVerdict Equilibrium::check() {
   const std::vector<double> volumes = plenum_volumes(totals_);
   bool is_found = plate_distance_m_ == 0.0 && residual_N_ <= options_.relative_force_tolerance * reference_N_;
   for (std::size_t p = 0; p < body_.plenum_count; ++p) {
@@ -377,7 +381,7 @@ NewtonVerdict Equilibrium::judge() {
       is_found = false;
   }
   if (is_found) return NewtonVerdict::solved;
-  // What is left of the way of a plate belongs to the stiffness.
+  // The rest of a plate's distance enters the right-hand side together with a new stiffness.
   if (plate_distance_m_ > 0.0) newton_.forget_tangent();
   return runs_away_ ? NewtonVerdict::diverging : NewtonVerdict::go_on;
 }

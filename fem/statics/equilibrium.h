@@ -17,75 +17,80 @@
 
 namespace menger::fem {
 
-/// Limits of one search for an equilibrium.
+/// Tolerances and limits of one search for an equilibrium.
 struct EquilibriumOptions {
   int largest_iteration_count = 25;
-  /// The residual's norm may be this part of the loads': that of the pressure forces on components that are not held plus those
-  /// of the dead loads and of the plates, and at least a ten-thousandth of shear modulus x length^2.
+  /// The largest norm of the residual, divided by that of the loads. The loads are the pressure forces on components that are not
+  /// held, the dead loads and the forces of the plates, and at least 1e-4 times shear modulus x length^2.
   double relative_force_tolerance = 1e-7;
-  double relative_volume_tolerance = 1e-9;  ///< of a plenum under control by volume or gas
-  double smallest_step_length = 1.0 / 64;   ///< part of a Newton step to which it is cut back to keep volume ratios positive
-  bool predict_pressure = true;             ///< Newton's method of the three fields; false: of the displacements alone
+  double relative_volume_tolerance = 1e-9;  ///< for a plenum under control by volume or gas
+  double smallest_step_length = 1.0 / 64;   ///< shortest part of a Newton step that is tried to keep volume ratios positive
+  bool predict_pressure = true;             ///< true: Newton's method of the three fields; false: of the displacements alone
   LinearOptions linear;
 };
 
-/// A state of a body, equilibrium or not.
+/// A state of a body; it need not be an equilibrium.
 struct BodyState {
   std::vector<double> displacements_m;      ///< 3 per local node, ghosts up to date
   std::vector<double> plenum_pressures_Pa;  ///< gauge
   std::vector<double>
-      element_pressures_Pa;  ///< at quadrature points, as ElementGroups numbers them; empty: those of the displacements
+      /// At the quadrature points, in the order of ElementGroups. Empty: those that follow from the displacements.
+      element_pressures_Pa;
 };
 
-/// How a search for an equilibrium ended.
+/// The outcome of a search for an equilibrium.
 struct EquilibriumReport {
   io::RunStatus status = io::RunStatus::not_converged;  ///< completed, not_converged, inverted_element or stopped
-  std::string reason;                                   ///< why it is not completed, for people
+  std::string reason;                                   ///< why it is not completed, for the user
   int iterations = 0;
   int factorisations = 0;
   double residual_N = 0.0;
   double reference_force_N = 0.0;
-  BodyTotals totals;                      ///< at the state that was reached
-  std::vector<double> plenum_volumes_m3;  ///< of the modelled part
-  std::optional<int> negative_pivots;     ///< of the last factorisation; > 0: unstable under dead pressure
+  BodyTotals totals;                      ///< of the last state
+  std::vector<double> plenum_volumes_m3;  ///< of the modelled part of each plenum
+  std::optional<int> negative_pivots;     ///< of the last factorisation; > 0: unstable at constant pressures
 };
 
-/// Finds equilibria of a body: zeros of the residual of Assembly, together with the equation of every plenum.
+/// Finds equilibria of a body: states where the residual of Assembly is zero and the equation of every plenum holds.
 ///
-/// Newton's method, see NewtonSolver. Unknowns are the displacements and the pressures of plena that are not given (bordered
-/// system, eliminated with the factorisation of the stiffness). Full steps, cut back only where volume ratios would not stay
-/// positive: the residual's norm may grow by orders of magnitude on the way to a bent wall, so it does not steer the steps. A
-/// factorisation is used again as long as the residual falls fast with it.
+/// It uses Newton's method (see NewtonSolver). The unknowns are the displacements and the pressures of plena that are not given.
+/// The pressures are eliminated from the bordered system with the factorisation of the stiffness. Steps are full. They are
+/// shortened only where volume ratios would not stay positive. The norm of the residual does not control the steps, because it
+/// may grow by orders of magnitude on the way to a bent wall. A factorisation is reused as long as the residual falls fast with
+/// it.
 ///
-/// Plates: that a held component is where its plate carries it is one more equation, linear, so that the first full step fulfils
-/// it exactly, and the nodes within follow by the stiffness at the start of the step. A step that is cut back carries the plate
-/// part of the way, and the next ones the rest.
+/// Plates add one linear equation per held component: the component is where its plate carries it. The first full step therefore
+/// satisfies these equations exactly, and the nodes inside the body follow by the stiffness at the start of the step. A shortened
+/// step carries the plate part of the distance, and the next steps the rest.
 class Equilibrium {
  public:
-  /// Keeps references.
+  /// Keeps references to space and body.
   Equilibrium(const Space& space, const Body& body, const EquilibriumOptions& options);
   Equilibrium(const Equilibrium&) = delete;
   Equilibrium& operator=(const Equilibrium&) = delete;
 
-  /// The state at rest, pressures zero.
+  /// Returns the state at rest: displacements and pressures are zero.
   [[nodiscard]] BodyState rest() const;
 
-  /// Improves a state until it is an equilibrium; left as reached.
+  /// Improves a state until it is an equilibrium. If none is found, the state is the last one of the search.
   /// @param controls one per plenum
-  /// @param pressures_of_first_stiffness pressures, one per plenum, to linearise the first iteration with (those of the last
-  /// equilibrium, if the state is that one still); empty: those of the state
+  /// @param pressures_of_first_stiffness pressures, one per plenum, with which the first iteration is linearised. If the state is
+  /// still the last equilibrium, give that one's pressures. Empty: those of the state.
   EquilibriumReport solve(BodyState& state, std::span<const PlenumControl> controls, double dead_load_factor,
                           std::span<const double> pressures_of_first_stiffness = {}, const std::atomic<bool>* stop = nullptr);
 
-  /// Where the plates are to be in the next searches, one motion per plate (asserts); at rest before the first call.
+  /// Sets the positions of the plates for the next searches, one motion per plate (asserts). Before the first call they are at
+  /// rest.
   void move_plates(std::span<const PlateMotion> motions);
 
-  /// Number of negative eigenvalues of the stiffness at a state and its pressures: 0 where it is stable under them. Costs a
-  /// factorisation; nothing with the iterative method.
+  /// Returns the number of negative eigenvalues of the stiffness at a state and its pressures: 0 where the state is stable under
+  /// them. It needs a factorisation; nothing with the iterative method.
   std::optional<int> count_negative_pivots(const BodyState& state, double dead_load_factor);
 
-  /// Totals of any state, and the volume of each plenum.
+  /// Returns the totals of a body in a state, which need not be an equilibrium: energies, volumes, ground force and work of the
+  /// dead loads (see BodyTotals). They follow from the displacements of the state alone. The reactions of plates are left empty.
   BodyTotals totals(const BodyState& state, double dead_load_factor);
+  /// Returns the volume of each plenum, m^3: the sum of the volumes of its chambers in `totals`.
   [[nodiscard]] std::vector<double> plenum_volumes(const BodyTotals& totals) const;
 
   [[nodiscard]] Assembly& assembly() { return assembly_; }
@@ -93,7 +98,7 @@ class Equilibrium {
   [[nodiscard]] const Body& body() const { return body_; }
 
  private:
-  /// A component that a plate holds: its place among the owned ones, and where it is to be.
+  /// A component that a plate holds: its index among the owned ones, and its imposed displacement.
   struct PlateComponent {
     std::size_t place;
     double imposed_m;
@@ -119,7 +124,7 @@ class Equilibrium {
   [[nodiscard]] double times_gradient(std::size_t plenum, Vec vector) const;
   void carry_along(Vec trial, Vec from, double length) const;
   void follow_step(Vec from);
-  [[nodiscard]] NewtonVerdict judge();
+  [[nodiscard]] NewtonVerdict check();
   [[nodiscard]] bool is_free(std::size_t plenum) const { return !std::holds_alternative<PressureControl>(controls_[plenum]); }
   [[nodiscard]] std::size_t owned_components() const { return 3 * static_cast<std::size_t>(space_.owned_count); }
   [[nodiscard]] double norm_of_owned(std::span<const double> field) const;
@@ -130,8 +135,8 @@ class Equilibrium {
   int rank_;
   Assembly assembly_;
   LinearSolver linear_;
-  /// Vectors of the unknowns hold the owned displacement components and, on the first rank, the pressures of all plena; those
-  /// that are given have the residual zero and do not change.
+  /// Vectors of the unknowns hold the owned displacement components and, on the first rank, the pressures of all plena. Given
+  /// pressures have residual zero and do not change.
   VectorHandle unknown_;
   NewtonSolver newton_;
   VectorHandle displacement_part_;
@@ -139,7 +144,7 @@ class Equilibrium {
   std::vector<VectorHandle> influences_;  ///< K^-1 dV/du of each plenum that is free
   std::vector<PlateMotion> motions_;
   std::vector<PlateComponent> plate_components_;
-  bool is_held_;  ///< MUMPS does not notice a singular stiffness
+  bool is_held_;  ///< needed because MUMPS does not notice a singular stiffness
   double diameter_m_ = 0.0;
   double floor_N_ = 0.0;
   double dead_load_norm_N_ = 0.0;
@@ -147,7 +152,7 @@ class Equilibrium {
 
   // Of the running search.
   std::span<const PlenumControl> controls_;
-  std::span<const double> first_pressures_;  ///< until the first stiffness has been assembled
+  std::span<const double> first_pressures_;  ///< empty once the first stiffness has been assembled
   int growing_steps_ = 0;
   double residual_before_N_ = 0.0;
   double largest_step_m_ = 0.0;
@@ -162,12 +167,12 @@ class Equilibrium {
   BodyTotals totals_;
   double residual_N_ = 0.0;
   double reference_N_ = 0.0;
-  double plate_distance_m_ = 0.0;  ///< largest distance of a held component from where its plate carries it
+  double plate_distance_m_ = 0.0;  ///< largest distance of a held component from its imposed position
 
   // Of the stiffness that is factorised.
   std::vector<std::vector<double>> gradients_of_factor_;
-  std::vector<double> plate_step_m_;        ///< per local component, minus what is left of the way
-  std::vector<double> plate_step_force_N_;  ///< K times it
+  std::vector<double> plate_step_m_;        ///< per local component, minus the rest of the distance to the imposed position
+  std::vector<double> plate_step_force_N_;  ///< K times plate_step_m_
 };
 
 }  // namespace menger::fem

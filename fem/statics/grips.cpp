@@ -11,9 +11,10 @@ namespace menger::fem {
 
 namespace {
 
-constexpr double plane_tolerance = 1e-9;  ///< of the extent of a face
+constexpr double plane_tolerance = 1e-9;  ///< relative to the extent of a face
 
-/// (1 - cos a) / a and sin(a) / a - 1 without cancellation at small angles.
+/// The displacement of the end of a bar that bends into an arc: (1 - cos a) / a and sin(a) / a - 1, without cancellation at small
+/// angles.
 Point arc(double length_m, double angle_rad) {
   if (std::abs(angle_rad) < 1e-4) {  // the next terms of the series are below rounding
     const double square = angle_rad * angle_rad;

@@ -10,30 +10,32 @@
 
 namespace menger::fem {
 
-/// Where a plate is: it turns about its centre by a rotation vector and shifts.
+/// The motion of a plate since the reference configuration: a rotation about its centre and a displacement.
 struct PlateMotion {
   Point displacement_m{};  ///< of its centre
-  Point rotation_rad{};    ///< axis times angle, right-handed
+  Point rotation_rad{};    ///< rotation vector: axis times angle, right-handed
 
   bool operator==(const PlateMotion&) const = default;
 };
 
-/// How a plate moves along a path: its motion at every knot, displacement and rotation vector linear between them. At the first
-/// knot it is at rest.
+/// The motion of a plate along a path, at every knot. Displacement and rotation vector are linear between knots. At the first
+/// knot the plate is at rest.
 struct PlateDrive {
   std::vector<PlateMotion> values;  ///< one per knot of the path
-  /// > 0: beside its displacement the centre follows the end of a bar of this length along x that bends into a circular arc as
-  /// the plate turns by a about +y: x = l sin(a) / a - l, z = -l (1 - cos(a)) / a
+  /// > 0: in addition to its displacement, the centre follows the end of a bar of this length along x that bends into a circular
+  /// arc as the plate rotates by a about +y: x = l sin(a) / a - l, z = -l (1 - cos(a)) / a
   double arc_length_m = 0.0;
 };
 
-/// The motion at a path parameter, that of the last knot beyond it. At rest without knots.
+/// Returns the motion of a plate at a path parameter. Beyond the last knot it is that of the last knot; without knots the plate
+/// is at rest.
 PlateMotion motion_at(const PlateDrive& drive, double s);
 
-/// Where a plate carries a point of the reference configuration: d + R (X - C) + C - X with R = exp of the rotation vector.
+/// Returns the displacement of a point that a plate carries: d + R (X - C) + C - X, with the point X in the reference
+/// configuration and R = exp of the rotation vector.
 Point plate_displacement(const Plate& plate, const PlateMotion& motion, const Point& position);
 
-/// Force and moment, about the present position of its centre, of a plate on the body.
+/// Force and moment of a plate on the body. The moment is about the present position of the plate's centre.
 struct PlateReaction {
   Point force_N{};
   Point moment_N_m{};
@@ -44,18 +46,19 @@ struct PlateReaction {
 /// Whether a face belongs to a set.
 bool contains(const FaceSet& set, const Space& space, const SpaceFace& face);
 
-/// The owned nodes on the faces of a set, whichever rank's elements have them. Collective.
+/// Returns the owned nodes on the faces of a set, also where the faces belong to elements of other ranks. Collective.
 std::vector<Index> owned_nodes_of(const FaceSet& set, const Space& space, const NodeExchange& exchange);
 
-/// The mean over the reference area of some faces as a sum over nodes.
+/// The mean over the reference area of a set of faces, stored as weights of nodes.
 class FaceMean {
  public:
   FaceMean(const FaceSet& set, const Space& space);
 
   [[nodiscard]] double area_m2() const { return area_m2_; }  ///< of the faces of all ranks; 0 if there are none
-  /// Mean displacement of the faces (area > 0, asserts). Collective. @param displacements 3 per local node, ghosts up to date
+  /// Returns the mean displacement of the faces (area > 0, asserts). Collective. @param displacements 3 per local node, ghosts up
+  /// to date
   [[nodiscard]] Point displacement_m(std::span<const double> displacements) const;
-  /// Mean position of the faces in the reference configuration.
+  /// Returns the mean position of the faces in the reference configuration.
   [[nodiscard]] Point position_m() const;
 
  private:

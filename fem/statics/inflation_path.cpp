@@ -17,17 +17,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Volume ratio of a quadrature point that tells of an element too coarse for its strain.
+/// Below this volume ratio at a quadrature point, an element is too coarse for its strain.
 constexpr double collapsing_ratio = 0.5;
 
-/// Where no step is found any more, a limit point that is extrapolated this near is what stops the path.
+/// If no further step is found, an extrapolated limit point that is this near (relative to the pressure) counts as the cause.
 constexpr double near_limit = 0.02;
 
-/// Solutions to bring a limit point from the parabola through three steps of the path to about 1e-6 of its pressure.
+/// Number of solutions that bring a limit point from the parabola through three steps of the path to about 1e-6 of its pressure.
 constexpr int limit_point_passes = 3;
 
-/// A path under control by pressure ends this near to a limit point, as a part of its pressure: the volume then lacks some per
-/// cent.
+/// A path under control by pressure ends this near to a limit point, relative to its pressure. The volume then still differs from
+/// that of the limit point by a few per cent.
 constexpr double close_to_limit = 5e-4;
 
 class PathFollower {
@@ -41,7 +41,7 @@ class PathFollower {
   enum class StepOutcome { accepted, rejected, ended };
 
   void begin();
-  void take_up(const PathRestart& restart);
+  void resume(const PathRestart& restart);
   StepOutcome try_step(double s);
   EquilibriumReport solve_at(double s, BodyState& state, int order);
   bool is_unstable(const BodyState& state, double s, EquilibriumReport& report);
@@ -68,7 +68,7 @@ class PathFollower {
   std::vector<double> rest_volumes_m3_;  ///< of the plena
   std::vector<double> rest_chamber_volumes_m3_;
   double step_ = 0.0;
-  double failed_s_ = std::numeric_limits<double>::max();  ///< the least s that could not be reached
+  double failed_s_ = std::numeric_limits<double>::max();  ///< the smallest s that could not be reached
   std::optional<double> last_gap_m_;
   std::string failure_;  ///< why the last rejected step was rejected
   io::RunStatus failed_status_ = io::RunStatus::not_converged;
@@ -98,7 +98,7 @@ EquilibriumReport PathFollower::solve_at(double s, BodyState& state, int order) 
   state = history_.at(s, order);
   const std::vector<PlenumControl> controls = schedule_.controls_at(s, rest_volumes_m3_);
   equilibrium_.move_plates(schedule_.plate_motions_at(s, equilibrium_.body().plates.size()));
-  // with nothing extrapolated the body still balances the old pressures
+  // Without extrapolation the body is still in equilibrium with the old pressures.
   const std::vector<double> old = history_.last().plenum_pressures_Pa;
   EquilibriumReport report = equilibrium_.solve(state, controls, schedule_.dead_load_factor_at(s),
                                                 order == 0 ? std::span<const double>(old) : std::span<const double>(), stop_);
@@ -107,16 +107,16 @@ EquilibriumReport PathFollower::solve_at(double s, BodyState& state, int order) 
   return report;
 }
 
-/// Whether an equilibrium at given pressures is beyond a limit or bifurcation point. Pivots of a factorisation made on the way to
-/// the state are confirmed with one of the state itself.
+/// Whether an equilibrium at given pressures lies beyond a limit or bifurcation point. Negative pivots of a factorisation during
+/// the search are confirmed by a factorisation at the state itself.
 bool PathFollower::is_unstable(const BodyState& state, double s, EquilibriumReport& report) {
   if (report.negative_pivots.value_or(0) == 0) return false;
   report.negative_pivots = equilibrium_.count_negative_pivots(state, schedule_.dead_load_factor_at(s));
   return report.negative_pivots.value_or(0) > 0;
 }
 
-/// Whether walls could have crossed unseen since the last state: both have moved further than the gap between them and the depth
-/// to which crossing is recognised.
+/// Whether walls could have crossed unseen since the last state: twice the largest displacement is more than the gap plus the
+/// depth up to which a crossing is recognised.
 bool PathFollower::moved_past_gap(const BodyState& state) const {
   if (!last_gap_m_) return false;
   double largest = 0.0;
@@ -130,7 +130,7 @@ bool PathFollower::moved_past_gap(const BodyState& state) const {
   return 2.0 * std::sqrt(largest) > *last_gap_m_ + gaps_.recognised_depth_m();
 }
 
-/// Whether walls of a chamber may come nearer to each other than they were at rest.
+/// Whether walls of a chamber may be nearer to each other than at rest.
 bool PathFollower::any_chamber_shrinks(const BodyState& state, const BodyTotals& totals) const {
   for (const double pressure_Pa : state.plenum_pressures_Pa)
     if (pressure_Pa < 0.0) return true;
@@ -168,7 +168,7 @@ PathFollower::StepOutcome PathFollower::try_step(double s) {
     gap = gaps_.smallest(state.displacements_m);
     if (gap && gap->is_crossing) return reject(io::RunStatus::wall_contact, "chamber walls would cross");
     if (gap && moved_past_gap(state))
-      return reject(io::RunStatus::not_converged, "chamber walls move too far to see whether they cross");
+      return reject(io::RunStatus::not_converged, "chamber walls move too far to find out whether they cross");
   }
   return accept(s, state, report, gap) ? StepOutcome::accepted : StepOutcome::ended;
 }
@@ -200,7 +200,7 @@ bool PathFollower::accept(double s, const BodyState& state, const EquilibriumRep
   }
   point.seconds = std::chrono::duration<double>(Clock::now() - step_started_).count();
   step_started_ = Clock::now();
-  // a knot is a corner of the path: nothing is extrapolated across it
+  // A knot is a corner of the path, so nothing is extrapolated across it.
   if (!history_.path_parameters().empty() && is_knot(s)) {
     history_.clear();
     failed_s_ = std::numeric_limits<double>::max();
@@ -226,10 +226,10 @@ bool PathFollower::accept(double s, const BodyState& state, const EquilibriumRep
   return true;
 }
 
-/// Under control by volume or gas the pressure has passed an extremum when it turns.
+/// Adds a limit point where the pressure of a plenum under control by volume or gas has passed an extremum.
 void PathFollower::note_limit_points() {
   const std::size_t count = report_.points.size();
-  // at a knot and under growing dead loads pressures turn for reasons of their own
+  // At a knot and under growing dead loads the pressure may turn for other reasons.
   if (count < 3 || report_.points[count - 3].s < 0.0 || is_knot(report_.points[count - 2].s)) return;
   for (std::size_t p = 0; p < drives_.plena.size(); ++p) {
     if (schedule_.is_given_pressure(p) || !schedule_.is_driven(p, report_.points[count - 2].s)) continue;
@@ -239,7 +239,8 @@ void PathFollower::note_limit_points() {
   }
 }
 
-/// Solves for the state at the extremum's volume, and again with the parabola through the three nearest states.
+/// Improves a limit point: solves for the state at the volume of the extremum, and again with the parabola through the three
+/// nearest states.
 LimitPoint PathFollower::refined(LimitPoint found, std::array<PathPoint, 3> around) {
   const std::size_t p = found.plenum;
   for (int pass = 0; pass < limit_point_passes; ++pass) {
@@ -278,14 +279,15 @@ void PathFollower::end(io::RunStatus status, std::string reason) {
   report_.reason = std::move(reason);
 }
 
-/// The limit point that the last three states approach under control by pressure, of the plenum that is nearest to its own.
+/// Returns the limit point that the last three states approach under control by pressure. Of several plena it takes the one that
+/// is relatively nearest to its own.
 std::optional<LimitPoint> PathFollower::nearest_limit() const {
   const std::size_t count = report_.points.size();
   if (count < 3 || !schedule_.all_given_pressures()) return std::nullopt;
   std::optional<LimitPoint> nearest;
   double least = 0.0;
   for (std::size_t p = 0; p < drives_.plena.size(); ++p) {
-    // what the states of a leg on which its pressure rested tell is not of this curve
+    // States of a leg on which the pressure of this plenum was constant do not belong to this curve.
     if (!schedule_.is_driven(p, report_.points[count - 3].s) || !schedule_.is_driven(p, report_.points.back().s)) continue;
     const auto limit = extrapolated_limit(report_.points[count - 3], report_.points[count - 2], report_.points[count - 1], p);
     if (!limit) continue;
@@ -298,15 +300,16 @@ std::optional<LimitPoint> PathFollower::nearest_limit() const {
   return nearest;
 }
 
-/// Whether what the last rejected step ran into is still there for a step from nearer: a limit point or walls that touch, but not
-/// a search that merely failed.
+/// Whether the cause of the last rejected step still lies ahead of a shorter step from a nearer state: a limit point or walls
+/// that touch, but not a search that merely failed.
 bool PathFollower::is_barrier_ahead() const {
   return failed_status_ == io::RunStatus::limit_point || failed_status_ == io::RunStatus::wall_contact ||
          nearest_limit().has_value();
 }
 
-/// After a rejected step: half of it, or less where the states approach a limit point; never less than a tenth.
-/// @return whether there is anything left to try: not once a limit point lies between two pressures that hardly differ
+/// Shortens the step after a rejected one to half of it, or to less where the states approach a limit point, but to no less than
+/// a tenth.
+/// @return whether another step can be tried: false once a limit point lies between two pressures that hardly differ
 bool PathFollower::shorten_step(double target) {
   const PathPoint& last = report_.points.back();
   const double length = target - last.s;
@@ -322,7 +325,7 @@ bool PathFollower::shorten_step(double target) {
   return step_ >= options_.smallest_step;
 }
 
-/// No further step was found.
+/// Ends the path because no further step was found, and states why.
 void PathFollower::end_at_smallest_step() {
   const PathPoint& last = report_.points.back();
   if (failed_status_ == io::RunStatus::wall_contact) {
@@ -337,7 +340,7 @@ void PathFollower::end_at_smallest_step() {
   const bool is_near =
       limit && std::abs(limit->pressure_Pa - last.pressures_Pa[limit->plenum]) < near_limit * std::abs(limit->pressure_Pa);
   if (failed_status_ != io::RunStatus::limit_point && !is_near) {
-    // at large strain single points of coarse quadratic elements collapse long before the body does
+    // At large strain, single points of coarse quadratic elements collapse long before the body does.
     const bool collapses = last.smallest_ratio < collapsing_ratio;
     end(failed_status_, failure_ + (collapses ? "; a point of an element has lost more than half of its volume: a finer mesh or "
                                                 "elements of degree 1 may go further"
@@ -361,7 +364,7 @@ void PathFollower::begin() {
   const Body& body = equilibrium_.body();
   bool has_dead_loads = !body.tractions.empty();
   for (const double component : body.gravity_m_per_s2) has_dead_loads = has_dead_loads || component != 0.0;
-  // on the ground the whole weight at once: without it nothing holds the body down
+  // On the ground the whole weight acts at once: without it nothing holds the body down.
   const double start = has_dead_loads && !body.ground && drives_.dead_load_factors.empty() ? -1.0 : 0.0;
   BodyState state = equilibrium_.rest();
   history_.add(start, state);
@@ -374,7 +377,7 @@ void PathFollower::begin() {
   accept(start, state, report, std::nullopt);
 }
 
-void PathFollower::take_up(const PathRestart& restart) {
+void PathFollower::resume(const PathRestart& restart) {
   for (std::size_t n = 0; n < restart.s.size(); ++n) history_.add(restart.s[n], restart.states[n]);
   report_.points = restart.points;
   report_.limit_points = restart.limit_points;
@@ -387,7 +390,7 @@ void PathFollower::take_up(const PathRestart& restart) {
 
 PathReport PathFollower::follow(const PathRestart* restart) {
   if (restart != nullptr && !restart->points.empty()) {
-    take_up(*restart);
+    resume(*restart);
   } else {
     begin();
     if (report_.points.empty()) return report_;
@@ -401,14 +404,14 @@ PathReport PathFollower::follow(const PathRestart* restart) {
     const double station = schedule_.next_station(s, options_.stations);
     double length = std::min(step_, station - s);
     if (!is_barrier_ahead()) failed_s_ = std::numeric_limits<double>::max();
-    if (s + length > failed_s_ - 1e-12) {  // a step to there or beyond has failed before
+    if (s + length > failed_s_ - 1e-12) {  // a step that far has failed before
       length = 0.5 * (failed_s_ - s);
       if (length < options_.smallest_step) {
         end_at_smallest_step();
         return report_;
       }
     }
-    // a remainder shorter than a fifth of a step is taken along
+    // A remainder shorter than a fifth of a step is added to the step.
     const double target = station - s < 1.2 * length && station < failed_s_ ? station : s + length;
     switch (try_step(target)) {
       case StepOutcome::accepted:

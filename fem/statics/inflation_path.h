@@ -12,7 +12,7 @@
 
 namespace menger::fem {
 
-/// A state on the path, given to the observer and kept in the report.
+/// The results of one state on the path, given to the observer and kept in the report.
 struct PathPoint {
   double s = 0.0;
   int step = 0;                           ///< 0: the state at rest under dead loads
@@ -20,7 +20,7 @@ struct PathPoint {
   std::vector<double> plenum_volumes_m3;  ///< of the modelled part
   std::vector<double> chamber_volumes_m3;
   double strain_energy_J = 0.0;
-  double work_J = 0.0;  ///< of the pressures since the start, sum of integral p dV (trapezoids)
+  double work_J = 0.0;  ///< work of the pressures since the start, sum of integral p dV (trapezoids)
   double dead_load_work_J = 0.0;
   double ground_force_N = 0.0;
   std::vector<PlateReaction> plates;  ///< on the body
@@ -31,7 +31,7 @@ struct PathPoint {
   double seconds = 0.0;
 };
 
-/// A maximum or minimum of the pressure of a plenum as function of its volume.
+/// A maximum or minimum of the pressure of a plenum as a function of its volume.
 struct LimitPoint {
   std::size_t plenum = 0;
   double pressure_Pa = 0.0;  ///< gauge
@@ -39,22 +39,23 @@ struct LimitPoint {
   bool passed = false;  ///< whether states beyond it were reached
 };
 
-/// Steps along a path whose parameter s runs from 0 to the number of its legs, one leg between two knots.
+/// Options of the steps along a path. The path parameter s runs from 0 to the number of legs; a leg lies between two knots.
 struct PathOptions {
   double first_step = 0.25;      ///< of a leg
   double largest_step = 0.5;     ///< of a leg
-  double smallest_step = 1e-4;   ///< of a leg; when even this one fails the path ends
+  double smallest_step = 1e-4;   ///< of a leg; if a step as short as this fails, the path ends
   int desired_iterations = 6;    ///< steps grow when they take fewer, and shrink when they take more
   int predictor_order = 2;       ///< 0: the last state, 1: secant, 2: quadratic through the last three
-  std::vector<double> stations;  ///< values of s that must be met exactly, beside the knots
-  double touching_gap = 1e-3;    ///< walls touch when their gap is this part of the chamber's size; 0: contact is not looked for
-  /// Called after every step: whether the path ends there, `completed`. May be empty.
+  std::vector<double> stations;  ///< values of s to stop at exactly, in addition to the knots
+  /// Walls touch when their gap is smaller than this times the chamber's size. 0: contact is not searched for.
+  double touching_gap = 1e-3;
+  /// Called after every step; true ends the path there with status `completed`. May be empty.
   std::function<bool(const PathPoint& point, const std::vector<LimitPoint>& limit_points)> ends_at{};
 };
 
 struct PathReport {
   io::RunStatus status = io::RunStatus::completed;
-  std::string reason;  ///< for people: what was reached and why it ended there
+  std::string reason;  ///< for the user: what was reached and why the path ended there
   std::vector<PathPoint> points;
   std::vector<LimitPoint> limit_points;
   int iterations = 0;
@@ -62,15 +63,15 @@ struct PathReport {
   int rejected_steps = 0;
 };
 
-/// Where a path can be taken up again: the last states, oldest first.
+/// What a path needs to go on from where it was interrupted.
 struct PathRestart {
-  std::vector<double> s{};
-  std::vector<BodyState> states{};
-  std::vector<PathPoint> points{};  ///< all of them so far
+  std::vector<double> s{};          ///< path parameters of `states`, oldest first
+  std::vector<BodyState> states{};  ///< at most three, none from before the last knot: the next is extrapolated from them
+  std::vector<PathPoint> points{};  ///< results of all states so far
   std::vector<LimitPoint> limit_points{};
   double next_step = 0.0;
-  double failed_s = std::numeric_limits<double>::max();        ///< the least s that could not be reached
-  io::RunStatus failed_status = io::RunStatus::not_converged;  ///< why
+  double failed_s = std::numeric_limits<double>::max();        ///< the smallest s that could not be reached
+  io::RunStatus failed_status = io::RunStatus::not_converged;  ///< why it could not be reached
   int rejected_steps = 0;
 };
 
@@ -79,18 +80,18 @@ using PathObserver = std::function<void(const PathPoint& point, const BodyState&
 
 /// Follows equilibria along the drives of plena and plates, with adaptive steps.
 ///
-/// The path starts at rest, at the values of s = 0 (0 for pressures, 1 for ratios). Dead loads grow before that, from s = -1 to
-/// 0; if there is a ground, they act in full from the start.
+/// The path starts at rest, with the drives at their values at s = 0 (0 for pressures, 1 for ratios). Dead loads grow before
+/// that, from s = -1 to 0. If there is a ground, they act in full from the start.
 ///
-/// Stability (limit points under control by pressure) is judged where all plena are driven by pressure and the linear solver is
-/// direct; with mixed drives a path that meets such a point ends `not_converged`.
-/// @param stop set on any rank, at any time; ranks agree on it between steps and iterations
-/// @param restart of an earlier, interrupted run with the same body and drives
+/// Stability (limit points under control by pressure) is checked where all plena are driven by pressure and the linear solver is
+/// direct. With mixed drives a path that meets such a point ends as `not_converged`.
+/// @param stop may be set on any rank at any time; the ranks agree on it between steps and iterations
+/// @param restart from an earlier, interrupted run with the same body and drives
 PathReport follow_path(Equilibrium& equilibrium, const PathDrives& drives, const PathOptions& options,
                        const PathObserver& observer, const std::atomic<bool>* stop = nullptr,
                        const PathRestart* restart = nullptr);
 
-/// The same with plates, if there are any, at rest.
+/// Follows a path on which all plates, if there are any, stay at rest.
 PathReport follow_path(Equilibrium& equilibrium, const std::vector<PlenumDrive>& plena, const PathOptions& options,
                        const PathObserver& observer, const std::atomic<bool>* stop = nullptr,
                        const PathRestart* restart = nullptr);

@@ -38,7 +38,7 @@ std::optional<LimitPoint> pressure_extremum(const PathPoint& first, const PathPo
   const double after = third.pressures_Pa[plenum] - second.pressures_Pa[plenum];
   const double volume_before = second.plenum_volumes_m3[plenum] - first.plenum_volumes_m3[plenum];
   const double volume_after = third.plenum_volumes_m3[plenum] - second.plenum_volumes_m3[plenum];
-  if (!(before * after < 0.0) || !(volume_before * volume_after > 0.0)) return std::nullopt;  // the drive itself may turn
+  if (!(before * after < 0.0) || !(volume_before * volume_after > 0.0)) return std::nullopt;  // the drive itself may turn back
   const auto parabola = parabola_through(first, second, third, plenum);
   if (!parabola) return std::nullopt;
   return top_of(*parabola, plenum, true);

@@ -6,14 +6,14 @@
 
 namespace menger::fem {
 
-/// The extremum of a plenum's pressure between three consecutive states, if it turns in the middle one: that of the parabola
-/// through them, p over V.
+/// Returns the extremum of a plenum's pressure between three consecutive states, if the pressure turns at the middle one. It is
+/// the extremum of the parabola p(V) through them.
 std::optional<LimitPoint> pressure_extremum(const PathPoint& first, const PathPoint& second, const PathPoint& third,
                                             std::size_t plenum);
 
-/// The limit point that three states under control by pressure approach: near it V - V_limit falls as sqrt(p_limit - p), so p is
-/// a parabola in V with its top there. Nothing if the parabola has no top ahead, or one that is further away than a few times the
-/// last step of pressure.
+/// Returns the limit point that three states under control by pressure approach. Near a limit point V - V_limit falls as
+/// sqrt(p_limit - p), so p is a parabola in V whose top is the limit point. Nothing if the parabola has no top ahead, or one that
+/// is more than five times the last step of pressure away.
 std::optional<LimitPoint> extrapolated_limit(const PathPoint& first, const PathPoint& second, const PathPoint& third,
                                              std::size_t plenum);
 

@@ -35,7 +35,7 @@ void LinearSolver::set_up_direct() {
   petsc(PCFactorSetUpMatSolverType(preconditioner));
   Mat factor = nullptr;
   petsc(PCFactorGetMatrix(preconditioner, &factor));
-  petsc(MatMumpsSetIcntl(factor, 7, 5));  // METIS, whose fill is the smallest for hexahedra
+  petsc(MatMumpsSetIcntl(factor, 7, 5));  // METIS ordering: smallest fill for hexahedra
   petsc(MatMumpsSetIcntl(factor, 14, workspace_percent_));
 }
 
@@ -69,7 +69,7 @@ bool LinearSolver::prepare() {
     petsc(KSPGetPC(solver_, &preconditioner));
     PCFailedReason reason = PC_NOERROR;
     petsc(PCGetFailedReason(preconditioner, &reason));
-    // pivots that an indefinite matrix delays need more workspace than was estimated
+    // Delayed pivots of an indefinite matrix need more workspace than the estimate.
     if (reason != PC_FACTOR_OUTMEMORY || !direct_) return reason == PC_NOERROR;
     Mat factor = nullptr;
     petsc(PCFactorGetMatrix(preconditioner, &factor));
@@ -86,7 +86,7 @@ bool LinearSolver::solve(Vec b, Vec x) {
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
   petsc(KSPGetConvergedReason(solver_, &reason));
   if (reason > 0 || direct_) return reason > 0;
-  // On the way to an equilibrium the stiffness may be indefinite, where conjugate gradients break down.
+  // Conjugate gradients break down where the stiffness is indefinite, as it may be before an equilibrium is reached.
   petsc(KSPSetType(solver_, KSPGMRES));
   petsc(KSPGMRESSetRestart(solver_, gmres_restart));
   petsc(KSPSolve(solver_, b, x));

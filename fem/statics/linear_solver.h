@@ -7,19 +7,19 @@
 
 namespace menger::fem {
 
-/// How linear systems with the stiffness are solved.
+/// The method that solves linear systems with the stiffness.
 enum class LinearMethod {
   automatic,  ///< direct up to largest_direct_size unknowns, iterative above
   direct,     ///< MUMPS, LDL^T of the symmetric matrix, which may be indefinite
-  /// Conjugate gradients, preconditioned by algebraic multigrid (GAMG) that knows the rigid-body modes; GMRES where the matrix
-  /// turns out indefinite.
+  /// Conjugate gradients, preconditioned by algebraic multigrid (GAMG) with the rigid-body modes as near-null space; GMRES where
+  /// the matrix turns out indefinite.
   iterative
 };
 
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
   int largest_direct_size = 150'000;  ///< unknowns
-  double relative_tolerance = 1e-7;   ///< of the iterative method
+  double relative_tolerance = 1e-7;   ///< for the iterative method
 };
 
 /// The stiffness matrix of a body and a solver for it.
@@ -27,21 +27,21 @@ class LinearSolver {
  public:
   LinearSolver(const Assembly& assembly, const LinearOptions& options);
 
-  /// The matrix to assemble into.
+  /// Returns the matrix to assemble into.
   [[nodiscard]] Mat matrix() const { return matrix_; }
 
-  /// Takes over the matrix's present values: a factorisation, or a new preconditioner.
-  /// @return whether it could be done; a singular matrix cannot
+  /// Prepares solutions with the present values of the matrix: computes a factorisation or a new preconditioner.
+  /// @return whether it succeeded; it does not with a singular matrix
   bool prepare();
 
-  /// x = K^-1 b with the values of the last preparation. @return whether a solution was found
+  /// Solves x = K^-1 b with the values of the last preparation. @return whether a solution was found
   bool solve(Vec b, Vec x);
 
-  /// Number of negative pivots of the factorisation: the negative eigenvalues of the stiffness. Nothing with the iterative
-  /// method.
+  /// Returns the number of negative pivots of the factorisation, which is the number of negative eigenvalues of the stiffness.
+  /// Nothing with the iterative method.
   [[nodiscard]] std::optional<int> negative_pivots() const;
 
-  /// A vector of the unknowns, owned components of this rank.
+  /// Creates a vector of the unknowns: the owned components of this rank.
   [[nodiscard]] VectorHandle make_vector() const;
 
  private:
@@ -51,7 +51,7 @@ class LinearSolver {
   MatrixHandle matrix_;
   LinearSolverHandle solver_;
   bool direct_;
-  int workspace_percent_ = 20;  ///< of MUMPS beyond its estimate
+  int workspace_percent_ = 20;  ///< extra workspace of MUMPS beyond its estimate
 };
 
 }  // namespace menger::fem

@@ -8,19 +8,19 @@
 namespace menger::fem {
 namespace {
 
-constexpr double rate_of_new_tangent = 0.5;  // not known yet; the second step says
+constexpr double rate_of_new_tangent = 0.5;  // assumed until the second step measures it
 
-/// Lengths of a step between which y . R changes its sign, and its values there.
+/// A bracket of the step length: y . R changes its sign between length 0 and `high`.
 struct Bracket {
   double at_low = 0.0;  ///< > 0, at length 0
   double high = 1.0;
   double at_high = 0.0;  ///< < 0
 
-  /// By false position, inside by a tenth.
+  /// The next length by false position, kept a tenth of the interval away from its ends.
   [[nodiscard]] double guess() const { return high * std::clamp(at_low / (at_low - at_high), 0.1, 0.9); }
 };
 
-/// The vectors of a line search, which belong to PETSc.
+/// The vectors of a line search; PETSc owns them.
 struct StepVectors {
   explicit StepVectors(SNESLineSearch line_search) { petsc(SNESLineSearchGetVecs(line_search, &x, &f, &y, &trial, &trial_f)); }
   Vec x = nullptr;  ///< the step goes from x to x - length y
@@ -30,7 +30,8 @@ struct StepVectors {
   Vec trial_f = nullptr;
 };
 
-/// PETSc has no reason for an end from outside; its limit of evaluations, whose word this is, cannot be reached.
+/// PETSc has no reason for a stop from outside. This one means that its limit of evaluations was reached, which cannot happen
+/// here.
 constexpr SNESConvergedReason stopped_from_outside = SNES_DIVERGED_FUNCTION_COUNT;
 
 NewtonEnd end_of(SNESConvergedReason reason) {
@@ -85,7 +86,7 @@ NewtonSolver::NewtonSolver(Vec prototype, NewtonProblem problem, NewtonOptions o
 void NewtonSolver::create() {
   PetscInt here = 0;
   petsc(VecGetLocalSize(residual_, &here));
-  // SNES and KSP want a matrix to hand on; nothing multiplies with it.
+  // SNES and KSP need a matrix object; nothing multiplies with it.
   petsc(MatCreateShell(communicator_, here, here, PETSC_DETERMINE, PETSC_DETERMINE, this, shell_.receive()));
   petsc(SNESCreate(communicator_, snes_.receive()));
   petsc(SNESSetType(snes_, SNESNEWTONLS));
@@ -128,7 +129,8 @@ NewtonOutcome NewtonSolver::solve(Vec x, const std::atomic<bool>* stop) {
   return {end_of(reason), static_cast<int>(iterations), tangents_ - earlier_tangents};
 }
 
-/// PETSc gives up at the first number that is not finite; a state without a residual is dealt with in the search along the step.
+/// PETSc stops at the first number that is not finite. A state without a residual therefore gets zeros here, and the line search
+/// handles it.
 PetscErrorCode NewtonSolver::compute_function(SNES, Vec x, Vec f, void* context) {
   auto& self = *static_cast<NewtonSolver*>(context);
   self.has_residual_ = self.problem_.residual(x, f);
@@ -196,7 +198,7 @@ void NewtonSolver::take_step(SNESLineSearch line_search) {
   petsc(VecCopy(step.trial, step.x));
   petsc(VecCopy(step.trial_f, step.f));
   measure_step(step.y);
-  petsc(SNESLineSearchSetNorms(line_search, 1.0, 1.0, 1.0));  // the problem judges, SNES does not
+  petsc(SNESLineSearchSetNorms(line_search, 1.0, 1.0, 1.0));  // the problem decides on convergence, not SNES
   petsc(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_SUCCEEDED));
 }
 
@@ -222,7 +224,7 @@ void NewtonSolver::go_to_minimum(SNESLineSearch line_search, const BracketedStep
   double length = 1.0;
   for (int n = 0; n < rule.most_trials; ++n) {
     evaluate_trial(line_search, length);
-    double at_trial = -at_start;  // where there is no residual: half as far next
+    double at_trial = -at_start;  // without a residual: try half the length next
     if (has_residual_) {
       petsc(VecDot(step.y, step.trial_f, &at_trial));
       if (at_start <= 0.0 || at_trial >= -rule.tolerable_overshoot * at_start) return;
@@ -249,10 +251,10 @@ NewtonIterate NewtonSolver::iterate(int steps) const {
   return result;
 }
 
-SNESConvergedReason NewtonSolver::judge(int steps) const {
+SNESConvergedReason NewtonSolver::check(int steps) const {
   if (is_told_to_stop(stop_, communicator_)) return stopped_from_outside;
   if (!has_residual_) return SNES_DIVERGED_FUNCTION_DOMAIN;
-  switch (problem_.judge(iterate(steps))) {
+  switch (problem_.check(iterate(steps))) {
     case NewtonVerdict::solved:
       return SNES_CONVERGED_FNORM_ABS;
     case NewtonVerdict::diverging:
@@ -264,7 +266,7 @@ SNESConvergedReason NewtonSolver::judge(int steps) const {
 
 PetscErrorCode NewtonSolver::test_convergence(SNES, PetscInt iteration, PetscReal, PetscReal, PetscReal,
                                               SNESConvergedReason* reason, void* context) {
-  *reason = static_cast<NewtonSolver*>(context)->judge(static_cast<int>(iteration));
+  *reason = static_cast<NewtonSolver*>(context)->check(static_cast<int>(iteration));
   return 0;
 }
 

@@ -12,62 +12,64 @@
 
 namespace menger::fem {
 
-/// Where Newton's method stands after some steps.
+/// The progress of Newton's method after some steps.
 struct NewtonIterate {
   int steps = 0;
-  /// Estimate of the distance to the solution, in the size of steps; infinite before the first step and where the rule of reuse
-  /// does not measure steps, see ReuseWhileStepsShrink.
+  /// Estimate of the distance to the solution, in the norm of the steps. Infinite before the first step and where the rule of
+  /// reuse does not measure steps, see ReuseWhileStepsShrink.
   double distance = std::numeric_limits<double>::infinity();
 };
 
 enum class NewtonVerdict { go_on, solved, diverging };
 
-/// The equation R(x) = 0, and what only it knows. The functions are collective and return the same on all ranks; vectors have the
+/// The equation R(x) = 0 and the functions that define it. They are collective and return the same on all ranks. Vectors have the
 /// layout of the solver's prototype.
 struct NewtonProblem {
-  /// R(x). @return whether there is one; R counts as none, too, where a number of it is not finite
+  /// Computes R(x). @return whether it exists; an R with a number that is not finite does not count as existing
   std::function<bool(Vec x, Vec residual)> residual;
-  /// Makes dR/dx at x, or something near it, ready for solutions: a factorisation, or a preconditioner. @return whether it could
+  /// Prepares solutions with dR/dx at x, or with an approximation of it: a factorisation or a preconditioner. @return whether it
+  /// succeeded
   std::function<bool(Vec x)> prepare_tangent;
-  /// y = (dR/dx)^-1 b with what was prepared last. @return whether a solution was found
+  /// Solves y = (dR/dx)^-1 b with the last preparation. @return whether a solution was found
   std::function<bool(Vec b, Vec y)> solve_tangent;
-  /// Asked at the start and after each step, when R of the state has just been evaluated.
-  std::function<NewtonVerdict(const NewtonIterate& iterate)> judge;
+  /// Decides whether to go on. Called at the start and after each step, when R of the state has just been evaluated.
+  std::function<NewtonVerdict(const NewtonIterate& iterate)> check;
   /// May correct a trial state from - length y before its residual is evaluated.
   std::function<void(Vec trial, Vec from, double length)> correct_trial{};
-  /// Told of each step that is taken, when R(to) has just been evaluated.
+  /// Called after each step that is taken, when R(to) has just been evaluated.
   std::function<void(Vec from, Vec to)> follow_step{};
 };
 
-/// Steps are full ones, halved as often as needed to reach a state that has a residual.
+/// Full Newton steps, halved as often as needed to reach a state that has a residual.
 struct HalvedSteps {
-  double shortest = 1.0 / 64;  ///< part of the full step
+  double shortest = 1.0 / 64;  ///< shortest part of the full step
 };
 
-/// Full Newton steps, but a step that goes far beyond the minimum of the energy is shortened by false position.
+/// Full Newton steps. A step that goes far beyond the minimum of the energy is shortened by false position.
 ///
-/// With the step y and the residual R, the gradient of the energy, the slope along the step is y . R. A step goes too far if the
-/// slope has changed its sign at the end and is larger there than `tolerable_overshoot` times that at the start, as where two
-/// nodes stick by turns.
+/// The residual R is the gradient of the energy, so with the step y the slope along the step is y . R. A step goes too far if the
+/// slope has changed its sign at the end and is larger there than `tolerable_overshoot` times that at the start. This happens,
+/// for example, where two nodes stick in turn.
 struct BracketedSteps {
   int most_trials = 6;
   double tolerable_overshoot = 0.5;
 };
 
-/// A tangent is used again within a solve if the residual fell at least by the first factor with it when it was new, and after
-/// that as long as it falls by the second: the cost of a few solutions against that of a factorisation.
+/// A rule that reuses a tangent within one solve. It is reused if, in the first step with it, the residual fell to less than the
+/// first factor of its former size. After that it is reused as long as each step reduces the residual by the second factor. The
+/// cost of a few solutions replaces that of a factorisation.
 struct ReuseWhileResidualFalls {
-  std::function<double()> residual_size;  ///< of the state that was evaluated last
+  std::function<double()> residual_size;  ///< size of the residual at the state that was evaluated last
   double first_reduction = 0.02;
   double lasting_reduction = 0.2;
 };
 
-/// A tangent is used again, also by the next solves, as long as the ratio of two steps is at most `slowest_rate`: for many
-/// equations, each near the last. What is left after a step of size d is taken for d r / (1 - r), r being the ratio of the last
-/// two; the first step is judged by the ratio of the last solve.
+/// A rule that reuses a tangent, also in later solves, as long as the ratio of two successive steps is at most `slowest_rate`. It
+/// suits many equations, each near the last. After a step of size d the remaining distance is estimated as d r / (1 - r), where r
+/// is the ratio of the last two steps. For the first step of a solve r is that of the last solve.
 struct ReuseWhileStepsShrink {
   std::function<double(Vec step)> step_size;  ///< a norm
-  double slowest_rate = 0.6;                  ///< a factorisation costs about as much as eight steps
+  double slowest_rate = 0.6;                  ///< chosen so because a factorisation costs about as much as eight steps
 };
 
 struct NewtonOptions {
@@ -76,29 +78,29 @@ struct NewtonOptions {
   std::variant<ReuseWhileResidualFalls, ReuseWhileStepsShrink> reuse;
 };
 
-/// Why Newton's method ended.
+/// The reason why Newton's method ended.
 enum class NewtonEnd {
   solved,
   too_many_iterations,
   no_residual,     ///< none at the start, or none along a step, however short
-  linear_failure,  ///< the tangent could not be prepared, or a linear system with it not be solved
-  diverging,       ///< so the problem judged
+  linear_failure,  ///< the tangent could not be prepared, or no linear solution was found
+  diverging,       ///< decided by NewtonProblem::check
   stopped
 };
 
 struct NewtonOutcome {
   NewtonEnd end = NewtonEnd::too_many_iterations;
   int iterations = 0;  ///< steps taken
-  int tangents = 0;    ///< prepared in this solve
+  int tangents = 0;    ///< tangents prepared in this solve
 
   /// completed, inverted_element (no residual), stopped or not_converged.
   [[nodiscard]] io::RunStatus status() const;
 };
 
-/// Whether any rank has been told to stop; the same on all ranks. @param stop or nullptr, on all ranks alike
+/// Returns whether any rank has been asked to stop; the same on all ranks. @param stop or nullptr, on all ranks alike
 bool is_told_to_stop(const std::atomic<bool>* stop, MPI_Comm communicator);
 
-/// Newton's method by PETSc's SNES: the one solver of nonlinear equations of the finite elements.
+/// Newton's method with PETSc's SNES. All nonlinear equations of the finite elements are solved by it.
 class NewtonSolver {
  public:
   /// @param prototype a vector of the unknowns
@@ -106,14 +108,14 @@ class NewtonSolver {
   NewtonSolver(const NewtonSolver&) = delete;
   NewtonSolver& operator=(const NewtonSolver&) = delete;
 
-  /// Improves x until the problem judges it solved; otherwise x is left as the last step reached it. Collective.
-  /// @param stop asked before the start and after each step
+  /// Improves x until `check` returns `solved`. Otherwise x is left at the last step. Collective.
+  /// @param stop checked before the start and after each step
   [[nodiscard]] NewtonOutcome solve(Vec x, const std::atomic<bool>* stop = nullptr);
 
-  /// The next step prepares a tangent of its own.
+  /// Makes the next step prepare a new tangent.
   void forget_tangent() { is_stale_ = true; }
 
-  /// How many tangents were prepared by all solves.
+  /// Returns the number of tangents that all solves have prepared.
   [[nodiscard]] int tangents() const { return tangents_; }
 
  private:
@@ -132,7 +134,7 @@ class NewtonSolver {
   void go_to_minimum(SNESLineSearch line_search, const BracketedSteps& rule);
   void measure_step(Vec step);
   [[nodiscard]] NewtonIterate iterate(int steps) const;
-  [[nodiscard]] SNESConvergedReason judge(int steps) const;
+  [[nodiscard]] SNESConvergedReason check(int steps) const;
 
   NewtonProblem problem_;
   NewtonOptions options_;
@@ -151,7 +153,7 @@ class NewtonSolver {
 
   // ReuseWhileStepsShrink.
   double rate_;             ///< of the last solve
-  double this_rate_ = 0.0;  ///< of this one; 0: not known yet
+  double this_rate_ = 0.0;  ///< of this solve; 0: not known yet
   double step_size_ = 0.0;
   int steps_with_tangent_ = 0;  ///< in this solve
 };

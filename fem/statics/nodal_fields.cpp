@@ -10,8 +10,8 @@
 namespace menger::fem {
 namespace {
 
-/// Values at the nodes of an edge of an element of the polynomials that are 1 at one point of Gauss's rule and 0 at the others:
-/// row per node, column per point.
+/// The values, at the nodes of an edge of an element, of the polynomials that are 1 at one point of Gauss's rule and 0 at the
+/// others. One row per node, one column per point.
 template <std::size_t m>
 constexpr std::array<std::array<double, m>, m> extrapolation() {
   constexpr auto rule = gauss_rule<m>();
@@ -31,7 +31,7 @@ constexpr std::array<std::array<double, m>, m> extrapolation() {
 
 constexpr std::size_t component_count = 16;  // F, sigma, J
 
-/// One element's values at its nodes from those at its quadrature points, both lexicographic.
+/// Extrapolates one element's values from its quadrature points to its nodes, both in lexicographic order.
 template <std::size_t m>
 void add_element(std::span<const Index> nodes, const std::function<double(std::size_t point, std::size_t component)>& value,
                  std::vector<std::vector<double>>& sums) {
@@ -43,7 +43,7 @@ void add_element(std::span<const Index> nodes, const std::function<double(std::s
       for (std::size_t c = 0; c < component_count; ++c)
         sums[c / 3][3 * static_cast<std::size_t>(nodes[a]) + c % 3] += weight * value(q, c);
     }
-    // the last group of three has room for the number of elements
+    // The last group of three has room for the number of elements.
     sums[component_count / 3][3 * static_cast<std::size_t>(nodes[a]) + component_count % 3] += 1.0;
   }
 }
@@ -55,7 +55,7 @@ constexpr std::array<std::size_t, 6> symmetric_places{0, 4, 8, 1, 5, 2};  // xx,
 NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacements) {
   const Space& space = assembly.space();
   const std::size_t count = space.positions.size();
-  // the exchange carries three numbers per node
+  // The exchange transfers three numbers per node.
   std::vector<std::vector<double>> sums(component_count / 3 + 1, std::vector<double>(3 * count, 0.0));
   assembly.elements().evaluate_points(displacements, [&](const ElementGroups::PointResult& points) {
     const auto nodes =

@@ -7,7 +7,7 @@ namespace menger::fem {
 
 namespace {
 
-/// Values of s nearer than this are the same.
+/// Values of s that differ by less than this count as equal.
 constexpr double rounding = 1e-12;
 
 /// Linear interpolation between knots 0, 1, 2, ...

@@ -7,7 +7,7 @@
 
 namespace menger::fem {
 
-/// The last states of a path, from which the next one is extrapolated.
+/// Extrapolates the next state of a path from the last ones.
 class StatePredictor {
  public:
   /// @param order of the polynomial in the path parameter: 0 to 2
@@ -16,12 +16,12 @@ class StatePredictor {
   void add(double s, BodyState state);
   void clear();
 
-  /// The polynomial of the stated order, or of as many states as there are, at s; displacements, pressures of plena and of
-  /// elements.
+  /// Returns the extrapolated state at s: displacements, pressures of plena and of elements. The polynomial has the stated order,
+  /// or a lower one if there are too few states.
   [[nodiscard]] BodyState at(double s, int order) const;
   [[nodiscard]] BodyState at(double s) const { return at(s, order_); }
 
-  /// Order that `at` really has now: fewer states make it lower.
+  /// The order that `at` uses at present; with few states it is lower than the one asked for.
   [[nodiscard]] int present_order() const;
 
   [[nodiscard]] const BodyState& last() const { return states_.back(); }

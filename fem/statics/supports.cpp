@@ -29,7 +29,7 @@ std::vector<std::uint8_t> held_components(const Space& space, const Body& body, 
     const NearestNode node = nearest_node(space, support.position);
     if (node.local >= 0) mark(node.local, support.held);
   }
-  // a node may lie on a supported face of another rank's element
+  // A node may lie on a supported face of another rank's element.
   exchange.add_from_ghosts(marks);
   exchange.update_ghosts(marks);
   std::vector<std::uint8_t> held(marks.size());
@@ -44,14 +44,15 @@ bool is_held(const Space& space, const Body& body, std::span<const std::uint8_t>
       continue;
     for (std::size_t n = 0; n < space.nodes_per_face(); ++n) all[3 * static_cast<std::size_t>(face.nodes[n]) + 2] = 1;
   }
-  // Lengths are taken relative to the extent, so that translations and rotations weigh alike.
+  // Lengths are relative to the extent, so that translations and rotations have equal weight.
   Point origin = space.positions.empty() ? Point{} : space.positions.front();
   MPI_Bcast(origin.data(), 3, MPI_DOUBLE, 0, space.communicator);
   double extent = 0.0;
   for (const Point& x : space.positions) extent = std::max(extent, norm(difference(x, origin)));
   MPI_Allreduce(MPI_IN_PLACE, &extent, 1, MPI_DOUBLE, MPI_MAX, space.communicator);
 
-  // What the rigid motions do to the held components: the sum of the squares of their rows has full rank if none is left free.
+  // The components of the rigid motions at the held components. The sum of the squares of these rows has full rank if no rigid
+  // motion is left free.
   Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
   for (std::size_t n = 0; n < all.size(); ++n) {
     if (all[n] == 0) continue;
@@ -78,7 +79,7 @@ NearestNode nearest_node(const Space& space, const Point& point) {
   };
   const auto distance = [&](Index node) { return norm(difference(position(node), point)); };
   const double least_distance = least(distance);
-  // rounding of positions, which may differ with the partition, must not decide between nodes that are equally near
+  // Rounding of positions may differ with the partition. It must not decide between nodes that are equally near.
   const double grain = 1e-9 * least_distance;
   std::erase_if(nodes, [&](Index node) { return distance(node) > least_distance + grain; });
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -5,7 +5,7 @@
 namespace menger::fem {
 namespace {
 
-/// A segment's share of A: the sum of weight x_first x x_second over these pairs of its nodes.
+/// The terms of a segment's share of A: the sum of weight x_first x x_second over these pairs of its nodes.
 struct AreaTerm {
   std::size_t first;
   std::size_t second;
@@ -21,7 +21,7 @@ constexpr auto area_terms() {
   }
 }
 
-/// int L along the segment
+/// The integral of each L along the segment.
 template <std::size_t k>
 constexpr std::array<double, k> mean_weights() {
   if constexpr (k == 2) {
@@ -31,10 +31,10 @@ constexpr std::array<double, k> mean_weights() {
   }
 }
 
-/// What V and its derivatives are made of.
+/// The quantities that V and its derivatives are computed from.
 struct Fan {
   std::vector<Point> x;         ///< positions relative to the origin
-  std::vector<double> weights;  ///< of the nodes in c
+  std::vector<double> weights;  ///< weights of the nodes in c
   Point c{};                    ///< relative to the origin
   Point area{};                 ///< A
   std::vector<Point> levers;    ///< l_a = sum_b w_ab x_b, so that dA = -sum_a l_a x dx_a
@@ -67,7 +67,7 @@ Fan fan_of(const Rim<k>& rim, std::span<const Point> nodes, const Point& origin)
   return fan;
 }
 
-/// Component (i, j) of the matrix that takes v to v x p.
+/// Component (i, j) of the matrix that maps v to v x p.
 double crossing(const Point& p, std::size_t i, std::size_t j) {
   if (i == j) return 0.0;
   const std::size_t k = 3 - i - j;
@@ -104,7 +104,7 @@ std::vector<double> cap_volume_hessian(const Rim<k>& rim, std::span<const Point>
   const auto entry = [&](std::size_t a, std::size_t i, std::size_t b, std::size_t j) -> double& {
     return hessian[(3 * a + i) * size + 3 * b + j];
   };
-  // dV/dx_a holds A, which depends on every lever, and c, which depends on every node.
+  // dV/dx_a contains A, which depends on every lever, and c, which depends on every node.
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     for (std::size_t b = 0; b < nodes.size(); ++b) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -116,7 +116,7 @@ std::vector<double> cap_volume_hessian(const Rim<k>& rim, std::span<const Point>
       }
     }
   }
-  // ... and the levers of the segment's nodes.
+  // It also contains the levers of the segment's nodes.
   for (const auto& segment : rim.segments) {
     for (const AreaTerm& term : area_terms<k>()) {
       const std::size_t a = segment[term.first];

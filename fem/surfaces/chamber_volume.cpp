@@ -7,7 +7,7 @@ namespace {
 template <std::size_t n>
 using Triples = std::array<std::array<std::array<double, n>, n>, n>;
 
-/// One direction's factor of int N_a N_b,u N_c,v: int of value a, value or derivative b, value or derivative c.
+/// The factor of one direction in int N_a N_b,u N_c,v: the integral of value a, value or derivative b, value or derivative c.
 template <std::size_t degree>
 constexpr Triples<degree + 1> line_integrals(bool derive_second) {
   Triples<degree + 1> integrals{};
@@ -23,8 +23,8 @@ constexpr Triples<degree + 1> line_integrals(bool derive_second) {
   return integrals;
 }
 
-/// S_abc of V = -1/3 sum S_abc x_a . (x_b x x_c). The triple product alternates, so that only the alternating part of
-/// int N_a N_b,u N_c,v counts: S changes its sign when two indices change places.
+/// The coefficients S_abc of V = -1/3 sum S_abc x_a . (x_b x x_c). The triple product changes its sign when two factors change
+/// places, so only the alternating part of int N_a N_b,u N_c,v counts: S changes its sign when two indices change places.
 template <std::size_t n>
 constexpr Triples<n> volume_coefficients() {
   constexpr std::size_t degree = face_degree<n>;
@@ -59,7 +59,7 @@ FaceNodes<n> relative_to(const Point& origin, const FaceNodes<n>& nodes) {
   return result;
 }
 
-/// sum_c S_abc x_c
+/// Returns sum_c S_abc x_c.
 template <std::size_t n>
 Point contracted(std::size_t a, std::size_t b, const FaceNodes<n>& x) {
   Point result{};
@@ -68,7 +68,7 @@ Point contracted(std::size_t a, std::size_t b, const FaceNodes<n>& x) {
   return result;
 }
 
-/// dV/dx_a = -sum_bc S_abc x_b x x_c for positions relative to the origin. Pairs (b, c) and (c, b) give the same.
+/// Returns dV/dx_a = -sum_bc S_abc x_b x x_c for positions relative to the origin. Pairs (b, c) and (c, b) give the same.
 template <std::size_t n>
 Point node_gradient(std::size_t a, const FaceNodes<n>& x) {
   Point result{};

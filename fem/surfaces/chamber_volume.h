@@ -7,30 +7,32 @@
 
 namespace menger::fem {
 
-/// A face's share of the volume of the air that a chamber's surface encloses, m^3:
+/// Returns a face's share of the volume of the air that a chamber's surface encloses, m^3:
 /// V = -1/3 int (x - origin) . (x_u x x_v) du dv, with the normal out of the solid, into the air.
 ///
-/// The shares of a closed surface add up to the volume, whatever the origin; so do those of a surface that planes of symmetry
-/// close, each through the origin, for on such a plane (x - origin) . n = 0. A single share means nothing.
+/// The shares of a closed surface add up to the volume, for any origin. So do those of a surface that is closed by planes of
+/// symmetry through the origin, because (x - origin) . n = 0 on such a plane. A single share has no meaning.
 ///
-/// In each of u and v the integrand is a polynomial of degree 3 d - 1, d being the degree of the face: 2 or 5, which Gauss's rule
-/// with d + 1 points integrates exactly. V is therefore a cubic form of the node positions with constant coefficients, exact but
-/// for rounding.
+/// In each of u and v the integrand is a polynomial of degree 3 d - 1, with d the degree of the face: 2 or 5. Gauss's rule with d
+/// + 1 points integrates it exactly. V is therefore a cubic form of the node positions with constant coefficients, exact to
+/// rounding.
 ///
-/// A chamber at the gauge pressure p does the virtual work p dV, so p enters the residual of the equilibrium with -p dV/dx and
-/// the tangent with -p d2V/dx2. Summed over a surface closed in one of the two ways, p dV/dx_a is the follower load -p int N_a
-/// (x_u x x_v) du dv (along a plane of symmetry only its components within the plane are: those normal to it are held). Face by
-/// face the two differ; this one is symmetric on each face, which the other's tangent is only after assembly.
+/// A chamber at the gauge pressure p does the virtual work p dV. Therefore p enters the residual of the equilibrium with -p dV/dx
+/// and the tangent with -p d2V/dx2. Summed over a surface that is closed in one of the two ways, p dV/dx_a is the follower load
+/// -p int N_a (x_u x x_v) du dv. Along a plane of symmetry this holds only for the components within the plane; those normal to
+/// it are held. On a single face the two differ. The Hessian of V is symmetric on each face, while the tangent of the follower
+/// load is symmetric only after assembly.
 ///
 /// Defined for n = 4 and n = 9.
 template <std::size_t n>
 double chamber_volume(const FaceNodes<n>& nodes, const Point& origin = {});
 
-/// dV/dx, m^2: 3 n numbers, component i of node a at 3 a + i.
+/// Returns the gradient dV/dx, m^2: 3 n numbers, component i of node a at 3 a + i.
 template <std::size_t n>
 std::array<double, 3 * n> chamber_volume_gradient(const FaceNodes<n>& nodes, const Point& origin = {});
 
-/// d2V/dx2, m: 3 n x 3 n numbers row by row, rows and columns as in the gradient; symmetric to the last bit, not definite.
+/// Returns the Hessian d2V/dx2, m: 3 n x 3 n numbers row by row, rows and columns as in the gradient. It is symmetric to the last
+/// bit and not definite.
 template <std::size_t n>
 std::array<double, 9 * n * n> chamber_volume_hessian(const FaceNodes<n>& nodes, const Point& origin = {});
 

@@ -14,11 +14,11 @@ namespace menger::fem {
 template <std::size_t n>
 using FaceNodes = std::array<Point, n>;
 
-/// Degree in u and in v of a face of n nodes.
+/// The degree, in u and in v, of a face of n nodes.
 template <std::size_t n>
 inline constexpr std::size_t face_degree = n == 4 ? 1 : 2;
 
-/// The Lagrange functions of degree 1 or 2 with equidistant nodes on [0, 1], at s.
+/// Returns the values at s of the Lagrange functions of degree 1 or 2 with equidistant nodes on [0, 1].
 template <std::size_t degree>
 constexpr std::array<double, degree + 1> shape_values(double s) {
   static_assert(degree == 1 || degree == 2);
@@ -29,7 +29,7 @@ constexpr std::array<double, degree + 1> shape_values(double s) {
   }
 }
 
-/// Their derivatives by s.
+/// Returns the derivatives at s of the same Lagrange functions.
 template <std::size_t degree>
 constexpr std::array<double, degree + 1> shape_derivatives(double s) {
   static_assert(degree == 1 || degree == 2);
@@ -40,13 +40,13 @@ constexpr std::array<double, degree + 1> shape_derivatives(double s) {
   }
 }
 
-/// A point of Gauss's rule on [0, 1].
+/// A point of Gauss's rule on [0, 1], with its weight.
 struct QuadraturePoint {
   double position;
   double weight;
 };
 
-/// Gauss's rule of 2, 3 or 4 points on [0, 1]; m points integrate polynomials of degree 2 m - 1 exactly.
+/// Returns Gauss's rule of 2, 3 or 4 points on [0, 1]; m points integrate polynomials of degree 2 m - 1 exactly.
 template <std::size_t m>
 constexpr std::array<QuadraturePoint, m> gauss_rule() {
   static_assert(m >= 2 && m <= 4);

@@ -8,15 +8,15 @@
 namespace menger::fem {
 namespace {
 
-/// Of directions; accurate for small angles, where the inverse cosine is not.
+/// The angle between two directions. It is accurate for small angles, where the inverse cosine is not.
 double angle(const Point& a, const Point& b) { return 2.0 * std::asin(std::min(0.5 * norm(difference(a, b)), 1.0)); }
 
-/// Builds one tree; faces are leaves that are already nodes.
+/// Builds one tree over faces whose leaves are already nodes.
 class Builder {
  public:
   explicit Builder(FaceTree& tree) : tree_(tree) {}
 
-  /// The root over some leaves, which change their order.
+  /// Returns the root of a tree over some leaves, and reorders them.
   std::size_t build(std::span<std::size_t> leaves) {
     if (leaves.size() == 1) return leaves.front();
     const std::size_t axis = widest_axis(leaves);
@@ -50,7 +50,7 @@ class Builder {
   FaceTree& tree_;
 };
 
-/// The box and normals of a face as a leaf. Its cone stays empty if the face has no area.
+/// The leaf of a face, with its box and normals. Its cone stays empty if the face has no area.
 FaceTree::Node leaf_of(std::span<const Triangle> triangles, std::size_t face) {
   FaceTree::Node leaf;
   leaf.face = face;
@@ -67,7 +67,7 @@ FaceTree::Node leaf_of(std::span<const Triangle> triangles, std::size_t face) {
   return leaf;
 }
 
-/// 0 to 5 for the half-axis nearest to a direction.
+/// The half-axis nearest to a direction, from 0 to 5.
 std::size_t nearest_half_axis(const Point& direction) {
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i)
@@ -103,7 +103,7 @@ NormalCone merged(const NormalCone& a, const NormalCone& b) {
   if (b.half_angle < 0.0) return a;
   const Point middle = sum(a.axis, b.axis);
   const double length = norm(middle);
-  if (length < 1e-6) return {.axis = a.axis, .half_angle = std::numbers::pi};  // opposite axes have no middle
+  if (length < 1e-6) return {.axis = a.axis, .half_angle = std::numbers::pi};  // opposite axes have no mean
   const Point axis = scaled(1.0 / length, middle);
   const double reach = std::max(angle(axis, a.axis) + a.half_angle, angle(axis, b.axis) + b.half_angle);
   return {.axis = axis, .half_angle = std::min(reach, std::numbers::pi)};

@@ -21,24 +21,24 @@ struct Box {
   void add(const Box& other);
 };
 
-/// The square of the distance of two boxes, m^2; 0 if they meet.
+/// Returns the square of the distance between two boxes, m^2; 0 if they meet.
 double squared_distance(const Box& a, const Box& b);
 
 /// A cone that contains directions.
 struct NormalCone {
-  Point axis{0.0, 0.0, 1.0};  ///< of length 1
+  Point axis{0.0, 0.0, 1.0};  ///< unit vector
   double half_angle = -1.0;   ///< rad, up to pi; negative for a cone without directions
 };
 
-/// A cone around two cones, not always the narrowest.
+/// Returns a cone that contains two cones; it is not always the narrowest one.
 NormalCone merged(const NormalCone& a, const NormalCone& b);
 
-/// The largest angle between a direction of one cone and one of the other, rad, pi at most. @param a, b not empty
+/// Returns the largest angle between a direction of one cone and one of the other, rad, at most pi. @param a, b not empty
 double largest_angle(const NormalCone& a, const NormalCone& b);
 
 /// A tree over faces that are cut into triangles.
 struct FaceTree {
-  /// A node with the faces below it.
+  /// A node of the tree; box and cone contain all faces below it.
   struct Node {
     Box box;
     NormalCone normals;
@@ -50,12 +50,13 @@ struct FaceTree {
 
   std::vector<Node> nodes;
 
-  /// Roots of up to six trees, one for each half-axis that a face's mean normal can be nearest to: walls of different directions
-  /// share no node, so that cones stay narrow.
+  /// The roots of up to six trees, one for each half-axis (+x, -x, ...) that a face's mean normal can be nearest to. Walls of
+  /// different directions share no node, so that cones stay narrow.
   std::vector<std::size_t> roots;
 };
 
-/// The tree of the faces; face f consists of the triangles from f * triangles_per_face on. Faces without any area are left out.
+/// Builds the tree of the faces. Face f consists of the triangles from f * triangles_per_face on. Faces without area are left
+/// out.
 FaceTree face_tree(std::span<const Triangle> triangles, std::size_t triangles_per_face);
 
 }  // namespace menger::fem

@@ -24,7 +24,7 @@ std::optional<GasVolume> gas_volume(const GasLaw& gas, double pressure_Pa) {
 std::optional<double> gas_pressure_Pa(const GasLaw& gas, double volume_m3) {
   assert(is_valid(gas));
   if (!(volume_m3 > 0.0)) return std::nullopt;
-  // (P - P0) / P0, from the difference of the volumes, so that a small gauge pressure does not drown in the ambient one
+  // (P - P0) / P0, from the difference of the volumes, so that a small gauge pressure keeps its digits beside the ambient one.
   const double filling = (gas.amount * gas.reference_volume_m3 - volume_m3) / volume_m3;
   const double growth = std::expm1(gas.exponent * std::log1p(filling));
   return gas.reference_pressure_Pa + (gas.reference_pressure_Pa + gas.ambient_pressure_Pa) * growth;

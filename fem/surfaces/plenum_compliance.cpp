@@ -7,7 +7,7 @@
 namespace menger::fem {
 namespace {
 
-/// First point beyond a pressure; 0 below all, the number of points from the last on.
+/// The index of the first point above a pressure: 0 below all points, the number of points from the last one on.
 std::size_t after(const PlenumCompliance& plenum, double pressure_Pa) {
   const auto& pressures = plenum.pressures_Pa;
   return static_cast<std::size_t>(std::upper_bound(pressures.begin(), pressures.end(), pressure_Pa) - pressures.begin());

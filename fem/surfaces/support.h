@@ -13,7 +13,7 @@ struct Support {
   std::array<bool, 3> held;
 };
 
-/// A displacement component held at zero at the node nearest to a point of the reference configuration.
+/// Displacement components held at zero at the node nearest to a point of the reference configuration.
 struct PointSupport {
   Point position;
   std::array<bool, 3> held;

@@ -8,7 +8,7 @@
 
 namespace menger::fem {
 
-/// A flat triangle of a wall; its corners run around the normal, which points into the air.
+/// A flat triangle of a wall. Its corners are ordered around the normal, which points into the air.
 struct Triangle {
   std::array<Point, 3> corners;
   Point normal;  ///< of length 1, or zero for a triangle without area
@@ -20,7 +20,7 @@ inline Triangle triangle(const Point& a, const Point& b, const Point& c) {
   return {{a, b, c}, length > 0.0 ? scaled(1.0 / length, area) : Point{}};
 }
 
-/// The foot of a point's perpendicular on the plane of a triangle if it lies within the triangle.
+/// Returns the foot of the perpendicular from a point to the plane of a triangle; nothing if it lies outside the triangle.
 inline std::optional<Point> foot_within(const Triangle& triangle, const Point& point) {
   const double height = dot(difference(point, triangle.corners[0]), triangle.normal);
   const Point foot = difference(point, scaled(height, triangle.normal));
@@ -32,7 +32,7 @@ inline std::optional<Point> foot_within(const Triangle& triangle, const Point& p
   return foot;
 }
 
-/// The nearest points of two segments, ends included; of parallel ones, some of the nearest.
+/// Returns the nearest points of two segments, ends included; for parallel segments one of several nearest pairs.
 inline std::array<Point, 2> nearest_points(const Point& a0, const Point& a1, const Point& b0, const Point& b1) {
   const Point along_a = difference(a1, a0);
   const Point along_b = difference(b1, b0);
@@ -43,7 +43,8 @@ inline std::array<Point, 2> nearest_points(const Point& a0, const Point& a1, con
   const double a_between = dot(along_a, between);
   const double b_between = dot(along_b, between);
   const auto clamped = [](double s) { return std::clamp(s, 0.0, 1.0); };
-  // First the lines' nearest points; where that leaves segment b, b's end and what is nearest to it on a.
+  // First the nearest points of the two lines. If the one on b lies outside segment b, take b's end and the point of a nearest to
+  // it.
   const double determinant = aa * bb - ab * ab;
   double s = determinant > 0.0 ? clamped((ab * b_between - a_between * bb) / determinant) : 0.0;
   const double line_t = bb > 0.0 ? (ab * s + b_between) / bb : 0.0;
@@ -52,8 +53,8 @@ inline std::array<Point, 2> nearest_points(const Point& a0, const Point& a1, con
   return {sum(a0, scaled(s, along_a)), sum(b0, scaled(t, along_b))};
 }
 
-/// Calls consider(x, y) for every pair of a point x of the first and y of the second triangle in which their boundaries or a
-/// corner and a face are nearest; among them is the nearest pair of two triangles that do not intersect.
+/// Calls consider(x, y) for pairs of a point x of the first and y of the second triangle: the nearest points of a corner and the
+/// other face, and of two edges. If the triangles do not intersect, their nearest pair is among them.
 template <class Consider>
 void for_each_near_pair(const Triangle& first, const Triangle& second, const Consider& consider) {
   for (const Point& corner : first.corners)

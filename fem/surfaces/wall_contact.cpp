@@ -15,10 +15,10 @@ namespace menger::fem {
 namespace {
 
 constexpr double least_facing_angle = 2.0 * std::numbers::pi / 3.0;
-constexpr double largest_facing_cosine = -0.5;        // of that angle
-constexpr double least_sight_cosine = 0.70710678118;  // of 45 degrees
+constexpr double largest_facing_cosine = -0.5;        // cosine of that angle
+constexpr double least_sight_cosine = 0.70710678118;  // cosine of 45 degrees
 
-// What is deeper by less than this is not looked for: on flat walls all points are equally deep but for rounding.
+// A crossing must be deeper by this factor to replace another one: on flat walls all points are equally deep except for rounding.
 constexpr double least_growth = 1.0 + 1e-6;
 
 template <std::size_t n>
@@ -66,7 +66,7 @@ Box box_of(const Triangle& triangle) {
   return box;
 }
 
-/// Walks over pairs of nodes of the tree and keeps the smallest gap and the deepest crossing.
+/// Visits pairs of nodes of the tree and keeps the smallest gap and the deepest crossing.
 template <std::size_t n>
 class GapSearch {
  public:
@@ -88,7 +88,7 @@ class GapSearch {
   void visit(std::size_t a, std::size_t b) {
     const FaceTree::Node& first = tree_.nodes[a];
     const FaceTree::Node& second = tree_.nodes[b];
-    // The margin outweighs the rounding of the cones.
+    // The margin is larger than the rounding of the cones.
     if (largest_angle(first.normals, second.normals) < least_facing_angle - 1e-6) return;
     const double squared = squared_distance(first.box, second.box);
     if (!may_matter(first, second, squared)) return;
@@ -105,13 +105,13 @@ class GapSearch {
     }
   }
 
-  /// Whether parts at least so far apart can hold the smallest gap. Once walls cross there is no need for one.
+  /// Whether parts at this distance or more can contain the smallest gap. Once walls cross, no gap is needed.
   [[nodiscard]] bool may_be_nearest(double squared_distance) const {
     return !crossing_ && squared_distance < least_distance_ * least_distance_;
   }
 
-  /// Whether parts can hold the smallest gap or the deepest crossing. All the directions along which depths are measured lie
-  /// within `spread` of the cones' mean direction, and pairs of points that count within another 45 degrees of it or of its
+  /// Whether parts can contain the smallest gap or the deepest crossing. All directions along which depths are measured lie
+  /// within `spread` of the cones' mean direction. Pairs of points that count lie within another 45 degrees of it or of its
   /// reverse.
   [[nodiscard]] bool may_matter(const FaceTree::Node& first, const FaceTree::Node& second, double squared_distance) const {
     const bool is_near = may_be_nearest(squared_distance);
@@ -119,7 +119,7 @@ class GapSearch {
     if (!is_near && !is_in_reach) return false;
     const double spread = first.normals.half_angle + second.normals.half_angle;
     const Point facing = difference(first.normals.axis, second.normals.axis);
-    if (spread > 0.25 * std::numbers::pi - 0.1 || dot(facing, facing) < 1.0) return true;  // too wide to tell
+    if (spread > 0.25 * std::numbers::pi - 0.1 || dot(facing, facing) < 1.0) return true;  // too wide to decide
     const Point direction = scaled(1.0 / norm(facing), facing);
     const Point reverse = scaled(-1.0, direction);
     const double least_height = std::cos(0.25 * std::numbers::pi + spread) * std::sqrt(squared_distance);

@@ -33,19 +33,19 @@ constexpr std::array commands{
     Command{"fit", "fit a hyperelastic law to tensile tests", "menger fit tensile.csv"},
     Command{"mesh", "mesh a design as a hollow silicone body", "menger mesh mesh.toml"},
     Command{"inflate", "inflate the chambers of a finite-element body", "menger inflate inflate.toml"},
-    Command{"modes", "natural frequencies and modes of a finite-element body", "menger modes inflate.toml"},
-    Command{"stall-map", "piston stroke and line resistance against pressure", "menger stall-map study.toml"},
-    Command{"locomote", "finite-element locomotion of a silicone robot over the ground", "menger locomote locomotion.toml"},
-    Command{"load-cases", "finite-element answers to a set of load cases", "menger load-cases set.toml"},
+    Command{"modes", "compute natural frequencies and modes of a finite-element body", "menger modes inflate.toml"},
+    Command{"stall-map", "compute the pressure for each piston stroke and line resistance", "menger stall-map study.toml"},
+    Command{"locomote", "move a silicone robot over the ground by finite elements", "menger locomote locomotion.toml"},
+    Command{"load-cases", "compute finite-element responses to a set of load cases", "menger load-cases set.toml"},
     Command{"calibrate", "calibrate voxel parameters to finite-element response curves", "menger calibrate study.toml"},
     Command{"validate", "compare voxel and finite-element responses", "menger validate validate.toml"},
-    Command{"tradeoff", "one design at all fidelities: error against cost", "menger tradeoff design.toml"},
-    Command{"extremes", "cases at the edge of what the models bear", "menger extremes --part voxel"},
+    Command{"tradeoff", "compute one design at all fidelities: error against cost", "menger tradeoff design.toml"},
+    Command{"extremes", "run cases at the limits of the models", "menger extremes --part voxel"},
     Command{"simulate", "simulate one design and write its trajectory", "menger simulate scene.toml"},
-    Command{"evolve", "evolve fractal robots; resumes where its archive stops", "menger evolve study.toml"},
+    Command{"evolve", "evolve fractal robots; resumes from its archive", "menger evolve study.toml"},
     Command{"export", "write designs and tables from the archive of a run", "menger export run.sqlite"},
-    Command{"compare-searches", "what searches found on finite elements for their steps", "menger compare-searches a b"},
-    Command{"reevaluate", "judge the winners of a run again with finite elements", "menger reevaluate run.sqlite --top 5"},
+    Command{"compare-searches", "compare results of searches on finite elements, and their costs", "menger compare-searches a b"},
+    Command{"reevaluate", "evaluate the winners of a run again with finite elements", "menger reevaluate run.sqlite --top 5"},
 };
 
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
@@ -57,7 +57,7 @@ bool is_program(const fs::path& file) {
 
 fs::path program_of(std::string_view command) { return program_folder() / ("menger-" + std::string(command)); }
 
-/// The commands whose programs lie beside this one.
+/// The commands that are run by other programs in the folder of this one.
 std::vector<Command> present_commands() {
   std::vector<Command> present;
   std::copy_if(commands.begin(), commands.end(), std::back_inserter(present),
@@ -66,7 +66,7 @@ std::vector<Command> present_commands() {
 }
 
 void print_help(std::ostream& out) {
-  out << "menger " << io::version() << ": evolve, simulate and judge pneumatic soft robots\n\n"
+  out << "menger " << io::version() << ": evolve, simulate and evaluate pneumatic soft robots\n\n"
       << "usage: menger <command> [arguments]   (menger <command> --help explains a command, --template prints its "
          "input)\n\ncommands:\n";
   const std::vector<Command> present = present_commands();
@@ -78,7 +78,7 @@ void print_help(std::ostream& out) {
   }
 }
 
-/// What a mistyped command may have been: ", did you mean evolve?", or nothing.
+/// Returns a suggestion for a mistyped command: ", did you mean evolve?", or nothing.
 std::string meant(std::string_view command) {
   std::vector<std::string> names;
   for (const Command& known : present_commands()) names.emplace_back(known.name);

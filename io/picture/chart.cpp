@@ -17,7 +17,8 @@
 namespace menger::io {
 namespace {
 
-/// The first eight after Okabe and Ito's palette for all readers, without its yellow, which is too bright for lines on white.
+/// The first eight colours follow the palette of Okabe and Ito for colour-blind readers, without its yellow, which is too bright
+/// for lines on white.
 constexpr std::array<Colour, 12> colours{{{0, 114, 178},
                                           {213, 94, 0},
                                           {0, 158, 115},
@@ -33,7 +34,7 @@ constexpr std::array<Colour, 12> colours{{{0, 114, 178},
 
 void require_positive(const std::vector<double>& values, const std::string& where) {
   for (const double value : values) {
-    if (value <= 0.0) throw InputError(where + " = " + number_text(value) + ": cannot stand on a logarithmic axis");
+    if (value <= 0.0) throw InputError(where + " = " + number_text(value) + ": must be > 0 on a logarithmic axis");
   }
 }
 

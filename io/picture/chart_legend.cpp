@@ -12,7 +12,7 @@
 namespace menger::io {
 namespace {
 
-/// Width and height as fractions of those of the panel.
+/// A width and a height, or a point, as fractions of the size of the panel.
 using Fractions = std::array<double, 2>;
 
 struct Corner {
@@ -20,7 +20,7 @@ struct Corner {
   bool top = false;
 };
 
-/// About the size of the legend; the library knows it only while drawing.
+/// Estimates the size of the legend. VTK computes it only while drawing.
 Fractions legend_size(const ChartPanel& panel, const std::array<double, 2>& size_px, int font_size) {
   std::size_t letters = 0;
   std::size_t rows = 0;
@@ -32,7 +32,8 @@ Fractions legend_size(const ChartPanel& panel, const std::array<double, 2>& size
           (1.35 * static_cast<double>(rows) + 1.5) * font_size / size_px[1]};
 }
 
-/// Points along the curves as fractions of the panel, close enough together that no curve crosses a legend unseen.
+/// Returns points along the curves as fractions of the panel. They are so close together that every curve that crosses a legend
+/// is noticed.
 std::vector<Fractions> points_along(const ChartPanel& panel, const ChartScale& x, const ChartScale& y) {
   constexpr int parts = 16;
   std::vector<Fractions> points;

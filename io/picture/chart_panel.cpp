@@ -38,7 +38,7 @@ struct Inside {
   double left, bottom, width, height;
 };
 
-/// All values along an axis, those of markers included.
+/// Returns all values along an axis, including those of markers.
 std::vector<double> values_along(const ChartPanel& panel, ChartMarker::Direction direction) {
   std::vector<double> values;
   for (const ChartSeries& series : panel.series) {
@@ -61,7 +61,7 @@ void set_axis(vtkAxis& axis, const ChartScale& scale, int font_size) {
   axis.SetBehavior(vtkAxis::FIXED);
   axis.SetRange(scale.low, scale.high);
   axis.SetCustomTickPositions(positions, labels);
-  axis.SetTitle("");  // written with the other texts: the library would let it touch long labels
+  axis.SetTitle("");  // the title is written with the other texts: VTK would let it touch long labels
   axis.SetTickLength(0.3F * static_cast<float>(font_size));
   axis.SetLabelOffset(0.6F * static_cast<float>(font_size));
   axis.GetLabelProperties()->SetFontSize(font_size);
@@ -163,7 +163,7 @@ void add_panel(vtkContextScene& scene, vtkRenderer& renderer, const ChartPanel& 
   place_between(widest_label(scales.second));
   if (panel.equal_scale) {
     make_equal(scales.first, scales.second, inside.width / inside.height);
-    place_between(widest_label(scales.second));  // other ticks, other labels
+    place_between(widest_label(scales.second));  // other ticks may have labels of another width
     make_equal(scales.first, scales.second, inside.width / inside.height);
   }
 

@@ -11,8 +11,8 @@ namespace menger::io {
 namespace {
 
 constexpr double margin = 0.04;       // of the span of the data, on either side
-constexpr double near_zero = 0.3;     // data that begin within this part of their end are shown from zero on
-constexpr double rounding = 1e-9;     // of a step, by which a tick may lie outside; of a value, below which a span is none
+constexpr double near_zero = 0.3;     // data that begin within this part of their largest value are shown from zero on
+constexpr double rounding = 1e-9;     // of a step, by which a tick may lie outside; of a value, below which a span counts as zero
 constexpr int most_decades = 8;       // with a label each
 constexpr int most_fine_decades = 5;  // with small ticks between
 
@@ -22,7 +22,7 @@ std::string formatted(const char* format, int digits, double value) {
   return text.data();
 }
 
-/// The distance of ticks: 1, 2 or 5 times a power of ten, about six of them in the span.
+/// Returns the distance of ticks: 1, 2 or 5 times a power of ten, so that about six ticks fit in the span.
 double step_of(double span) {
   const double rough = span / 6.0;
   const double decade = std::pow(10.0, std::floor(std::log10(rough) + rounding));
@@ -76,7 +76,7 @@ struct Range {
   double high = 1.0;
 };
 
-/// Of the coordinates of all finite values; from 0 to 1 if there are none.
+/// Returns the range of the coordinates of all finite values; 0 to 1 if there are none.
 Range range_of(const std::vector<double>& values, const ChartScale& scale) {
   std::optional<Range> range;
   for (const double value : values) {
@@ -100,7 +100,7 @@ ChartScale scale_of(const ChartAxis& axis, const std::vector<double>& values) {
   ChartScale scale{.logarithmic = axis.logarithmic};
   const Range data = range_of(values, scale);
   const double least_span = axis.logarithmic ? 0.0 : axis.least_span;
-  // Data without a span but for rounding get a tenth of their value, or one unit about zero.
+  // Data without a span, except for rounding, get a tenth of their value, or one unit about zero.
   double span = data.high - data.low;
   const double largest = std::max(std::abs(data.low), std::abs(data.high));
   if (span <= rounding * largest) span = axis.logarithmic || largest == 0.0 ? 1.0 : 0.1 * largest;
@@ -118,7 +118,7 @@ ChartScale scale_of(const ChartAxis& axis, const std::vector<double>& values) {
   }
   if (axis.lowest) scale.low = scale.coordinate(*axis.lowest);
   if (axis.highest) scale.high = scale.coordinate(*axis.highest);
-  // A given end may have passed the data, or come too near to the other one.
+  // A given end may lie beyond the data, or too close to the other end.
   const double least = std::max(least_span, margin * span);
   if (axis.lowest && !axis.highest) scale.high = std::max(scale.high, scale.low + least);
   if (axis.highest && !axis.lowest) scale.low = std::min(scale.low, scale.high - least);

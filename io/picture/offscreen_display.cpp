@@ -24,7 +24,7 @@ constexpr int exec_failed = 127;
 constexpr auto server_start = std::chrono::seconds(20);
 constexpr auto server_end = std::chrono::seconds(5);
 
-/// In the child of a fork: becomes the X server. Only calls that are safe after fork().
+/// Turns the child of a fork into the X server. It uses only calls that are safe after fork().
 [[noreturn]] void become_server(int number_pipe, const char* number_pipe_text, const char* display, pid_t parent) {
   setpgid(0, 0);  // Ctrl-C in the terminal must not end the server while a picture is being drawn
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -37,7 +37,7 @@ constexpr auto server_end = std::chrono::seconds(5);
   _exit(exec_failed);
 }
 
-/// The line that the server writes once it is ready; empty if it ended or took too long.
+/// Returns the line that the server writes once it is ready; empty if the server ended or took too long.
 std::string read_line(int pipe) {
   std::string line;
   const auto deadline = std::chrono::steady_clock::now() + server_start;
@@ -53,10 +53,10 @@ std::string read_line(int pipe) {
   }
 }
 
-/// The display to try: another one for each program and each attempt.
+/// Returns the number of the display to try. Each program and each attempt has another one.
 ///
-/// Not those from 0 to 9, which Xvfb would take by itself: hwloc, with which Open MPI asks for the cores of a machine, connects
-/// to these to look for GPUs, and a program ends when a server that it is connected to ends.
+/// Numbers 0 to 9, which Xvfb would choose itself, are not used. Open MPI uses hwloc to count the cores of a machine, and hwloc
+/// connects to these displays to look for GPUs. A program ends when a server that it is connected to ends.
 int display_number(int attempt) {
   constexpr int first = 100;
   constexpr int count = 50000;
@@ -95,13 +95,13 @@ void OffscreenDisplay::start_server() {
     const std::string number = started_server(":" + std::to_string(display_number(attempt)));
     if (!number.empty() && connect(":" + number)) return;
     if (!number.empty()) {
-      missing_ = "Xvfb offers no OpenGL: install the package libgl1-mesa-dri";
+      missing_ = "Xvfb has no OpenGL: install the package libgl1-mesa-dri";
       break;
     }
-    // A server that could not be started, or whose display was taken, closes the pipe a moment before it ends.
+    // A server that could not be started, or whose display was already used, closes the pipe a moment before it ends.
     const std::optional<int> status = wait_for_end(std::chrono::seconds(1));
     if (status && WIFEXITED(*status) && WEXITSTATUS(*status) == exec_failed) {
-      missing_ = "no X display and no Xvfb to stand in for one: install the package xvfb";
+      missing_ = "no X display and no Xvfb, which can replace it: install the package xvfb";
       return;
     }
     missing_ = "no X display, and Xvfb did not start";

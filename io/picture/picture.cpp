@@ -20,7 +20,7 @@ PictureOutcome write_picture(const std::filesystem::path& file, const PictureSty
                              const std::function<void(vtkRenderWindow&)>& fill) {
   PendingFile pending(file);
 #ifdef __SANITIZE_ADDRESS__
-  // Graphics drivers keep memory for ever and are unloaded, so that it cannot be told whose it was.
+  // Graphics drivers never free some memory and are then unloaded, so that a leak check cannot find its owner.
   const __lsan::ScopedDisabler no_leak_check;
 #endif
   const OffscreenDisplay display;
@@ -30,8 +30,7 @@ PictureOutcome write_picture(const std::filesystem::path& file, const PictureSty
   window->SetDisplayId(display.connection());
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
-  if (window->SupportsOpenGL() == 0)
-    return {.missing = "the X display offers no OpenGL 3.2: install the package libgl1-mesa-dri"};
+  if (window->SupportsOpenGL() == 0) return {.missing = "the X display has no OpenGL 3.2: install the package libgl1-mesa-dri"};
   window->SetSize(supersampling * style.width_px, supersampling * style.height_px);
   fill(*window);
   window->Render();

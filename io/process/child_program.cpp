@@ -29,7 +29,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
   throw InputError(file.string() + ": " + what + ": " + std::generic_category().message(error));
 }
 
-/// A file that is closed at the end of its scope and never passed on to a program.
+/// A file descriptor that is closed at the end of its scope and is not inherited by other programs.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -50,9 +50,9 @@ class Descriptor {
   int number_;
 };
 
-/// What the child does between fork and exec: only calls that are allowed there in a program with several threads.
+/// Runs in the child between fork and exec. It uses only calls that are allowed there in a program with several threads.
 [[noreturn]] void become(char* const* words, const char* folder, const std::array<int, 3>& streams, int report) {
-  // No answer to an error from here but its number through the pipe.
+  // On an error the child can only send its number through the pipe.
   const auto give_up = [report] {
     const int error = errno;
     (void)!::write(report, &error, sizeof error);
@@ -93,13 +93,13 @@ pid_t start(const ChildProgram& child) {
   if (process == 0) {
     become(words.data(), child.folder.c_str(), {in.number(), out.number(), err.number()}, report.number());
   }
-  ::setpgid(process, process);  // in both processes, so that it is done before either goes on
+  ::setpgid(process, process);  // in both processes, so that it is done before either continues
   report.close();
   int error = 0;
   ssize_t got = 0;
   do got = ::read(answer.number(), &error, sizeof error);
   while (got < 0 && errno == EINTR);
-  if (got == 0) return process;  // the program began: the pipe closed without a word
+  if (got == 0) return process;  // the program has started: the pipe closed without data
   ::waitpid(process, nullptr, 0);
   fail(child.program, "cannot be started", error);
 }
@@ -112,7 +112,7 @@ ChildOutcome run_child(const ChildProgram& child) {
   const Clock::time_point begin = Clock::now();
   const pid_t process = start(child);
   ChildOutcome outcome;
-  std::optional<Clock::time_point> asked;  // to end
+  std::optional<Clock::time_point> asked;  // when the child was asked to end
   bool forced = false;
   int status = 0;
   rusage usage{};

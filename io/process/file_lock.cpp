@@ -16,7 +16,8 @@ namespace menger::io {
 
 namespace {
 
-/// Whether the descriptor still is the file of this name: its last holder may have removed it before our lock was granted.
+/// Whether the descriptor still refers to the file of this name. The last holder may have removed the file before our lock was
+/// granted.
 bool is_file(int descriptor, const std::filesystem::path& file) {
   struct stat held {};
   struct stat named {};
@@ -49,7 +50,7 @@ FileLock::FileLock(FileLock&& other) noexcept
 FileLock::~FileLock() {
   if (descriptor_ < 0) return;
   std::error_code ignored;
-  std::filesystem::remove(file_, ignored);  // while the lock is held, so that nobody else's is removed
+  std::filesystem::remove(file_, ignored);  // while the lock is held, so that the file of another holder is never removed
   ::close(descriptor_);
 }
 

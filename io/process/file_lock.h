@@ -4,13 +4,14 @@
 
 namespace menger::io {
 
-/// Keeps other processes from writing to the same file or folder, by a lock on a file of the name `<target>.lock` beside it. A
-/// process that dies, however, lets go of it.
+/// A lock that keeps other processes from writing to the same file or folder. It locks a file named `<target>.lock` beside the
+/// target.
 ///
-/// The lock stands on a file of its own since SQLite forgets its locks as soon as any descriptor of the database is closed.
+/// The lock is released when the process ends, even if it crashes. The lock needs a file of its own because SQLite loses its
+/// locks as soon as any descriptor of the database is closed.
 class FileLock {
  public:
-  /// @throws InputError if another process holds the lock or the lock file cannot be made
+  /// @throws InputError if another process holds the lock or the lock file cannot be created
   explicit FileLock(const std::filesystem::path& target);
   ~FileLock();
   FileLock(FileLock&& other) noexcept;

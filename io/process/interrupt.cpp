@@ -16,8 +16,7 @@ extern "C" void note_interrupt(int /*signal*/) { interrupt_flag.store(true); }
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = note_interrupt;  // NOLINT(cppcoreguidelines-pro-type-union-access): the interface of POSIX
-  action.sa_flags =
-      static_cast<int>(SA_RESETHAND | SA_RESTART);  // the second signal meets the default action and ends the program
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // the second signal has the default action and ends the program
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);

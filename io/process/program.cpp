@@ -17,7 +17,7 @@
 namespace menger::io {
 namespace {
 
-/// What a mistyped option may have been: ", did you mean --refine?", or nothing.
+/// Returns a suggestion for a mistyped option: ", did you mean --refine?", or nothing.
 std::string meant_option(const CLI::App& app, int argc, const char* const* argv) {
   std::vector<std::string> known;
   for (const CLI::Option* option : app.get_options()) {
@@ -40,7 +40,7 @@ int run_program(std::string_view name, const std::function<int()>& body) {
     std::cerr << name << ": error: " << error.what() << '\n';
     return exit_code::bad_input;
   } catch (const std::filesystem::filesystem_error& error) {
-    // A name too long, a folder that may not be entered: the error names the path.
+    // For example a name that is too long or a folder without permission. The error names the path.
     std::cerr << name << ": error: " << error.what() << '\n';
     return exit_code::bad_input;
   } catch (const std::bad_alloc&) {

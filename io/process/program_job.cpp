@@ -37,7 +37,7 @@ std::string record_text(const ProgramJob& job, const ChildOutcome& outcome) {
   return text;
 }
 
-/// What an earlier call recorded; nothing if there is nothing or it is not readable, since the run can be repeated.
+/// Returns what an earlier call recorded. Returns nothing if there is no record or it cannot be read; the run is then repeated.
 std::optional<ProgramJobResult> recorded(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_regular_file(folder / record_name, ignored)) return std::nullopt;

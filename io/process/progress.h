@@ -16,10 +16,11 @@ struct ProgressStyle {
   int width = 79;               ///< characters of a line
 };
 
-/// Standard error if that is a terminal, nowhere otherwise.
+/// Standard error if it is a terminal; otherwise nothing is drawn.
 ProgressStyle terminal_progress();
 
-/// One line that tells how far a job is, how long it still takes, and what the caller adds. Safe to update from several threads.
+/// A line that shows how much of a job is done, how long the rest takes, and a note of the caller. Threads may update it at the
+/// same time.
 class Progress {
  public:
   /// @param total amount of work in any unit, > 0
@@ -50,11 +51,12 @@ class Progress {
   bool on_screen_ = false;
 };
 
-/// The line of a progress bar: title, bar, percentage, estimated time to the end and note, at most `width` characters.
-/// @param fraction part of the work that is done, 0 to 1 @param elapsed_s seconds that it took
+/// Returns the line of a progress bar: title, bar, percentage, estimated time to the end and note, at most `width` characters.
+/// @param fraction part of the work that is done, 0 to 1
+/// @param elapsed_s time since the start, in seconds
 std::string progress_line(std::string_view title, double fraction, double elapsed_s, std::string_view note, int width);
 
-/// A duration for people: "8 s", "3 min 20 s", "2 h 05 min", "4 d 03 h".
+/// Returns a duration as people write it: "8 s", "3 min 20 s", "2 h 05 min", "4 d 03 h".
 std::string duration_text(double seconds);
 
 }  // namespace menger::io

@@ -1,5 +1,6 @@
 #include "io/process/run_folder.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "io/process/exit_code.h"
@@ -7,9 +8,27 @@
 #include "io/text/whole_file.h"
 
 namespace menger::io {
+namespace {
+
+constexpr const char* manifest_name = "manifest.json";
+
+}  // namespace
+
+RunFolder::RunFolder(std::string program, std::filesystem::path folder)
+    : program_(std::move(program)), folder_(std::move(folder)), start_(std::chrono::steady_clock::now()) {}
+
+bool RunFolder::is_own() const { return program_of_manifest(file(manifest_name)) == program_; }
+
+void RunFolder::begin(const std::vector<std::string_view>& names) const {
+  remove(names);
+  remove({manifest_name});
+}
+
 void RunFolder::remove(const std::vector<std::string_view>& names) const { remove_files(folder_, names); }
 
-double RunFolder::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+double RunFolder::seconds() const {
+  return earlier_seconds_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
 
 void RunFolder::finish(std::string parameters, std::map<std::string, std::string> inputs,
                        std::optional<std::uint64_t> seed) const {
@@ -20,9 +39,12 @@ void RunFolder::finish(std::string parameters, std::map<std::string, std::string
                                .inputs = std::move(inputs)});
 }
 
-int exit_code_of(RunStatus status) {
-  if (status == RunStatus::completed) return exit_code::done;
-  return status == RunStatus::stopped ? exit_code::interrupted : exit_code::numerical;
+int exit_code_of(RunStatus status) { return exit_code_of(std::span(&status, 1)); }
+
+int exit_code_of(std::span<const RunStatus> parts) {
+  if (std::ranges::find(parts, RunStatus::stopped) != parts.end()) return exit_code::interrupted;
+  return std::ranges::all_of(parts, [](RunStatus part) { return part == RunStatus::completed; }) ? exit_code::done
+                                                                                                 : exit_code::numerical;
 }
 
 }  // namespace menger::io

@@ -11,9 +11,9 @@ class App;
 
 namespace menger::io {
 
-/// Adds to a program that reads a study what people can ask about it: --template prints a study that explains itself, --schema a
-/// JSON Schema for editors, --keys a table of its keys. After each the program ends.
-/// @param describe_default goes through a study that has its defaults; a new one at each call
+/// Adds options about the study to a program that reads one. --template prints a study with explanations, --schema a JSON Schema
+/// for editors, --keys a table of the keys. The program ends after each of them.
+/// @param describe_default describes a study that has its defaults; each call uses a new study
 void add_study_help(CLI::App& app, const std::function<void(StudyVisitor&)>& describe_default);
 
 }  // namespace menger::io

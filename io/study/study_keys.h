@@ -7,22 +7,22 @@
 
 namespace menger::io {
 
-/// A key of a study in the table of its keys.
+/// A row of the table of keys: one key of a study.
 struct KeyRow {
-  std::string name;      ///< with the tables above it: "ground.height_m", "plates[].name"
+  std::string name;      ///< with the tables that contain it: "ground.height_m", "plates[].name"
   std::string kind;      ///< "number", "word"
-  std::string unit;      ///< "m"; empty where there is none
+  std::string unit;      ///< "m"; empty if there is none
   std::string standard;  ///< the default in TOML, "must be given" or "none"
-  std::string values;    ///< "> 0"; empty if any of its kind
+  std::string values;    ///< "> 0"; empty if every value of its kind is accepted
   std::string help;
-  std::string condition;  ///< `method = "implicit"`; empty where the key always means something
+  std::string condition;  ///< when the key has a meaning: `method = "implicit"`; empty if always
 };
 
-/// Makes the table of the keys of a study. The study that is gone through must have its defaults before, and is of no use after.
+/// Makes the table of the keys of a study. The study must have its defaults before; do not use it afterwards.
 class StudyKeyTable : public StudyVisitor {
  public:
   [[nodiscard]] const std::vector<KeyRow>& rows() const { return rows_; }
-  /// The table for a terminal, a line a key, columns aligned.
+  /// Returns the table for a terminal: one line per key, columns aligned.
   [[nodiscard]] std::string text() const;
 
  protected:

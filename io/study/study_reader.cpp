@@ -11,7 +11,7 @@ std::string number_word(std::size_t count) {
   return count < words.size() ? std::string(words.at(count)) : std::to_string(count);
 }
 
-/// What a list of another length is told.
+/// Returns the message for a list of a wrong length.
 std::string demand_of(const Count& count, std::string_view values, std::size_t found) {
   const std::string not_found = ", not " + std::to_string(found);
   if (count.fewest == count.most) return "must be " + number_word(count.fewest) + " " + std::string(values) + not_found;
@@ -76,7 +76,7 @@ std::vector<std::string> read_texts(const TomlTable& table, const StudyEntry& en
   return values;
 }
 
-/// An integer, or the word that may stand in its place.
+/// Reads an integer, or the word that may replace it.
 StudyValue read_integer_or_word(const TomlTable& table, const StudyEntry& entry) {
   if (!table.is_text(entry.key.name)) return read_integer(table, entry);
   const std::string word = table.text(entry.key.name);
@@ -199,7 +199,7 @@ void StudyReader::visit_choice(const std::vector<Alternative>& alternatives, std
   for (const Alternative& alternative : alternatives) {
     const Key key{.name = alternative.key, .help = {}, .earlier = alternative.earlier};
     if (!table_.asks_for(alternative.key) && !find_earlier(key)) continue;
-    if (given != nullptr) throw table_.error(alternative.key, std::string(given->key) + " beside it: keep one of them");
+    if (given != nullptr) throw table_.error(alternative.key, std::string(given->key) + " is also given: keep one of them");
     given = &alternative;
   }
   if (given != nullptr) {

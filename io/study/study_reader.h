@@ -4,22 +4,23 @@
 
 namespace menger::io {
 
-/// The value of an entry in a table that has it. @throws InputError if it is none that the entry takes
+/// Reads the value of an entry from a table that has its key. @throws InputError if the entry does not accept the value
 StudyValue read_study_value(const TomlTable& table, const StudyEntry& entry);
 
-/// Reads a study from a TOML table: keys that are missing keep the values that the study has, all others are checked.
+/// Reads a study from a TOML table and checks every value. Keys that are missing keep the values that the study has.
 ///
-/// The table's owner ends with TomlTable::finish(), which refuses keys that no description has named.
-/// Each call throws InputError with file, line, key and value.
+/// The owner of the table must call TomlTable::finish() at the end, which refuses keys that no description has named. Each
+/// function throws InputError with file, line, key and value.
 class StudyReader : public StudyVisitor {
  public:
-  /// What is done with a key that has the name of an earlier version.
+  /// How a key with a name of an earlier version is handled.
   enum class EarlierNames {
-    refused,  ///< the message says what the key is called now: people are told once, and files stay readable to others
-    read      ///< for what programs wrote, archives and checkpoints
+    /// An error gives the present name of the key. So people learn it once, and others can read their files.
+    refused,
+    read  ///< the value is read: for files that programs wrote, archives and checkpoints
   };
 
-  /// @param table the top of the file
+  /// @param table the top table of the file
   explicit StudyReader(const TomlTable& table, EarlierNames earlier_names = EarlierNames::refused)
       : top_(table), table_(table), earlier_names_(earlier_names) {}
 
@@ -36,27 +37,28 @@ class StudyReader : public StudyVisitor {
   void visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) override;
 
  private:
-  /// Whether keys of a condition that does not hold are gone through, only to refuse them.
+  /// Whether the reader is inside a condition that does not hold: then each key is only refused.
   [[nodiscard]] bool is_refusing() const { return !refused_because_.empty(); }
   void refuse(std::string_view key) const;
   void inside(std::string_view name, const TomlTable& table, const std::function<void()>& describe);
 
-  /// A key under the name of an earlier version, and the table that has it; nothing if the file has none, or no such key ever
-  /// was.
+  /// A key found under its name of an earlier version, and the table that contains it.
   struct EarlierKey {
     TomlTable table;
     std::string name;
   };
+  /// Finds a key by its name of an earlier version; returns nothing if the key had none or the file does not have it.
+  /// @throws InputError if earlier names are refused
   [[nodiscard]] std::optional<EarlierKey> find_earlier(const Key& key) const;
 
   TomlTable top_;
   TomlTable table_;
   EarlierNames earlier_names_;
-  std::string prefix_{};  ///< of the table that is open, with a dot at its end
+  std::string prefix_{};  ///< path of the open table, with a dot at its end
   std::string refused_because_{};
 };
 
-/// Reads the whole table of a file into a study that has a description. @throws InputError
+/// Reads the whole table of a file into a study that has a `describe` function. @throws InputError
 template <class Study>
 void read_described(const TomlTable& table, Study& study,
                     StudyReader::EarlierNames earlier_names = StudyReader::EarlierNames::refused) {

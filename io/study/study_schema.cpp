@@ -59,7 +59,7 @@ Json value_schema(const StudyEntry& entry) {
   return list_schema(entry, list_schema(entry, text_schema(entry)));
 }
 
-/// A number of the range that is likely to be no default.
+/// Returns a number in the range that is probably not the default.
 double varied_number(const Range& range) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double span = range.highest < infinity && range.lowest > -infinity ? range.highest - range.lowest : 1.0;
@@ -67,7 +67,7 @@ double varied_number(const Range& range) {
   return range.highest < infinity ? range.highest - 0.37 * span : 0.37;
 }
 
-/// Another value that the key takes, where that is easily found.
+/// Returns another value that the key accepts, if one is easy to find; otherwise the same value.
 std::optional<StudyValue> varied(const StudyEntry& entry, std::optional<StudyValue> value) {
   if (!value) return value;
   if (auto* truth = std::get_if<bool>(&*value)) *truth = !*truth;
@@ -82,7 +82,8 @@ std::optional<StudyValue> varied(const StudyEntry& entry, std::optional<StudyVal
   return value;
 }
 
-/// Leaves out of a schema what another one of the same study has not, of all that is demanded of values.
+/// Removes from a schema those demands on values (ranges, lengths, required keys) that another schema of the same study does not
+/// have.
 void keep_common(Json& schema, const Json& other) {
   if (schema.is_array()) {
     for (std::size_t n = 0; n < schema.size() && other.is_array() && n < other.size(); ++n) keep_common(schema[n], other[n]);
@@ -119,11 +120,11 @@ Json value_json(const StudyValue& value) {
 
 }  // namespace
 
-/// A table while it is described.
+/// The schema of a table under construction.
 struct StudySchemaWriter::Table {
   Json properties = Json::object();
   Json required = Json::array();
-  Json demands = Json::array();  ///< on which keys stand together
+  Json demands = Json::array();  ///< on which keys may or must be present together
 
   void add(std::string_view name, Json schema) {
     Json& known = properties[std::string(name)];
@@ -219,7 +220,7 @@ void StudySchemaWriter::visit_tables(const Key& key, const Count& count, std::si
 void StudySchemaWriter::visit_choice(const std::vector<Alternative>& alternatives, std::string_view missing) {
   const auto found = std::ranges::find_if(alternatives, &Alternative::is_chosen);
   const Alternative* const chosen = found == alternatives.end() ? nullptr : &*found;
-  // last, so that what follows is that of a study that is one of these
+  // The chosen alternative comes last, so that the study has this form for the keys that follow.
   const Alternative& last = chosen != nullptr ? *chosen : alternatives.front();
   const auto go_through = [](const Alternative& alternative) {
     if (alternative.is_for_programs) return;

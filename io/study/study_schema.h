@@ -8,21 +8,22 @@
 
 namespace menger::io {
 
-/// Describes a study as JSON Schema (draft 2020-12), with which editors complete and check TOML files as they are typed.
+/// Writes a JSON Schema (draft 2020-12) of a study, with which editors complete and check TOML files.
 ///
-/// It holds kinds, ranges, words, defaults, keys that must be there and keys that exclude each other. Demands that depend on
-/// other values are left to the reader: a second writer goes through another study, and what differs is left out. The study that
-/// is gone through must have its defaults before, and is of no use after.
+/// The schema holds kinds, ranges, words, defaults, required keys and keys that exclude each other. Demands that depend on other
+/// values are left to the reader. To find them, a second writer describes the study again with other values, and demands that
+/// then differ are left out. The study must have its defaults before; do not use it afterwards.
 class StudySchemaWriter : public StudyVisitor {
  public:
-  /// @param varies whether values are changed on the way, for leave_out_what_differs
+  /// @param varies whether this writer changes the values that it visits, for leave_out_what_differs
   explicit StudySchemaWriter(bool varies = false);
   ~StudySchemaWriter() override;
 
-  /// @param title of the schema: "study of menger inflate"
+  /// @param title title of the schema: "study of menger inflate"
   [[nodiscard]] std::string text(std::string_view title) const;
 
-  /// Leaves out the ranges, lengths and required keys that another writer, which varied the values, did not find the same.
+  /// Removes the ranges, lengths and required keys that are not the same in the schema of a second writer, which varied the
+  /// values.
   void leave_out_what_differs(const StudySchemaWriter& varied);
 
  protected:
@@ -37,13 +38,13 @@ class StudySchemaWriter : public StudyVisitor {
 
  private:
   struct Table;
-  /// Describes a table apart. @return its schema
+  /// Describes a table into a `Table` of its own.
   void inside(Table& table, const std::function<void()>& describe);
 
   std::unique_ptr<Table> top_;
   Table* table_;
   bool varies_;
-  bool may_be_missing_ = false;  ///< inside alternatives and conditions, where nothing is required for good
+  bool may_be_missing_ = false;  ///< inside alternatives and conditions, where no key is always required
 };
 
 }  // namespace menger::io

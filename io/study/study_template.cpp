@@ -104,7 +104,7 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
   for (const Alternative& alternative : alternatives) {
     if (&alternative != usual && !alternative.is_for_programs && takes_next(std::string(alternative.key))) written = &alternative;
   }
-  // the one that is written comes last, so that the study is one of it afterwards
+  // The written alternative comes last, so that the study has this form afterwards.
   for (const Alternative& alternative : alternatives) {
     if (&alternative == written || alternative.is_for_programs) continue;
     if (written != nullptr) comment("In place of " + std::string(written->key) + ":");

@@ -9,20 +9,20 @@
 
 namespace menger::io {
 
-/// Writes a study file that explains itself: every key with its meaning, its values and its default. Keys without a default have
-/// an example; what excludes something else, or is not there unless it is asked for, is a comment.
+/// Writes a study file with explanations: every key with its meaning, its values and its default.
 ///
-/// The study that is gone through is used up: it must have its defaults before, and is of no use after.
+/// Keys without a default have an example. Alternatives that exclude the written one, and optional parts that are not there by
+/// default, are comments. The study must have its defaults before; do not use it afterwards.
 class StudyTemplateWriter : public StudyVisitor {
  public:
-  /// @param enabled the number of the alternative that is written instead of what a study has by default: a word, a table, a key
-  /// of several; for tests. See alternative_count().
+  /// @param enabled for tests: the number of the alternative to write instead of the default, which may be a word, a table or one
+  /// of several keys. See alternative_count().
   explicit StudyTemplateWriter(std::optional<std::size_t> enabled = std::nullopt) : enabled_(enabled) {}
 
   [[nodiscard]] std::string text() const { return top_.text("\n"); }
-  /// How many alternatives there were on the way.
+  /// Returns the number of alternatives that were visited.
   [[nodiscard]] std::size_t alternative_count() const { return alternatives_; }
-  /// The alternative that was enabled, for messages: "dynamics.method = \"implicit\"".
+  /// Returns the name of the enabled alternative, for messages: "dynamics.method = \"implicit\"".
   [[nodiscard]] const std::string& enabled_name() const { return enabled_name_; }
 
  protected:
@@ -36,11 +36,12 @@ class StudyTemplateWriter : public StudyVisitor {
   void visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) override;
 
  private:
-  /// Whether the next alternative is the one to be written. @param name for enabled_name(), without the tables above
+  /// Counts an alternative and returns whether it is the enabled one. @param name for enabled_name(), without the tables around
+  /// it
   bool takes_next(const std::string& name);
   void comment(std::string_view text);
   void inside(const Key& key, bool is_entry, const std::function<void()>& describe);
-  /// Goes through keys that are written as comments.
+  /// Describes keys that are written as comments.
   void as_comment(const std::function<void()>& describe);
 
   std::optional<std::size_t> enabled_;

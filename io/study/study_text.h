@@ -8,14 +8,15 @@
 
 namespace menger::io {
 
-/// A value as TOML. @param value one that is there
+/// Returns a value as TOML.
 std::string study_value_text(const StudyValue& value);
 
-/// Writes a study as TOML with every value stated, always in the same order and exact: equal texts mean equal studies, and
-/// reading the text gives the study back.
+/// Writes a study as TOML with every value, always in the same order, and exactly. Equal texts mean equal studies; reading the
+/// text gives the same study.
 class StudyTextWriter : public StudyVisitor {
  public:
-  /// @param table whose keys these are, for the names of the tables in it; its own header is left to the caller. Empty: the top
+  /// @param table name of the table that holds these keys, used in the names of the tables in it. The caller writes the header of
+  /// that table. Empty: the top of the file.
   explicit StudyTextWriter(std::string_view table = {}) : prefix_(table.empty() ? "" : std::string(table) + ".") {}
 
   [[nodiscard]] std::string text() const { return top_.text(); }
@@ -35,10 +36,10 @@ class StudyTextWriter : public StudyVisitor {
 
   StudySection top_{};
   StudySection* section_ = &top_;
-  std::string prefix_;  ///< of the table that is open, with a dot at its end
+  std::string prefix_;  ///< path of the open table, with a dot at its end
 };
 
-/// The text of a study that has a description. Works on a copy: descriptions take what they go through by reference.
+/// Returns the text of a study that has a `describe` function. It works on a copy because `describe` takes a reference.
 template <class Study>
 std::string described_text(Study study) {
   StudyTextWriter writer;

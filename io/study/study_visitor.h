@@ -20,16 +20,17 @@
 
 namespace menger::io {
 
-/// A key of a study, as people are told of it.
+/// A key of a study with its documentation.
 struct Key {
-  std::string_view name;       ///< with its unit at the end: "duration_s"
-  std::string_view help;       ///< what it means, one sentence
-  std::string_view example{};  ///< a value in TOML. With one, a study must state the key, unless the key is optional
-  /// Its name in files of earlier versions: a key of the same table, or from the top of the file: "/actuation.period_s".
+  std::string_view name;  ///< with its unit at the end: "duration_s"
+  std::string_view help;  ///< its meaning, one sentence
+  /// A value in TOML. If there is an example, a study must state the key, unless the key is optional.
+  std::string_view example{};
+  /// Its name in files of earlier versions. It is in the same table, or counts from the top of the file: "/actuation.period_s".
   std::string_view earlier{};
-  bool was_reciprocal = false;  ///< whether the number stood there as its reciprocal, a period for a frequency
-  /// Whether another table, a file or the command line may give the value, so that a schema, which sees this table alone, cannot
-  /// ask for it.
+  bool was_reciprocal = false;  ///< whether the earlier key held the reciprocal, such as a period for a frequency
+  /// Whether another table, a file or the command line may give the value instead. A schema sees only this table, so it does not
+  /// require the key then.
   bool may_be_elsewhere = false;
 };
 
@@ -43,45 +44,48 @@ struct Count {
 using StudyValue = std::variant<bool, std::int64_t, double, std::string, std::filesystem::path, std::vector<std::int64_t>,
                                 std::vector<double>, std::vector<std::string>, std::vector<std::vector<std::string>>>;
 
-/// What may stand in place of a StudyValue, by its place among the types.
+/// The kind of value that a key takes, in the order of the types of StudyValue.
 enum class ValueKind { boolean, integer, number, text, path, integers, numbers, texts, text_rows };
 
-/// The least and the greatest integer that a type can hold.
+/// The least and greatest integers that a type can hold.
 struct IntegerLimits {
   std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
   std::int64_t highest = std::numeric_limits<std::int64_t>::max();
 };
 
-/// A key with a value, and which values it takes.
+/// A key and the values that it accepts.
 struct StudyEntry {
   Key key;
   ValueKind kind = ValueKind::number;
-  Range range{};                          ///< of each number
-  IntegerLimits limits{};                 ///< of each integer, beside the range: those of the variable that takes it
-  std::vector<std::string_view> words{};  ///< the only texts; empty: any. Beside a number: what may stand in its place
-  Count count{};                          ///< of a list
-  bool is_optional = false;               ///< a study may have no value here
+  Range range{};  ///< for each number
+  /// For each integer, in addition to the range: the limits of the variable that receives it.
+  IntegerLimits limits{};
+  /// The only texts that are accepted; empty: any text. For an integer: the words that may replace it.
+  std::vector<std::string_view> words{};
+  Count count{};             ///< for a list
+  bool is_optional = false;  ///< whether a study may have no value here
   bool is_required() const { return !key.example.empty() && !is_optional; }
 };
 
-/// One of several ways to say the same, told apart by a key.
+/// One of several forms in which a study can state the same thing. Its key tells them apart.
 struct Alternative {
-  std::string_view key;            ///< is in a file if, and only if, this is the way
-  bool is_chosen = false;          ///< whether the study is one of these
-  std::function<void()> choose;    ///< makes it one
+  std::string_view key;            ///< present in a file if, and only if, the file uses this form
+  bool is_chosen = false;          ///< whether the study has this form now
+  std::function<void()> choose;    ///< gives the study this form
   std::function<void()> describe;  ///< its keys, `key` among them
   std::string_view earlier{};      ///< name of `key` in files of earlier versions, as in Key
-  bool is_for_programs = false;    ///< whether only programs say it in this way, so that people are not told of it
+  bool is_for_programs = false;    ///< whether only programs use this form; it is not shown to people
 };
 
-/// What goes through a study key by key: it reads or writes the study, or tells people about it.
+/// Goes through a study key by key. Derived classes read a study, write it or document its keys.
 ///
 /// Each type of study has one function `describe(StudyVisitor&, Study&)` that names every key once, with its meaning, its range
-/// and where its value lies. Readers (study_reader.h), texts (study_text.h), templates (study_template.h), schemas
-/// (study_schema.h) and tables of keys (study_keys.h) are visitors, so that none of them can forget a key.
+/// and the variable that holds its value. Readers (study_reader.h), texts (study_text.h), templates (study_template.h), schemas
+/// (study_schema.h) and tables of keys (study_keys.h) are visitors, so none of them can miss a key.
 ///
-/// A function that describes is run from top to bottom, and a value that a reader has read is there for what follows: ranges and
-/// conditions may depend on it. Values have their defaults before. It must leave a valid study as it is.
+/// A `describe` function runs from top to bottom. A reader has stored each value before the next key is visited, so ranges and
+/// conditions may depend on earlier values. All values must have their defaults before. The function must not change a valid
+/// study.
 class StudyVisitor {
  public:
   StudyVisitor() = default;
@@ -94,7 +98,7 @@ class StudyVisitor {
   void integer(const Key& key, Integer& value, const Range& range = any_number());
   template <std::integral Integer>
   void optional_integer(const Key& key, std::optional<Integer>& value, const Range& range = any_number());
-  /// An integer, or nothing, for which the file has a word.
+  /// An integer, or no value, which the file states as a word.
   template <std::integral Integer>
   void integer_or_word(const Key& key, std::optional<Integer>& value, std::string_view word, const Range& range = any_number());
   void number(const Key& key, double& value, const Range& range = any_number());
@@ -117,16 +121,16 @@ class StudyVisitor {
   void integers(const Key& key, std::vector<Integer>& values, const Range& range = any_number(), const Count& count = {});
   void texts(const Key& key, std::vector<std::string>& values, const Count& count = {});
   void optional_texts(const Key& key, std::optional<std::vector<std::string>>& values, const Count& count = {});
-  /// Files and folders; relative ones count from the folder of the file.
+  /// Files and folders. Relative paths count from the folder of the study file.
   void paths(const Key& key, std::vector<std::filesystem::path>& values, const Count& count = {});
   void text_rows(const Key& key, std::vector<std::vector<std::string>>& rows);
   template <class Value>
   void words(const Key& key, std::vector<Value>& values, const Words<Value>& words, const Count& count = {});
 
-  /// A table; its keys have their defaults in a file that has none.
+  /// A table. If a file does not have it, its keys have their defaults.
   void table(const Key& key, const std::function<void()>& describe) { visit_table(key, describe); }
 
-  /// A table that a study may have or not. @param describe_value describes a value
+  /// A table that a study may leave out. @param describe_value describes its content
   template <class Value, class Describe>
   void optional_table(const Key& key, std::optional<Value>& value, const Describe& describe_value);
 
@@ -134,33 +138,37 @@ class StudyVisitor {
   template <class Value, class Describe>
   void tables(const Key& key, std::vector<Value>& values, const Describe& describe_value, const Count& count = {});
 
-  /// Several ways to say the same, of which a file has one; or none, if one is chosen at the start.
-  /// @param missing what to tell people of a file with none where there must be one
+  /// Several forms of the same thing, of which a file uses one. A file may use none if the study has one by default, or if
+  /// `missing` is empty.
+  /// @param missing the message for a file with none of them
   void one_of(const std::vector<Alternative>& alternatives, std::string_view missing = {}) {
     visit_choice(alternatives, missing);
   }
 
-  /// Keys that mean something only if a condition holds. @param condition for people: `method = "implicit"`
+  /// Keys that have a meaning only if a condition holds. @param condition for people: `method = "implicit"`
   void only_if(bool holds, std::string_view condition, const std::function<void()>& describe) {
     visit_branch(holds, condition, describe);
   }
 
-  /// Demands something of what was read. @param key whose value is shown; with the tables below this one, "ground.height_m"
-  /// @param entry of a list, from 0
-  /// @throws InputError, of a reader, with file, key and value, unless it holds
+  /// Checks a condition on values that were read. Only a reader checks it.
+  /// @param key the key whose value the message shows; may lead through tables below this one: "ground.height_m"
+  /// @param entry position in a list, counted from 0
+  /// @throws InputError with file, key and value unless the condition holds
   void check(bool holds, std::string_view key, std::string_view reason, std::initializer_list<std::size_t> entry = {}) const {
     const TomlTable* table = source();
     if (table != nullptr && !holds) throw table->error(key, reason, {entry.begin(), entry.size()});
   }
 
-  /// The table that is being read; nullptr if nothing is read. For what only a reader does, like opening a file that was named.
+  /// Returns the table that is being read; nullptr if nothing is read. Use it for work that only a reader does, such as opening a
+  /// named file.
   [[nodiscard]] virtual const TomlTable* source() const { return nullptr; }
 
  protected:
-  /// @param value nothing: not given. A reader changes it.
+  /// @param value empty if not given; a reader changes it
   virtual void visit(const StudyEntry& entry, std::optional<StudyValue>& value) = 0;
   virtual void visit_table(const Key& key, const std::function<void()>& describe) = 0;
-  /// @param has whether there is one @param set makes one or takes it away
+  /// @param has whether there is a table
+  /// @param set creates or removes the table
   virtual void visit_optional_table(const Key& key, bool has, const std::function<void(bool)>& set,
                                     const std::function<void()>& describe) = 0;
   virtual void visit_tables(const Key& key, const Count& count, std::size_t size, const std::function<void(std::size_t)>& resize,
@@ -185,7 +193,7 @@ class StudyVisitor {
   }
 };
 
-/// What a type of integers can hold; of 64 bits, what a file can.
+/// Returns the integers that both a type and a file (64 bits, signed) can hold.
 template <std::integral Integer>
 IntegerLimits limits_of() {
   using Limits = std::numeric_limits<Integer>;
@@ -203,7 +211,7 @@ std::vector<std::string_view> names_of(const Words<Value>& words) {
   return names;
 }
 
-/// The word of a value; empty if it has none.
+/// Returns the word for a value; empty if it has none.
 template <class Value>
 std::string word_of(const Words<Value>& words, const Value& value) {
   const auto found = std::ranges::find(words, value, [](const auto& pair) { return pair.second; });

@@ -13,7 +13,7 @@ namespace menger::io {
 
 static_assert(std::is_same_v<realtype, double>, "SUNDIALS must be built for double precision");
 
-/// Hands an object of SUNDIALS to the function that frees it, which takes the object, or the address of the pointer to it.
+/// Frees an object of SUNDIALS. `free_object` takes either the object or the address of the pointer to it.
 template <auto free_object>
 struct SundialsDeleter {
   template <class Object>
@@ -25,8 +25,8 @@ struct SundialsDeleter {
   }
 };
 
-/// Owner of an object of SUNDIALS, which itself is a pointer: `SundialsHandle<N_Vector, N_VDestroy>`; the memory of a solver,
-/// with its own function: `SundialsHandle<void*, ARKStepFree>`. An object must not outlive its context: declare the context
+/// Owns an object of SUNDIALS, which itself is a pointer: `SundialsHandle<N_Vector, N_VDestroy>`. For the memory of a solver,
+/// name its own function: `SundialsHandle<void*, ARKStepFree>`. An object must not outlive its context, so declare the context
 /// first.
 template <class Object, auto free_object>
 using SundialsHandle = std::unique_ptr<std::remove_pointer_t<Object>, SundialsDeleter<free_object>>;
@@ -36,7 +36,7 @@ using SundialsVector = SundialsHandle<N_Vector, N_VDestroy>;
 using SundialsMatrix = SundialsHandle<SUNMatrix, SUNMatDestroy>;
 using SundialsLinearSolver = SundialsHandle<SUNLinearSolver, SUNLinSolFree>;
 
-/// What a function of SUNDIALS made. Its constructors fail for want of memory only, and then give a null pointer.
+/// Takes ownership of a new object of SUNDIALS. Its constructors fail only if memory runs out, and then return a null pointer.
 /// @throws std::bad_alloc for a null pointer
 template <class Handle>
 Handle sundials_made(typename Handle::pointer object) {
@@ -44,7 +44,7 @@ Handle sundials_made(typename Handle::pointer object) {
   return Handle(object);
 }
 
-/// A context of its own. SUNDIALS lets one thread at a time use the objects of a context.
+/// Creates a SUNDIALS context. Only one thread at a time may use the objects of a context.
 /// @throws std::bad_alloc
 inline SundialsContext make_sundials_context() {
   SUNContext context = nullptr;
@@ -52,8 +52,8 @@ inline SundialsContext make_sundials_context() {
   return SundialsContext(context);
 }
 
-/// An error handler that prints nothing, for ARKStepSetErrHandlerFn, KINSetErrHandlerFn and their likes: the return codes of a
-/// solver say all that its caller acts on.
+/// An error handler that prints nothing, for ARKStepSetErrHandlerFn, KINSetErrHandlerFn and similar functions. Callers use the
+/// return codes of a solver instead.
 inline void print_no_sundials_error(int /*code*/, const char* /*module*/, const char* /*function*/, char* /*message*/,
                                     void* /*data*/) {}
 

@@ -25,7 +25,7 @@ std::optional<std::string> CheckpointFile::read() const {
   const std::string whole = read_whole(file_);
   const std::size_t title_length = head_.size() - hash_length;
   const bool is_one = whole.size() >= head_.size() + hash_length && whole.starts_with(head_.substr(0, title_length));
-  if (!is_one) throw error("is no checkpoint of this version of menger");
+  if (!is_one) throw error("is not a checkpoint of this version of menger");
   if (!whole.starts_with(head_)) throw error("belongs to another study or another number of processes");
   std::string state = whole.substr(head_.size() + hash_length);
   if (whole.substr(head_.size(), hash_length) != content_hash(state)) throw error("is damaged");
@@ -33,7 +33,7 @@ std::optional<std::string> CheckpointFile::read() const {
 }
 
 InputError CheckpointFile::error(std::string_view reason) const {
-  return InputError(file_.string() + ": " + std::string(reason) + "; --restart begins anew");
+  return InputError(file_.string() + ": " + std::string(reason) + "; give --restart to start again from the beginning");
 }
 
 }  // namespace menger::io

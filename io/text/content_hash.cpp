@@ -13,7 +13,7 @@ std::string content_hash(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int length = 0;
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
-    throw std::runtime_error("libcrypto offers no SHA-256");
+    throw std::runtime_error("libcrypto has no SHA-256");
   }
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
@@ -26,5 +26,11 @@ std::string content_hash(std::string_view bytes) {
 }
 
 std::string file_hash(const std::filesystem::path& file) { return content_hash(read_whole(file)); }
+
+std::map<std::string, std::string> file_hashes(std::span<const std::filesystem::path> files) {
+  std::map<std::string, std::string> hashes;
+  for (const std::filesystem::path& file : files) hashes[file.string()] = file_hash(file);
+  return hashes;
+}
 
 }  // namespace menger::io

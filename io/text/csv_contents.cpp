@@ -15,8 +15,8 @@ struct Record {
   std::vector<std::string> cells;
 };
 
-/// Splits comma-separated text into records; quoted cells may hold commas, doubled quotes and line breaks. Empty lines are left
-/// out.
+/// Splits comma-separated text into records. Quoted cells may hold commas, doubled quotes and line breaks. Empty lines are
+/// skipped.
 class RecordReader {
  public:
   RecordReader(std::string_view text, const std::filesystem::path& file) : text_(text), file_(file) {

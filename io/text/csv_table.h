@@ -24,16 +24,16 @@ CsvCell cell(std::uint64_t value);
 CsvCell cell(int value);
 CsvCell cell(std::string_view value);
 
-/// A table of named columns, the unit in the name (`time_s`), written as comma-separated values.
+/// A table of named columns, written as comma-separated values. The unit is in the name of the column (`time_s`).
 ///
-/// Numbers are written with the fewest digits that read back equal, so equal tables are equal files. A number that is not finite
-/// becomes an empty cell: no file of menger holds nan or inf. Text with comma, quote or line break is quoted (RFC 4180); lines
-/// end in \n.
+/// Numbers are written with the fewest digits that read back as the same number, so equal tables are equal files. A number that
+/// is not finite becomes an empty cell: no file of menger holds nan or inf. Text with a comma, quote or line break is quoted (RFC
+/// 4180). Lines end in \n.
 class CsvTable {
  public:
   explicit CsvTable(const std::vector<std::string>& columns);
 
-  /// Adds a row with one value per column (asserts).
+  /// Adds a row with one value per column (asserted).
   void add_cells(const std::vector<CsvCell>& cells);
 
   template <class... Values>
@@ -53,7 +53,7 @@ class CsvTable {
   std::string text_;
 };
 
-/// A table read from a file: a header and rows of equal length, all still text.
+/// A table read from a file: a header and rows of equal length. All cells are still text.
 class CsvContents {
  public:
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
@@ -63,14 +63,15 @@ class CsvContents {
   /// @throws InputError if there is no such column
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
 
-  /// A finite number. @throws InputError with file, line, column and value if the cell is none, is empty or lies outside `range`
+  /// Returns a finite number. @throws InputError with file, line, column and value if the cell is empty, is not a number or lies
+  /// outside `range`
   [[nodiscard]] double number(std::size_t row, std::string_view column, const Range& range = any_number()) const;
 
-  /// The same, or nothing for an empty cell.
+  /// Like number(), but returns nothing for an empty cell.
   [[nodiscard]] std::optional<double> optional_number(std::size_t row, std::string_view column,
                                                       const Range& range = any_number()) const;
 
-  /// A whole column of numbers.
+  /// Returns a whole column of numbers.
   [[nodiscard]] std::vector<double> numbers(std::string_view column, const Range& range = any_number()) const;
 
  private:
@@ -83,11 +84,11 @@ class CsvContents {
   std::vector<std::size_t> lines_;  ///< line of the file on which each row starts
 };
 
-/// Reads a table of comma-separated values with a header. @throws InputError if the file cannot be read, is empty, or a row has
-/// another number of cells
+/// Reads a table of comma-separated values whose first line names the columns. Cells stay text until they are asked for.
+/// @throws InputError if the file cannot be read, is empty, or has a row with more or fewer cells than the header
 CsvContents read_csv(const std::filesystem::path& file);
 
-/// Reads a table from text in memory. @param file that the text came from, for messages only
+/// Reads a table from text in memory. @param file source of the text, for messages only
 CsvContents parse_csv(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace menger::io

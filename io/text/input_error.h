@@ -5,10 +5,10 @@
 
 namespace menger::io {
 
-/// Wrong input from outside: a file, a key in it, a value, a command-line argument.
+/// An error for wrong input from outside: a file, a key in it, a value or a command-line argument.
 ///
-/// The message names file, key and offending value; programs print it and leave with exit code 2. Nothing has been written over
-/// when it is thrown.
+/// The message names file, key and wrong value. Programs print it and end with exit code 2. When it is thrown, nothing has been
+/// overwritten.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& message) : std::runtime_error(message) {}

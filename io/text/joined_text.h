@@ -6,7 +6,7 @@
 
 namespace menger::io {
 
-/// Texts one after the other with a separator between each two, for messages; empty if there are none.
+/// Joins texts with a separator between them, for messages. Empty if there are no texts.
 std::string joined(const std::vector<std::string>& texts, std::string_view separator = ", ");
 
 }  // namespace menger::io

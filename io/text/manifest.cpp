@@ -1,24 +1,51 @@
 #include "io/text/manifest.h"
 
+#include <toml++/toml.h>
+
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "io/text/content_hash.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
 
 namespace menger::io {
+namespace {
+
+/// A TOML document as JSON; numbers that JSON has no word for become texts ("Infinity"). What is not TOML, since a file name has
+/// bytes that are not UTF-8, stays text: it must not stop a finished job.
+nlohmann::json json_of(const std::string& toml) {
+  try {
+    const toml::table table = toml::parse(toml);
+    std::ostringstream text;
+    text << toml::json_formatter(table);
+    return nlohmann::json::parse(text.str());
+  } catch (const toml::parse_error&) {
+    return toml;
+  }
+}
+
+}  // namespace
 
 void add_input(Manifest& manifest, const std::filesystem::path& file) { manifest.inputs[file.string()] = file_hash(file); }
 
 std::string manifest_text(const Manifest& manifest) {
   nlohmann::json json{{"program", manifest.program},
                       {"version", version()},
-                      {"parameters", manifest.parameters},
+                      {"parameters", json_of(manifest.parameters)},
                       {"seconds", manifest.seconds},
                       {"inputs_sha256", manifest.inputs}};
   if (manifest.seed) json["seed"] = *manifest.seed;
   // a file name or comment in another encoding than UTF-8 must not stop a finished job: its bytes are replaced
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string program_of_manifest(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  const nlohmann::json json = nlohmann::json::parse(read_whole(file), nullptr, false);  // no object where it is no JSON
+  if (!json.is_object() || !json.contains("program") || !json.at("program").is_string()) return {};
+  return json.at("program").get<std::string>();
 }
 
 void write_manifest_file(const std::filesystem::path& file, const Manifest& manifest) {

@@ -8,19 +8,19 @@
 
 namespace menger::io {
 
-/// What made a folder of results: enough to make it again.
+/// What is needed to make a folder of results again.
 struct Manifest {
   std::string program;                        ///< e.g. "menger-simulate"
-  std::string parameters;                     ///< everything that decided the result, defaults included, as text
-  std::optional<std::uint64_t> seed;          ///< of the random streams, if any
-  double seconds = 0.0;                       ///< wall time; comparisons of results leave it out
-  std::map<std::string, std::string> inputs;  ///< input files: path as given and content_hash of what was read
+  std::string parameters;                     ///< everything that determined the result, including defaults, as text
+  std::optional<std::uint64_t> seed;          ///< seed of the random streams, if any
+  double seconds = 0.0;                       ///< wall time; not compared when results are compared
+  std::map<std::string, std::string> inputs;  ///< input files: path as given and content_hash of the content that was read
 };
 
-/// Adds a file with the hash of its present content. @throws InputError if it cannot be read
+/// Adds an input file with the hash of its present content. @throws InputError if it cannot be read
 void add_input(Manifest& manifest, const std::filesystem::path& file);
 
-/// The manifest as JSON with sorted keys, the version of menger included.
+/// Returns the manifest as JSON with sorted keys and the version of menger.
 std::string manifest_text(const Manifest& manifest);
 
 /// Writes a manifest to a file, whole or not at all. @throws InputError naming path and reason
@@ -28,5 +28,8 @@ void write_manifest_file(const std::filesystem::path& file, const Manifest& mani
 
 /// Writes `manifest.json` into a folder, whole or not at all. @throws InputError naming path and reason
 void write_manifest(const std::filesystem::path& folder, const Manifest& manifest);
+
+/// The program that wrote a manifest; empty if there is no such file, or it is no manifest.
+std::string program_of_manifest(const std::filesystem::path& file);
 
 }  // namespace menger::io

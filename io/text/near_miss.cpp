@@ -8,7 +8,7 @@
 namespace menger::io {
 namespace {
 
-/// Letters to replace, add or take away (Levenshtein's distance).
+/// Returns the number of letters to replace, add or remove (Levenshtein distance).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -7,8 +7,8 @@
 
 namespace menger::io {
 
-/// The word of a list that somebody may have meant who wrote another: the one that fewest changes of a letter lead to, if these
-/// are at most 3, and fewer for a short word.
+/// Returns the word of a list that a mistyped word probably stands for: the one that the fewest changes of a letter lead to. At
+/// most 3 changes are allowed, fewer for a short word. Returns nothing if no word is near enough.
 std::optional<std::string> near_miss(std::string_view written, std::span<const std::string> words);
 
 }  // namespace menger::io

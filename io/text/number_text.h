@@ -4,7 +4,7 @@
 
 namespace menger::io {
 
-/// The shortest decimal text that reads back as the same double, with a point in every locale.
+/// Returns the shortest decimal text that reads back as the same double. The decimal sign is a point in every locale.
 std::string number_text(double value);
 
 }  // namespace menger::io

@@ -5,7 +5,7 @@
 
 namespace menger::io {
 
-/// An interval that a number read from outside must lie in.
+/// The interval that a number read from outside must lie in.
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
@@ -14,7 +14,7 @@ struct Range {
 
   [[nodiscard]] bool contains(double value) const;
 
-  /// The demand in words: "must be > 0", "must be in [0, 1]"; empty if every number will do.
+  /// Returns the condition in words: "must be > 0", "must be in [0, 1]"; empty if every number is allowed.
   [[nodiscard]] std::string demand() const;
 };
 

@@ -7,10 +7,10 @@
 
 namespace menger::io {
 
-/// All statuses with the words that files have for them.
+/// Returns all statuses with their words in files.
 const Words<RunStatus>& run_status_words();
 
-/// The status of a word. @throws InputError if it is none
+/// Returns the status for a word. @throws InputError if there is no such status
 RunStatus run_status_of(std::string_view word);
 
 }  // namespace menger::io

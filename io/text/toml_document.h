@@ -18,15 +18,16 @@
 
 namespace menger::io {
 
-/// The words an enumeration is written with in files, in the order in which messages list them.
+/// The words for the values of an enumeration in files, in the order in which messages list them.
 template <class Value>
 using Words = std::vector<std::pair<std::string_view, Value>>;
 
-/// A table of a TOML file whose keys are asked for one by one; every fault is an InputError that names file, line, key and value.
+/// A table of a TOML file. Callers ask for its keys one by one. Every error is an InputError that names file, line, key and
+/// value.
 ///
-/// A copy refers to the same table. Keys that were never asked for are reported by finish(). Numbers are finite: nan and inf are
-/// refused. Each accessor throws InputError if the key is missing (those with a fallback and the optional ones do not), has
-/// another type or lies outside its range.
+/// A copy refers to the same table. finish() reports the keys that were never asked for. Numbers must be finite: nan and inf are
+/// refused. An accessor throws InputError if the key is missing, has another type or lies outside its range. Accessors with a
+/// fallback and optional ones accept a missing key.
 class TomlTable {
  public:
   double number(std::string_view key, const Range& range = any_number()) const;  ///< integers are accepted too
@@ -44,7 +45,7 @@ class TomlTable {
   std::string text(std::string_view key) const;
   std::string text_or(std::string_view key, std::string_view fallback) const;
 
-  /// A file name; a relative one counts from the folder of the TOML file. Whether the file exists is not checked.
+  /// Returns a path. A relative one counts from the folder of the TOML file. Whether the file exists is not checked.
   std::filesystem::path path(std::string_view key) const;
   std::optional<std::filesystem::path> optional_path(std::string_view key) const;
 
@@ -52,7 +53,7 @@ class TomlTable {
   std::vector<std::string> texts(std::string_view key) const;
   std::vector<std::vector<std::string>> text_rows(std::string_view key) const;  ///< an array of arrays of strings
 
-  /// One of the given words; the message for any other lists them.
+  /// Returns the value of one of the given words. For any other word the error lists them.
   template <class Value>
   Value word(std::string_view key, const Words<Value>& words) const;
   template <class Value>
@@ -60,28 +61,29 @@ class TomlTable {
 
   TomlTable table(std::string_view key) const;
   std::optional<TomlTable> optional_table(std::string_view key) const;
-  TomlTable table_or_empty(std::string_view key) const;                ///< one without keys if there is none
+  TomlTable table_or_empty(std::string_view key) const;                ///< a table without keys if there is none
   std::vector<TomlTable> tables(std::string_view key) const;           ///< an array of tables, at least one
   std::vector<TomlTable> optional_tables(std::string_view key) const;  ///< an array of tables, none if the key is missing
 
-  /// Tells what a key means elsewhere; finish() says so if the key is there and nobody asked for it.
-  /// @param condition under which it means something: `method = "implicit"`
+  /// Records when a key has a meaning. finish() reports it if the key is present and was never asked for.
+  /// @param condition the condition under which it has a meaning: `method = "implicit"`
   void belongs_to(std::string_view key, std::string_view condition) const;
 
   bool has(std::string_view key) const;       ///< does not count as asking for the key
-  bool is_text(std::string_view key) const;   ///< whether the key has a string; does not count as asking for it
-  bool is_table(std::string_view key) const;  ///< the same for a table
-  bool asks_for(std::string_view key) const;  ///< whether the key exists; counts as asking for it
+  bool is_text(std::string_view key) const;   ///< whether the value is a string; does not count as asking for the key
+  bool is_table(std::string_view key) const;  ///< whether the value is a table; does not count as asking for the key
+  bool asks_for(std::string_view key) const;  ///< whether the key exists; counts as asking for the key
   const std::filesystem::path& file() const;
 
-  /// The error for a value that was read but does not fit: `file:line: table.key = value: reason`.
+  /// Returns the error for a value that was read but is not valid: `file:line: table.key = value: reason`.
   /// @param key may lead through tables: "ground.height_m"
   /// @param entry position inside nested arrays, counted from 0 (written from 1)
   [[nodiscard]] InputError error(std::string_view key, std::string_view reason, std::span<const std::size_t> entry = {}) const;
 
-  /// The error for keys of which one is needed: `file:line: table.side or label is missing: ...`.
+  /// Returns the error for several missing keys of which one is needed: `file:line: table.side or label is missing: ...`.
   [[nodiscard]] InputError missing(std::string_view keys, std::string_view reason) const;
 
+  /// Checks that every key was asked for.
   /// @throws InputError naming every key of this table, and of the tables taken from it, that was never asked for
   void finish() const;
 
@@ -97,13 +99,13 @@ class TomlTable {
   std::shared_ptr<Node> node_;
 };
 
-/// The top table of a TOML file. @throws InputError if it cannot be read or is not TOML
+/// Reads a TOML file and returns its top table. @throws InputError if it cannot be read or is not TOML
 TomlTable read_toml(const std::filesystem::path& file);
 
-/// The same from text that came from `file`, which is used for messages and relative paths only.
+/// Reads TOML from a text in memory. `file` is used only for messages and relative paths.
 TomlTable parse_toml(std::string_view text, const std::filesystem::path& file);
 
-/// Text as a TOML string with its quotes.
+/// Returns a text as a TOML string with its quotes.
 std::string toml_quoted(std::string_view text);
 
 template <std::integral Integer>

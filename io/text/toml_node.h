@@ -15,33 +15,34 @@
 
 namespace menger::io {
 
-/// A parsed file; its tables stay where they are as long as it lives.
+/// A parsed file. Its tables keep their addresses as long as it exists.
 struct TomlTable::Source {
   std::filesystem::path file;
   toml::table top;
 };
 
-/// The node as a value, array or table of the given type. @throws fault("must be ...") if it is another
+/// Returns the node as a value, array or table of the given type. @throws fault("must be ...") if it has another type
 template <class Type, class Fault>
 const auto& toml_value(const toml::node& node, std::string_view wanted, const Fault& fault) {
   if (const auto* value = node.as<Type>()) return *value;
   throw fault("must be " + std::string(wanted));
 }
 
-/// A table in its file and what has been asked of it so far. Names of nodes are keys or entries of arrays: "numbers[2]".
+/// A table in its file, and the keys that were asked for so far. The name of a node is a key or an entry of an array:
+/// "numbers[2]".
 struct TomlTable::Node {
   std::shared_ptr<const Source> source;
   const toml::table* table = nullptr;
   std::string prefix;                                                  ///< path of the table with a dot at the end
-  std::set<std::string, std::less<>> asked;                            ///< keys, present or not
+  std::set<std::string, std::less<>> asked;                            ///< keys that were asked for, present or not
   std::map<std::string, std::vector<std::shared_ptr<Node>>> children;  ///< tables taken from it
-  std::map<std::string, std::string, std::less<>> conditions{};        ///< under which a key would mean something
+  std::map<std::string, std::string, std::less<>> conditions{};  ///< for each key: the condition under which it has a meaning
 
-  /// The value of a key, nullptr if there is none; counts as asking for the key.
+  /// Returns the value of a key; nullptr if there is none. Counts as asking for the key.
   const toml::node* find(std::string_view key);
   const toml::node& require(std::string_view key, std::string_view wanted);
 
-  /// The start of a message: "file:line: ".
+  /// Returns the start of a message: "file:line: ".
   [[nodiscard]] std::string where(const toml::node& node) const;
   [[nodiscard]] InputError fault(std::string_view name, const toml::node& node, std::string_view reason) const;
 
@@ -56,7 +57,8 @@ struct TomlTable::Node {
     for (std::size_t i = 0; i < array.size(); ++i) read(name + "[" + std::to_string(i + 1) + "]", array[i]);
   }
 
-  /// The node of a table found in this one; the same one each time, so that what was asked of it adds up.
+  /// Returns the node of a table in this one. It is the same node each time, so that all keys that were asked for are recorded
+  /// together.
   std::shared_ptr<Node> child(std::string_view key, const std::string& name, const toml::node& node);
 
   /// Adds a message for every key that was never asked for, here and in the tables taken from here.

@@ -10,14 +10,14 @@
 namespace menger::io {
 namespace {
 
-/// Where a line begins. @param line counted from 1
+/// Returns the position at which a line begins. @param line counted from 1
 std::size_t line_start(std::string_view text, std::size_t line) {
   std::size_t start = 0;
   for (std::size_t n = 1; n < line; ++n) start = text.find('\n', start) + 1;
   return start;
 }
 
-/// The bytes before a column. @param column counted from 1 in characters of UTF-8
+/// Returns the number of bytes before a column. @param column counted from 1 in characters of UTF-8
 std::size_t bytes_before(std::string_view line, std::size_t column) {
   std::size_t at = 0;
   for (std::size_t n = 1; n < column; ++n) {
@@ -37,7 +37,7 @@ std::string with_number(std::string_view text, std::string_view key, double valu
   try {
     table = toml::parse(text);
   } catch (const toml::parse_error& error) {
-    throw fault("the file is no TOML: " + std::string(error.description()));
+    throw fault("the file is not TOML: " + std::string(error.description()));
   }
   const toml::node* node = &table;
   for (std::string_view rest = key; node != nullptr;) {
@@ -46,7 +46,7 @@ std::string with_number(std::string_view text, std::string_view key, double valu
     if (dot == std::string_view::npos) break;
     rest.remove_prefix(dot + 1);
   }
-  if (node == nullptr) throw fault("the file does not state this number");
+  if (node == nullptr) throw fault("the file does not contain this number");
   if (!node->is_number()) throw fault("must be a number");
   const toml::source_position begin = node->source().begin;
   const std::size_t first_of_line = line_start(text, begin.line);

@@ -10,7 +10,7 @@
 
 namespace menger::io {
 
-/// A value as TOML. Numbers are exact: they read back as the same double.
+/// Returns a value as TOML. Numbers are exact: they read back as the same double.
 std::string toml_value_text(double value);
 std::string toml_value_text(bool value);
 std::string toml_value_text(std::string_view value);
@@ -24,24 +24,24 @@ std::string toml_value_text(std::span<const std::int64_t> values);
 std::string toml_value_text(std::span<const std::string> values);
 std::string toml_value_text(std::span<const std::vector<std::string>> rows);
 
-/// TOML made key by key, one `key = value` per line: the one writer of settings and results.
+/// Builds a TOML text line by line, one `key = value` per line. It is the common writer of settings and results.
 class TomlText {
  public:
-  /// Begins a table. @param name the whole name: "material.law"
+  /// Begins a table. @param name the full name: "material.law"
   TomlText& table(std::string_view name) { return line("[" + std::string(name) + "]"); }
   /// Begins an entry of an array of tables.
   TomlText& entry(std::string_view name) { return line("[[" + std::string(name) + "]]"); }
 
-  /// Adds a key with a number, a truth, a text or a list.
+  /// Adds a key with a number, a boolean, a text or a list.
   template <class Value>
   TomlText& add(std::string_view key, const Value& value) {
     return raw(key, toml_value_text(value));
   }
-  /// The same with a value that is TOML already.
+  /// Adds a key with a value that is already TOML.
   TomlText& raw(std::string_view key, std::string_view value) { return line(std::string(key) + " = " + std::string(value)); }
   TomlText& comment(std::string_view text) { return line("# " + std::string(text)); }
   TomlText& line(std::string_view text);
-  /// Whole lines that were made elsewhere.
+  /// Adds whole lines that were made elsewhere.
   TomlText& lines(std::string_view text);
 
   [[nodiscard]] const std::string& text() const { return text_; }

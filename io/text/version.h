@@ -4,7 +4,7 @@
 
 namespace menger::io {
 
-/// Version of menger, e.g. "0.1.0".
+/// Returns the version of menger, e.g. "0.1.0".
 std::string_view version();
 
 }  // namespace menger::io

@@ -22,7 +22,7 @@ std::string reason_of(int error) { return std::generic_category().message(error)
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-/// Distinct for every file that this and other processes have under way.
+/// Returns a temporary name that differs from those of all files that this and other processes are writing.
 fs::path temporary_name(const fs::path& target) {
   static std::atomic<unsigned> counter{0};
   std::string name(".");
@@ -31,18 +31,20 @@ fs::path temporary_name(const fs::path& target) {
   return folder_of(target) / name;
 }
 
-/// Data must reach the disk before the name does, or a crash could leave an empty file under the final name.
+/// Flushes a file or folder to disk. The data must reach the disk before the name does; otherwise a crash could leave an empty
+/// file under the final name.
 void flush_to_disk(const fs::path& path, int flags) {
   const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   if (descriptor < 0) throw InputError(path.string() + ": cannot be written: " + reason_of(errno));
   const int failed = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
-  // some file systems do not know fsync of a folder and say EINVAL
+  // Some file systems do not support fsync of a folder and return EINVAL.
   if (failed != 0 && error != EINVAL) throw InputError(path.string() + ": cannot be written: " + reason_of(error));
 }
 
-/// The files whose name fits: the folder of `pattern`, and what stands before and after the star of its last part.
+/// Finds the files whose name matches a pattern: the folder of `pattern`, and the text before and after the star of its last
+/// part.
 std::vector<fs::path> matching_files(const fs::path& pattern) {
   const std::string name = pattern.filename().string();
   const auto star = name.find('*');
@@ -98,7 +100,7 @@ void remove_if_there(const fs::path& file) {
 
 void remove_files(const fs::path& folder, const std::vector<std::string_view>& names) {
   for (const std::string_view name : names) {
-    // listed first: whether a listing goes on over files that vanish is not defined
+    // The files are listed first: it is not defined whether a listing shows files that are removed during it.
     for (const fs::path& file : matching_files(folder / name)) remove_if_there(file);
   }
 }
@@ -117,9 +119,9 @@ std::string read_whole(const fs::path& file) {
 void require_writable_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string() + ": cannot be made a folder: " + error.message());
+  if (error) throw InputError(folder.string() + ": cannot be created as a folder: " + error.message());
   if (!fs::is_directory(folder, error))
-    throw InputError(folder.string() + ": cannot be made a folder: a file of this name exists");
+    throw InputError(folder.string() + ": cannot be created as a folder: a file of this name exists");
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
     throw InputError(folder.string() + ": cannot be written to: " + reason_of(errno));
 }

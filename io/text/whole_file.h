@@ -7,23 +7,23 @@
 
 namespace menger::io {
 
-/// A file that appears under its name only when it is complete: it is written under a temporary name in the same folder, flushed
-/// to disk and renamed.
+/// A file that appears under its name only when it is complete. It is written under a temporary name in the same folder, flushed
+/// to disk and then renamed.
 ///
-/// For writers of other libraries that want a file name: let them write `temporary()`, then call `commit()`. Without commit the
-/// temporary file is removed and what stood under the name before stays untouched.
+/// Use it for libraries that write to a file name: let them write to `temporary()`, then call `commit()`. Without `commit()` the
+/// temporary file is removed, and a file that already had the name stays unchanged.
 class PendingFile {
  public:
-  /// Creates the folder of `target` if there is none. @throws InputError if it cannot be written to
+  /// Creates the folder of `target` if it does not exist. @throws InputError if the folder cannot be written to
   explicit PendingFile(std::filesystem::path target);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
-  /// Name to write to, with the extension of the target.
+  /// Returns the temporary name to write to. It has the extension of the target.
   [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
 
-  /// Gives the file its name, in place of one that was there. @throws InputError naming path and reason
+  /// Renames the file to its target and replaces a file of that name. @throws InputError naming path and reason
   void commit();
 
  private:
@@ -32,20 +32,21 @@ class PendingFile {
   bool committed_ = false;
 };
 
-/// Writes a file whole or not at all. @throws InputError naming path and reason
+/// Writes a file, whole or not at all. @throws InputError naming path and reason
 void write_whole(const std::filesystem::path& file, std::string_view content);
 
-/// Removes a file, or an empty folder, if it is there. @throws InputError naming path and reason
+/// Removes a file or an empty folder if it exists. @throws InputError naming path and reason
 void remove_if_there(const std::filesystem::path& file);
 
-/// Removes files that are there. Names count from the folder; the last part of a name may hold one `*`: "frames/frame_*.vtu".
+/// Removes the named files if they exist. Names count from the folder. The last part of a name may hold one `*`:
+/// "frames/frame_*.vtu".
 /// @throws InputError naming path and reason
 void remove_files(const std::filesystem::path& folder, const std::vector<std::string_view>& names);
 
-/// All bytes of a file. @throws InputError if it is missing, a folder or unreadable
+/// Returns all bytes of a file. @throws InputError if it is missing, a folder or unreadable
 std::string read_whole(const std::filesystem::path& file);
 
-/// Creates the folder with its parents and makes sure that a file can be made in it. @throws InputError naming path and reason
+/// Creates a folder with its parents and checks that a file can be made in it. @throws InputError naming path and reason
 void require_writable_folder(const std::filesystem::path& folder);
 
 }  // namespace menger::io

@@ -11,10 +11,10 @@ namespace menger::io {
 void write_vtu(const std::filesystem::path& target, vtkUnstructuredGrid& grid, IndexWidth indices) {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(&grid);
-  // Into memory: on a full disk VTK's writer of inline data ends in a segmentation fault.
+  // The text is made in memory: on a full disk, VTK's writer of inline data ends with a segmentation fault.
   writer->WriteToOutputStringOn();
-  // An appended section is no XML. VTK stops its parser right before it, too late for Expat since 2.6 and its backport to Debian
-  // 12 (2.5.0-1+deb12u2): the parser meets the section, and ParaView 5.11 refuses the file.
+  // An appended section is not XML. VTK stops its parser just before it. Since Expat 2.6 and its backport to Debian 12
+  // (2.5.0-1+deb12u2) this is too late: the parser reads the section, and ParaView 5.11 refuses the file.
   writer->SetDataModeToBinary();
   writer->SetCompressorTypeToZLib();
   writer->SetCompressionLevel(1);

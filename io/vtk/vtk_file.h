@@ -6,16 +6,16 @@
 
 namespace menger::io {
 
-/// Width of the indices of a file.
+/// Width of the integer indices in a file.
 enum class IndexWidth { bits_32, bits_64 };
 
-/// Writes a grid as VTK's XML file (.vtu) that ParaView opens, whole or not at all. Each array stands in the element that
-/// describes it, compressed by zlib in blocks and in base64, which takes a third more room than raw bytes; never in an appended
-/// section, which is no XML and stops the ParaView of an up-to-date Debian 12. Values come back bit for bit.
+/// Writes a grid as a VTK XML file (.vtu) for ParaView, whole or not at all.
 ///
-/// The text is made in memory and then written.
-/// @param indices bits_32 for files of at most 2^31 - 1 points, half as large
-/// @throws InputError naming the target if the file was not written to its end
+/// Each array is inside the XML element that describes it, compressed by zlib in blocks and encoded in base64. This takes a third
+/// more space than raw bytes. There is no appended section, because it is not XML and the ParaView of an up-to-date Debian 12
+/// cannot read it. Values read back bit for bit. The whole text is made in memory and then written.
+/// @param indices bits_32 for files of at most 2^31 - 1 points; the indices then take half the space
+/// @throws InputError naming the target if the file could not be written completely
 void write_vtu(const std::filesystem::path& target, vtkUnstructuredGrid& grid, IndexWidth indices = IndexWidth::bits_32);
 
 }  // namespace menger::io

@@ -37,12 +37,12 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "writes fits/fits.toml, curves.csv, fits.png and manifest.json.\n"
       "The test is a file of the Soft Robotics Materials Database or has two columns with units in the header, such as\n"
       "strain,stress_kPa. Unless --raw is given, known faults of a record are repaired, and each repair is printed.\n"
-      "Exit codes: 0 done, 2 wrong input, 3 no law is at once stable, plausible, determined by the test and\n"
-      "close to it.");
+      "Exit codes: 0 done, 2 wrong input, 3 no law is stable, plausible, determined by the test and close to\n"
+      "the test at the same time.");
   app.add_option("test", arguments.test, "tensile test (CSV)")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the test)");
-  app.add_option("--range", arguments.range, "strains between which to fit, as fractions (default: 0 1)");
-  app.add_flag("--raw", arguments.raw, "repair nothing");
+  app.add_option("--range", arguments.range, "range of strains for the fit, as fractions (default: 0 1)");
+  app.add_flag("--raw", arguments.raw, "do not repair the record");
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG picture");
   app.add_option(
       "--crosshead-correction", arguments.crosshead_correction,
@@ -122,9 +122,11 @@ int run(int argc, const char* const* argv) {
   print(report);
   if (!chart.written) std::cout << "no picture: " << chart.missing << '\n';
   const materials::LawFit* best = materials::recommended_fit(report.ranking);
-  std::cout << (best != nullptr
-                    ? "recommended: " + best->name
-                    : std::string("no law is recommended: none is at once stable, plausible, determined and close to the test"));
+  std::cout
+      << (best != nullptr
+              ? "recommended: " + best->name
+              : std::string(
+                    "no law is recommended: no law is stable, plausible, determined and close to the test at the same time"));
   std::cout << "; results in " << arguments.folder.string() << '\n';
   return best != nullptr ? io::exit_code::done : io::exit_code::numerical;
 }

@@ -18,7 +18,7 @@ namespace menger::materials {
 
 namespace {
 
-constexpr std::size_t fewest_rows = 8;  // six parameters of Ogden's three terms and two to judge them by
+constexpr std::size_t fewest_rows = 8;  // six parameters of Ogden's three terms and two rows more, to estimate the error
 constexpr double search_stretch = 10.0;
 constexpr double smallest_stretch = 0.3;
 constexpr double strain_margin = 1.25;
@@ -27,7 +27,7 @@ constexpr double lowest_ratio = 1.1;
 constexpr double highest_ratio = 1.7;
 constexpr double close_enough = 0.05;       // of the largest stress
 constexpr double as_close_as_best = 3.0;    // times the RMSE of the closest stable and plausible fit
-constexpr double closer_than_tests = 5e-3;  // of the largest stress: what no test resolves
+constexpr double closer_than_tests = 5e-3;  // of the largest stress: no test resolves less
 
 struct Rows {
   std::vector<double> stretch;
@@ -56,7 +56,7 @@ double uniaxial_Pa(const HyperelasticLaw& law, double stretch) {
   return nominal_stress(law, LoadingMode::uniaxial, stretch).stress_Pa;
 }
 
-void judge_residuals(LawFit& fit, const Rows& rows) {
+void assess_residuals(LawFit& fit, const Rows& rows) {
   const auto n = static_cast<double>(rows.stretch.size());
   const double mean = std::accumulate(rows.stress_Pa.begin(), rows.stress_Pa.end(), 0.0) / n;
   double square = 0.0;
@@ -65,7 +65,7 @@ void judge_residuals(LawFit& fit, const Rows& rows) {
     square += std::pow(uniaxial_Pa(fit.law, rows.stretch[i]) - rows.stress_Pa[i], 2);
     variation += std::pow(rows.stress_Pa[i] - mean, 2);
   }
-  // Residuals below rounding error, as of a curve made by a law, would let the logarithm run away.
+  // Residuals below rounding error, such as those of a curve computed from a law, would make the logarithm diverge.
   const double least_square = n * std::pow(1e-12 * std::sqrt(variation / n), 2) + std::numeric_limits<double>::min();
   fit.rmse_Pa = std::sqrt(square / n);
   const double largest_Pa = std::abs(*std::max_element(rows.stress_Pa.begin(), rows.stress_Pa.end(),
@@ -95,7 +95,7 @@ bool is_stable_in_tension(const HyperelasticLaw& law, double largest_stretch) {
                       [&](LoadingMode mode) { return first_unstable_stretch(law, mode, std::max(1.0, largest_stretch)); });
 }
 
-/// In any mode, the one nearest to 1.
+/// Returns the first unstable stretch in compression in any mode, the one nearest to 1.
 std::optional<double> first_unstable_compression(const HyperelasticLaw& law) {
   std::optional<double> first;
   for (const LoadingMode mode : modes) {
@@ -105,7 +105,7 @@ std::optional<double> first_unstable_compression(const HyperelasticLaw& law) {
   return first;
 }
 
-void judge_law(LawFit& fit, double largest_stretch) {
+void assess_law(LawFit& fit, double largest_stretch) {
   fit.unstable_uniaxial = first_unstable_stretch(fit.law, LoadingMode::uniaxial, search_stretch);
   fit.unstable_equibiaxial = first_unstable_stretch(fit.law, LoadingMode::equibiaxial, search_stretch);
   fit.unstable_planar = first_unstable_stretch(fit.law, LoadingMode::planar, search_stretch);
@@ -117,8 +117,8 @@ void judge_law(LawFit& fit, double largest_stretch) {
   fit.plausible = fit.equibiaxial_ratio && *fit.equibiaxial_ratio >= lowest_ratio && *fit.equibiaxial_ratio <= highest_ratio;
 }
 
-/// Whether the test determines every parameter of the law: none ran into the bounds of its search (a modulus held at zero only
-/// makes the law a simpler one), and no interval is missing or holds 0.
+/// Whether the test determines every parameter of the law. No parameter may be at a bound of its search range, and no interval
+/// may be missing or contain 0. A modulus held at zero is allowed: it only makes the law a simpler one.
 bool is_determined(const LawFit& fit) {
   const auto parameters = parameters_of(fit.law);
   if (fit.confidence_95.size() != parameters.size()) return false;
@@ -135,13 +135,13 @@ bool is_usable(const LawFit& fit) {
          is_determined(fit) && fit.relative_rmse <= close_enough;
 }
 
-/// Smaller is better.
+/// Returns the key by which fits are ranked; smaller is better.
 std::array<double, 3> rank_of(const LawFit& fit) {
   const double group = !fit.stable ? 2.0 : is_usable(fit) ? 0.0 : 1.0;
   return {group, fit.status == io::RunStatus::completed ? 0.0 : 1.0, fit.aic};
 }
 
-/// The parameters at a bound: shape parameters as the solver left them, and moduli held at zero.
+/// Returns the parameters at a bound: shape parameters at an end of their search range, and moduli held at zero.
 std::vector<std::string> parameters_at_bound(const LawFamily& family, const SeparableFit& found) {
   std::vector<std::string> names = found.shape_at_bound;
   for (const auto& [name, value] : parameters_of(found.law)) {
@@ -150,7 +150,7 @@ std::vector<std::string> parameters_at_bound(const LawFamily& family, const Sepa
   return names;
 }
 
-/// Whether an Ogden law of several terms has one without modulus: it is a law of fewer terms, which is fitted anyway.
+/// Whether a term of an Ogden law of several terms has no modulus. Such a law has in effect fewer terms and is fitted anyway.
 bool has_empty_term(const HyperelasticLaw& law) {
   const auto empty_in = [](const auto& ogden) {
     return std::any_of(ogden.terms.begin(), ogden.terms.end(), [](const OgdenTerm& term) { return term.modulus_Pa == 0.0; });
@@ -175,9 +175,9 @@ std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range) 
     fit.law = found->law;
     fit.status = found->status;
     fit.at_bound = parameters_at_bound(family, *found);
-    judge_residuals(fit, rows);
+    assess_residuals(fit, rows);
     set_confidence(fit, rows.stretch);
-    judge_law(fit, *largest);
+    assess_law(fit, *largest);
     fits.push_back(std::move(fit));
   }
   std::stable_sort(fits.begin(), fits.end(), [](const LawFit& a, const LawFit& b) { return rank_of(a) < rank_of(b); });

@@ -11,62 +11,73 @@
 
 namespace menger::materials {
 
-/// Engineering strains between which a law is fitted, ends included.
+/// The range of engineering strains in which a law is fitted, ends included.
 struct StrainRange {
   double lowest = 0.0;
   double highest = 1.0;
 };
 
-/// A law fitted to a tensile test, and how much it is to be trusted.
+/// A law fitted to a tensile test, and how reliable the fit is.
 struct LawFit {
-  std::string name;  ///< of the law, with "_non_negative" if its moduli were kept from being negative
+  /// Name of the law, with "_non_negative" if its moduli were not allowed to be negative.
+  std::string name;
   HyperelasticLaw law;
   io::RunStatus status = io::RunStatus::completed;  ///< completed or not_converged
 
   double rmse_Pa = 0.0;
-  double relative_rmse = 0.0;  ///< RMSE over the largest stress
-  double r_squared = 0.0;      ///< about the mean stress
+  double relative_rmse = 0.0;  ///< RMSE divided by the largest stress
+  double r_squared = 0.0;      ///< relative to the variation about the mean stress
   double aic = 0.0;            ///< n ln(SSE/n) + 2 k with stresses in MPa and k parameters
 
-  /// Parameters that the fit left at a bound: shape parameters at the end of their search, moduli kept from being negative.
+  /// Parameters at a bound: shape parameters at an end of their search range, and moduli that were held at zero because they may
+  /// not be negative.
   std::vector<std::string> at_bound;
 
-  /// Interval that holds a parameter with 95 % if the law is right and errors are independent, in the order of parameters_of;
-  /// nothing for parameters at a bound, which count as known. Empty if the test cannot tell the others apart. Where the law is
-  /// wrong in shape the intervals are too narrow.
+  /// The 95 % confidence interval of each parameter, in the order of parameters_of. It holds if the law is right and the errors
+  /// are independent.
+  ///
+  /// A parameter at a bound counts as known and has no interval. The list is empty if the test cannot determine the other
+  /// parameters. If the law has the wrong shape, the intervals are too narrow.
   std::vector<std::optional<std::pair<double, double>>> confidence_95;
 
-  /// First stretch at which more strain takes less stress, by mode, looked for up to 10; nothing if there is none.
+  /// For each mode: the first stretch above 1 at which more strain needs less stress, searched up to 10; nothing if there is
+  /// none.
   std::optional<double> unstable_uniaxial;
   std::optional<double> unstable_equibiaxial;
   std::optional<double> unstable_planar;
 
-  /// The stretch nearest to 1 at which, in compression in any of the three modes, more strain takes less stress, looked for down
-  /// to 0.3; nothing if there is none.
+  /// The stretch below 1 and nearest to 1 at which, in any of the three modes, more strain needs less stress, searched down to
+  /// 0.3; nothing if there is none.
   std::optional<double> unstable_compression;
-  bool stable = false;              ///< none in compression, nor in tension up to the largest fitted stretch
-  bool stable_with_margin = false;  ///< nor up to a quarter more than the largest fitted strain
+  bool stable = false;              ///< stable in compression, and in tension up to the largest fitted stretch
+  bool stable_with_margin = false;  ///< also stable in tension up to 1.25 times the largest fitted strain
 
-  /// Whether terms of Ogden's law pull against each other (mu_p alpha_p of both signs): tension alone does not determine such
-  /// laws.
+  /// Whether terms of Ogden's law have opposite signs (mu_p alpha_p > 0 and < 0) and partly cancel each other. A tensile test
+  /// alone does not determine such laws.
   bool cancelling = false;
 
-  std::optional<double> equibiaxial_ratio;  ///< to uniaxial stress, at a stretch of 1.5
-  bool plausible = false;                   ///< that ratio is one of silicone, 1.1 to 1.7
+  std::optional<double> equibiaxial_ratio;  ///< equibiaxial divided by uniaxial stress, at a stretch of 1.5
+  bool plausible = false;                   ///< whether that ratio is in the range of silicone, 1.1 to 1.7
 };
 
-/// Fits every law to a test by unweighted least squares of the nominal stress and ranks them in three groups: those fit for use,
-/// then other stable ones, then the unstable. Within a group fits whose solver gave up come last; otherwise the smaller AIC comes
-/// first.
+/// Fits every law to a test by unweighted least squares of the nominal stress, and ranks the fits.
 ///
-/// Fit for use is a fit that is completed, stable with a margin, plausible and without cancelling terms, whose RMSE is at most 5
-/// % of the largest stress, and whose parameters have intervals that do not hold 0 (a modulus kept from being negative may be 0).
-/// Ogden laws of several terms of which one vanished are left out.
-/// @throws io::InputError naming the range if it holds fewer than eight rows, or only rows without stress
+/// There are three groups: first the usable fits, then the other stable ones, then the unstable ones. Within a group, fits whose
+/// solver did not converge come last; otherwise the fit with the smaller AIC comes first.
+///
+/// A fit is usable if all of the following hold:
+/// - it is completed, stable with a margin and plausible, and has no cancelling terms;
+/// - its RMSE is at most 5 % of the largest stress;
+/// - every parameter has a confidence interval that does not contain 0. A modulus that may not be negative may be 0.
+///
+/// Ogden laws of several terms are left out if the modulus of a term is zero.
+/// @throws io::InputError naming the range if it contains fewer than eight rows, only rows without strain or only rows without
+/// stress
 std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range);
 
-/// The first of the ranking if it is fit for use and its RMSE is at most three times that of the closest stable and plausible
-/// fit, or 0.5 % of the largest stress; otherwise nothing: then no law of the list is to be used unseen.
+/// Returns the first fit of a ranking if it is usable and close enough to the test; otherwise nullptr. In that case check a law
+/// of the list yourself before you use it. Close enough: its RMSE is at most three times that of the closest stable and plausible
+/// fit, or at most 0.5 % of the largest stress.
 const LawFit* recommended_fit(const std::vector<LawFit>& ranking);
 
 }  // namespace menger::materials

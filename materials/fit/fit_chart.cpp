@@ -13,10 +13,10 @@ namespace {
 constexpr double beyond = 0.25;  // of the highest fitted strain
 constexpr int parts = 200;
 
-/// Stretches over which the chart goes.
+/// The range of stretches that the chart shows.
 struct Span {
   double low = 1.0;
-  double fitted = 1.0;  ///< the largest that was fitted
+  double fitted = 1.0;  ///< the largest fitted stretch
   double high = 1.0;
 };
 
@@ -59,7 +59,7 @@ io::ChartSeries curve_of(const LawFit& fit, std::size_t place, const Span& span)
 io::PictureOutcome write_fit_chart(const std::filesystem::path& file, const FitReport& report, const TensileTest& test) {
   const Span span = span_of(report, test);
   const io::ChartSeries points = measured(test, span);
-  // Room for laws above the measurement, but not for those that leave it far behind.
+  // The chart leaves room for laws above the measurement, but not for those far beyond it.
   const auto [lowest, highest] = std::minmax_element(points.y.begin(), points.y.end());
   const double room = 0.3 * std::max(*highest, -*lowest);
   io::ChartPanel stable{.title = "stable laws, the best first",

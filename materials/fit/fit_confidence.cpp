@@ -11,7 +11,7 @@
 namespace menger::materials {
 namespace {
 
-/// Positions of the parameters that are at no bound.
+/// Returns the positions of the parameters that are not at a bound.
 std::vector<std::size_t> free_parameters(const LawFit& fit) {
   std::vector<std::size_t> free;
   const auto parameters = parameters_of(fit.law);
@@ -25,7 +25,7 @@ double uniaxial_Pa(const HyperelasticLaw& law, double stretch) {
   return nominal_stress(law, LoadingMode::uniaxial, stretch).stress_Pa;
 }
 
-/// Derivatives of the stress at each stretch by the logarithms of the given parameters.
+/// Returns the derivatives of the stress at each stretch with respect to the logarithms of the given parameters.
 Eigen::MatrixXd jacobian_of(const HyperelasticLaw& law, const std::vector<std::size_t>& free, const std::vector<double>& values,
                             const std::vector<double>& stretch) {
   constexpr double step = 1e-5;
@@ -57,7 +57,7 @@ void set_confidence(LawFit& fit, const std::vector<double>& stretch) {
   const Eigen::MatrixXd jacobian = jacobian_of(fit.law, free, values, stretch);
   if (!jacobian.allFinite()) return;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian.rows(), jacobian.cols());
-  qr.setThreshold(1e-7);  // differences know the columns no better
+  qr.setThreshold(1e-7);  // finite differences give the columns no more accurately
   qr.compute(jacobian);
   const auto width = static_cast<Eigen::Index>(free.size());
   if (qr.rank() < width) return;

@@ -6,9 +6,9 @@
 
 namespace menger::materials {
 
-/// Sets the intervals of the parameters that are at no bound (see LawFit::confidence_95), by the law of the fit linearised about
-/// its parameters.
-/// @param stretch of the fitted rows, more of them than parameters; the RMSE of the fit must be set
+/// Sets the confidence intervals of the parameters that are not at a bound (see LawFit::confidence_95). The law of the fit is
+/// linearised about its parameters.
+/// @param stretch stretches of the fitted rows, more than there are parameters; the RMSE of the fit must be set
 void set_confidence(LawFit& fit, const std::vector<double>& stretch);
 
 }  // namespace menger::materials

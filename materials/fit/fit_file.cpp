@@ -36,7 +36,7 @@ std::string confidence_text(const LawFit& fit) {
   return text;
 }
 
-/// A law without stiffness at rest is no law of a body, and read_law refuses it.
+/// A law without stiffness at rest describes no body, and read_law refuses it.
 std::string law_table(const LawFit& fit) {
   const bool is_law = shear_modulus_at_rest_Pa(fit.law) > 0.0;
   return is_law ? "[fits.law]\n" + law_text(fit.law) : "[fits.parameters_of_no_law]\n" + law_text(fit.law);

@@ -64,10 +64,10 @@ LawFamily arruda_boyce_family() {
   return family;
 }
 
-/// An exponent that is not zero, where the modulus of a given part of the shear modulus would be infinite.
+/// Returns an exponent that is not zero. At zero the modulus for a given part of the shear modulus would be infinite.
 double usable(double exponent) { return std::abs(exponent) > 1e-6 ? exponent : std::copysign(1e-6, exponent); }
 
-/// All ways to choose n of the given exponents.
+/// Returns all choices of n of the given exponents.
 std::vector<std::vector<double>> choices(Numbers exponents, std::size_t n) {
   if (n == 0) return {{}};
   std::vector<std::vector<double>> result;

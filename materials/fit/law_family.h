@@ -9,25 +9,27 @@
 
 namespace menger::materials {
 
-/// A kind of law as a fit sees it: moduli in which the stress is linear, and shape parameters (exponents, locking) in which it is
-/// not.
+/// A kind of law as the fit uses it. The stress is linear in the moduli, and not linear in the shape parameters (exponents,
+/// locking).
 struct LawFamily {
-  std::string name;                      ///< that of the law, with "_non_negative" if its moduli may not be negative
-  bool non_negative = false;             ///< for Ogden of the parts of the shear modulus, mu_p alpha_p / 2
-  std::vector<std::string> shape_names;  ///< of the shape parameters, as parameters_of names them
+  std::string name;  ///< name of the law, with "_non_negative" if its moduli may not be negative
+  /// Whether negative moduli are forbidden; for Ogden's law negative parts of the shear modulus, mu_p alpha_p / 2.
+  bool non_negative = false;
+  std::vector<std::string> shape_names;  ///< names of the shape parameters, as in parameters_of
   std::vector<double> lowest_shape;
   std::vector<double> highest_shape;
-  std::vector<std::vector<double>> starts;  ///< shape parameters to start from; one empty list for a linear law
+  /// Start values of the shape parameters; one empty list for a law that is linear in all parameters.
+  std::vector<std::vector<double>> starts;
 
-  /// The laws that belong to one unit (1 Pa) of each modulus.
+  /// Returns, for each modulus, the law in which this modulus is 1 Pa and the others are zero.
   std::function<std::vector<HyperelasticLaw>(std::span<const double> shape)> basis;
 
-  /// The law of these shape parameters and moduli (Pa).
+  /// Returns the law with these shape parameters and moduli (Pa).
   std::function<HyperelasticLaw(std::span<const double> shape, std::span<const double> moduli)> compose;
 };
 
-/// Every law, and those of several moduli once more without negative ones.
-/// @param largest_excess largest I1 - 3 of the test, which Gent's law must reach
+/// Returns the families of all laws. Laws with several moduli are listed again with negative moduli forbidden.
+/// @param largest_excess largest I1 - 3 of the test; Gent's law must extend to it
 std::vector<LawFamily> law_families(double largest_excess);
 
 }  // namespace menger::materials

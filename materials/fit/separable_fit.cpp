@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-/// The linear part of the problem: moduli for given shape parameters. Stresses are scaled to the largest one.
+/// The linear part of the problem: the moduli for given shape parameters. Stresses are scaled by the largest one.
 class LinearPart {
  public:
   LinearPart(const LawFamily& family, const std::vector<double>& stretch, const std::vector<double>& stress_Pa)
@@ -29,7 +29,7 @@ class LinearPart {
   [[nodiscard]] Index row_count() const { return stress_.size(); }
   [[nodiscard]] double scale_Pa() const { return scale_Pa_; }
 
-  /// Moduli and residual; false where the laws have no answer at some stretch.
+  /// Computes moduli and residual. Returns false if a law is not valid at some stretch.
   bool solve(std::span<const double> shape, Eigen::VectorXd& moduli, Eigen::VectorXd& residual) const {
     Eigen::MatrixXd columns;
     if (!fill(shape, columns)) return false;
@@ -52,7 +52,7 @@ class LinearPart {
     return columns.allFinite();
   }
 
-  /// Least squares without negative moduli: the best of all choices of columns, of which there are at most three.
+  /// Solves the least-squares problem without negative moduli. It tries all choices of columns, of which there are at most three.
   [[nodiscard]] Eigen::VectorXd non_negative_solution(const Eigen::MatrixXd& columns) const {
     Eigen::VectorXd best = Eigen::VectorXd::Zero(columns.cols());
     double best_square = stress_.squaredNorm();
@@ -79,7 +79,7 @@ class LinearPart {
   double scale_Pa_ = 1.0;
 };
 
-/// Residuals as Ceres asks for them.
+/// The residuals in the form that Ceres requires.
 struct Residuals {
   const LinearPart& part;
   std::size_t shape_count;
@@ -131,7 +131,7 @@ std::vector<std::string> names_at_bound(const LawFamily& family, const std::vect
 
 std::optional<SeparableFit> fit_family(const LawFamily& family, const std::vector<double>& stretch,
                                        const std::vector<double>& stress_Pa) {
-  // Ceres logs starts that lead nowhere, which is no news here.
+  // Ceres logs starts that fail, which is expected here.
   FLAGS_minloglevel = google::GLOG_FATAL;
   const LinearPart part(family, stretch, stress_Pa);
   std::optional<SeparableFit> best;

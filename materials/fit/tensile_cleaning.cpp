@@ -13,8 +13,8 @@ namespace {
 
 constexpr double negligible_fall = 1e-3;  // of the highest stress
 constexpr double negligible_zero = 5e-3;  // of the stress at the end of zero_range
-constexpr double zero_range = 0.3;        // strain up to which the zero of the load is looked for
-constexpr double latest_start = 0.1;      // strain above which the curve says nothing of its zero
+constexpr double zero_range = 0.3;        // strain up to which the zero of the load is determined
+constexpr double latest_start = 0.1;      // strain above which the curve does not show its zero
 constexpr double certain = 5.0;           // standard errors
 constexpr double agreement = 0.2;         // of estimates over the range and over half of it
 
@@ -51,7 +51,7 @@ void repair_clock(TensileTest& test, std::vector<std::string>& notes) {
   if (!(step > 0.0) || wrong == steps.end()) return;
   const double last_good = test.time_s[static_cast<std::size_t>(wrong - steps.begin())];
   for (std::size_t i = 1; i < test.time_s.size(); ++i) test.time_s[i] = test.time_s[0] + static_cast<double>(i) * step;
-  notes.push_back("time is corrupt after " + seconds(last_good) + ": counted anew at " + seconds(step) + " a row");
+  notes.push_back("time is corrupt after " + seconds(last_good) + ": replaced by steps of " + seconds(step) + " per row");
 }
 
 void cut_tail(TensileTest& test, std::vector<std::string>& notes) {
@@ -65,8 +65,8 @@ void cut_tail(TensileTest& test, std::vector<std::string>& notes) {
                   percent(test.strain.back()) + ", are left out");
 }
 
-/// By how much a step lies above all (or, negative, below all) of the three before and after it; 0 if it lies among them, as on
-/// every smooth curve whose slope rises or falls, and at the ends.
+/// Returns by how much a step lies above (or, negative, below) all of the three steps before and after it. Returns 0 if it lies
+/// among them, as on every smooth curve whose slope rises or falls, and at the ends.
 double jump_at(const std::vector<double>& steps, std::size_t at) {
   constexpr std::size_t reach = 3;
   if (at < reach || at + reach >= steps.size()) return 0.0;
@@ -99,13 +99,13 @@ void cut_drop_outs(TensileTest& test, std::vector<std::string>& notes) {
   }
 }
 
-/// A constant in the load.
+/// A constant offset of the load.
 struct Zero {
   double offset_Pa;
   double error_Pa;  ///< standard error
 };
 
-/// From the rows up to a strain (in absolute value); nothing if they are too few.
+/// Estimates the offset from the rows up to a strain (in absolute value); nothing if there are too few rows.
 std::optional<Zero> zero_of_load(const TensileTest& test, double range) {
   constexpr Eigen::Index width = 4;
   std::vector<std::size_t> rows;
@@ -140,7 +140,7 @@ void correct_zero(TensileTest& test, std::vector<std::string>& notes) {
   const std::optional<Zero> whole = zero_of_load(test, zero_range);
   const std::optional<Zero> half = zero_of_load(test, 0.5 * zero_range);
   if (std::abs(*closest) > latest_start || !whole || !half) {
-    notes.push_back(subject + "not looked for, as too few rows lie at strains up to " + percent(0.5 * zero_range));
+    notes.push_back(subject + "not determined, because too few rows have strains up to " + percent(0.5 * zero_range));
     return;
   }
   double end_Pa = 0.0;
@@ -148,13 +148,13 @@ void correct_zero(TensileTest& test, std::vector<std::string>& notes) {
     if (std::abs(test.strain[i]) <= zero_range) end_Pa = std::max(end_Pa, std::abs(test.stress_Pa[i]));
   if (std::abs(whole->offset_Pa) <= std::max(certain * whole->error_Pa, negligible_zero * end_Pa)) return;
   if (std::abs(half->offset_Pa - whole->offset_Pa) > agreement * std::abs(whole->offset_Pa)) {
-    notes.push_back(subject + kilopascals(whole->offset_Pa) + " by the rows up to a strain of " + percent(zero_range) + " but " +
-                    kilopascals(half->offset_Pa) + " by those up to " + percent(0.5 * zero_range) +
-                    ", so that nothing is taken off");
+    notes.push_back(subject + kilopascals(whole->offset_Pa) + " from the rows up to a strain of " + percent(zero_range) +
+                    " but " + kilopascals(half->offset_Pa) + " from those up to " + percent(0.5 * zero_range) +
+                    ", so nothing is subtracted");
     return;
   }
   for (double& value : test.stress_Pa) value -= whole->offset_Pa;
-  notes.push_back(subject + kilopascals(whole->offset_Pa) + " at no strain, taken off");
+  notes.push_back(subject + kilopascals(whole->offset_Pa) + " at zero strain, subtracted");
 }
 
 }  // namespace
@@ -170,7 +170,8 @@ std::vector<std::string> clean(TensileTest& test) {
 
 std::string correct_crosshead_strain(TensileTest& test, double factor) {
   for (double& strain : test.strain) strain /= factor;
-  return "strain of the crosshead divided by " + io::number_text(factor) + " for the shoulders of the specimen, an estimate";
+  return "strain of the crosshead divided by " + io::number_text(factor) +
+         " to correct for the shoulders of the specimen, an estimate";
 }
 
 }  // namespace menger::materials

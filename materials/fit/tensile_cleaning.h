@@ -7,25 +7,25 @@
 
 namespace menger::materials {
 
-/// Repairs the known faults of a record and tells of each repair, one sentence each.
+/// Repairs the known faults of a record. Returns a description of each repair, one sentence each.
 ///
-/// - The clock: where times do not rise by one and the same interval they are counted anew from the first, at the median
-/// interval.
-/// - The failure tail: rows after the largest stress (in compression the most negative) are left out.
-/// - Drop-outs: from a fall of the load on that cannot be noise (more than 0.1 % of the largest stress, and five times the median
-///   change from one step of the stress to the next) the specimen is no longer whole, and the rows are left out. So are those
-///   after a single step that is larger or smaller than the three on each side of it by more than 0.1 % of the largest stress and
-///   twenty times that median.
-/// - The zero of the load: a constant and a law that follows all silicones at small strain (Mooney-Rivlin and the second term of
-///   Yeoh) are fitted to the rows up to a strain of 0.3. The constant is taken off if it is more than five standard errors and
-///   0.5 % of the stress there, and the rows up to 0.15 give the same to a fifth; if they do not, or the rows begin above a
-///   strain of 0.1 or are too few, that is told and nothing is taken off. On a clean curve the misfit of the law is no such
-///   constant: at most 0.3 kPa at a shear modulus of 50 kPa, and less than five standard errors.
+/// - The clock: if times do not rise by a constant interval, they are counted again from the first time at the median interval.
+/// - The failure tail: rows after the largest stress (in compression the most negative) are removed.
+/// - Drop-outs: rows after a fall of the load that cannot be noise are removed, because the specimen is no longer whole. Such a
+///   fall exceeds 0.1 % of the largest stress and five times the median change from one step of the stress to the next. Rows are
+///   also removed after a single step that is larger or smaller than the three steps on each side of it, by more than 0.1 % of
+///   the largest stress and more than twenty times that median.
+/// - The zero of the load: a constant and a law that fits all silicones at small strain (Mooney-Rivlin and the second term of
+///   Yeoh) are fitted to the rows up to a strain of 0.3. The constant is subtracted if it exceeds five standard errors and 0.5 %
+///   of the stress there, and if the rows up to a strain of 0.15 give the same constant to within a fifth. Otherwise nothing is
+///   subtracted. The sentences report it if the two constants differ, the rows begin above a strain of 0.1, or there are too few
+///   rows. On a clean curve the misfit of the law does not lead to such a constant: it is at most 0.3 kPa at a shear modulus of
+///   50 kPa, and less than five standard errors.
 std::vector<std::string> clean(TensileTest& test);
 
-/// Divides the strain by a factor > 1: crosshead travel by the gauge length counts the shoulders of the specimen as if they were
-/// gauge.
-/// @return the sentence that tells so
+/// Divides the strain by a factor > 1. A strain computed from the travel of the crosshead divided by the gauge length is too
+/// large: it treats the shoulders of the specimen as part of the gauge.
+/// @return a sentence that describes the correction
 std::string correct_crosshead_strain(TensileTest& test, double factor);
 
 }  // namespace menger::materials

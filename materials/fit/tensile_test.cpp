@@ -75,8 +75,7 @@ TensileTest read_database_test(const std::vector<std::string_view>& lines, const
   for (++row; row < lines.size(); ++row) {
     if (lines[row].empty()) continue;
     const std::vector<std::string_view> fields = fields_of(lines[row]);
-    if (fields.size() != columns.size())
-      refuse(file, row + 1, "has " + std::to_string(fields.size()) + " fields where there must be 5");
+    if (fields.size() != columns.size()) refuse(file, row + 1, "has " + std::to_string(fields.size()) + " fields, must have 5");
     std::array<double, columns.size()> values{};
     for (std::size_t i = 0; i < columns.size(); ++i) values[i] = read_number(fields[i], columns[i], file, row + 1);
     test.time_s.push_back(values[0]);
@@ -86,7 +85,7 @@ TensileTest read_database_test(const std::vector<std::string_view>& lines, const
   return test;
 }
 
-/// "Stress (kPa)" and "stress_kPa" are the same column.
+/// Normalises the name of a column: "Stress (kPa)" and "stress_kPa" are the same column.
 std::string plain_name(std::string_view column) {
   std::string name;
   for (const char letter : column) {
@@ -102,7 +101,7 @@ std::string plain_name(std::string_view column) {
   return name;
 }
 
-/// What one unit of a column is in ours: value = scale * (x - origin).
+/// Conversion from the unit of a column to SI units: value = scale * (x - origin).
 struct Column {
   std::string_view name;
   double scale = 1.0;
@@ -113,7 +112,7 @@ constexpr std::array<Column, 4> strain_columns{{{"strain"}, {"strain_-"}, {"stra
 constexpr std::array<Column, 4> stress_columns{
     {{"stress_Pa"}, {"stress_kPa", 1e3}, {"stress_MPa", 1e6}, {"stress_psi", 6894.757293168}}};
 
-/// The column of the file that is one of these, with its name in the file.
+/// Returns the column of the file that has one of these names, and its name in the file.
 std::pair<std::string, Column> find_column(const io::CsvContents& table, const std::array<Column, 4>& known,
                                            const std::string& demand, const std::filesystem::path& file) {
   for (const std::string& name : table.columns()) {

@@ -4,7 +4,8 @@
 
 namespace menger::materials {
 
-/// Chooses between two values that are both computed, as SIMD packs must. Packs bring their own, found through their namespace.
+/// Chooses between two values that are both computed, as SIMD packs require. Packs have a function of their own, which is found
+/// through their namespace.
 inline double select(bool condition, double first, double second) { return condition ? first : second; }
 inline float select(bool condition, float first, float second) { return condition ? first : second; }
 template <class T>
@@ -12,7 +13,7 @@ T select(bool condition, const T& first, const T& second) {
   return condition ? first : second;
 }
 
-/// x - ln(1 + x) for x > -1, to full relative accuracy near 0, where it is x^2/2.
+/// Returns x - ln(1 + x) for x > -1, with full relative accuracy near 0, where it is x^2/2.
 template <class T>
 T log_remainder(const T& x) {
   using std::log;
@@ -26,7 +27,7 @@ T log_remainder(const T& x) {
   return select(s2 < T(0.02), series, direct);
 }
 
-/// sinh(x) / x - 1, to full relative accuracy near 0, where it is x^2/6.
+/// Returns sinh(x) / x - 1, with full relative accuracy near 0, where it is x^2/6.
 template <class T>
 T sinhc_excess(const T& x) {
   using std::exp;
@@ -35,13 +36,13 @@ T sinhc_excess(const T& x) {
   for (int n = 18; n >= 4; n -= 2) sum = T(1.0) + sum * x2 * T(1.0 / (n * (n + 1)));
   const T series = sum * x2 * T(1.0 / 6.0);
   const auto is_small = x2 < T(1.0);
-  const T divisor = select(is_small, T(1.0), x);  // also where it is not used it must not be zero
+  const T divisor = select(is_small, T(1.0), x);  // must not be zero even where it is not used
   const T grown = exp(divisor);
   const T direct = (grown - T(1.0) / grown) / (T(2.0) * divisor) - T(1.0);
   return select(is_small, series, direct);
 }
 
-/// exp(x) - 1 - x, to full relative accuracy near 0, where it is x^2/2.
+/// Returns exp(x) - 1 - x, with full relative accuracy near 0, where it is x^2/2.
 template <class T>
 T exp_remainder(const T& x) {
   using std::exp;

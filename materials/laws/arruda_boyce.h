@@ -6,10 +6,11 @@
 
 namespace menger::materials {
 
-/// The eight-chain law as the first five terms of its series,
-/// W = mu sum_i c_i / lm^(2i-2) (I1^i - 3^i), c = 1/2, 1/20, 11/1050, 19/7000, 519/673750, with I1 of the isochoric deformation.
+/// The eight-chain law of Arruda and Boyce, as the first five terms of its series:
+/// W = mu sum_i c_i / lm^(2i-2) (I1^i - 3^i), c = 1/2, 1/20, 11/1050, 19/7000, 519/673750,
+/// with I1 of the isochoric deformation.
 ///
-/// The series has no limit of extension: it is softer than the law with the inverse Langevin function near and beyond lm.
+/// The series has no limit of extension. Near and beyond lm it is softer than the law with the inverse Langevin function.
 struct ArrudaBoyce {
   double shear_modulus_Pa = 0.0;  ///< mu > 0, a coefficient; the shear modulus at rest is larger
   double locking_stretch = 1.0;   ///< lm > 0
@@ -49,7 +50,7 @@ struct ArrudaBoyce {
     return is_below_infinity(x1);
   }
 
-  /// mu (1 + 3/(5 lm^2) + 99/(175 lm^4) + 513/(875 lm^6) + 42039/(67375 lm^8))
+  /// Returns mu (1 + 3/(5 lm^2) + 99/(175 lm^4) + 513/(875 lm^6) + 42039/(67375 lm^8)).
   [[nodiscard]] double shear_modulus_at_rest_Pa() const { return 2.0 * energy(0.0, 0.0).d1; }
 };
 

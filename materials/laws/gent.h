@@ -5,9 +5,10 @@
 
 namespace menger::materials {
 
-/// W = -mu Jm/2 ln(1 - (I1 - 3)/Jm), with I1 of the isochoric deformation: chains of limited extension, I1 - 3 < Jm.
+/// Gent's law for chains of limited extension: W = -mu Jm/2 ln(1 - (I1 - 3)/Jm) for I1 - 3 < Jm, with I1 of the isochoric
+/// deformation.
 ///
-/// At and beyond the limit energy and stress are finite and mean nothing; is_within_limit tells.
+/// At and beyond the limit, energy and stress are finite but have no meaning. Check is_within_limit.
 struct Gent {
   double shear_modulus_Pa = 0.0;  ///< mu > 0
   double locking_excess = 1.0;    ///< Jm > 0, the value of I1 - 3 at which the chains are straight
@@ -34,7 +35,8 @@ struct Gent {
   [[nodiscard]] double shear_modulus_at_rest_Pa() const { return shear_modulus_Pa; }
 
  private:
-  static constexpr double largest_use = 1.0 - 1e-6;  // part of Jm; further out the stress is a million times that of rest
+  /// The largest part of Jm that I1 - 3 may reach. There dW/dI1 is a million times that at rest.
+  static constexpr double largest_use = 1.0 - 1e-6;
 };
 
 }  // namespace menger::materials

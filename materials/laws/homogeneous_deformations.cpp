@@ -6,7 +6,7 @@ namespace menger::materials {
 
 namespace {
 
-/// For W(I1, I2) with I1 = sum l^2 and I2 = sum l^-2: dW/d ln l_a = 2 W1 l_a^2 - 2 W2 l_a^-2.
+/// Computes the derivatives for W(I1, I2) with I1 = sum l^2 and I2 = sum l^-2: dW/d ln l_a = 2 W1 l_a^2 - 2 W2 l_a^-2.
 template <InvariantLaw Law>
 PrincipalDerivatives derivatives(const Law& law, const std::array<double, 3>& stretches) {
   std::array<double, 3> square{};

@@ -7,37 +7,37 @@
 
 namespace menger::materials {
 
-/// Homogeneous deformations of an incompressible body with one face free of stress.
+/// The homogeneous deformations of an incompressible body with one face free of stress.
 enum class LoadingMode {
   uniaxial,     ///< stretches l, l^-1/2, l^-1/2
   equibiaxial,  ///< stretches l, l, l^-2
   planar        ///< stretches l, 1, 1/l: pure shear, a wide strip
 };
 
-/// The principal stretches of a mode; the last face is the free one. @param stretch l > 0
+/// Returns the principal stretches of a mode; the last face is free of stress. @param stretch l > 0
 std::array<double, 3> stretches_of(LoadingMode mode, double stretch);
 
-/// First and second derivatives of W by the logarithms of the principal stretches of an incompressible body, J/m^3.
+/// First and second derivatives of W with respect to the logarithms of the principal stretches of an incompressible body, J/m^3.
 ///
-/// They are determined up to what an arbitrary pressure adds: only differences between directions mean anything, as in
-/// sigma_a - sigma_b = slopes[a] - slopes[b].
+/// Incompressibility leaves an arbitrary pressure undetermined. So only differences between directions have a meaning: sigma_a -
+/// sigma_b = slopes[a] - slopes[b].
 struct PrincipalDerivatives {
-  LawStatus status = LawStatus::valid;  ///< the derivatives are those of the law only if valid
+  LawStatus status = LawStatus::valid;  ///< the derivatives have a meaning only if valid
   std::array<double, 3> slopes{};
   std::array<std::array<double, 3>, 3> curvatures{};
 };
 
-/// @param stretches three positive numbers with product 1
+/// Returns the derivatives of W at three principal stretches. @param stretches three positive numbers with product 1
 [[nodiscard]] PrincipalDerivatives principal_derivatives(const HyperelasticLaw& law, const std::array<double, 3>& stretches);
 
-/// A stress, or why there is none.
+/// A stress, or the reason why there is none.
 struct NominalStress {
   LawStatus status = LawStatus::valid;
-  double stress_Pa = 0.0;  ///< force by reference area along the first stretch, tension positive; 0 unless valid
+  double stress_Pa = 0.0;  ///< force divided by reference area along the first stretch, tension positive; 0 unless valid
 };
 
-/// Nominal stress P = (sigma_1 - sigma_3) / l of a homogeneous deformation with the last face free.
-/// @param stretch l; not positive gives LawStatus::inverted
+/// Returns the nominal stress P = (sigma_1 - sigma_3) / l of a homogeneous deformation whose last face is free of stress.
+/// @param stretch l; if it is not positive the status is LawStatus::inverted
 [[nodiscard]] NominalStress nominal_stress(const HyperelasticLaw& law, LoadingMode mode, double stretch);
 
 }  // namespace menger::materials

@@ -12,13 +12,13 @@
 
 namespace menger::materials {
 
-/// Any of the laws, for files and fits; loops over elements visit it once and run with the law inside.
+/// Any of the laws, for files and fits. A loop over elements visits it once, outside the loop.
 using HyperelasticLaw = std::variant<NeoHookean, MooneyRivlin, Yeoh, Ogden<1>, Ogden<2>, Ogden<3>, Gent, ArrudaBoyce>;
 
-/// The word for a law in files: "neo_hookean", "mooney_rivlin", "yeoh", "ogden1" to "ogden3", "gent", "arruda_boyce".
+/// Returns the word for a law in files: "neo_hookean", "mooney_rivlin", "yeoh", "ogden1" to "ogden3", "gent", "arruda_boyce".
 std::string_view name_of(const HyperelasticLaw& law);
 
-/// The shear modulus at rest, Pa.
+/// Returns the shear modulus at rest, Pa.
 double shear_modulus_at_rest_Pa(const HyperelasticLaw& law);
 
 }  // namespace menger::materials

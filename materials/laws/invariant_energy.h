@@ -5,8 +5,8 @@
 
 namespace menger::materials {
 
-/// An isochoric strain energy density W as function of the excesses x1 = I1 - 3 and x2 = I2 - 3 of the isochoric invariants,
-/// with its derivatives. A law without the second invariant leaves all that concern it at zero.
+/// An isochoric strain energy density W with its derivatives. It is a function of x1 = I1 - 3 and x2 = I2 - 3, with the isochoric
+/// invariants. A law without the second invariant leaves the derivatives with respect to x2 at zero.
 template <class T>
 struct InvariantEnergy {
   T energy;  ///< W, J/m^3
@@ -17,13 +17,13 @@ struct InvariantEnergy {
   T d22 = T(0.0);
 };
 
-/// The limit of a law that has none: false only where x1 is not a number or has overflowed. Gives a mask for packs of numbers.
+/// The limit of a law without one: false only if x1 is not a number or has overflowed. For a pack of numbers it returns a mask.
 template <class T>
 auto is_below_infinity(const T& x1) {
   return x1 < T(std::numeric_limits<double>::infinity());
 }
 
-/// A law whose energy depends on the invariants only.
+/// A law whose energy depends only on the invariants.
 template <class Law>
 concept InvariantLaw = requires(const Law& law, double x1, double x2) {
   { law.energy(x1, x2) } -> std::same_as<InvariantEnergy<double>>;

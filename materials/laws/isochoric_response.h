@@ -6,20 +6,20 @@
 
 namespace menger::materials {
 
-/// First Piola-Kirchhoff stress P = d psi / dF and its derivative dP/dF, Pa.
+/// The first Piola-Kirchhoff stress P = d psi / dF and its derivative dP/dF, Pa.
 template <class T>
 struct StressAndTangent {
   Tensor<T> stress;
   Tangent<T> tangent;
 };
 
-/// The isochoric energy psi(F) = W(J^(-1/3) F) of a law, J/m^3.
+/// Returns the isochoric energy psi(F) = W(J^(-1/3) F) of a law, J/m^3.
 template <InvariantLaw Law, class T>
 T strain_energy_density(const Law& law, const Kinematics<T>& k) {
   return law.energy(k.first_excess, k.second_excess).energy;
 }
 
-/// d I1 / dF = 2 J^(-2/3) (F - tr(C)/3 F^-T), of the isochoric first invariant.
+/// Returns the derivative of the isochoric first invariant, d I1 / dF = 2 J^(-2/3) (F - tr(C)/3 F^-T).
 template <class T>
 Tensor<T> first_invariant_gradient(const Kinematics<T>& k) {
   const T factor = T(2.0) * k.isochoric_factor;
@@ -27,20 +27,21 @@ Tensor<T> first_invariant_gradient(const Kinematics<T>& k) {
   return combination(factor, k.deformation_gradient, inverse_factor, k.inverse_transpose);
 }
 
-/// Derivative of I2 of F itself, 2 (I1 F - F C).
+/// Returns the derivative of the second invariant of F itself, 2 (I1 F - F C).
 template <class T>
 Tensor<T> plain_second_invariant_gradient(const Kinematics<T>& k) {
   const T factor = T(6.0) * k.mean_square_stretch;
   return combination(factor, k.deformation_gradient, T(-2.0), product(k.deformation_gradient, k.right_cauchy_green));
 }
 
-/// I2 of F itself.
+/// Returns the second invariant of F itself.
 template <class T>
 T plain_second_invariant(const Kinematics<T>& k) {
   return T(3.0) * k.mean_square_stretch * k.mean_square_stretch - k.square_deviator;
 }
 
-/// d I2 / dF = J^(-4/3) (2 (I1 F - F C) - 4/3 I2 F^-T), of the isochoric second invariant.
+/// Returns the derivative of the isochoric second invariant J^(-4/3) I2 by F: J^(-4/3) (2 (I1 F - F C) - 4/3 I2 F^-T). Here I1
+/// and I2 are the plain invariants of C = F^T F.
 template <class T>
 Tensor<T> second_invariant_gradient(const Kinematics<T>& k) {
   const T factor = k.isochoric_factor * k.isochoric_factor;
@@ -48,7 +49,7 @@ Tensor<T> second_invariant_gradient(const Kinematics<T>& k) {
   return combination(factor, plain_second_invariant_gradient(k), inverse_factor, k.inverse_transpose);
 }
 
-/// The isochoric stress P = d psi / dF.
+/// Returns the isochoric stress P = d psi / dF.
 template <InvariantLaw Law, class T>
 Tensor<T> first_piola_stress(const Law& law, const Kinematics<T>& k) {
   const InvariantEnergy<T> w = law.energy(k.first_excess, k.second_excess);
@@ -60,7 +61,7 @@ Tensor<T> first_piola_stress(const Law& law, const Kinematics<T>& k) {
 
 namespace detail {
 
-/// Adds w.d1 d2I1/dF2 + w.d11 dI1 (x) dI1 to the upper triangle of a tangent, with G = F^-T:
+/// Sets the upper triangle of a tangent to w.d1 d2I1/dF2 + w.d11 dI1 (x) dI1, with G = F^-T:
 /// d2I1/dF2 = J^(-2/3) (2 d_ik d_JL - 4/3 (F (x) G + G (x) F) + 4/9 I1 G (x) G + 2/3 I1 G_iL G_kJ).
 template <class T>
 void set_first_part(Tangent<T>& tangent, const InvariantEnergy<T>& w, const Kinematics<T>& k, const Tensor<T>& gradient) {
@@ -81,7 +82,7 @@ void set_first_part(Tangent<T>& tangent, const InvariantEnergy<T>& w, const Kine
   }
 }
 
-/// Adds the terms of the second invariant, with H = dI2/dF of F itself, B = F F^T, G = F^-T:
+/// Adds the terms of the second invariant to the upper triangle, with H = dI2/dF of F itself, B = F F^T, G = F^-T:
 /// d2I2/dF2 = J^(-4/3) (4 F (x) F + 2 I1 d_ik d_JL - 2 (d_ik C_JL + F_iL F_kJ + B_ik d_JL)
 ///                      - 4/3 (H (x) G + G (x) H) + 16/9 I2 G (x) G + 4/3 I2 G_iL G_kJ).
 template <class T>
@@ -114,7 +115,7 @@ void add_second_part(Tangent<T>& tangent, const InvariantEnergy<T>& w, const Kin
   }
 }
 
-/// Copies the upper triangle to the lower one.
+/// Copies the upper triangle of a tangent to the lower one.
 template <class T>
 void mirror(Tangent<T>& tangent) {
   for (std::size_t a = 0; a < 9; ++a)
@@ -123,7 +124,7 @@ void mirror(Tangent<T>& tangent) {
 
 }  // namespace detail
 
-/// The isochoric stress and its tangent, dP/dF, exactly symmetric.
+/// Returns the isochoric stress and its tangent dP/dF, which is exactly symmetric.
 template <InvariantLaw Law, class T>
 StressAndTangent<T> stress_and_tangent(const Law& law, const Kinematics<T>& k) {
   const InvariantEnergy<T> w = law.energy(k.first_excess, k.second_excess);
@@ -140,7 +141,7 @@ StressAndTangent<T> stress_and_tangent(const Law& law, const Kinematics<T>& k) {
   return result;
 }
 
-/// Whether the law has an answer at F; ask before stress or energy are used.
+/// Returns whether the law is valid at F. Check it before you use stress or energy.
 template <InvariantLaw Law>
 LawStatus status_of(const Law& law, const Kinematics<double>& k) {
   if (!(k.volume_ratio > 0.0)) return LawStatus::inverted;

@@ -6,7 +6,7 @@
 
 namespace menger::materials {
 
-/// What the laws need of a deformation gradient F (3x3, det F > 0), with C = F^T F and J = det F.
+/// The quantities of a deformation gradient F (3x3, det F > 0) that the laws need, with C = F^T F and J = det F.
 template <class T>
 struct Kinematics {
   Tensor<T> deformation_gradient;  ///< F
@@ -20,8 +20,8 @@ struct Kinematics {
   T second_excess;                 ///< J^(-4/3) I2 - 3 >= 0
 };
 
-/// The kinematics of F. Both excesses come from the deviator of C, without the cancellation of I1 - 3: their relative error is
-/// about the rounding error over the strain, not over its square.
+/// Computes the kinematics of F. Both excesses are computed from the deviator of C, because I1 - 3 would lose digits. Their
+/// relative error is about the rounding error divided by the strain, not by its square.
 template <class T>
 Kinematics<T> kinematics_of(const Tensor<T>& F) {
   using std::exp;

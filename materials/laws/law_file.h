@@ -7,14 +7,15 @@
 
 namespace menger::materials {
 
-/// A law from a TOML table with its name and its parameters; see describe in study_law.h.
-/// @throws io::InputError with file, key and value for anything else, and if the shear modulus at rest is not positive
+/// Reads a law from a TOML table with its name and its parameters; see describe in study_law.h.
+/// @throws io::InputError with file, key and value for wrong input, and if the shear modulus at rest is not positive
 HyperelasticLaw read_law(const io::TomlTable& table);
 
-/// The lines of a table from which read_law makes the same law.
+/// Returns the lines of a TOML table from which read_law makes the same law.
 std::string law_text(const HyperelasticLaw& law);
 
-/// The same as one line without its end, by which response curves and voxel parameters tell laws apart: "name = ..., ...".
+/// Returns the same text as one line without a line end: "name = ..., ...". Response curves and voxel parameters use it to
+/// compare laws.
 std::string law_line(const HyperelasticLaw& law);
 
 }  // namespace menger::materials

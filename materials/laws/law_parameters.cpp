@@ -6,7 +6,7 @@ namespace menger::materials {
 
 namespace {
 
-/// A parameter of a law: how it is called and where it is.
+/// A parameter of a law: its name and the address of its value.
 struct Parameter {
   std::string name;
   double* value;

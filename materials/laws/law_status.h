@@ -4,14 +4,14 @@
 
 namespace menger::materials {
 
-/// Whether a law has an answer at a deformation.
+/// Whether a law is valid at a deformation.
 enum class LawStatus {
   valid,
   inverted,                  ///< the volume ratio is not positive
-  locking_stretch_exceeded,  ///< the chains of a law with limited extension would be longer than they are
+  locking_stretch_exceeded,  ///< the deformation exceeds the limited extension of the chains of the law
 };
 
-/// The word for a status: "valid", "inverted", "locking_stretch_exceeded".
+/// Returns the word for a status: "valid", "inverted", "locking_stretch_exceeded".
 constexpr std::string_view to_string(LawStatus status) {
   switch (status) {
     case LawStatus::valid:

@@ -4,10 +4,10 @@
 
 namespace menger::materials {
 
-/// W = C10 (I1 - 3) + C01 (I2 - 3), with the isochoric invariants.
+/// The law of Mooney and Rivlin: W = C10 (I1 - 3) + C01 (I2 - 3), with the isochoric invariants.
 struct MooneyRivlin {
   double c10_Pa = 0.0;
-  double c01_Pa = 0.0;  ///< a fit of tension alone often makes it negative, and the law unstable
+  double c01_Pa = 0.0;  ///< a fit to tension alone often makes it negative, and the law unstable
 
   static constexpr bool uses_second_invariant = true;
 

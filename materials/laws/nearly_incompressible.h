@@ -6,14 +6,15 @@
 
 namespace menger::materials {
 
-/// psi(F) = psi_iso(J^(-1/3) F) + U(J): a law for the change of shape and one for the change of volume.
+/// A nearly incompressible material, psi(F) = psi_iso(J^(-1/3) F) + U(J): a law for the change of shape and one for the change of
+/// volume.
 template <class Law, class Volume>
 struct NearlyIncompressible {
   Law law;
   Volume volume;
 };
 
-/// Strain energy density, J/m^3 of reference volume.
+/// Returns the strain energy density, J/m^3 of reference volume.
 template <class Law, class Volume, class T>
 T strain_energy_density(const NearlyIncompressible<Law, Volume>& material, const Tensor<T>& F) {
   const Kinematics<T> k = kinematics_of(F);
@@ -22,7 +23,7 @@ T strain_energy_density(const NearlyIncompressible<Law, Volume>& material, const
   return isochoric + volumetric;
 }
 
-/// First Piola-Kirchhoff stress, Pa; the volumetric part is U'(J) J F^-T.
+/// Returns the first Piola-Kirchhoff stress, Pa. Its volumetric part is U'(J) J F^-T.
 template <class Law, class Volume, class T>
 Tensor<T> first_piola_stress(const NearlyIncompressible<Law, Volume>& material, const Tensor<T>& F) {
   const Kinematics<T> k = kinematics_of(F);
@@ -30,7 +31,7 @@ Tensor<T> first_piola_stress(const NearlyIncompressible<Law, Volume>& material, 
   return combination(T(1.0), first_piola_stress(material.law, k), tau, k.inverse_transpose);
 }
 
-/// Stress and tangent dP/dF; the volumetric tangent is (U'' J^2 + U' J) G (x) G - U' J G_iL G_kJ with G = F^-T.
+/// Returns the stress and its tangent dP/dF. The volumetric tangent is (U'' J^2 + U' J) G (x) G - U' J G_iL G_kJ with G = F^-T.
 template <class Law, class Volume, class T>
 StressAndTangent<T> stress_and_tangent(const NearlyIncompressible<Law, Volume>& material, const Tensor<T>& F) {
   const Kinematics<T> k = kinematics_of(F);
@@ -48,7 +49,7 @@ StressAndTangent<T> stress_and_tangent(const NearlyIncompressible<Law, Volume>& 
   return result;
 }
 
-/// Whether the material has an answer at F; ask before stress or energy are used.
+/// Returns whether the material is valid at F. Check it before you use stress or energy.
 template <class Law, class Volume>
 LawStatus status_of(const NearlyIncompressible<Law, Volume>& material, const Tensor<double>& F) {
   return status_of(material.law, kinematics_of(F));

@@ -4,7 +4,7 @@
 
 namespace menger::materials {
 
-/// W = mu/2 (I1 - 3), with I1 of the isochoric deformation.
+/// The neo-Hookean law: W = mu/2 (I1 - 3), with I1 of the isochoric deformation.
 struct NeoHookean {
   double shear_modulus_Pa = 0.0;  ///< mu > 0
 

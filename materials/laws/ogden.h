@@ -7,10 +7,10 @@ namespace menger::materials {
 
 /// One term of Ogden's law.
 struct OgdenTerm {
-  double modulus_Pa = 0.0;  ///< mu_p; stable with certainty where mu_p alpha_p > 0
+  double modulus_Pa = 0.0;  ///< mu_p; a law is certainly stable if mu_p alpha_p > 0 in each term
   double exponent = 1.0;    ///< alpha_p, not zero
 
-  /// The term of the other convention, W = sum 2 mu_p/alpha_p^2 (...), in which the moduli add up to the shear modulus.
+  /// Returns a term from the other convention, W = sum 2 mu_p/alpha_p^2 (...), in which the moduli add up to the shear modulus.
   static OgdenTerm from_shear_modulus(double part_of_shear_modulus_Pa, double exponent) {
     return {.modulus_Pa = 2.0 * part_of_shear_modulus_Pa / exponent, .exponent = exponent};
   }
@@ -18,8 +18,8 @@ struct OgdenTerm {
   [[nodiscard]] double part_of_shear_modulus_Pa() const { return 0.5 * modulus_Pa * exponent; }
 };
 
-/// W = sum_p mu_p/alpha_p (l1^alpha_p + l2^alpha_p + l3^alpha_p - 3), with the isochoric principal stretches l = J^(-1/3) lambda;
-/// the shear modulus at rest is 1/2 sum mu_p alpha_p. Stress and tangent: ogden_response.h.
+/// Ogden's law: W = sum_p mu_p/alpha_p (l1^alpha_p + l2^alpha_p + l3^alpha_p - 3), with the isochoric principal stretches l =
+/// J^(-1/3) lambda. The shear modulus at rest is 1/2 sum mu_p alpha_p. Stress and tangent are in ogden_response.h.
 template <std::size_t term_count>
 struct Ogden {
   static_assert(term_count >= 1 && term_count <= 3);

@@ -9,7 +9,7 @@
 
 namespace menger::materials {
 
-/// The deformation in its principal axes: F = sum_a lambda_a n_a (x) N_a.
+/// A deformation in its principal axes: F = sum_a lambda_a n_a (x) N_a.
 template <class T>
 struct PrincipalStretches {
   std::array<T, 3> stretches;      ///< lambda_a
@@ -35,8 +35,8 @@ PrincipalStretches<T> principal_stretches(const Kinematics<T>& k) {
   return result;
 }
 
-/// The isochoric energy psi(F), J/m^3: since the e_a add up to zero, sum exp(alpha e_a) - 3 is the sum of exp(alpha e_a) - 1 -
-/// alpha e_a, which loses no digits at small strain.
+/// Returns the isochoric energy psi(F), J/m^3. The e_a add up to zero, so sum exp(alpha e_a) - 3 equals the sum of exp(alpha e_a)
+/// - 1 - alpha e_a, which loses no digits at small strain.
 template <std::size_t n, class T>
 T strain_energy_density(const Ogden<n>& law, const Kinematics<T>& k) {
   const PrincipalStretches<T> s = principal_stretches(k);
@@ -52,7 +52,7 @@ T strain_energy_density(const Ogden<n>& law, const Kinematics<T>& k) {
 
 namespace detail {
 
-/// Principal Kirchhoff stresses tau_a = d psi / d ln(lambda_a) and what the tangent needs on top.
+/// The principal Kirchhoff stresses tau_a = d psi / d ln(lambda_a), and the derivatives that the tangent needs.
 template <class T>
 struct PrincipalStresses {
   std::array<T, 3> kirchhoff;
@@ -60,8 +60,12 @@ struct PrincipalStresses {
   Tensor<T> shears;  ///< (tau_a - tau_b) / (lambda_a^2 - lambda_b^2), a != b, and its limit where the stretches are equal
 };
 
-/// (x_a^s - x_b^s) / (x_a - x_b) with x = exp(2 e), as s exp((s-1)(e_a + e_b)) sinhc(s h) / sinhc(h) with h = e_a - e_b: smooth
-/// through equal stretches, without a tolerance.
+/// Returns the difference quotient (x_a^s - x_b^s) / (x_a - x_b) of two squares of isochoric stretches x = exp(2 e), for a power
+/// s. Where both are equal, it is the derivative s x^(s-1).
+///
+/// It is computed as s exp((s-1)(e_a + e_b)) sinhc(s h) / sinhc(h) with h = e_a - e_b and sinhc(x) = sinh(x) / x. This is smooth
+/// at equal stretches, so no tolerance has to say when stretches count as equal.
+/// @param e_a, e_b logarithms of the isochoric stretches
 template <class T>
 T power_difference_quotient(const T& e_a, const T& e_b, double s) {
   using std::exp;
@@ -71,7 +75,7 @@ T power_difference_quotient(const T& e_a, const T& e_b, double s) {
   return T(s) * scale * (T(1.0) + sinhc_excess<T>(scaled)) / (T(1.0) + sinhc_excess<T>(h));
 }
 
-/// tau_a = sum_p mu_p (w_a - S/3) with w_a = exp(alpha e_a) and S = w_1 + w_2 + w_3.
+/// Returns tau_a = sum_p mu_p (w_a - S/3) with w_a = exp(alpha e_a) and S = w_1 + w_2 + w_3.
 template <std::size_t n, class T>
 std::array<T, 3> kirchhoff_stresses(const Ogden<n>& law, const PrincipalStretches<T>& s) {
   using std::exp;
@@ -109,7 +113,7 @@ PrincipalStresses<T> principal_stresses(const Ogden<n>& law, const PrincipalStre
   return result;
 }
 
-/// n_a (x) N_b
+/// Returns n_a (x) N_b.
 template <class T>
 Tensor<T> mixed_dyad(const PrincipalStretches<T>& s, std::size_t a, std::size_t b) {
   Tensor<T> dyad;
@@ -118,7 +122,7 @@ Tensor<T> mixed_dyad(const PrincipalStretches<T>& s, std::size_t a, std::size_t 
   return dyad;
 }
 
-/// P = sum_a tau_a/lambda_a n_a (x) N_a.
+/// Returns P = sum_a tau_a/lambda_a n_a (x) N_a.
 template <class T>
 Tensor<T> stress_from_principal(const PrincipalStretches<T>& s, const std::array<T, 3>& tau) {
   Tensor<T> P;
@@ -134,16 +138,18 @@ Tensor<T> stress_from_principal(const PrincipalStretches<T>& s, const std::array
 
 }  // namespace detail
 
-/// The isochoric stress P = d psi / dF.
+/// Returns the isochoric stress P = d psi / dF.
 template <std::size_t n, class T>
 Tensor<T> first_piola_stress(const Ogden<n>& law, const Kinematics<T>& k) {
   const PrincipalStretches<T> s = principal_stretches(k);
   return detail::stress_from_principal(s, detail::kirchhoff_stresses(law, s));
 }
 
-/// The isochoric stress and its tangent, which in the dyads n_a (x) N_b has the components
-/// A_aabb = (d tau_a/d ln lambda_b - delta_ab tau_a) / (lambda_a lambda_b), A_abab = q = (tau_a - tau_b)/(lambda_a^2 -
-/// lambda_b^2), A_abba = q lambda_b/lambda_a - tau_b/(lambda_a lambda_b); exactly symmetric.
+/// Returns the isochoric stress and its tangent, which is exactly symmetric. In the dyads n_a (x) N_b the tangent has the
+/// components
+/// A_aabb = (d tau_a/d ln lambda_b - delta_ab tau_a) / (lambda_a lambda_b),
+/// A_abab = q = (tau_a - tau_b)/(lambda_a^2 - lambda_b^2),
+/// A_abba = q lambda_b/lambda_a - tau_b/(lambda_a lambda_b).
 template <std::size_t n, class T>
 StressAndTangent<T> stress_and_tangent(const Ogden<n>& law, const Kinematics<T>& k) {
   const PrincipalStretches<T> s = principal_stretches(k);
@@ -177,7 +183,7 @@ StressAndTangent<T> stress_and_tangent(const Ogden<n>& law, const Kinematics<T>&
   return result;
 }
 
-/// Whether the law has an answer at F; ask before stress or energy are used.
+/// Returns whether the law is valid at F. Check it before you use stress or energy.
 template <std::size_t n>
 LawStatus status_of(const Ogden<n>&, const Kinematics<double>& k) {
   return k.volume_ratio > 0.0 ? LawStatus::valid : LawStatus::inverted;

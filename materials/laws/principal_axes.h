@@ -8,23 +8,23 @@
 
 namespace menger::materials {
 
-/// A symmetric 3x3 tensor in its principal axes, A = sum_a values[a] N_a (x) N_a, in no particular order.
+/// A symmetric 3x3 tensor in its principal axes, A = sum_a values[a] N_a (x) N_a. The order is arbitrary.
 template <class T>
 struct PrincipalAxes {
   std::array<T, 3> values;
-  Tensor<T> axes;  ///< N_a is column a; orthonormal, also where values are equal
+  Tensor<T> axes;  ///< N_a is column a; orthonormal, even if values are equal
 };
 
-/// Principal axes by cyclic Jacobi rotations.
+/// Computes principal axes by cyclic Jacobi rotations.
 ///
-/// The number of sweeps is fixed and nothing branches, so that packs can do it. Errors are of the order of rounding relative to
-/// the largest value for any spacing of the values. Through a type of automatic differentiation the derivatives are right where
-/// the values are distinct.
+/// The number of sweeps is fixed and there are no branches, so that the function works with SIMD packs. Errors are of the order
+/// of rounding relative to the largest value, for any spacing of the values. With a type of automatic differentiation the
+/// derivatives are right if the values are distinct.
 template <class T>
 PrincipalAxes<T> principal_axes(const Tensor<T>& symmetric) {
   using std::abs;
   using std::sqrt;
-  constexpr int sweeps = 6;  // quadratic convergence is complete after four; derivatives lag behind
+  constexpr int sweeps = 6;  // quadratic convergence is complete after four sweeps; derivatives need more
   constexpr std::array<std::array<std::size_t, 3>, 3> planes{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
   Tensor<T> A = symmetric;
   Tensor<T> N = identity<T>();
@@ -34,7 +34,7 @@ PrincipalAxes<T> principal_axes(const Tensor<T>& symmetric) {
       const T off = A(p, q);
       const T sign = select(difference < T(0.0), T(-1.0), T(1.0));
       const T root = sqrt(difference * difference + T(4.0) * off * off);
-      const T tangent = T(2.0) * sign * off / (abs(difference) + root + T(1e-30));  // smaller of the two angles
+      const T tangent = T(2.0) * sign * off / (abs(difference) + root + T(1e-30));  // the smaller of the two angles
       const T cosine = T(1.0) / sqrt(T(1.0) + tangent * tangent);
       const T sine = tangent * cosine;
       const T shift = tangent * off;

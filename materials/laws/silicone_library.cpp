@@ -4,6 +4,8 @@
 #include <system_error>
 #include <vector>
 
+#include "materials/laws/silicone_record.h"
+
 namespace menger::materials {
 namespace {
 
@@ -14,15 +16,20 @@ const fs::path& record_folder() {
   return folder;
 }
 
-std::string known_records() {
-  std::vector<std::string> names;
+/// Returns the files of all records, by name.
+std::vector<fs::path> record_files() {
+  std::vector<fs::path> files;
   std::error_code error;
   for (fs::directory_iterator entry(record_folder(), error), end; !error && entry != end; entry.increment(error)) {
-    if (entry->path().extension() == ".toml") names.push_back(entry->path().stem().string());
+    if (entry->path().extension() == ".toml") files.push_back(entry->path());
   }
-  std::sort(names.begin(), names.end());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string known_records() {
   std::string list;
-  for (const std::string& name : names) list.append(list.empty() ? "" : ", ").append(name);
+  for (const fs::path& file : record_files()) list.append(list.empty() ? "" : ", ").append(file.stem().string());
   return list;
 }
 
@@ -40,6 +47,13 @@ std::optional<fs::path> silicone_of_menger(std::string_view name) {
   fs::path file = record_folder() / (std::string(name) + ".toml");
   if (name.find('/') != std::string_view::npos || !fs::is_regular_file(file, ignored)) return std::nullopt;
   return file;
+}
+
+std::optional<fs::path> silicone_with_record_name(std::string_view name) {
+  const std::vector<fs::path> files = record_files();
+  const auto found =
+      std::find_if(files.begin(), files.end(), [&](const fs::path& file) { return read_silicone(file).name == name; });
+  return found == files.end() ? std::nullopt : std::optional(*found);
 }
 
 }  // namespace menger::materials

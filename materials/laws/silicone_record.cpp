@@ -56,7 +56,7 @@ SiliconeRecord read_silicone(const std::filesystem::path& file) {
   if (const auto loss = table.optional_table("loss")) record.loss = read_loss(*loss);
   const bool is_missing =
       std::find(record.not_measured.begin(), record.not_measured.end(), "damping") != record.not_measured.end();
-  if (record.loss && is_missing) throw table.error("not_measured", "names damping, but there is a table [loss]");
+  if (record.loss && is_missing) throw table.error("not_measured", "contains damping, but there is a table [loss]");
   table.finish();
   return record;
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view recommended = "recommended";
 enum class Convention { ogden, abaqus };
 
-/// Laws by their names, without parameters.
+/// Returns the kinds of laws (their indices) by name.
 const io::Words<std::size_t>& law_words() {
   static const io::Words<std::size_t> words = [] {
     io::Words<std::size_t> all;
@@ -54,8 +54,8 @@ void describe_parameters(io::StudyVisitor& visitor, Ogden<n>& law) {
     exponents.push_back(term.exponent);
   }
   Convention convention = Convention::ogden;
-  visitor.word({"convention", "What the moduli mean: W = sum mu/alpha (...), or W = sum 2 mu/alpha^2 (...)."}, convention,
-               io::Words<Convention>{{"ogden", Convention::ogden}, {"abaqus", Convention::abaqus}});
+  visitor.word({"convention", "Meaning of the moduli. ogden: W = sum mu/alpha (...); abaqus: W = sum 2 mu/alpha^2 (...)."},
+               convention, io::Words<Convention>{{"ogden", Convention::ogden}, {"abaqus", Convention::abaqus}});
   visitor.numbers({"moduli_Pa", "Modulus of each term.", moduli_examples.at(n - 1)}, moduli_Pa, io::any_number(),
                   {.fewest = n, .most = n});
   visitor.numbers({"exponents", "Exponent of each term, not 0.", exponent_examples.at(n - 1)}, exponents, io::any_number(),
@@ -69,15 +69,18 @@ void describe_parameters(io::StudyVisitor& visitor, Ogden<n>& law) {
 
 void describe_parameters(io::StudyVisitor& visitor, Gent& law) {
   visitor.number({"shear_modulus_Pa", "Shear modulus at rest.", "5e4"}, law.shear_modulus_Pa, io::positive());
-  visitor.number({"locking_excess", "Excess of I1 at which the chains are taut, Jm.", "50"}, law.locking_excess, io::positive());
+  visitor.number({"locking_excess", "Jm, the value of I1 - 3 at which the chains are fully stretched.", "50"}, law.locking_excess,
+                 io::positive());
 }
 
 void describe_parameters(io::StudyVisitor& visitor, ArrudaBoyce& law) {
-  visitor.number({"shear_modulus_Pa", "Shear modulus at rest.", "5e4"}, law.shear_modulus_Pa, io::positive());
-  visitor.number({"locking_stretch", "Stretch at which the chains are taut.", "4"}, law.locking_stretch, io::positive());
+  visitor.number({"shear_modulus_Pa", "Coefficient mu of the law. The shear modulus at rest is larger.", "5e4"},
+                 law.shear_modulus_Pa, io::positive());
+  visitor.number({"locking_stretch", "Stretch at which the chains are fully stretched.", "4"}, law.locking_stretch,
+                 io::positive());
 }
 
-/// The keys of one kind of law, which mean something if the law is of this kind.
+/// Describes the keys of one kind of law, which have a meaning only if the law is of this kind.
 template <class Law>
 void describe_kind(io::StudyVisitor& visitor, HyperelasticLaw& law, std::size_t kind) {
   Law own = std::holds_alternative<Law>(law) ? std::get<Law>(law) : Law{};
@@ -99,7 +102,7 @@ void choose_from_record(const io::TomlTable& table, const std::string& law_name,
   SourcedLaw chosen = record.recommended;
   law.count = 0;
   if (law_name == recommended) {
-    if (law.variant != 1) throw table.error("law_variant", "there is one recommended law");
+    if (law.variant != 1) throw table.error("law_variant", "there is only one recommended law");
   } else {
     std::vector<const SourcedLaw*> matches;
     std::string known(recommended);
@@ -116,25 +119,21 @@ void choose_from_record(const io::TomlTable& table, const std::string& law_name,
   take(chosen, law);
 }
 
-/// Takes the law of the silicone that a template names, so that the study is what its text says.
+/// Sets the law of the silicone that a template names, so that the study agrees with its text.
 void take_example(const std::string& silicone, StudyLaw& law) {
-  const auto file = silicone_of_menger(silicone);
-  if (!file) return;
-  law.file = *file;
-  law.record = read_silicone(*file);
-  take(law.record->recommended, law);
+  if (const auto file = silicone_of_menger(silicone)) law = recommended_law(*file);
 }
 
 void describe_silicone(io::StudyVisitor& visitor, StudyLaw& law) {
   std::string silicone;
   std::string law_name(recommended);
   visitor.text({.name = "silicone",
-                .help = "A silicone of menger, or the file of one.",
+                .help = "Name of a silicone of menger, or a file of a silicone.",
                 .example = "\"dragon_skin_10\"",
                 .earlier = "record"},
                silicone);
-  visitor.text({"law_name", "Law of the silicone's record: the recommended one, or the name of another."}, law_name);
-  visitor.integer({"law_variant", "Which of the laws with that name, where the record has several."}, law.variant,
+  visitor.text({"law_name", "Law in the silicone's record: the recommended law, or the name of another law."}, law_name);
+  visitor.integer({"law_variant", "Number of the law, if the record has several laws with this name."}, law.variant,
                   io::at_least(1));
   const io::TomlTable* table = visitor.source();
   if (table == nullptr) return take_example(silicone, law);
@@ -145,13 +144,14 @@ void describe_silicone(io::StudyVisitor& visitor, StudyLaw& law) {
 
 void describe_in_place(io::StudyVisitor& visitor, StudyLaw& law) {
   visitor.check(visitor.source() == nullptr || !visitor.source()->is_text("law"), "law",
-                "is called law_name now, beside a silicone");
+                "is called law_name now if a silicone is given");
   visitor.table({"law", "A hyperelastic law."}, [&] { describe(visitor, law.law); });
   std::optional<double> largest;
   if (std::isfinite(law.largest_stretch)) largest = law.largest_stretch;
-  visitor.number({"smallest_stretch", "Least stretch that the law was compared with; 1: never with compression; 0: not stated."},
-                 law.smallest_stretch, io::within(0.0, 1.0));
-  visitor.optional_number({"largest_stretch", "Largest stretch that the law was compared with.", "4"}, largest,
+  visitor.number(
+      {"smallest_stretch", "Smallest stretch at which the law was compared with a test. 1: not in compression; 0: not stated."},
+      law.smallest_stretch, io::within(0.0, 1.0));
+  visitor.optional_number({"largest_stretch", "Largest stretch at which the law was compared with a test.", "4"}, largest,
                           io::at_least(1.0));
   law.largest_stretch = largest.value_or(std::numeric_limits<double>::infinity());
 }
@@ -161,6 +161,14 @@ void describe_in_place(io::StudyVisitor& visitor, StudyLaw& law) {
 std::string StudyLaw::name() const {
   const std::string of_law(name_of(law));
   return record ? record->name + ", " + of_law : "inline " + of_law;
+}
+
+StudyLaw recommended_law(const std::filesystem::path& file) {
+  StudyLaw law;
+  law.file = file;
+  law.record = read_silicone(file);
+  take(law.record->recommended, law);
+  return law;
 }
 
 void describe(io::StudyVisitor& visitor, HyperelasticLaw& law) {
@@ -184,7 +192,7 @@ void describe(io::StudyVisitor& visitor, StudyLaw& law) {
   std::vector<io::Alternative> alternatives{
       {"silicone", false, keep, [&] { describe_silicone(visitor, law); }, "record"},
       {"law", has_law, [&] { law = StudyLaw{}; }, [&] { describe_in_place(visitor, law); }}};
-  visitor.one_of(alternatives, "a silicone is needed");
+  visitor.one_of(alternatives, "give a silicone or a law");
 }
 
 }  // namespace menger::materials

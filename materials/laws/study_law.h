@@ -12,30 +12,40 @@
 
 namespace menger::materials {
 
-/// The keys of a law in a table of its own: its name and its parameters.
-/// neo_hookean: shear_modulus_Pa; mooney_rivlin: c10_Pa, c01_Pa; yeoh: c10_Pa, c20_Pa, c30_Pa; ogden1 to ogden3: moduli_Pa,
-/// exponents and convention ("ogden", W = sum mu/alpha (...), or "abaqus", W = sum 2 mu/alpha^2 (...), which is converted);
-/// gent: shear_modulus_Pa, locking_excess; arruda_boyce: shear_modulus_Pa, locking_stretch.
-/// The shear modulus at rest must be positive.
+/// Describes the keys of a law in a table of its own: its name and its parameters. The shear modulus at rest must be positive.
+///
+/// - neo_hookean: shear_modulus_Pa
+/// - mooney_rivlin: c10_Pa, c01_Pa
+/// - yeoh: c10_Pa, c20_Pa, c30_Pa
+/// - ogden1 to ogden3: moduli_Pa, exponents and convention ("ogden", W = sum mu/alpha (...), or "abaqus", W = sum 2 mu/alpha^2
+///   (...), which is converted)
+/// - gent: shear_modulus_Pa, locking_excess
+/// - arruda_boyce: shear_modulus_Pa, locking_stretch
 void describe(io::StudyVisitor& visitor, HyperelasticLaw& law);
 
-/// A silicone as a study gives it: one of menger, a file, or a law in place.
+/// The silicone of a study: a record of menger, a file, or a law written in the study.
 struct StudyLaw {
-  std::optional<SiliconeRecord> record;  ///< of the silicone that was named; nothing for a law in place
-  std::filesystem::path file{};          ///< of that record
-  std::size_t variant = 1;               ///< which of the record's laws of its name, from 1
-  std::size_t count = 0;                 ///< how many of its name the record has; 0: the recommended law
+  std::optional<SiliconeRecord> record;  ///< the silicone that was named; nothing for a law written in the study
+  std::filesystem::path file{};          ///< file of that record
+  std::size_t variant = 1;               ///< number of the law among the record's laws of the same name, from 1
+  std::size_t count = 0;                 ///< how many laws of this name the record has; 0: the recommended law is used
   HyperelasticLaw law{};
-  double smallest_stretch = 0.0;  ///< that the law was compared with; 1: never with compression; 0: no range is stated
+  /// The smallest stretch with which the law was compared; 1: never with compression; 0: no range is stated.
+  double smallest_stretch = 0.0;
+  /// The largest stretch with which the law was compared; infinity: no range is stated.
   double largest_stretch = std::numeric_limits<double>::infinity();
-  std::string source{};  ///< of the record's law
+  std::string source{};  ///< source of the record's law
 
-  /// For messages: "Dragon Skin 10, yeoh", "a neo_hookean law in place".
+  /// Returns the name for messages: "Dragon Skin 10, yeoh", "a neo_hookean law in place".
   [[nodiscard]] std::string name() const;
 };
 
-/// The keys of a silicone in the table of a material: `silicone`, with law_name and law_variant for another law than the
-/// recommended one of its record, or a table `law`. Texts have the law. A reader reads the record.
+/// The recommended law of a silicone. @param file of its record
+/// @throws io::InputError as read_silicone
+StudyLaw recommended_law(const std::filesystem::path& file);
+
+/// Describes the keys of a silicone in the table of a material. Either `silicone`, with law_name and law_variant for a law other
+/// than the recommended one of its record, or a table `law`. Texts of a study contain the law itself. A reader reads the record.
 void describe(io::StudyVisitor& visitor, StudyLaw& law);
 
 }  // namespace menger::materials

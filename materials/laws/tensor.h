@@ -5,8 +5,8 @@
 
 namespace menger::materials {
 
-/// A 3x3 tensor of any number type: double, float, one of automatic differentiation, a SIMD pack. Components are not initialised
-/// where the number type does not do so itself.
+/// A 3x3 tensor of any number type: double, float, a type of automatic differentiation, a SIMD pack. Components are not
+/// initialised unless the number type does so itself.
 template <class T>
 struct Tensor {
   std::array<T, 9> components;  ///< row by row
@@ -15,7 +15,7 @@ struct Tensor {
   const T& operator()(std::size_t i, std::size_t j) const { return components[3 * i + j]; }
 };
 
-/// The derivative of one 3x3 tensor by another, d A_iJ / d F_kL, as a 9x9 matrix of the pairs (i, J) and (k, L).
+/// The derivative of one 3x3 tensor A by another, F: d A_iJ / d F_kL, as a 9x9 matrix. Its row is 3 i + J, its column 3 k + L.
 template <class T>
 struct Tangent {
   std::array<T, 81> components;  ///< row by row
@@ -33,7 +33,7 @@ Tensor<T> identity() {
   return {{one, zero, zero, zero, one, zero, zero, zero, one}};
 }
 
-/// The cofactor matrix, cof(A) = det(A) A^-T.
+/// Returns the cofactor matrix, cof(A) = det(A) A^-T.
 template <class T>
 Tensor<T> cofactor(const Tensor<T>& a) {
   Tensor<T> result;
@@ -49,7 +49,7 @@ Tensor<T> cofactor(const Tensor<T>& a) {
   return result;
 }
 
-/// det(A), from A and its cofactor matrix.
+/// Returns det(A), from A and its cofactor matrix.
 template <class T>
 T determinant(const Tensor<T>& a, const Tensor<T>& cofactor_of_a) {
   return a(0, 0) * cofactor_of_a(0, 0) + a(0, 1) * cofactor_of_a(0, 1) + a(0, 2) * cofactor_of_a(0, 2);
@@ -60,7 +60,7 @@ T determinant(const Tensor<T>& a) {
   return determinant(a, cofactor(a));
 }
 
-/// A B
+/// Returns A B.
 template <class T>
 Tensor<T> product(const Tensor<T>& a, const Tensor<T>& b) {
   Tensor<T> result;
@@ -74,7 +74,7 @@ Tensor<T> transpose(const Tensor<T>& a) {
   return {{a(0, 0), a(1, 0), a(2, 0), a(0, 1), a(1, 1), a(2, 1), a(0, 2), a(1, 2), a(2, 2)}};
 }
 
-/// a A + b B
+/// Returns a A + b B.
 template <class T>
 Tensor<T> combination(const T& a, const Tensor<T>& A, const T& b, const Tensor<T>& B) {
   Tensor<T> result;

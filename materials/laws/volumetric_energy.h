@@ -6,10 +6,10 @@
 
 namespace menger::materials {
 
-/// Volumetric energies U(J) per reference volume, J > 0, with U(1) = U'(1) = 0 and U''(1) = kappa. All are accurate near J = 1,
-/// where J - 1 is exact. derivative is U' (minus the pressure), second_derivative U''.
+/// The volumetric energies U(J) per reference volume, J > 0, with U(1) = U'(1) = 0 and U''(1) = kappa. All are accurate near J =
+/// 1, where J - 1 is exact. `derivative` is U' (minus the pressure), `second_derivative` is U''.
 
-/// U = kappa/2 (J - 1)^2. Finite at J = 0: nothing but the caller keeps an element from being crushed.
+/// The energy U = kappa/2 (J - 1)^2. It is finite at J = 0, so only the caller can prevent an element from being crushed.
 struct QuadraticVolume {
   double bulk_modulus_Pa = 0.0;  ///< kappa > 0
 
@@ -28,7 +28,7 @@ struct QuadraticVolume {
   }
 };
 
-/// U = kappa/2 (ln J)^2. Not convex for J > e.
+/// The energy U = kappa/2 (ln J)^2. It is not convex for J > e.
 struct LogSquaredVolume {
   double bulk_modulus_Pa = 0.0;  ///< kappa > 0
 
@@ -54,7 +54,7 @@ struct LogSquaredVolume {
   }
 };
 
-/// U = kappa/2 ((J^2 - 1)/2 - ln J). Convex, and infinite at J = 0.
+/// The energy U = kappa/2 ((J^2 - 1)/2 - ln J). It is convex, and infinite at J = 0.
 struct SimoTaylorVolume {
   double bulk_modulus_Pa = 0.0;  ///< kappa > 0
 

@@ -4,7 +4,7 @@
 
 namespace menger::materials {
 
-/// W = C10 x + C20 x^2 + C30 x^3 with x = I1 - 3 of the isochoric deformation.
+/// Yeoh's law: W = C10 x + C20 x^2 + C30 x^3 with x = I1 - 3 of the isochoric deformation.
 struct Yeoh {
   double c10_Pa = 0.0;
   double c20_Pa = 0.0;

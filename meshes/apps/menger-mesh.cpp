@@ -48,10 +48,10 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.footer(
       "Example:\n  menger mesh meshes/designs/stand18.toml --elements-through-wall 2 --largest-element-m 0.002 -o stand18.vtu\n"
       "writes stand18.vtu (open it in ParaView), stand18_quality.csv and stand18_manifest.json.\n"
-      "The input is a design, or a study with a table [design] that names or draws one and has the options below, with\n"
-      "underscores (wall_thickness_m = 0.002), and tube holes; --template prints one.\n"
-      "A mesh of Gmsh (.msh) is read with its physical names: surfaces called chamber... are chambers, symmetry... planes of\n"
-      "symmetry. Exit codes: 0 done, 2 wrong input.");
+      "The input is a design, or a study with a table [design]. This table names a design file or contains the design. It can\n"
+      "also have the options below, with underscores (wall_thickness_m = 0.002), and tube holes. --template prints a study.\n"
+      "A mesh of Gmsh (.msh) is read with its physical names: surfaces called chamber... are chambers, surfaces called\n"
+      "symmetry... are planes of symmetry. Exit codes: 0 done, 2 wrong input.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     meshes::MeshStudy study;
     describe(visitor, study);
@@ -61,17 +61,17 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_option("--wall-thickness-m", arguments.wall_thickness_m, "thickness of every wall (default: 0.002)");
   app.add_option("--elements-through-wall", arguments.elements_through_wall, "elements through every wall (default: 1)");
   app.add_option("--largest-element-m", arguments.largest_element_m,
-                 "edge to which elements may grow away from walls (default: as in the wall)");
-  app.add_option("--growth", arguments.growth, "largest ratio of neighbouring edges that grow (default: 1.5)");
+                 "largest edge of elements away from walls (default: as in the wall)");
+  app.add_option("--growth", arguments.growth,
+                 "largest ratio of the edges of neighbouring elements where they grow (default: 1.5)");
   app.add_option("--chambers", arguments.chambers,
                  "single (default): one chamber for each module; per-phase: one for each region")
       ->check(CLI::IsMember(word_map(meshes::chamber_layout_words())));
   app.add_option("--level", arguments.level, "level of the fractal (default: 1)");
-  app.add_option("--hole-edge-m", arguments.hole_edge_m,
-                 "join the chambers of modules side by side by square holes of this edge");
-  app.add_option("--lid", arguments.lid, "wall of every module that is a region of its own: none (default), bottom, top")
+  app.add_option("--hole-edge-m", arguments.hole_edge_m, "edge of square holes that join the chambers of neighbouring modules");
+  app.add_option("--lid", arguments.lid, "wall of every module that is a separate region: none (default), bottom, top")
       ->check(CLI::IsMember(word_map(meshes::lid_place_words())));
-  app.add_flag("--joint-region", arguments.joint_region, "make the bonded walls between modules a region of their own");
+  app.add_flag("--joint-region", arguments.joint_region, "make the bonded walls between modules a separate region");
   app.add_option("--length-unit-m", arguments.length_unit_m, "metres per unit of a mesh of Gmsh (default: 1)");
   return io::parse_arguments(app, argc, argv);
 }
@@ -116,7 +116,7 @@ MeshToWrite mesh_design(const Arguments& arguments, io::Manifest& manifest) {
     meshes::HollowBody body = meshes::hollow_polycube(study.design, study.options);
     const meshes::MeshQuality quality = meshes::mesh_quality(body);
     if (study.options.hole_edge_m && body.hole_count == 0)
-      std::cout << "note: hole_edge_m made no hole, because no chambers of modules side by side touch that may be joined\n";
+      std::cout << "note: hole_edge_m made no hole, because no two chambers of neighbouring modules that may be joined touch\n";
     return {std::move(body.mesh), quality};
   } catch (const io::InputError& error) {
     throw io::InputError(arguments.input.string() + ": " + error.what());

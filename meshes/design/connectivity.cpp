@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::array<CellIndex, 6> face_neighbours{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
-/// Empties the component of `seed` out of `rest` and returns its cells. An explicit stack, for a body of level 3 would overflow a
-/// recursion.
+/// Removes the component of `seed` from `rest` and returns its cells. It uses a list of cells, because recursion would overflow
+/// the stack for a body of level 3.
 std::vector<CellIndex> take_component(Polycube& rest, const CellIndex& seed) {
   std::vector<CellIndex> cells{seed};
   rest.set(seed, empty);
@@ -27,7 +27,7 @@ std::vector<CellIndex> take_component(Polycube& rest, const CellIndex& seed) {
   return cells;
 }
 
-/// Calls `visit` with the cells of each component, in the order of the components' first cells.
+/// Calls `visit` with the cells of each component, in the order of their first cells.
 template <class Visit>
 void for_each_component(const Polycube& body, const Visit& visit) {
   Polycube rest = body;

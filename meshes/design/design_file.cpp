@@ -19,7 +19,8 @@ namespace {
 
 using Layers = std::vector<std::vector<std::string>>;
 
-/// Largest number of cells along an axis. Bodies have 3 to 81; more is a slip of the pen and would only fill the memory.
+/// The largest number of cells along an axis. Bodies have 3 to 81; a larger number is a typing error and would only fill the
+/// memory.
 constexpr int largest_side = 1000;
 
 void require_equal_size(const io::TomlTable& table, const Layers& layers) {
@@ -36,12 +37,12 @@ void require_equal_size(const io::TomlTable& table, const Layers& layers) {
     }
     for (std::size_t y = 0; y < ny; ++y) {
       if (layers[z][y].size() == nx) continue;
-      throw table.error("layers", "must have " + std::to_string(nx) + " digits as the first row has", std::array{z, y});
+      throw table.error("layers", "must have " + std::to_string(nx) + " digits, as in the first row", std::array{z, y});
     }
   }
 }
 
-/// The body of layers of equal size that hold digits of materials alone.
+/// Makes the body of layers. The layers must have equal size and contain only digits of materials.
 Polycube filled(const Layers& layers) {
   Polycube body(static_cast<int>(layers[0][0].size()), static_cast<int>(layers[0].size()), static_cast<int>(layers.size()));
   for (std::size_t z = 0; z < layers.size(); ++z) {
@@ -94,7 +95,8 @@ void describe_layers(io::StudyVisitor& visitor, Design& design) {
   Layers layers = layers_of(design.body);
   visitor.text_rows(
       {"layers",
-       "The body from the ground up: in each layer rows of constant y, x along the row; 0 is empty, 1 and 2 are materials.",
+       "The body in layers from the ground up: each layer has rows of constant y, with x along the row. 0 is empty, 1 and 2 are "
+       "materials.",
        example},
       layers);
   if (const io::TomlTable* table = visitor.source())
@@ -107,7 +109,8 @@ void describe_digits(io::StudyVisitor& visitor, Design& design) {
   std::vector<int> cells{3, 3, 3};
   std::string digits = design.body.digits();
   visitor.integers({"cells", "Cells along x, y and z."}, cells, io::within(1, largest_side), {.fewest = 3, .most = 3});
-  visitor.text({"digits", "A digit for each cell, x fastest, then y, then z.", R"("111111111000000000000000000")"}, digits);
+  visitor.text({"digits", "One digit for each cell: x varies fastest, then y, then z.", R"("111111111000000000000000000")"},
+               digits);
   const io::TomlTable* table = visitor.source();
   if (table == nullptr) {
     const int count = cells.size() == 3 ? cells[0] * cells[1] * cells[2] : 0;
@@ -144,8 +147,8 @@ void describe_design(io::StudyVisitor& visitor, Design& design, std::optional<st
   visitor.one_of({{"layers", is_drawn, keep, [&] { describe_layers(visitor, design); }},
                   {"digits", false, keep, [&] { describe_digits(visitor, design); }},
                   {"file", false, keep, describe_file}},
-                 "a body is needed");
-  // the edge of a design file may be replaced, a drawing has none of its own
+                 "give one of them");
+  // A study may replace the cell edge of a design file. A design in the study has no other cell edge.
   const io::Key edge{.name = "cell_edge_m", .help = "Edge of a cell.", .example = file ? "" : "0.01", .may_be_elsewhere = true};
   visitor.number(edge, design.cell_edge_m, io::positive());
   if (design.name.empty()) design.name = "robot";

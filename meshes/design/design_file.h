@@ -10,7 +10,7 @@
 
 namespace menger::meshes {
 
-/// A design: a basal body and the edge of its cells.
+/// A design: a basal body and the edge length of its cells.
 struct Design {
   std::string name;
   Polycube body;
@@ -19,23 +19,25 @@ struct Design {
   bool operator==(const Design&) const = default;
 };
 
-/// Reads a design from TOML: name, cell_edge_m and layers (from the ground up), each layer an array of strings of digits, one
-/// string per row of constant y with y growing downwards in the file, x growing along the row.
-/// @throws io::InputError with file, key and value for anything that is not such a design, an empty body included
+/// Reads a design from a TOML file with the keys name, cell_edge_m and layers. The layers are listed from the ground up. Each
+/// layer is an array of strings of digits, one string per row of constant y. In the file x increases along a row and y increases
+/// downwards.
+/// @throws io::InputError with file, key and value for wrong input, including an empty body
 Design read_design(const std::filesystem::path& file);
 
-/// The keys of a design file; see read_design.
+/// Describes the keys of a design file; see read_design.
 void describe(io::StudyVisitor& visitor, Design& design);
 
-/// The keys by which a table of a study gives a design: `file`, or the design itself in its layers, or as digits; with a file,
-/// cell_edge_m gives its cells another size. Texts have the design itself.
-/// @param file that was named, for a reader; nothing otherwise. A reader reads it.
+/// Describes the keys with which a table of a study gives a design: `file`, or the design itself as `layers` or `digits`. With a
+/// file, cell_edge_m replaces the cell edge of the file. Texts of a study contain the design itself.
+/// @param file the file that was named, set by a reader, which also reads it; otherwise nothing
 void describe_design(io::StudyVisitor& visitor, Design& design, std::optional<std::filesystem::path>& file);
 
-/// Writes a design so that read_design gives it back; whole or not at all. @throws io::InputError if the place cannot be written
+/// Writes a design so that read_design returns the same design; whole or not at all. @throws io::InputError if the file cannot be
+/// written
 void write_design(const std::filesystem::path& file, const Design& design);
 
-/// The text that write_design writes.
+/// Returns the text that write_design writes.
 std::string design_text(const Design& design);
 
 }  // namespace menger::meshes

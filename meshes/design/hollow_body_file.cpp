@@ -11,7 +11,7 @@ namespace {
 
 void describe(io::StudyVisitor& visitor, TubeHole& tube) {
   std::vector<int> cell{tube.cell.x, tube.cell.y, tube.cell.z};
-  visitor.integers({"cell", "The cell: its place along x, y and z, from 0.", "[0, 0, 0]"}, cell, io::within(0.0, 1e6),
+  visitor.integers({"cell", "Place of the cell along x, y and z, counted from 0.", "[0, 0, 0]"}, cell, io::within(0.0, 1e6),
                    {.fewest = 3, .most = 3});
   if (cell.size() == 3) tube.cell = {cell[0], cell[1], cell[2]};
   visitor.word({"side", "Side of the cell on which the hole opens.", "\"z max\""}, tube.side, side_words());
@@ -43,25 +43,27 @@ void describe(io::StudyVisitor& visitor, HollowBodyOptions& options) {
   visitor.number({"wall_thickness_m", "Thickness of every outer wall."}, options.wall_thickness_m, io::positive());
   visitor.integer({"elements_through_wall", "Least number of elements through a wall."}, options.elements_through_wall,
                   io::within(1, 1000));
-  visitor.optional_number({"largest_element_m", "Edge that elements may grow to away from walls.", "0.005"},
-                          options.largest_element_m, io::positive());
-  visitor.number({"growth", "Largest ratio of neighbouring edges while they grow."}, options.growth, io::at_least(1.0));
-  visitor.word({"chambers", "Whether all cells of a module share one chamber, or those of each phase."}, options.chambers,
-               chamber_layout_words());
-  visitor.integer({"level", "Level of the fractal: 1 is the design itself, in 2 each cell is a copy of it."}, options.level,
-                  io::within(1, 10));
+  visitor.optional_number({"largest_element_m", "Largest edge of elements away from walls.", "0.005"}, options.largest_element_m,
+                          io::positive());
+  visitor.number({"growth", "Largest ratio of the edges of neighbouring elements where they grow."}, options.growth,
+                 io::at_least(1.0));
+  visitor.word(
+      {"chambers", "Cells that share one chamber: all cells of a module, or each connected region of cells of one phase."},
+      options.chambers, chamber_layout_words());
+  visitor.integer({"level", "Level of the fractal: 1 is the design itself, at 2 each cell is a copy of the design."},
+                  options.level, io::within(1, 10));
   visitor.optional_number({"hole_edge_m", "Edge of the square holes between chambers of neighbouring modules.", "0.002"},
                           options.hole_edge_m, io::positive());
   visitor.tables({"tubes", "Holes for supply tubes."}, options.tubes, [&](TubeHole& tube) { describe(visitor, tube); });
-  visitor.word({"lid", "Wall of every module that is a region of its own, \"lid\"."}, options.lid, lid_place_words());
-  visitor.boolean({"joint_region", "Whether bonded walls are a region of their own, \"joint\"."}, options.joint_region);
+  visitor.word({"lid", "Wall of every module that is a separate region, called \"lid\"."}, options.lid, lid_place_words());
+  visitor.boolean({"joint_region", "Whether bonded walls are a separate region, called \"joint\"."}, options.joint_region);
 }
 
 void describe(io::StudyVisitor& visitor, MeshStudy& study) {
   const io::TomlTable* table = visitor.source();
   visitor.check(table == nullptr || !table->is_text("design"), "design",
-                "is a table now, [design] with this as its file, and has the keys of walls and elements, too");
-  visitor.table({"design", "The design, and how it is hollowed out and meshed."}, [&] {
+                "is a table now: give this name as file in [design]. The keys of walls and elements also stand in [design]");
+  visitor.table({"design", "Design, and how it is made hollow and meshed."}, [&] {
     describe_design(visitor, study.design, study.design_file);
     describe(visitor, study.options);
   });

@@ -12,27 +12,28 @@
 
 namespace menger::meshes {
 
-/// How a design is hollowed out and meshed: keys of the table of a design.
+/// Describes how a design is made hollow and meshed: keys of the table of a design.
 void describe(io::StudyVisitor& visitor, HollowBodyOptions& options);
 
-/// A design and how to mesh it.
+/// A design and the options for meshing it.
 struct MeshStudy {
-  std::optional<std::filesystem::path> design_file;  ///< nothing for a design that is drawn in the study
+  std::optional<std::filesystem::path> design_file;  ///< nothing if the design is given in the study itself
   Design design;
   HollowBodyOptions options;
 };
 
-/// The keys of a study of `menger mesh`; `menger mesh --keys` lists them.
+/// Describes the keys of a study of `menger mesh`; `menger mesh --keys` lists them.
 void describe(io::StudyVisitor& visitor, MeshStudy& study);
 
-/// Reads either a design, meshed with the default options, or a study of `menger mesh`.
+/// Reads a design, which is then meshed with the default options, or a study of `menger mesh`.
 /// @throws io::InputError with file, key and value
 MeshStudy read_mesh_study(const std::filesystem::path& file);
 
-/// All options as the lines of a table, whose header is the caller's. @param table its name, for the tables in it; empty: the top
+/// Returns all options as the lines of a table; the caller writes its header. @param table name of the table, used for the tables
+/// in it; empty: the top of the file
 std::string hollow_body_text(const HollowBodyOptions& options, std::string_view table = {});
 
-/// The words for the options that are one of a few.
+/// The words in files for options with a few possible values.
 const io::Words<ChamberLayout>& chamber_layout_words();
 const io::Words<LidPlace>& lid_place_words();
 const io::Words<Side>& side_words();

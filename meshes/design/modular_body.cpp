@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t no_region = std::numeric_limits<std::size_t>::max();
 
-/// Direction in which a zone touches a neighbouring cell: -1, 0 or 1.
+/// Returns the direction in which a zone touches a neighbouring cell: -1, 0 or 1.
 int direction(WallZone zone) { return (static_cast<int>(zone) > 0 ? 1 : 0) - (static_cast<int>(zone) < 0 ? 1 : 0); }
 
 bool is_outer(WallZone zone) { return zone == WallZone::low_outer || zone == WallZone::high_outer; }
@@ -71,7 +71,7 @@ bool ModularBody::same_module(const CellIndex& a, const CellIndex& b) const {
 
 bool ModularBody::is_wall(const CellIndex& cell, const CellBlock& block) const {
   const std::array<int, 3> reach{direction(block[0]), direction(block[1]), direction(block[2])};
-  // Every neighbour that the block reaches: the one across the side, and those across edges and the corner.
+  // Goes through every neighbour that the block touches: those across sides, edges and the corner.
   for (unsigned axes = 1; axes < 8; ++axes) {
     CellIndex other = cell;
     bool within_half = true;

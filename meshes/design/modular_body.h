@@ -10,37 +10,38 @@
 
 namespace menger::meshes {
 
-/// Part of a cell along one axis, counted from the side that its sign names: the outer half of a wall thickness, the inner half,
-/// and what lies between the walls.
+/// The zones of a cell along one axis. Next to the low and the high side there is one wall thickness, divided into an outer and
+/// an inner half. `middle` is the space between the walls.
 enum class WallZone { low_outer = -2, low_inner = -1, middle = 0, high_inner = 1, high_outer = 2 };
 
 /// A zone along each axis: one of the 125 blocks of a cell.
 using CellBlock = std::array<WallZone, 3>;
 
-/// The cells of a body of several modules and the chamber that each belongs to.
+/// The cells of a body of several modules, and the chamber of each cell.
 class ModularBody {
  public:
-  /// @param basal face-connected body of which every module is a copy
-  /// @param level >= 1, of the fractal @throws std::length_error if its grid would be too large
+  /// @param basal face-connected body; every module is a copy of it
+  /// @param level level of the fractal, >= 1
+  /// @throws std::length_error if the grid would be too large
   ModularBody(const Polycube& basal, int level, ChamberLayout layout);
 
-  /// What a chamber is made from.
+  /// The module and the material of a chamber.
   struct Region {
     std::size_t module;  ///< position in modules()
-    Material material;   ///< of its first cell
+    Material material;   ///< material of its first cell
   };
 
   [[nodiscard]] const Polycube& cells() const { return cells_; }
   [[nodiscard]] const std::vector<CellIndex>& modules() const { return modules_; }  ///< positions in modules, in grid order
   [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }     ///< one per chamber, by module and first cell
 
-  /// The region of a cell; nothing for an empty cell and outside the grid.
+  /// Returns the region of a cell; nothing for an empty cell or outside the grid.
   [[nodiscard]] std::optional<std::size_t> region_of(const CellIndex& cell) const;
 
-  /// Whether two occupied or empty cells lie in one module; an empty one lies in none.
+  /// Returns whether two cells lie in the same module. An empty cell lies in no module.
   [[nodiscard]] bool same_module(const CellIndex& a, const CellIndex& b) const;
 
-  /// Whether a block of an occupied cell is wall and not chamber.
+  /// Returns whether a block of an occupied cell is wall, not chamber.
   [[nodiscard]] bool is_wall(const CellIndex& cell, const CellBlock& block) const;
 
  private:
@@ -55,7 +56,7 @@ class ModularBody {
   std::vector<std::size_t> region_of_cell_;
 };
 
-/// The cell on the other side of a side.
+/// Returns the adjacent cell across a side.
 CellIndex neighbour(const CellIndex& cell, Side side);
 
 }  // namespace menger::meshes

@@ -9,7 +9,7 @@
 
 namespace menger::meshes {
 
-/// What a cell of a polycube is made of.
+/// The material of a cell of a polycube; 0 is empty.
 using Material = std::uint8_t;
 inline constexpr Material empty = 0;
 inline constexpr Material largest_material = 2;
@@ -22,15 +22,15 @@ struct CellIndex {
   auto operator<=>(const CellIndex&) const = default;
 };
 
-/// A body of equal cubes on a regular grid: every cell is empty or of material 1 or 2.
+/// A body of equal cubes on a regular grid. Every cell is empty or of material 1 or 2.
 class Polycube {
  public:
   Polycube() = default;
 
-  /// An empty grid of nx * ny * nz cells, each at least 1. @throws std::invalid_argument otherwise
+  /// Makes an empty grid of nx * ny * nz cells, each number at least 1. @throws std::invalid_argument otherwise
   Polycube(int nx, int ny, int nz);
 
-  /// A grid from digits 0, 1, 2, x fastest, then y, then z: digit of cell (x, y, z) at x + nx (y + ny z).
+  /// Makes a grid from digits 0, 1, 2, x fastest, then y, then z: the digit of cell (x, y, z) is at x + nx (y + ny z).
   /// @throws std::invalid_argument if the number of digits is not nx ny nz or one is not 0, 1 or 2
   static Polycube from_digits(int nx, int ny, int nz, const std::string& digits);
 
@@ -42,20 +42,20 @@ class Polycube {
     return cell.x >= 0 && cell.x < size_[0] && cell.y >= 0 && cell.y < size_[1] && cell.z >= 0 && cell.z < size_[2];
   }
 
-  /// Material of a cell of the grid (asserts that it is inside).
+  /// Returns the material of a cell. The cell must be inside the grid (asserted).
   [[nodiscard]] Material at(const CellIndex& cell) const;
   void set(const CellIndex& cell, Material material);
 
-  /// Material of a cell, `empty` outside the grid.
+  /// Returns the material of a cell; `empty` outside the grid.
   [[nodiscard]] Material at_or_empty(const CellIndex& cell) const { return contains(cell) ? at(cell) : empty; }
 
-  /// Number of cells that are not empty.
+  /// Returns the number of cells that are not empty.
   [[nodiscard]] std::size_t count() const;
 
-  /// All occupied cells in grid order (x fastest, then y, then z).
+  /// Returns all occupied cells in grid order (x fastest, then y, then z).
   [[nodiscard]] std::vector<CellIndex> occupied() const;
 
-  /// The digits of all cells in grid order; the inverse of from_digits.
+  /// Returns the digits of all cells in grid order. It is the inverse of from_digits.
   [[nodiscard]] std::string digits() const;
 
   bool operator==(const Polycube&) const = default;

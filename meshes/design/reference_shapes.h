@@ -4,16 +4,16 @@
 
 namespace menger::meshes {
 
-/// A straight bar of `length` cells of material 1 along x.
+/// Returns a straight bar of `length` cells of material 1 along x.
 Polycube bar(int length);
 
-/// A horizontal plane of n x n cells of material 1.
+/// Returns a horizontal plane of n x n cells of material 1.
 Polycube plane(int n);
 
-/// A full cube of n x n x n cells of material 1.
+/// Returns a full cube of n x n x n cells of material 1.
 Polycube full_cube(int n);
 
-/// The basal Menger sponge: 3 x 3 x 3 without its centre and the centres of its faces, 20 cells of material 1.
+/// Returns the basal Menger sponge: 3 x 3 x 3 cells without the centre and the centres of the faces, 20 cells of material 1.
 Polycube menger_sponge();
 
 }  // namespace menger::meshes

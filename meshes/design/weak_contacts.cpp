@@ -5,13 +5,13 @@
 namespace menger::meshes {
 namespace {
 
-/// Half of the diagonals of a block of cells: the others are these, seen from the other end. Those across an edge come first.
+/// Half of the diagonals between cells; the others are the same ones in the opposite direction. Those across an edge come first.
 constexpr std::array<CellIndex, 10> diagonals{
     {{1, 1, 0}, {-1, 1, 0}, {1, 0, 1}, {-1, 0, 1}, {0, 1, 1}, {0, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}}};
 
 constexpr std::size_t edge_diagonals = 6;
 
-/// Whether any cell of the block between two cells is occupied, the two left out.
+/// Returns whether any cell of the block between two cells is occupied, except for these two.
 bool block_has_others(const Polycube& body, const CellIndex& cell, const CellIndex& diagonal) {
   for (int corner = 1; corner < 7; ++corner) {
     const CellIndex step{(corner & 1) != 0 ? diagonal.x : 0, (corner & 2) != 0 ? diagonal.y : 0,
@@ -22,7 +22,7 @@ bool block_has_others(const Polycube& body, const CellIndex& cell, const CellInd
   return false;
 }
 
-/// Calls `visit` with each two cells that touch only so, along the first `kinds` diagonals, until it returns false.
+/// Calls `visit` with each pair of cells in weak contact along the first `kinds` diagonals, until it returns false.
 template <class Visit>
 void for_each_weak_contact(const Polycube& body, std::size_t kinds, const Visit& visit) {
   for (const CellIndex& cell : body.occupied()) {
@@ -37,8 +37,8 @@ void for_each_weak_contact(const Polycube& body, std::size_t kinds, const Visit&
 
 }  // namespace
 
-// For a corner it is enough that any of the six other cells is occupied: either it joins the two through faces, or it shares with
-// one of them an edge contact, which is found as such.
+// At a corner it is enough that any of the six other cells is occupied. Either it joins the two through faces, or it has an edge
+// contact with one of them, which is found separately.
 std::optional<WeakContact> first_weak_contact(const Polycube& body) {
   std::optional<WeakContact> first;
   for_each_weak_contact(body, diagonals.size(), [&](const WeakContact& contact) {

@@ -22,7 +22,7 @@
 namespace menger::meshes {
 namespace {
 
-// Gmsh's numbers of the kinds of elements that are read.
+// Gmsh's numbers for the kinds of elements that are read.
 constexpr int triangle_3 = 2;
 constexpr int quadrilateral_4 = 3;
 constexpr int hexahedron_8 = 5;
@@ -58,14 +58,14 @@ class GmshMeshReader {
  private:
   [[noreturn]] void refuse(const std::string& reason) const { throw io::InputError(file_.string() + ": " + reason); }
 
-  /// The library takes a file without the header of a mesh for one of its scripts and runs it, and reads half of one without a
-  /// word; neither must reach it.
+  /// Checks the start and the end of a file before Gmsh opens it. Gmsh would run a file without the header of a mesh as a script,
+  /// and would read an incomplete file without an error.
   void check_content(const std::string& text) const {
-    if (file_.extension() != ".msh") refuse("is no mesh of Gmsh: its name must end in .msh");
+    if (file_.extension() != ".msh") refuse("is not a mesh of Gmsh: its name must end in .msh");
     if (!text.starts_with("$MeshFormat") && !text.starts_with("$Comments"))
-      refuse("is no mesh of Gmsh: it must begin with $MeshFormat");
+      refuse("is not a mesh of Gmsh: it must begin with $MeshFormat");
     if (text.find("$EndNodes") == std::string::npos || text.find("$EndElements") == std::string::npos)
-      refuse("is cut off, or holds no mesh: $EndNodes or $EndElements is missing");
+      refuse("is cut off, or contains no mesh: $EndNodes or $EndElements is missing");
   }
 
   void open() const {
@@ -83,12 +83,12 @@ class GmshMeshReader {
     std::vector<double> coordinates;
     std::vector<double> unused;
     gmsh::model::mesh::getNodes(tags, coordinates, unused);
-    if (tags.empty()) refuse("cannot be read as a mesh of Gmsh, or holds no points");
+    if (tags.empty()) refuse("cannot be read as a mesh of Gmsh, or contains no points");
     for (std::size_t i = 0; i < tags.size(); ++i) {
       point_of_tag_[tags[i]] = i;
       Point point{};
       for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = length_unit_m_ * coordinates[3 * i + axis];
-      if (!is_finite(point)) refuse("point " + std::to_string(tags[i]) + " has a coordinate that is no finite number");
+      if (!is_finite(point)) refuse("point " + std::to_string(tags[i]) + " has a coordinate that is not a finite number");
       result_.points.push_back(point);
     }
   }
@@ -99,7 +99,7 @@ class GmshMeshReader {
     return found->second;
   }
 
-  /// The name of the one physical group that an entity belongs to; nothing if it belongs to none.
+  /// Returns the name of the physical group of an entity; nothing if it belongs to none.
   [[nodiscard]] std::optional<std::string> physical_name(const std::pair<int, int>& entity) const {
     std::vector<int> groups;
     gmsh::model::getPhysicalGroupsForEntity(entity.first, entity.second, groups);
@@ -108,7 +108,7 @@ class GmshMeshReader {
       refuse((entity.first == 3 ? "volume " : "surface ") + std::to_string(entity.second) +
              " belongs to several physical groups");
     std::string name;
-    // A surface that looks against its group has the negative number.
+    // The number is negative if the surface has the opposite orientation of its group.
     gmsh::model::getPhysicalName(entity.first, std::abs(groups[0]), name);
     return name.empty() ? std::to_string(std::abs(groups[0])) : name;
   }
@@ -120,7 +120,7 @@ class GmshMeshReader {
     return index;
   }
 
-  /// Calls `visit` with the kind and the points of each element of an entity, which must be of certain kinds.
+  /// Calls `visit` with the kind and the points of each element of an entity. All elements must be of an allowed kind.
   template <class Visit>
   void for_each_element(const std::pair<int, int>& entity, std::initializer_list<int> allowed, const char* wanted,
                         const Visit& visit) const {
@@ -181,7 +181,7 @@ class GmshMeshReader {
     }
   }
 
-  /// Adds a surface to the cap of its name, whose rim is what no two of its elements share.
+  /// Adds a surface to the cap of its name. The rim consists of the edges that belong to only one element of the cap.
   void read_cap(const std::pair<int, int>& surface, const std::string& name) {
     const auto has_name = [&](const NamedCap& cap) { return cap.name == name; };
     auto cap = std::find_if(result_.caps.begin(), result_.caps.end(), has_name);

@@ -27,7 +27,7 @@ void add_names(vtkUnstructuredGrid& grid, const char* name, const std::vector<st
   grid.GetFieldData()->AddArray(array);
 }
 
-/// Rows of `width` integers. An array without rows is left out, because not every reader copes with one.
+/// Adds rows of `width` integers. An array without rows is left out, because not every reader accepts one.
 void add_rows(vtkUnstructuredGrid& grid, const char* name, int width, const std::vector<std::size_t>& values) {
   if (values.empty()) return;
   vtkNew<vtkIdTypeArray> array;

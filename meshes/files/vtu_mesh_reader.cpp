@@ -27,7 +27,7 @@
 namespace menger::meshes {
 namespace {
 
-/// Keeps VTK from printing faults of a file, which are reported as InputError.
+/// Keeps VTK from printing errors in a file; they are reported as InputError.
 class QuietVtk {
  public:
   QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
@@ -42,13 +42,13 @@ class QuietVtk {
 class VtuMeshReader {
  public:
   explicit VtuMeshReader(const std::filesystem::path& file) : file_(file) {
-    static_cast<void>(io::read_whole(file));  // says why a file cannot be read
+    static_cast<void>(io::read_whole(file));  // reports why a file cannot be read
     const QuietVtk quiet;
     reader_->SetFileName(file.c_str());
-    if (reader_->CanReadFile(file.c_str()) == 0) refuse("is no VTK file of unstructured cells (.vtu)");
+    if (reader_->CanReadFile(file.c_str()) == 0) refuse("is not a VTK file of unstructured cells (.vtu)");
     reader_->Update();
     grid_ = reader_->GetOutput();
-    if (reader_->GetErrorCode() != 0 || grid_->GetNumberOfCells() == 0) refuse("cannot be read, or holds no cells");
+    if (reader_->GetErrorCode() != 0 || grid_->GetNumberOfCells() == 0) refuse("cannot be read, or contains no cells");
   }
 
   HexahedralMesh read() {
@@ -69,20 +69,21 @@ class VtuMeshReader {
 
   [[nodiscard]] std::vector<std::string> names(const char* name) const {
     auto* array = vtkStringArray::SafeDownCast(grid_->GetFieldData()->GetAbstractArray(name));
-    if (array == nullptr) refuse(std::string("has no field data ") + name + ", so it is no mesh that menger wrote");
+    if (array == nullptr) refuse(std::string("has no field data ") + name + ", so menger did not write this mesh");
     std::vector<std::string> result;
     for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i) result.push_back(array->GetValue(i));
     return result;
   }
 
-  /// A number of an array that must be a whole one below `limit`.
+  /// Returns a number of an array as an index. It must be a whole number below `limit`.
   [[nodiscard]] std::size_t index(const char* name, double value, std::size_t limit) const {
     if (value >= 0.0 && value < static_cast<double>(limit) && value == std::floor(value)) return static_cast<std::size_t>(value);
     refuse(std::string(name) + " holds " + io::number_text(value) + ", which must be a whole number in 0 .. " +
            std::to_string(limit) + " - 1");
   }
 
-  /// All numbers of an array of field data, row by row, each below the limit of its column. A missing array has none.
+  /// Returns all numbers of an array of field data, row by row, each below the limit of its column. Empty if the array is
+  /// missing.
   [[nodiscard]] std::vector<std::size_t> rows(const char* name, int width, const std::vector<std::size_t>& limits) const {
     std::vector<std::size_t> result;
     vtkDataArray* array = grid_->GetFieldData()->GetArray(name);
@@ -97,7 +98,7 @@ class VtuMeshReader {
 
   [[nodiscard]] vtkDataArray& cell_data(const char* name) const {
     vtkDataArray* array = grid_->GetCellData()->GetArray(name);
-    if (array == nullptr) refuse(std::string("has no cell data ") + name + ", so it is no mesh that menger wrote");
+    if (array == nullptr) refuse(std::string("has no cell data ") + name + ", so menger did not write this mesh");
     return *array;
   }
 
@@ -105,7 +106,7 @@ class VtuMeshReader {
     for (vtkIdType i = 0; i < grid_->GetNumberOfPoints(); ++i) {
       Point point{};
       grid_->GetPoint(i, point.data());
-      if (!is_finite(point)) refuse("point " + std::to_string(i) + " has a coordinate that is no finite number");
+      if (!is_finite(point)) refuse("point " + std::to_string(i) + " has a coordinate that is not a finite number");
       mesh_.points.push_back(point);
     }
   }
@@ -138,7 +139,7 @@ class VtuMeshReader {
 
   void read_geometry() {
     const std::vector<std::size_t> geometry = rows("geometry", 1, {3});
-    if (geometry.size() != 1) refuse("must have field data geometry with one number, so it is no mesh that menger wrote");
+    if (geometry.size() != 1) refuse("must have field data geometry with one number, so menger did not write this mesh");
     mesh_.geometry = static_cast<Geometry>(geometry[0]);
   }
 
@@ -155,7 +156,7 @@ class VtuMeshReader {
     const std::vector<std::size_t> rims = rows("cap_rims", 4, {chambers, points, points, points});
     for (std::size_t i = 0; i < rims.size(); i += 4) {
       std::vector<Cap>& caps = mesh_.chambers[rims[i]].caps;
-      if (rims[i + 1] > caps.size()) refuse("cap_rims must number the caps of a chamber one after the other");
+      if (rims[i + 1] > caps.size()) refuse("cap_rims must number the caps of a chamber consecutively");
       if (rims[i + 1] == caps.size()) caps.emplace_back();
       caps[rims[i + 1]].rim.push_back({rims[i + 2], rims[i + 3]});
     }

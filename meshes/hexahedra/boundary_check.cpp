@@ -13,14 +13,14 @@ namespace {
 
 using FaceCorners = std::array<std::size_t, 4>;
 
-/// A side of one or more elements.
+/// A side of one or more elements, with the number of elements and of boundary faces there.
 struct ElementSide {
-  FaceCorners corners{};  ///< as the first element runs around it
+  FaceCorners corners{};  ///< in the order of the first element
   int elements = 0;
   int faces = 0;
 };
 
-/// The sides of all elements, by their corners in increasing order.
+/// The sides of all elements, keyed by their corners in increasing order.
 using ElementSides = std::map<FaceCorners, ElementSide>;
 
 FaceCorners sorted(FaceCorners corners) {
@@ -40,7 +40,7 @@ ElementSides sides_of_elements(const HexahedralMesh& mesh) {
   return sides;
 }
 
-/// Whether two ways around four corners are the same, wherever they begin.
+/// Returns whether two orders of four corners have the same direction around the face, wherever they begin.
 bool same_way(const FaceCorners& a, FaceCorners b) {
   std::rotate(b.begin(), std::find(b.begin(), b.end(), a[0]), b.end());
   return a == b;
@@ -58,10 +58,10 @@ void require_whole_boundary(const HexahedralMesh& mesh, const std::string& sourc
       throw io::InputError(message);
     };
     const auto side = sides.find(sorted(corners));
-    if (side == sides.end()) refuse("is on no element");
+    if (side == sides.end()) refuse("belongs to no element");
     if (side->second.elements > 1) refuse("lies inside the solid");
-    if (!same_way(side->second.corners, corners)) refuse("runs around the wrong way");
-    if (++side->second.faces > 1) refuse("is there twice");
+    if (!same_way(side->second.corners, corners)) refuse("has its corners in the wrong order");
+    if (++side->second.faces > 1) refuse("is given twice");
   }
   const auto missing = std::count_if(sides.begin(), sides.end(),
                                      [](const auto& side) { return side.second.elements == 1 && side.second.faces == 0; });

@@ -6,10 +6,10 @@
 
 namespace menger::meshes {
 
-/// Refuses a mesh whose boundary faces are not its boundary: each side of an element that no other element shares has to be one
-/// face, run around as BoundaryFace asks, and nothing else may be one.
-/// @param source what messages begin with, such as the name of the file
-/// @throws io::InputError naming the first such face, or how many are missing
+/// Checks that the boundary faces of a mesh are exactly its boundary. Each side of an element that belongs to no other element
+/// must be one face, with the orientation that BoundaryFace requires. Nothing else may be a face.
+/// @param source text at the start of messages, such as the name of the file
+/// @throws io::InputError naming the first wrong face, or the number of missing faces
 void require_whole_boundary(const HexahedralMesh& mesh, const std::string& source);
 
 }  // namespace menger::meshes

@@ -7,10 +7,10 @@
 
 namespace menger::meshes {
 
-/// Index of a boundary label. @throws io::InputError naming the label and those that the mesh has
+/// Returns the index of a boundary label. @throws io::InputError naming the label and the labels of the mesh
 std::size_t label_index(const HexahedralMesh& mesh, std::string_view label);
 
-/// Index of a region. @throws io::InputError naming the region and those that the mesh has
+/// Returns the index of a region. @throws io::InputError naming the region and the regions of the mesh
 std::size_t region_index(const HexahedralMesh& mesh, std::string_view region);
 
 }  // namespace menger::meshes

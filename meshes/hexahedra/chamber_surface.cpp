@@ -21,7 +21,7 @@ bool bounds(const Chamber& chamber, std::size_t label) {
   return std::find(chamber.labels.begin(), chamber.labels.end(), label) != chamber.labels.end();
 }
 
-/// How often each edge is run through from its smaller to its larger corner minus how often the other way.
+/// For each edge: how often it is used from its smaller to its larger corner, minus how often in the opposite direction.
 using EdgeBalance = std::map<std::array<std::size_t, 2>, int>;
 
 void run_through(EdgeBalance& balance, std::size_t from, std::size_t to) {
@@ -32,7 +32,7 @@ EdgeBalance edge_balance(const HexahedralMesh& mesh, const Chamber& chamber) {
   EdgeBalance balance;
   for (const BoundaryFace& face : mesh.faces) {
     if (!bounds(chamber, face.label)) continue;
-    // backwards, because faces look into the air and rims out of it
+    // The order is reversed because faces point into the air and rims out of it.
     for (std::size_t i = 0; i < 4; ++i) run_through(balance, face.corners[(i + 1) % 4], face.corners[i]);
   }
   for (const Cap& cap : chamber.caps) {
@@ -41,8 +41,8 @@ EdgeBalance edge_balance(const HexahedralMesh& mesh, const Chamber& chamber) {
   return balance;
 }
 
-/// How far from a coordinate plane a point still counts as in it: far above the rounding of files with single precision, far
-/// below any element.
+/// Returns the largest distance from a coordinate plane at which a point counts as in the plane. It is far above the rounding of
+/// files with single precision and far below any element.
 double plane_tolerance(const HexahedralMesh& mesh) {
   Point low = mesh.points.at(0);
   Point high = low;
@@ -55,7 +55,7 @@ double plane_tolerance(const HexahedralMesh& mesh) {
   return 1e-6 * length(difference(high, low));
 }
 
-/// The edges of faces of symmetry that lie in a coordinate plane.
+/// Returns the edges of symmetry faces that lie in a coordinate plane.
 std::set<std::array<std::size_t, 2>> symmetry_edges(const HexahedralMesh& mesh) {
   const double tolerance = plane_tolerance(mesh);
   const auto in_one_plane = [&](const Point& a, const Point& b) {
@@ -119,7 +119,7 @@ double enclosed_volume(const HexahedralMesh& mesh, const Chamber& chamber) {
     for (const auto& [from, to] : cap.rim) {
       const Point& a = mesh.points[from];
       const Point& b = mesh.points[to];
-      // x . n is constant on a triangle, so any of its points will do.
+      // x . n is constant on a triangle, so any point of it can be used.
       flux += 0.5 * dot(apex, cross(difference(a, apex), difference(b, apex)));
     }
   }

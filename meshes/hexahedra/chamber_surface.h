@@ -9,22 +9,24 @@
 
 namespace menger::meshes {
 
-/// A point in the plane of a cap from which its rim can be spanned by triangles: the middle of the rim, moved into those
-/// coordinate planes in which an open rim ends, so that the part of a cap that symmetry left over is spanned as well.
+/// Returns a point in the plane of a cap. Triangles from this point to the edges of the rim cover the cap. It is the middle of
+/// the rim. If the rim is open because it ends in coordinate planes (planes of symmetry), the point is moved into these planes,
+/// so that the whole remaining part of the cap is covered.
 Point cap_apex(const HexahedralMesh& mesh, const Cap& cap);
 
-/// Volume of the air in a chamber, from its surface: -1/3 of the integral of x . n over its faces (n points out of the solid)
-/// plus 1/3 of that over its caps. Planes of symmetry through the origin add nothing. Negative if the faces enclose solid.
+/// Returns the volume of the air in a chamber, computed from its surface: -1/3 of the integral of x . n over its faces (n points
+/// out of the solid) plus 1/3 of that over its caps. Planes of symmetry through the origin contribute nothing. The volume is
+/// negative if the faces enclose solid.
 double enclosed_volume(const HexahedralMesh& mesh, const Chamber& chamber);
 
-/// The edges at which the surface of a chamber ends, caps included, in the direction in which the rim of a cap that closes it
-/// runs.
+/// Returns the edges at which the surface of a chamber ends, including its caps. Each edge has the direction of the rim of a cap
+/// that would close it.
 std::vector<std::array<std::size_t, 2>> open_edges(const HexahedralMesh& mesh, const Chamber& chamber);
 
-/// Makes sure that every chamber is an air space: its faces and caps leave no gap but along faces in a coordinate plane whose
-/// label begins with "symmetry", its volume is positive, and no label bounds two chambers.
-/// @param source what messages begin with, such as the name of the file
-/// @throws io::InputError naming the chamber and where it is open
+/// Checks that every chamber is a closed air space. Its faces and caps may leave gaps only along faces in a coordinate plane
+/// whose label begins with "symmetry". Its volume must be positive, and no label may bound two chambers.
+/// @param source text at the start of messages, such as the name of the file
+/// @throws io::InputError naming the chamber and the place where it is open
 void require_closed_chambers(const HexahedralMesh& mesh, const std::string& source);
 
 }  // namespace menger::meshes

@@ -7,7 +7,7 @@
 namespace menger::meshes {
 namespace {
 
-/// The line at a position that is known to have one.
+/// Returns the number of the grid line at a position. There must be a line there.
 std::size_t line_at(const GridLines& lines, double position) {
   const auto above = std::lower_bound(lines.begin(), lines.end(), position);
   if (above == lines.begin()) return 0;
@@ -59,7 +59,7 @@ Cap cap_of(const Channel& channel, const HexahedralMesh& mesh, const MeshGrid& g
   const std::size_t u = (axis + 1) % 3;
   const std::size_t v = (axis + 2) % 3;
   const std::size_t plane = is_max(channel.side) ? channel.end[axis] : channel.begin[axis];
-  // Points are looked up in the wall beside the rim, because points that coincide need not be shared.
+  // Points are taken from the elements of the wall beside the rim, because points that coincide are not always shared.
   const std::size_t layer = is_max(channel.side) ? plane - 1 : plane;
   const auto point_of_wall = [&](std::size_t wall_u, std::size_t wall_v, std::size_t at_u, std::size_t at_v) {
     GridIndex cell{};
@@ -79,7 +79,7 @@ Cap cap_of(const Channel& channel, const HexahedralMesh& mesh, const MeshGrid& g
   const std::size_t u1 = channel.end[u];
   const std::size_t v0 = channel.begin[v];
   const std::size_t v1 = channel.end[v];
-  // Around the axis of the side, in the mathematical sense.
+  // Counterclockwise around the axis of the side.
   for (std::size_t i = u0; i < u1; ++i) add(i, v0 - 1, {i, v0, 0}, {i + 1, v0, 0});
   for (std::size_t i = v0; i < v1; ++i) add(u1, i, {u1, i, 0}, {u1, i + 1, 0});
   for (std::size_t i = u1; i > u0; --i) add(i - 1, v1, {i, v1, 0}, {i - 1, v1, 0});

@@ -65,7 +65,7 @@ double smallest_determinant(const CornerPoints& corners) {
   for (std::size_t point = 0; point < 8; ++point) {
     for (const Point& at : {reference_corner(point), gauss_point(point)}) {
       const double here = jacobian_determinant(corners, at);
-      if (std::isnan(here)) return here;  // which no comparison would find again
+      if (std::isnan(here)) return here;  // comparisons would not find NaN again
       smallest = std::min(smallest, here);
     }
   }

@@ -10,14 +10,14 @@
 
 namespace menger::meshes {
 
-/// Positions of the corners of an element, in the order of ElementCorners.
+/// The positions of the corners of an element, in the order of ElementCorners.
 using CornerPoints = std::array<Point, 8>;
 
-/// The corners of the six faces of an element in the order of Side, running around each face as BoundaryFace asks.
+/// The corners of the six faces of an element, in the order of Side, with the orientation that BoundaryFace requires.
 inline constexpr std::array<std::array<std::size_t, 4>, 6> face_corners{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-/// The corners at the ends of the twelve edges of an element: along x, along y, along z.
+/// The corners at the ends of the twelve edges of an element: those along x, then y, then z.
 inline constexpr std::array<std::array<std::size_t, 2>, 12> edge_corners{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
@@ -28,36 +28,37 @@ inline Point cross(const Point& a, const Point& b) {
 }
 double length(const Point& a);
 
-/// Whether all coordinates are finite numbers.
+/// Returns whether all coordinates are finite.
 bool is_finite(const Point& place);
 
-/// A place as messages name it: "(1, 2.5, 0) mm".
+/// Returns a position for messages: "(1, 2.5, 0) mm".
 std::string millimetre_text(const Point& place);
 
 CornerPoints corner_points(const HexahedralMesh& mesh, std::size_t element);
 
-/// Columns dx/dxi_i of the trilinear map at a point xi of the reference cube [0, 1]^3.
+/// Returns the columns dx/dxi_i of the trilinear map at a point xi of the reference cube [0, 1]^3.
 std::array<Point, 3> jacobian(const CornerPoints& corners, const Point& xi);
 
-/// det dx/dxi.
+/// Returns det dx/dxi.
 double jacobian_determinant(const CornerPoints& corners, const Point& xi);
 
-/// The smallest determinant at the eight corners and the eight Gauss points. A value <= 0 shows that the element is inverted; a
-/// positive one does not exclude a fold between these points, which needs corners that are nearly flat. NaN if any of them is.
+/// Returns the smallest determinant at the eight corners and the eight Gauss points. A value <= 0 shows that the element is
+/// inverted. A positive value does not exclude a fold between these points, but such a fold needs corners that are nearly flat.
+/// Returns NaN if a determinant is NaN.
 double smallest_determinant(const CornerPoints& corners);
 
-/// Volume of a trilinear element, exact: eight Gauss points integrate its determinant.
+/// Returns the volume of a trilinear element. It is exact: eight Gauss points integrate the determinant exactly.
 double element_volume(const CornerPoints& corners);
 
-/// The scaled Jacobian: the smallest triple product of unit edges at the corners and of the unit axes in the centre; 1 for a
-/// cuboid, <= 0 for an inverted element, -1 if an edge has no length.
+/// Returns the scaled Jacobian: the smallest triple product of the unit edges at the corners and of the unit axes in the centre.
+/// It is 1 for a cuboid, <= 0 for an inverted element, and -1 if an edge has no length.
 double scaled_jacobian(const CornerPoints& corners);
 
-/// Lengths of the shortest and of the longest of the twelve edges.
+/// Returns the lengths of the shortest and the longest of the twelve edges.
 std::pair<double, double> edge_range(const CornerPoints& corners);
 
-/// Integral of x . n over a bilinear quadrilateral whose corners run around n; exact. A third of its sum over a closed surface is
-/// the volume inside.
+/// Returns the integral of x . n over a bilinear quadrilateral whose corners run around n. It is exact. A third of the sum over a
+/// closed surface is the volume inside.
 double flux_of_position(const std::array<Point, 4>& corners);
 
 }  // namespace menger::meshes

@@ -8,10 +8,10 @@
 namespace menger::meshes {
 namespace {
 
-/// Relative difference below which two lengths count as equal; far above rounding, far below any edge.
+/// The relative difference below which two lengths count as equal: far above rounding, far below any edge.
 constexpr double same = 1e-9;
 
-/// Why lines are needed beside a plane of cell sides.
+/// The reasons for lines beside a plane between cells.
 struct PlaneNeeds {
   bool outer_low = false;   ///< a cell below it ends there
   bool outer_high = false;  ///< a cell above it begins there
@@ -55,7 +55,7 @@ PlaneNeeds plane_needs(const ModularBody& body, std::size_t axis, int plane) {
   return needs;
 }
 
-/// Distances from a plane at which lines are needed on one side of it, the nearest first.
+/// Returns the distances from a plane at which lines are needed on one side of it, the nearest first.
 std::vector<double> distances(bool outer, bool interface, double wall) {
   std::vector<double> result;
   if (interface) result.push_back(0.5 * wall);
@@ -63,7 +63,7 @@ std::vector<double> distances(bool outer, bool interface, double wall) {
   return result;
 }
 
-/// The lines that a plane at `position` needs, in increasing order.
+/// Returns the lines that a plane at `position` needs, in increasing order.
 GridLines lines_beside(const PlaneNeeds& needs, double position, double wall) {
   GridLines lines;
   for (const double distance : distances(needs.outer_low, needs.interface, wall)) lines.push_back(position - distance);
@@ -73,7 +73,7 @@ GridLines lines_beside(const PlaneNeeds& needs, double position, double wall) {
   return lines;
 }
 
-/// Where holes begin and end along an axis.
+/// Returns the positions where holes begin and end along an axis.
 std::set<double> hole_lines(std::size_t axis, double cell_edge, const HollowBodyOptions& options,
                             const std::vector<JointHole>& holes) {
   std::set<double> lines;
@@ -99,7 +99,7 @@ std::vector<Span> spans(const ModularBody& body, std::size_t axis, double cell_e
     if (!needs.any()) continue;
     const GridLines lines = lines_beside(needs, plane * cell_edge, options.wall_thickness_m);
     if (begun) {
-      // Holes lie between the walls of their cells, so their lines fall into the spans between walls.
+      // Holes lie between the walls of their cells, so their lines lie in the spans between walls.
       for (auto line = holes_here.lower_bound(reached + tolerance); line != holes_here.end() && *line < lines.front() - tolerance;
            ++line) {
         if (*line - reached < tolerance) continue;
@@ -122,7 +122,7 @@ std::vector<double> graded_edges(double span, double first, double growth, doubl
     const double count = std::max(1.0, std::ceil(span / std::min(first, largest) - same));
     return std::vector<double>(static_cast<std::size_t>(count), span / count);
   }
-  // Edges come in pairs, one from each end, until the next pair or the last edge alone in the middle fills the span.
+  // Edges are added in pairs, one at each end, until the next pair or a last single edge in the middle fills the span.
   std::vector<double> half;
   double edge = first;
   double sum = 0.0;

@@ -7,8 +7,8 @@
 namespace menger::meshes {
 namespace {
 
-/// Which of the eight cells around a grid point are solid (bit c: cell c, x fastest) and, for each, the number of the group that
-/// it is joined to through faces.
+/// The groups of solid cells among the eight cells around a grid point. For each solid cell (index c, x fastest) it holds the
+/// number of the group to which it is joined through faces.
 struct PointGroups {
   std::array<std::uint8_t, 8> group{};
   std::uint8_t count = 0;
@@ -112,11 +112,11 @@ class GridMesher {
     return point[0] + point_size_[0] * (point[1] + point_size_[1] * point[2]);
   }
 
-  /// The solid cells around a point as bits; cell 0 lies on the lower side along every axis.
+  /// Returns the solid cells around a point as bits. Cell 0 is on the lower side along every axis.
   [[nodiscard]] unsigned solid_around(const GridIndex& point) const {
     unsigned solid = 0;
     for (unsigned c = 0; c < 8; ++c) {
-      const GridIndex cell = corner_of(point, c);  // one too far along every axis
+      const GridIndex cell = corner_of(point, c);  // its indices are larger by one along every axis
       const bool inside =
           cell[0] >= 1 && cell[1] >= 1 && cell[2] >= 1 && cell[0] <= size_[0] && cell[1] <= size_[1] && cell[2] <= size_[2];
       if (inside && grid_.contents[grid_.offset({cell[0] - 1, cell[1] - 1, cell[2] - 1})].is_solid()) solid |= 1U << c;
@@ -126,7 +126,7 @@ class GridMesher {
 
   [[nodiscard]] std::size_t point_at(const GridIndex& cell, std::size_t corner) const {
     const GridIndex point = corner_of(cell, corner);
-    // Seen from its corner c, a cell is the one at the opposite position 7 - c.
+    // As seen from its corner c, a cell has the opposite position 7 - c.
     return first_point_[point_offset(point)] + std::size_t{groups_[solid_around(point)].group[7 - corner]};
   }
 

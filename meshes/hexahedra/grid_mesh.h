@@ -10,7 +10,7 @@
 
 namespace menger::meshes {
 
-/// What fills a cell of a grid: the region of a solid, or the label that the solid's faces towards an empty cell get.
+/// The content of a cell of a grid: the region of a solid, or the label for faces of the solid next to an empty cell.
 class GridContent {
  public:
   static GridContent solid(std::size_t region) { return GridContent(static_cast<std::int32_t>(region)); }
@@ -25,30 +25,30 @@ class GridContent {
   std::int32_t code_;
 };
 
-/// Position in a grid along its three axes.
+/// The position in a grid along its three axes.
 using GridIndex = std::array<std::size_t, 3>;
 
-/// Cells between grid lines, each solid or empty.
+/// A grid of cells between grid lines. Each cell is solid or empty.
 struct MeshGrid {
-  std::array<GridLines, 3> lines;     ///< at least two each
-  std::vector<GridContent> contents;  ///< of cell (i, j, k) at offset(i, j, k)
+  std::array<GridLines, 3> lines;     ///< at least two along each axis
+  std::vector<GridContent> contents;  ///< content of cell (i, j, k) at offset(i, j, k)
 
   [[nodiscard]] GridIndex size() const { return {lines[0].size() - 1, lines[1].size() - 1, lines[2].size() - 1}; }
   [[nodiscard]] std::size_t cell_count() const { return size()[0] * size()[1] * size()[2]; }
   [[nodiscard]] std::size_t offset(const GridIndex& cell) const { return cell[0] + size()[0] * (cell[1] + size()[1] * cell[2]); }
 };
 
-/// Labels of the faces at the six ends of a grid, in the order of Side.
+/// The labels of the faces at the six ends of a grid, in the order of Side.
 using EndLabels = std::array<std::size_t, 6>;
 
-/// For each cell of a grid its element; no_element for the empty ones.
+/// The element of each cell of a grid; no_element for empty cells.
 using GridElements = std::vector<std::uint32_t>;
 inline constexpr std::uint32_t no_element = UINT32_MAX;
 
-/// Fills points, elements, regions and faces of a mesh from a grid: every solid cell is an element, in grid order.
+/// Fills the points, elements, regions and faces of a mesh from a grid. Every solid cell is an element, in grid order.
 ///
-/// Elements share a point if they are joined there through faces, so solid cells that meet only along an edge or at a corner have
-/// points of their own there. Faces get the label of the empty cell behind them or, at the ends of the grid, that of `ends`.
+/// Elements share a point if they are joined there through faces. So solid cells that meet only along an edge or at a corner have
+/// separate points there. A face gets the label of the empty cell behind it, or, at the ends of the grid, a label of `ends`.
 /// @return the element of each cell
 GridElements fill_from_grid(HexahedralMesh& mesh, const MeshGrid& grid, const EndLabels& ends);
 

@@ -9,40 +9,40 @@ namespace menger::meshes {
 
 using Point = std::array<double, 3>;
 
-/// Eight corners of an element; corner c lies at (c & 1, c >> 1 & 1, c >> 2 & 1) of the reference cube, x fastest.
+/// The eight corners of an element. Corner c is at (c & 1, c >> 1 & 1, c >> 2 & 1) of the reference cube, x fastest.
 using ElementCorners = std::array<std::size_t, 8>;
 
-/// What lies between the corners, for elements of higher degree and for refinement.
+/// The shape of elements between their corners, for elements of higher degree and for refinement.
 enum class Geometry {
   straight,    ///< trilinear elements
   spherical,   ///< concentric spheres about the origin
   cylindrical  ///< coaxial cylinders about the z axis
 };
 
-/// A quadrilateral of the boundary. Its corners run around it such that (corner 1 - corner 0) x (corner 3 - corner 0) points out
-/// of the solid.
+/// A quadrilateral of the boundary. The order of its corners is such that (corner 1 - corner 0) x (corner 3 - corner 0) points
+/// out of the solid.
 struct BoundaryFace {
   std::array<std::size_t, 4> corners;
   std::size_t label;  ///< index into label_names
 };
 
-/// A plane patch without elements that closes a chamber, such as the mouth of a tube hole. It takes pressure (carried to its rim)
-/// and bounds the chamber's volume.
+/// A plane patch without elements that closes a chamber, such as the mouth of a tube hole. Pressure acts on it and is carried to
+/// its rim, and it bounds the volume of the chamber.
 struct Cap {
-  /// Edges of the rim, from corner to corner, such that with c inside, (first - c) x (second - c) points out of the chamber's
-  /// air.
+  /// The edges of the rim, from corner to corner. With c inside the rim, (first - c) x (second - c) points out of the air of the
+  /// chamber.
   std::vector<std::array<std::size_t, 2>> rim;
 };
 
-/// A closed air space.
+/// A closed hollow in the silicone, filled with air.
 struct Chamber {
   std::string name;                 ///< "chamber 0", ...
   std::vector<std::size_t> labels;  ///< boundary labels that bound it, together with the caps and planes of symmetry
   std::vector<Cap> caps;
-  std::size_t plenum = 0;  ///< chambers of one plenum share their air; index into plenum_names
+  std::size_t plenum = 0;  ///< index into plenum_names; chambers of one plenum share their air
 };
 
-/// Labelled hexahedra of a body with chambers. Metres; the solid is connected and its elements conform.
+/// A mesh of labelled hexahedra of a body with chambers, in metres. The solid is connected and its elements conform.
 struct HexahedralMesh {
   std::vector<Point> points;
   std::vector<ElementCorners> elements;

@@ -24,7 +24,7 @@ constexpr std::size_t outer_label = 0;
 constexpr std::size_t ground_label = 1;
 constexpr std::size_t wall_region = 0;
 
-/// The cell and the zone in it that an interval between grid lines belongs to.
+/// The cell and its zone to which an interval between grid lines belongs.
 struct IntervalPlace {
   int cell;
   WallZone zone;
@@ -86,7 +86,7 @@ class HollowBodyMesher {
     HexahedralMesh& mesh = result_.mesh;
     mesh.region_names = {"wall"};
     if (options_.lid != LidPlace::none) {
-      const std::vector<CellIndex> cells = design_.body.occupied();  // from the lowest to the highest
+      const std::vector<CellIndex> cells = design_.body.occupied();  // from the lowest to the highest cell
       lid_layer_ = options_.lid == LidPlace::bottom ? cells.front().z : cells.back().z;
       lid_region_ = add_name(mesh.region_names, "lid");
     }
@@ -112,7 +112,7 @@ class HollowBodyMesher {
   }
 
   void check_size() const {
-    // In floating point, because the product may exceed every integer.
+    // Computed in floating point, because the product may exceed every integer type.
     double cells = 1.0;
     for (const GridLines& lines : grid_.lines) cells *= static_cast<double>(lines.size() - 1);
     if (cells <= static_cast<double>(largest_grid_cell_count)) return;
@@ -176,7 +176,7 @@ class HollowBodyMesher {
     result_.wall_volume_m3 = volumes.wall_m3;
     result_.module_count = body_.modules().size();
     result_.hole_count = holes_.size();
-    result_.edge_contact_count = count_edge_contacts(body_.cells());  // the design itself has none
+    result_.edge_contact_count = count_edge_contacts(body_.cells());  // the design itself has no edge contacts
   }
 
   const Design& design_;

@@ -10,8 +10,9 @@ namespace {
 constexpr std::array zones{WallZone::low_outer, WallZone::low_inner, WallZone::middle, WallZone::high_inner,
                            WallZone::high_outer};
 
-/// Edges of a block, counted in half wall thicknesses and in spans between walls: 25 numbers say how much of a cell is chamber.
-using BlockCounts = std::array<std::size_t, 4>;  ///< blocks with 0, 1, 2, 3 axes in the middle
+/// The number of chamber blocks of a cell by the number of axes (0 to 3) along which they are in the middle zone. An edge of a
+/// block is half a wall thickness or the span between walls.
+using BlockCounts = std::array<std::size_t, 4>;  ///< index: number of axes in the middle zone
 
 BlockCounts chamber_blocks(const ModularBody& body, const CellIndex& cell) {
   BlockCounts counts{};

@@ -7,13 +7,14 @@
 
 namespace menger::meshes {
 
-/// Volumes of a hollow body, counted block by block and so exact but for rounding.
+/// The volumes of a hollow body, counted block by block, exact except for rounding.
 struct HollowVolumes {
   double wall_m3 = 0.0;
-  std::vector<double> chambers_m3;  ///< per region; half of each joint hole and the whole of each tube hole included
+  std::vector<double> chambers_m3;  ///< per region; including half of each joint hole and the whole of each tube hole
 };
 
-/// Counts the blocks of every cell: each axis of a cell is cut at the wall thickness t and at t / 2 from both of its sides.
+/// Computes the volumes by counting the blocks of every cell. Each axis of a cell is cut at the wall thickness t and at t / 2
+/// from both sides.
 HollowVolumes hollow_volumes(const ModularBody& body, double cell_edge_m, const HollowBodyOptions& options,
                              const std::vector<JointHole>& holes);
 

@@ -10,7 +10,7 @@
 namespace menger::meshes {
 namespace {
 
-/// The pairs of cells through which two chambers touch, named by the lower cell.
+/// The pairs of cells through which two chambers touch; each pair is named by its lower cell.
 using Contacts = std::map<std::tuple<std::size_t, std::size_t, Side>, std::vector<CellIndex>>;
 
 Contacts side_by_side_contacts(const ModularBody& body, ChamberLayout layout) {
@@ -26,7 +26,8 @@ Contacts side_by_side_contacts(const ModularBody& body, ChamberLayout layout) {
   return contacts;
 }
 
-/// The cell nearest to the mean of all. In whole numbers (distances times the number of cells), so that a tie is one everywhere.
+/// Returns the cell nearest to the mean of all. It uses whole numbers (distances times the number of cells), so that equal
+/// distances are equal on every machine.
 CellIndex middle_cell(const std::vector<CellIndex>& cells) {
   const auto count = static_cast<long>(cells.size());
   std::array<long, 3> sum{};
@@ -49,7 +50,7 @@ std::vector<JointHole> joint_holes(const ModularBody& body, ChamberLayout layout
 }
 
 std::vector<std::size_t> plenums(const ModularBody& body, const std::vector<JointHole>& holes) {
-  // Trees of chambers whose root is their smallest member.
+  // Each plenum is a tree of chambers whose root is the smallest chamber.
   std::vector<std::size_t> parent(body.regions().size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&](std::size_t chamber) {

@@ -23,7 +23,7 @@ struct ElementFace {
   std::size_t side;
 };
 
-/// The one or two elements at each face, which is named by its corners in increasing order.
+/// The one or two elements at each face. A face is named by its corners in increasing order.
 using FaceElements = std::map<FaceCorners, std::vector<ElementFace>>;
 
 FaceCorners corners_around(const ElementCorners& element, std::size_t side) {
@@ -45,24 +45,24 @@ FaceElements elements_at_faces(const NamedHexahedra& input, const std::string& s
       here.push_back({element, side});
       if (here.size() <= 2) continue;
       throw io::InputError(source + ": elements " + std::to_string(here[0].element) + ", " + std::to_string(here[1].element) +
-                           " and " + std::to_string(element) + " share one face, which only two can");
+                           " and " + std::to_string(element) + " share one face, but only two elements can share a face");
     }
   }
   return elements;
 }
 
-/// Whether two elements run around the face that they share in opposite senses, as neighbours of equal handedness do.
+/// Returns whether two elements have opposite directions around their shared face, as neighbours of the same handedness do.
 bool agree(const FaceCorners& a, const FaceCorners& b) {
   const auto start = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
   return b[(start + 3) % 4] == a[1];
 }
 
-/// Numbers an element the other way: mirrored along its first direction.
+/// Reverses the handedness of an element by mirroring it along its first direction.
 void mirror(ElementCorners& corners) {
   for (std::size_t corner = 0; corner < corners.size(); corner += 2) std::swap(corners[corner], corners[corner + 1]);
 }
 
-/// For every element its neighbours and whether their numberings agree.
+/// The neighbours of every element, and whether their numberings agree.
 using Neighbours = std::vector<std::vector<std::pair<std::size_t, bool>>>;
 
 Neighbours neighbours_of(const NamedHexahedra& input, const FaceElements& at_faces) {
@@ -78,7 +78,7 @@ Neighbours neighbours_of(const NamedHexahedra& input, const FaceElements& at_fac
   return neighbours;
 }
 
-/// Mirrors elements until all agree with the first.
+/// Mirrors elements until all agree with the first one.
 void make_consistent(NamedHexahedra& input, const Neighbours& neighbours, const std::string& source) {
   std::vector<bool> mirrored(input.elements.size(), false);
   std::vector<bool> reached(input.elements.size(), false);
@@ -94,7 +94,7 @@ void make_consistent(NamedHexahedra& input, const Neighbours& neighbours, const 
   }
   if (order.size() < input.elements.size()) {
     throw io::InputError(source + ": only " + std::to_string(order.size()) + " of " + std::to_string(input.elements.size()) +
-                         " elements hang together through faces; parts must share their points where they meet");
+                         " elements are connected through faces; parts must share their points where they meet");
   }
   for (std::size_t element = 0; element < mirrored.size(); ++element) {
     if (mirrored[element]) mirror(input.elements[element]);
@@ -119,14 +119,14 @@ std::string face_text(const NamedHexahedra& input, const NamedFace& face) {
   return "a face of \"" + input.label_names[face.label] + "\" around " + millimetre_text(middle);
 }
 
-/// The label of each named face, by its corners in increasing order.
+/// Returns the label of each named face, keyed by its corners in increasing order.
 std::map<FaceCorners, std::size_t> labels_by_face(const NamedHexahedra& input, const FaceElements& at_faces,
                                                   const std::string& source) {
   std::map<FaceCorners, std::size_t> labels;
   for (const NamedFace& face : input.faces) {
     const FaceCorners key = sorted(face.corners);
     const auto elements = at_faces.find(key);
-    if (elements == at_faces.end()) throw io::InputError(source + ": " + face_text(input, face) + " is on no element");
+    if (elements == at_faces.end()) throw io::InputError(source + ": " + face_text(input, face) + " belongs to no element");
     if (elements->second.size() > 1) throw io::InputError(source + ": " + face_text(input, face) + " lies inside the solid");
     if (const auto [entry, is_new] = labels.emplace(key, face.label); !is_new && entry->second != face.label) {
       throw io::InputError(source + ": " + face_text(input, face) + " also belongs to \"" + input.label_names[entry->second] +
@@ -143,7 +143,7 @@ void add_faces(HexahedralMesh& mesh, const FaceElements& at_faces, const std::ma
   for (const auto& [face, elements] : at_faces) {
     if (elements.size() > 1) continue;
     const auto label = labels.find(face);
-    // The numbering may have been mirrored since, so the face is found by its corners.
+    // The numbering may have been mirrored in the meantime, so the face is found by its corners.
     for (std::size_t side = 0; side < face_corners.size(); ++side) {
       const FaceCorners corners = corners_around(mesh.elements[elements[0].element], side);
       if (sorted(corners) == face) mesh.faces.push_back({corners, label == labels.end() ? outer_label : label->second});
@@ -172,10 +172,10 @@ void add_cap(HexahedralMesh& mesh, const NamedCap& cap, const std::string& sourc
     chamber.caps.push_back({std::move(open)});
     return;
   }
-  throw io::InputError(source + ": \"" + cap.name + "\" closes no chamber: the surface of none ends at all of its edges");
+  throw io::InputError(source + ": \"" + cap.name + "\" closes no chamber: no surface of a chamber ends at all of its edges");
 }
 
-/// Whether an edge lies in a plane of symmetry, which bounds a cap without any edge of an element.
+/// Returns whether an edge lies in a plane of symmetry. Such an edge may bound a cap without being an edge of an element.
 bool in_coordinate_plane(const Point& a, const Point& b) {
   const double tolerance = 1e-6 * length(difference(b, a));
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -184,10 +184,10 @@ bool in_coordinate_plane(const Point& a, const Point& b) {
   return false;
 }
 
-/// Leaves only the points of elements, numbered in the order in which elements use them: other programs keep those of curves, of
-/// unused surfaces and in the middle of edges. Edges of caps that lie in a plane of symmetry and not on the solid are dropped,
-/// too.
-/// @param source what messages begin with, such as the name of the file
+/// Removes points that belong to no element, and numbers the others in the order in which elements use them. Other programs write
+/// points of curves, of unused surfaces and in the middle of edges. Edges of caps in a plane of symmetry that are not on the
+/// solid are removed, too.
+/// @param source text at the start of messages, such as the name of the file
 /// @throws io::InputError if a named face or any other edge of a cap has a point of no element
 void drop_unused_points(NamedHexahedra& input, const std::string& source) {
   constexpr std::size_t unused = SIZE_MAX;
@@ -205,7 +205,7 @@ void drop_unused_points(NamedHexahedra& input, const std::string& source) {
   for (NamedFace& face : input.faces) {
     for (std::size_t& corner : face.corners) {
       if (kept[corner] == unused)
-        throw io::InputError(source + ": \"" + input.label_names[face.label] + "\" has points of no hexahedron");
+        throw io::InputError(source + ": \"" + input.label_names[face.label] + "\" has points that belong to no hexahedron");
       corner = kept[corner];
     }
   }
@@ -213,7 +213,7 @@ void drop_unused_points(NamedHexahedra& input, const std::string& source) {
     std::erase_if(cap.rim, [&](const std::array<std::size_t, 2>& edge) {
       if (kept[edge[0]] != unused && kept[edge[1]] != unused) return false;
       if (in_coordinate_plane(input.points[edge[0]], input.points[edge[1]])) return true;
-      throw io::InputError(source + ": the rim of \"" + cap.name + "\" has points of no hexahedron");
+      throw io::InputError(source + ": the rim of \"" + cap.name + "\" has points that belong to no hexahedron");
     });
     for (std::array<std::size_t, 2>& edge : cap.rim) edge = {kept[edge[0]], kept[edge[1]]};
   }

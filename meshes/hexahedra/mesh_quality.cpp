@@ -14,7 +14,7 @@
 namespace menger::meshes {
 namespace {
 
-/// A line of at most 160 characters.
+/// Formats a line of at most 160 characters.
 template <class... Values>
 std::string line(const char* format, Values... values) {
   std::array<char, 160> text{};
@@ -42,7 +42,7 @@ void require_no_inverted_elements(const HexahedralMesh& mesh, const std::string&
   if (count == 0) return;
   const Point at = centre(corner_points(mesh, first));
   throw io::InputError(source + ": " + std::to_string(count) + " of " + std::to_string(mesh.elements.size()) +
-                       " elements are inverted, the first is element " + std::to_string(first) + " around " +
+                       " elements are inverted; the first is element " + std::to_string(first) + " around " +
                        millimetre_text(at));
 }
 
@@ -56,7 +56,7 @@ MeshQuality mesh_quality(const HexahedralMesh& mesh) {
   quality.plenums = mesh.plenum_names.size();
   quality.scaled_jacobian_min = std::numeric_limits<double>::max();
   quality.shortest_edge_m = std::numeric_limits<double>::max();
-  // Half a million terms would cost a double the last digits that the closed form is compared in.
+  // With double, half a million terms would lose the last digits in which the closed form is compared.
   long double volume_m3 = 0.0L;
   long double jacobian_sum = 0.0L;
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
@@ -114,12 +114,12 @@ std::string quality_text(const MeshQuality& quality) {
   std::string text = line("%zu elements, %zu points, %zu boundary faces, %zu chambers in %zu plenums\n", quality.elements,
                           quality.points, quality.boundary_faces, quality.chambers, quality.plenums);
   if (quality.body)
-    text += line("%zu modules, %zu holes in joints, %zu contacts of modules along an edge only, not bonded\n",
+    text += line("%zu modules, %zu holes in joints, %zu contacts of modules along an edge only (not bonded)\n",
                  quality.body->modules, quality.body->holes, quality.body->edge_contacts);
-  text += line("edges %.4g to %.4g mm, aspect ratio up to %.4g, scaled Jacobian %.4g at least, %.4g on average\n",
+  text += line("edges %.4g to %.4g mm, aspect ratio up to %.4g, scaled Jacobian at least %.4g, on average %.4g\n",
                1e3 * quality.shortest_edge_m, 1e3 * quality.longest_edge_m, quality.aspect_ratio_max, quality.scaled_jacobian_min,
                quality.scaled_jacobian_mean);
-  // Bodies of level 3 have hundreds of chambers; the table has them all.
+  // Bodies of level 3 have hundreds of chambers; the table lists them all.
   constexpr std::size_t most_lines = 8;
   for (std::size_t i = 0; i < std::min(most_lines, quality.volumes.size()); ++i) {
     const MeasuredVolume& volume = quality.volumes[i];

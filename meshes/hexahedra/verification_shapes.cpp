@@ -22,7 +22,7 @@ GridLines equal_lines(double begin, double end, std::size_t count) {
   return lines;
 }
 
-/// Adds a second part behind the first, which ends where it begins.
+/// Appends lines that begin where the first ones end.
 void append(GridLines& lines, const GridLines& more) { lines.insert(lines.end(), more.begin() + 1, more.end()); }
 
 void add_chamber(HexahedralMesh& mesh, std::size_t label) {
@@ -30,13 +30,13 @@ void add_chamber(HexahedralMesh& mesh, std::size_t label) {
   mesh.chambers = {{"chamber 0", {label}, {}, 0}};
 }
 
-/// A box in other coordinates, whose faces keep the label of their side.
+/// Maps the points of a mesh to other coordinates. Faces keep their labels.
 template <class Map>
 void move_points(HexahedralMesh& mesh, const Map& map) {
   for (Point& point : mesh.points) point = map(point);
 }
 
-/// The blocks of the octant of a sphere. A direction of it is named by three numbers of steps, the largest of which is n.
+/// Builds the three blocks of the octant of a sphere. A direction is given by three numbers of steps, the largest of which is n.
 class SphereOctant {
  public:
   SphereOctant(double inner, double outer, std::size_t radial, std::size_t tangential)
@@ -52,7 +52,7 @@ class SphereOctant {
   }
 
  private:
-  /// The block around an axis; its elements run along the two next axes and outwards.
+  /// Adds the block around an axis. Its elements run along the next two axes and outwards.
   void add_block(std::size_t axis) {
     for (std::size_t layer = 0; layer + 1 < radii_.size(); ++layer) {
       for (std::size_t j = 0; j < tangential_; ++j) {
@@ -85,13 +85,13 @@ class SphereOctant {
     mesh_.faces.push_back({{corners[around[0]], corners[around[1]], corners[around[2]], corners[around[3]]}, label});
   }
 
-  /// The innermost of the points in a direction; the others follow it.
+  /// Returns the innermost point in a direction; the other points of that direction follow it.
   std::size_t first_point(const std::array<std::size_t, 3>& steps) {
     const auto [entry, is_new] = first_points_.emplace(steps, mesh_.points.size());
     if (is_new) {
       Point direction{};
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        // Steps of equal angle, of which n make the angle between an axis and the diagonal of a face.
+        // The steps have equal angles; n steps make the angle between an axis and the diagonal of a face.
         const double part = static_cast<double>(steps[axis]) / static_cast<double>(tangential_);
         direction[axis] = steps[axis] == tangential_ ? 1.0 : std::tan(0.25 * std::numbers::pi * part);
       }
@@ -108,7 +108,7 @@ class SphereOctant {
   std::map<std::array<std::size_t, 3>, std::size_t> first_points_;
 };
 
-/// The rim of the chamber at the end of a cylinder: the inner edges of the faces at the end that lie inside.
+/// Returns the rim of the cap at the end of a cylinder: the inner edges of the end faces.
 Cap end_cap(const HexahedralMesh& mesh, std::size_t end_label, double inner_radius) {
   Cap cap;
   for (const BoundaryFace& face : mesh.faces) {
@@ -117,7 +117,7 @@ Cap end_cap(const HexahedralMesh& mesh, std::size_t end_label, double inner_radi
       const std::size_t from = face.corners[i];
       const std::size_t to = face.corners[(i + 1) % 4];
       const auto is_inside = [&](const Point& point) { return std::hypot(point[0], point[1]) < inner_radius * (1.0 + 1e-9); };
-      // The cap looks the same way as the end, so it runs through the edge that they share the other way.
+      // The cap points in the same direction as the end, so their shared edge has the opposite direction in the cap.
       if (is_inside(mesh.points[from]) && is_inside(mesh.points[to])) cap.rim.push_back({to, from});
     }
   }
@@ -164,7 +164,7 @@ HexahedralMesh thick_cylinder_quarter(double inner_radius_m, double outer_radius
   move_points(mesh, [&](const Point& at) {
     const double radius = at[0] == 1.0 ? outer_radius_m : inner_radius_m + (outer_radius_m - inner_radius_m) * at[0];
     const double angle = 0.5 * std::numbers::pi * at[1];
-    // The cosine of the rounded right angle is not 0, and points must lie in the plane of symmetry.
+    // The cosine of the rounded right angle is not exactly 0, but points must lie in the plane of symmetry.
     return Point{at[1] == 1.0 ? 0.0 : radius * std::cos(angle), radius * std::sin(angle), at[2]};
   });
   mesh.geometry = Geometry::cylindrical;

@@ -8,7 +8,7 @@ namespace {
 using Points = Eigen::Matrix<double, 3, 6>;
 
 constexpr int largest_iteration_count = 1000;
-constexpr double converged = 1e-14;  ///< change of an entry of the rotation
+constexpr double converged = 1e-14;  ///< largest change of an entry of the rotation at convergence
 
 Points about_mean(const EndPoints& ends) {
   Points points;
@@ -22,7 +22,7 @@ Points about_mean(const EndPoints& ends) {
   return points.colwise() - mean;
 }
 
-/// The rotation that takes `from` nearest to `to`, after Kabsch.
+/// Returns the rotation that moves `from` closest to `to`, after Kabsch.
 Eigen::Matrix3d best_rotation(const Points& from, const Points& to) {
   const Eigen::Matrix3d products = to * from.transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -31,11 +31,12 @@ Eigen::Matrix3d best_rotation(const Points& from, const Points& to) {
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
-/// That of rotation_of_body, for points about their mean.
+/// Computes the rotation of rotation_of_body for points about their mean.
 Eigen::Matrix3d rotation_beside_stretch(const Points& X, const Points& x) {
   Eigen::Matrix3d rotation = best_rotation(X, x);
   for (int iteration = 0; iteration < largest_iteration_count; ++iteration) {
-    // in turn the best stretches for the rotation and the best rotation for the stretches: each lowers the misfit
+    // Alternates between the best stretches for the rotation and the best rotation for the stretches; each step reduces the
+    // error.
     const Points turned_back = rotation.transpose() * x;
     const Eigen::Vector3d stretches = turned_back.cwiseProduct(X).rowwise().sum().cwiseQuotient(X.rowwise().squaredNorm());
     const Eigen::Matrix3d next = best_rotation(stretches.asDiagonal() * X, x);

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> response_curve_files(const fs::path& place) {
   std::error_code error;
   if (!fs::exists(place, error))
-    throw io::InputError(place.string() + ": is not there; it must be a folder of response curves, or the .toml of one");
+    throw io::InputError(place.string() + ": does not exist; give a folder of response curves, or the .toml file of one curve");
   if (!fs::is_directory(place, error)) return {place};
   std::vector<fs::path> files;
   for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {

@@ -5,12 +5,11 @@
 
 namespace menger::meshes {
 
-/// The provenance files of response curves at a place, in the order of their names, so that the order of a folder does not
-/// matter.
+/// Returns the provenance files of the response curves at a place, sorted by name.
 ///
-/// A place is a folder, in which every NAME.toml with a NAME.csv beside it counts and other results do not, or one such file,
-/// which is not looked into. An empty list: a folder without any curve.
-/// @throws io::InputError if nothing is there or a folder cannot be read, naming it
+/// A place is a folder or one provenance file. In a folder, every NAME.toml with a NAME.csv beside it is returned; other files
+/// are ignored. A single file is returned without being opened. The list is empty for a folder without curves.
+/// @throws io::InputError naming the place if nothing is there or a folder cannot be read
 std::vector<std::filesystem::path> response_curve_files(const std::filesystem::path& place);
 
 }  // namespace menger::meshes

@@ -12,18 +12,18 @@ namespace menger::meshes {
 
 namespace {
 
-constexpr int most_cells = 1000;  ///< along an axis; more is a slip of the pen
+constexpr int most_cells = 1000;  ///< along an axis; a larger number is a typing error
 
-/// What is wrong with digits of so many cells; empty if nothing is.
+/// Returns the fault of digits for a number of cells; empty if there is none.
 std::string fault_of(const std::string& digits, const std::array<int, 3>& cells) {
   std::size_t count = 1;
   for (const int along : cells) count *= static_cast<std::size_t>(along);
   if (digits.size() != count) return "must be one digit for each of " + std::to_string(count) + " cells";
-  if (digits.find_first_not_of("012") != std::string::npos) return "must be of 0, 1 and 2";
-  return digits.find_first_of("12") == std::string::npos ? "leave the body without a cell" : "";
+  if (digits.find_first_not_of("012") != std::string::npos) return "must contain only 0, 1 and 2";
+  return digits.find_first_of("12") == std::string::npos ? "the body is empty: at least one digit must be 1 or 2" : "";
 }
 
-/// The kinds that impose values under a key, for people: `kind = "bending" or "torsion"`.
+/// Returns the kinds that impose values under a key, for people: `kind = "bending" or "torsion"`.
 std::string kinds_with(std::string_view key) {
   std::string kinds;
   for (const auto& [word, kind] : load_case_kind_words()) {
@@ -62,7 +62,7 @@ void describe_cells(io::StudyVisitor& visitor, LoadCase& load_case) {
   visitor.integers({"cells", "Cells of the body along x, y and z.", "[1, 1, 1]"}, cells, io::within(1, most_cells),
                    {.fewest = 3, .most = 3});
   if (cells.size() == 3) std::copy(cells.begin(), cells.end(), load_case.cells.begin());
-  visitor.text({"digits", "A digit for each cell, x fastest, then y, then z: 0 is empty, 1 and 2 are phases.", "\"1\""},
+  visitor.text({"digits", "One digit for each cell: x varies fastest, then y, then z. 0 is empty, 1 and 2 are phases.", "\"1\""},
                load_case.digits);
   const std::string fault = fault_of(load_case.digits, load_case.cells);
   visitor.check(fault.empty(), "digits", fault);
@@ -76,18 +76,20 @@ void describe_imposed(io::StudyVisitor& visitor, LoadCase& load_case) {
     visitor.only_if(is_imposed, kinds_with(key.name), [&] { visitor.numbers(key, values, io::any_number(), {.fewest = 1}); });
     if (is_imposed) load_case.imposed = values;
   };
-  add({"displacement_m", "Displacements of the tip or the top.", "[0.001]"});
-  add({"angle_rad", "Angles by which the tip is turned.", "[0.1]"});
-  add({"gravity_factor", "Gravity by that of the earth.", "[1]"});
+  add({"displacement_m", "Imposed displacements of the tip or the top.", "[0.001]"});
+  add({"angle_rad", "Angles by which the tip is rotated.", "[0.1]"});
+  add({"gravity_factor", "Gravity, as a multiple of the earth's gravity.", "[1]"});
 }
 
 void describe(io::StudyVisitor& visitor, LoadCase& load_case) {
   describe_name(visitor, load_case);
-  visitor.word({"kind", "What is done to the body.", "\"inflation\""}, load_case.kind, load_case_kind_words());
+  visitor.word({"kind", "Kind of the load case.", "\"inflation\""}, load_case.kind, load_case_kind_words());
   describe_cells(visitor, load_case);
   visitor.integer({"level", "Level of the fractal.", "1"}, load_case.level, io::within(1, 10));
-  visitor.word({"chambers", "Whether all cells of a module share one chamber, or those of each phase.", "\"single\""},
-               load_case.per_phase, case_chamber_words());
+  visitor.word(
+      {"chambers", "Cells that share one chamber: all cells of a module, or each connected region of cells of one phase.",
+       "\"single\""},
+      load_case.per_phase, case_chamber_words());
   visitor.number({"cell_edge_m", "Edge of a cell.", "0.01"}, load_case.cell_edge_m, io::positive());
   visitor.number({"wall_thickness_m", "Thickness of every outer wall.", "0.002"}, load_case.wall_thickness_m, io::positive());
   visitor.check(load_case.wall_thickness_m < 0.5 * load_case.cell_edge_m, "wall_thickness_m",

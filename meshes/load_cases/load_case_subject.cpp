@@ -12,7 +12,7 @@ namespace menger::meshes {
 
 namespace {
 
-/// A module as cells and digits, x fastest.
+/// A module as a grid of cells with digits, x fastest.
 struct Module {
   std::array<int, 3> cells{};
   std::string digits;
@@ -23,7 +23,7 @@ struct Module {
   }
 };
 
-/// Without the layers at its sides in which no cell is.
+/// Returns the module without the empty layers around it.
 Module without_surroundings(const Module& module) {
   const CellBox box = occupied_box(module.cells, module.digits);
   Module inner{.cells = box.size, .digits = {}};
@@ -35,7 +35,7 @@ Module without_surroundings(const Module& module) {
   return inner;
 }
 
-/// A quarter turn about an axis.
+/// Returns the module after a quarter turn about an axis.
 Module turned(const Module& module, std::size_t axis) {
   const std::size_t from = (axis + 1) % 3;
   const std::size_t to = (axis + 2) % 3;
@@ -59,7 +59,7 @@ bool has_both_phases(const std::string& digits) {
   return digits.find('1') != std::string::npos && digits.find('2') != std::string::npos;
 }
 
-/// The first phase that occurs is 1.
+/// Renames phases so that the first one that occurs is 1.
 void rename_phases(std::string& digits) {
   const std::size_t first = digits.find_first_not_of('0');
   if (first == std::string::npos || digits[first] == '1') return;
@@ -68,7 +68,7 @@ void rename_phases(std::string& digits) {
   }
 }
 
-/// Axes about which a body may be turned without being asked another question.
+/// Returns the axes about which a body may be rotated without changing the load case.
 std::vector<std::size_t> free_axes(LoadCaseKind kind) {
   switch (kind) {
     case LoadCaseKind::inflation:
@@ -88,8 +88,8 @@ std::vector<std::size_t> free_axes(LoadCaseKind kind) {
   return {};
 }
 
-/// Of all that a body is turned into by such turns one that does not depend on which of them it was, with its phases renamed: the
-/// longest along x, then y, then z, and of these the last by its digits.
+/// Returns one representative of all rotations of a module that do not change the load case, with its phases renamed. It is the
+/// longest along x, then y, then z; among these the last by its digits.
 Module standing_for_all(const Module& module, LoadCaseKind kind) {
   using Key = std::pair<std::array<int, 3>, std::string>;
   std::set<Key> seen;

@@ -6,7 +6,8 @@
 
 namespace menger::meshes {
 
-/// Weighted mean of positions, sum(w_i x_i) / sum(w_i), in the unit of the positions; weights (masses) > 0, as many as positions.
+/// Returns the weighted mean of positions, sum(w_i x_i) / sum(w_i), in the unit of the positions. There is one weight (mass) > 0
+/// per position.
 inline std::array<double, 3> centre_of_mass(std::span<const std::array<double, 3>> positions, std::span<const double> weights) {
   std::array<double, 3> sum{0.0, 0.0, 0.0};
   double total = 0.0;
@@ -17,20 +18,20 @@ inline std::array<double, 3> centre_of_mass(std::span<const std::array<double, 3
   return {sum[0] / total, sum[1] / total, sum[2] / total};
 }
 
-/// Horizontal net displacement sqrt(dx^2 + dy^2) of a displacement (x, y, z up), in its unit.
+/// Returns the horizontal length sqrt(dx^2 + dy^2) of a displacement (x, y, z up), in its unit.
 inline double horizontal_displacement(const std::array<double, 3>& displacement) {
   return std::hypot(displacement[0], displacement[1]);
 }
 
-/// Length of a body of level 1, 2, 3 (3, 9, 27 cells per side) in metres: 3^level times the cell edge; the edge of its workspace,
-/// not the extent of the body in it.
+/// Returns the edge of the workspace of a body of level 1, 2, 3 (3, 9, 27 cells per side) in metres: 3^level times the cell edge.
+/// This is not the extent of the body in its workspace.
 inline double body_length_m(int level, double cell_edge_m) {
   double cells = 1.0;
   for (int i = 0; i < level; ++i) cells *= 3.0;
   return cells * cell_edge_m;
 }
 
-/// What a table of a robot's motion begins with, from whichever model: time, centre of mass, and its horizontal displacement from
+/// The first columns of a table of a robot's motion, for every model: time, centre of mass, and its horizontal displacement from
 /// the first row.
 inline constexpr std::array<const char*, 6> locomotion_columns{"time_s",
                                                                "centre_of_mass_x_m",

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether values go strictly one way. @return the place of the first that does not
+/// Checks whether values are strictly monotone. @return the position of the first value that is not; nothing if there is none
 std::optional<std::size_t> first_turn(const std::vector<double>& values) {
   for (std::size_t i = 1; i < values.size(); ++i) {
     const bool moves = values[i] != values[i - 1];
@@ -34,7 +34,7 @@ std::optional<std::size_t> first_turn(const std::vector<double>& values) {
   return std::nullopt;
 }
 
-/// @throws io::InputError unless the abscissae of a table can be those of a curve
+/// Checks the abscissae of a table. @throws io::InputError if they are not valid for a curve
 void check_abscissae(const ResponseCurve& curve, const fs::path& file) {
   const std::size_t abscissae = abscissa_count(curve.provenance.load_case.kind);
   const auto fault = [&](std::size_t column, std::size_t row) {
@@ -43,7 +43,7 @@ void check_abscissae(const ResponseCurve& curve, const fs::path& file) {
                           (column > 0 ? " at equal " + curve.columns[0] : ""));
   };
   const std::vector<double>& outer = curve.values.front();
-  std::vector<std::size_t> starts;  // of the runs of equal outer abscissae
+  std::vector<std::size_t> starts;  // of the runs of equal first abscissae
   for (std::size_t row = 0; row < outer.size(); ++row)
     if (row == 0 || abscissae == 1 || outer[row] != outer[row - 1]) starts.push_back(row);
   std::vector<double> distinct;
@@ -108,7 +108,7 @@ CurveProvenance read_provenance(const io::TomlTable& top) {
   provenance.silicone = read_filled(top, "silicone");
   provenance.law = read_filled(top, "law");
   provenance.shear_modulus_Pa = top.number("shear_modulus_Pa", io::positive());
-  // the name of earlier versions
+  // The second name is that of earlier versions.
   provenance.density_kg_m3 = top.number(top.has("density_kg_m3") ? "density_kg_m3" : "density_kg_per_m3", io::positive());
   provenance.relative_uncertainty = top.number("relative_uncertainty", io::positive());
   provenance.status = top.word("status", io::run_status_words());
@@ -144,15 +144,16 @@ void write_response_curve(const fs::path& folder, const ResponseCurve& curve) {
     table.add_cells(cells);
   }
   table.write(table_file);
-  // last: a table without the provenance that was written for it is refused
+  // The provenance is written last: a table without the provenance that was written for it is refused.
   io::write_whole(provenance_file, provenance_text(curve.provenance, io::content_hash(table.text())));
 }
 
 ResponseCurve read_response_curve(const fs::path& provenance_file) {
   std::error_code ignored;
   if (provenance_file.extension() != ".toml" || !fs::exists(provenance_file, ignored)) {
-    throw io::InputError(provenance_file.string() +
-                         ": is no provenance of a response curve: a table counts only with the .toml that was written for it");
+    throw io::InputError(
+        provenance_file.string() +
+        ": is not the provenance of a response curve: a table is used only with the .toml file that was written for it");
   }
   const io::TomlTable top = io::read_toml(provenance_file);
   ResponseCurve curve;
@@ -160,7 +161,7 @@ ResponseCurve read_response_curve(const fs::path& provenance_file) {
   const fs::path table_file = table_beside(provenance_file);
   const std::string text = io::read_whole(table_file);
   if (top.text("table_hash") != io::content_hash(text))
-    throw top.error("table_hash", "the table " + table_file.string() + " is not the one this provenance was written for");
+    throw top.error("table_hash", "the table " + table_file.string() + " is not the one for which this provenance was written");
   top.finish();
 
   const io::CsvContents table = io::parse_csv(text, table_file);

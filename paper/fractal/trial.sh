@@ -41,7 +41,7 @@ awk -F, '
   function value(name) { return $at[file, name] }
   file == 1 { ++generations; made += value("evaluations"); cached += value("cached"); pruned += value("pruned") }
   file == 2 { voxel_steps += value("voxels") * value("steps"); voxels[value("level")] += value("voxels"); ++tasks[value("level")] }
-  file == 3 { took[value("generation")] = value("took_seconds") }
+  file == 3 { took[value("generation")] = value("wall_seconds") }
   END {
     asked = made + cached + pruned
     printf "%d generations: %d evaluations made (%.1f %%), %d cached (%.1f %%), %d pruned (%.1f %%)\n", generations, made,

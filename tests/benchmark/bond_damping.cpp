@@ -90,7 +90,7 @@ int measure(int argc, char** argv) {
       if (!only.empty() && design.name != only) continue;
       const meshes::Polycube body = meshes::fractal(meshes::Polycube::from_digits(3, 3, 3, design.digits), level);
       const Walk reference = walk(body, reference_fraction, voxel::BondDamping::explicit_step);
-      const double way_m = std::hypot(reference.displacement_m[0], reference.displacement_m[1]);
+      const double path_m = std::hypot(reference.displacement_m[0], reference.displacement_m[1]);
       for (const voxel::BondDamping treatment : treatments) {
         const double stable = largest_stable_fraction(body, treatment);
         for (const double fraction : {0.025, 0.09, 0.225, 0.45, 0.9, 1.2, 1.8, 2.7}) {
@@ -101,7 +101,7 @@ int measure(int argc, char** argv) {
           const auto if_completed = [&](double value) { return completed ? std::optional(value) : std::nullopt; };
           table.add_row(design.name, level, std::uint64_t{body.count()}, voxel::to_string(treatment), stable, fraction,
                         io::to_string(tried.status), if_completed(std::hypot(tried.displacement_m[0], tried.displacement_m[1])),
-                        if_completed(error_m), if_completed(error_m / way_m), tried.seconds);
+                        if_completed(error_m), if_completed(error_m / path_m), tried.seconds);
         }
         std::cout << design.name << ", level " << level << ", " << voxel::to_string(treatment) << ": stable up to "
                   << io::formatted("%.3g", stable) << std::endl;

@@ -94,7 +94,7 @@ void element_forces(benchmark::State& state, const Subject& subject, const fem::
     (void)unused;
     const fem::ElementsOutcome outcome =
         body.element_forces({displacements.data(), velocities.data()}, 0, body.boxes().batch_count(), slots.data(), branch);
-    if (!(outcome.smallest_ratio > 0.0)) state.SkipWithError("an element has no answer");
+    if (!(outcome.smallest_ratio > 0.0)) state.SkipWithError("an element is stretched beyond its law");
     benchmark::ClobberMemory();
   }
   const auto updates = static_cast<double>(state.iterations()) * static_cast<double>(body.boxes().element_count());

@@ -37,7 +37,7 @@ namespace {
 constexpr double period_s = 1.0 / 3.0;
 constexpr int samples = 30;
 constexpr double viscosity_Pa_s = 10.0;
-/// A walk whose steps have become so short has no answer in a time that matters.
+/// A walk whose steps have become so short does not exist in a time that matters.
 constexpr long most_steps = 20'000;
 /// Of velocities in IDA's norm, by that of displacements: so loose that displacements decide, as in generalised alpha.
 constexpr double velocity_tolerance_per_s = 1e3;

@@ -1,6 +1,6 @@
 // Statics of the surrogate on a cube of 3 x 3 x 3 cells, one and two voxels along the edge of a cell, with the parameters of
-// Dragon Skin 10: factors of the tangent, answers along a path of pressures, and their derivatives by twenty
-// parameters against differences of whole answers. One thread, process CPU time.
+// Dragon Skin 10: factors of the tangent, responses along a path of pressures, and their derivatives by twenty
+// parameters against differences of whole responses. One thread, process CPU time.
 
 #include <benchmark/benchmark.h>
 #include <oneapi/tbb/global_control.h>
@@ -76,7 +76,7 @@ void factorise(benchmark::State& state) {
   }
 }
 
-void answer(benchmark::State& state) {
+void find_response(benchmark::State& state) {
   const voxel::SurrogateParameters parameters = parameters_of(static_cast<int>(state.range(0)));
   for (auto _ : state) {
     const voxel::LoadCaseResponse response = voxel::respond(parameters, inflated_cube());
@@ -94,15 +94,15 @@ void differentiate(benchmark::State& state, const voxel::Responder& responder) {
   }
 }
 
-const voxel::Responder whole_answers = [](const auto& parameters, const auto& load_case, const auto& states) {
+const voxel::Responder whole_responses = [](const auto& parameters, const auto& load_case, const auto& states) {
   return voxel::respond(parameters, load_case, states);
 };
 
 }  // namespace
 
 BENCHMARK(factorise)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
-BENCHMARK(answer)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(find_response)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(differentiate, equilibria, voxel::equilibrium_responder())->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(differentiate, differences, whole_answers)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(differentiate, differences, whole_responses)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 
 BENCHMARK_MAIN();

@@ -1,4 +1,4 @@
-// Data that contradict each other, are too few, or ask for what the bounds forbid.
+// Data that contradict each other, are too few, or need values that the bounds forbid.
 
 #include <algorithm>
 #include <string>
@@ -18,12 +18,13 @@ using voxel::Determination;
 using voxel::FittedCurve;
 using voxel::FittedValue;
 
-constexpr double contradiction = 1.5;  // force of the second curve by that of the first
+constexpr double contradiction = 1.5;  // force of the second curve divided by that of the first
 
-/// The force F over f F, each known to the same share of itself: the least sum of (s - 1)^2 + (s / f - 1)^2.
+/// Returns the fitted force divided by F, where the two curves have the forces F and f F with equal relative errors: the s with
+/// the least (s - 1)^2 + (s / f - 1)^2.
 double compromise() { return (1.0 + 1.0 / contradiction) / (1.0 + 1.0 / (contradiction * contradiction)); }
 
-void judge_contradiction(Outcome& outcome) {
+void run_contradiction(Outcome& outcome) {
   std::vector<FittedCurve> curves = tube_curves(9);
   const CalibrationFit sound = voxel::calibrate(samples::problem(curves), tube_plan()).fit();
   outcome.expect(sound.explained, "one curve alone is explained");
@@ -61,7 +62,7 @@ std::string names_of(const CalibrationFit& fit, Determination determination) {
   return names;
 }
 
-void judge_single_point(Outcome& outcome) {
+void run_single_point(Outcome& outcome) {
   meshes::LoadCase load_case = samples::load_cases().front();
   load_case.pressures_Pa = {5000.0};
   const std::vector<FittedCurve> curves{voxel::fitted_curve(samples::curve_of(load_case, calibration_truth()))};
@@ -85,7 +86,7 @@ void judge_single_point(Outcome& outcome) {
   outcome.expect(fit.parameters.axial_Pa == problem.start.axial_Pa, "the modulus stays what it was");
 }
 
-void judge_bound(Outcome& outcome) {
+void run_bound(Outcome& outcome) {
   const double truth = calibration_truth().ground_stiffness_N_per_m;
   const double lowest = 1.2 * truth;
   voxel::CalibrationProblem problem = samples::problem(tube_curves(13));
@@ -111,18 +112,18 @@ std::vector<Row> calibration_data_rows() {
                   .expected = "completed and not explained; the axial stiffness is the weighted mean, 1.154 times that of the "
                               "first, to 3 %, three standard deviations; the forces of the two curves have the largest errors, "
                               "of opposite signs, and no other ordinate is off by more than 4 %, twice its uncertainty",
-                  .judge = judge_contradiction});
+                  .run = run_contradiction});
   rows.push_back({.name = "single point",
                   .done = "fit of nine values to one state of inflation, at 5 kPa",
                   .expected = "completed; only the ratio of two bulges at this pressure, the peak ratio, has an interval; slope "
-                              "and softening make up for each other; no load case answers to modulus, vacuum and contact, and "
+                              "and softening make up for each other; no load case depends on modulus, vacuum and contact, and "
                               "they keep what they had",
-                  .judge = judge_single_point});
+                  .run = run_single_point});
   rows.push_back({.name = "parameter at its bound",
                   .done = "the ground stiffness must be 1.2 times the true one at least",
                   .expected = "completed; it alone is reported at its bound, exactly there and without interval; not explained, "
                               "since 20 % are ten standard deviations; the others are within three of the truth",
-                  .judge = judge_bound});
+                  .run = run_bound});
   return rows;
 }
 

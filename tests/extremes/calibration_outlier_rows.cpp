@@ -1,4 +1,4 @@
-// Values that are far off among others that are right.
+// Single values with large errors among correct ones.
 
 #include <algorithm>
 #include <cstdint>
@@ -19,7 +19,7 @@ using voxel::FittedCurve;
 
 constexpr double outlying = 15.0;  // standard deviations
 
-/// Moves a value. @return where: "tube_stretch force_N 2"
+/// Moves a value by `outlying` standard deviations. @return its position: "tube_stretch force_N 2"
 std::string spoil(std::vector<FittedCurve>& curves, LoadCaseKind kind, const std::string& ordinate, std::size_t row,
                   double sign) {
   FittedCurve& curve = curve_of_kind(curves, kind);
@@ -42,7 +42,7 @@ CalibrationFit robust_fit(const std::vector<FittedCurve>& curves) {
   return voxel::calibrate(samples::problem(curves), plan).fit();
 }
 
-void judge_outliers(Outcome& outcome) {
+void run_outliers(Outcome& outcome) {
   constexpr std::uint64_t seeds = 10;
   const voxel::SurrogateParameters truth = calibration_truth();
   double worst = 0.0;
@@ -66,8 +66,8 @@ void judge_outliers(Outcome& outcome) {
   outcome.expect_between("the same of plain squares, at least", least_of_squares, 5.0, 100.0);
 }
 
-/// The curve's points have 1, 9 and 25 parts in 35 of its weight.
-void judge_leverage(Outcome& outcome) {
+/// The three points of the curve have 1/35, 9/35 and 25/35 of its weight.
+void run_leverage(Outcome& outcome) {
   std::vector<FittedCurve> curves = tube_curves(11);
   const CalibrationFit clean = voxel::calibrate(samples::problem(curves), tube_plan()).fit();
   spoil(curves, LoadCaseKind::bending, "moment_N_m", 2, 1.0);
@@ -80,7 +80,7 @@ void judge_leverage(Outcome& outcome) {
   outcome.expect_between("bending stiffness by the true one", fit.parameters.bending_Pa[voxel::closed_wall_class] / truth_Pa,
                          0.95, 1.35);
   voxel::SurrogateParameters truth = calibration_truth();
-  truth.bending_Pa = fit.parameters.bending_Pa;  // all but that
+  truth.bending_Pa = fit.parameters.bending_Pa;  // all except the moved one
   outcome.expect_at_most("farthest of the others from the truth in standard deviations", worst_distance(fit, clean, truth), 4.0);
 }
 
@@ -95,14 +95,14 @@ std::vector<Row> calibration_outlier_rows() {
                   .expected = "these three alone are flagged; with Cauchy's loss no value is farther than four standard "
                               "deviations from the truth, which 90 values hardly pass by chance; plain squares miss it by five "
                               "at least",
-                  .judge = judge_outliers});
+                  .run = run_outliers});
   rows.push_back({.name = "outlier that outweighs its curve",
                   .done = "the same for the largest of three angles of bending, which has 25 of 35 parts of the weight",
                   .expected =
                       "a limit of the loss: one value against two that weigh less. The curve is flagged, not which of its "
                       "points is wrong; not explained; the bending stiffness lies between the truth and the outlier's "
                       "1.3 times it, to 5 %, and nothing else is touched",
-                  .judge = judge_leverage});
+                  .run = run_leverage});
   return rows;
 }
 

@@ -10,27 +10,30 @@
 
 namespace menger::extremes {
 
-/// What the curves of the rows were made of: all wall classes alike, no joints, no lateral coupling.
+/// Returns the parameters from which the curves of the rows were made: all wall classes equal, no joints, no lateral coupling.
 voxel::SurrogateParameters calibration_truth();
 
-/// Inflation, stretch, bending, torsion and pressing of a tube of three cells with that truth, from closed forms.
-/// @param noise Gaussian, in stated standard deviations, which are 2 % of the largest of an ordinate
+/// Returns curves of inflation, stretch, bending, torsion and pressing of a tube of three cells with these parameters, from
+/// closed forms.
+/// @param noise Gaussian, in units of the stated standard deviations, which are 2 % of the largest value of an ordinate
 std::vector<voxel::FittedCurve> tube_curves(std::uint64_t seed, double noise = 1.0);
 
-/// The fit of what a tube has: one law of extension, one of bulge, axial, bending and torsional stiffness, contact.
+/// Returns the plan of a fit of the parameters of a tube: one law of extension, one of bulge, axial, bending and torsional
+/// stiffness, contact.
 voxel::CalibrationPlan tube_plan();
 
-/// A fitted value by name. @throws std::out_of_range if there is none
+/// Returns a fitted value by name. @throws std::out_of_range if there is none
 const voxel::FittedValue& value_named(const voxel::CalibrationFit& fit, const std::string& name);
 
-/// The first curve of a kind. @throws std::out_of_range if there is none
+/// Returns the first curve of a kind. @throws std::out_of_range if there is none
 voxel::FittedCurve& curve_of_kind(std::vector<voxel::FittedCurve>& curves, meshes::LoadCaseKind kind);
 
-/// Place of an ordinate in a curve. @throws std::out_of_range if there is none
+/// Returns the position of an ordinate in a curve. @throws std::out_of_range if there is none
 std::size_t ordinate_index(const voxel::FittedCurve& curve, const std::string& ordinate);
 
-/// The largest distance of a value that a fit found from the truth, in standard deviations. These are what another fit (or the
-/// same) states: half the width of its intervals of 95 % by 1.96, of the solver's unknowns; values without interval do not count.
+/// Returns the largest distance of a fitted value from the truth, in standard deviations. The standard deviations are those of
+/// `stated`, which may be the same fit: half the width of its 95 % intervals divided by 1.96, in the solver's unknowns. Values
+/// without an interval are left out.
 double worst_distance(const voxel::CalibrationFit& found, const voxel::CalibrationFit& stated,
                       const voxel::SurrogateParameters& truth);
 

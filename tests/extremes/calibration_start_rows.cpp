@@ -1,4 +1,4 @@
-// Starts from which the surrogate has no answer.
+// Starts at which the surrogate has no equilibrium.
 
 #include "tests/extremes/calibration_rows.h"
 #include "tests/unit/voxel/calibration/calibration_samples.h"
@@ -11,17 +11,17 @@ namespace samples = voxel::samples;
 using voxel::CalibrationFit;
 using voxel::closed_wall_class;
 
-/// Extension that turns cells inside out: rest lengths below zero from 1 kPa on.
+/// A slope of extension that turns cells inside out: rest lengths are below zero from 1 kPa on.
 constexpr double inverting_per_Pa = -1e-3;
 
-/// The curves of the surrogate itself instead of closed forms, and a start that has no equilibria.
+/// Returns a problem with the curves of the surrogate itself instead of closed forms, and a start without equilibria.
 voxel::CalibrationProblem inverted_problem() {
   std::vector<voxel::FittedCurve> curves = tube_curves(0, 0.0);
   for (voxel::FittedCurve& curve : curves) {
     const voxel::LoadCaseResponse response = voxel::respond(calibration_truth(), curve.load_case, curve.states);
-    meshes::ResponseCurve answer{.provenance = samples::provenance(), .columns = response.columns, .values = response.values};
-    answer.provenance.load_case = curve.load_case;
-    curve = voxel::fitted_curve(answer);
+    meshes::ResponseCurve made{.provenance = samples::provenance(), .columns = response.columns, .values = response.values};
+    made.provenance.load_case = curve.load_case;
+    curve = voxel::fitted_curve(made);
   }
   voxel::CalibrationProblem problem = samples::problem(curves);
   problem.responder = [](const auto& parameters, const auto& load_case, const auto& states) {
@@ -39,7 +39,7 @@ void expect_no_equilibrium(Outcome& outcome, const voxel::CalibrationProblem& pr
   outcome.expect_status(response.status, io::RunStatus::limit_point, response.reason);
 }
 
-void judge_pulled_back(Outcome& outcome) {
+void run_pulled_back(Outcome& outcome) {
   const voxel::CalibrationProblem problem = inverted_problem();
   expect_no_equilibrium(outcome, problem);
   const CalibrationFit fit = voxel::calibrate(problem, tube_plan()).fit();
@@ -53,7 +53,7 @@ void judge_pulled_back(Outcome& outcome) {
   outcome.expect_near("axial Pa", found.axial_Pa[closed_wall_class], truth.axial_Pa[closed_wall_class], 1e-3);
 }
 
-void judge_out_of_reach(Outcome& outcome) {
+void run_out_of_reach(Outcome& outcome) {
   voxel::CalibrationProblem problem = inverted_problem();
   problem.bounds[voxel::Quantity::extension_slope] = {2.0 * inverting_per_Pa, 0.5 * inverting_per_Pa};
   expect_no_equilibrium(outcome, problem);
@@ -75,11 +75,11 @@ std::vector<Row> calibration_start_rows() {
                   .expected = "limit_point at the start, where no length is left; completed: slopes are halved until there are "
                               "equilibria; the truth to 1e-3, since the curves are "
                               "without noise and the search ends where chi2 does not change any more",
-                  .judge = judge_pulled_back});
+                  .run = run_pulled_back});
   rows.push_back({.name = "no equilibrium within the bounds",
                   .done = "the same with bounds that allow no other extension",
                   .expected = "limit_point at the start; not converged, and why; parameters as they were, no fitted values",
-                  .judge = judge_out_of_reach});
+                  .run = run_out_of_reach});
   return rows;
 }
 

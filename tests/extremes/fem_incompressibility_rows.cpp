@@ -1,4 +1,4 @@
-// Poisson's ratio up to a half: no locking.
+// Poisson's ratios up to one half: no locking.
 
 #include <cmath>
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 
 using fem::Formulation;
 
-/// Cook's membrane as tests/verification has it, at any Poisson's ratio and one shear modulus: tip deflection, mm.
+/// Returns the tip deflection (mm) of Cook's membrane of tests/verification, for any Poisson's ratio and one shear modulus.
 double cook_tip_mm(double poissons_ratio, int degree, Formulation formulation, std::size_t elements) {
   constexpr double modulus_Pa = 240.565e6 / (2.0 * 1.4999);
   const meshes::HexahedralMesh mesh = meshes::cooks_membrane(1e-3, 1e-3, {elements, elements, 1});
@@ -33,8 +33,8 @@ double cook_tip_mm(double poissons_ratio, int degree, Formulation formulation, s
   return 1e3 * model.displacement_at({48e-3, 60e-3, 0.0})[1];
 }
 
-/// To first order the deflection is linear in 1 - 2 nu, however near to zero.
-void judge_cook(Outcome& outcome, int degree, std::size_t elements, double tolerance) {
+/// To first order the deflection is linear in 1 - 2 nu, down to zero.
+void run_cook(Outcome& outcome, int degree, std::size_t elements, double tolerance) {
   const auto tip_mm = [&](double poissons_ratio) {
     return cook_tip_mm(poissons_ratio, degree, Formulation::three_field, elements);
   };
@@ -45,15 +45,15 @@ void judge_cook(Outcome& outcome, int degree, std::size_t elements, double toler
                       (tip_mm(0.499) - stiffest_mm) / (tip_mm(0.49) - stiffest_mm), (0.002 - 0.00002) / (0.02 - 0.00002), 0.1);
 }
 
-/// So that the rows above can fail: elements of displacements alone lock.
-void judge_locking(Outcome& outcome) {
+/// Shows that the rows above can fail: elements without a pressure field lock.
+void run_locking(Outcome& outcome) {
   const double locked_mm = cook_tip_mm(0.49999, 1, Formulation::displacement, 8);
   outcome.expect_between("tip mm", locked_mm, 0.0, 0.6 * fem::published_cook_tip_mm);
 }
 
-/// Inner pressure at a stretch of 1.2. The loss by compression is linear in mu / kappa to first order; at kappa = 50 mu it is
-/// known from the radial boundary-value problem (see tests/verification/fem_pressure_vessels_test.cpp).
-void judge_sphere(Outcome& outcome, int degree, std::size_t fineness, double tolerance) {
+/// Checks the inner pressure at a stretch of 1.2. To first order, the decrease by compression is linear in mu / kappa. At kappa =
+/// 50 mu it is known from the radial boundary-value problem (see tests/verification/fem_pressure_vessels_test.cpp).
+void run_sphere(Outcome& outcome, int degree, std::size_t fineness, double tolerance) {
   constexpr double stretch = 1.2, known_ratio = 50.0, known_pressure_Pa = 10808.720;
   const double incompressible_Pa = sphere_pressure_Pa(stretch, fem::outer_radius_m / fem::inner_radius_m);
   for (const double poissons_ratio : {0.49, 0.499, 0.4999, 0.49999}) {
@@ -81,22 +81,22 @@ std::vector<Row> fem_incompressibility_rows() {
                     .expected =
                         "the published deflection, 6.9083 mm at 0.4999, to 2 %, what the mesh allows; what nu costs is linear in "
                         "1 - 2 nu to 10 %, the second order at 0.49. Locking would let the tip fall to zero",
-                    .judge = [degree, elements](Outcome& outcome) { judge_cook(outcome, degree, elements, 0.02); }});
+                    .run = [degree, elements](Outcome& outcome) { run_cook(outcome, degree, elements, 0.02); }});
   }
   rows.push_back({.name = "nu of 0.49999 in Cooks membrane with Q1",
                   .done = "8 x 8 elements of displacements alone, which must lock",
                   .expected = "less than 0.6 of the published deflection: the rows above tell locking from its absence",
-                  .judge = judge_locking});
+                  .run = run_locking});
   rows.push_back({.name = "nu to 0.49999 in a thick sphere with Q2P1",
                   .done = "radii 8 and 10 mm, two elements through the wall, inner stretch 1.2, nu = 0.49 to 0.49999",
                   .expected =
                       "the closed form without volume change less the known loss by compression, which is linear in mu/kappa; to "
                       "1e-4, its second order at 0.499",
-                  .judge = [](Outcome& outcome) { judge_sphere(outcome, 2, 2, 1e-4); }});
+                  .run = [](Outcome& outcome) { run_sphere(outcome, 2, 2, 1e-4); }});
   rows.push_back({.name = "nu to 0.49999 in a thick sphere with Q1P0",
                   .done = "as above with linear elements",
                   .expected = "the pressure of the row above to 2 %, what the mesh allows at every nu alike",
-                  .judge = [](Outcome& outcome) { judge_sphere(outcome, 1, 2, 0.02); }});
+                  .run = [](Outcome& outcome) { run_sphere(outcome, 1, 2, 0.02); }});
   return rows;
 }
 

@@ -1,4 +1,4 @@
-// Bodies and states that have no answer.
+// Bodies and states without a solution.
 
 #include <algorithm>
 #include <string>
@@ -14,7 +14,7 @@ namespace menger::extremes {
 
 namespace {
 
-void judge_open_chamber(Outcome& outcome) {
+void run_open_chamber(Outcome& outcome) {
   meshes::HexahedralMesh mesh = meshes::hollow_cube_quarter(fem::cube_edge_m, fem::cube_wall_m, 1);
   const std::size_t chamber = meshes::label_index(mesh, "chamber 0");
   const auto inner = std::find_if(mesh.faces.begin(), mesh.faces.end(), [&](const auto& face) { return face.label == chamber; });
@@ -30,8 +30,8 @@ void judge_open_chamber(Outcome& outcome) {
   }
 }
 
-/// The middle of the top is pushed through the wall, to the floor of the chamber.
-void judge_inverted_start(Outcome& outcome) {
+/// The middle of the top is moved through the wall, to the floor of the chamber.
+void run_inverted_start(Outcome& outcome) {
   const meshes::HexahedralMesh mesh = meshes::hollow_cube_quarter(fem::cube_edge_m, fem::cube_wall_m, 1);
   fem::Model model(mesh, 2, fem::quarter_of_cube());
   const fem::NearestNode node = fem::nearest_node(model.space, fem::cube_top);
@@ -54,13 +54,13 @@ std::vector<Row> fem_input_rows() {
   rows.push_back({.name = "chamber that is not closed",
                   .done = "hollow cube with one inner face labelled as an outer one",
                   .expected = "InputError that names file, chamber and place, before anything is computed",
-                  .judge = judge_open_chamber});
+                  .run = run_open_chamber});
   rows.push_back({.name = "inverted start",
                   .done = "search for an equilibrium from a state with a node pushed through the wall",
                   .expected =
                       "inverted_element, since no energy belongs to a negative volume; nothing is changed, and the solver "
                       "stays usable",
-                  .judge = judge_inverted_start});
+                  .run = run_inverted_start});
   return rows;
 }
 

@@ -1,4 +1,4 @@
-// Paths to where equilibria end: limit points, touching walls, steps and moduli out of proportion.
+// Paths to the end of equilibria: limit points, touching walls, and steps and moduli of unusual size.
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ void expect_limit(Outcome& outcome, const fem::PathReport& report, bool is_passe
   outcome.expect_near("limit pressure Pa", report.limit_points[0].pressure_Pa, exact.pressure_Pa, tolerance);
 }
 
-void judge_volume_control(Outcome& outcome) {
+void run_volume_control(Outcome& outcome) {
   constexpr double stretch = 2.0;
   Sphere sphere;
   const fem::PathReport report = follow(sphere.model, volume_drive(std::pow(stretch, 3)), fem::equal_steps(60));
@@ -52,7 +52,7 @@ void judge_volume_control(Outcome& outcome) {
   expect_energy_error(outcome, report, 1e-3);
 }
 
-void judge_pressure_control(Outcome& outcome) {
+void run_pressure_control(Outcome& outcome) {
   Sphere sphere;
   const fem::PathReport report = follow(sphere.model, pressure_drive(20e3), fem::equal_steps(20));
   outcome.expect_status(report.status, io::RunStatus::limit_point);
@@ -62,7 +62,7 @@ void judge_pressure_control(Outcome& outcome) {
   expect_energy_error(outcome, report, 0.02);
 }
 
-/// Two by two cells of 5 mm with one chamber, 8 x 8 x 3 mm: its roof and floor meet in the middle.
+/// A body of two by two cells of 5 mm with one chamber of 8 x 8 x 3 mm. Its roof and floor touch first in the middle.
 constexpr fem::Point under_roof{0.005, 0.005, 0.004}, on_floor{0.005, 0.005, 0.001};
 
 fem::Model flat_body() {
@@ -77,8 +77,8 @@ fem::Model flat_body() {
   return {mesh, 2, body};
 }
 
-/// First contact is a state of the body, however it is reached.
-void judge_vacuum(Outcome& outcome) {
+/// The first contact must be the same state for any path to it.
+void run_vacuum(Outcome& outcome) {
   std::vector<fem::PathPoint> ends;
   for (const fem::PlenumDrive& drive : {pressure_drive(-30e3), volume_drive(0.01)}) {
     fem::Model model = flat_body();
@@ -95,8 +95,8 @@ void judge_vacuum(Outcome& outcome) {
   outcome.expect_near("volume m^3", ends[1].plenum_volumes_m3[0], ends[0].plenum_volumes_m3[0], 0.01);
 }
 
-/// The quarter of the hollow cube with all moduli and pressures times a factor.
-void judge_moduli(Outcome& outcome) {
+/// Multiplies all moduli and pressures of the quarter of the hollow cube by a factor.
+void run_moduli(Outcome& outcome) {
   const meshes::HexahedralMesh mesh = meshes::hollow_cube_quarter(fem::cube_edge_m, fem::cube_wall_m, 1);
   const auto inflated = [&](double factor) {
     fem::Body body = fem::quarter_of_cube();
@@ -118,8 +118,8 @@ void judge_moduli(Outcome& outcome) {
   }
 }
 
-/// A hundred steps against one stride.
-void judge_stride(Outcome& outcome) {
+/// Compares a hundred small steps with a single step.
+void run_stride(Outcome& outcome) {
   const meshes::HexahedralMesh mesh = meshes::hollow_cube_quarter(fem::cube_edge_m, fem::cube_wall_m, 1);
   const auto end_of = [&](double step, fem::Model& model) {
     fem::PathOptions options;
@@ -149,26 +149,26 @@ std::vector<Row> fem_path_rows() {
                   .expected =
                       "completed, through the largest pressure of the closed form (3e-4: compression and the parabola through "
                       "three states) to its pressure at the end (1e-3)",
-                  .judge = judge_volume_control});
+                  .run = run_volume_control});
   rows.push_back({.name = "limit point under control by pressure",
                   .done = "neo-Hookean sphere of radii 8 and 10 mm to 20 kPa in steps of 1 kPa, Q2/P1",
                   .expected = "limit_point, since no equilibrium lies beyond 13.75 kPa; the limit extrapolated to 1e-3",
-                  .judge = judge_pressure_control});
+                  .run = run_pressure_control});
   rows.push_back(
       {.name = "vacuum to first wall contact",
        .done = "flat chamber of 8 x 8 x 3 mm in walls of 1 mm, by pressure and by volume",
        .expected =
            "wall_contact with a gap below 10 um, roof on floor in the middle, at the same pressure and volume for both (1 %, "
            "a state within that gap)",
-       .judge = judge_vacuum});
+       .run = run_vacuum});
   rows.push_back({.name = "moduli over six decades",
                   .done = "hollow cube at 50 Pa, 50 kPa, 50 MPa and 2^20 times 50 kPa, pressures in proportion",
                   .expected = "the same displacements and, in proportion, energies, to 1e-9: rounding",
-                  .judge = judge_moduli});
+                  .run = run_moduli});
   rows.push_back({.name = "load step 100 times too large",
                   .done = "hollow cube to eight times its volume in steps of 1 %, and in one stride",
                   .expected = "completed after cuts, the same state to 1e-6, the tolerance of forces",
-                  .judge = judge_stride});
+                  .run = run_stride});
   return rows;
 }
 

@@ -1,4 +1,4 @@
-// Solid bars: of a Poisson's ratio near a half, what the surrogate's lateral coupling is held against, and of two moduli.
+// Solid bars: with a Poisson's ratio near one half, as a reference for the surrogate's lateral coupling; and with two moduli.
 
 #include <cmath>
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 constexpr double width_m = 0.01;
 constexpr double half_length_m = 1.5 * width_m;
 
-/// Mean over the line from the axis to the side, at the middle section, of the displacement of the face y max, by Simpson's rule.
+/// Returns the displacement of the face y max at the middle section, averaged from the axis to the side by Simpson's rule.
 double mean_side_m(const fem::Model& model, std::size_t elements) {
   double sum_m = 0.0;
   const std::size_t intervals = 2 * elements;
@@ -27,7 +27,7 @@ double mean_side_m(const fem::Model& model, std::size_t elements) {
   return sum_m / (3.0 * static_cast<double>(intervals));
 }
 
-/// An eighth of the bar. @param is_bonded to the plates; else it slides on them
+/// Computes an eighth of the bar. @param is_bonded whether it is bonded to the plates; otherwise it slides on them
 SolidBar pulled_bar(Outcome& outcome, double poissons_ratio, bool is_bonded) {
   constexpr std::size_t elements = 4;
   const meshes::HexahedralMesh mesh =
@@ -56,8 +56,8 @@ SolidBar pulled_bar(Outcome& outcome, double poissons_ratio, bool is_bonded) {
           .contraction = -mean_side_m(model, elements) / (0.5 * width_m * solid_bar_strain)};
 }
 
-/// Strains of 1e-4 leave the linear range by as much.
-void judge_bar(Outcome& outcome, const SolidBar& stated) {
+/// Strains of 1e-4 give relative deviations from linearity of the same size.
+void run_bar(Outcome& outcome, const SolidBar& stated) {
   const SolidBar sliding = pulled_bar(outcome, stated.poissons_ratio, false);
   outcome.expect_near("stiffness between smooth plates", sliding.stiffness, 1.0, 3e-4);
   outcome.expect_near("contraction", sliding.contraction, stated.poissons_ratio, 3e-4);
@@ -66,9 +66,9 @@ void judge_bar(Outcome& outcome, const SolidBar& stated) {
   outcome.expect_near("contraction", bonded.contraction, stated.contraction, 1.5e-3);
 }
 
-/// Two halves, the outer one a million times as stiff, whose sides must not move, so that both are stretched along the bar alone.
-/// With J = stretch the nominal stress is mu J^(-2/3) (J - (J^2 + 2) / (3 J)) + kappa/2 (J - 1/J).
-void judge_contrast(Outcome& outcome) {
+/// Two halves, the outer one a million times as stiff. Their sides cannot move, so both are stretched only along the bar. With J
+/// = stretch the nominal stress is mu J^(-2/3) (J - (J^2 + 2) / (3 J)) + kappa/2 (J - 1/J).
+void run_contrast(Outcome& outcome) {
   constexpr double ratio = 1e6, stretch = 1.1;
   const double bulk_modulus_Pa = bulk_ratio(0.49) * shear_modulus_Pa;
   const double stress_Pa =
@@ -110,14 +110,14 @@ std::vector<Row> fem_solid_bar_rows() {
                      "bonded ones what finer meshes give, " +
                      shown(stated.stiffness) + " E and " + shown(stated.contraction) +
                      ", to 1.5e-3, the singularity at the rim of a plate. The rows of the voxels are held against this",
-         .judge = [stated](Outcome& outcome) { judge_bar(outcome, stated); }});
+         .run = [stated](Outcome& outcome) { run_bar(outcome, stated); }});
   }
   rows.push_back({.name = "modulus ratio 1e6 between regions",
                   .done = "bar of two halves of 50 kPa and 50 GPa shear modulus between fixed sides, pulled by a traction",
                   .expected =
                       "the closed form: the soft half is stretched by 10 %, the stiff one by 1e-7, to 1e-4, what the search "
                       "for the equilibrium may leave of a load that is small for the stiff half",
-                  .judge = judge_contrast});
+                  .run = run_contrast});
   return rows;
 }
 

@@ -1,4 +1,4 @@
-// Walls from thin to nearly solid, and elements from cubes to foils.
+// Walls from thin to nearly solid, and elements from cubes to thin plates.
 
 #include <algorithm>
 #include <array>
@@ -15,26 +15,28 @@ namespace menger::extremes {
 
 namespace {
 
-/// Clamped square plate under pressure p: the middle sinks by 0.00126532 p a^4 / D (Timoshenko), D = E t^3 / (12 (1 - nu^2)),
-/// which is mu t^3 / 3 for an incompressible wall.
+/// Returns the deflection of the middle of a clamped square plate under pressure p: 0.00126532 p a^4 / D (Timoshenko), with D = E
+/// t^3 / (12 (1 - nu^2)), which is mu t^3 / 3 for an incompressible wall.
 double clamped_plate_m(double pressure_Pa, double span_m, double thickness_m) {
   return 0.00126532 * pressure_Pa * std::pow(span_m, 4) / (shear_modulus_Pa * std::pow(thickness_m, 3) / 3.0);
 }
 
-/// A wall thickness by the edge of the cube, and how much the chamber swells, stated beforehand.
+/// A wall thickness divided by the edge of the cube, and the expected increase of the chamber volume.
 struct Wall {
   double by_edge;
-  /// dV/dp mu / edge^3 in the linear range: graded Q2/P1 meshes of six elements on the thinner of wall and half the chamber,
-  /// which four change by 0.13 % at most.
+  /// dV/dp mu / edge^3 in the linear range, from graded Q2/P1 meshes. There are six elements across the smaller of the wall and
+  /// half the chamber; with four the value changes by at most 0.13 %.
   double swelling;
-  double one_element;  ///< by that what the mesh of the programs gives with one Q2/P1 element through the wall
+  /// The result of the mesh of the programs, with one Q2/P1 element through the wall, divided by `swelling`.
+  double one_element;
 };
 
 constexpr std::array walls{Wall{0.02, 755.5, 1.004},   Wall{0.05, 40.76, 1.072}, Wall{0.1, 4.180, 1.135},
                            Wall{0.2, 0.3967, 1.144},   Wall{0.3, 0.07203, 1.02}, Wall{0.4, 0.00791, 0.838},
                            Wall{0.45, 0.000975, 0.602}};
 
-/// Edges along a span that grow by half from a first one, which is shortened to make them fit.
+/// Returns edges along a span. Each is 1.5 times as long as the one before. The first one is at most `first_m`, shortened to make
+/// them fit.
 std::vector<double> growing_edges(double span_m, double first_m) {
   std::vector<double> edges_m;
   double sum_m = 0.0;
@@ -46,8 +48,8 @@ std::vector<double> growing_edges(double span_m, double first_m) {
   return edges_m;
 }
 
-/// One octant of the hollow cube about the origin, with elements that grow away from the edges of the chamber, where stresses are
-/// singular. @param fineness smallest elements across the thinner of wall and half the chamber
+/// Returns one octant of the hollow cube about the origin. Elements grow away from the edges of the chamber, where stresses are
+/// singular. @param fineness smallest elements across the smaller of the wall and half the chamber
 meshes::HexahedralMesh octant(double wall_m, int fineness) {
   const double half_m = 0.5 * HollowCube::edge_m - wall_m;
   const double first_m = std::min(wall_m, half_m) / fineness;
@@ -78,12 +80,12 @@ meshes::HexahedralMesh octant(double wall_m, int fineness) {
   return mesh;
 }
 
-/// A bulge of a hundredth of a thin wall; a strain of 1e-4 in a thick one.
+/// Returns a pressure that bulges a thin wall by a hundredth of its thickness, or strains a thick one by 1e-4.
 double small_pressure_Pa(double wall_m) {
   return std::min(1e-4 * shear_modulus_Pa, 1e-2 * wall_m / clamped_plate_m(1.0, HollowCube::edge_m, wall_m));
 }
 
-/// dV/dp mu / edge^3 of the modelled part; nan without an equilibrium.
+/// Returns dV/dp mu / edge^3 of the modelled part; nan if there is no equilibrium.
 double swelling(fem::Model& model, double pressure_Pa) {
   fem::PathOptions options;
   options.first_step = options.largest_step = 1.0;
@@ -93,19 +95,20 @@ double swelling(fem::Model& model, double pressure_Pa) {
   return grown_m3 / pressure_Pa * shear_modulus_Pa / std::pow(HollowCube::edge_m, 3);
 }
 
-/// An isochoric radial motion costs at least the energy, over a shell that holds the cube; the stress of a shell within the cube
-/// about a sphere that holds the chamber is in equilibrium.
+/// Checks the computed value against two bounds of energy. For the lower bound, an isochoric radial motion of a shell that
+/// contains the cube costs at least the energy. For the upper bound, the stress of a shell in the cube around a sphere that
+/// contains the chamber is in equilibrium.
 void expect_within_shells(Outcome& outcome, const Wall& wall, double computed) {
   const double inscribed = 0.5 - wall.by_edge;
   const double circumscribed = std::sqrt(3.0) * inscribed;
   const double least = std::numbers::pi / (std::pow(inscribed, -3) - std::pow(0.5 * std::sqrt(3.0), -3));
   const double most = circumscribed < 0.5 ? std::numbers::pi / (std::pow(circumscribed, -3) - 8.0) : HUGE_VAL;
-  // Compression of the wall, kappa = 1e4 mu, adds to what the bounds of an incompressible wall allow.
+  // Compression of the wall, kappa = 1e4 mu, widens the bounds of an incompressible wall.
   constexpr double compression = 1e-3;
   outcome.expect_between("the same within bounds of energy", computed, least * (1.0 - compression), most * (1.0 + compression));
 }
 
-/// The middle of a face against that of its edge.
+/// Compares the middle of a face with the middle of its edge.
 void expect_bulge_of_plate(Outcome& outcome, const fem::Model& model, double wall_m, double pressure_Pa) {
   constexpr double edge_m = HollowCube::edge_m;
   constexpr double half_m = 0.5 * edge_m;
@@ -116,7 +119,7 @@ void expect_bulge_of_plate(Outcome& outcome, const fem::Model& model, double wal
                          bulge_m / clamped_plate_m(pressure_Pa, edge_m - 2.0 * wall_m, wall_m), 1.0, 1.1);
 }
 
-void judge_wall(Outcome& outcome, const Wall& wall) {
+void run_wall(Outcome& outcome, const Wall& wall) {
   const double wall_m = wall.by_edge * HollowCube::edge_m;
   const double pressure_Pa = small_pressure_Pa(wall_m);
   const meshes::HexahedralMesh mesh = octant(wall_m, 2);
@@ -135,8 +138,9 @@ void judge_wall(Outcome& outcome, const Wall& wall) {
   if (wall.by_edge < 0.03) expect_bulge_of_plate(outcome, coarse, wall_m, pressure_Pa);
 }
 
-/// Volume of the chamber to one and a half, with the balance of energy; pressures fall with the wall.
-void judge_inflated_walls(Outcome& outcome) {
+/// Inflates the chamber to 1.5 times its volume and checks the energy balance. The pressure must increase with the wall
+/// thickness.
+void run_inflated_walls(Outcome& outcome) {
   double last_Pa = 0.0;
   for (const double wall_by_edge : {0.02, 0.1, 0.2, 0.3, 0.45}) {
     const HollowCube cube(wall_by_edge);
@@ -152,8 +156,8 @@ void judge_inflated_walls(Outcome& outcome) {
   }
 }
 
-/// A sphere whose wall is a two-hundredth of its radius, in elements fifty times as long as thick.
-void judge_foil(Outcome& outcome) {
+/// A sphere with a wall of a two-hundredth of its radius. Its elements are fifty times as long as thick.
+void run_foil(Outcome& outcome) {
   constexpr double inner_m = 0.01, outer_m = 1.005 * inner_m;
   const meshes::HexahedralMesh mesh = meshes::thick_sphere_octant(inner_m, outer_m, 1, 3);
   fem::Body body = fem::body_of(materials::NeoHookean{shear_modulus_Pa},
@@ -187,17 +191,17 @@ std::vector<Row> fem_wall_rows() {
                                             "planes and wider than the chamber"
                                           : ""),
          .is_slow = wall.by_edge < 0.1,
-         .judge = [wall](Outcome& outcome) { judge_wall(outcome, wall); }});
+         .run = [wall](Outcome& outcome) { run_wall(outcome, wall); }});
   }
   rows.push_back(
       {.name = "walls of 0.02 to 0.45 edges inflated",
        .done = "hollow cubes, Q1/P0, volume of the chamber to 1.5 in ten steps",
        .expected = "completed; the thicker the wall the higher the pressure; work is energy to 1 %, the error of trapezoids",
-       .judge = judge_inflated_walls});
+       .run = run_inflated_walls});
   rows.push_back({.name = "element aspect 50",
                   .done = "sphere with a wall of 1/200 of its radius, one Q2/P1 element through it, 2.6 mm by 0.05 mm",
                   .expected = "the closed form to 2e-3 from a stretch of 1.02 to 1.5",
-                  .judge = judge_foil});
+                  .run = run_foil});
   return rows;
 }
 

@@ -1,4 +1,4 @@
-// Runs the programs of the parts, so that none loads the libraries of another, and joins their tables.
+// Runs the programs of the parts, so that no program loads the libraries of another, and joins their tables.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -29,7 +29,7 @@ struct Arguments {
 
 fs::path program_of(const std::string& part) { return io::own_program_folder() / ("menger-extremes-" + part); }
 
-/// All parts, or the one that was asked for. @throws io::InputError naming those that were not built
+/// Returns all parts, or the chosen one. @throws io::InputError naming those that were not built
 std::vector<std::string> chosen_parts(const std::string& part) {
   std::vector<std::string> parts{"voxel", "fem", "calibration"};
   if (part != "all") parts = {part};
@@ -48,7 +48,7 @@ std::vector<std::string> lines_of(const fs::path& log) {
   return lines;
 }
 
-/// Runs one part; what it says beside rows that end as expected is handed on. @return its exit code
+/// Runs one part and prints its output, except for the lines of rows that end as expected. @return its exit code
 int run_part_program(const std::string& part, const Arguments& arguments, io::Progress& progress, double parts_done) {
   const fs::path log = fs::absolute(arguments.folder / ("extremes-" + part + ".log"));
   io::ChildProgram child{

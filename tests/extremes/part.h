@@ -4,7 +4,7 @@
 
 namespace menger::extremes {
 
-/// The rows of the one part that a program is linked with.
+/// Returns the rows of the part that is linked to the program.
 Part part();
 
 }  // namespace menger::extremes

@@ -51,7 +51,7 @@ RowResult run_row(const Row& row) {
   const auto start = std::chrono::steady_clock::now();
   Outcome outcome;
   try {
-    row.judge(outcome);
+    row.run(outcome);
   } catch (const std::exception& error) {
     outcome.expect(false, std::string("an exception: ") + error.what());
   }

@@ -11,30 +11,30 @@
 
 namespace menger::extremes {
 
-/// What happened in a row, and whether that is what was expected beforehand. Findings are put together to one text; a number
-/// that is not finite is never as expected.
+/// The outcome of a row, and whether it is as expected. All results are joined to one text. A number that is not finite is never
+/// as expected.
 class Outcome {
  public:
-  /// |computed - expected| <= tolerance |expected|.
+  /// Expects |computed - expected| <= tolerance |expected|.
   void expect_near(std::string_view what, double computed, double expected, double relative_tolerance);
 
-  /// |value| <= bound.
+  /// Expects |value| <= bound.
   void expect_at_most(std::string_view what, double value, double bound);
 
-  /// lower <= value <= upper.
+  /// Expects lower <= value <= upper.
   void expect_between(std::string_view what, double value, double lower, double upper);
 
-  /// The status that was stated, whatever else happened. @param reason why it ended, empty if nothing is to be said
+  /// Expects a status. @param reason why the run ended with it; may be empty
   void expect_status(io::RunStatus status, io::RunStatus expected, std::string_view reason = {});
 
-  /// A statement that holds or not.
+  /// Expects that a statement holds.
   void expect(bool holds, std::string_view statement);
 
-  /// Something worth telling, without judging it.
+  /// Adds information without a check.
   void note(std::string_view text);
 
-  /// The largest of the errors that are handed in: energy that the books do not explain, by the largest energy of the run.
-  /// Judged by expect_at_most against `bound`.
+  /// Records an error of the energy balance, divided by the largest energy of the run. The largest error of the row is kept. The
+  /// outcome is not as expected if the error exceeds `bound`.
   void expect_energy_error(double relative_error, double bound);
 
   [[nodiscard]] bool is_as_expected() const { return is_as_expected_; }
@@ -49,23 +49,23 @@ class Outcome {
   std::optional<double> energy_error_;
 };
 
-/// A case at the edge of what the models claim to bear. Its outcome is stated before it runs.
+/// A test case at the limit of what the models can compute. Its outcome is stated before it runs.
 struct Row {
   std::string name;      ///< letters, digits and spaces
-  std::string done;      ///< what is computed
-  std::string expected;  ///< a value with tolerance and reason, or which status and why
-  bool is_slow = false;  ///< only in full runs
-  /// Computes and judges, in a number of steps or iterations that it limits itself.
-  std::function<void(Outcome&)> judge;
+  std::string done;      ///< what the row computes
+  std::string expected;  ///< a value with tolerance and reason, or a status and the reason for it
+  bool is_slow = false;  ///< only runs in full runs
+  /// Computes the results and checks them. It limits its number of steps or iterations itself.
+  std::function<void(Outcome&)> run;
 };
 
-/// The rows of a model.
+/// The rows of one model.
 struct Part {
   std::string name;  ///< "voxel", "fem" or "calibration"
   std::vector<Row> rows;
 };
 
-/// A row that was run.
+/// The result of a row.
 struct RowResult {
   std::string name, done, expected, happened;
   bool is_as_expected = false;
@@ -73,7 +73,7 @@ struct RowResult {
   double seconds = 0.0;
 };
 
-/// Runs a row; what it throws is an outcome that nobody expected.
+/// Runs a row. An exception is an outcome that is not as expected.
 RowResult run_row(const Row& row);
 
 using io::shown;

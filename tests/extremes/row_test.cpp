@@ -1,4 +1,4 @@
-// The judge must be able to say no.
+// The checks of a row must be able to fail.
 
 #include "tests/extremes/row.h"
 
@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool is_as_expected(const std::function<void(Outcome&)>& judge) {
-  return run_row({.name = "row", .done = {}, .expected = {}, .judge = judge}).is_as_expected;
+bool is_as_expected(const std::function<void(Outcome&)>& run) {
+  return run_row({.name = "row", .done = {}, .expected = {}, .run = run}).is_as_expected;
 }
 
 TEST(Outcome, HoldsWithinItsTolerance) {
@@ -64,11 +64,11 @@ TEST(Row, ThatThrowsOrLooksAtNothingIsNotAsExpected) {
 class Table : public testing::Test {
  protected:
   const tests::TestFolder scratch_;
-  const fs::path folder_ = scratch_ / "new";  ///< not there before a test writes
+  const fs::path folder_ = scratch_ / "new";  ///< does not exist before a test writes
 };
 
 Row row(const std::string& name, bool holds, bool is_slow) {
-  return {.name = name, .done = "a | b", .expected = "c", .is_slow = is_slow, .judge = [holds](Outcome& outcome) {
+  return {.name = name, .done = "a | b", .expected = "c", .is_slow = is_slow, .run = [holds](Outcome& outcome) {
             outcome.expect(holds, "d");
           }};
 }
@@ -110,7 +110,7 @@ TEST_F(Table, SaysHowItWasMade) {
   EXPECT_NE(introduction(false).find("`menger extremes --part voxel`, without the slow cases:"), std::string::npos);
 }
 
-/// The program beside links to the parts that are said to be built; a part is a link to /bin/true, which does nothing.
+/// The copied program finds the parts beside it. Built parts are links to /bin/true, which does nothing.
 TEST_F(Table, IsNotWrittenWhilePartsAreNotBuilt) {
   fs::create_directories(folder_ / "bin");
   fs::copy_file(fs::path(MENGER_PROGRAM_DIR) / "menger-extremes", folder_ / "bin/menger-extremes");

@@ -1,4 +1,4 @@
-// Every row of a part as a test of its own: those of one speed, fast or slow.
+// Runs every row of a part as a separate test: the fast rows or the slow ones.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 namespace menger::extremes {
 
-/// For lists of tests; GoogleTest asks for this name.
+/// Prints the name of a row in lists of tests. GoogleTest requires this name of the function.
 // NOLINTNEXTLINE(readability-identifier-naming)
 static void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
 

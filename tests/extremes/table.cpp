@@ -17,7 +17,7 @@ namespace {
 
 const std::vector<std::string> columns{"part", "case", "done", "expected", "happened", "as_expected", "energy_error", "seconds"};
 
-/// Text within a cell of a Markdown table.
+/// Returns a text escaped for a cell of a Markdown table.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char letter : text) {
@@ -45,7 +45,7 @@ std::string introduction(const std::vector<std::string>& parts, bool is_full, st
   if (is_full) command += " --full";
   return "# Extremes\n\nEvery case states its outcome beforehand. Written by `" + command + "`" +
          (is_full ? "" : ", without the slow cases") + ": " + std::to_string(as_stated) + " of " + std::to_string(row_count) +
-         " cases ended as stated. Energy error: energy that the books do not explain, by the largest energy of the run.\n";
+         " cases ended as stated. Energy error: energy that the balance does not explain, by the largest energy of the run.\n";
 }
 
 }  // namespace

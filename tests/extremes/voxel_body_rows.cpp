@@ -1,4 +1,4 @@
-// The smallest and the largest body, and one that folds onto itself.
+// The smallest and the largest body, and a body that folds onto itself.
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace menger::extremes {
 
 namespace {
 
-void judge_one_voxel(Outcome& outcome) {
+void run_one_voxel(Outcome& outcome) {
   voxel::Simulation simulation(meshes::bar(1), edge_m, still_physics(), {}, with_ledger);
   expect_completed(outcome, simulation, simulation.advance_to(2.0));
   outcome.expect_near("depth m", -simulation.position_m(0)[2], mass_kg * gravity_m_per_s2 / (2.0 * stiffness_N_per_m), 1e-6);
@@ -17,11 +17,12 @@ void judge_one_voxel(Outcome& outcome) {
   expect_energy_error(outcome, simulation, 1e-9);
 }
 
-/// Every column carries itself: the floor yields by n/2 weights over E L, the beam above voxel k by the n - 1 - k above it.
-void judge_full_cube(Outcome& outcome) {
+/// Every column carries only its own weight. The floor is compressed by n/2 weights over E L, the beam above voxel k by the n - 1
+/// - k weights above it.
+void run_full_cube(Outcome& outcome) {
   constexpr int n = 27;
   voxel::Physics physics = still_physics();
-  physics.damping_ratios.global = 0.05;  // half of what lets a column of 27 creep
+  physics.damping_ratios.global = 0.05;  // half of the value at which a column of 27 creeps
   voxel::Simulation simulation(meshes::full_cube(n), edge_m, physics);
   expect_completed(outcome, simulation, simulation.advance_to(0.2));
   const double unit_m = mass_kg * gravity_m_per_s2 / stiffness_N_per_m;
@@ -30,7 +31,7 @@ void judge_full_cube(Outcome& outcome) {
   outcome.expect_near("shortening m", (n - 1) * edge_m + simulation.position_m(0)[2] - top_m, 0.5 * n * (n - 1) * unit_m, 1e-4);
 }
 
-/// A U of 5 x 1 x 9 cells whose arms, three cells apart, are thrown at each other: arms x = 0 and x = 4.
+/// A U of 5 x 1 x 9 cells. Its arms, x = 0 and x = 4, are three cells apart and are thrown at each other.
 struct ThrownArms {
   static constexpr int width = 5, height = 9;
   meshes::Polycube body{width, 1, height};
@@ -62,8 +63,8 @@ double distance_m(const voxel::Simulation& simulation, std::size_t a, std::size_
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-/// The contact of two voxels has the stiffness 2 E L, so that an overlap d takes E L d^2 of the energy that there was.
-void judge_folding(Outcome& outcome) {
+/// The contact of two voxels has the stiffness 2 E L, so an overlap d takes E L d^2 of the initial energy.
+void run_folding(Outcome& outcome) {
   const ThrownArms arms(3.0);
   voxel::Physics physics = floating_physics();
   physics.damping_ratios.global = 0.02;
@@ -95,19 +96,19 @@ std::vector<Row> voxel_body_rows() {
   rows.push_back({.name = "robot of one voxel",
                   .done = "it lies on the floor for 2 s",
                   .expected = "sinks by its weight over 2 E L, to 1e-6",
-                  .judge = judge_one_voxel});
+                  .run = run_one_voxel});
   rows.push_back(
       {.name = "full cube of 27",
        .done = "19683 voxels settle under their weight for 0.2 s",
        .expected = "sinks and shortens by the sums of weights over stiffnesses, to 1e-4: what the slowest mode has left",
        .is_slow = true,
-       .judge = judge_full_cube});
+       .run = run_full_cube});
   rows.push_back({.name = "folded robot",
                   .done = "arms of a floating U are thrown at each other with 3 m/s at their tips",
                   .expected =
                       "they touch, and overlap by no more than the kinetic energy can press, sqrt(E0 / (E L)); the U opens "
                       "again; its centre of mass stays; energy to 1 %, what the switch between small and large angles costs",
-                  .judge = judge_folding});
+                  .run = run_folding});
   return rows;
 }
 

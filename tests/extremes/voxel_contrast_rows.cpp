@@ -1,4 +1,4 @@
-// Neighbours that differ by orders of magnitude.
+// Neighbours whose properties differ by orders of magnitude.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace {
 
 using voxel::Simulation;
 
-/// A column that hangs from its top voxel, and how far each beam is stretched: the weights below it by its stiffness.
+/// A column that hangs from its top voxel. The stretch of each beam is the weight below it divided by its stiffness.
 struct HangingColumn {
   std::vector<meshes::Material> materials;
   voxel::Physics physics = still_physics();
@@ -54,16 +54,16 @@ std::vector<Row> voxel_contrast_rows() {
                   .expected =
                       "each beam is stretched by the weight below it over E L, E the harmonic mean, to 1e-4: a stiff beam "
                       "by 3e-12 m, read from positions of 3 cm with seven digits left; the stiffest beam sets the step",
-                  .judge = [](Outcome& outcome) {
+                  .run = [](Outcome& outcome) {
                     HangingColumn hanging{{2, 1, 2, 2}};
-                    hanging.physics.damping_ratios.global = 5e-4;  // half of what lets a stiff voxel creep on soft ones
+                    hanging.physics.damping_ratios.global = 5e-4;  // half of the value at which a stiff voxel creeps on soft ones
                     hanging.physics.materials[1].youngs_modulus_Pa = 1e6 * modulus_Pa;
                     hanging.expect_stretches(outcome, 0.05, 1e-4, 1e-6);
                   }});
   rows.push_back({.name = "mass ratio 1e4",
                   .done = "column of 10 kg/m^3 and 1e5 kg/m^3 voxels hangs under a hundredth of its weight",
                   .expected = "each beam is stretched by the weight below it over E L to 1e-4; the lightest voxel sets the step",
-                  .judge = [](Outcome& outcome) {
+                  .run = [](Outcome& outcome) {
                     HangingColumn hanging{{1, 2, 1, 1}};
                     hanging.physics.damping_ratios.global = 0.05;
                     hanging.physics.materials[1].density_kg_m3 = 1e5;

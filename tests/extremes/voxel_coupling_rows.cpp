@@ -13,10 +13,10 @@ namespace menger::extremes {
 
 namespace {
 
-/// What the middle of a bar answers to forces on its ends.
+/// The response of the middle of a bar to forces on its ends.
 struct Pulled {
-  double contraction = 0.0;  ///< strain across by that along it, positive where it becomes narrower
-  double stiffness = 0.0;    ///< stress by strain along it, by the modulus of the beams
+  double contraction = 0.0;  ///< transverse strain divided by axial strain, positive if the bar becomes narrower
+  double stiffness = 0.0;    ///< axial stress divided by axial strain and by the modulus of the beams
 };
 
 Pulled middle_of(const voxel::Simulation& simulation, int n, int length, double stress_by_modulus) {
@@ -35,10 +35,10 @@ Pulled middle_of(const voxel::Simulation& simulation, int n, int length, double 
   return {(1.0 - width_m / (edge_m * (n - 1))) / strain, stress_by_modulus / strain};
 }
 
-/// Wide bars are longer, and softer: their slowest modes take longer to die away.
+/// Wide bars are longer and softer, so their slowest modes need more time to decay.
 constexpr double settling_s_by_width = 0.015;
 
-/// A bar of n x n voxels, a little more than twice as long, that forces on its ends stretch.
+/// Computes a bar of n x n voxels, slightly more than twice as long as wide, that is stretched by forces on its ends.
 Pulled pulled(Outcome& outcome, double coupling, int n) {
   const int length = 2 * n + 2;
   meshes::Polycube body(n, n, length);
@@ -63,26 +63,26 @@ Pulled pulled(Outcome& outcome, double coupling, int n) {
   return middle_of(simulation, n, length, stress_by_modulus);
 }
 
-/// Bars of some widths, and what is stated of them beforehand, by the answers of finite elements.
+/// Bars of three widths, and the results expected for them relative to finite elements.
 struct Pull {
   double poissons_ratio;
-  int narrowest;                               ///< voxels across; the others are 2 and 4 times as wide
-  double stiffness_tolerance;                  ///< relative, of what the three say about a wide bar
-  double least_stiffness, most_stiffness;      ///< of the widest
-  double least_contraction, most_contraction;  ///< of the widest
+  int narrowest;                               ///< voxels across; the other bars are 2 and 4 times as wide
+  double stiffness_tolerance;                  ///< relative, of the value extrapolated from the three bars to a wide bar
+  double least_stiffness, most_stiffness;      ///< of the widest bar
+  double least_contraction, most_contraction;  ///< of the widest bar
 
   [[nodiscard]] int widest() const { return 4 * narrowest; }
 };
 
-/// Stiffness is too large by a number of voxels a over the width, since the beams on the surface have half the neighbours: a is
-/// 0.3 for nu = 0.3, 6 for 0.49 and 22 for 0.4975. The extrapolation takes out the first two orders in a / n, so that it is good
-/// to less than a thousandth where the narrowest bar is wider than a, and to parts of a tenth where it is not.
+/// The relative error of the stiffness is a / n for n voxels across, because the beams on the surface have half the neighbours: a
+/// is 0.3 for nu = 0.3, 6 for 0.49 and 22 for 0.4975. The extrapolation removes the first two orders in a / n. So its error is
+/// less than a thousandth if the narrowest bar is wider than a voxels, and of the order of a tenth otherwise.
 constexpr std::array pulls{Pull{0.3, 2, 0.001, 1.02, 1.04, 1.04, 1.06}, Pull{0.45, 2, 0.005, 1.15, 1.17, 1.07, 1.09},
                            Pull{0.49, 2, 0.2, 1.79, 1.83, 1.08, 1.10}, Pull{0.49, 4, 0.001, 1.33, 1.35, 1.03, 1.05},
                            Pull{0.4975, 4, 0.05, 2.32, 2.38, 1.04, 1.06}};
 
-/// Forces on the ends leave finite elements homogeneous, so that their answer is nu and Young's modulus.
-void judge_pull(Outcome& outcome, const Pull& pull) {
+/// Under forces on the ends the deformation of finite elements is homogeneous, so their result is exactly nu and Young's modulus.
+void run_pull(Outcome& outcome, const Pull& pull) {
   const double coupling = coupling_of(pull.poissons_ratio);
   const Pulled narrow = pulled(outcome, coupling, pull.narrowest);
   const Pulled middle = pulled(outcome, coupling, 2 * pull.narrowest);
@@ -107,8 +107,8 @@ void judge_pull(Outcome& outcome, const Pull& pull) {
                  "both fall with the width");
 }
 
-/// An undamped cube of 5 x 5 x 5 in which every voxel starts with another velocity.
-void judge_step(Outcome& outcome) {
+/// An undamped cube of 5 x 5 x 5 voxels. Each voxel starts with another velocity.
+void run_step(Outcome& outcome) {
   constexpr int n = 5;
   constexpr double coupling = 0.999;
   const meshes::Polycube body = meshes::full_cube(n);
@@ -160,7 +160,7 @@ std::vector<Row> voxel_coupling_rows() {
                                 shown(wide_bar_stiffness(coupling)) + " of that of the beams, to " +
                                 shown(100.0 * pull.stiffness_tolerance) + " %: what the cube of 1/width leaves",
                     .is_slow = pull.narrowest > 2,
-                    .judge = [pull](Outcome& outcome) { judge_pull(outcome, pull); }});
+                    .run = [pull](Outcome& outcome) { run_pull(outcome, pull); }});
   }
   rows.push_back(
       {.name = "step under lateral coupling of 0.999",
@@ -168,8 +168,8 @@ std::vector<Row> voxel_coupling_rows() {
        .expected = "the step is shorter by sqrt(1 + 2 c), sqrt 3 at most, at one modulus of the beams; for one Young's modulus "
                    "these have to be stiffer, too, at nu = 0.49 by 17.1, and the step is shorter by 7.1; stable: the energy "
                    "stays that of the start but for "
-                   "the oscillation of the scheme, 10 %, and the books close to 1e-5",
-       .judge = judge_step});
+                   "the oscillation of the scheme, 10 %, and the energy balance closes to 1e-5",
+       .run = run_step});
   return rows;
 }
 

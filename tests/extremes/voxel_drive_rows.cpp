@@ -1,4 +1,4 @@
-// Drives at the edge of what a size can be.
+// Drives at the limit of possible sizes.
 
 #include <numbers>
 
@@ -11,8 +11,8 @@ namespace {
 
 constexpr double amplitude = 0.9;
 
-/// A floating bar whose voxels all shrink to a tenth and grow to nearly twice their size.
-void judge_bar(Outcome& outcome, voxel::DampingMode damping) {
+/// A floating bar. All its voxels shrink to a tenth and grow to nearly twice their size.
+void run_bar(Outcome& outcome, voxel::DampingMode damping) {
   voxel::Physics physics = floating_physics();
   physics.actuation.mode = voxel::ActuationMode::in_phase;
   physics.actuation.amplitude = amplitude;
@@ -33,8 +33,9 @@ void judge_bar(Outcome& outcome, voxel::DampingMode damping) {
   expect_energy_error(outcome, simulation, 1e-3);
 }
 
-/// A beam between voxels of one phase, held at L by the others, is stretched by L / s - 1, which passes the limit 1 at s = L / 2.
-void judge_walker(Outcome& outcome) {
+/// A beam between voxels of one phase is held at length L by the other voxels. It is stretched by L / s - 1, which exceeds the
+/// limit 1 at s = L / 2.
+void run_walker(Outcome& outcome) {
   std::vector<double> times_s;
   for (const double fraction : {0.9, 0.3}) {
     voxel::Physics physics;
@@ -61,14 +62,14 @@ std::vector<Row> voxel_drive_rows() {
                     .done = "floating bar of 5 voxels, in phase, sizes from 0.1 to 1.9 L at 5 Hz, default step",
                     .expected = "completed over two periods; at the turning points the bar has its driven length to 2 %, the "
                                 "inertia of a drive at 1/50 of the lowest frequency; the centre of mass stays to rounding",
-                    .judge = [damping](Outcome& outcome) { judge_bar(outcome, damping); }});
+                    .run = [damping](Outcome& outcome) { run_bar(outcome, damping); }});
   }
   rows.push_back({.name = "actuation of 90 percent in antiphase",
                   .done = "a robot of two materials on the floor, driven by 90 %, default step and a third of it",
                   .expected =
                       "diverged by its strain: voxels that others hold at L / s > 2 times their size are out of the range of "
                       "the beam; from s = L / 2 on, before the turn at T/4, at the same time for both steps",
-                  .judge = judge_walker});
+                  .run = run_walker});
   return rows;
 }
 

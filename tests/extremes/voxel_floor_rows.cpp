@@ -1,4 +1,4 @@
-// The floor: friction without bounds, rest without end, positions far from the origin.
+// The floor: very large friction, long rest, and positions far from the origin.
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace menger::extremes {
 
 namespace {
 
-/// One voxel that lies on the floor in equilibrium and starts with a horizontal velocity.
+/// Returns one voxel that is in equilibrium on the floor and starts with a horizontal velocity.
 voxel::Simulation sliding_voxel(double friction, double speed_m_per_s) {
   voxel::Physics physics = still_physics();
   physics.damping_ratios.global = 0.0;
@@ -20,7 +20,7 @@ voxel::Simulation sliding_voxel(double friction, double speed_m_per_s) {
   return {meshes::bar(1), edge_m, physics, loads, with_ledger};
 }
 
-void judge_no_friction(Outcome& outcome) {
+void run_no_friction(Outcome& outcome) {
   constexpr double speed_m_per_s = 0.5;
   voxel::Simulation simulation = sliding_voxel(0.0, speed_m_per_s);
   expect_completed(outcome, simulation, simulation.advance_to(2.0));
@@ -30,7 +30,7 @@ void judge_no_friction(Outcome& outcome) {
 
 constexpr double large_friction = 1e3;
 
-void judge_large_friction(Outcome& outcome) {
+void run_large_friction(Outcome& outcome) {
   constexpr double speed_m_per_s = 3.0;
   voxel::Simulation simulation = sliding_voxel(large_friction, speed_m_per_s);
   expect_completed(outcome, simulation, simulation.advance_to(2.0));
@@ -40,7 +40,7 @@ void judge_large_friction(Outcome& outcome) {
   expect_energy_error(outcome, simulation, 1e-12);
 }
 
-void judge_creep(Outcome& outcome) {
+void run_creep(Outcome& outcome) {
   constexpr double speed_m_per_s = 0.3;
   voxel::Simulation simulation = sliding_voxel(large_friction, speed_m_per_s);
   expect_completed(outcome, simulation, simulation.advance_to(2.0));
@@ -49,8 +49,8 @@ void judge_creep(Outcome& outcome) {
                       0.01);
 }
 
-/// 20 voxels that lie on the floor.
-void judge_rest(Outcome& outcome) {
+/// 20 voxels at rest on the floor.
+void run_rest(Outcome& outcome) {
   voxel::Simulation simulation(meshes::menger_sponge(), edge_m, still_physics());
   expect_completed(outcome, simulation, simulation.advance_to(10.0));
   const std::array<double, 3> settled_m = simulation.centre_of_mass_m();
@@ -76,8 +76,8 @@ std::array<double, 3> walk_m(voxel::NumberType number, double shift_m, io::RunSt
   return {end_m[0] - start_m[0], end_m[1] - start_m[1], end_m[2] - start_m[2]};
 }
 
-/// Against double precision at the origin.
-void judge_shift(Outcome& outcome, voxel::NumberType number, double shift_m, double relative_tolerance) {
+/// Compares with double precision at the origin.
+void run_shift(Outcome& outcome, voxel::NumberType number, double shift_m, double relative_tolerance) {
   io::RunStatus status{};
   const std::array<double, 3> here_m = walk_m(voxel::NumberType::float64, 0.0, status);
   const std::array<double, 3> there_m = walk_m(number, shift_m, status);
@@ -96,38 +96,38 @@ std::vector<Row> voxel_floor_rows() {
   rows.push_back({.name = "friction 0",
                   .done = "a voxel slides for 2 s",
                   .expected = "keeps its speed: v t to 1e-12, rounding of 44000 steps",
-                  .judge = judge_no_friction});
+                  .run = run_no_friction});
   rows.push_back({.name = "friction 1e3",
                   .done = "a voxel slides at 3 m/s, for 2 s; friction takes mu g h = 0.44 m/s per step",
                   .expected = "stops for good within v^2 / (2 mu g) and one step, and never turns back",
-                  .judge = judge_large_friction});
+                  .run = run_large_friction});
   rows.push_back({.name = "friction 1e3 on a slow voxel",
                   .done = "a voxel slides at 0.3 m/s, slower than mu g h, for 2 s",
                   .expected =
-                      "a limit of the model: its rule stops a voxel only by the work of friction along its way, and a step "
+                      "a limit of the model: its rule stops a voxel only by the work of friction along its path, and a step "
                       "that turns the voxel round does no such work; it creeps on at v - mu g h / 2, to 1 %. A step below "
                       "v / (mu g) avoids it",
-                  .judge = judge_creep});
+                  .run = run_creep});
   rows.push_back({.name = "rest of 1000 s",
                   .done = "a Menger sponge lies on the floor for 2e7 steps",
                   .expected = "no drift: 10 s and 1000 s are the same to 1e-12 m, a ten-billionth of a voxel",
                   .is_slow = true,
-                  .judge = judge_rest});
+                  .run = run_rest});
   rows.push_back(
       {.name = "origin shifted by 1 km in double",
        .done = "a driven robot walks for 1 s",
        .expected = "the walk from the origin to 1e-4: positions keep 1e-13 m, and friction, the only switch, amplifies that",
-       .judge = [](Outcome& outcome) { judge_shift(outcome, voxel::NumberType::float64, 1000.0, 1e-4); }});
+       .run = [](Outcome& outcome) { run_shift(outcome, voxel::NumberType::float64, 1000.0, 1e-4); }});
   rows.push_back({.name = "origin in float",
                   .done = "a driven robot walks for 1 s in single precision, from the origin",
                   .expected = "the walk in double to 1 %",
-                  .judge = [](Outcome& outcome) { judge_shift(outcome, voxel::NumberType::float32, 0.0, 0.01); }});
+                  .run = [](Outcome& outcome) { run_shift(outcome, voxel::NumberType::float32, 0.0, 0.01); }});
   rows.push_back({.name = "origin shifted by 1 km in float",
                   .done = "a driven robot walks for 1 s in single precision, 1 km away",
                   .expected =
                       "the walk in double from the origin to 1 %, as from there: positions are kept from a point near the "
                       "robot; from the origin they would have 6e-5 m, 0.6 % of an edge and as much noise of strain",
-                  .judge = [](Outcome& outcome) { judge_shift(outcome, voxel::NumberType::float32, 1000.0, 0.01); }});
+                  .run = [](Outcome& outcome) { run_shift(outcome, voxel::NumberType::float32, 1000.0, 0.01); }});
   return rows;
 }
 

@@ -24,8 +24,8 @@ voxel::Physics floating_physics() {
 }
 
 void expect_energy_error(Outcome& outcome, const voxel::Simulation& simulation, double bound) {
-  if (const auto& books = simulation.energy()) {
-    outcome.expect_energy_error(books->residual_J() / books->largest_energy_J, bound);
+  if (const auto& energies = simulation.energy()) {
+    outcome.expect_energy_error(energies->residual_J() / energies->largest_energy_J, bound);
   } else {
     outcome.expect(false, "no energy balance");
   }

@@ -17,35 +17,36 @@ inline constexpr double mass_kg = 10.0 * edge_m * edge_m * edge_m;
 inline constexpr double stiffness_N_per_m = modulus_Pa * edge_m;
 inline constexpr double gravity_m_per_s2 = 9.80665;
 
-/// A body that nothing drives, on the floor, without collisions.
+/// Returns the physics of a body without a drive, on the floor, without collisions.
 voxel::Physics still_physics();
 
-/// The same without floor, gravity and damping against the world.
+/// Returns the same physics without floor, gravity and damping against the world.
 voxel::Physics floating_physics();
 
-/// Keeps the energy balance.
+/// Options with which a run computes its energy balance.
 inline constexpr voxel::KernelOptions with_ledger{.energy_ledger = true};
 
-/// Hands in the energy that the books of a run do not explain, by its largest energy.
+/// Checks the error of the energy balance of a run, divided by its largest energy.
 void expect_energy_error(Outcome& outcome, const voxel::Simulation& simulation, double bound);
 
-/// `completed`, or how it diverged.
+/// Expects the status `completed`; otherwise the outcome says how the run diverged.
 void expect_completed(Outcome& outcome, const voxel::Simulation& simulation, io::RunStatus status);
 
-/// A column of cells of two materials, from the bottom.
+/// Returns a column of cells of two materials, listed from the bottom.
 meshes::Polycube column(const std::vector<meshes::Material>& materials);
 
-/// A basal body of two materials, lopsided.
+/// Returns an unsymmetric basal body of two materials.
 meshes::Polycube walker();
 
-/// Lateral coupling c of a Poisson's ratio: nu = c / (1 + c) in a wide body.
+/// Returns the lateral coupling c for a Poisson's ratio: nu = c / (1 + c) in a wide body.
 double coupling_of(double poissons_ratio);
 
-/// Stress by strain of a wide bar free to contract, by the modulus E of its beams: the continuum with lambda = c E and
-/// lambda + 2 mu = E, (1 - c)(1 + 2 c) / (1 + c).
+/// Returns the stress divided by the strain of a wide bar that is free to contract, and by the modulus E of its beams: (1 - c)(1
+/// + 2 c) / (1 + c). This is the continuum with lambda = c E and lambda + 2 mu = E.
 double wide_bar_stiffness(double coupling);
 
-/// What bars of three widths, each twice the one before, have without their errors in 1/width and its square.
+/// Returns the value extrapolated from bars of three widths, each twice the one before. The errors in 1/width and its square are
+/// removed.
 double extrapolated(double narrow, double middle, double wide);
 
 std::vector<Row> voxel_contrast_rows();

@@ -1,4 +1,4 @@
-// A solid of a Poisson's ratio near a half as the surrogate bears it, against finite elements.
+// A solid with a Poisson's ratio near one half: the surrogate compared with finite elements.
 
 #include <cmath>
 #include <string>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr int bar_cells = 3;
 
-/// Beams that are, many of them side by side, the isotropic solid: E = lambda + 2 mu along them, lambda = c E, and a modulus of
-/// bending of 2 mu, since a lattice of beams whose nodes turn freely has half of that as shear modulus.
+/// Returns parameters of beams of which many side by side form the isotropic solid: E = lambda + 2 mu along them, and lambda = c
+/// E. The modulus of bending is 2 mu, because a lattice of beams whose nodes rotate freely has half of it as shear modulus.
 voxel::SurrogateParameters solid_parameters(double poissons_ratio, int voxels_across) {
   const double coupling = coupling_of(poissons_ratio);
   const double beam_Pa = modulus_Pa / wide_bar_stiffness(coupling);
@@ -33,7 +33,7 @@ voxel::SurrogateParameters solid_parameters(double poissons_ratio, int voxels_ac
   return parameters;
 }
 
-/// Mean width of the middle section across y, m.
+/// Returns the mean width of the middle section across y, m.
 double middle_width_m(const voxel::Equilibrium& equilibrium, int n) {
   const voxel::BodyShape shape(equilibrium);
   const int length = n * bar_cells;
@@ -50,7 +50,7 @@ double middle_width_m(const voxel::Equilibrium& equilibrium, int n) {
   return sum_m / (2 * n);
 }
 
-/// An even number of voxels across.
+/// Computes the bar with the surrogate. The number of voxels across is even.
 SolidBar surrogate_bar(Outcome& outcome, double poissons_ratio, int voxels_across) {
   const double pull_m = solid_bar_strain * bar_cells * edge_m;
   const meshes::LoadCase load_case{.name = "bar",
@@ -73,15 +73,15 @@ SolidBar surrogate_bar(Outcome& outcome, double poissons_ratio, int voxels_acros
   return found;
 }
 
-/// What the surrogate and finite elements differ by, stated beforehand.
+/// The expected difference between the surrogate and finite elements.
 struct Disagreement {
-  std::size_t bar;            ///< of solid_bars
-  double least, most;         ///< stiffness of the bar of 8 voxels across, by that of finite elements
-  double wide_stiffness_off;  ///< of the wide bar, relative
+  std::size_t bar;            ///< index in solid_bars
+  double least, most;         ///< stiffness of the bar of 8 voxels across, divided by that of finite elements
+  double wide_stiffness_off;  ///< relative, of the wide bar
   double wide_contraction_off;
 };
 
-void judge_bar(Outcome& outcome, const Disagreement& stated) {
+void run_bar(Outcome& outcome, const Disagreement& stated) {
   const SolidBar& exact = solid_bars[stated.bar];
   const auto narrow = surrogate_bar(outcome, exact.poissons_ratio, 2);
   const auto middle = surrogate_bar(outcome, exact.poissons_ratio, 4);
@@ -117,7 +117,7 @@ std::vector<Row> voxel_solid_bar_rows() {
                      shown(exact.stiffness) + " E A strain, to " + shown(100.0 * stated.wide_stiffness_off) +
                      " %, and their contraction, " + shown(exact.contraction) + ", to " +
                      shown(100.0 * stated.wide_contraction_off) + " %",
-         .judge = [stated](Outcome& outcome) { judge_bar(outcome, stated); }});
+         .run = [stated](Outcome& outcome) { run_bar(outcome, stated); }});
   }
   return rows;
 }

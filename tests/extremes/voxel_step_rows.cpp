@@ -1,4 +1,4 @@
-// Steps below and above the limit of stability.
+// Time steps below and above the limit of stability.
 
 #include <algorithm>
 #include <cstdint>
@@ -13,8 +13,9 @@ namespace {
 
 constexpr double start_speed_m_per_s = 1e-6;
 
-/// Two undamped voxels in their fastest mode, in which they shear their beam: omega^2 = 5 E L / m, two of it from the masses and
-/// three from the inertias m L^2 / 6. The scheme is stable for omega h < 2; the recommended step is sqrt(m / (E L)) / (2 pi).
+/// Two undamped voxels in their fastest mode, which shears their beam: omega^2 = 5 E L / m. Two fifths of it come from the masses
+/// and three fifths from the inertias m L^2 / 6. The scheme is stable for omega h < 2; the recommended step is sqrt(m / (E L)) /
+/// (2 pi).
 const double limit_fraction = 4.0 * std::numbers::pi / std::sqrt(5.0);
 
 voxel::Simulation shearing_pair(double part_of_limit) {
@@ -28,8 +29,8 @@ voxel::Simulation shearing_pair(double part_of_limit) {
   return {meshes::bar(2), edge_m, physics, loads, with_ledger};
 }
 
-/// Below the limit the scheme gives h v sin(n phi) / sin(phi) after n steps, with cos(phi) = 1 - (omega h)^2 / 2.
-void judge_stable_step(Outcome& outcome, double part_of_limit) {
+/// Below the limit the scheme gives the amplitude h v sin(n phi) / sin(phi) after n steps, with cos(phi) = 1 - (omega h)^2 / 2.
+void run_stable_step(Outcome& outcome, double part_of_limit) {
   voxel::Simulation simulation = shearing_pair(part_of_limit);
   double largest_m = 0.0;
   double exact_m = 0.0;
@@ -45,8 +46,8 @@ void judge_stable_step(Outcome& outcome, double part_of_limit) {
   expect_energy_error(outcome, simulation, 1e-6);
 }
 
-/// Above it the amplitude grows by exp(2 acosh(h / limit)) per step.
-void judge_unstable_step(Outcome& outcome, double part_of_limit) {
+/// Above the limit the amplitude grows by exp(2 acosh(h / limit)) per step.
+void run_unstable_step(Outcome& outcome, double part_of_limit) {
   voxel::Simulation simulation = shearing_pair(part_of_limit);
   const auto budget = static_cast<std::uint64_t>(std::ceil(40.0 / (2.0 * std::acosh(part_of_limit)))) + 20;
   const io::RunStatus status = simulation.advance(budget);
@@ -55,8 +56,9 @@ void judge_unstable_step(Outcome& outcome, double part_of_limit) {
   outcome.expect_at_most("after steps", static_cast<double>(simulation.steps()), static_cast<double>(budget));
 }
 
-/// The largest fraction of the recommended step at which a driven, damped sponge on the floor does not diverge within 0.1 s.
-void judge_sponge(Outcome& outcome) {
+/// Searches for the largest fraction of the recommended step at which a driven, damped sponge on the floor does not diverge
+/// within 0.1 s.
+void run_sponge(Outcome& outcome) {
   const auto holds = [](double fraction) {
     voxel::Physics physics;
     physics.integration.time_step_fraction = fraction;
@@ -84,7 +86,7 @@ std::vector<Row> voxel_step_rows() {
                     .expected =
                         "the largest h v sin(n phi) / sin(phi), cos(phi) = 1 - (omega h)^2 / 2, which the scheme gives in closed "
                         "form, to 1e-5: digits that 20000 steps leave",
-                    .judge = [part](Outcome& outcome) { judge_stable_step(outcome, part); }});
+                    .run = [part](Outcome& outcome) { run_stable_step(outcome, part); }});
   }
   for (const double part : {1.01, 1.2, 1.5, 2.0}) {
     rows.push_back({.name = "step at " + shown(part) + " of the limit",
@@ -92,13 +94,13 @@ std::vector<Row> voxel_step_rows() {
                     .expected =
                         "diverged within 20 + 20 / acosh(h / limit) steps: the amplitude grows by exp(2 acosh(h / limit)) "
                         "per step, and e^40 passes every limit",
-                    .judge = [part](Outcome& outcome) { judge_unstable_step(outcome, part); }});
+                    .run = [part](Outcome& outcome) { run_unstable_step(outcome, part); }});
   }
   rows.push_back({.name = "step of a driven sponge",
                   .done = "bisection of the step for a Menger sponge with default physics, 0.1 s each",
                   .expected = "holds at 0.9 of the recommended step, diverges at 5.6, where two undamped voxels do; the limit "
                               "lies above the recommended step",
-                  .judge = judge_sponge});
+                  .run = run_sponge});
   return rows;
 }
 

@@ -75,7 +75,7 @@ class CalibrateProgram : public testing::Test {
     meshes::write_response_curve(folder_ / "curves", curve);
   }
 
-  /// The exit code; what it printed goes to the files out and err.
+  /// Runs the program and returns its exit code. Its output goes to the files out and err.
   [[nodiscard]] int run(const std::string& arguments) const {
     const std::string command =
         "cd '" + folder_.path().string() + "' && '" MENGER_PROGRAM_DIR "/menger-calibrate' " + arguments + " >out 2>err";
@@ -100,7 +100,7 @@ class CalibrateProgram : public testing::Test {
 TEST_F(CalibrateProgram, FindsTheParametersThatMadeTheCurves) {
   ASSERT_EQ(run("study.toml -o fit --no-pictures"), 0) << text("err");
   const voxel::SurrogateParameters found = voxel::read_surrogate(folder_ / "fit/parameters.toml");
-  // without noise; the solver ends where a step changes chi2 by less than 1e-9 of what it was at the start
+  // without noise; the solver ends when a step changes chi2 by less than 1e-9 of its initial value
   for (std::size_t c = 0; c < voxel::wall_class_count; ++c) {
     EXPECT_NEAR(found.axial_Pa[c], 150e3, 150.0);
     EXPECT_NEAR(found.bending_Pa[c], 230e3, 230.0);
@@ -131,7 +131,7 @@ TEST_F(CalibrateProgram, FindsTheParametersThatMadeTheCurves) {
   EXPECT_EQ(residuals.columns(),
             (std::vector<std::string>{"case", "kind", "body", "ordinate", "rms", "worst", "unit", "relative"}));
   for (std::size_t row = 0; row < residuals.row_count(); ++row) EXPECT_LT(residuals.number(row, "relative"), 1e-3);
-  for (const char* name : {"parameters.csv", "correlation.csv", "answers.csv", "manifest.json"})
+  for (const char* name : {"parameters.csv", "correlation.csv", "responses.csv", "manifest.json"})
     EXPECT_TRUE(fs::exists(folder_ / "fit" / name)) << name;
 }
 
@@ -157,7 +157,7 @@ TEST_F(CalibrateProgram, TestsItsIntervals) {
 }
 
 TEST_F(CalibrateProgram, TakesOtherCurvesAndComparesAFrequencyResponse) {
-  // 1 Hz is far below any natural frequency: three cells that extend, and the middle of the end wall
+  // 1 Hz is far below any natural frequency: the gain is that of three cells that extend, and of the middle of the end wall
   const double gain = 0.03 * 3e-6 + 0.01 * 2.0 * 5e-7;
   io::write_whole(folder_ / "response.csv", "frequency_Hz,gain_m_per_Pa\n1," + std::to_string(1e6 * gain) + "e-6\n");
   io::write_whole(folder_ / "study.toml",
@@ -178,12 +178,12 @@ TEST_F(CalibrateProgram, ReadsTheFrequencyResponseBeforeItFitsAndSaysWhatIsUnans
   EXPECT_EQ(run("study.toml -o fit --no-pictures"), 2);
   EXPECT_NE(text("err").find("gain_m_per_Pa"), std::string::npos) << text("err");
   EXPECT_FALSE(fs::exists(folder_ / "fit"));
-  // beyond what the laws know there is no equilibrium to vibrate about
+  // outside of the range of the laws there is no equilibrium to vibrate about
   io::write_whole(folder_ / "response.csv", "frequency_Hz,gain_m_per_Pa\n1,1e-7\n2,1e-7\n");
   io::write_whole(folder_ / "study.toml", with_response + "pressure_Pa = 1e9\n");
   EXPECT_EQ(run("study.toml -o fit --no-pictures"), 0) << text("err");
-  EXPECT_NE(text("out").find("frequency response: unanswered at 2 of 2 frequencies"), std::string::npos) << text("out");
-  EXPECT_EQ(text("out").find("off by"), std::string::npos) << text("out");
+  EXPECT_NE(text("out").find("frequency response: not computed at 2 of 2 frequencies"), std::string::npos) << text("out");
+  EXPECT_EQ(text("out").find("largest error"), std::string::npos) << text("out");
 }
 
 TEST_F(CalibrateProgram, LeavesNoResultOfAnEarlierRun) {
@@ -231,7 +231,7 @@ TEST_F(CalibrateProgram, LeavesWithTwoAndAMessageOnBadInput) {
     std::string text = study_text;
     return text.replace(text.find(from), from.size(), to);
   };
-  refuse(std::string("cases = [\"bar_stretch\", \"bar_sag\", \"cube\"]\n") + study_text, "no curve is there for bar_sag, cube");
+  refuse(std::string("cases = [\"bar_stretch\", \"bar_sag\", \"cube\"]\n") + study_text, "there is no curve for bar_sag, cube");
   refuse(with("Dragon Skin 10", "Ecoflex 00-30"), "silicone = \"Dragon Skin 10\": the study is for \"Ecoflex 00-30\"");
   refuse(with("cell_edge_m = 0.01", "cell_edge_m = 0.02"), "cell_edge_m = 0.01: the study is for 0.02");
   refuse(with("wall_thickness_m = 0.002", "wall_thickness_m = 0.001"), "wall_thickness_m = 0.002: the study is for 0.001");
@@ -239,13 +239,13 @@ TEST_F(CalibrateProgram, LeavesWithTwoAndAMessageOnBadInput) {
   refuse(with("[\"curves\"]", "[\"absent\"]"), "absent");
   refuse(with("[\"curves\"]", "[]"), "at least one");
   refuse(with("\"uniform\"", "\"coarse\""), "must be \"uniform\" | \"stiffness\"");
-  refuse(std::string(study_text) + "choice = \"lateral\"\n", "is none of the details");
+  refuse(std::string(study_text) + "choice = \"lateral\"\n", "must be one of the details");
   refuse(std::string(study_text) + "[bounds]\naxial_Pa = [2, 1]\n", "the first must be smaller");
   refuse(std::string(study_text) + "[bounds]\naxial_Pa = [-1, 1]\n", "axial_Pa");
   refuse(std::string(study_text) + "[bounds]\naxial_kPa = [1, 2]\n", "axial_kPa");
   refuse(std::string(study_text) + "[frequency_response]\nfile = \"study.toml\"\ncells = [3, 3, 1]\ndigits = \"111111111\"\n" +
              "level = 3\n",
-         "frequency_response.level = 3: makes 729 voxels; frequency responses are found for up to 500");
+         "frequency_response.level = 3: makes 729 voxels; frequency responses are computed for at most 500");
   refuse(std::string("record = \"record.toml\"\n") + study_text, "is called silicone now");
   refuse(std::string(study_text) + "[weights]\nstretch = 0\n", "weights.stretch = 0");
 

@@ -47,7 +47,7 @@ class Evolve : public testing::Test {
   }
   [[nodiscard]] Outcome run(std::vector<std::string> arguments) const { return start(std::move(arguments)).wait(); }
 
-  /// The program refuses with these words and leaves the archive as it was.
+  /// Expects that the program refuses with these words and leaves the archive as it was.
   void expect_refused(const std::vector<std::string>& arguments, const std::vector<std::string>& words) const {
     const bool there = fs::exists(archive_);
     const std::string before = there ? io::read_whole(archive_) : "";
@@ -97,8 +97,8 @@ TEST_F(Evolve, OfACalibratedStudyBelongsToItsParameters) {
                               "[drive]\npressure_Pa = [0, 1500]\nmode = \"in_phase\"\n");
   const Outcome outcome = run({"study.toml"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* words :
-       {"evaluations left the range of validity", "The champion left the range of validity of its model: level 1: "})
+  for (const char* words : {"evaluations were outside the range of validity",
+                            "The champion is outside the range of validity of its model: level 1: "})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
   const std::string hash = io::content_hash(io::read_whole(folder_ / "soft.toml"));
   EXPECT_NE(io::read_whole(folder_ / "run.manifest.json").find(hash), std::string::npos) << "names the parameters' content";
@@ -126,7 +126,7 @@ TEST_F(Evolve, MoreGenerationsContinueTheRun) {
   ASSERT_EQ(run({"study.toml"}).code, 0);
   const Outcome outcome = run({"study.toml", "--generations", "3", "--threads", "1"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("going on with"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("resuming "), std::string::npos) << outcome.out;
   ASSERT_EQ(run({"study.toml", "-g", "3", "-o", "straight.sqlite"}).code, 0);
   EXPECT_EQ(archive_content(archive_), archive_content(folder_ / "straight.sqlite"));
 }
@@ -137,7 +137,7 @@ TEST_F(Evolve, InterruptedItEndsCleanlyAndGoesOnLater) {
   running.send(SIGINT);
   const Outcome stopped = running.wait();
   EXPECT_EQ(stopped.code, 130) << stopped.err;
-  EXPECT_NE(stopped.out.find("The same command goes on from there"), std::string::npos) << stopped.out;
+  EXPECT_NE(stopped.out.find("Run the same command again to resume."), std::string::npos) << stopped.out;
   EXPECT_TRUE(fs::exists(folder_ / "run.manifest.json"));
 
   const int last = evolution::RunArchive::open_to_read(archive_).last_generation().value();
@@ -190,7 +190,7 @@ TEST_F(Evolve, RefusesAnArchiveOfAnotherSchemaVersion) {
 TEST_F(Evolve, RefusesToGoOnWithAnArchiveFromBeforeKeysHadTheirNames) {
   ASSERT_EQ(run({"study.toml"}).code, 0);
   tests::make_earlier(archive_, tests::demo_study_of_version_3);
-  expect_refused({"study.toml"}, {"run.sqlite", "schema version 3", "a search cannot go on with it"});
+  expect_refused({"study.toml"}, {"run.sqlite", "schema version 3", "no search can be resumed from it"});
 }
 
 TEST_F(Evolve, RunsItsOwnTemplate) {

@@ -48,7 +48,7 @@ class Export : public testing::Test {
     return run("menger-export", arguments);
   }
 
-  /// Every file under a folder but the manifest, which holds times.
+  /// Returns the content of every file under a folder, except the manifest, which has times.
   [[nodiscard]] std::map<std::string, std::string> contents(const std::string& folder) const {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder_ / folder)) {
@@ -80,7 +80,7 @@ TEST_F(Export, WritesTablesDesignAndSimulationsOfTheChampion) {
   const auto id = static_cast<std::uint64_t>(generations.number(3, "champion"));
   const evolution::Individual champion = archive.individual(id);
   EXPECT_EQ(meshes::read_design(folder_ / "out/champion.toml").body, champion.phenotype.body);
-  // The fitness is the least displacement, and the simulation reproduces the one that the search made.
+  // The fitness is the least displacement, and the simulation reproduces that of the search.
   const double first = generations.number(3, "level_1_displacement_body_lengths");
   const double second = generations.number(3, "level_2_displacement_body_lengths");
   EXPECT_EQ(generations.number(3, "best_fitness_body_lengths"), std::min(first, second));
@@ -117,7 +117,7 @@ TEST_F(Export, HoldsTheChecksOfTheTimeStep) {
                   "[time]\nduration_s = 0.05\n[check_dt]\nevery = 2\n");
   const Outcome search = run("menger-evolve", {"study.toml", "-o", "run.sqlite"});
   ASSERT_EQ(search.code, 0) << search.err;
-  for (const char* line : {"half the time step, generation 0, individual ", "half the time step, generation 2, individual "})
+  for (const char* line : {"time step check, generation 0, individual ", "time step check, generation 2, individual "})
     EXPECT_NE(search.out.find(line), std::string::npos) << search.out;
   ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
   const io::CsvContents checks = io::read_csv(folder_ / "out/check_dt.csv");
@@ -201,7 +201,7 @@ TEST_F(Export, ASecondCallShowsInsteadOfRedoing) {
   EXPECT_EQ(fs::last_write_time(folder_ / "out/level_1/trajectory.csv"), written);
   EXPECT_EQ(contents("out"), before);
   EXPECT_NE(second.out.find("already"), std::string::npos) << second.out;
-  // The same table, and what is missing is made again.
+  // The table is the same, and missing files are made again.
   EXPECT_NE(second.out.find(first.out.substr(first.out.find("level "), 200)), std::string::npos) << second.out;
   fs::remove(folder_ / "out/level_2/result.toml");
   ASSERT_EQ(export_run("run.sqlite", "out").code, 0);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// The program in a folder of its own.
 class FitProgram : public testing::Test {
  protected:
-  /// The exit code; what it printed goes to the files out and err.
+  /// Runs the program and returns its exit code. Its output goes to the files out and err.
   [[nodiscard]] int run(const std::string& arguments) const {
     const std::string command =
         "cd '" + folder_.path().string() + "' && '" MENGER_PROGRAM_DIR "/menger-fit' " + arguments + " >out 2>err";
@@ -31,7 +31,7 @@ class FitProgram : public testing::Test {
 
   [[nodiscard]] std::string text(const char* name) const { return io::read_whole(folder_ / name); }
 
-  /// A test of an Ogden body with every tenth stress 100 Pa too high.
+  /// Writes a tensile test of an Ogden body in which every tenth stress is too high by 100 Pa.
   void write_test(double offset_Pa = 0.0) const {
     const materials::Ogden<1> law{{materials::OgdenTerm{25e3, 3.25}}};
     std::string csv = "strain,stress_kPa\n";

@@ -38,7 +38,7 @@ class InflateProgram : public testing::Test {
  protected:
   InflateProgram() { io::write_whole(folder_ / "cube_design.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n"); }
 
-  /// Writes a study. @param path the table [path] @param more further tables
+  /// Writes a study. @param path content of the table [path] @param more further tables
   void write_study(const std::string& path, const std::string& more = "", int degree = 1) const {
     io::write_whole(folder_ / "study.toml",
                     "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.004\n"
@@ -51,7 +51,7 @@ class InflateProgram : public testing::Test {
     return ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-inflate", std::move(arguments)).wait();
   }
 
-  /// The same with two ranks.
+  /// Starts the program with two ranks.
   [[nodiscard]] ProgramRun start_parallel(std::vector<std::string> arguments) const {
     return test_support::start_two_processes(folder_, MENGER_PROGRAM_DIR "/menger-inflate", std::move(arguments));
   }
@@ -62,7 +62,7 @@ class InflateProgram : public testing::Test {
 
   [[nodiscard]] io::CsvContents curves(const std::string& output) const { return io::read_csv(folder_ / output / "curves.csv"); }
 
-  /// curves.csv but for its last column, which is wall time.
+  /// Returns curves.csv without its last column, which is wall time.
   [[nodiscard]] std::string curves_without_seconds(const std::string& output) const {
     std::string text;
     std::istringstream lines(io::read_whole(folder_ / output / "curves.csv"));
@@ -104,7 +104,7 @@ TEST_F(InflateProgram, WorkOfThePressureIsTheEnergyStored) {
   ASSERT_EQ(run({"study.toml", "-o", "out"}).code, 0);
   const io::CsvContents table = curves("out");
   const double energy_J = last(table, "strain_energy_J");
-  // the work is summed by trapezoids over 50 steps: an error of 1/50^2, times the curvature of p(V), which is below 1 here
+  // the work is a sum of trapezoids over 50 steps: its error is 1/50^2 times the curvature of p(V), which is below 1 here
   EXPECT_NEAR(last(table, "work_J"), energy_J, 4e-4 * energy_J);
 }
 
@@ -121,7 +121,7 @@ TEST_F(InflateProgram, FieldsAgreeWithTheCurves) {
   reader->SetFileName((folder_ / "out/fields" / ("step_" + number + ".vtu")).c_str());
   reader->Update();
   vtkUnstructuredGrid& grid = *reader->GetOutput();
-  // a corner of the body is a node: the middle of its top is not with five elements on a side
+  // a corner of the body is a node; with five elements along a side the middle of its top is not
   const vtkIdType node = grid.FindPoint(0.02, 0.02, 0.02);
   ASSERT_GE(node, 0);
   EXPECT_GT(grid.GetPointData()->GetArray("displacement_m")->GetComponent(node, 2), 0.0);
@@ -130,7 +130,7 @@ TEST_F(InflateProgram, FieldsAgreeWithTheCurves) {
     if (grid.GetPoint(n)[2] == 0.02)
       highest = std::max(highest, grid.GetPointData()->GetArray("displacement_m")->GetComponent(n, 2));
   }
-  // with five elements on a side the middle of the top lies between the four nodes that move most, all alike
+  // with five elements along a side the middle of the top is between the four nodes that move most, all equally
   EXPECT_NEAR(last(table, "top_centre_displacement_z_m"), highest, 1e-6 * highest);
 }
 
@@ -142,7 +142,7 @@ TEST_F(InflateProgram, EndedStudyIsShownAndNotComputedAgain) {
   const bool draws = has("out/chamber.png");
   const Outcome again = run({"study.toml", "-o", "out", "--no-pictures"});
   EXPECT_EQ(again.code, 0);
-  EXPECT_NE(again.out.find("taken up"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("resumed"), std::string::npos) << again.out;
   EXPECT_EQ(io::read_whole(folder_ / "out/curves.csv"), before) << "wall times included";
   EXPECT_EQ(io::read_whole(folder_ / "out/fields.pvd"), collection);
   EXPECT_EQ(has("out/chamber.png"), draws) << "pictures of the path stay where none are wanted anew";
@@ -192,7 +192,7 @@ TEST_F(InflateProgram, TwoRanksGiveTheSameAnswer) {
   ASSERT_EQ(one.row_count(), two.row_count());
   for (const char* column : {"plenum_0_volume_m3", "top_centre_displacement_z_m", "side_centre_displacement_x_m",
                              "top_centre_largest_stretch", "strain_energy_J"}) {
-    // the equilibria agree to the force tolerance of 1e-7, which Newton's last step leaves far behind
+    // the equilibria agree to the force tolerance of 1e-7; Newton's last step is much more exact
     EXPECT_NEAR(last(two, column), last(one, column), 1e-7 * std::abs(last(one, column))) << column;
   }
   std::string number = std::to_string(two.row_count() - 1);
@@ -205,7 +205,7 @@ TEST_F(InflateProgram, TwoRanksGiveTheSameAnswer) {
   test_support::expect_opens_in_paraview(folder_ / "two");
 }
 
-// mpirun takes some seconds to pass Ctrl-C on, and leaves with a code of its own: a path of ten thousand steps is long enough.
+// mpirun needs some seconds to pass Ctrl-C on, and ends with its own exit code. A path of ten thousand steps is long enough.
 TEST_F(InflateProgram, StopsOnTwoRanks) {
   write_study("pressure_Pa = [0, 3000, 0]\nlargest_step = 0.0002\nfirst_step = 0.0002",
               "[output]\nfields = false\npictures = false\n");
@@ -264,7 +264,7 @@ TEST_F(InflateProgram, WarnsOfLawsOutsideTheirRangeAndRefusesWithStrict) {
   EXPECT_NE(reason.find("centre\" reaches 1.2"), std::string::npos) << reason;
   EXPECT_NE(reason.find("largest_stretch = 1.2"), std::string::npos) << reason;
 
-  // a path that has ended is judged alike, and stays as it ended
+  // a path that has ended is treated in the same way, and stays as it is
   ASSERT_EQ(run({"far.toml", "-o", "ended"}).code, 0);
   EXPECT_EQ(run({"far.toml", "-o", "ended", "--strict"}).code, 3);
   EXPECT_EQ(io::read_toml(folder_ / "ended/result.toml").text("reason"), reason);
@@ -281,7 +281,7 @@ TEST_F(InflateProgram, SymmetricBodyDoesNotTurnWithoutANodeInItsMiddle) {
   const io::CsvContents table = curves("out");
   const double moved_m = std::abs(last(table, "left_displacement_z_m"));
   ASSERT_GT(moved_m, 0.0);
-  // images of one another: they differ by what the force tolerance of 1e-7 leaves, over a lever five times that of the supports
+  // the sides are mirror images: they differ by the force tolerance of 1e-7, over a lever five times that of the supports
   EXPECT_NEAR(last(table, "left_displacement_y_m"), last(table, "right_displacement_y_m"), 1e-5 * moved_m);
 }
 

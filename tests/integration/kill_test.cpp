@@ -29,14 +29,14 @@ class KilledSearch : public testing::TestWithParam<int> {
   }
 
   [[nodiscard]] Outcome run(const std::string& archive, std::size_t fatal_commit, std::size_t fatal_evaluation,
-                            const std::string& judging = "none") const {
+                            const std::string& reference = "none") const {
     const auto text = [](auto number) { return std::to_string(number); };
     return ProgramRun(folder_, MENGER_SEARCH_CHILD,
-                      {archive, text(GetParam()), text(fatal_commit), text(fatal_evaluation), judging})
+                      {archive, text(GetParam()), text(fatal_commit), text(fatal_evaluation), reference})
         .wait();
   }
 
-  /// What the killed process left.
+  /// Returns the last finished generation in the archive that the killed process left.
   [[nodiscard]] std::optional<int> finished_generation(const std::string& archive) const {
     return evolution::RunArchive::open_to_read(folder_ / archive).last_generation();
   }
@@ -55,7 +55,7 @@ TEST_P(KilledSearch, GoesOnToTheSameArchiveAfterEveryCommit) {
     ASSERT_LT(finished_generation(archive).value_or(-1), last_generation) << "no work remained";
     const Outcome resumed = run(archive, 0, 0);
     ASSERT_EQ(resumed.code, 0) << resumed.err;
-    // What was committed is not done again: the two processes together commit as often as the whole run.
+    // Committed evaluations are not repeated: both processes together commit as often as a whole run.
     EXPECT_EQ(std::stoul(resumed.out), commits_ - commit);
     EXPECT_EQ(archive_content(folder_ / archive), expected_) << "after commit " << commit;
   }
@@ -69,7 +69,7 @@ TEST_P(KilledSearch, LosesOnlyTheEvaluationsUnderWay) {
     ASSERT_EQ(killed.signal, SIGKILL) << killed.err;
     const Outcome resumed = run(archive, 0, 0);
     ASSERT_EQ(resumed.code, 0) << resumed.err;
-    // Of the evaluations begun before this one, all but one per other thread were committed.
+    // Of the evaluations that began before this one, at most one per other thread was not committed.
     EXPECT_LE(std::stoul(resumed.out), commits_ - (evaluation - 1) + (threads - 1));
     EXPECT_EQ(archive_content(folder_ / archive), expected_) << "in evaluation " << evaluation;
   }
@@ -87,10 +87,10 @@ TEST_P(KilledSearch, SurvivesBeingKilledAgainAndAgain) {
   EXPECT_EQ(archive_content(folder_ / "again.sqlite"), expected_);
 }
 
-TEST_P(KilledSearch, WithAJudgeGoesOnToTheSameArchiveAfterEveryCommitAndOutOfEveryRound) {
-  const Outcome whole = run("judged.sqlite", 0, 0, "0");
+TEST_P(KilledSearch, WithAReferenceGoesOnToTheSameArchiveAfterEveryCommitAndOutOfEveryRound) {
+  const Outcome whole = run("evaluated.sqlite", 0, 0, "0");
   ASSERT_EQ(whole.code, 0) << whole.err;
-  const std::string expected = archive_content(folder_ / "judged.sqlite");
+  const std::string expected = archive_content(folder_ / "evaluated.sqlite");
   const std::size_t commits = std::stoul(whole.out);
   const auto expect_resumed = [&](const std::string& archive, std::size_t done) {
     const Outcome resumed = run(archive, 0, 0, "0");
@@ -98,14 +98,14 @@ TEST_P(KilledSearch, WithAJudgeGoesOnToTheSameArchiveAfterEveryCommitAndOutOfEve
     EXPECT_EQ(std::stoul(resumed.out), commits - done) << archive;
     EXPECT_EQ(archive_content(folder_ / archive), expected) << archive;
   };
-  // One of these is the commit of a round, after which the generation that it belongs to is still to be made.
+  // One of these commits is that of a round; the generation of that round still has to be made.
   for (std::size_t commit = 1; commit < commits; ++commit) {
-    const std::string archive = "judged_after_" + std::to_string(commit) + ".sqlite";
+    const std::string archive = "evaluated_after_" + std::to_string(commit) + ".sqlite";
     ASSERT_EQ(run(archive, commit, 0, "0").signal, SIGKILL);
     expect_resumed(archive, commit);
   }
   for (const std::string round : {"1", "2"}) {
-    const std::string archive = "judged_in_round_" + round + ".sqlite";
+    const std::string archive = "evaluated_in_round_" + round + ".sqlite";
     ASSERT_EQ(run(archive, 0, 0, round).signal, SIGKILL);
     const Outcome resumed = run(archive, 0, 0, "0");
     ASSERT_EQ(resumed.code, 0) << resumed.err;

@@ -1,4 +1,4 @@
-// The link graph is the architecture: which room may include which, where libraries are used, and what programs load.
+// Checks the architecture: which room may include which, where libraries are used, and which libraries programs load.
 
 #include <gtest/gtest.h>
 
@@ -31,22 +31,22 @@ const std::vector<std::string>& folders() {
   return names;
 }
 
-/// What a line of cmake/rooms.md says of a room.
+/// The entry of a room in cmake/rooms.md.
 struct Room {
-  Words direct;     ///< what it stands on
-  Words below;      ///< that, and all that it stands on in turn
-  Words libraries;  ///< whose headers it may include
+  Words direct;     ///< rooms that it depends on directly
+  Words below;      ///< all rooms that it depends on, directly or not
+  Words libraries;  ///< libraries whose headers it may include
 };
 
 using Rooms = std::map<std::string, Room>;
 
-/// All matches of an expression in a text.
+/// Returns all matches of an expression in a text.
 Words words(const std::string& text, const std::string& expression) {
   const std::regex word(expression);
   return {std::sregex_token_iterator(text.begin(), text.end(), word), std::sregex_token_iterator()};
 }
 
-/// The table of rooms; a line that names a room which no line above it describes is a failure.
+/// Reads the table of rooms. It is a failure if a line names a room that no line above describes.
 Rooms read_rooms(std::istream& table) {
   static const std::regex row(R"(\| `([a-z_]+/[a-z_]+)` \|([^|]*)\|([^|]*)\|)");
   Rooms rooms;
@@ -75,7 +75,7 @@ Rooms rooms_of_menger() {
   return read_rooms(table);
 }
 
-/// Beginnings of names of headers, each with its library.
+/// Returns the beginnings of names of headers, each with its library.
 const std::map<std::string, std::string>& libraries() {
   static const std::map<std::string, std::string> of_prefix = {{"boost/", "Boost"},
                                                                {"ceres/", "Ceres"},
@@ -106,7 +106,7 @@ const std::map<std::string, std::string>& libraries() {
   return of_prefix;
 }
 
-/// The library of a header; empty for headers of C++ and of the system, "an unknown library" for all others.
+/// Returns the library of a header: empty for headers of C++ and of the system, "an unknown library" for all others.
 std::string library_of(const std::string& header) {
   static const std::regex of_system(R"([a-z_]+|(sys|sanitizer)/.*|(fcntl|poll|unistd)\.h)");
   for (const auto& [prefix, library] : libraries())
@@ -114,7 +114,7 @@ std::string library_of(const std::string& header) {
   return std::regex_match(header, of_system) ? "" : "an unknown library";
 }
 
-/// The sources of a tree, each with its room: `fem/space` of `fem/space/space.cpp`, `fem` of a file that lies in no room.
+/// Returns the sources of a tree, each with its room: `fem/space` for `fem/space/space.cpp`, `fem` for a file that is in no room.
 std::vector<std::pair<fs::path, std::string>> sources(const fs::path& root) {
   std::vector<std::pair<fs::path, std::string>> files;
   for (const std::string& folder : folders()) {
@@ -129,7 +129,7 @@ std::vector<std::pair<fs::path, std::string>> sources(const fs::path& root) {
   return files;
 }
 
-/// What the lines `#include` of a file name, in angle brackets or in quotes.
+/// Returns the names that a file includes, in quotes or in angle brackets.
 Words includes(const fs::path& file, bool quoted) {
   static const std::regex in_quotes(R"re(\s*#\s*include\s*"([^"]+)".*)re");
   static const std::regex in_brackets(R"re(\s*#\s*include\s*<([^>]+)>.*)re");
@@ -142,7 +142,7 @@ Words includes(const fs::path& file, bool quoted) {
   return names;
 }
 
-/// What a tree does that its table of rooms does not allow, a line each.
+/// Returns every include of a tree that its table of rooms does not allow, a line each.
 std::vector<std::string> wrong_includes(const fs::path& root, const Rooms& rooms) {
   std::vector<std::string> wrong;
   for (const auto& [file, name] : sources(root)) {
@@ -257,7 +257,7 @@ TEST(Rooms, AreInTheReadmeOfTheirFolder) {
   }
 }
 
-/// Names of the shared libraries that a program needs, directly or not.
+/// Returns the names of the shared libraries that a program needs, directly or not.
 std::string needed_libraries(const std::string& program) {
   const std::string command = "ldd '" MENGER_PROGRAM_DIR "/" + program + "' 2>&1";
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);

@@ -31,7 +31,7 @@ class LoadCasesProgram : public testing::Test {
                         cases);
   }
 
-  /// A case of one cell. @param lines further keys
+  /// Returns the text of a case of one cell. @param lines further keys
   static std::string cell(const std::string& name, const std::string& kind, const std::string& lines) {
     return "[[case]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\ncells = [1, 1, 1]\ndigits = \"1\"\n" + lines;
   }
@@ -113,7 +113,7 @@ TEST_F(LoadCasesProgram, KeepsFieldsOfCachedCasesOnlyWhenAsked) {
   const Outcome computed = run({"set.toml", "-o", "out", "--no-pictures", "--fields"});
   ASSERT_EQ(computed.code, 0) << computed.err;
   EXPECT_EQ(computed.out.find("from the cache"), std::string::npos) << computed.out;
-  EXPECT_EQ(io::read_whole(folder_ / "out/inflate.csv"), curve) << "the same answer again";
+  EXPECT_EQ(io::read_whole(folder_ / "out/inflate.csv"), curve) << "the same curve again";
   const std::string steps = io::read_whole(collection);
   std::size_t earlier = 0;
   for (const char* file : {"fields/step_0000.vtu", "fields/step_0001.vtu", "fields/step_0002.vtu"}) {

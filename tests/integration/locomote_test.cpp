@@ -49,7 +49,7 @@ class LocomoteProgram : public testing::Test {
   }
   [[nodiscard]] Outcome run(std::vector<std::string> arguments) const { return start(std::move(arguments)).wait(); }
 
-  /// The same on two processes.
+  /// Starts the program on two processes.
   [[nodiscard]] ProgramRun start_parallel(std::vector<std::string> arguments) const {
     return test_support::start_two_processes(folder_, MENGER_PROGRAM_DIR "/menger-locomote", std::move(arguments));
   }
@@ -57,7 +57,7 @@ class LocomoteProgram : public testing::Test {
     return start_parallel(std::move(arguments)).wait();
   }
 
-  /// Ctrl-C once a file is there.
+  /// Sends Ctrl-C as soon as a file exists.
   [[nodiscard]] Outcome interrupted_after(const ProgramRun& program, const std::string& file) const {
     for (int n = 0; n < 60000 && !fs::exists(folder_ / file); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     program.send(SIGINT);
@@ -99,7 +99,7 @@ TEST_F(LocomoteProgram, IsQuietIfToldTo) {
 TEST_F(LocomoteProgram, GoesOnAfterCtrlC) {
   write_study("long.toml", "0.4", "[output]\npictures = false\n");
   ASSERT_EQ(run({"long.toml", "-o", "whole"}).code, 0);
-  // The run takes about a second; its first frame says that it is on its way.
+  // The run takes about a second. Its first frame shows that it is running.
   const Outcome outcome = interrupted_after(start({"long.toml", "-o", "parts"}), "parts/frames/frame_0001.vtu");
   ASSERT_EQ(outcome.code, 130) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("stopped"), std::string::npos) << outcome.out;
@@ -109,7 +109,7 @@ TEST_F(LocomoteProgram, GoesOnAfterCtrlC) {
   EXPECT_EQ(io::read_whole(folder_ / "parts/frames.pvd"), io::read_whole(folder_ / "whole/frames.pvd"));
 }
 
-// The same files by implicit dynamics, which has a program of its own behind this one.
+// Implicit dynamics writes the same files. It has a program of its own, which this one starts.
 TEST_F(LocomoteProgram, MovesBodiesImplicitly) {
   write_study("implicit.toml", "0.1",
               "record_interval_s = 0.005\n[dynamics]\nmethod = \"implicit\"\n[output]\npictures = false\n");
@@ -127,8 +127,8 @@ TEST_F(LocomoteProgram, MovesBodiesImplicitly) {
   EXPECT_EQ(io::read_whole(folder_ / "parts/frames.pvd"), io::read_whole(folder_ / "whole/frames.pvd"));
 }
 
-// An L, which leans and slides. Sums over two processes are rounded otherwise and iterations leave something else: places may
-// differ by what Newton's method may leave, 0.05 times 2e-5 of 57 mm.
+// An L, which leans and slides. Sums over two processes are rounded differently, and iterations end with a different residual.
+// Positions may differ by the tolerance of Newton's method, 0.05 times 2e-5 of 57 mm.
 TEST_F(LocomoteProgram, MovesABodyOnTwoProcessesAsOnOne) {
   io::write_whole(folder_ / "design.toml", "name = \"L\"\ncell_edge_m = 0.02\nlayers = [[\"11\"], [\"10\"]]\n");
   write_study("implicit.toml", "0.012",
@@ -148,7 +148,7 @@ TEST_F(LocomoteProgram, MovesABodyOnTwoProcessesAsOnOne) {
     EXPECT_TRUE(fs::exists(folder_ / "two" / name)) << name;
   test_support::expect_opens_in_paraview(folder_ / "two");
 
-  // What two have done they do not do again, and one does not take it for its own.
+  // Two processes do not repeat their finished run, and one process does not use the result of two.
   const std::string frame = io::read_whole(folder_ / "two/frames/frame_0001.vtu");
   ASSERT_EQ(run_parallel({"implicit.toml", "-o", "two"}).code, 0);
   EXPECT_EQ(io::read_whole(folder_ / "two/frames/frame_0001.vtu"), frame);
@@ -158,7 +158,7 @@ TEST_F(LocomoteProgram, MovesABodyOnTwoProcessesAsOnOne) {
   EXPECT_TRUE(fs::exists(folder_ / "two/trajectory.csv"));
 }
 
-// mpirun takes some seconds to pass Ctrl-C on, and leaves with a code of its own.
+// mpirun needs some seconds to pass Ctrl-C on, and ends with its own exit code.
 TEST_F(LocomoteProgram, StopsOnTwoProcessesAndGoesOn) {
   write_study("implicit.toml", "1000",
               "record_interval_s = 0.005\n[dynamics]\nmethod = \"implicit\"\n[output]\npictures = false\n");

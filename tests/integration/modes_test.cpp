@@ -49,7 +49,7 @@ TEST_F(ModesProgram, WritesFrequenciesAtTheKnotsOfThePathAndTheResponse) {
   test_support::expect_opens_in_paraview(folder_ / "out");
 }
 
-// A comparison with nan is false, so that a range alone lets it through.
+// A comparison with nan is false, so a range alone would accept it.
 TEST_F(ModesProgram, RefusesNumbersThatAreNone) {
   for (const char* option : {"--loss-factor", "--pressure"}) {
     for (const char* value : {"nan", "inf"}) {

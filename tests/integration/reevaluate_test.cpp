@@ -1,4 +1,4 @@
-// A search's archive, menger-reevaluate and menger-locomote together.
+// The archive of a search, menger-reevaluate and menger-locomote together.
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include "evolution/archive/run_archive.h"
 #include "io/text/csv_table.h"
 #include "io/text/whole_file.h"
-#include "tests/support/judged_archive.h"
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
+#include "tests/support/silicone_archive.h"
 #include "tests/support/test_folder.h"
 
 namespace menger {
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using test_support::Outcome;
 using test_support::ProgramRun;
 
-/// The program in a folder of its own with an archive of two robots of silicone.
+/// The program in a folder of its own, with an archive of two robots of silicone.
 class ReevaluateProgram : public testing::Test {
  protected:
   ReevaluateProgram() {
@@ -36,8 +36,8 @@ class ReevaluateProgram : public testing::Test {
   const tests::TestFolder folder_;
 };
 
-TEST_F(ReevaluateProgram, JudgesDesignsByTheLocomotionOfFiniteElements) {
-  // To the first peak of the pressure.
+TEST_F(ReevaluateProgram, EvaluatesDesignsByTheLocomotionOfFiniteElements) {
+  // The simulated time ends at the first peak of the pressure.
   io::write_whole(folder_ / "study.toml",
                   "least_body_lengths = 0.001\n[time]\nduration_s = 0.13\nrecord_interval_s = 0.01\nframe_interval_s = 0.05\n");
   const Outcome outcome = run({"run.sqlite", "--top", "2", "--study", "study.toml", "-o", "out", "--no-pictures"});
@@ -50,8 +50,8 @@ TEST_F(ReevaluateProgram, JudgesDesignsByTheLocomotionOfFiniteElements) {
     EXPECT_GT(table.number(row, "elements_dz_m"), 0.0) << "it swells, and so its centre rises";
     EXPECT_GT(table.number(row, "surrogate_dz_m"), 0.0);
   }
-  // The bar rises alike: nine in ten displacements of the surrogate are within 28 % (its validation on other bodies). Along x it
-  // cannot go, being its own mirror image.
+  // The bar rises equally in both models: nine of ten displacements of the surrogate are within 28 % (from its validation on
+  // other bodies). Along x it cannot move, because it is its own mirror image.
   const double rise_m = table.number(1, "elements_dz_m");
   EXPECT_NEAR(table.number(1, "surrogate_dz_m"), rise_m, 0.28 * rise_m);
   EXPECT_NEAR(table.number(1, "elements_dx_m"), 0.0, 1e-9);

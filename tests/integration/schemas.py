@@ -27,7 +27,7 @@ STUDIES = {
     "load-cases": ["fem/studies/load_cases/*.toml", "paper/silicone/check.toml"],
     "calibrate": ["voxel/studies/dragon_skin_*.toml"],
     "validate": ["voxel/studies/held_out.toml", "paper/silicone/check_validation.toml"],
-    "reevaluate": ["paper/silicone/reevaluation*.toml", "paper/silicone/closing_the_loop_judge.toml"],
+    "reevaluate": ["paper/silicone/reevaluation*.toml", "paper/silicone/closing_the_loop_reference.toml"],
     "tradeoff": ["paper/trade_off/study.toml", "paper/trade_off/search.toml"],
 }
 # Designs, the presets of evolve, and what programs wrote.

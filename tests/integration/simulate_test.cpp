@@ -35,7 +35,7 @@ struct Outcome {
   std::string err;
 };
 
-/// Two cells of opposite phase on the ground for three records.
+/// A scene of two cells of opposite phase on the ground, for three records.
 constexpr const char* small_scene = R"(
 [time]
 duration_s = 0.03
@@ -52,7 +52,7 @@ class Simulate : public testing::Test {
  protected:
   void write_scene(const std::string& text) const { io::write_whole(folder_ / "scene.toml", text); }
 
-  /// Starts the program in the folder; its output goes to the files out and err there.
+  /// Starts the program in the folder. Its output goes to the files out and err there.
   [[nodiscard]] pid_t start(std::vector<std::string> arguments,
                             const std::vector<std::pair<std::string, std::string>>& environment = {}) const {
     arguments.insert(arguments.begin(), std::string(MENGER_PROGRAM_DIR).append("/menger-simulate"));
@@ -193,7 +193,7 @@ TEST_F(Simulate, RunsItsTemplate) {
 struct BadInput {
   std::string scene;
   std::vector<std::string> arguments;
-  std::vector<std::string> named;  ///< what the message must name
+  std::vector<std::string> named;  ///< words that the message must have
 };
 
 TEST_F(Simulate, BadInputIsNamedAndOverwritesNothing) {

@@ -78,7 +78,7 @@ TEST_F(StallMapProgram, RunsItsTemplate) {
   EXPECT_NE(run({"--schema"}).out.find("\"longest\""), std::string::npos);
 }
 
-/// Speed in body lengths per minute after the first period of 20 records, from the files of menger simulate.
+/// Returns the speed in body lengths per minute after the first period of 20 records, from the files of menger simulate.
 double speed_of(const fs::path& result, double body_length_m) {
   const io::CsvContents path = io::read_csv(result / "trajectory.csv");
   const std::size_t last = path.row_count() - 1;
@@ -105,7 +105,7 @@ TEST_F(StallMapProgram, RobotWalksAtPointsOfTheMap) {
       return std::abs(speed_of(run.first / "result", 0.03) - speed) <= 1e-9 * speed;
     })) << row;
   }
-  // found again, not made again
+  // the runs are found, not made again
   ASSERT_EQ(run({"study.toml", "-o", "out", "--no-pictures"}).code, 0);
   for (const auto& [folder, time] : made) EXPECT_EQ(fs::last_write_time(folder / "result/result.toml"), time);
 }

@@ -1,4 +1,4 @@
-// Tests share nothing: each writes into a folder of its own only, so that any number of them run at once and in any order.
+// Tests share nothing: each writes only into its own folder, so that any number of them can run at once and in any order.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -24,11 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a copy of this process, whose failures are not this test's, leaves in files of a folder.
+/// A copy of this process, which writes into files of a folder. Its failures are not failures of this test.
 struct Copy {
   const TestFolder folder;
 
-  /// Runs some work in the copy, to its end; its output goes to the file "said".
+  /// Runs some work in the copy and waits for its end. Its output goes to the file "said".
   void run(const std::function<void()>& work) const {
     std::cout.flush();
     std::fflush(stdout);
@@ -158,13 +158,13 @@ TEST(TestFolder, OutlivesItsCopyInAChildProcess) {
 
 bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Place behind blanks.
+/// Returns the position behind blanks.
 std::size_t skip_blanks(std::string_view text, std::size_t at) {
   while (at < text.size() && std::isspace(static_cast<unsigned char>(text[at])) != 0) ++at;
   return at;
 }
 
-/// Sources of some folders, with paths from the root.
+/// Returns the sources of some folders, with paths from the root.
 std::vector<fs::path> sources(const std::vector<std::string>& folders) {
   const fs::path root = MENGER_SOURCE_DIR;
   std::vector<fs::path> files;
@@ -178,7 +178,8 @@ std::vector<fs::path> sources(const std::vector<std::string>& folders) {
 
 std::string text_of(const fs::path& source) { return io::read_whole(fs::path(MENGER_SOURCE_DIR) / source); }
 
-/// What names a folder that all processes share: only the two helpers may, which make folders of their own in it.
+/// Returns the expressions in a text that name a folder shared by all processes. Only the two helpers may have these: they make
+/// folders of their own in it.
 std::set<std::string> shared_places(const std::string& text) {
   std::set<std::string> found;
   for (const char* word : {"TempDir", "temp_directory_path", "TMPDIR", "P_tmpdir", "mkdtemp", "mkstemp", "mkostemp", "tmpnam",
@@ -188,7 +189,8 @@ std::set<std::string> shared_places(const std::string& text) {
   return found;
 }
 
-/// Functions of the libraries whose name begins with write and whose first argument is a path, and what else makes a file.
+/// Returns the names of everything that makes a file: functions of the libraries that begin with write and have a path as first
+/// argument, and others.
 std::set<std::string> writers() {
   std::set<std::string> names{"create_directory", "create_directories", "ofstream",    "fopen",           "ProgramRun",
                               "PendingFile",      "FieldSeries",        "FrameSeries", "RunArchive::open"};
@@ -206,8 +208,8 @@ std::set<std::string> writers() {
   return names;
 }
 
-/// Whether a writer, whose name ends at a place of the text, or the object of that type that follows has as its first argument a
-/// string, which would be a path in the folder that the test was started in, or a place of the source or build folder.
+/// Returns whether a writer has a fixed place as its first argument: a string, which would be a path in the folder where the test
+/// was started, or a place in the source or build folder. The name of the writer, or of the type of an object, ends at `at`.
 bool has_fixed_place(std::string_view text, std::size_t at) {
   at = skip_blanks(text, at);
   while (at < text.size() && is_letter(text[at])) ++at;  // the object's name
@@ -216,7 +218,7 @@ bool has_fixed_place(std::string_view text, std::size_t at) {
   at = skip_blanks(text, at + 1);
   for (const std::string_view path : {"std::filesystem::path(", "fs::path("})
     if (text.substr(at, path.size()) == path) at = skip_blanks(text, at + path.size());
-  // The empty path and this process's entry in /proc are nobody's place: they are there to be refused.
+  // The empty path and the entry of this process in /proc are not places to write to: tests use them to be refused.
   for (const std::string_view start : {"\"\"", "\"/proc/self/"})
     if (text.substr(at, start.size()) == start) return false;
   for (const std::string_view start : {"\"", "R\"", "MENGER_SOURCE_DIR", "MENGER_PROGRAM_DIR"})
@@ -224,7 +226,7 @@ bool has_fixed_place(std::string_view text, std::size_t at) {
   return false;
 }
 
-/// Calls that write to a place that is the same in every process, with the beginning of their arguments.
+/// Returns the calls that write to a place that is the same in every process, with the beginning of their arguments.
 std::vector<std::string> fixed_places(const std::string& text, const std::set<std::string>& writers) {
   std::vector<std::string> found;
   for (const std::string& writer : writers) {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using test_support::Outcome;
 using test_support::ProgramRun;
 
-/// The program in a folder of its own with a hollow cube of 98 elements.
+/// The program in a folder of its own, with a hollow cube of 98 elements.
 class TradeoffProgram : public testing::Test {
  protected:
   TradeoffProgram() {
@@ -49,12 +49,12 @@ TEST_F(TradeoffProgram, ComparesTwoFidelitiesOfACubeAndRepeatsNothing) {
   for (std::size_t row = 0; row < 2; ++row) {
     EXPECT_EQ(table.text(row, "status"), "completed");
     EXPECT_GT(table.number(row, "volume_change"), 0.0);
-    // a free cube grows alike along all axes
+    // a free cube grows equally along all axes
     EXPECT_NEAR(table.number(row, "extent_change_x_m"), table.number(row, "extent_change_y_m"), 1e-9);
     EXPECT_NEAR(table.number(row, "extent_change_x_m"), table.number(row, "extent_change_z_m"), 1e-9);
     EXPECT_GT(table.number(row, "peak_memory_MB"), 10.0);
   }
-  // 6^3 nodes less 2^3 inside the chamber, or with middles 11^3 less 5^3: as the mesh was counted, the solver has them
+  // 6^3 nodes without 2^3 inside the chamber, or with middles 11^3 without 5^3: the solver has as many as were counted
   EXPECT_EQ(table.number(0, "unknowns"), 3.0 * (6 * 6 * 6 - 2 * 2 * 2));
   EXPECT_EQ(table.number(1, "unknowns"), 3.0 * (11 * 11 * 11 - 5 * 5 * 5));
   const double coarse = table.number(0, "extent_change_z_m");
@@ -69,9 +69,9 @@ TEST_F(TradeoffProgram, ComparesTwoFidelitiesOfACubeAndRepeatsNothing) {
 }
 
 TEST_F(TradeoffProgram, ASettledCellOfVoxelsIsWithinATenthOfFiniteElements) {
-  // In the middle of the range of the fit, which weighs by the largest number of a curve: at small pressures the same residual is
-  // a larger part of what is there. Free in both models, so that nothing but the model differs. Q2/P1, because with one element
-  // through the wall Q1/P0 itself is off by a quarter.
+  // The pressure is in the middle of the range of the fit. The fit weighs residuals by the largest value of a curve, so at small
+  // pressures the same residual is a larger relative error. The body is free in both models, so that only the models differ. It
+  // is Q2/P1, because with one element through the wall Q1/P0 itself has an error of a quarter.
   io::write_whole(folder_ / "cell.toml", "name = \"cell\"\ncell_edge_m = 0.01\nlayers = [[\"1\"]]\n");
   io::write_whole(
       folder_ / "settled.toml",
@@ -90,8 +90,8 @@ TEST_F(TradeoffProgram, ASettledCellOfVoxelsIsWithinATenthOfFiniteElements) {
 }
 
 TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
-  // The equilibrium by Newton's method against the run to rest, its frames and what is read from them: they
-  // are the same model, 0.5 % are what the run may lack of its rest. The end voxels bulge to one side only.
+  // Compares the equilibrium by Newton's method with the frames of a run that settles. Both are the same model; the tolerance of
+  // 0.5 % is for a run that is not quite at rest. The end voxels bulge to one side only.
   io::write_whole(folder_ / "bar.toml", "name = \"bar\"\ncell_edge_m = 0.01\nlayers = [[\"11\"]]\n");
   io::write_whole(
       folder_ / "settled.toml",

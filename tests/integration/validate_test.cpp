@@ -78,11 +78,11 @@ TEST_F(ValidateProgram, FindsNoErrorInAModelOfItself) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const io::CsvContents errors = io::read_csv(folder_ / "out/errors.csv");
   EXPECT_GT(errors.row_count(), 20U);
-  // the same equilibria on the same path, but for the digits of the tables, which are exact
+  // the equilibria and the path are the same, and the tables have all digits
   for (std::size_t row = 0; row < errors.row_count(); ++row) EXPECT_NEAR(errors.number(row, "error"), 0.0, 1e-9) << row;
   EXPECT_NE(outcome.out.find("displacement: median error"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find(": met"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("whether these are held out is not known"), std::string::npos);
+  EXPECT_NE(outcome.out.find("it is not known whether these are held out"), std::string::npos);
   EXPECT_EQ(io::read_csv(folder_ / "out/volume_actuation.csv").row_count(), 1U);
   EXPECT_TRUE(fs::exists(folder_ / "out/worst.pvd"));
   test_support::expect_opens_in_paraview(folder_ / "out");
@@ -99,13 +99,13 @@ TEST_F(ValidateProgram, MeasuresAKnownErrorAndFindsItsCause) {
   int found = 0;
   for (std::size_t row = 0; row < errors.row_count(); ++row) {
     if (errors.text(row, "case") != "bar_inflation" || errors.text(row, "observable") != "extent_x_m") continue;
-    // the free length of the bar is 3 cells times extension plus two bulging ends: 4e-6 * 3 + 6e-6 * 2 of a cell
+    // the free length of the bar grows by the extension of 3 cells and by two bulging ends: 4e-6 * 3 + 6e-6 * 2 of a cell
     const double too_short = errors.number(row, "pressure_Pa") > 0.0 ? -1.0 : 1.0;
     EXPECT_NEAR(errors.number(row, "pointwise_error"), too_short * 0.25 * 12.0 / 24.0, 1e-6);
     ++found;
   }
   EXPECT_EQ(found, 3) << "the state at rest is left out";
-  EXPECT_NE(outcome.out.find("rest lengths of its own close the gap"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("rest lengths fitted to this body remove the error"), std::string::npos) << outcome.out;
   const bool has_pictures = outcome.out.find("no picture: ") == std::string::npos;
   for (const char* name : {"errors.png", "curve_bar_stretch.png", "worst.png"})
     EXPECT_EQ(fs::exists(folder_ / "out" / name), has_pictures);
@@ -123,7 +123,7 @@ TEST_F(ValidateProgram, LeavesWithThreeWhereTheSurrogateHasNoEquilibrium) {
   const io::CsvContents summary = io::read_csv(folder_ / "out/summary.csv");
   std::size_t row = 0;
   while (summary.text(row, "kind") != "displacement" || summary.text(row, "range") != "outside") ++row;
-  EXPECT_EQ(summary.number(row, "unanswered"), 4.0) << "three extents and the top, at a pressure beyond the range";
+  EXPECT_EQ(summary.number(row, "without_equilibrium"), 4.0) << "three extents and the top, at a pressure beyond the range";
 }
 
 TEST_F(ValidateProgram, LeavesWithTwoAndWritesNothingOnBadInput) {
@@ -134,7 +134,7 @@ TEST_F(ValidateProgram, LeavesWithTwoAndWritesNothingOnBadInput) {
     EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(folder_ / "out")) << message;
   };
-  // curves of the fit under a provenance that was edited since, and under another name and at other pressures
+  // curves of the fit whose provenance was edited since, and others with another name and at other pressures
   const auto fitted = [](const std::string& table_hash, const std::string& subject) {
     return "[fit]\n[[fit.curves]]\nname = 'x'\nhash = '0'\ntable_hash = '" + table_hash + "'\nsubject = '" + subject + "'\n";
   };
@@ -152,15 +152,15 @@ TEST_F(ValidateProgram, LeavesWithTwoAndWritesNothingOnBadInput) {
   refuses("law = \"neo-Hookean 86.7 kPa\": the parameters");
   write_parameters(truth());
   io::write_whole(folder_ / "study.toml", "parameters = 'parameters.toml'\ncurves = ['nowhere']\n");
-  refuses("nowhere: is not there");
-  EXPECT_NE(run({"study.toml", "-o", "out", "--curves", "nofolder"}).err.find("nofolder: is not there"), std::string::npos);
+  refuses("nowhere: does not exist");
+  EXPECT_NE(run({"study.toml", "-o", "out", "--curves", "nofolder"}).err.find("nofolder: does not exist"), std::string::npos);
   io::write_whole(folder_ / "study.toml", "parameters = 'parameters.toml'\ncurves = ['curves']\nfolder = 1\n");
   refuses("folder");
   EXPECT_EQ(run({"absent.toml"}).code, 2);
 }
 
 TEST_F(ValidateProgram, MakesTheCurvesOfItsLoadCasesFirst) {
-  // Beside a copy of the program lies a script that makes the curves by copying them.
+  // A script beside a copy of the program makes the curves by copying them.
   fs::create_directories(folder_ / "bin");
   fs::copy_file(MENGER_PROGRAM_DIR "/menger-validate", folder_ / "bin/menger-validate");
   const fs::path script = folder_ / "bin/menger-load-cases";

@@ -1,4 +1,4 @@
-// Every file for ParaView goes through io::write_vtu, which alone knows how ParaView wants it.
+// Every file for ParaView is written by io::write_vtu, the only place with the format that ParaView needs.
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a line writes data of VTK or deal.II by itself. Pictures (PNG) are none, and a collection or a parallel file, which
-/// only name other files, may be written as text.
+/// Returns whether a line writes data with VTK or deal.II directly. Pictures (PNG) do not count. A collection or a parallel file
+/// only names other files and may be written as text.
 bool writes_data(const std::string& line) {
   static const std::regex other_ways(
       "#include <vtk\\w*Writer|#include <deal\\.II/(numerics/data_out|grid/grid_out)|SetDataMode|"

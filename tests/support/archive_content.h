@@ -10,7 +10,7 @@
 
 namespace menger::test_support {
 
-/// All rows of all tables of an archive as text, in the order of their values, without the columns named `seconds`.
+/// Returns all rows of all tables of an archive as text, sorted by their values, without the columns named `seconds`.
 inline std::string archive_content(const std::filesystem::path& file) {
   SQLite::Database database(file.string(), SQLite::OPEN_READONLY);
   std::vector<std::string> tables;
@@ -28,7 +28,7 @@ inline std::string archive_content(const std::filesystem::path& file) {
     SQLite::Statement rows(database, query);
     while (rows.executeStep()) {
       for (int column = 0; column < rows.getColumnCount(); ++column) {
-        // Exact: the shortest decimal of SQLite drops digits.
+        // The bits are used because the decimals of SQLite drop digits.
         const SQLite::Column value = rows.getColumn(column);
         content += value.isFloat() ? std::to_string(std::bit_cast<std::uint64_t>(value.getDouble())) : value.getString();
         content += '\x1f';

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 
@@ -15,10 +16,11 @@
 
 namespace menger::tests {
 
-/// The template of a study is read to what it says: the defaults, and the same with each alternative in turn.
-/// @param parse makes a study of the text of a file; may throw io::InputError
-/// @param refused alternatives that mean nothing without another change: "integration.number = \"float32\""
-/// @param adopt gives the first study what the second one, which was read, has from files that the template names
+/// Expects that reading the template of a study gives the study that was described: with the defaults, and with each alternative
+/// in turn.
+/// @param parse makes a study from the text of a file; may throw io::InputError
+/// @param refused alternatives that are invalid without another change: "integration.number = \"float32\""
+/// @param adopt copies to the first study what the second one, which was read, has from files that the template names
 template <class Study, class Parse>
 void expect_template_is_read(
     const Parse& parse, const std::set<std::string>& refused = {},
@@ -43,18 +45,30 @@ void expect_template_is_read(
   EXPECT_EQ(found, refused) << "of " << count << " alternatives";
 }
 
-/// Texts of random studies are read back to the same study.
-/// @param fewest studies of the 300 that must be possible: their keys are drawn one by one, demands on several may not hold
+/// Expects that reading the text of a random study gives the same study, and that a study holds every value that its keys were
+/// given: a key whose value is not stored would let two different studies share a text.
+/// @param fewest how many of the 300 studies must be valid; keys are drawn one by one, so conditions on several keys may fail
 /// @param kept names of keys that keep their defaults, see RandomStudy
+/// @param replaced names of keys whose value the study of the test itself replaces
 template <class Study, class Parse>
-void expect_texts_are_read_back(const Parse& parse, std::size_t fewest = 30,
-                                const std::set<std::string, std::less<>>& kept = {}) {
+void expect_texts_are_read_back(const Parse& parse, std::size_t fewest = 30, const std::set<std::string, std::less<>>& kept = {},
+                                const std::set<std::string, std::less<>>& replaced = {"schema_version"}) {
   std::size_t possible = 0;
+  std::map<std::string, std::size_t> given;          ///< studies that have a key, by its path
+  std::map<std::string, std::size_t> held_as_given;  ///< those of them that hold the very value: others may be brought into range
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     Study study;
     RandomStudy random(seed, kept);
     describe(random, study);
     const std::string text = io::described_text(study);
+    HeldValues held;
+    describe(held, study);
+    for (const auto& [path, value] : random.given()) {
+      const auto found = held.values().find(path);
+      if (found == held.values().end()) continue;
+      ++given[path];
+      held_as_given[path] += found->second == value ? 1U : 0U;
+    }
     try {
       EXPECT_EQ(io::described_text(parse(text)), text);
       ++possible;
@@ -62,6 +76,10 @@ void expect_texts_are_read_back(const Parse& parse, std::size_t fewest = 30,
     }
   }
   EXPECT_GE(possible, fewest);
+  for (const auto& [path, count] : given) {
+    if (replaced.contains(path.substr(path.rfind('.') + 1))) continue;
+    EXPECT_GT(held_as_given[path], 0U) << path << " never holds what it was given in " << count << " studies";
+  }
 }
 
 }  // namespace menger::tests

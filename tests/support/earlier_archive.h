@@ -9,7 +9,7 @@
 
 namespace menger::tests {
 
-/// What version 3 of archives held of paper/demo/study.toml.
+/// The text of paper/demo/study.toml in archives of version 3.
 inline constexpr const char* demo_study_of_version_3 = R"(seed = 1
 [population]
 survivors = 15
@@ -73,8 +73,8 @@ speed_fraction = 0.2
 strain = 1
 )";
 
-/// The same of a search of silicone robots: level 1, castable bodies that stand, 0.05 s of which 0.01 s are left out, two
-/// survivors and mutants.
+/// The same for a search of silicone robots: level 1, castable bodies that stand, 0.05 s of which the first 0.01 s are left out,
+/// two survivors and two mutants.
 inline constexpr const char* silicone_study_of_version_3 = R"(seed = 1
 [population]
 survivors = 2
@@ -187,8 +187,8 @@ bond_ratio = 1
 measured = false
 )";
 
-/// Makes an archive what version 3 wrote.
-/// @param study as that version wrote it
+/// Changes an archive to what version 3 wrote.
+/// @param study text of the study as that version wrote it
 inline void make_earlier(const std::filesystem::path& archive, const std::string& study) {
   SQLite::Database database(archive.string(), SQLite::OPEN_READWRITE);
   SQLite::Statement update(database, "UPDATE study SET resolved = ?, hash = ?");

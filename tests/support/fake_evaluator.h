@@ -12,14 +12,14 @@
 
 namespace menger::test_support {
 
-/// Judges bodies by a cheap pure function of their cells: fuller bodies tend to go further, some diverge.
+/// An evaluator that is a cheap pure function of the cells. Fuller bodies tend to go further; some diverge.
 class FakeEvaluator final : public evolution::DesignEvaluator {
  public:
   struct Options {
-    double failing = 0.1;  ///< share of bodies that diverge
+    double failing = 0.1;  ///< fraction of bodies that diverge
     bool coarse = false;   ///< displacements in tenths of a body length, so that many are equal
     double cell_edge_m = 0.01;
-    std::function<void(std::uint64_t call)> before_result;  ///< called in every evaluation, with the number of calls so far
+    std::function<void(std::uint64_t call)> before_result;  ///< called in every evaluation with the number of calls so far
   };
 
   FakeEvaluator() = default;
@@ -45,7 +45,7 @@ class FakeEvaluator final : public evolution::DesignEvaluator {
     const double distance_m = lengths * meshes::body_length_m(level, options_.cell_edge_m);
     const double direction = 6.28 * fraction(hash, 16);
     result.status = io::RunStatus::completed;
-    // Along an axis where many are to be equal, since rounding could tell them apart otherwise.
+    // If many displacements are to be equal, they lie along an axis, since rounding could make them differ otherwise.
     if (options_.coarse) {
       result.displacement_m = {distance_m, 0.0, 0.0};
     } else {
@@ -65,7 +65,7 @@ class FakeEvaluator final : public evolution::DesignEvaluator {
   [[nodiscard]] std::uint64_t calls() const { return calls_; }
 
  private:
-  /// A number of [0, 1) from eight hexadecimal digits.
+  /// Returns a number in [0, 1) from eight hexadecimal digits.
   static double fraction(const std::string& hash, std::size_t from) {
     return static_cast<double>(std::stoull(hash.substr(from, 8), nullptr, 16)) / 4294967296.0;
   }

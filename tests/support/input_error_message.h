@@ -6,7 +6,7 @@
 
 namespace menger::tests {
 
-/// What the input error says that some work throws, or "no error".
+/// Returns the message of the InputError that `work` throws, or "no error".
 template <class Work>
 std::string message_of(const Work& work) {
   try {

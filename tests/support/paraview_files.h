@@ -10,18 +10,18 @@
 
 namespace menger::test_support {
 
-/// Why ParaView may not open a file of VTK's XML formats; empty if it does. Looked at is what programs can get wrong: data in an
-/// appended section (see io::write_vtu), not compressed or written as digits, and members that a collection or a parallel file
-/// names but that are not there.
+/// Returns why ParaView cannot open a file of VTK's XML formats; empty if it can. It checks for errors that programs can make:
+/// data in an appended section (see io::write_vtu), data that are not compressed or are written as digits, and files that a
+/// collection or a parallel file names but that do not exist.
 inline std::string why_paraview_refuses(const std::filesystem::path& file) {
   const std::string text = io::read_whole(file);
   if (text.find("<VTKFile") == std::string::npos) return "it is no XML file of VTK";
   for (const char* appended : {"<AppendedData", "format=\"appended\""})
     if (text.find(appended) != std::string::npos) return std::string("it holds ") + appended;
-  // the end of a start tag is the first '>' since writers of VTK escape it in names
+  // The end of a start tag is the first '>', because writers of VTK escape it in names.
   bool has_data = false;
   for (std::size_t at = text.find("Array "); at != std::string::npos; at = text.find("Array ", at + 1)) {
-    if (text[text.rfind('<', at) + 1] == 'P') continue;  // of a parallel file: describes, holds nothing
+    if (text[text.rfind('<', at) + 1] == 'P') continue;  // in a parallel file: describes an array and holds no data
     const std::string tag = text.substr(at, text.find('>', at) - at);
     if (tag.find("format=\"binary\"") == std::string::npos) return "it has an array that is not binary: " + tag;
     has_data = true;
@@ -37,7 +37,7 @@ inline std::string why_paraview_refuses(const std::filesystem::path& file) {
   return {};
 }
 
-/// Expects that a program left at least one file for ParaView in a folder or below it, and that ParaView opens all of them.
+/// Expects that a folder, with its subfolders, holds at least one file for ParaView, and that ParaView can open all of them.
 inline void expect_opens_in_paraview(const std::filesystem::path& folder) {
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

@@ -14,15 +14,15 @@
 
 namespace menger::test_support {
 
-/// How a program ended and what it said.
+/// How a program ended, and its output.
 struct Outcome {
   int code = -1;   ///< exit code; -1 if a signal ended it
-  int signal = 0;  ///< that signal
+  int signal = 0;  ///< the signal that ended it
   std::string out;
   std::string err;
 };
 
-/// A program that runs in a folder, where its output goes to the files stdout.txt and stderr.txt.
+/// A program that runs in a folder. Its output goes to the files stdout.txt and stderr.txt there.
 class ProgramRun {
  public:
   ProgramRun(std::filesystem::path folder, const std::filesystem::path& program, std::vector<std::string> arguments)
@@ -49,12 +49,12 @@ class ProgramRun {
     _exit(126);
   }
 
-  /// What it has printed so far.
+  /// Returns what it has printed so far.
   [[nodiscard]] std::string printed() const { return io::read_whole(folder_ / "stdout.txt"); }
 
   void send(int signal) const { kill(child_, signal); }
 
-  /// Waits for its end.
+  /// Waits until the program ends.
   [[nodiscard]] Outcome wait() const {
     int status = 0;
     waitpid(child_, &status, 0);

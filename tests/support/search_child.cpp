@@ -1,6 +1,7 @@
-// A search with the fake evaluator in a process of its own, which can kill itself: search_child archive threads commit
-// evaluation judging. It dies after that commit, in the evaluation or in the round of judging of that number; 0: never; "none"
-// for a search without a judge. It prints how often the archive has grown.
+// Runs a search with the fake evaluator in a process that can kill itself: search_child archive threads commit evaluation
+// reference evaluation. It kills itself after the commit of that number, in the evaluation of that number, or in the round of
+// reference evaluation of that number; 0: never. "none" as the last argument: a search without a reference evaluator. It prints
+// how often the archive has grown.
 #include <csignal>
 #include <iostream>
 #include <string>
@@ -8,13 +9,13 @@
 #include "evolution/archive/run_archive.h"
 #include "evolution/search/search.h"
 #include "tests/support/fake_evaluator.h"
-#include "tests/support/fake_judge.h"
+#include "tests/support/fake_reference_evaluator.h"
 
 namespace {
 
 using namespace menger::evolution;
 using menger::test_support::FakeEvaluator;
-using menger::test_support::FakeJudge;
+using menger::test_support::FakeReferenceEvaluator;
 
 SearchPlan small_plan() {
   SearchPlan plan;
@@ -26,11 +27,11 @@ SearchPlan small_plan() {
   return plan;
 }
 
-SearchPlan judged_plan() {
+SearchPlan reference_plan() {
   SearchPlan plan = small_plan();
   plan.stand = true;
   plan.offspring.constraints.levels = {1};
-  plan.judging = JudgingPlan{.every = 2, .designs = 2, .budget_element_steps = 1e9, .protocol = "fake"};
+  plan.reference = ReferencePlan{.every = 2, .designs = 2, .budget_element_steps = 1e9, .protocol = "fake"};
   return plan;
 }
 
@@ -47,12 +48,12 @@ int main(int argc, char** argv) {
   };
   const FakeEvaluator evaluator(fake);
   const std::string fatal_round = argv[5];
-  const bool is_judged = fatal_round != "none";
-  FakeJudge judge(
+  const bool is_evaluated = fatal_round != "none";
+  FakeReferenceEvaluator reference(
       {.failing = 0.2, .crashing = 0.1, .fewest_cells = 0, .time_factor = 1.0, .before_results = [=](std::uint64_t call) {
          if (call == std::stoul(fatal_round)) raise(SIGKILL);
        }});
-  const SearchPlan plan = is_judged ? judged_plan() : small_plan();
+  const SearchPlan plan = is_evaluated ? reference_plan() : small_plan();
   RunArchive archive = RunArchive::open(argv[1], "a small study", plan.generations);
   std::size_t commits = 0;
   SearchOptions options;
@@ -61,7 +62,7 @@ int main(int argc, char** argv) {
     commits = count;
     if (count == fatal_commit) raise(SIGKILL);
   };
-  const auto status = run_search(plan, evaluator, archive, options, is_judged ? &judge : nullptr);
+  const auto status = run_search(plan, evaluator, archive, options, is_evaluated ? &reference : nullptr);
   std::cout << commits << "\n";
   return status == menger::io::RunStatus::completed ? 0 : 1;
 }

@@ -11,12 +11,12 @@
 #include "evolution/search/search.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/fake_evaluator.h"
-#include "tests/support/fake_judge.h"
+#include "tests/support/fake_reference_evaluator.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::tests {
 
-/// A search that is over at once.
+/// Returns the plan of a search that takes almost no time.
 inline evolution::SearchPlan small_plan(std::uint64_t seed = 3) {
   evolution::SearchPlan plan;
   plan.seed = seed;
@@ -26,7 +26,7 @@ inline evolution::SearchPlan small_plan(std::uint64_t seed = 3) {
   return plan;
 }
 
-/// Searches with fake evaluators, by the names of their archives.
+/// Searches with fake evaluators. A search is known by the name of its archive.
 class SearchFixture : public testing::Test {
  protected:
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / (name + ".sqlite"); }
@@ -34,19 +34,21 @@ class SearchFixture : public testing::Test {
     return evolution::RunArchive::open(file(name), "a study", 1);
   }
 
-  /// With the judge and with half the step where the plan asks for them.
+  /// Runs a search, with the reference evaluator and with half the step if the plan asks for them.
   io::RunStatus search(const std::string& name, const evolution::SearchPlan& plan, const evolution::SearchOptions& options = {}) {
     evolution::RunArchive archive = open(name);
-    return run_search(plan, evaluator_, archive, options, plan.judging ? &judge_ : nullptr, plan.step_checks ? &half_ : nullptr);
+    return run_search(plan, evaluator_, archive, options, plan.reference ? &reference_ : nullptr,
+                      plan.step_checks ? &half_ : nullptr);
   }
 
-  /// The archive after a search that completes.
+  /// Runs a search, which must complete, and opens its archive.
   [[nodiscard]] evolution::RunArchive searched(const evolution::SearchPlan& plan, const std::string& name = "run") {
     EXPECT_EQ(search(name, plan), io::RunStatus::completed);
     return open(name);
   }
 
-  /// @param names of the archives, before the number of threads
+  /// Expects the same archive for any number of threads. @param names start of the names of the archives, before the number of
+  /// threads
   void expect_the_same_for_any_threads(const evolution::SearchPlan& plan, const std::string& names = "threads_") {
     std::string expected;
     for (const int threads : {1, 2, 8}) {
@@ -60,15 +62,16 @@ class SearchFixture : public testing::Test {
     }
   }
 
-  /// Which commits of a search stop it in turn: all, or some.
+  /// Where a search is stopped: after every `stride`-th commit.
   struct Stops {
     std::size_t stride = 1;
-    std::size_t spared = 0;  ///< last commits after which nothing remains to be stopped
+    std::size_t spared = 0;  ///< number of commits at the end after which there is nothing left to stop
     int threads = 1;
-    std::uint64_t rounds = 0;  ///< of judging, that a search which goes on needs at most
+    std::uint64_t rounds = 0;  ///< largest number of rounds of reference evaluation that a resumed search may need
   };
 
-  /// A search that was stopped goes on to the archive of one that was not, and judges little anew.
+  /// Expects that a search that was stopped and resumed gives the archive of one that was not, and repeats few reference
+  /// evaluations.
   void expect_the_same_after_stops(const evolution::SearchPlan& plan, const Stops& stops) {
     std::size_t commits = 0;
     evolution::SearchOptions counting;
@@ -84,19 +87,19 @@ class SearchFixture : public testing::Test {
       options.stop = &stop;
       options.after_commit = [&](std::size_t count) { stop = count >= last; };
       ASSERT_EQ(search(name, plan, options), io::RunStatus::stopped) << last;
-      const std::uint64_t rounds_before = judge_.calls();
+      const std::uint64_t rounds_before = reference_.calls();
       ASSERT_EQ(search(name, plan), io::RunStatus::completed);
       EXPECT_EQ(test_support::archive_content(file(name)), expected) << "stopped after commit " << last;
-      EXPECT_LE(judge_.calls() - rounds_before, stops.rounds);
+      EXPECT_LE(reference_.calls() - rounds_before, stops.rounds);
     }
   }
 
   const TestFolder folder_;
   test_support::FakeEvaluator evaluator_;
 
-  /// With "half the step" robots go whole tenths of body lengths, and more of them diverge.
+  /// The evaluator for "half the step": displacements are tenths of body lengths, and more robots diverge.
   test_support::FakeEvaluator half_{{.failing = 0.3, .coarse = true, .cell_edge_m = 0.01, .before_result = {}}};
-  test_support::FakeJudge judge_;
+  test_support::FakeReferenceEvaluator reference_;
 };
 
 }  // namespace menger::tests

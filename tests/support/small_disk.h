@@ -5,14 +5,14 @@
 #include <csignal>
 
 #ifdef __SANITIZE_ADDRESS__
-/// Writers of VTK leak what they could not write.
+/// Writers of VTK leak the data that they could not write.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): the name is the sanitizer's
 extern "C" __attribute__((weak, used)) const char* __lsan_default_suppressions() { return "leak:libvtkIOXML"; }
 #endif
 
 namespace menger {
 
-/// While it lives no file grows beyond a size, as on a disk that is full.
+/// While an object of this class exists, no file can grow beyond a size, as on a full disk.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

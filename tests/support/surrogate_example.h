@@ -4,7 +4,8 @@
 
 namespace menger::tests {
 
-/// Voxel parameters of cells of 1 cm with walls of 2 mm, of the order of a soft silicone's; no two classes are alike.
+/// Returns voxel parameters for cells of 1 cm with walls of 2 mm. Values are of the order of a soft silicone; no two classes are
+/// equal.
 inline voxel::SurrogateParameters surrogate_example() {
   voxel::SurrogateParameters p;
   p.silicone = "soft";
@@ -29,7 +30,8 @@ inline voxel::SurrogateParameters surrogate_example() {
   return p;
 }
 
-/// The same cells with all wall classes alike, without coupling, shear and softening: answers that can be worked out by hand.
+/// Returns parameters for the same cells with all wall classes equal, without coupling, shear and softening. Responses can be
+/// computed by hand.
 inline voxel::SurrogateParameters plain_surrogate_example() {
   voxel::SurrogateParameters p;
   p.silicone = "test silicone";

@@ -8,12 +8,12 @@
 
 namespace menger::tests {
 
-/// A new, empty folder of a program that is no test, below the system's folder for temporary files (TMPDIR); removed in the end.
-/// Tests take TestFolder.
-/// @throws std::runtime_error where it cannot be made
+/// A new, empty folder for a program that is not a test. It is in the system's folder for temporary files (TMPDIR) and is removed
+/// at the end. Tests use TestFolder instead.
+/// @throws std::runtime_error if it cannot be made
 class TemporaryFolder {
  public:
-  /// @param name what the folder's name begins with
+  /// @param name start of the name of the folder
   explicit TemporaryFolder(const std::string& name) {
     std::string path = (std::filesystem::temp_directory_path() / (name + "-XXXXXX")).string();
     if (mkdtemp(path.data()) == nullptr) throw std::runtime_error(path + ": cannot be made");

@@ -13,17 +13,17 @@
 
 namespace menger::tests {
 
-/// A new, empty folder of one test, below testing::TempDir(); a member of a fixture or a local variable.
+/// A new, empty folder of one test, in testing::TempDir(). Use it as a member of a fixture or a local variable.
 ///
-/// Its name holds the suite, the test and the process, so that it shows whose it is; a number follows where that name is taken:
-/// by another folder of the same test, or by one that an earlier process left. Outside a test (SetUpTestSuite) the suite names
-/// it.
+/// Its name contains the suite, the test and the process. If that name is already used, by another folder of the same test or by
+/// a folder that an earlier process left, a number follows. Outside a test (SetUpTestSuite) its name contains only the suite and
+/// the process.
 ///
-/// Its end removes it, also after GTEST_SKIP. It is kept, and its path printed, if the test has failed so far or if an exception
-/// ends its scope; so a folder does not belong into a scope that an expected exception leaves. A test that is killed leaves it.
-/// A child process has to be waited for while the folder lives: the end of a child's copy of it does nothing.
+/// The destructor removes it, also after GTEST_SKIP. The folder is kept, and its path printed, if the test has failed so far or
+/// if an exception ends its scope. So do not put it into a scope that an expected exception leaves. A test that is killed also
+/// leaves its folder. Wait for a child process while the folder exists: the destructor of the child's copy does nothing.
 ///
-/// @throws std::filesystem::filesystem_error where it cannot be made
+/// @throws std::filesystem::filesystem_error if it cannot be made
 class TestFolder {
  public:
   TestFolder() {
@@ -31,7 +31,7 @@ class TestFolder {
     std::filesystem::create_directories(parent);
     const std::string name = name_of_test() + "." + std::to_string(owner_);
     path_ = parent / name;
-    // Creation tells who was first: nothing is there between a look and a creation that another process could use.
+    // create_directory itself shows whether the name was free. A check before it could be outdated by another process.
     for (int number = 2; !std::filesystem::create_directory(path_); ++number)
       path_ = parent / (name + "." + std::to_string(number));
   }
@@ -50,7 +50,7 @@ class TestFolder {
   TestFolder(const TestFolder&) = delete;
   TestFolder& operator=(const TestFolder&) = delete;
 
-  /// Absolute.
+  /// Returns the absolute path.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
 
@@ -58,7 +58,7 @@ class TestFolder {
   operator const std::filesystem::path&() const { return path_; }
 
  private:
-  /// Suite and test in letters that every file system takes: names of parameterised tests hold slashes.
+  /// Returns suite and test in characters that every file system accepts: names of parameterised tests contain slashes.
   static std::string name_of_test() {
     const testing::UnitTest& program = *testing::UnitTest::GetInstance();
     std::string name = "program";

@@ -10,8 +10,8 @@
 
 namespace menger::test_support {
 
-/// Starts a program as two processes of Open MPI. mpirun passes Ctrl-C on after five seconds, and kills what has not ended five
-/// seconds later; by itself it waits a second each time, too short on a machine that has other things to do.
+/// Starts a program as two processes of Open MPI. mpirun passes Ctrl-C on after five seconds, and kills processes that have not
+/// ended five seconds later. Its default is one second each, which is too short on a busy machine.
 inline ProgramRun start_two_processes(const std::filesystem::path& folder, const std::string& program,
                                       std::vector<std::string> arguments) {
   setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);

@@ -76,7 +76,7 @@ class FreeDecay {
   std::array<Complex, 3> shares_{};
 };
 
-// Simple shear is linear in both laws, so that the motion is that of three exponentials at any amplitude. Branches that answer
+// Simple shear is linear in both laws, so that the motion is that of three exponentials at any amplitude. Branches that response
 // faster than, as fast as, and slower than the mode, over five of its periods at 171 Hz. Tensors that relax every twenty-fifth of
 // their time, for the middle of it, are wrong by the square of that, as far as the branch has a say: below 1e-3 of the amplitude.
 TEST(MaxwellBranch, ShearModeDecaysAsTheStandardLinearSolid) {
@@ -97,22 +97,22 @@ TEST(MaxwellBranch, ShearModeDecaysAsTheStandardLinearSolid) {
     dynamics.set_state(state);
     const std::size_t end = 3 * node_at(column.mesh, {0.0, 0.0, 0.0});
     double worst = 0.0;
-    double worst_books = 0.0;
+    double worst_balance = 0.0;
     for (int n = 1; n <= 100; ++n) {
       const double time = 0.05 * n * wanted.period_s();
       ASSERT_EQ(dynamics.advance_to(time).status, io::RunStatus::completed);
       worst = std::max(worst, std::abs(dynamics.state().displacements_m[end] / amplitude - wanted.at(time)));
-      const ExplicitEnergies books = dynamics.energies();
-      worst_books = std::max(worst_books, std::abs(books.imbalance_J()) / books.at_start_J);
+      const MotionEnergies energies = dynamics.energies();
+      worst_balance = std::max(worst_balance, std::abs(energies.imbalance_J()) / energies.at_start_J);
     }
     EXPECT_LT(worst, 1e-3) << number;
-    EXPECT_LT(worst_books, 1e-3) << number;
+    EXPECT_LT(worst_balance, 1e-3) << number;
     EXPECT_LT(wanted.at(5.0 * wanted.period_s()), 0.9) << "it does decay";
   }
 }
 
-// The hollow cube breathes under a pressure of 20 Hz, as its elastic and viscous kin do: books close to a thousandth of the
-// largest work, and what the branch lost is a part of it.
+// The hollow cube breathes under a pressure of 20 Hz, as its elastic and viscous kin do: the energy balance closes to a
+// thousandth of the largest work, and what the branch lost is a part of it.
 TEST(MaxwellBranch, EnergyIsBalancedOverACycle) {
   const meshes::HexahedralMesh mesh = hollow_cube();
   ExplicitBodyOptions of_body = silicone_options(mesh);
@@ -129,7 +129,7 @@ TEST(MaxwellBranch, EnergyIsBalancedOverACycle) {
   double lost = 0.0;
   for (int n = 1; n <= 20; ++n) {
     ASSERT_EQ(dynamics.advance_to(0.0025 * n).status, io::RunStatus::completed);
-    const ExplicitEnergies energies = dynamics.energies();
+    const MotionEnergies energies = dynamics.energies();
     largest = std::max(largest, energies.work.pressure_J);
     worst = std::max(worst, std::abs(energies.imbalance_J()));
     EXPECT_GE(energies.work.viscous_J, lost);

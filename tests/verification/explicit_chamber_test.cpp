@@ -69,8 +69,8 @@ ExplicitOptions cycling(double frequency_Hz) {
   return options;
 }
 
-// One cycle without friction: books close to a thousandth of the largest work, with and without viscosity. Natural frequencies
-// begin at 70 Hz: at 20 Hz the body does not follow its static states, and kinetic energy takes part.
+// One cycle without friction: the energy balance closes to a thousandth of the largest work, with and without viscosity. Natural
+// frequencies begin at 70 Hz: at 20 Hz the body does not follow its static states, and kinetic energy takes part.
 TEST(ExplicitChamber, EnergyIsBalancedOverACycle) {
   const meshes::HexahedralMesh mesh = hollow_cube();
   for (const double viscosity : {0.0, 5.0}) {
@@ -80,7 +80,7 @@ TEST(ExplicitChamber, EnergyIsBalancedOverACycle) {
     double worst = 0.0;
     for (int n = 1; n <= 20; ++n) {
       ASSERT_EQ(dynamics.advance_to(0.0025 * n).status, io::RunStatus::completed);
-      const ExplicitEnergies energies = dynamics.energies();
+      const MotionEnergies energies = dynamics.energies();
       largest = std::max(largest, energies.work.pressure_J);
       worst = std::max(worst, std::abs(energies.imbalance_J()));
     }

@@ -159,7 +159,7 @@ TEST(ExplicitDynamics, SlidingBlockStopsWhereItShould) {
   ASSERT_EQ(dynamics.advance_to(0.05 + 1.5 * speed / (mu * 9.81)).status, io::RunStatus::completed);
   const double distance = speed * speed / (2.0 * mu * 9.81);
   EXPECT_NEAR(dynamics.centre_of_mass_m()[0] - start, distance, 0.01 * distance);
-  const ExplicitEnergies energies = dynamics.energies();
+  const MotionEnergies energies = dynamics.energies();
   EXPECT_NEAR(energies.work.friction_J, 0.5 * block.body.mass_kg() * speed * speed, 0.02 * energies.work.friction_J);
   EXPECT_LT(std::abs(energies.imbalance_J()), 1e-3 * energies.work.friction_J);
   const double end = dynamics.centre_of_mass_m()[0];
@@ -243,7 +243,7 @@ TEST(ExplicitDynamics, HardGroundShortensTheStep) {
 
 // Dropped from 5 mm: free fall by the parabola, and after the bounce no more energy than before. The impact excites modes that
 // the longest stable step barely resolves, and whose energy at one time is only known to the square of step times frequency: a
-// quarter of that step brings the books to a thousandth.
+// quarter of that step brings the imbalance to a thousandth.
 TEST(ExplicitDynamics, BouncingBlockKeepsItsEnergy) {
   const Block block(0.0);
   ExplicitOptions options = on_ground({});
@@ -272,7 +272,7 @@ TEST(ExplicitDynamics, BouncingBlockKeepsItsEnergy) {
     if (!up && dynamics.state().time_s > 0.047) up = InTheAir{dynamics.velocities_m_per_s(), dynamics.ground_force_N()};
     ASSERT_EQ(dynamics.advance_to(0.03 + 0.05e-3 * (n + 1)).status, io::RunStatus::completed);
     contact = std::max(contact, dynamics.ground_force_N());
-    const ExplicitEnergies energies = dynamics.energies();
+    const MotionEnergies energies = dynamics.energies();
     worst = std::max(worst, std::abs(energies.imbalance_J()) / (weight * height));
     const double stored = ground_energy_J(*options.loads.ground, dynamics.positions_m(), areas);
     open_springs = std::max(open_springs, std::abs(energies.work.contact_J + stored) / (weight * height));

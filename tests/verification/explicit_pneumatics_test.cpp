@@ -54,7 +54,7 @@ TEST(ExplicitPneumatics, SlowPistonReachesTheStaticState) {
 }
 
 // Two cycles of a piston behind a line, at a frequency at which the line matters: no air is lost, the work of the air on the
-// walls is the body's work of pressure (that of forces on moving nodes), the body's books close and those of the air do.
+// walls is the body's work of pressure (that of forces on moving nodes), the energy balances of body and air close.
 TEST(ExplicitPneumatics, BooksOfAirAndEnergyClose) {
   const meshes::HexahedralMesh mesh = hollow_cube();
   const ExplicitBody body(mesh, standing(mesh));
@@ -68,7 +68,7 @@ TEST(ExplicitPneumatics, BooksOfAirAndEnergyClose) {
     for (int n = 1; n <= 16; ++n) {
       ASSERT_EQ(dynamics.advance_to(0.0125 * n).status, io::RunStatus::completed);
       const PneumaticState& state = *dynamics.state().pneumatics;
-      const ExplicitEnergies energies = dynamics.energies();
+      const MotionEnergies energies = dynamics.energies();
       largest = std::max(largest, energies.work.pressure_J);
       EXPECT_NEAR(supply.free_air_m3(state), air, 1e-13 * air);
       EXPECT_NEAR(energies.work.pressure_J, state.work.plenum_J, 1e-4 * largest);

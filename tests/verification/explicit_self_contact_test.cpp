@@ -62,10 +62,10 @@ TEST(ExplicitSelfContact, LegsBounceAndKeepTheirEnergy) {
   for (int n = 1; n <= 200; ++n) {
     const ExplicitReport& report = dynamics.advance_to(5e-5 * n);
     ASSERT_EQ(report.status, io::RunStatus::completed) << report.reason;
-    const ExplicitEnergies books = dynamics.energies();
-    worst = std::max(worst, std::abs(books.imbalance_J()));
-    open_springs = std::max(open_springs, std::abs(books.work.self_contact_J + stored_J(dynamics)));
-    most = std::max(most, books.work.self_contact_J + stored_J(dynamics));
+    const MotionEnergies energies = dynamics.energies();
+    worst = std::max(worst, std::abs(energies.imbalance_J()));
+    open_springs = std::max(open_springs, std::abs(energies.work.self_contact_J + stored_J(dynamics)));
+    most = std::max(most, energies.work.self_contact_J + stored_J(dynamics));
     touches = std::max(touches, dynamics.self_touches().size());
     last_air = air_m(mesh, dynamics);
     least_air = std::min(least_air, last_air);
@@ -153,7 +153,7 @@ TEST(ExplicitSelfContact, VacuumShutsAChamberAndComesToRest) {
   ExplicitDynamics dynamics(cube.mesh, cube.body, options);
   const double volume = dynamics.chamber_volumes_m3()[0];
   ASSERT_EQ(dynamics.advance_to(0.3).status, io::RunStatus::completed) << dynamics.advance_to(0.3).reason;
-  const ExplicitEnergies books = dynamics.energies();
+  const MotionEnergies energies = dynamics.energies();
   const std::vector<SelfTouch> touches = dynamics.self_touches();
   EXPECT_GT(touches.size(), 10U);
   double deepest = 0.0;
@@ -166,14 +166,14 @@ TEST(ExplicitSelfContact, VacuumShutsAChamberAndComesToRest) {
   const std::optional<BodyOverlap> overlap = BodyOverlapSearch(cube.mesh).find(dynamics.state().displacements_m, 0.05);
   EXPECT_LT(overlap ? overlap->share : 0.0, 0.6 * failed_contact_share) << "in its folds";
   EXPECT_GT(dynamics.chamber_volumes_m3()[0], 0.05 * volume);
-  EXPECT_LT(books.kinetic_J, 1e-7 * std::abs(books.work.pressure_J));
-  EXPECT_NEAR(books.work.self_contact_J, -stored_J(dynamics), 1e-5 * std::abs(books.work.pressure_J));
-  EXPECT_LT(std::abs(books.imbalance_J()), 1e-4 * std::abs(books.work.pressure_J));
+  EXPECT_LT(energies.kinetic_J, 1e-7 * std::abs(energies.work.pressure_J));
+  EXPECT_NEAR(energies.work.self_contact_J, -stored_J(dynamics), 1e-5 * std::abs(energies.work.pressure_J));
+  EXPECT_LT(std::abs(energies.imbalance_J()), 1e-4 * std::abs(energies.work.pressure_J));
 }
 
 struct Outcome {
   ExplicitState state;
-  ExplicitEnergies energies;
+  MotionEnergies energies;
 };
 
 Outcome outcome_of(const StandingCube& cube, const ExplicitOptions& options, double time_s) {
@@ -264,9 +264,9 @@ TEST(ExplicitSelfContact, ModulesThatMeetAlongAnEdgeBearPressure) {
     ASSERT_EQ(report.status, io::RunStatus::completed) << report.reason;
     touches = std::max(touches, dynamics.self_touches().size());
     EXPECT_FALSE(overlaps.find(dynamics.state().displacements_m, 0.15)) << n;
-    const ExplicitEnergies books = dynamics.energies();
-    largest_work = std::max(largest_work, books.work.self_contact_J);
-    worst = std::max(worst, std::abs(books.imbalance_J()));
+    const MotionEnergies energies = dynamics.energies();
+    largest_work = std::max(largest_work, energies.work.self_contact_J);
+    worst = std::max(worst, std::abs(energies.imbalance_J()));
   }
   EXPECT_GE(touches, 10U);
   const double put_in = dynamics.energies().work.pressure_J;
@@ -300,11 +300,11 @@ struct BlockOnSlab {
     }
     return state;
   }
-  [[nodiscard]] Point block_way_m(const ExplicitDynamics& dynamics) const { return mean_way_m(dynamics, true); }
-  [[nodiscard]] Point slab_way_m(const ExplicitDynamics& dynamics) const { return mean_way_m(dynamics, false); }
+  [[nodiscard]] Point block_displacement_m(const ExplicitDynamics& dynamics) const { return mean_path_m(dynamics, true); }
+  [[nodiscard]] Point slab_displacement_m(const ExplicitDynamics& dynamics) const { return mean_path_m(dynamics, false); }
 
  private:
-  [[nodiscard]] Point mean_way_m(const ExplicitDynamics& dynamics, bool of_block) const {
+  [[nodiscard]] Point mean_path_m(const ExplicitDynamics& dynamics, bool of_block) const {
     const std::vector<double>& ways = dynamics.state().displacements_m;
     Point total{};
     double mass = 0.0;
@@ -318,7 +318,7 @@ struct BlockOnSlab {
   }
 };
 
-/// Work of contact over a strike and what was open in the books, as part of the energy.
+/// Work of contact over a strike and the imbalance, as part of the energy.
 struct Strike {
   double work;
   double imbalance;
@@ -339,9 +339,9 @@ Strike strike(double largest_step_s) {
     stored = std::max(stored, stored_J(dynamics));
   }
   EXPECT_TRUE(dynamics.self_touches().empty());
-  EXPECT_GT(bodies.block_way_m(dynamics)[2] - bodies.slab_way_m(dynamics)[2], 0.05 * edge - edge);
-  const ExplicitEnergies books = dynamics.energies();
-  return {books.work.self_contact_J / energy, books.imbalance_J() / energy, stored / energy};
+  EXPECT_GT(bodies.block_displacement_m(dynamics)[2] - bodies.slab_displacement_m(dynamics)[2], 0.05 * edge - edge);
+  const MotionEnergies energies = dynamics.energies();
+  return {energies.work.self_contact_J / energy, energies.imbalance_J() / energy, stored / energy};
 }
 
 // A block strikes a slab in flight and leaves it. What their springs took they give back, up to errors of second order in the
@@ -377,7 +377,7 @@ Slide slide(const SurfaceFriction& friction, double slope, double speed_m_per_s,
     const ExplicitReport& report = dynamics.advance_to(time_s * n / 40);
     EXPECT_EQ(report.status, io::RunStatus::completed) << report.reason;
     result.times_s.push_back(dynamics.state().time_s);
-    result.ways_m.push_back(bodies.block_way_m(dynamics)[0]);
+    result.ways_m.push_back(bodies.block_displacement_m(dynamics)[0]);
   }
   result.friction_J = dynamics.energies().work.friction_J;
   result.self_contact_J = dynamics.energies().work.self_contact_J;

@@ -152,11 +152,11 @@ TEST(ImplicitDynamics, ToleranceControlsTheError) {
   EXPECT_NEAR(std::log10(loose / tight) / 2.0, 2.0 / 3.0, 0.25);
 }
 
-// The trapezoidal rule keeps the books of an elastic body to the square of the step; the scheme's damping takes energy out, and
+// The trapezoidal rule keeps the energy of an elastic body to the square of the step; the scheme's damping takes energy out, and
 // never adds any in the sum.
 TEST(ImplicitDynamics, BooksCloseWithTheSquareOfTheStep) {
   const ImplicitSample sample(meshes::box({8e-3, 4e-3, 4e-3}, {4, 1, 1}));
-  const auto books = [&](double step, double spectral_radius) {
+  const auto worst_imbalance = [&](double step, double spectral_radius) {
     ImplicitDynamics dynamics(sample.space, sample.body, equal_steps(step, spectral_radius));
     const auto spinning = [](const Point& X) { return Point{20.0 * (X[0] - 4e-3), -10.0 * (X[1] - 2e-3), 40.0 * X[0]}; };
     dynamics.set_state(state_of(sample.space, nothing, spinning));
@@ -169,11 +169,11 @@ TEST(ImplicitDynamics, BooksCloseWithTheSquareOfTheStep) {
     }
     return worst;
   };
-  const double coarse = std::abs(books(1e-4, 1.0));
-  const double fine = std::abs(books(5e-5, 1.0));
+  const double coarse = std::abs(worst_imbalance(1e-4, 1.0));
+  const double fine = std::abs(worst_imbalance(5e-5, 1.0));
   EXPECT_LT(fine, 1e-3);
   EXPECT_GT(coarse / fine, 3.0);
-  EXPECT_LT(books(5e-5, 0.5), 0.0);
+  EXPECT_LT(worst_imbalance(5e-5, 0.5), 0.0);
 }
 
 // Free flight keeps momentum, whatever the body does with itself.
@@ -254,7 +254,7 @@ TEST(ImplicitDynamics, SlidingBlockStopsWhereItShould) {
     ASSERT_EQ(dynamics.advance_to(0.05 + 1.5 * speed / (mu * 9.81)).status, io::RunStatus::completed);
     const double distance = speed * speed / (2.0 * mu * 9.81);
     EXPECT_NEAR(dynamics.centre_of_mass_m()[0] - start, distance, (regularisation > 0.0 ? 0.02 : 0.01) * distance);
-    const ExplicitEnergies energies = dynamics.energies();
+    const MotionEnergies energies = dynamics.energies();
     EXPECT_NEAR(energies.work.friction_J, 0.5 * dynamics.mass_kg() * speed * speed, 0.02 * energies.work.friction_J);
     EXPECT_LT(std::abs(energies.imbalance_J()), 0.01 * energies.work.friction_J);
     const double end = dynamics.centre_of_mass_m()[0];
@@ -289,8 +289,8 @@ TEST(ImplicitDynamics, BlockOnASlopeRestsOrSlides) {
 /// the pressure.
 struct Walk {
   double peak_m = 0.0;
-  double way_m = 0.0;
-  double mean_way_m = 0.0;  ///< over the second half
+  double path_m = 0.0;
+  double mean_path_m = 0.0;  ///< over the second half
   double largest_volume_m3 = 0.0;
   double friction_J = 0.0;
 };
@@ -302,10 +302,10 @@ Walk walk(Dynamics& dynamics) {
   for (int n = 1; n <= 200; ++n) {
     EXPECT_EQ(dynamics.advance_to(n / 300.0).status, io::RunStatus::completed);
     result.peak_m = std::max(result.peak_m, dynamics.centre_of_mass_m()[2]);
-    if (n > 100) result.mean_way_m += 0.01 * (dynamics.centre_of_mass_m()[0] - start);
+    if (n > 100) result.mean_path_m += 0.01 * (dynamics.centre_of_mass_m()[0] - start);
     result.largest_volume_m3 = std::max(result.largest_volume_m3, dynamics.chamber_volumes_m3()[0]);
   }
-  result.way_m = dynamics.centre_of_mass_m()[0] - start;
+  result.path_m = dynamics.centre_of_mass_m()[0] - start;
   result.friction_J = dynamics.energies().work.friction_J;
   return result;
 }
@@ -331,7 +331,7 @@ TEST(ImplicitDynamics, ModuleWalksAsByExplicitDynamics) {
   explicit_options.loads.ground = ground;
   ExplicitDynamics by_explicit(mesh, lumped, explicit_options);
   const Walk expected = walk(by_explicit);
-  EXPECT_LT(expected.way_m, -100e-6);
+  EXPECT_LT(expected.path_m, -100e-6);
 
   ImplicitSample sample(mesh);
   sample.body.gravity_m_per_s2 = gravity;
@@ -344,8 +344,8 @@ TEST(ImplicitDynamics, ModuleWalksAsByExplicitDynamics) {
   const Walk found = walk(dynamics);
   EXPECT_NEAR(found.peak_m, expected.peak_m, 0.002 * expected.peak_m);
   EXPECT_NEAR(found.largest_volume_m3, expected.largest_volume_m3, 0.002 * expected.largest_volume_m3);
-  EXPECT_NEAR(found.way_m, expected.way_m, 0.1 * std::abs(expected.way_m));
-  EXPECT_NEAR(found.mean_way_m, expected.mean_way_m, 0.15 * std::abs(expected.mean_way_m));
+  EXPECT_NEAR(found.path_m, expected.path_m, 0.1 * std::abs(expected.path_m));
+  EXPECT_NEAR(found.mean_path_m, expected.mean_path_m, 0.15 * std::abs(expected.mean_path_m));
   EXPECT_NEAR(found.friction_J, expected.friction_J, 0.05 * expected.friction_J);
 }
 

@@ -132,7 +132,7 @@ TEST(Pneumatics, ErrorFollowsTheTolerance) {
 }
 
 /// First Fourier coefficient of the plenum's pressure, per cosine of the drive, in the tenth period and relative to it.
-std::complex<double> answer(const PneumaticSupply& supply, double frequency_Hz) {
+std::complex<double> response(const PneumaticSupply& supply, double frequency_Hz) {
   constexpr int steps = 2000;
   PneumaticIntegrator air(supply);
   PneumaticState state = supply.start(0.0, rigid);
@@ -156,7 +156,7 @@ TEST(Pneumatics, LineAndPlenumAreALowPass) {
           {.exponent = exponent});
       const std::complex<double> exact = 1.0 / std::complex<double>(1.0, by_corner);
       // 1 Pa of 1e5 Pa bends the law by 1e-5; what is left of the start after ten periods is exp(-4 pi) at the highest frequency
-      EXPECT_LT(std::abs(answer(supply, frequency_Hz) - exact), 3e-5 * std::abs(exact)) << by_corner;
+      EXPECT_LT(std::abs(response(supply, frequency_Hz) - exact), 3e-5 * std::abs(exact)) << by_corner;
     }
   }
 }
@@ -175,7 +175,7 @@ TEST(Pneumatics, PistonBehindALineIsALowPass) {
     const double cylinder = cylinder_volume_m3(piston, 0.25 / frequency_Hz) + 3e-6;
     const std::complex<double> exact =
         1.4 * standard_atmosphere_Pa * 0.5 * swept_volume_m3(piston) / (volume + cylinder * std::complex<double>(1.0, by_corner));
-    EXPECT_LT(std::abs(answer(supply, frequency_Hz) - exact), 1e-4 * std::abs(exact)) << by_corner;
+    EXPECT_LT(std::abs(response(supply, frequency_Hz) - exact), 1e-4 * std::abs(exact)) << by_corner;
   }
 }
 

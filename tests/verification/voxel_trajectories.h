@@ -29,7 +29,7 @@ struct TrajectoryCase {
 };
 
 inline std::vector<TrajectoryCase> cases() {
-  std::ifstream file(std::string(MENGER_SOURCE_DIR) + "/tests/verification/data/voxel_trajectories.csv");
+  std::ifstream file(MENGER_SOURCE_DIR "/tests/verification/data/voxel_trajectories.csv");
   std::vector<TrajectoryCase> all;
   std::string line;
   std::getline(file, line);

@@ -37,8 +37,9 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "Example:\n  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml -o curves\n"
       "  menger calibrate voxel/studies/dragon_skin_10_1cm.toml --curves curves -o calibration\n"
       "writes calibration/parameters.toml (for [surrogate] of scenes and searches), result.toml, details.csv, parameters.csv,\n"
-      "correlation.csv, residuals.csv, answers.csv, a picture of every curve, agreement.png and manifest.json.\n"
-      "Exit codes: 0 done, 2 wrong input, 3 the fit did not converge (the best found is written and says so), 130 interrupted.");
+      "correlation.csv, residuals.csv, responses.csv, a picture of every curve, agreement.png and manifest.json.\n"
+      "Exit codes: 0 done, 2 wrong input, 3 the fit did not converge (the best parameters found are written, with\n"
+      "this status), 130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     voxel::CalibrationStudy study;
     describe(visitor, study);
@@ -47,8 +48,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--curves", arguments.curves, "files or folders of response curves, instead of those of the study");
   app.add_option("--identifiability", arguments.identifiability_fits,
-                 "also fit this many sets of curves made from the parameters found, with noise, from far starts, and count how "
-                 "often the intervals hold the truth")
+                 "test the confidence intervals, too: make this many sets of curves from the fitted parameters, with noise, fit "
+                 "each from a distant start, and count how often the intervals contain the true values")
       ->check(CLI::Range(1, 100000));
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
   return io::parse_arguments(app, argc, argv);
@@ -62,7 +63,7 @@ void print_row(const char* format, Values... values) {
 }
 
 void print_details(const voxel::CalibrationRunResult& result) {
-  print_row("%-14s %10s %12s %12s %10s  %s", "detail", "parameters", "chi2/freedom", "AIC", "RMS (%)", "status");
+  print_row("%-14s %10s %12s %12s %10s  %s", "detail", "parameters", "reduced chi2", "AIC", "RMS (%)", "status");
   for (const voxel::CalibrationStep& step : result.calibration.steps) {
     const voxel::CalibrationFit& fit = step.fit;
     if (fit.residual_count == 0) {
@@ -96,15 +97,15 @@ void print_parameters(const voxel::CalibrationFit& fit) {
 void print_frequency_response(const std::vector<voxel::FrequencyGain>& gains) {
   if (gains.empty()) return;
   double worst = 0.0;
-  std::size_t answered = 0;
+  std::size_t computed = 0;
   for (const voxel::FrequencyGain& gain : gains) {
     if (!gain.surrogate_m_per_Pa) continue;
-    ++answered;
+    ++computed;
     worst = std::max(worst, std::abs(*gain.surrogate_m_per_Pa / gain.reference_m_per_Pa - 1.0));
   }
-  if (answered > 0) print_row("frequency response: off by %.3g %% at most", 100.0 * worst);
-  if (answered < gains.size())
-    print_row("frequency response: unanswered at %zu of %zu frequencies", gains.size() - answered, gains.size());
+  if (computed > 0) print_row("frequency response: largest error %.3g %%", 100.0 * worst);
+  if (computed < gains.size())
+    print_row("frequency response: not computed at %zu of %zu frequencies", gains.size() - computed, gains.size());
 }
 
 void print(const voxel::CalibrationRunResult& result, const std::filesystem::path& folder) {
@@ -122,8 +123,8 @@ void print(const voxel::CalibrationRunResult& result, const std::filesystem::pat
   if (result.identifiability) {
     for (const voxel::Coverage& coverage : result.identifiability->coverage) {
       const auto [lowest, highest] = voxel::likely_hits(coverage.interval_count, 0.95);
-      print_row("interval of %s held the truth %d of %d times (by chance %d to %d)", coverage.name.c_str(), coverage.hit_count,
-                coverage.interval_count, lowest, highest);
+      print_row("interval of %s contained the true value %d of %d times (likely by chance: %d to %d)", coverage.name.c_str(),
+                coverage.hit_count, coverage.interval_count, lowest, highest);
     }
   }
   print_frequency_response(result.frequency_response);

@@ -11,10 +11,11 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
 #include "io/process/study_help.h"
+#include "io/text/content_hash.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
-#include "io/text/manifest.h"
 #include "meshes/load_cases/observables.h"
 #include "voxel/kernels/instruction_sets.h"
 #include "voxel/kernels/kernel_choice.h"
@@ -53,9 +54,9 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "Example:\n  menger simulate voxel/scenes/menger.toml -o walk\n"
       "writes walk/result.toml, trajectory.csv, frames.pvd (open it in ParaView), robot.png, trajectory.png and "
       "manifest.json.\n"
-      "With --check-dt the scene runs a second time with half the time step; result.toml and check_dt.csv then say what that "
-      "changes.\n"
-      "A silicone body that air drives, with calibrated parameters: voxel/scenes/silicone.toml.\n"
+      "With --check-dt the scene runs a second time with half the time step; result.toml and check_dt.csv then contain the "
+      "differences.\n"
+      "Example of a silicone body driven by air, with calibrated parameters: voxel/scenes/silicone.toml.\n"
       "Exit codes: 0 completed, 2 wrong input, 3 diverged, 130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     voxel::Scene scene;
@@ -65,15 +66,17 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the scene file)");
   app.add_option("--level", arguments.level, "level of the fractal, instead of the scene's");
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
-  app.add_flag("--energy", arguments.energy, "keep the energy balance (slow)");
+  app.add_flag("--energy", arguments.energy, "compute the energy balance (slow)");
   app.add_flag("--check-dt", arguments.check_dt,
                "run again with half the time step and report the difference (three times the work)");
-  app.add_flag("--every-term", arguments.kernel.every_term, "leave no term out of the step; gives the same bytes, slower");
+  app.add_flag("--every-term", arguments.kernel.every_term,
+               "compute every term in every step; slower, with the same results byte for byte");
   app.add_option("--threads", arguments.kernel.threads,
-                 "threads that share every step of an aggregate, whose copies go in lanes; any number gives the same bytes")
+                 "threads that share every step of an aggregate, whose copies are computed in SIMD lanes; the results are "
+                 "the same byte for byte for any number")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  app.add_option("--instruction-set", arguments.instruction_set, "kernels to use; all give the same bytes")
+  app.add_option("--instruction-set", arguments.instruction_set, "kernels to use; all give the same results byte for byte")
       ->check(CLI::IsMember(instruction_sets()));
   return io::parse_arguments(app, argc, argv);
 }
@@ -92,8 +95,8 @@ void print_check(const voxel::StepCheck& check, double body_length_m) {
   } else {
     std::cout << ", " << check.reason;
   }
-  if (check.horizontal_change_m) std::cout << ", " << io::formatted("%+.3g", *check.horizontal_change_m) << " m";
-  std::cout << "; the centre of mass was up to " << io::shown(check.largest_distance_m, 3) << " m away, at "
+  if (check.horizontal_change_m) std::cout << ", difference " << io::formatted("%+.3g", *check.horizontal_change_m) << " m";
+  std::cout << "; largest distance between the centres of mass: " << io::shown(check.largest_distance_m, 3) << " m, at "
             << io::shown(check.largest_distance_time_s) << " s\n";
 }
 
@@ -113,21 +116,11 @@ void print_outcome(const voxel::SceneResult& result, const std::filesystem::path
   std::cout << "results in " << folder.string() << '\n';
 }
 
-/// A run and its check: what is worse of both, the interruption first.
+/// A run and its check.
 int exit_code_of(const voxel::SceneResult& result) {
-  const auto has = [&](io::RunStatus status) {
-    return result.status == status || (result.step_check && result.step_check->status == status);
-  };
-  if (has(io::RunStatus::stopped)) return io::exit_code::interrupted;
-  return has(io::RunStatus::diverged) ? io::exit_code::numerical : io::exit_code::done;
-}
-
-/// The inputs are hashed here, right after they were read: they may be edited while the simulation runs.
-io::Manifest manifest_of(const std::vector<std::filesystem::path>& inputs) {
-  io::Manifest manifest;
-  manifest.program = "menger-simulate";
-  for (const auto& file : inputs) io::add_input(manifest, file);
-  return manifest;
+  std::vector<io::RunStatus> parts{result.status};
+  if (result.step_check) parts.push_back(result.step_check->status);
+  return io::exit_code_of(parts);
 }
 
 void choose_kernels(Arguments& arguments) {
@@ -139,32 +132,29 @@ void choose_kernels(Arguments& arguments) {
   }
 }
 
-/// Runs the scene again with half the step. What the run left stays as it is until the check is done.
+/// Runs the scene again with half the step. The results of the run stay unchanged until the check is done.
 void check_step(const voxel::Scene& scene, const std::filesystem::path& folder, voxel::RunOptions options,
-                voxel::SceneResult& result, io::Manifest& manifest) {
+                voxel::SceneResult& result) {
   io::Progress progress(scene.design.name + ", half the step", scene.duration_s);
   options.progress = [&](const voxel::RunProgress& now) {
     progress.update(now.time_s, io::shown(now.simulated_s_per_second, 3) + " simulated s/s");
   };
   voxel::add_step_check(scene, folder, options, result);
-  if (!result.step_check) return;
-  manifest.seconds += result.step_check->seconds;
-  io::write_manifest(folder, manifest);
 }
 
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
   auto [scene, files] = voxel::read_scene(arguments.scene, arguments.level);
-  io::Manifest manifest = manifest_of(files);
+  const std::map<std::string, std::string> inputs = io::file_hashes(files);  // now: files may be edited while the simulation runs
   if (arguments.no_pictures) scene.output.pictures = false;
   if (arguments.energy) scene.energy_ledger = true;
   if (scene.energy_ledger && scene.physics.integration.number != voxel::NumberType::float64) {
     throw io::InputError(arguments.scene.string() + ": the energy balance needs integration.number = \"float64\"");
   }
   choose_kernels(arguments);
-  manifest.parameters = voxel::scene_text(scene);
   if (arguments.folder.empty()) arguments.folder = arguments.scene.stem();
+  const io::RunFolder folder("menger-simulate", arguments.folder);
 
   io::catch_interrupts();
   io::Progress progress(scene.design.name, scene.duration_s);
@@ -177,10 +167,12 @@ int run(int argc, const char* const* argv) {
     progress.update(now.time_s, io::shown(now.simulated_s_per_second, 3) + " simulated s/s");
   };
   voxel::SceneResult result = voxel::run_scene(scene, arguments.folder, options);
-  manifest.seconds = result.seconds;
-  io::write_manifest(arguments.folder, manifest);
+  folder.finish(voxel::scene_text(scene), inputs);
   progress.clear();
-  if (arguments.check_dt) check_step(scene, arguments.folder, options, result, manifest);
+  if (arguments.check_dt) {
+    check_step(scene, arguments.folder, options, result);
+    folder.finish(voxel::scene_text(scene), inputs);  // with the time of both
+  }
   print_outcome(result, arguments.folder);
   return exit_code_of(result);
 }

@@ -39,9 +39,9 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   CLI::App app("Compares voxel parameters with response curves of finite elements that no fit has seen.", "menger-validate");
   app.footer(
       "Example:\n  menger validate voxel/studies/held_out.toml --parameters calibration/parameters.toml -o validation\n"
-      "with the parameters of menger calibrate; the study names the load cases that are held out, whose curves menger "
+      "uses the parameters of menger calibrate. The study names the held-out load cases, or folders of curves. menger "
       "load-cases\n"
-      "makes first (those there already are not made again), or folders of curves. It writes validation/errors.csv, "
+      "first computes the curves of the load cases; existing curves are kept. It writes validation/errors.csv, "
       "summary.csv,\n"
       "volume_actuation.csv, report.txt, errors.png, a picture of every curve, manifest.json, and the worst body in both "
       "models:\n"
@@ -57,7 +57,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_option("--parameters", arguments.places.parameters, "voxel parameters, instead of the study's");
   app.add_option("--curves", arguments.places.curves, "folders or files of response curves, instead of the study's");
   app.add_flag("--explain", arguments.explain,
-               "fit sizes, stiffnesses and both to each body alone, to see which of them is what it is missed by");
+               "fit sizes, stiffnesses and both to each body alone, to find which of them cause its error");
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
   return io::parse_arguments(app, argc, argv);
 }
@@ -70,7 +70,7 @@ bool make_curves(const fs::path& set, const fs::path& folder, const fs::path& lo
   child.program = io::program_in(io::own_program_folder(), "menger-load-cases");
   child.arguments = {fs::absolute(set).string(), "-o", fs::absolute(folder).string(), "--fields"};
   child.out = logs / "load_cases.txt";
-  // what it says of its progress belongs on the terminal, if there is one
+  // Its progress messages belong on the terminal, if there is one.
   child.err = ::isatty(STDERR_FILENO) != 0 ? fs::path("/dev/stderr") : logs / "load_cases_errors.txt";
   child.stop = &io::interrupted();
   const io::ChildOutcome outcome = io::run_child(child);
@@ -79,7 +79,7 @@ bool make_curves(const fs::path& set, const fs::path& folder, const fs::path& lo
   throw io::InputError(set.string() + ": menger-load-cases ended " +
                        (outcome.end == io::ChildEnd::signalled ? "by signal " + std::to_string(outcome.signal)
                                                                : "with exit code " + std::to_string(outcome.exit_code)) +
-                       "; it says why in " + child.err.string());
+                       "; the reason is in " + child.err.string());
 }
 
 std::string parameter_text(const voxel::ValidationStudy& study, const voxel::SurrogateParameters& parameters) {
@@ -89,7 +89,7 @@ std::string parameter_text(const voxel::ValidationStudy& study, const voxel::Sur
   return text.text() + voxel::surrogate_text(parameters);
 }
 
-/// Every file that is read, with the hash of its content.
+/// Every input file with the hash of its content.
 std::map<std::string, std::string> inputs_of(const voxel::ValidationStudy& study,
                                              const std::vector<voxel::HeldOutCurve>& curves) {
   std::map<std::string, std::string> inputs;
@@ -126,7 +126,7 @@ int run(int argc, const char* const* argv) {
   const voxel::ValidationResult result = voxel::run_validation(study, parameters, record, curves, arguments.folder, options);
   progress.clear();
   if (result.status == io::RunStatus::stopped) {
-    std::cout << "stopped; nothing was written\n";
+    std::cout << "Stopped. Nothing was written.\n";
     return io::exit_code_of(result.status);
   }
   folder.finish(parameter_text(study, parameters), inputs);

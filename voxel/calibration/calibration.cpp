@@ -13,7 +13,7 @@
 namespace menger::voxel {
 namespace {
 
-/// The answers to all curves.
+/// Computes the responses to all curves.
 std::vector<LoadCaseResponse> responses_of(const CalibrationProblem& problem, const SurrogateParameters& parameters) {
   std::vector<LoadCaseResponse> responses(problem.curves.size());
   tbb::parallel_for(std::size_t{0}, responses.size(), [&](std::size_t c) {
@@ -22,20 +22,20 @@ std::vector<LoadCaseResponse> responses_of(const CalibrationProblem& problem, co
   return responses;
 }
 
-/// By span, whether a curve's residuals change by it.
+/// By span, whether the residuals of a curve depend on it.
 std::vector<bool> spans_that_matter(const CalibrationProblem& problem, const FittedCurve& curve,
                                     const std::vector<ParameterSpan>& spans) {
-  // More than what equilibria leave of their tolerance, which is far less than a standard deviation.
+  // Above the remaining error of equilibria, which is far below a standard deviation.
   constexpr double noise = 1e-6;
-  const ResponseSlopes answer = problem.responder.slopes(problem.start, curve.load_case, curve.states, spans);
+  const ResponseSlopes response = problem.responder.slopes(problem.start, curve.load_case, curve.states, spans);
   std::vector<bool> matters(spans.size(), false);
-  if (!answers_of(curve, answer.response)) return matters;
+  if (!responses_of(curve, response.response)) return matters;
   for (std::size_t n = 0; n < spans.size(); ++n) {
-    if (!answer.slopes[n]) {
-      matters[n] = true;  // it takes the answer away
+    if (!response.slopes[n]) {
+      matters[n] = true;  // with it there is no response
       continue;
     }
-    const std::vector<double> slopes = slopes_of(curve, answer.response.columns, *answer.slopes[n]);
+    const std::vector<double> slopes = slopes_of(curve, response.response.columns, *response.slopes[n]);
     matters[n] = std::ranges::any_of(slopes, [&](double slope) { return std::abs(slope) * spans[n].above_by > noise; });
   }
   return matters;
@@ -59,15 +59,15 @@ ValidityRange validity_of(const CalibrationProblem& problem, const SurrogatePara
   return validity;
 }
 
-/// Whether a fit completed and leaves no more than another, whatever their numbers of parameters.
+/// Whether a fit completed and its error is no larger than that of another, regardless of their numbers of parameters.
 bool is_as_good(const CalibrationFit& fit, const CalibrationFit& other) {
-  constexpr double slack = 1.0;  // of the criterion, which means something to about that
+  constexpr double slack = 1.0;  // of the criterion, where smaller differences have no meaning
   const auto left = [](const CalibrationFit& of) { return of.aic - 2.0 * static_cast<double>(of.parameter_count); };
   if (fit.status != io::RunStatus::completed || fit.parameter_count == 0) return false;
   return other.status != io::RunStatus::completed || left(fit) <= left(other) + slack;
 }
 
-/// A calibration as it grows.
+/// The state of a calibration in progress.
 struct Search {
   const CalibrationProblem& problem;
   const CalibrationPlan& plan;
@@ -80,8 +80,9 @@ struct Search {
     return plan.choice || best.status != io::RunStatus::completed || fit.aic < best.aic - plan.aic_margin;
   }
 
-  /// Fits a detail joined with those kept: first from where it has its usual effect, the best of all starts. That may lie where
-  /// equilibria are few; since the fit before is a special case of this one, which then must be as good, it else begins there.
+  /// Fits a detail together with those kept, and takes the best result of all its starts. The starts give the detail its usual
+  /// effect, where equilibria may be rare. The fit before is a special case of this one. If the result is not as good as that,
+  /// the fit is made again from there.
   [[nodiscard]] CalibrationFit fit_with(CalibrationDetail detail, const DetailSet& details) const {
     const auto parameters = fitted_parameters(details, calibration.classes, problem.bounds, problem.start);
     const auto fit_from = [&](const SurrogateParameters& start) {
@@ -137,7 +138,7 @@ DeterminedClasses determined_classes(const CalibrationProblem& problem) {
   constexpr double change = 0.01;
   DeterminedClasses classes{{}, {}, {}};
   std::vector<ParameterSpan> spans;
-  std::vector<std::pair<std::vector<std::size_t>*, std::size_t>> meanings;  // by span: the list, and the class to be put there
+  std::vector<std::pair<std::vector<std::size_t>*, std::size_t>> meanings;  // by span: a list, and the class to add to it
   for (std::size_t c = 0; c < wall_class_count; ++c) {
     const auto add = [&](std::vector<std::size_t>& found, const auto& alter) {
       ParameterSpan span{.below = problem.start, .above = problem.start, .below_by = 0.0, .above_by = change};
@@ -182,7 +183,7 @@ std::vector<std::string> failed_details(const Calibration& calibration) {
     failed.erase(step.detail);
     if (step.fit.status == io::RunStatus::completed) continue;
     failed[step.detail] = "detail " + std::string(to_string(step.detail)) + ": " + std::string(io::to_string(step.fit.status)) +
-                          ", " + step.fit.reason + (step.is_kept ? "" : "; the result is without it");
+                          ", " + step.fit.reason + (step.is_kept ? "" : "; the result does not include it");
   }
   std::vector<std::string> sentences;
   sentences.reserve(failed.size());
@@ -194,7 +195,7 @@ Calibration calibrate(const CalibrationProblem& problem, const CalibrationPlan& 
   Search search{problem, plan, {}};
   search.calibration.classes = determined_classes(problem);
   std::deque<CalibrationDetail> open(plan.details.begin(), plan.details.end());
-  std::size_t in_vain = 0;  // since the last one that was kept
+  std::size_t in_vain = 0;  // number of details tried since the last one that was kept
   while (in_vain < open.size()) {
     const CalibrationDetail detail = open.front();
     open.pop_front();

@@ -12,7 +12,7 @@
 namespace menger::voxel {
 namespace {
 
-/// How a column is shown to people.
+/// How a column is written in a picture.
 struct Shown {
   std::string title;
   double factor = 1.0;
@@ -34,7 +34,7 @@ std::string quantity_name(const std::string& column) {
   return name;
 }
 
-/// Rows of one line: all of a curve over pressure, those of one pressure over what is imposed.
+/// Rows of one line: all rows of a curve over pressure, or those of one pressure over the imposed value.
 std::vector<std::vector<std::size_t>> runs_of(const FittedCurve& curve) {
   std::vector<std::vector<std::size_t>> runs;
   for (std::size_t row = 0; row < curve.states.size(); ++row) {
@@ -62,7 +62,7 @@ void add_series(io::ChartPanel& panel, const FittedCurve& curve, const std::vect
       reference.x.push_back(x_factor * curve.states[row].back());
       reference.y.push_back(y_factor * curve.reference[ordinate][row]);
       surrogate.x.push_back(reference.x.back());
-      surrogate.y.push_back(y_factor * answer_at(curve, residuals, ordinate * rows + row));
+      surrogate.y.push_back(y_factor * response_at(curve, residuals, ordinate * rows + row));
     }
     panel.series.push_back(std::move(reference));
     panel.series.push_back(std::move(surrogate));
@@ -74,7 +74,7 @@ std::string axis_title(const std::string& quantity, const std::string& unit) {
 }
 
 io::ChartPanel agreement_panel(const Calibration& calibration, const std::vector<FittedCurve>& curves) {
-  io::ChartPanel panel{.title = "every state, by the largest of its curve",
+  io::ChartPanel panel{.title = "every state, relative to the largest value of its curve",
                        .x = {.title = "reference"},
                        .y = {.title = "surrogate"},
                        .series = {},
@@ -92,7 +92,7 @@ io::ChartPanel agreement_panel(const Calibration& calibration, const std::vector
       for (const double value : reference) largest = std::max(largest, std::abs(value));
       if (largest == 0.0) continue;
       series.x.push_back(reference[n % rows] / largest);
-      series.y.push_back(answer_at(curve, fit.residuals[c], n) / largest);
+      series.y.push_back(response_at(curve, fit.residuals[c], n) / largest);
     }
   }
   for (auto& [kind, series] : by_kind) {
@@ -106,14 +106,14 @@ io::ChartPanel agreement_panel(const Calibration& calibration, const std::vector
 
 io::ChartPanel detail_panel(const Calibration& calibration, const std::vector<FittedCurve>& curves) {
   io::ChartPanel panel{
-      .title = "what each detail leaves",
+      .title = "remaining error with each detail",
       .x = {.title = "number of fitted parameters"},
-      .y = {.title = "RMS error (% of the largest of a curve)", .lowest = 0.0},
+      .y = {.title = "RMS error (% of the largest value of a curve)", .lowest = 0.0},
       .series = {},
       .markers = {{io::ChartMarker::Direction::vertical, static_cast<double>(calibration.fit().parameter_count), "chosen"}}};
   std::set<meshes::LoadCaseKind> kinds;
   for (const FittedCurve& curve : curves) kinds.insert(curve.load_case.kind);
-  // a line joins the details that were kept, in the order of their number; those that were not are points beside it
+  // A line joins the details that were kept, in order. Those that were not kept are points beside it.
   std::vector<const CalibrationStep*> steps;
   for (const CalibrationStep& step : calibration.steps) steps.push_back(&step);
   std::stable_sort(steps.begin(), steps.end(), [](const CalibrationStep* a, const CalibrationStep* b) {
@@ -141,7 +141,7 @@ io::ChartPanel detail_panel(const Calibration& calibration, const std::vector<Fi
 }  // namespace
 
 io::PictureOutcome draw_curve(const std::filesystem::path& file, const FittedCurve& curve, const std::vector<double>& residuals) {
-  if (residuals.empty()) return {.written = false, .missing = "the surrogate has no answer to " + curve.load_case.name};
+  if (residuals.empty()) return {.written = false, .missing = "the surrogate has no response to " + curve.load_case.name};
   const std::string abscissa = meshes::response_columns(curve.load_case.kind)[meshes::abscissa_count(curve.load_case.kind) - 1];
   std::map<std::string, io::ChartPanel> by_unit;
   for (std::size_t o = 0; o < curve.ordinates.size(); ++o) {
@@ -158,7 +158,7 @@ io::PictureOutcome draw_curve(const std::filesystem::path& file, const FittedCur
 
 io::PictureOutcome draw_agreement(const std::filesystem::path& file, const Calibration& calibration,
                                   const std::vector<FittedCurve>& curves) {
-  // over both panels: neither is as wide as a long list of details
+  // Over both panels, because neither is as wide as a long list of details.
   const io::Chart chart{.title = "details fitted: " + to_string(calibration.details()),
                         .panels = {agreement_panel(calibration, curves), detail_panel(calibration, curves)}};
   return io::write_chart(file, chart, {.width_px = 2000, .height_px = 900});

@@ -13,10 +13,10 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double least_singular_value = 1e-6;  // differences know the columns no better
+constexpr double least_singular_value = 1e-6;  // columns from differences are no more accurate
 
 bool is_at_bound(const FittedValue& value) {
-  constexpr double near = 1e-6;  // of the width of the search
+  constexpr double near = 1e-6;  // of the width between the bounds
   const FittedParameter& p = value.parameter;
   const double low = p.unknown_of(p.bounds.lowest);
   const double high = p.unknown_of(p.bounds.highest);
@@ -32,22 +32,22 @@ std::vector<Index> free_columns(const CalibrationFit& fit) {
   return columns;
 }
 
-/// Of unknowns, and what of their variances comes from combinations that the residuals do not answer to.
+/// Covariance of unknowns, and the part of their variances from combinations on which the residuals do not depend.
 struct Covariance {
   Eigen::MatrixXd matrix;
   Eigen::VectorXd undetermined;
 };
 
 Covariance covariance_of(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& weights) {
-  // Columns of very different length are scaled, so that singular values say how values combine and not how large they are.
+  // Columns of very different length are scaled. Singular values then depend on how values combine, not on how large they are.
   const Eigen::VectorXd length = jacobian.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
   const Eigen::MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const Index size = scaled.cols();
-  Eigen::VectorXd singular = Eigen::VectorXd::Zero(size);  // fewer residuals than values: the rest is zero
+  Eigen::VectorXd singular = Eigen::VectorXd::Zero(size);  // with fewer residuals than values the rest is zero
   singular.head(svd.singularValues().size()) = svd.singularValues();
   const double floor = least_singular_value * std::max(singular[0], std::numeric_limits<double>::min());
-  // Combinations beyond all residuals have no weight of their own: with the mean one a common factor changes nothing.
+  // Combinations beyond all residuals have no weight of their own. With the mean weight a common factor has no effect.
   Eigen::MatrixXd spread = weights.mean() * Eigen::MatrixXd::Identity(size, size);
   const Index rank = std::min(size, svd.matrixU().cols());
   spread.topLeftCorner(rank, rank) = svd.matrixU().transpose() * weights.asDiagonal() * svd.matrixU();
@@ -63,7 +63,7 @@ Covariance covariance_of(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd&
 void set_interval(FittedValue& value, double half_width) {
   const FittedParameter& p = value.parameter;
   const double at = p.unknown_of(value.value);
-  // Beyond the bounds nothing was looked for, and an interval of a logarithm may have no number for an end.
+  // Nothing was searched beyond the bounds, and the end of an interval in a logarithm may have no finite value.
   value.confidence_95 = {p.value_of(std::max(at - half_width, p.unknown_of(p.bounds.lowest))),
                          p.value_of(std::min(at + half_width, p.unknown_of(p.bounds.highest)))};
   const double width = value.confidence_95->second - value.confidence_95->first;
@@ -86,7 +86,7 @@ void set_confidence(CalibrationFit& fit, const Eigen::MatrixXd& jacobian, const 
   const double factor = widened ? materials::student_quantile_95(static_cast<int>(fit.residual_count - fit.parameter_count)) *
                                       std::sqrt(fit.reduced_chi2())
                                 : boost::math::quantile(boost::math::normal(), 0.975);
-  std::vector<Index> known;  // places among the free columns
+  std::vector<Index> known;  // positions among the free columns
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto at = static_cast<Index>(i);
     FittedValue& value = fit.values[static_cast<std::size_t>(columns[i])];

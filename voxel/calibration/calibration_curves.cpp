@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Provenance files in the order of their names, so that the order of a folder does not matter.
+/// Provenance files in the order of their names, independent of the order in the folder.
 std::set<fs::path> provenance_files(const io::TomlTable& top, const std::vector<fs::path>& given, const CalibrationStudy& study) {
   const std::vector<fs::path>& places = given.empty() ? study.places : given;
   std::set<fs::path> files;
@@ -55,7 +55,7 @@ void check_curve(const StudyCurve& curve, const CalibrationStudy& study, CurveSu
                          io::number_text(needs));
   };
   require_text("silicone", provenance.silicone, wanted.silicone);
-  if (!wanted.law) wanted.law = provenance.law;  // and all others must have the same
+  if (!wanted.law) wanted.law = provenance.law;  // all further curves must have the same
   require_text("law", provenance.law, *wanted.law);
   require_length("cell_edge_m", provenance.load_case.cell_edge_m, wanted.cell_edge_m);
   require_length("wall_thickness_m", provenance.load_case.wall_thickness_m, wanted.wall_thickness_m);
@@ -103,7 +103,7 @@ void read_curves(const io::TomlTable& top, const std::vector<fs::path>& given, C
     }
     study.curves.push_back(std::move(curve));
   }
-  if (!missing.empty()) throw top.error("cases", "no curve is there for " + io::joined({missing.begin(), missing.end()}));
+  if (!missing.empty()) throw top.error("cases", "there is no curve for " + io::joined({missing.begin(), missing.end()}));
 }
 
 }  // namespace menger::voxel

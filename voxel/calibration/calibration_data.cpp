@@ -54,26 +54,26 @@ FittedCurve fitted_curve(const meshes::ResponseCurve& curve, double weight) {
   return fitted;
 }
 
-std::optional<std::vector<std::vector<double>>> answers_of(const FittedCurve& curve, const LoadCaseResponse& response) {
+std::optional<std::vector<std::vector<double>>> responses_of(const FittedCurve& curve, const LoadCaseResponse& response) {
   if (response.status != io::RunStatus::completed) return std::nullopt;
-  std::vector<std::vector<double>> answers;
+  std::vector<std::vector<double>> responses;
   for (const std::string& ordinate : curve.ordinates) {
     const auto place = std::find(response.columns.begin(), response.columns.end(), ordinate);
     if (place == response.columns.end()) return std::nullopt;
     const std::vector<double>& column = response.values.at(static_cast<std::size_t>(place - response.columns.begin()));
     const bool finite = std::all_of(column.begin(), column.end(), [](double value) { return std::isfinite(value); });
     if (column.size() != curve.states.size() || !finite) return std::nullopt;
-    answers.push_back(column);
+    responses.push_back(column);
   }
-  return answers;
+  return responses;
 }
 
-std::vector<double> residuals_of(const FittedCurve& curve, const std::vector<std::vector<double>>& answers) {
+std::vector<double> residuals_of(const FittedCurve& curve, const std::vector<std::vector<double>>& responses) {
   std::vector<double> residuals;
   residuals.reserve(curve.residual_count());
   for (std::size_t o = 0; o < curve.ordinates.size(); ++o) {
     for (std::size_t row = 0; row < curve.states.size(); ++row)
-      residuals.push_back((answers[o][row] - curve.reference[o][row]) / curve.sigma[o]);
+      residuals.push_back((responses[o][row] - curve.reference[o][row]) / curve.sigma[o]);
   }
   return residuals;
 }

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Of an unknown: well above what the equilibria are solved to, and small against the 1 that is a large change.
+/// Step of an unknown for differences: far above the tolerance of the equilibria, and small against 1, which is a large change.
 constexpr double difference = 1e-4;
 
 double bounded_loss(double residual, double scale) {
@@ -19,7 +19,7 @@ double bounded_loss(double residual, double scale) {
 
 double bounded_loss_slope(double residual, double scale) {
   const double ratio = std::abs(residual / scale);
-  constexpr double linear = 1e-8;  // below which the loss is the residual, to rounding
+  constexpr double linear = 1e-8;  // below this the loss equals the residual, to rounding
   return ratio < linear ? 1.0 : ratio / ((1.0 + ratio * ratio) * std::sqrt(std::log1p(ratio * ratio)));
 }
 
@@ -69,9 +69,9 @@ std::optional<Eigen::VectorXd> CalibrationEvaluation::curve_residuals(std::size_
                                                                       const SurrogateParameters& parameters) const {
   if (stop_ != nullptr && *stop_) return std::nullopt;
   const FittedCurve& fitted = curves_[curve];
-  const auto answers = answers_of(fitted, responder_(parameters, fitted.load_case, fitted.states));
-  if (!answers) return std::nullopt;
-  return weighted(curve, vector_of(residuals_of(fitted, *answers)));
+  const auto responses = responses_of(fitted, responder_(parameters, fitted.load_case, fitted.states));
+  if (!responses) return std::nullopt;
+  return weighted(curve, vector_of(residuals_of(fitted, *responses)));
 }
 
 std::optional<Eigen::VectorXd> CalibrationEvaluation::residuals(std::span<const double> unknowns) const {
@@ -110,19 +110,19 @@ std::optional<Eigen::VectorXd> CalibrationEvaluation::linearise_curve(std::size_
   for (std::size_t p = 0; p < spans.size(); ++p) {
     if (has_influence_[curve][p]) asked.push_back(spans[p]);
   }
-  const ResponseSlopes answer = responder_.slopes(parameters_at(unknowns), fitted.load_case, fitted.states, asked);
-  const auto answers = answers_of(fitted, answer.response);
-  if (!answers) return std::nullopt;
-  const Eigen::VectorXd residuals = vector_of(residuals_of(fitted, *answers));
+  const ResponseSlopes response = responder_.slopes(parameters_at(unknowns), fitted.load_case, fitted.states, asked);
+  const auto responses = responses_of(fitted, response.response);
+  if (!responses) return std::nullopt;
+  const Eigen::VectorXd residuals = vector_of(residuals_of(fitted, *responses));
   Eigen::VectorXd factor = Eigen::VectorXd::Constant(residuals.size(), std::sqrt(fitted.weight));
   if (loss_scale_)
     factor.array() *= residuals.unaryExpr([&](double value) { return bounded_loss_slope(value, *loss_scale_); }).array();
   std::size_t next = 0;
   for (std::size_t p = 0; p < spans.size(); ++p) {
     if (!has_influence_[curve][p]) continue;
-    const auto& slope = answer.slopes[next++];
+    const auto& slope = response.slopes[next++];
     if (!slope) return std::nullopt;
-    const Eigen::VectorXd column = vector_of(slopes_of(fitted, answer.response.columns, *slope));
+    const Eigen::VectorXd column = vector_of(slopes_of(fitted, response.response.columns, *slope));
     jacobian.block(first_row_[curve], static_cast<Index>(p), column.size(), 1) = factor.cwiseProduct(column);
   }
   return weighted(curve, residuals);
@@ -144,7 +144,7 @@ std::optional<CalibrationEvaluation::Linearisation> CalibrationEvaluation::linea
 }
 
 std::optional<std::vector<FittedParameter>> CalibrationEvaluation::drop_without_influence(std::vector<double>& unknowns) {
-  // What an equilibrium leaves of its tolerance is no influence: far less than any sigma.
+  // The remaining error of an equilibrium must not count as influence; it is far below any sigma.
   constexpr double smallest_influence = 1e-6;
   const auto at = linearise(unknowns);
   if (!at) return std::nullopt;

@@ -13,15 +13,15 @@ namespace menger::voxel {
 
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Residuals of all curves, one below the other and each by the root of its curve's weight, as functions of the unknowns of a
-/// fit.
+/// Computes the residuals of all curves as functions of the unknowns of a fit. They are one vector, and each is multiplied by the
+/// root of its curve's weight.
 ///
-/// Curves are answered in parallel; the numbers do not depend on how many threads do it.
+/// Responses to the curves are computed in parallel. The numbers do not depend on the number of threads.
 class CalibrationEvaluation {
  public:
   /// @param base parameters in which the fitted ones are set
-  /// @param loss_scale with one, a residual r counts as c sqrt(ln(1 + (r / c)^2)) of the same sign (Cauchy's loss), so that far
-  /// ones hardly pull
+  /// @param loss_scale if given (c), a residual r counts as c sqrt(ln(1 + (r / c)^2)) with the same sign (Cauchy's loss), so that
+  /// outliers have little effect
   CalibrationEvaluation(const std::vector<FittedCurve>& curves, std::vector<FittedParameter> parameters,
                         const SurrogateParameters& base, const Responder& responder, std::optional<double> loss_scale = {},
                         const std::atomic<bool>* stop = nullptr);
@@ -31,25 +31,25 @@ class CalibrationEvaluation {
   [[nodiscard]] const std::vector<FittedParameter>& parameters() const { return parameters_; }
   [[nodiscard]] SurrogateParameters parameters_at(std::span<const double> unknowns) const;
 
-  /// Nothing where the surrogate has no equilibrium in one of the states, or when it was stopped.
+  /// The weighted residuals; nothing if the surrogate has no equilibrium in one of the states, or if the fit was stopped.
   [[nodiscard]] std::optional<Eigen::VectorXd> residuals(std::span<const double> unknowns) const;
 
-  /// Residuals and their derivatives by the unknowns, one row per residual. The responder gives them from both sides, at bounds
-  /// and where one side has no answer from the other. Nothing where neither side has one.
+  /// Residuals and their derivatives with respect to the unknowns, one row per residual. The responder computes derivatives from
+  /// both sides, or from one side at bounds and where the other side has no response. Nothing if neither side has a response.
   struct Linearisation {
     Eigen::VectorXd residuals;
     RowMajorMatrix jacobian;
   };
   [[nodiscard]] std::optional<Linearisation> linearise(std::span<const double> unknowns) const;
 
-  /// Looks which unknown has an influence on which curve, so that later derivatives leave the others out, and drops the
-  /// parameters without any. @return the dropped ones, or nothing where there is no answer at these unknowns
+  /// Finds which unknown influences which curve, so that later derivatives skip the other pairs, and drops parameters without any
+  /// influence. @return the dropped parameters, or nothing if there is no response at these unknowns
   std::optional<std::vector<FittedParameter>> drop_without_influence(std::vector<double>& unknowns);
 
  private:
-  /// Of one curve.
+  /// Weighted residuals of one curve.
   [[nodiscard]] std::optional<Eigen::VectorXd> curve_residuals(std::size_t curve, const SurrogateParameters& parameters) const;
-  /// Its part of the derivatives is put into the jacobian.
+  /// Weighted residuals of one curve. Writes its rows of the jacobian.
   [[nodiscard]] std::optional<Eigen::VectorXd> linearise_curve(std::size_t curve, std::span<const double> unknowns,
                                                                const std::vector<ParameterSpan>& spans,
                                                                RowMajorMatrix& jacobian) const;
@@ -57,7 +57,7 @@ class CalibrationEvaluation {
   [[nodiscard]] Eigen::VectorXd weighted(std::size_t curve, const Eigen::VectorXd& residuals) const;
 
   const std::vector<FittedCurve>& curves_;
-  std::vector<Eigen::Index> first_row_;  ///< of each curve, and the number of all at the end
+  std::vector<Eigen::Index> first_row_;  ///< by curve, then the number of all residuals
   std::vector<FittedParameter> parameters_;
   SurrogateParameters base_;
   const Responder& responder_;

@@ -31,14 +31,14 @@ void halve_slopes(SurrogateParameters& parameters) {
 
 bool is_stopped(const CalibrationFitOptions& options) { return options.stop != nullptr && *options.stop; }
 
-/// Unknowns to begin with and the parameters without influence there, which the evaluation is rid of.
+/// Unknowns at the start, and the parameters without influence there, which are dropped from the evaluation.
 struct Beginning {
   std::vector<double> unknowns;
   std::vector<FittedParameter> dropped;
 };
 
-/// Begins at the start or, where the surrogate has no equilibrium there, with slopes that are smaller and smaller; well inside
-/// the bounds if it can, else nearer to them. @return nothing where there is no equilibrium, or if stopped
+/// Finds unknowns at which a fit can begin: at the start, or with smaller and smaller slopes if the surrogate has no equilibrium
+/// there; well inside the bounds if possible, otherwise nearer to them. @return nothing if there is no equilibrium, or if stopped
 std::optional<Beginning> beginning_of(CalibrationEvaluation& evaluation, SurrogateParameters start,
                                       const CalibrationFitOptions& options) {
   for (int halving = 0; halving <= most_halvings; ++halving) {
@@ -50,7 +50,7 @@ std::optional<Beginning> beginning_of(CalibrationEvaluation& evaluation, Surroga
         beginning.dropped = std::move(*dropped);
         return beginning;
       }
-      if (beginning.unknowns == at_start) break;  // it lies inside as it is
+      if (beginning.unknowns == at_start) break;  // it already lies inside
     }
     halve_slopes(start);
   }
@@ -62,12 +62,12 @@ void set_status(CalibrationFit& fit, io::RunStatus status, std::string reason) {
   fit.reason = std::move(reason);
 }
 
-/// Residuals without loss, and what follows from their sum of squares.
-void judge_residuals(CalibrationFit& fit, const std::vector<FittedCurve>& curves, const Responder& responder) {
+/// Sets the residuals without loss, and all that follows from their sum of squares.
+void assess_residuals(CalibrationFit& fit, const std::vector<FittedCurve>& curves, const Responder& responder) {
   fit.residuals.resize(curves.size());
   tbb::parallel_for(std::size_t{0}, curves.size(), [&](std::size_t c) {
-    const auto answers = answers_of(curves[c], responder(fit.parameters, curves[c].load_case, curves[c].states));
-    if (answers) fit.residuals[c] = residuals_of(curves[c], *answers);
+    const auto responses = responses_of(curves[c], responder(fit.parameters, curves[c].load_case, curves[c].states));
+    if (responses) fit.residuals[c] = residuals_of(curves[c], *responses);
   });
   double weighted = 0.0;
   double weights = 0.0;
@@ -79,7 +79,7 @@ void judge_residuals(CalibrationFit& fit, const std::vector<FittedCurve>& curves
     weighted += curves[c].weight * squares;
     weights += curves[c].weight * static_cast<double>(fit.residuals[c].size());
   }
-  // By the mean weight, so that one that all curves have changes nothing.
+  // Divided by the mean weight, so that a weight common to all curves has no effect.
   const double mean_weight = weights > 0.0 ? weights / static_cast<double>(fit.residual_count) : 1.0;
   fit.aic = akaike(weighted / mean_weight, fit.residual_count, fit.parameter_count);
   if (fit.residual_count <= fit.parameter_count) return;
@@ -102,7 +102,7 @@ std::string_view to_string(Determination determination) {
     case Determination::no_influence:
       break;
   }
-  return "no load case answers to it";
+  return "no load case depends on it";
 }
 
 double CalibrationFit::reduced_chi2() const {
@@ -129,13 +129,13 @@ CalibrationFit fit_parameters(const std::vector<FittedCurve>& curves, const std:
   } else if (!beginning) {
     set_status(fit, io::RunStatus::not_converged, "the surrogate has no equilibrium at the start of the fit");
   } else if (beginning->unknowns.empty()) {
-    set_status(fit, io::RunStatus::not_converged, "no load case answers to any of the parameters");
+    set_status(fit, io::RunStatus::not_converged, "no load case depends on any of the parameters");
   }
   if (fit.status != io::RunStatus::completed) return fit;
 
   std::vector<double> unknowns = beginning->unknowns;
   if (options.loss_scale) {
-    // Far residuals hardly pull, so that a search among them may end anywhere: it begins where squares end.
+    // Outliers have little effect on the loss, so a search among them may end anywhere. It begins at the minimum of the squares.
     const CalibrationEvaluation squares(curves, evaluation.parameters(), start, responder, {}, options.stop);
     static_cast<void>(search_once(squares, unknowns, options));
   }
@@ -149,7 +149,7 @@ CalibrationFit fit_parameters(const std::vector<FittedCurve>& curves, const std:
   }
   for (const FittedParameter& parameter : beginning->dropped)
     fit.values.push_back({parameter, value_in(fit.parameters, parameter), Determination::no_influence, {}});
-  judge_residuals(fit, curves, responder);
+  assess_residuals(fit, curves, responder);
   if (const auto at = evaluation.linearise(unknowns)) set_confidence(fit, at->jacobian, evaluation.weights());
   return fit;
 }
@@ -157,7 +157,7 @@ CalibrationFit fit_parameters(const std::vector<FittedCurve>& curves, const std:
 std::vector<Outlier> outliers_of(const std::vector<FittedCurve>& curves, const CalibrationFit& fit) {
   constexpr double far = 5.0;
   constexpr double least = 3.0;
-  constexpr double normal_spread = 1.4826;  // standard deviation by the median of the magnitudes
+  constexpr double normal_spread = 1.4826;  // standard deviation / median of the magnitudes
   std::vector<double> magnitudes;
   for (const auto& residuals : fit.residuals) {
     for (const double residual : residuals) magnitudes.push_back(std::abs(residual));

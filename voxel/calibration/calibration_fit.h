@@ -13,13 +13,13 @@
 
 namespace menger::voxel {
 
-/// How well the data determine a value.
+/// How well the data determine a fitted value.
 enum class Determination {
   determined,
   wide,           ///< its interval is larger than the value itself
-  at_bound,       ///< the fit left it at a bound, and counts it as known
-  not_separable,  ///< other values can make up for a change of it, so that it has no interval
-  no_influence    ///< no load case answers to it: it keeps what it had before the fit
+  at_bound,       ///< the fit ended with the value at a bound, and counts it as known
+  not_separable,  ///< other values can compensate a change of it, so it has no interval
+  no_influence    ///< no load case depends on it; it keeps its value from before the fit
 };
 std::string_view to_string(Determination determination);
 
@@ -28,55 +28,56 @@ struct FittedValue {
   FittedParameter parameter;
   double value = 0.0;
   Determination determination = Determination::determined;
-  std::optional<std::pair<double, double>> confidence_95;  ///< of determined and wide ones
+  std::optional<std::pair<double, double>> confidence_95;  ///< if determined or wide
 };
 
-/// How a fit is made.
+/// Options of a fit.
 struct CalibrationFitOptions {
-  std::optional<double> loss_scale{};  ///< in standard deviations, of Cauchy's loss; without: sum of squares
+  std::optional<double> loss_scale{};  ///< of Cauchy's loss, in standard deviations; without it the sum of squares is minimised
   int largest_iteration_count = 100;
   const std::atomic<bool>* stop = nullptr;
-  /// What is minimised so far, with weights and loss. May be empty.
+  /// Called with the present value of what is minimised, weights and loss included. May be empty.
   std::function<void(int iteration, double chi2)> progress{};
 };
 
-/// Parameters fitted to response curves, and how much they are to be trusted.
+/// The result of a fit: parameters and how well the curves determine them.
 struct CalibrationFit {
   io::RunStatus status = io::RunStatus::completed;  ///< completed, not_converged or stopped
   std::string reason;                               ///< if not completed
   SurrogateParameters parameters;                   ///< the best found
   std::vector<FittedValue> values;                  ///< fitted ones first, then those without influence
-  /// Between fitted values, in the order of `values`; nothing where one of the two has no interval.
+  /// Correlation of fitted values, in the order of `values`; nothing if one of the two has no interval.
   std::vector<std::vector<std::optional<double>>> correlation;
   std::vector<std::vector<double>> residuals;  ///< by curve: (surrogate - reference) / sigma, ordinate by ordinate
-  double chi2 = 0.0;                           ///< sum of their squares, whatever the weights
+  double chi2 = 0.0;                           ///< sum of the squared residuals, without weights
   std::size_t residual_count = 0;
   std::size_t parameter_count = 0;  ///< fitted ones
   double aic = 0.0;                 ///< see akaike
-  /// Whether the stated uncertainties explain the residuals: chi2 is below its 99 % quantile. If not, intervals are widened by
-  /// the residuals; they hold if the model is right in shape and errors are independent, else they are too narrow.
+  /// Whether the stated uncertainties explain the residuals: chi2 is below its 99 % quantile. If not, intervals are widened
+  /// according to the residuals. They are then right if the model has the right shape and errors are independent; otherwise they
+  /// are too narrow.
   bool explained = true;
 
-  /// chi2 by the degrees of freedom; by the residuals where none is left.
+  /// chi2 divided by the degrees of freedom, or by the number of residuals if no degree of freedom is left.
   [[nodiscard]] double reduced_chi2() const;
 };
 
-/// Akaike's criterion where the stated standard deviations may be too small by one common factor s >= 1, which is estimated:
-/// n ln s^2 + chi2 / s^2 + 2 k with s^2 = max(1, chi2 / n).
-/// @param chi2 of what the fit minimises: with the weights of the curves, by their mean over the residuals
+/// Akaike's information criterion. The stated standard deviations may all be too small by one factor s >= 1, which is estimated:
+/// n ln s^2 + chi2 / s^2 + 2 k with s^2 = max(1, chi2 / n) for n residuals and k parameters.
+/// @param chi2 weighted as in the fit: squares with the weights of the curves, divided by the mean weight of a residual
 double akaike(double chi2, std::size_t residual_count, std::size_t parameter_count);
 
-/// Fits parameters by least squares within their bounds, beginning with those of `start`, moved well inside
-/// the bounds.
+/// Fits parameters by least squares within their bounds. The search begins at the values of `start`, moved well inside the
+/// bounds.
 ///
-/// Where the surrogate has no equilibrium there, it begins nearer to the bounds, and where it has none at the start itself, its
-/// slopes of extension and bulge are halved up to eight times. A search that fails on the way ends as not_converged with the best
-/// that it found.
+/// If the surrogate has no equilibrium there, the search begins nearer to the bounds. If it has none at the start itself, the
+/// slopes of extension and bulge are halved, up to eight times. A search that fails on its path ends as not_converged with the
+/// best parameters found.
 CalibrationFit fit_parameters(const std::vector<FittedCurve>& curves, const std::vector<FittedParameter>& parameters,
                               const SurrogateParameters& start, const Responder& responder,
                               const CalibrationFitOptions& options = {});
 
-/// A residual far outside what the others are.
+/// A residual much larger than the others.
 struct Outlier {
   std::size_t curve = 0;
   std::string ordinate;
@@ -84,8 +85,8 @@ struct Outlier {
   double residual = 0.0;  ///< in standard deviations
 };
 
-/// Residuals beyond five times the spread of all (1.4826 times the median of their magnitudes) and beyond three stated standard
-/// deviations, the largest first.
+/// Residuals larger than five times the spread of all residuals (1.4826 times the median of their magnitudes) and larger than
+/// three stated standard deviations, largest first.
 std::vector<Outlier> outliers_of(const std::vector<FittedCurve>& curves, const CalibrationFit& fit);
 
 }  // namespace menger::voxel

@@ -20,7 +20,7 @@ HollowVoxels voxels_of(const SurrogateParameters& parameters, const meshes::Load
                         .chambers = body.per_phase ? meshes::ChamberLayout::per_phase : meshes::ChamberLayout::single});
 }
 
-/// What the middle of an end face gains on the centre of its voxel, m/Pa.
+/// Motion of the middle of an end face relative to the centre of its voxel, m/Pa.
 double face_slope(const SurrogateParameters& parameters, std::size_t wall_class, std::size_t bulge_class, double pressure_Pa) {
   const double edge_m = parameters.voxel_edge_m();
   return 0.5 * edge_m * parameters.extension[wall_class].derivative(pressure_Pa) +
@@ -77,13 +77,13 @@ std::vector<FrequencyGain> read_frequency_gains(const FrequencyReference& refere
   return gains;
 }
 
-void answer_frequency_response(std::vector<FrequencyGain>& gains, const FrequencyReference& reference,
-                               const SurrogateParameters& parameters) {
+void compute_frequency_response(std::vector<FrequencyGain>& gains, const FrequencyReference& reference,
+                                const SurrogateParameters& parameters) {
   std::vector<double> frequencies_Hz;
   frequencies_Hz.reserve(gains.size());
   for (const FrequencyGain& gain : gains) frequencies_Hz.push_back(gain.frequency_Hz);
-  const auto answers = harmonic_gains(parameters, reference.body, reference.pressure_Pa, reference.end, frequencies_Hz);
-  for (std::size_t n = 0; n < gains.size(); ++n) gains[n].surrogate_m_per_Pa = answers[n];
+  const auto responses = harmonic_gains(parameters, reference.body, reference.pressure_Pa, reference.end, frequencies_Hz);
+  for (std::size_t n = 0; n < gains.size(); ++n) gains[n].surrogate_m_per_Pa = responses[n];
 }
 
 io::CsvTable frequency_table(const std::vector<FrequencyGain>& gains) {

@@ -12,9 +12,9 @@ namespace {
 
 using Classes = std::vector<std::size_t>;
 const Classes all_classes{0, 1, 2, 3, 4, 5, 6};
-const Classes closed_first{6, 0, 1, 2, 3, 4, 5};  // of what is one for all, the closed cell's is known best
+const Classes closed_first{6, 0, 1, 2, 3, 4, 5};  // for a value common to all, the closed cell is the best known
 
-/// The determined class that stands in for one: that of the nearest number of walls, the first of equally near ones.
+/// The determined class that represents a class: the one with the nearest number of walls, the first of equally near ones.
 std::size_t nearest(const Classes& determined, std::size_t wall_class) {
   constexpr ByWallClass<int> wall_count{0, 1, 2, 2, 2, 3, 4};
   const auto distance = [&](std::size_t other) {
@@ -24,7 +24,7 @@ std::size_t nearest(const Classes& determined, std::size_t wall_class) {
                            [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
 }
 
-/// A determined class first, then those it stands in for.
+/// A determined class, followed by those that it represents.
 Classes shared_by(const Classes& determined, std::size_t owner) {
   Classes classes{owner};
   for (const std::size_t other : all_classes) {
@@ -33,7 +33,7 @@ Classes shared_by(const Classes& determined, std::size_t owner) {
   return classes;
 }
 
-/// "axial_Pa" becomes "axial_2a_Pa".
+/// Inserts the class into a name: "axial_Pa" becomes "axial_2a_Pa".
 std::string class_name(std::string_view name, std::size_t wall_class) {
   const std::array<std::string_view, 2> units{"_per_Pa", "_Pa"};
   const std::string number = "_" + std::string(wall_class_names.at(wall_class));
@@ -155,7 +155,7 @@ std::vector<FittedParameter> fitted_parameters(const DetailSet& details, const D
 
 SurrogateParameters with_detail(const SurrogateParameters& fitted, CalibrationDetail detail, const SurrogateParameters& rough,
                                 double highest_pressure_Pa) {
-  constexpr double tube_shear_ratio = 5.0;  // a third of E, and the walls along the force, which are half of the section
+  constexpr double tube_shear_ratio = 5.0;  // G is a third of E, and the walls along the force are half of the section
   constexpr double rough_coupling = 0.2;
   SurrogateParameters p = fitted;
   switch (detail) {

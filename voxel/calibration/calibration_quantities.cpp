@@ -7,7 +7,7 @@
 namespace menger::voxel {
 namespace {
 
-/// Where the value of a quantity lies in a set of parameters; the first class for those that all share.
+/// The place of a quantity in parameters. For quantities common to all classes the class is ignored.
 double& place_of(SurrogateParameters& p, Quantity quantity, std::size_t wall_class) {
   switch (quantity) {
     case Quantity::modulus:
@@ -53,7 +53,7 @@ double& place_of(SurrogateParameters& p, Quantity quantity, std::size_t wall_cla
   return p.lateral_coupling;
 }
 
-/// What turns a value into that of its place: the axial stiffness for ratios to it, and its inverse for those of compliances.
+/// Factor from a fitted value to the stored one: the axial stiffness for ratios to it, its inverse for ratios of compliances.
 double unit_of(const SurrogateParameters& p, Quantity quantity, std::size_t wall_class) {
   if (quantity == Quantity::bending_ratio || quantity == Quantity::torsion_ratio) return p.axial_Pa[wall_class];
   return quantity == Quantity::shear_ratio ? 1.0 / p.axial_Pa[wall_class] : 1.0;
@@ -150,14 +150,14 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
   constexpr double slope_factor = 10.0;
   constexpr double bulge_factor = 1e3;
   constexpr double fading_factor = 100.0;
-  constexpr double largest_softening = 0.95;  // by the pressure: the pole stays outside
+  constexpr double largest_softening = 0.95;  // times the pressure, so that the pole stays outside
   constexpr double largest_stiffening = 5.0;
   constexpr double joint_factor = 20.0;
   constexpr double largest_peak_ratio = 10.0;
   constexpr double largest_coupling = 0.95;
   const auto about = [](double value, double factor) { return ValueRange{value / factor, value * factor}; };
   const auto up_to = [](double value) { return ValueRange{-std::abs(value), std::abs(value)}; };
-  // Without pressures of a sign its softening has no influence, but a bound it needs.
+  // Without pressures of one sign its softening has no influence, but it still needs a bound.
   const double pressure_Pa = highest_pressure_Pa > 0.0 ? highest_pressure_Pa : std::max(-lowest_pressure_Pa, 1.0);
   const double vacuum_Pa = lowest_pressure_Pa < 0.0 ? -lowest_pressure_Pa : pressure_Pa;
   const ValueRange pressure_softening{-largest_stiffening / pressure_Pa, largest_softening / pressure_Pa};

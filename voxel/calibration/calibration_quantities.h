@@ -11,9 +11,10 @@
 
 namespace menger::voxel {
 
-/// What a fitted number stands for. Ratios are to the axial stiffness (shear_ratio: compliance) of the same class.
+/// The quantity that a fitted number stands for. Ratios are relative to the axial stiffness of the same class (shear_ratio: to
+/// its compliance).
 enum class Quantity {
-  modulus,  ///< of all three stiffnesses
+  modulus,  ///< of axial, bending and torsional stiffness
   axial,
   bending,
   torsion,
@@ -35,46 +36,57 @@ enum class Quantity {
   joint_torsion,
   lateral_coupling
 };
-/// As in files, with the unit: "axial_Pa", "extension_slope_per_Pa", "joint_axial".
+/// The names used in files, with the unit: "axial_Pa", "extension_slope_per_Pa", "joint_axial".
 const io::Words<Quantity>& quantity_words();
 std::string_view to_string(Quantity quantity);
-/// Whether only positive values make sense, so that fits see their logarithms.
+/// Whether only positive values are meaningful, so that fits use their logarithms.
 bool is_positive(Quantity quantity);
-/// Values that make sense at all.
+/// The range of meaningful values.
 io::Range allowed_range(Quantity quantity);
 
-/// Where values are looked for, ends included.
+/// An interval of values, ends included.
 struct ValueRange {
   double lowest = 0.0;
   double highest = 0.0;
 };
 using CalibrationBounds = std::map<Quantity, ValueRange>;
 
-/// One unknown of a fit. The solver sees u = ln(value) for what is positive, else u = value / scale, so that a step of one is a
-/// large change of any of them.
+/// One unknown of a fit. The solver uses u = ln(value) for positive quantities, otherwise u = value / scale. A step of one is
+/// thus a large change of any of them.
 struct FittedParameter {
   Quantity quantity = Quantity::modulus;
-  std::vector<std::size_t> classes;  ///< wall classes that share the value, the one that names it first; none if it has no class
-  std::vector<double> proportions;   ///< of the classes' values to the value, in their order; none: all alike
-  std::string name;                  ///< "axial_4_Pa" of a class, "axial_Pa" of all
+  /// Wall classes that share the value; the first one gives it its name. Empty for a quantity without classes.
+  std::vector<std::size_t> classes;
+  std::vector<double> proportions;  ///< value of each class divided by the value; empty: all equal
+  std::string name;                 ///< "axial_4_Pa" for a class, "axial_Pa" for all
   ValueRange bounds;
   bool logarithmic = false;
-  double scale = 1.0;  ///< > 0, of the value where it is not logarithmic
+  double scale = 1.0;  ///< > 0, of the value if it is not logarithmic
 
   [[nodiscard]] double unknown_of(double value) const;
   [[nodiscard]] double value_of(double unknown) const;
 };
 
-/// Puts a value where it belongs. Ratios are set after the axial stiffness.
+/// Sets a fitted value in parameters. Ratios must be set after the axial stiffness.
 void set_value(SurrogateParameters& parameters, const FittedParameter& parameter, double value);
-/// The value that parameters have, of the first of its classes.
+/// The value of a fitted parameter in parameters, of the first of its classes.
 double value_in(const SurrogateParameters& parameters, const FittedParameter& parameter);
-/// The value of a quantity that parameters have in a wall class; which does not matter to what has no class.
+/// The value of a quantity in a wall class. The class is ignored for a quantity without classes.
 double value_in(const SurrogateParameters& parameters, Quantity quantity, std::size_t wall_class);
 
-/// Bounds about parameters known roughly: stiffnesses and slopes of the bulge within a factor of 1000, slopes of extension up to
-/// ten times as large of either sign, softening so that no pole lies in the range of pressures.
-/// @param lowest_pressure_Pa, highest_pressure_Pa of the load cases
+/// Returns the bounds within which a fit may change the parameters, around roughly known ones. Wall classes share them.
+///
+/// - Stiffnesses: a factor of 1000 about that of the class with walls on all sides; that of the ground about its own.
+/// - Ratios of stiffnesses: a factor of 100 about 1. Joints: a factor of 20 about 1.
+/// - Slopes of the bulge with pressure (PressureLaw): from a thousandth of the smallest to a thousand times the largest of all
+///   wall classes.
+/// - Slopes of the extension with pressure: up to ten times the steepest of all wall classes, of either sign.
+/// - Softening: 1 - q |p| stays positive at all pressures of the load cases, so that a PressureLaw has no pole there.
+///   Stiffening (q < 0) is bounded too: q |p| >= -5.
+/// - Fading: a factor of 100 about 1 / pressure. Share of fading, peak ratio and lateral coupling: fixed intervals.
+///
+/// @param rough parameters that are known roughly
+/// @param lowest_pressure_Pa, highest_pressure_Pa the range of pressures in the load cases
 CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest_pressure_Pa, double highest_pressure_Pa);
 
 }  // namespace menger::voxel

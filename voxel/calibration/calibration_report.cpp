@@ -26,7 +26,7 @@ void add_determination(io::TomlText& text, const CalibrationFit& fit) {
   text.add("no_influence", names_with(fit, Determination::no_influence));
 }
 
-/// @param ended how what the table is about ended: the calibration, or the fit that its parameters are of
+/// Adds status, reason and details. @param ended the calibration as a whole, or the fit that gave the parameters
 void add_outcome(io::TomlText& text, const Calibration& calibration, const CalibrationFit& ended) {
   const CalibrationFit& fit = calibration.fit();
   text.add("status", io::to_string(ended.status));
@@ -44,7 +44,7 @@ void add_class_notes(std::vector<std::string>& notes, std::string_view what, con
   }
   if (others.empty()) return;
   notes.push_back(std::string(what) + " of wall class " + others +
-                  ": not determined by any load case; takes the value of the nearest class that is");
+                  ": not determined by any load case; the value of the nearest determined class is used");
 }
 
 }  // namespace

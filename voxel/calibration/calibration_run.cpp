@@ -1,11 +1,9 @@
 #include "voxel/calibration/calibration_run.h"
 
 #include <algorithm>
-#include <chrono>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "io/text/manifest.h"
+#include "io/process/run_folder.h"
 #include "io/text/whole_file.h"
 #include "voxel/calibration/calibration_chart.h"
 #include "voxel/calibration/calibration_report.h"
@@ -16,10 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* program_name = "menger-calibrate";
-
-/// Tells how far the details are, an iteration at a time. How many fits there are and how many iterations they take is not known
-/// beforehand: the end is approached.
+/// Reports how far the details are, after every iteration. The numbers of fits and of their iterations are not known in advance,
+/// so the reported value only approaches the end.
 class FitProgress {
  public:
   FitProgress(std::size_t detail_count, const CalibrationRunOptions& options)
@@ -68,21 +64,12 @@ Identifiability test_identifiability(const CalibrationProblem& problem, const Ca
   return identifiability(problem.curves, claimed_parameters(fit), fit.parameters, problem.responder, test);
 }
 
-/// Whether a manifest says that this program wrote its folder.
-bool is_own_manifest(const fs::path& manifest) {
-  std::error_code error;
-  if (!fs::exists(manifest, error)) return false;
-  const auto json = nlohmann::json::parse(io::read_whole(manifest), nullptr, false);  // no object where it is no JSON
-  return json.is_object() && json.value("program", nlohmann::json()) == program_name;
-}
-
 /// Takes the results of an earlier run away, so that none of them passes for one of this run where that has no such result. Only
-/// in a folder that this program wrote; the manifest goes last.
-void remove_earlier_results(const fs::path& folder) {
-  if (!is_own_manifest(folder / "manifest.json")) return;
-  io::remove_files(
-      folder, {"parameters.toml", "result.toml", "details.csv", "parameters.csv", "correlation.csv", "residuals.csv",
-               "answers.csv", "identifiability.csv", "frequency_response.csv", "agreement.png", "curve_*.png", "manifest.json"});
+/// in a folder that this program wrote: others may have files of such names there.
+void remove_earlier_results(const io::RunFolder& folder) {
+  if (!folder.is_own()) return;
+  folder.begin({"parameters.toml", "result.toml", "details.csv", "parameters.csv", "correlation.csv", "residuals.csv",
+                "responses.csv", "answers.csv", "identifiability.csv", "frequency_response.csv", "agreement.png", "curve_*.png"});
 }
 
 void write_tables(const fs::path& folder, const CalibrationRunResult& result) {
@@ -91,7 +78,7 @@ void write_tables(const fs::path& folder, const CalibrationRunResult& result) {
   parameter_table(fit).write(folder / "parameters.csv");
   correlation_table(fit).write(folder / "correlation.csv");
   residual_table(result.curves, fit).write(folder / "residuals.csv");
-  answer_table(result.curves, fit).write(folder / "answers.csv");
+  response_table(result.curves, fit).write(folder / "responses.csv");
   if (!result.frequency_response.empty()) frequency_table(result.frequency_response).write(folder / "frequency_response.csv");
   if (result.identifiability) identifiability_table(*result.identifiability).write(folder / "identifiability.csv");
 }
@@ -100,7 +87,7 @@ void write_tables(const fs::path& folder, const CalibrationRunResult& result) {
 
 CalibrationRunResult run_calibration(const CalibrationStudy& study, const Responder& responder, const fs::path& folder,
                                      const CalibrationRunOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const io::RunFolder run("menger-calibrate", folder);
   CalibrationRunResult result;
   if (study.frequency_response) result.frequency_response = read_frequency_gains(*study.frequency_response);
   io::require_writable_folder(folder);
@@ -121,22 +108,17 @@ CalibrationRunResult run_calibration(const CalibrationStudy& study, const Respon
 
   if (is_stopped) result.frequency_response.clear();
   if (!result.frequency_response.empty()) {
-    answer_frequency_response(result.frequency_response, *study.frequency_response,
-                              reported_parameters(result.calibration, study));
+    compute_frequency_response(result.frequency_response, *study.frequency_response,
+                               reported_parameters(result.calibration, study));
   }
 
-  remove_earlier_results(folder);
+  remove_earlier_results(run);
   if (fit.parameter_count > 0 && !is_stopped)
     io::write_whole(folder / "parameters.toml", parameters_text(result.calibration, study));
   io::write_whole(folder / "result.toml", result_text(result.calibration, study, result.curves));
   write_tables(folder, result);
   if (options.pictures && !is_stopped) draw(folder, result);
-  io::Manifest manifest;
-  manifest.program = program_name;
-  manifest.parameters = study_text(study, problem);
-  manifest.inputs = study.inputs;
-  manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  io::write_manifest(folder, manifest);
+  run.finish(study_text(study, problem), study.inputs);
   return result;
 }
 

@@ -14,13 +14,13 @@ namespace menger::voxel {
 
 struct CalibrationRunOptions {
   bool pictures = true;
-  int identifiability_fits = 0;  ///< none: not tested
+  int identifiability_fits = 0;  ///< 0: not tested
   const std::atomic<bool>* stop = nullptr;
-  /// Called as work goes on: what is done of 1, and what is being done. May be empty.
+  /// Called as work proceeds, with the fraction done (0 to 1) and a note on the present work. May be empty.
   std::function<void(double done, const std::string& note)> progress{};
 };
 
-/// What a run found, as it was written.
+/// The results of a run, as written to files.
 struct CalibrationRunResult {
   Calibration calibration;
   std::vector<FittedCurve> curves;
@@ -29,13 +29,13 @@ struct CalibrationRunResult {
   std::vector<std::string> notes;                 ///< of the study and of pictures that could not be made
 };
 
-/// Fits a study and writes into a folder: parameters.toml (voxel parameters, for scenes and searches), result.toml, details.csv,
-/// parameters.csv, correlation.csv, residuals.csv, answers.csv, identifiability.csv and frequency_response.csv if asked for,
-/// curve_CASE.png and agreement.png, manifest.json. A fit that did not converge is written as it is, and its status says so; a
-/// stopped one writes no parameters.toml. Once the input is read, the results of an earlier run in the folder are removed: what
-/// is there afterwards is of this run.
-/// @throws io::InputError if the folder cannot be written to or the frequency reference is not to be read; then nothing is
-/// removed
+/// Fits a study and writes the results into a folder: parameters.toml (voxel parameters, for scenes and searches), result.toml,
+/// details.csv, parameters.csv, correlation.csv, residuals.csv, responses.csv, identifiability.csv and frequency_response.csv if
+/// asked for, curve_CASE.png and agreement.png, manifest.json.
+///
+/// A fit that did not converge is written with its status. A stopped fit writes no parameters.toml. Once the input is read, the
+/// results of an earlier run in the folder are removed, so all results there are of this run.
+/// @throws io::InputError if the folder cannot be written to or the frequency reference cannot be read; then nothing is removed
 CalibrationRunResult run_calibration(const CalibrationStudy& study, const Responder& responder,
                                      const std::filesystem::path& folder, const CalibrationRunOptions& options);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_repetitions = 4;
 
-/// All residuals over all unknowns, in the solver's terms.
+/// The residuals of all curves as a cost function of the solver.
 class AllCurves : public ceres::CostFunction {
  public:
   explicit AllCurves(const CalibrationEvaluation& evaluation) : evaluation_(evaluation) {
@@ -37,13 +37,13 @@ class AllCurves : public ceres::CostFunction {
   const CalibrationEvaluation& evaluation_;
 };
 
-/// Tells of each iteration and ends the solution when asked to.
+/// Reports every iteration, and ends the search when asked to.
 class Watch : public ceres::IterationCallback {
  public:
   explicit Watch(const CalibrationFitOptions& options) : options_(options) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    // The cost of a step that was not taken is that of where it would have led, without end where there is no equilibrium.
+    // The cost of a rejected step is that where it would have led: infinite if there is no equilibrium.
     if (summary.iteration == 0 || summary.step_is_successful) chi2_ = 2.0 * summary.cost;
     if (options_.progress) options_.progress(summary.iteration, chi2_);
     const bool stops = options_.stop != nullptr && *options_.stop;
@@ -52,7 +52,7 @@ class Watch : public ceres::IterationCallback {
 
  private:
   const CalibrationFitOptions& options_;
-  double chi2_ = 0.0;  ///< at the last step that was taken
+  double chi2_ = 0.0;  ///< after the last accepted step
 };
 
 bool is_stopped(const CalibrationFitOptions& options) { return options.stop != nullptr && *options.stop; }
@@ -61,18 +61,18 @@ ceres::Solver::Options solver_options(const CalibrationFitOptions& fit_options) 
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = fit_options.largest_iteration_count;
-  options.max_num_consecutive_invalid_steps = 20;  // into regions without equilibrium, from where the trust region shrinks
-  options.function_tolerance = 1e-7;               // of chi2, which means something to about one
+  options.max_num_consecutive_invalid_steps = 20;  // steps into regions without equilibrium, which shrink the trust region
+  options.function_tolerance = 1e-7;               // of chi2, where changes below about one have little meaning
   options.parameter_tolerance = 1e-7;
   options.gradient_tolerance = 1e-10;
   options.logging_type = ceres::SILENT;
-  options.num_threads = 1;  // curves are answered in parallel, in a fixed order of summation
-  // A solution that fails on the way would else leave the unknowns where it began.
+  options.num_threads = 1;  // responses to curves are computed in parallel, and summed in a fixed order
+  // Otherwise a search that fails on its path would leave the unknowns at its start.
   options.update_state_every_iteration = true;
   return options;
 }
 
-/// From inside the bounds beside where another search ended, as far inside as there are equilibria.
+/// Searches from inside the bounds near the end of another search, as far inside as there are equilibria.
 std::optional<SearchEnd> search_from_inside(const CalibrationEvaluation& evaluation, std::vector<double>& unknowns,
                                             const CalibrationFitOptions& options) {
   const std::vector<double> ended = unknowns;
@@ -98,7 +98,7 @@ std::vector<double> moved_inside(std::vector<double> unknowns, const std::vector
 
 std::optional<SearchEnd> search_once(const CalibrationEvaluation& evaluation, std::vector<double>& unknowns,
                                      const CalibrationFitOptions& fit_options) {
-  // Ceres logs steps to where the surrogate has no equilibrium, which is no news here.
+  // Ceres logs steps to unknowns without equilibrium; here these are expected.
   FLAGS_minloglevel = google::GLOG_FATAL;
   ceres::Problem problem;
   problem.AddResidualBlock(new AllCurves(evaluation), nullptr, unknowns.data());
@@ -112,7 +112,7 @@ std::optional<SearchEnd> search_once(const CalibrationEvaluation& evaluation, st
   options.callbacks.push_back(&watch);
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  // Not by the summary's costs: they are -1, less than any, where there was no answer.
+  // The costs of the summary cannot be used: they are -1, less than any cost, if there was no response.
   if (summary.iterations.empty()) return std::nullopt;
   SearchEnd end{.iterations = summary.iterations.size()};
   end.cost = summary.iterations.front().cost;

@@ -5,26 +5,26 @@
 namespace menger::voxel {
 namespace {
 
-/// Mean deflection of a clamped square plate of edge b under p, by p b^4 / D: 0.00126 at its middle, of the shape
-/// (1 + cos)(1 + cos) / 4 about a third of that in the mean.
+/// Mean deflection of a clamped square plate of edge b under p, divided by p b^4 / D. It is 0.00126 at the middle; for the shape
+/// (1 + cos)(1 + cos) / 4 the mean is about a third of that.
 constexpr double plate_factor = 4e-4;
 constexpr double rough_peak_ratio = 2.5;
 
-/// A voxel without walls has no stiffness; so much of the solid one's keeps it in its place.
+/// A voxel without walls has no stiffness. This fraction of the stiffness of a solid one keeps it in place.
 constexpr double least_share = 0.02;
 
-/// Bulge of a face by that of the closed cell's: a clamped plate goes with the fourth power of its span, which is that of the
-/// cell's chamber with walls around, of 2 and 3 cells where one or none is.
+/// Bulge of a face divided by that of the closed cell. The deflection of a clamped plate grows with the fourth power of its span.
+/// The span is the cell's chamber if it has walls around it, and 2 or 3 cells if it has one wall or none.
 ///
-/// Of half a cell the class says less, and the least span that it occurs at is taken: one cell beside two walls, two cells along
-/// one axis beside one, along both beside none. Of smaller parts a closed cell alone has all classes.
+/// For half a cell the class is less specific, and the smallest span at which it occurs is taken: one cell with two walls, two
+/// cells along one axis with one wall, two cells along both with none. For smaller parts, a closed cell alone has all classes.
 ByWallClass<double> bulge_factors(int voxels_per_cell) {
   if (voxels_per_cell == 1) return {1000.0, 350.0, 50.0, 5.0, 3.3, 2.0, 1.0};
   if (voxels_per_cell == 2) return {50.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   return all_classes(1.0);
 }
 
-/// Part of a voxel's section that is wall. @param t wall thickness by the voxel's edge
+/// Fraction of a voxel's section that is wall. @param t wall thickness / edge of the voxel
 double wall_share(std::size_t wall_class, double t) {
   const double corner = (1.0 - t) * (1.0 - t);
   const double post = t * t;  // where the walls of the two limbs meet inside a bend
@@ -50,7 +50,7 @@ SurrogateParameters rough_parameters(const meshes::CurveProvenance& provenance, 
   p.voxels_per_cell = voxels_per_cell;
   p.density_kg_m3 = provenance.density_kg_m3;
   const double edge = p.voxel_edge_m();
-  // Laws are by the edge of the voxel, and the bulge of a cell is that of any of its voxels.
+  // Laws are relative to the edge of the voxel, and each voxel of a cell has the bulge of the cell.
   const ByWallClass<double> factors = bulge_factors(voxels_per_cell);
   const double bulge = plate_factor * b * b * b * b / (plate_stiffness_N_m * edge);
   for (std::size_t c = 0; c < wall_class_count; ++c) {

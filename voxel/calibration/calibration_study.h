@@ -14,62 +14,64 @@
 
 namespace menger::voxel {
 
-/// A curve of a study, with where it came from.
+/// A curve of a study and its origin.
 struct StudyCurve {
   meshes::ResponseCurve curve;
   std::filesystem::path file;  ///< of the provenance
-  std::string hash;            ///< of that file, which holds the hash of the table
+  std::string hash;            ///< of the provenance file, which holds the hash of the table
   std::string table_hash;      ///< of the table beside it
   double weight = 1.0;
 };
 
-/// What all curves of a study must agree with.
+/// Properties that all curves of a study must share.
 struct CurveSubject {
   std::string silicone{};
-  std::optional<std::string> law{};  ///< nothing: as the curves have it
+  std::optional<std::string> law{};  ///< nothing: that of the curves
   double cell_edge_m = 0.0;
   double wall_thickness_m = 0.0;
 };
 
-/// What to fit to which curves.
+/// A calibration study: which parameters to fit to which curves.
 struct CalibrationStudy {
   std::filesystem::path file{};
-  std::vector<std::filesystem::path> places{};      ///< provenance files of response curves, and folders of them
-  std::optional<std::vector<std::string>> cases{};  ///< names of those to fit, all of which must be there; nothing: all
-  std::optional<std::string> silicone{};            ///< name or file of the record that has the loss data
+  std::vector<std::filesystem::path> places{};  ///< provenance files of response curves, and folders of them
+  /// Names of the cases to fit, all of which must exist; nothing: all cases.
+  std::optional<std::vector<std::string>> cases{};
+  std::optional<std::string> silicone{};  ///< name or file of the record with the loss data
   CurveSubject subject{};
   int voxels_per_cell = 1;
   meshes::ChamberLayout chambers = meshes::ChamberLayout::single;
-  std::map<meshes::LoadCaseKind, double> weights{};  ///< factors on squares of residuals; kinds that are not there have 1
-  CalibrationBounds bounds{};                        ///< those that the study sets
+  std::map<meshes::LoadCaseKind, double> weights{};  ///< factors on squared residuals; 1 for kinds that are missing
+  CalibrationBounds bounds{};                        ///< bounds that the study sets
   CalibrationPlan plan{};
-  std::optional<ValueRange>
-      pressures_Pa{};  ///< states under other pressures are left out of the fit and so of its range of validity
+  /// States at other pressures are left out of the fit, and so of its range of validity.
+  std::optional<ValueRange> pressures_Pa{};
   std::optional<FrequencyReference> frequency_response{};  ///< to compare with, not to fit
 
-  // what the files say that it names
+  // Contents of the files that the study names.
   std::vector<StudyCurve> curves{};
   std::optional<materials::LossData> loss{};
-  std::vector<std::string> notes{};             ///< what is to be known of the input, in sentences
+  std::vector<std::string> notes{};             ///< sentences on the input for the user
   std::map<std::string, std::string> inputs{};  ///< files and content hashes
 };
 
-/// The keys of a study; menger calibrate --keys lists them. Curves that a study has before need not be given.
+/// Describes the keys of a study; menger calibrate --keys lists them. Curves need not be given if the study already has them.
 ///
-/// Weights are factors on the squares of residuals in what a fit minimises and in the criterion that chooses details; reported
-/// residuals, chi2 and intervals are by the stated uncertainties alone, which go by the largest magnitudes within pressures_Pa.
+/// Weights are factors on squared residuals, in the sum that a fit minimises and in the criterion that chooses details. Reported
+/// residuals, chi2 and intervals use the stated uncertainties alone, which are relative to the largest magnitudes within
+/// pressures_Pa.
 void describe(io::StudyVisitor& visitor, CalibrationStudy& study);
 
-/// Reads a study from TOML and the curves that it names.
-/// @param curves in place of the study's, relative to the working folder, if there are any
-/// @throws io::InputError with file, key and value; for missing cases naming them all; for curves of another silicone, law, edge,
-/// wall or chamber layout than the study's, or two of the same name, naming the curve
+/// Reads a study from TOML, and the curves that it names.
+/// @param curves files or folders to read in place of the study's, relative to the working folder, if any
+/// @throws io::InputError with file, key and value; for missing cases, with all their names; with the name of the curve, for a
+/// curve of another silicone, law, edge, wall or chamber layout than the study's, or for two curves of the same name
 CalibrationStudy read_calibration_study(const std::filesystem::path& file, const std::vector<std::filesystem::path>& curves = {});
 
-/// The problem of a study: rough parameters to start from, and bounds.
+/// The calibration problem of a study: its curves, rough parameters to start from, and bounds.
 CalibrationProblem problem_of(const CalibrationStudy& study, const Responder& responder);
 
-/// Everything that decides the result of a study, defaults included, as TOML; of the curves their hashes.
+/// Everything that decides the result of a study, defaults included, as TOML. Curves are represented by their hashes.
 std::string study_text(const CalibrationStudy& study, const CalibrationProblem& problem);
 
 }  // namespace menger::voxel

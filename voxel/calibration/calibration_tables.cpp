@@ -9,7 +9,7 @@ namespace {
 
 using meshes::LoadCaseKind;
 
-/// Kinds among the curves, in the order of the enumeration.
+/// The kinds of load case among the curves, in the order of the enumeration.
 std::set<LoadCaseKind> kinds_of(const std::vector<FittedCurve>& curves) {
   std::set<LoadCaseKind> kinds;
   for (const FittedCurve& curve : curves) kinds.insert(curve.load_case.kind);
@@ -26,7 +26,7 @@ std::string classes_text(const FittedParameter& parameter) {
 
 }  // namespace
 
-double answer_at(const FittedCurve& curve, const std::vector<double>& residuals, std::size_t n) {
+double response_at(const FittedCurve& curve, const std::vector<double>& residuals, std::size_t n) {
   const std::size_t rows = curve.states.size();
   return curve.reference[n / rows][n % rows] + curve.sigma[n / rows] * residuals[n];
 }
@@ -135,7 +135,7 @@ io::CsvTable residual_table(const std::vector<FittedCurve>& curves, const Calibr
   return table;
 }
 
-io::CsvTable answer_table(const std::vector<FittedCurve>& curves, const CalibrationFit& fit) {
+io::CsvTable response_table(const std::vector<FittedCurve>& curves, const CalibrationFit& fit) {
   io::CsvTable table({"case", "kind", "body", "pressure_Pa", "imposed", "ordinate", "reference", "surrogate", "sigma"});
   for (std::size_t c = 0; c < fit.residuals.size(); ++c) {
     const FittedCurve& curve = curves[c];
@@ -144,7 +144,7 @@ io::CsvTable answer_table(const std::vector<FittedCurve>& curves, const Calibrat
       const std::vector<double>& state = curve.states[n % rows];
       const auto imposed = state.size() > 1 ? std::optional(state[1]) : std::nullopt;
       table.add_row(curve.load_case.name, meshes::to_string(curve.load_case.kind), body_text(curve.load_case), state[0], imposed,
-                    curve.ordinates[n / rows], curve.reference[n / rows][n % rows], answer_at(curve, fit.residuals[c], n),
+                    curve.ordinates[n / rows], curve.reference[n / rows][n % rows], response_at(curve, fit.residuals[c], n),
                     curve.sigma[n / rows]);
     }
   }

@@ -9,13 +9,13 @@ namespace {
 
 constexpr double claim = 0.95;
 
-/// What the truth answers to every curve; nothing where it has no equilibrium.
+/// Replaces the references of curves by the responses of the true parameters; nothing if there is no equilibrium.
 std::optional<std::vector<FittedCurve>> exact_curves(std::vector<FittedCurve> curves, const SurrogateParameters& truth,
                                                      const Responder& responder) {
   for (FittedCurve& curve : curves) {
-    const auto answers = answers_of(curve, responder(truth, curve.load_case, curve.states));
-    if (!answers) return std::nullopt;
-    curve.reference = *answers;
+    const auto responses = responses_of(curve, responder(truth, curve.load_case, curve.states));
+    if (!responses) return std::nullopt;
+    curve.reference = *responses;
   }
   return curves;
 }

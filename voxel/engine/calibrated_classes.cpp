@@ -8,7 +8,7 @@
 namespace menger::voxel {
 namespace {
 
-/// What decides the coefficients of a voxel.
+/// What decides the coefficients of a voxel: mass, moment of inertia, wall classes, material, and whether it is fixed.
 using VoxelKey = std::tuple<double, double, std::array<std::uint8_t, 3>, meshes::Material, bool>;
 
 /// What decides the coefficients of a beam: classes and masses of its ends, and whether it crosses a joint.
@@ -41,7 +41,7 @@ BeamCoefficients<double> beam_row(const Physics& physics, const BeamKey& key) {
   return row;
 }
 
-/// The index of a key's row, which is appended when the key is new.
+/// Returns the index of the row of a key. A new key appends its row.
 template <class Key, class Row, class Make>
 std::size_t class_of(std::map<Key, std::size_t>& known, std::vector<Row>& rows, const Key& key, const Make& make) {
   const auto [entry, is_new] = known.try_emplace(key, rows.size());

@@ -12,19 +12,22 @@
 
 namespace menger::voxel {
 
-/// The close pairs of a body in motion, from step to step: their list, those that touch, and a count of the work.
+/// The close pairs of a body in motion, from step to step: their list, the pairs that touch, and counts of the work.
 ///
-/// A step lets the list be renewed where it must be (`renew`), asks whether any pair may touch (`may_touch`), and if so looks for
-/// those that do (`search`); in the end it tells how far voxels moved (`moved`).
+/// A step renews the list where it must (`renew`), asks whether any pair may touch (`may_touch`), and if so finds those that do
+/// (`search`). At its end it reports how far voxels moved (`moved`).
 template <class Real>
 class ClosePairs {
  public:
-  /// @param largest_size_m of any voxel, ever @param edge_m of a voxel @param kernels outlive this @param options which work is
-  /// never left out
+  /// @param largest_size_m largest size of any voxel at any time
+  /// @param edge_m of a voxel
+  /// @param kernels must outlive this object
+  /// @param options which work is never left out
   ClosePairs(CollisionRule rule, double largest_size_m, double edge_m, const StepKernels<Real>& kernels,
              const KernelOptions& options);
 
-  /// Tells solid voxels of two drives apart, where there are no more, so that fewer pairs need to be looked at.
+  /// Sorts solid voxels into two kinds by their drive, if there are no more than two drives. Fewer pairs then need to be looked
+  /// at.
   void tell_drives_apart(const StepData<Real>& d);
 
   [[nodiscard]] const VerletList& list() const { return list_; }
@@ -33,20 +36,22 @@ class ClosePairs {
   /// See VerletList::moved.
   void moved(double displacement_m) { list_.moved(displacement_m); }
 
-  /// Whether `renew` would look at positions.
+  /// Whether `renew` would read positions.
   [[nodiscard]] bool looks_at_positions() const { return anew_in_every_step_ || list_.bound_used_up(); }
 
-  /// Makes the list valid for the positions in these lines. @return whether it was made anew
+  /// Makes the list valid for the positions in these lines.
+  /// @return whether it was built anew
   bool renew(const Real* pose);
 
-  /// Makes the list anew.
+  /// Builds the list anew.
   void make(const Real* pose);
 
-  /// Whether any pair may touch in this step; to be asked once in each, after `renew`.
+  /// Whether any pair may touch in this step. Call it once in each step, after `renew`.
   [[nodiscard]] bool may_touch();
 
-  /// The search, ready to find the pairs that touch in this step. @param first, second voxels of the list's pairs in its order,
-  /// as they are numbered in `spheres` @param size_of gives the size (m) of a voxel of the body
+  /// Prepares the search for the pairs that touch in this step, and returns it.
+  /// @param first, second voxels of the list's pairs in its order, numbered as in `spheres`
+  /// @param size_of (voxel of the body) -> its size (m)
   template <class SizeOf>
   const ContactSearch<Real>& search(const Spheres<Real>& spheres, const std::int32_t* first, const std::int32_t* second,
                                     const SizeOf& size_of) {
@@ -54,12 +59,12 @@ class ClosePairs {
     return search_;
   }
 
-  /// The search as it was made ready last.
+  /// Returns the search as it was last prepared.
   [[nodiscard]] const ContactSearch<Real>& search() const { return search_; }
 
  private:
-  /// Sizes with which pairs are ruled out: those that voxels of the two kinds of a list have now (voxels that are driven alike
-  /// are of one kind), or the largest possible size twice where kinds are not told apart.
+  /// Returns the two sizes with which pairs are ruled out. They are the present sizes of the voxels of the two kinds (voxels that
+  /// are driven alike are of one kind). Where kinds are not told apart, both are the largest possible size.
   template <class SizeOf>
   [[nodiscard]] std::array<double, 2> sizes_m(const SizeOf& size_of) const {
     if (!of_kind_) return {largest_size_m_, largest_size_m_};
@@ -69,7 +74,7 @@ class ClosePairs {
   VerletList list_;
   ContactSearch<Real> search_;
   double largest_size_m_;
-  std::optional<std::array<std::int32_t, 2>> of_kind_;  ///< a voxel of each
+  std::optional<std::array<std::int32_t, 2>> of_kind_;  ///< a voxel of each kind
   bool anew_in_every_step_, never_ruled_out_;
   CollisionCounts counts_;
 };

@@ -12,9 +12,10 @@ namespace menger::voxel {
 
 namespace {
 
-constexpr double kept_share = 0.8;  ///< of the bound, up to which a list is kept
+constexpr double kept_share = 0.8;  ///< share of the bound up to which a list is kept
 
-/// Puts into every cell of a grid the largest of its own and its neighbours' values, edges and corners included.
+/// Replaces the value of every cell of a grid by the largest value of the cell and its neighbours, including those across edges
+/// and corners.
 void take_from_around(std::vector<double>& values, const std::array<std::size_t, 3>& size) {
   std::size_t step = 1;
   for (const std::size_t count : size) {
@@ -89,7 +90,7 @@ void VerletList::build(const Real* positions, std::size_t stride) {
   ++number_;
 }
 
-/// What bound_m_ is at these positions, infinite where pairs that were far apart could be too close.
+/// Returns the value of bound_m_ at these positions. It is infinite where pairs that were far apart could be too close.
 template <class Real>
 double VerletList::true_bound_m(const Real* positions, std::size_t stride) {
   double largest2 = 0.0;
@@ -104,14 +105,15 @@ double VerletList::true_bound_m(const Real* positions, std::size_t stride) {
   }
   const double largest = std::sqrt(largest2);
   if (largest <= kept_share * (0.5 * skin_m_)) return largest;
-  // Voxels whose cells were three apart had two cells between them. Until the next look they come closer by a skin at most.
+  // Voxels whose cells were three apart had two cells between them. Until the next check they approach each other by at most a
+  // skin.
   const Shift moved = shift(positions, stride);
   if (2.0 * cell_width_m_ - moved.far_m < reach_m_ + skin_m_) return std::numeric_limits<double>::infinity();
   return std::min(largest, 0.5 * moved.near_m);
 }
 
-/// Of every cell the box of its voxels' displacements, widened to those of the cells around it: voxels whose cells are one or two
-/// apart are both around some cell.
+/// Computes how far voxels moved relative to each other. Every cell gets the box of its voxels' displacements, widened to those
+/// of the cells around it. Two voxels whose cells are one or two apart are thus both in the box of some cell.
 template <class Real>
 VerletList::Shift VerletList::shift(const Real* positions, std::size_t stride) {
   constexpr double none = -std::numeric_limits<double>::infinity();
@@ -150,7 +152,8 @@ template <class Real>
 bool VerletList::refresh(const Real* positions, std::size_t stride) {
   if (!bound_used_up()) return false;
   if (built_) {
-    // Below that share of the bound the list is good for many steps more; above it a new one is as cheap as looking again soon.
+    // Below that share of the bound the list is good for many more steps. Above it a new list costs no more than checking again
+    // soon.
     const double bound = true_bound_m(positions, stride);
     if (bound <= kept_share * (0.5 * skin_m_)) {
       bound_m_ = bound;
@@ -236,7 +239,7 @@ void VerletList::find_pairs() {
           const double z_apart = here[2] - sorted[2][k];
           distance2[k] = x_apart * x_apart + y_apart * y_apart + z_apart * z_apart;
         }
-        // Without a branch, which nobody could predict.
+        // Without a branch, because it could not be predicted.
         std::size_t found = 0;
         for (std::size_t k = first; k < last; ++k) {
           hits[found] = k;
@@ -259,7 +262,7 @@ void VerletList::find_pairs() {
   }
 }
 
-/// Sorts the pairs into bins.
+/// Sorts the pairs into bins by kinds and distance.
 void VerletList::put_in_order() {
   std::vector<std::size_t> bin_of;
   bin_of.reserve(pairs_.size());

@@ -7,11 +7,11 @@ namespace menger::voxel {
 
 namespace {
 
-/// How much farther apart than touching a pair may be to be near, as a share of the skin: the flat optimum between many near
-/// pairs and looking for them often.
+/// Pairs are near if the gap between their spheres is at most this share of the skin. It is the flat optimum between many near
+/// pairs and frequent searches for them.
 constexpr double near_share = 0.25;
 
-/// What rounding may do to distances, as a share of the skin.
+/// Bound on rounding errors of distances, as a share of the skin.
 constexpr double rounding_share = 1e-3;
 
 }  // namespace
@@ -20,7 +20,7 @@ template <class Real>
 bool ContactSearch<Real>::holds_all_near(const VerletList& list, const std::int32_t* first,
                                          const std::array<double, 2>& size_m) const {
   if (number_ != list.number() || numbered_as_ != first) return false;
-  const double closer = 2.0 * (list.way_m() - way_m_) + rounding_share * list.skin_m();
+  const double closer = 2.0 * (list.path_m() - path_m_) + rounding_share * list.skin_m();
   const std::array<double, 3> reaches = VerletList::reaches_m(size_m);
   for (std::size_t kinds = 0; kinds < reaches.size(); ++kinds) {
     if (reaches[kinds] + closer > limits_m_[kinds]) return false;
@@ -34,7 +34,7 @@ void ContactSearch<Real>::find_near(const VerletList& list, const Spheres<Real>&
   constexpr std::size_t bits = 64;
   number_ = list.number();
   numbered_as_ = first;
-  way_m_ = list.way_m();
+  path_m_ = list.path_m();
   const double further_m = near_share * list.skin_m();
   limits_m_ = VerletList::reaches_m(size_m);
   for (double& limit : limits_m_) limit += further_m;

@@ -18,7 +18,8 @@ struct Divergence {
   double time_s = 0.0;          ///< at the end of the step
 };
 
-/// Where and how a run diverged, in a line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in m/s.
+/// Returns where and how a run diverged, in one line: "voxel 7 (cell 1, 2, 0): speed 1.3, limit 0.9, at 0.02 s". Speeds are in
+/// m/s.
 std::string divergence_text(const Divergence& divergence);
 
 }  // namespace menger::voxel

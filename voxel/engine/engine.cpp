@@ -15,9 +15,9 @@ constexpr auto line_size = static_cast<std::size_t>(line_length);
 }  // namespace
 
 std::uint64_t steps_until(double time_s, double time_step_s) {
-  // Rounding of the quotient may be one off either way.
+  // Rounding may leave the quotient one off in either direction.
   const double quotient = time_s / time_step_s;
-  if (!(quotient < 1e18)) throw std::invalid_argument("more steps than can be counted");
+  if (!(quotient < 1e18)) throw std::invalid_argument("too many steps to count");
   auto needed = quotient > 0.0 ? static_cast<std::uint64_t>(quotient) : 0;
   while (needed > 0 && static_cast<double>(needed - 1) * time_step_s >= time_s) --needed;
   while (static_cast<double>(needed) * time_step_s < time_s) ++needed;
@@ -48,7 +48,7 @@ void EngineOf<Real>::choose_kernels() {
   voxels_ = kernels_.voxels[uniform_][floor_][gravity_][moving_.sweep_drives()];
 }
 
-/// What a step has beside the two sweeps.
+/// Creates what a step needs beside the two sweeps.
 template <class Real>
 void EngineOf<Real>::add_parts() {
   const VoxelBody& body = this->body();
@@ -66,11 +66,11 @@ void EngineOf<Real>::add_parts() {
   if (!options_.energy_ledger) return;
   if constexpr (std::is_same_v<Real, double>) {
     const bool velocity = physics.integration.damping == DampingMode::velocity;
-    books_ = std::make_unique<EnergyBooks>(moving_.data(), variety(moving_.state().uniform()), velocity, floor_, gravity_,
-                                           moving_.sweep_drives(), coupling_.get(), feet_.get());
+    balance_ = std::make_unique<EnergyBalance>(moving_.data(), variety(moving_.state().uniform()), velocity, floor_, gravity_,
+                                               moving_.sweep_drives(), coupling_.get(), feet_.get());
     energy_.emplace();
   } else {
-    throw std::invalid_argument("the energy ledger needs float64");
+    throw std::invalid_argument("the energy balance needs float64");
   }
 }
 
@@ -87,7 +87,7 @@ void EngineOf<Real>::report_body() {
                       " chambers");
   }
   if (!coupling_) report_.push_back("lateral coupling left out: it is zero");
-  if (options_.every_term) report_.push_back("every term kept in the loop on request");
+  if (options_.every_term) report_.push_back("every term is computed, as requested");
   const std::optional<int>& depth = physics.collisions.exclusion_depth;
   if (!depth) {
     report_.push_back("collisions left out: switched off");
@@ -95,7 +95,7 @@ void EngineOf<Real>::report_body() {
     report_.push_back("collisions left out: every pair of surface voxels is within " + std::to_string(*depth) +
                       " beams of each other");
   } else {
-    report_.push_back("collisions: work is skipped while a bound on the displacements rules contact out");
+    report_.push_back("collisions: not computed while a bound on the displacements excludes contact");
   }
 }
 
@@ -127,12 +127,12 @@ template <class Real>
 void EngineOf<Real>::step() {
   const StepData<Real>& d = moving_.data();
   moving_.begin_step();
-  moving_.check_strains(books_ ? books_->add_beam_loads() : beams_(d));
-  if (coupling_ && !books_) coupling_->add_loads(d);
+  moving_.check_strains(balance_ ? balance_->add_beam_loads() : beams_(d));
+  if (coupling_ && !balance_) coupling_->add_loads(d);
   add_contacts();
   if (feet_) feet_->add_loads(d, moving_.state().origin_m(), *moving_.pressures());
-  const VoxelSweep seen = books_ ? books_->move_voxels() : voxels_(d);
-  if (books_) energy_ = books_->ledger();
+  const VoxelSweep seen = balance_ ? balance_->move_voxels() : voxels_(d);
+  if (balance_) energy_ = balance_->ledger();
   moving_.end_step(seen, InLines{});
 }
 
@@ -161,7 +161,7 @@ Engine::VoxelView EngineOf<Real>::view(std::size_t voxel) const {
   v.size_m = number(pose[slot::size]);
   v.reach_m.fill(0.5 * v.size_m);
   if (moving_.pressures() != nullptr) v.reach_m = moving_.pressures()->reach_m(voxel);
-  const bool on_feet = feet_ && record().steps > 0;  // which have not been asked for before
+  const bool on_feet = feet_ && record().steps > 0;  // before the first step the feet have not been evaluated
   v.is_static = on_feet ? feet_->sticks(voxel) : motion[slot::is_static] > Real(0.5);
   v.touches_floor =
       on_feet ? feet_->touches(voxel) : body().physics.floor && 0.5 * v.size_m - 0.5 * body().edge_m - v.position_m[2] >= 0.0;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "io/text/run_status.h"
-#include "voxel/engine/energy_books.h"
+#include "voxel/engine/energy_balance.h"
 #include "voxel/engine/foot_contact.h"
 #include "voxel/engine/moving_body.h"
 #include "voxel/engine/rest_lengths.h"
@@ -18,7 +18,7 @@
 
 namespace menger::voxel {
 
-/// A body that is stepped, behind its number type.
+/// Steps one body. The interface is the same for all number types.
 class Engine {
  public:
   Engine() = default;
@@ -26,16 +26,18 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
   virtual ~Engine() = default;
 
-  /// Takes so many steps unless the body diverges or `stop` becomes true. @return completed, diverged or stopped
+  /// Takes `steps` steps, unless the body diverges or `stop` becomes true.
+  /// @return completed, diverged or stopped
   [[nodiscard]] virtual io::RunStatus advance(std::uint64_t steps, const std::atomic<bool>* stop) = 0;
 
-  /// From now on so many threads share every step, by an engine that has work for more than one. @param threads >= 1
+  /// Sets how many threads share every step from now on. An engine that has no work for more than one ignores it.
+  /// @param threads >= 1
   virtual void set_threads(int threads) = 0;
 
   [[nodiscard]] virtual const VoxelBody& body() const = 0;
   [[nodiscard]] virtual const RunRecord& record() const = 0;
 
-  /// A voxel in SI units and double.
+  /// The state of a voxel in SI units and double.
   struct VoxelView {
     std::array<double, 3> position_m, velocity_m_s, angular_velocity_rad_s;
     std::array<double, 4> orientation;
@@ -45,18 +47,24 @@ class Engine {
     bool touches_floor;
   };
   [[nodiscard]] virtual VoxelView view(std::size_t voxel) const = 0;
+  /// Returns the strains of all voxels, see Frame::strain.
   [[nodiscard]] virtual std::vector<double> strains() const = 0;
+  /// Returns the number of beams in the large-angle state, see beam_state.
   [[nodiscard]] virtual std::size_t large_angle_beams() const = 0;
+  /// Returns for every voxel whether its collision sphere overlaps that of another voxel.
   [[nodiscard]] virtual std::vector<bool> in_contact_with_others() const = 0;
+  /// Returns the energy balance, if KernelOptions::energy_ledger asks for it.
   [[nodiscard]] virtual const std::optional<EnergyLedger>& energy() const = 0;
   [[nodiscard]] virtual CollisionCounts collision_counts() const = 0;
+  /// Returns lines of text: the kernels in use and the terms that they leave out.
   [[nodiscard]] virtual std::vector<std::string> kernel_report() const = 0;
 };
 
-/// Number of the first step that ends at or after a time (s). @throws std::invalid_argument for more than 1e18 steps
+/// Returns the number of the first step that ends at or after a time (s).
+/// @throws std::invalid_argument for more than 1e18 steps
 std::uint64_t steps_until(double time_s, double time_step_s);
 
-/// The engine for one number type: steps a body voxel by voxel.
+/// Engine for one number type. It steps a body voxel by voxel.
 template <class Real>
 class EngineOf : public Engine {
  public:
@@ -81,10 +89,10 @@ class EngineOf : public Engine {
   [[nodiscard]] const MovingBody<Real>& moving_body() const { return moving_; }
 
   [[nodiscard]] const KernelOptions& options() const { return options_; }
-  [[nodiscard]] InstructionSet instruction_set() const { return set_; }  ///< that its kernels are of
+  [[nodiscard]] InstructionSet instruction_set() const { return set_; }  ///< of its kernels
 
  protected:
-  /// The lines of the report that hold whatever sweeps the body.
+  /// The lines of the report that do not depend on how the body is swept.
   [[nodiscard]] const std::vector<std::string>& report_of_body() const { return report_; }
 
  private:
@@ -94,7 +102,8 @@ class EngineOf : public Engine {
   void step();
   void add_contacts();
 
-  /// @param uniform whether coefficients are left out of beams without rest lengths of their own
+  /// Returns how the beams of the body differ.
+  /// @param uniform whether beams without rest lengths of their own are swept with one set of coefficients
   [[nodiscard]] BeamVariety variety(bool uniform) const {
     return body().hollow ? BeamVariety::own_lengths : uniform ? BeamVariety::uniform : BeamVariety::classes;
   }
@@ -109,9 +118,9 @@ class EngineOf : public Engine {
   typename StepKernels<Real>::VoxelSweepFunction voxels_ = nullptr;
   std::unique_ptr<LateralCoupling<Real>> coupling_;
   std::unique_ptr<FootContact<Real>> feet_;  ///< of a calibrated body on a floor, in place of the kernels' floor
-  std::unique_ptr<EnergyBooks> books_;       ///< double only
+  std::unique_ptr<EnergyBalance> balance_;   ///< double only
   std::optional<EnergyLedger> energy_;
-  std::vector<std::int32_t> touching_;  ///< room for the pairs that do
+  std::vector<std::int32_t> touching_;  ///< room for the touching pairs
   std::vector<std::string> report_;
 };
 

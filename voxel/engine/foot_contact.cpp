@@ -25,6 +25,7 @@ FootContact<Real>::FootContact(const Lattice& lattice, const HollowVoxels& voxel
   states_.resize(feet_.size());
 }
 
+/// Computes the contact of a foot and adds its loads to those of its voxel.
 /// @param arm from the centre of the voxel to the foot
 template <class Real>
 void FootContact<Real>::press(Foot& foot, State& state, const Body& body, const FloorCoefficients<double>& floor,
@@ -44,7 +45,7 @@ void FootContact<Real>::press(Foot& foot, State& state, const Body& body, const 
   const Vector3<double> drag = damping * Vector3<double>{velocity.x, velocity.y, 0.0};
   Vector3<double> hold = spring - drag;
   const double wanted = std::sqrt(dot(hold, hold));
-  // Written, as the push, so that a force that is not finite is handed on instead of vanishing.
+  // Written, like the push, so that a force that is not finite is passed on instead of vanishing.
   foot.slides = !(wanted <= (foot.slides ? floor.kinetic_friction : floor.static_friction) * push.z);
   if (foot.slides) {
     hold = (wanted > 0.0 ? floor.kinetic_friction * push.z / wanted : 0.0) * hold;

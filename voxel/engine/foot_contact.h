@@ -14,32 +14,40 @@ namespace menger::voxel {
 
 /// Contact of a calibrated body with the ground, at the feet of its walls (WallFoot): corners, middles and crowns.
 ///
-/// They lie r = R d from the centre of their voxel, with R its orientation and d made of its half lengths and of how far the wall
-/// stands out there. The corners are the rim that a wall stands on while it does not bulge, and what keeps a body from rolling
-/// over one that does; a wide wall bulges as one dome, whose top the crowns are. A foot that is p deep in the ground is pushed up
-/// by N = max(0, k p - c v_z) with its share, a fifth for a corner and a middle, of the ground's stiffness k and of c = 2 zeta_c
-/// sqrt(m k / 2), and v the velocity of the foot. Friction acts there, too, not at the centre of the voxel: that is what makes a
-/// body tip over its feet and lets it step. A foot holds on by -k (x - a) - c v with x its horizontal place and a where that was
-/// when it touched, until that takes more than mu_s N; then it slides with mu_k N in the direction in which it held, and drags a
-/// along, until it needs no more than that. So friction never exceeds mu_s N. Bulges enter v only as what they do to the voxel.
+/// A foot lies at r = R d from the centre of its voxel, with R the orientation of the voxel. d consists of the half lengths of
+/// the voxel and of how far the wall stands out at the foot. The corners are the rim that a wall stands on while it does not
+/// bulge. They also keep a body from rolling over a wall that does. A wide wall bulges as one dome, and the crowns are the top of
+/// that dome.
 ///
-/// In double for both number types, and the same for every instruction set.
+/// Let k and c be the foot's share, a fifth for a corner and a middle, of the ground's stiffness k_g and of its damping
+/// 2 zeta_c sqrt(m k_g / 2). Let v be the velocity of the foot. A foot at the depth p in the ground is pushed up by
+/// N = max(0, k p - c v_z).
+///
+/// Friction also acts at the foot, not at the centre of the voxel. Therefore a body can tip over its feet and step. A foot sticks
+/// with the force -k (x - a) - c v, where x is its horizontal position and a its position when it touched. When that force
+/// exceeds mu_s N, the foot slides: the force becomes mu_k N in the same direction, and a moves along. The foot sticks again when
+/// the force needed is no more than mu_k N. So friction never exceeds mu_s N. Bulges change v only through their effect on the
+/// voxel.
+///
+/// All is computed in double for both number types, and is the same for every instruction set.
 template <class Real>
 class FootContact {
  public:
   /// @param height_m of the ground in the world
   FootContact(const Lattice& lattice, const HollowVoxels& voxels, const BodyClasses& classes, double height_m);
 
-  /// Force (N) and moment (N m) on a voxel.
+  /// What the ground exerts on a voxel: a force (N) and a moment (N m) about its centre, both along the axes of the world.
   struct Load {
     Vector3<double> force{0.0, 0.0, 0.0};
     Vector3<double> moment{0.0, 0.0, 0.0};
   };
 
-  /// Adds the loads of all feet to the load lines, for positions and velocities as they are. @param origin_m of the positions
+  /// Adds the loads of all feet to the load lines, for the present positions and velocities.
+  /// @param origin_m of the positions
   void add_loads(const StepData<Real>& d, const std::array<double, 3>& origin_m, const PressureDrive<Real>& drive);
 
-  /// Of the last add_loads: of the ground's pressure, of friction, and how a voxel stands.
+  /// Results of the last add_loads for a voxel: the load from the pressure of the ground, the load from friction, whether a foot
+  /// touches the ground, and whether all feet that touch it stick.
   [[nodiscard]] const Load& pressing(std::size_t voxel) const { return states_[voxel].pressing; }
   [[nodiscard]] const Load& friction(std::size_t voxel) const { return states_[voxel].friction; }
   [[nodiscard]] bool touches(std::size_t voxel) const { return states_[voxel].touches; }
@@ -57,9 +65,9 @@ class FootContact {
   struct State {
     Load pressing, friction;
     bool touches = false;
-    bool sticks = false;  ///< all feet that touch
+    bool sticks = false;  ///< all feet that touch stick
   };
-  /// A voxel as its feet see it.
+  /// Position, motion and orientation of a voxel, in the world.
   struct Body {
     Vector3<double> place, velocity, spin;
     Rotation<double> turn;

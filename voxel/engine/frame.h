@@ -6,7 +6,7 @@
 
 namespace menger::voxel {
 
-/// Contact of a voxel, bits that add up.
+/// Contact of a voxel, as bits that add up.
 namespace contact {
 inline constexpr std::uint8_t none = 0;
 inline constexpr std::uint8_t floor_sliding = 1;  ///< touches the floor, kinetic friction
@@ -20,15 +20,15 @@ struct Frame {
   double time_s = 0.0;
   std::vector<std::array<double, 3>> position_m;   ///< centres; z = 0 is the centre of the lowest layer at rest
   std::vector<std::array<double, 4>> orientation;  ///< unit quaternions (w, x, y, z), body to world
-  std::vector<double> size_m;                      ///< driven edge length s; of a hollow voxel along z, without its bulge
+  std::vector<double> size_m;                      ///< driven edge length s; for a hollow voxel along z, without its bulge
 
-  /// Of hollow voxels, for drawing: from the centre to the sides -x, +x, -y, +y, -z, +z of the turned voxel, m, as far as
-  /// pressure drives them; a wall with nothing behind it stands at its mean bulge. Empty for solid voxels, which are cubes of
-  /// their size.
+  /// For drawing hollow voxels: the distances from the centre to the sides -x, +x, -y, +y, -z, +z of the turned voxel, m, as
+  /// pressure drives them. A wall with nothing behind it is at its mean bulge. Empty for solid voxels, which are cubes of their
+  /// size.
   std::vector<std::array<double, 6>> reach_m;
   std::vector<double> speed_m_s;  ///< magnitude of the velocity
-  std::vector<double>
-      strain;  ///< of largest magnitude among the voxel's beams, with its sign: distance of the ends over rest length, minus 1
+  /// Strain of largest magnitude among the beams of a voxel, with its sign: distance of the ends over rest length, minus 1.
+  std::vector<double> strain;
   std::vector<std::uint8_t> material;  ///< 1 or 2
   std::vector<double> phase;           ///< of the drive, in periods
   std::vector<std::uint8_t> contact;   ///< bits of namespace contact

@@ -18,7 +18,7 @@ MovingBody<Real>::MovingBody(VoxelBody body, const VoxelLoads& loads, const Step
   const bool drives_sizes = is_driven(body_.physics.actuation) && !body_.hollow;
   shaped_ = drives_sizes && is_shaped(body_.physics.actuation);
   sweep_drives_ = (drives_sizes && !shaped_) || options.kept_terms().actuation;
-  // A floor that is kept in the loop where there is none for it lies infinitely deep. The feet of a calibrated body find the
+  // A floor that is kept in the loop although the sweep has none lies infinitely deep. The feet of a calibrated body find the
   // floor themselves; see FootContact.
   const bool seen_by_sweep = body_.physics.floor && !body_.hollow;
   floor_depth_m_ = seen_by_sweep ? 0.5 * body_.edge_m : std::numeric_limits<double>::infinity();
@@ -74,7 +74,7 @@ void MovingBody<Real>::start_drive() {
   }
 }
 
-/// Sizes and rest lengths that no sweep computes.
+/// Sets the sizes and rest lengths that no sweep computes.
 template <class Real>
 void MovingBody<Real>::drive_to(double time_s) {
   if (pressures_) pressures_->set(time_s, state_.data);
@@ -110,7 +110,7 @@ void MovingBody<Real>::check_strains_after_move(bool out_of_range) {
   check_strains(out_of_range);
 }
 
-/// Which beam a run diverged at.
+/// Records at which beam the run diverged.
 template <class Real>
 void MovingBody<Real>::note_strain() {
   Divergence found{
@@ -135,7 +135,7 @@ void MovingBody<Real>::note_strain() {
   record_.divergence = found;
 }
 
-/// Compares with the strains that the parameters were fitted on.
+/// Compares the strains with those that the parameters were fitted on.
 template <class Real>
 void MovingBody<Real>::check_validity() {
   pressures_->note_strains(state_.data);
@@ -164,7 +164,7 @@ void MovingBody<Real>::check_validity() {
   record_.divergence = found;
 }
 
-/// Which voxel a run diverged at.
+/// Records at which voxel the run diverged.
 template <class Real>
 void MovingBody<Real>::note_speed() {
   Divergence found{.voxel = 0, .cell = {}, .quantity = "speed", .value = 0.0, .limit = body_.speed_limit_m_s, .time_s = 0.0};
@@ -183,13 +183,14 @@ void MovingBody<Real>::note_speed() {
   record_.divergence = found;
 }
 
-/// Takes the origin of positions along if the body is far from it. @return whether it moved
+/// Moves the origin of positions to the body if the body is far from it.
+/// @return whether it moved
 template <class Real>
 bool MovingBody<Real>::stay_near_origin() {
-  way_m_ = 0.0;
+  path_m_ = 0.0;
   if (!state_.take_origin_along()) return false;
   state_.data.floor_depth = static_cast<Real>(floor_depth_m_ + state_.origin_m()[2]);
-  // The list remembers positions from the origin that was.
+  // The list holds positions from the former origin.
   if (close_pairs_) close_pairs_->make(state_.data.pose);
   return true;
 }

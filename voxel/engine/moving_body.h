@@ -18,25 +18,26 @@
 
 namespace menger::voxel {
 
-/// What the steps so far have come to, beside the state.
+/// Results of the steps so far, beside the state.
 struct RunRecord {
   std::uint64_t steps = 0;
   std::optional<Divergence> divergence;
   std::optional<StrainRange> strain_range;  ///< of a calibrated body
 };
 
-/// A body in motion, and all of a step that its sweeps do not do: the clock, the drive, the limits of the model, the close pairs,
-/// and the origin of positions that goes along with the body.
+/// A body in motion, with all of a step that the sweeps do not do: the clock, the drive, the limits of the model, the close
+/// pairs, and the origin of positions, which moves along with the body.
 ///
-/// Whoever steps the body (EngineOf voxel by voxel, LaneGroup with robots and BlockLanes with blocks in SIMD lanes) brings the
-/// sweeps. A step is
+/// The sweeps come from the code that steps the body: EngineOf voxel by voxel, LaneGroup with robots in SIMD lanes, BlockLanes
+/// with blocks in SIMD lanes. A step is
 ///
 ///   begin_step(); the loads of all beams; check_strains(); the loads of contacts, with close_pairs(); the sweep over voxels;
 ///   end_step().
 template <class Real>
 class MovingBody {
  public:
-  /// @param kernels find the contacts; they outlive this @param options which terms are kept where they cannot matter
+  /// @param kernels find the contacts; they must outlive this object
+  /// @param options which terms are kept where they cannot matter
   MovingBody(VoxelBody body, const VoxelLoads& loads, const StepKernels<Real>& kernels, const KernelOptions& options);
   MovingBody(const MovingBody&) = delete;
   MovingBody& operator=(const MovingBody&) = delete;
@@ -49,32 +50,34 @@ class MovingBody {
   [[nodiscard]] StepData<Real>& data() { return state_.data; }
   [[nodiscard]] const StepData<Real>& data() const { return state_.data; }
 
-  /// Null where no pair can collide.
+  /// Returns the close pairs; null where no pair can collide.
   [[nodiscard]] ClosePairs<Real>* close_pairs() { return close_pairs_.get(); }
   [[nodiscard]] const ClosePairs<Real>* close_pairs() const { return close_pairs_.get(); }
 
-  /// Null but for a calibrated body.
+  /// Returns the pressure drive of a calibrated body; null for other bodies.
   [[nodiscard]] const PressureDrive<Real>* pressures() const { return pressures_.get(); }
 
-  /// Whether the sweep over voxels has the drive in it.
+  /// Whether the sweep over voxels computes the drive.
   [[nodiscard]] bool sweep_drives() const { return sweep_drives_; }
 
-  /// Rest length (m) of a beam as it is now.
+  /// Returns the present rest length (m) of a beam.
   [[nodiscard]] double rest_length_m(std::size_t axis, std::size_t beam) const;
 
-  /// Puts the drive at the end of the step into the constants of the sweeps.
+  /// Sets the constants of the sweeps to the drive at the end of the step.
   void begin_step();
 
-  /// Compares the strains of this step with the limits, before sizes and positions move on. @param out_of_range whether the sweep
-  /// over beams saw one beyond the limit, or not finite
+  /// Compares the strains of this step with the limits, before sizes and positions change.
+  /// @param out_of_range whether the sweep over beams found a strain that is beyond the limit or not finite
   void check_strains(bool out_of_range);
 
-  /// The same for voxels that have moved on: their sizes at the start of the step are set again.
+  /// Does the same as check_strains after the voxels have moved. It first sets their sizes back to those at the start of the
+  /// step.
   void check_strains_after_move(bool out_of_range);
 
-  /// Ends the step: counts it, sets the drive where no sweep does, judges the speed, and takes the origin along.
-  /// @param lanes puts the body's numbers where this class looks at them, in the lines of data(): `take()` all of them,
-  /// `take_poses()`, and `put_positions()` back with floor_depth once the origin has moved
+  /// Ends the step: counts it, sets the drive where no sweep does, checks the speed, and moves the origin along.
+  /// @param lanes copies the body's numbers between the sweeps and the lines of data(), which this class reads: `take()` copies
+  /// all of them, `take_poses()` the poses, and `put_positions()` copies positions and floor_depth back after the origin has
+  /// moved
   template <class Lanes>
   void end_step(const VoxelSweep& seen, const Lanes& lanes);
 
@@ -94,30 +97,30 @@ class MovingBody {
   VoxelState<Real> state_;
   RunRecord record_;
   bool sweep_drives_;
-  bool shaped_;  ///< sizes are set between the steps, because the drive is more than a sine
+  bool shaped_;  ///< sizes are set between the steps, because the drive is not a plain sine
   std::unique_ptr<PressureDrive<Real>> pressures_;
   std::unique_ptr<ClosePairs<Real>> close_pairs_;
   Real rate_scale_;       ///< of all steps but the first
-  double floor_depth_m_;  ///< of the floor under the world's z = 0
-  double way_m_ = 0.0;    ///< bound on how far any voxel went since the origin was last looked at
+  double floor_depth_m_;  ///< of the floor below the world's z = 0
+  double path_m_ = 0.0;   ///< bound on the displacement of any voxel since the origin was last checked
 };
 
-/// For a body whose numbers are in lines while it is stepped.
+/// The `lanes` of end_step for a body whose numbers are in lines while it is stepped. Nothing needs to be copied.
 struct InLines {
   void take() const {}
   void take_poses() const {}
   void put_positions() const {}
 };
 
-/// Whether any voxel may have gone an edge since the origin was last looked at. Only where positions are rounded to single
-/// precision: in double a kilometre costs a tenth of a picometre.
+/// Whether any voxel may have moved by an edge since the origin was last checked. Never in double: there a kilometre costs a
+/// tenth of a picometre. The check is only needed where positions are rounded to single precision.
 template <class Real>
 inline bool MovingBody<Real>::may_be_far(double displacement_m) {
   if constexpr (std::is_same_v<Real, double>) {
     return false;
   } else {
-    way_m_ += displacement_m;
-    return way_m_ >= body_.edge_m;
+    path_m_ += displacement_m;
+    return path_m_ >= body_.edge_m;
   }
 }
 

@@ -29,35 +29,35 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     if (is_new) phases_.push_back({std::cos(angle), std::sin(angle)});
     phase_of[i] = entry->second;
   }
-  answers_.resize(wall_class_count * phases_.size());
-  const auto answer = [&](std::int32_t voxel, std::size_t axis) {
+  responses_.resize(wall_class_count * phases_.size());
+  const auto response = [&](std::int32_t voxel, std::size_t axis) {
     const auto v = static_cast<std::size_t>(voxel);
     return wall_class_count * phase_of[v] + voxels.wall_class[v][axis];
   };
-  const auto bulge_answer = [&](std::size_t voxel, std::size_t axis) {
+  const auto bulge_response = [&](std::size_t voxel, std::size_t axis) {
     return wall_class_count * phase_of[voxel] + voxels.bulge_class[voxel][axis];
   };
   openings_ = wall_openings(lattice, voxels);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = lattice.beams[axis];
     for (std::size_t i = 0; i < beams.lower.size(); ++i) {
-      beam_answers_[axis].push_back({answer(beams.lower[i], axis), answer(beams.upper[i], axis)});
+      beam_responses_[axis].push_back({response(beams.lower[i], axis), response(beams.upper[i], axis)});
       const auto lower = static_cast<std::size_t>(beams.lower[i]);
       const auto upper = static_cast<std::size_t>(beams.upper[i]);
-      const std::array<Neck, 2> ends{Neck{i, bulge_answer(lower, axis), openings_[lower][2 * axis + 1]},
-                                     Neck{i, bulge_answer(upper, axis), openings_[upper][2 * axis]}};
+      const std::array<Neck, 2> ends{Neck{i, bulge_response(lower, axis), openings_[lower][2 * axis + 1]},
+                                     Neck{i, bulge_response(upper, axis), openings_[upper][2 * axis]}};
       std::ranges::copy_if(ends, std::back_inserter(necks_[axis]), [](const Neck& neck) { return neck.share > 0.0; });
     }
   }
-  const auto most = std::ranges::max(beam_answers_, {}, [](const auto& beams) { return beams.size(); }).size();
+  const auto most = std::ranges::max(beam_responses_, {}, [](const auto& beams) { return beams.size(); }).size();
   lengths_m_.resize(most);
   rates_m_s_.resize(most);
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const auto voxel = static_cast<std::int32_t>(i);
-    voxel_answers_.push_back({answer(voxel, 0), answer(voxel, 1), answer(voxel, 2)});
-    bulge_answers_.push_back({bulge_answer(i, 0), bulge_answer(i, 1), bulge_answer(i, 2)});
-    lengths_in_use_.insert(voxel_answers_.back().begin(), voxel_answers_.back().end());
-    bulges_in_use_.insert(bulge_answers_.back().begin(), bulge_answers_.back().end());
+    voxel_responses_.push_back({response(voxel, 0), response(voxel, 1), response(voxel, 2)});
+    bulge_responses_.push_back({bulge_response(i, 0), bulge_response(i, 1), bulge_response(i, 2)});
+    lengths_in_use_.insert(voxel_responses_.back().begin(), voxel_responses_.back().end());
+    bulges_in_use_.insert(bulge_responses_.back().begin(), bulge_responses_.back().end());
     std::array<bool, 6>& bulging = bulging_.emplace_back();
     for (std::size_t side = 0; side < bulging.size(); ++side) bulging[side] = has_free_wall(lattice, voxels, i, side);
   }
@@ -73,38 +73,38 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     for (std::size_t c = 0; c < wall_class_count; ++c) {
       const double edge = parameters_.voxel_edge_m();
       const double bulge = parameters_.bulge[c].value(pressure);
-      answers_[wall_class_count * k + c] = {.half_length_m = half_length_m(parameters_, c, pressure),
-                                            .half_length_rate_m_s = half_length_rate_m_s(parameters_, c, pressure, rate),
-                                            .bulge_peak_m = edge * parameters_.bulge_peak_ratio[c] * bulge,
-                                            .bulge_m = edge * bulge,
-                                            .bulge_rate_m_s = edge * parameters_.bulge[c].derivative(pressure) * rate};
+      responses_[wall_class_count * k + c] = {.half_length_m = half_length_m(parameters_, c, pressure),
+                                              .half_length_rate_m_s = half_length_rate_m_s(parameters_, c, pressure, rate),
+                                              .bulge_peak_m = edge * parameters_.bulge_peak_ratio[c] * bulge,
+                                              .bulge_m = edge * bulge,
+                                              .bulge_rate_m_s = edge * parameters_.bulge[c].derivative(pressure) * rate};
     }
   }
   largest_half_length_m_ = largest_foot_bulge_m_ = 0.0;
   for (const std::size_t length : lengths_in_use_)
-    largest_half_length_m_ = std::max(largest_half_length_m_, answers_[length].half_length_m);
+    largest_half_length_m_ = std::max(largest_half_length_m_, responses_[length].half_length_m);
   for (const std::size_t bulge : bulges_in_use_)
-    largest_foot_bulge_m_ = std::max(largest_foot_bulge_m_, answers_[bulge].bulge_peak_m);
+    largest_foot_bulge_m_ = std::max(largest_foot_bulge_m_, responses_[bulge].bulge_peak_m);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
-      const Answer& lower = answers_[beam_answers_[axis][i][0]];
-      const Answer& upper = answers_[beam_answers_[axis][i][1]];
+    for (std::size_t i = 0; i < beam_responses_[axis].size(); ++i) {
+      const Response& lower = responses_[beam_responses_[axis][i][0]];
+      const Response& upper = responses_[beam_responses_[axis][i][1]];
       lengths_m_[i] = lower.half_length_m + upper.half_length_m;
       rates_m_s_[i] = lower.half_length_rate_m_s + upper.half_length_rate_m_s;
     }
     for (const Neck& neck : necks_[axis]) {
-      lengths_m_[neck.beam] += neck.share * answers_[neck.bulge].bulge_m;
-      rates_m_s_[neck.beam] += neck.share * answers_[neck.bulge].bulge_rate_m_s;
+      lengths_m_[neck.beam] += neck.share * responses_[neck.bulge].bulge_m;
+      rates_m_s_[neck.beam] += neck.share * responses_[neck.bulge].bulge_rate_m_s;
     }
-    for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
+    for (std::size_t i = 0; i < beam_responses_[axis].size(); ++i) {
       const auto length = static_cast<Real>(lengths_m_[i]);
       d.axis[axis].rest_length[i] = d.single_precision_rest_lengths ? rounded_to_single(length) : length;
       d.axis[axis].rest_length_rate[i] = static_cast<Real>(rates_m_s_[i]);
     }
   }
-  for (std::size_t i = 0; i < voxel_answers_.size(); ++i) {
+  for (std::size_t i = 0; i < voxel_responses_.size(); ++i) {
     d.pose[static_cast<std::size_t>(line_length) * i + slot::size] =
-        static_cast<Real>(2.0 * answers_[voxel_answers_[i][2]].half_length_m);
+        static_cast<Real>(2.0 * responses_[voxel_responses_[i][2]].half_length_m);
   }
 }
 
@@ -112,9 +112,9 @@ template <class Real>
 std::array<double, 6> PressureDrive<Real>::reach_m(std::size_t voxel) const {
   std::array<double, 6> reach{};
   for (std::size_t side = 0; side < reach.size(); ++side) {
-    reach[side] = answers_[voxel_answers_[voxel][side / 2]].half_length_m;
+    reach[side] = responses_[voxel_responses_[voxel][side / 2]].half_length_m;
     const double share = bulging_[voxel][side] ? 1.0 : openings_[voxel][side];
-    if (share > 0.0) reach[side] += share * answers_[bulge_answers_[voxel][side / 2]].bulge_m;
+    if (share > 0.0) reach[side] += share * responses_[bulge_responses_[voxel][side / 2]].bulge_m;
   }
   return reach;
 }
@@ -125,7 +125,7 @@ void PressureDrive<Real>::note_strains(const StepData<Real>& d) {
   Real largest = Real(0);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const BeamAxisData<Real>& beams = d.axis[axis];
-    for (std::size_t i = 0; i < beam_answers_[axis].size(); ++i) {
+    for (std::size_t i = 0; i < beam_responses_[axis].size(); ++i) {
       const Real strain = beams.history[i] / beams.rest_length[i];
       smallest = strain < smallest ? strain : smallest;
       largest = strain > largest ? strain : largest;

@@ -13,12 +13,12 @@
 
 namespace menger::voxel {
 
-/// Puts the pressures of the chambers into the rest lengths of beams and the sizes of voxels of a calibrated body.
+/// Sets the rest lengths of beams and the sizes of voxels of a calibrated body from the pressures of its chambers.
 ///
-/// The size of a voxel, by which it meets others, is L (1 + extension) with the laws along z: without the bulge, which would make
-/// voxels touch that are joined across a corner.
+/// The size of a voxel is the one with which it meets other voxels. It is L (1 + extension) with the laws along z. It does not
+/// include the bulge: with it, voxels that are joined across a corner would touch.
 ///
-/// The laws are evaluated once per step for every phase and wall class that occur, not for every beam.
+/// The laws are evaluated once per step for every phase and wall class, not for every beam.
 template <class Real>
 class PressureDrive {
  public:
@@ -29,59 +29,61 @@ class PressureDrive {
   /// Sets rest lengths, their rates and sizes for a time.
   void set(double time_s, const StepData<Real>& d);
 
-  /// From the centre of a voxel to its sides -x, +x, -y, +y, -z, +z, m, as they were last set: half its driven lengths, plus the
-  /// mean bulge of walls behind which no voxel lies, or what a neck rides on.
+  /// Returns the distances from the centre of a voxel to its sides -x, +x, -y, +y, -z, +z, m, as they were last set. They are
+  /// half its driven lengths. Walls behind which no voxel lies add their mean bulge, and open sides in a plate add their share of
+  /// it (wall_openings).
   [[nodiscard]] std::array<double, 6> reach_m(std::size_t voxel) const;
 
-  /// Of a voxel along x, y, z, m.
+  /// Returns the half lengths of a voxel along x, y, z, m.
   [[nodiscard]] std::array<double, 3> half_lengths_m(std::size_t voxel) const {
-    const std::array<std::size_t, 3>& answers = voxel_answers_[voxel];
-    return {answers_[answers[0]].half_length_m, answers_[answers[1]].half_length_m, answers_[answers[2]].half_length_m};
+    const std::array<std::size_t, 3>& of_axes = voxel_responses_[voxel];
+    return {responses_[of_axes[0]].half_length_m, responses_[of_axes[1]].half_length_m, responses_[of_axes[2]].half_length_m};
   }
-  /// Of its walls across an axis.
+  /// Returns the bulge of the walls of a voxel across an axis.
   [[nodiscard]] WallBulge wall_bulge(std::size_t voxel, std::size_t axis) const {
-    const Answer& answer = answers_[bulge_answers_[voxel][axis]];
-    return {.mean = answer.bulge_m, .peak = answer.bulge_peak_m};
+    const Response& response = responses_[bulge_responses_[voxel][axis]];
+    return {.mean = response.bulge_m, .peak = response.bulge_peak_m};
   }
-  /// The largest of any voxel, m; of bulges 0 at least.
+  /// Return the largest half length and the largest bulge of any voxel, m. The bulge is 0 at least.
   [[nodiscard]] double largest_half_length_m() const { return largest_half_length_m_; }
   [[nodiscard]] double largest_foot_bulge_m() const { return largest_foot_bulge_m_; }
 
-  /// Widens the range of strains by the beams as they were in the last step; to be called before the next set.
+  /// Widens the range of strains by the strains of all beams in the last step. Call it before the next set.
   void note_strains(const StepData<Real>& d);
 
   [[nodiscard]] const StrainRange& strains() const { return strains_; }
 
  private:
-  /// What the laws give for a phase and a wall class.
-  struct Answer {
+  /// Values of the laws for one phase and wall class.
+  struct Response {
     double half_length_m, half_length_rate_m_s, bulge_peak_m, bulge_m, bulge_rate_m_s;
   };
-  /// A half beam that leaves a plate, see wall_openings.
+  /// A half beam that leaves a plate and is longer by that, see wall_openings.
   struct Neck {
-    std::size_t beam, bulge;  ///< its answer
+    std::size_t beam, bulge;  ///< bulge: index in responses_
     double share;
   };
 
   SurrogateParameters parameters_;
   double mean_Pa_, amplitude_Pa_;
   Actuation actuation_;
-  std::vector<std::array<double, 2>> phases_;                            ///< cos and sin of 2 pi phase, of the phases that occur
-  std::vector<Answer> answers_;                                          ///< by phase, then wall class
-  std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_answers_;  ///< per axis and beam: of its two halves
-  std::vector<std::array<std::size_t, 3>> voxel_answers_;                ///< per voxel: of its wall classes along x, y, z
-  std::vector<std::array<std::size_t, 3>> bulge_answers_;                ///< the same of its bulge classes
-  std::vector<std::array<double, 6>> openings_;                          ///< per voxel and side
-  std::array<std::vector<Neck>, 3> necks_;                               ///< per axis
-  std::vector<double> lengths_m_, rates_m_s_;                            ///< of the beams of an axis, while they are set
-  std::vector<std::array<bool, 6>> bulging_;                             ///< per voxel: sides with a wall and no voxel behind it
-  std::set<std::size_t> lengths_in_use_, bulges_in_use_;                 ///< answers
+  std::vector<std::array<double, 2>> phases_;  ///< cos and sin of 2 pi phase, of the phases that occur
+  std::vector<Response> responses_;            ///< values of the laws, by phase, then wall class
+  /// Per axis and beam: indices in responses_ of its two halves.
+  std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_responses_;
+  std::vector<std::array<std::size_t, 3>> voxel_responses_;  ///< per voxel: indices for its wall classes along x, y, z
+  std::vector<std::array<std::size_t, 3>> bulge_responses_;  ///< the same for its bulge classes
+  std::vector<std::array<double, 6>> openings_;              ///< per voxel and side
+  std::array<std::vector<Neck>, 3> necks_;                   ///< per axis
+  std::vector<double> lengths_m_, rates_m_s_;                ///< of the beams of an axis, while they are set
+  std::vector<std::array<bool, 6>> bulging_;                 ///< per voxel: sides with a wall and no voxel behind it
+  std::set<std::size_t> lengths_in_use_, bulges_in_use_;     ///< indices in responses_
   double largest_half_length_m_ = 0.0;
   double largest_foot_bulge_m_ = 0.0;
   StrainRange strains_;
 };
 
-/// Largest size (m) against other voxels of any voxel of a calibrated body in its drive.
+/// Returns the largest size (m) with which any voxel of a calibrated body meets other voxels in its drive.
 double largest_collision_size_m(const HollowVoxels& voxels, const CalibratedBody& calibrated);
 
 }  // namespace menger::voxel

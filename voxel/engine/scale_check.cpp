@@ -29,7 +29,7 @@ bool is_usable(double value, NumberType number) {
 std::string uncountable_steps(double duration_s, double step_s) {
   if (duration_s / step_s <= largest_step_count) return "";
   return "duration_s = " + io::number_text(duration_s) + " needs " + io::number_text(duration_s / step_s) + " steps of " +
-         io::number_text(step_s) + " s: more than can be counted";
+         io::number_text(step_s) + " s: too many steps to count";
 }
 
 std::string unusable_solid_scales(const Physics& physics, double cell_edge_m, double duration_s) {
@@ -69,18 +69,19 @@ std::string unusable_solid_scales(const Physics& physics, double cell_edge_m, do
   return uncountable_steps(duration_s, smallest_step_s);
 }
 
-/// The wall of a voxel that has one on one side: among the lightest voxels of a body, in the mean over it.
+/// Returns the mass of the wall of a voxel that has a wall on one side. Such a voxel is among the lightest of a body.
 double light_wall_kg(const SurrogateParameters& parameters) {
   return parameters.density_kg_m3 * parameters.wall_thickness_m * parameters.voxel_edge_m() * parameters.voxel_edge_m();
 }
 
-/// A key of the parameters with its value and what it gives.
+/// Returns the text for a parameter whose effect is beyond the range of the number type: its key, its value and the effect.
 std::string beyond_range(std::string_view key, double value, std::string_view what, NumberType number) {
   return "parameters." + std::string(key) + " = " + io::number_text(value) + ": " + std::string(what) +
          " is beyond the range of " + std::string(to_string(number));
 }
 
-/// What limits the step of a calibrated body: a stiffness by a mass or a moment of inertia, and the parameter behind it.
+/// What limits the step of a calibrated body: a stiffness divided by a mass or a moment of inertia, and the parameter that it
+/// comes from.
 struct Stiffest {
   double rate = 0.0;  ///< 1/s^2
   std::string_view key;
@@ -135,15 +136,17 @@ std::string unusable_beams(const SurrogateParameters& parameters, std::size_t c,
   return "";
 }
 
-/// What of a law is absurd at a pressure, or an empty text. @param growth in edges
+/// Returns why a law is absurd at a pressure, or an empty text.
+/// @param growth in edges
 std::string absurd_growth(std::string_view key, double value, double growth, double pressure_Pa) {
   if (std::abs(growth) <= largest_growth) return "";
   return "parameters." + std::string(key) + " = " + io::number_text(value) +
          ": at pressure_Pa = " + io::number_text(pressure_Pa) + " a length changes by " + io::number_text(growth) +
-         " edges, more than " + io::number_text(largest_growth);
+         " edges, but at most this is allowed: " + io::number_text(largest_growth);
 }
 
-/// Growth at the pressures of the drive. Whether a law has a value there is asked with the body, which need not have its class.
+/// Returns why the growth at the pressures of the drive is unusable, or an empty text. Whether a law has a value there is checked
+/// with the body, which need not have its class.
 std::string unusable_growth(const CalibratedBody& body) {
   const SurrogateParameters& parameters = body.parameters;
   for (const double pressure : body.pressure_Pa) {
@@ -165,7 +168,8 @@ std::string unusable_growth(const CalibratedBody& body) {
   return "";
 }
 
-/// Of a calibrated body, in the order of magnitude: masses depend on the body.
+/// Checks the scales of a calibrated body, see unusable_scales. The check is to the order of magnitude, because masses depend on
+/// the body.
 std::string unusable_calibrated_scales(const Physics& physics, double duration_s) {
   const NumberType number = physics.integration.number;
   const SurrogateParameters& parameters = physics.surrogate->parameters;
@@ -184,7 +188,7 @@ std::string unusable_calibrated_scales(const Physics& physics, double duration_s
   const double undamped_step_s = physics.integration.time_step_fraction / (2.0 * std::numbers::pi * std::sqrt(limit.rate));
   const double slower = std::max(1.0, 0.5 * parameters.bond_damping_ratio);  // see recommended_time_step_s
   const double step_s = undamped_step_s / slower;
-  // Damping is to blame only where the stiffness alone would leave a step.
+  // Damping is named as the reason only where the stiffness alone would leave a usable step.
   if (slower > 1.0 && is_usable(undamped_step_s, number) && uncountable_steps(duration_s, undamped_step_s).empty())
     limit = {limit.rate, "damping.bond_ratio", parameters.bond_damping_ratio};
   const std::string demand = "parameters." + std::string(limit.key) + " = " + io::number_text(limit.value) + ": ";

@@ -47,12 +47,12 @@ double largest_standing_step_s(const FloorCoefficients<double>& floor, double ma
   constexpr double feet = feet_of_a_wall + 1.0;
   constexpr double feet_beside = 5.0;  // half an edge to the side
   const double below = 0.5 * edge_m;
-  // A shift and the turn about the axis across it, coupled by the friction at the feet.
+  // A shift and the rotation about the axis perpendicular to it, coupled by the friction at the feet.
   const double shift = feet / mass_kg;
   const double turn = (feet + feet_beside) * below * below / inertia_kg_m2;
   const double coupled = feet * below / std::sqrt(mass_kg * inertia_kg_m2);
   const double stiffest = 0.5 * (shift + turn) + std::hypot(0.5 * (shift - turn), coupled);
-  // Steps that take the damping from the last velocity bear k dt^2 + 2 c dt < 4.
+  // Steps with the damping of the last velocity are stable for k dt^2 + 2 c dt < 4.
   const double k = floor.stiffness / feet_of_a_wall * stiffest;
   const double c = floor.damping / feet_of_a_wall * stiffest;
   return 4.0 / (c + std::sqrt(c * c + 4.0 * k));
@@ -71,18 +71,18 @@ double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classe
       const double mass = std::min(classes.mass_kg[lower], classes.mass_kg[upper]);
       const double inertia = std::min(classes.inertia_kg_m2[lower], classes.inertia_kg_m2[upper]);
       const double stretch = (1.0 + 2.0 * coupling) * beam.axial_root * beam.axial_root;
-      // Shear takes from the turn of one end against both, but not from the curvature between them.
+      // Shear reduces the stiffness against equal turns of both ends, but not that against the curvature between them.
       const double turn = beam.turn + beam.turn_difference;
       largest = std::max({largest, stretch / mass, beam.shear / mass, turn / inertia, beam.twist / inertia});
       damping = std::max({damping, beam.damping_lower / std::sqrt(classes.mass_kg[lower]),
                           beam.damping_upper / std::sqrt(classes.mass_kg[upper])});
     }
   }
-  // The damping is explicit: from twice the paper's on it limits the step in proportion.
+  // The damping is explicit. From twice the paper's ratio on it shortens the step in proportion.
   constexpr double undamped = 2.0;
   double recommended_s = 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest) * std::max(1.0, damping / undamped));
   for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
-    // What presses on the ground presses on other voxels, too.
+    // Voxels press on other voxels with the same stiffness as on the ground.
     const FloorCoefficients<double>& floor = classes.voxel[classes.voxel_class[i]].floor;
     const double pressed = 0.5 * floor.stiffness / classes.mass_kg[i];
     recommended_s = std::min(recommended_s, 1.0 / (2.0 * std::numbers::pi * std::sqrt(pressed)));

@@ -12,7 +12,7 @@ namespace menger::voxel {
 
 namespace {
 
-/// Fastest wave of the stiffest and lightest material of a body of solid voxels.
+/// Returns the wave speed of the stiffest and lightest material of a body of solid voxels.
 double wave_speed_m_s(const Lattice& lattice, const Physics& physics) {
   double fastest = 0.0;
   for (const meshes::Material material : lattice.material) {
@@ -22,7 +22,8 @@ double wave_speed_m_s(const Lattice& lattice, const Physics& physics) {
   return fastest;
 }
 
-/// The same of a calibrated body, as if every voxel with its mass went on for ever along its stiffest axis.
+/// Returns the wave speed of a calibrated body, as if every voxel with its mass were repeated without end along its stiffest
+/// axis.
 double wave_speed_m_s(const HollowVoxels& voxels, const BodyClasses& classes, const SurrogateParameters& parameters) {
   const double edge = parameters.voxel_edge_m();
   double fastest = 0.0;

@@ -12,12 +12,12 @@
 
 namespace menger::voxel {
 
-/// A body of voxels with what its physics makes of it, for all number types: what no step changes.
+/// A body of voxels with everything that follows from its physics and that no step changes. It is the same for all number types.
 struct VoxelBody {
   /// See Simulation. @param fixed per voxel, or empty
   VoxelBody(const meshes::Polycube& body, double cell_edge_m, const Physics& given, const std::vector<bool>& fixed);
 
-  /// Cell of the design that a voxel belongs to.
+  /// Returns the cell of the design that a voxel belongs to.
   [[nodiscard]] meshes::CellIndex cell_of(std::size_t voxel) const;
 
   Physics physics;

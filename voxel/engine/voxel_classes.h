@@ -19,11 +19,11 @@ struct ClassTables {
   std::vector<double> inertia_kg_m2;             ///< per material, m L^2 / 6
 };
 
-/// Tables of the materials of a physics and an edge (m). Damping from velocities gets the mean of its two ends' coefficients at
-/// both, which conserves momentum.
+/// Returns the tables of the materials of a physics for an edge (m). With damping from velocities both ends of a beam get the
+/// mean of their two coefficients, which conserves momentum.
 ClassTables class_tables(const Physics& physics, double cell_edge_m);
 
-/// The voxels and beams of a body by class: equal ones share a row of the tables.
+/// The classes of the voxels and beams of a body. Equal ones share a row of the tables.
 struct BodyClasses {
   std::vector<VoxelCoefficients<double>> voxel;
   std::vector<BeamCoefficients<double>> beam;
@@ -35,15 +35,16 @@ struct BodyClasses {
   bool uniform = false;                                ///< one class of free voxels, one of beams
 };
 
-/// Classes of solid voxels, by material. @param fixed per voxel, or empty
+/// Returns the classes of solid voxels, by material.
+/// @param fixed per voxel, or empty
 BodyClasses solid_classes(const Lattice& lattice, double cell_edge_m, const Physics& physics, const std::vector<bool>& fixed);
 
-/// Classes of a calibrated body (physics.surrogate), by what its walls make of each voxel and beam.
+/// Returns the classes of a calibrated body (physics.surrogate), by the walls of each voxel and beam.
 ///
-/// A voxel has the mass of its walls and m L^2 / 6 times their inertia factor. The floor presses back on the five feet of a wall
-/// (FootContact), and other voxels on the whole, with ground_stiffness k_g and 2 zeta_c sqrt(m k_g / 2), which are 2 E L and
-/// 2 zeta_c sqrt(m E L) of a solid voxel where k_g = 2 E L; its mean EA / L over the axes takes the place of E L in the damping
-/// against the world.
+/// A voxel has the mass of its walls and the moment of inertia m L^2 / 6 times their inertia factor. The floor acts on the five
+/// feet of a wall (FootContact), other voxels act on the whole voxel. Both act with the stiffness k_g = ground_stiffness and the
+/// damping 2 zeta_c sqrt(m k_g / 2). Where k_g = 2 E L these are the 2 E L and 2 zeta_c sqrt(m E L) of a solid voxel. In the
+/// damping against the world the mean of EA / L over the axes takes the place of E L.
 BodyClasses calibrated_classes(const Lattice& lattice, const HollowVoxels& voxels, const Physics& physics,
                                const std::vector<bool>& fixed);
 

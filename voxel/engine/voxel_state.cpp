@@ -22,7 +22,7 @@ std::size_t padded(std::size_t count) {
   return (count + pack - 1) / pack * pack;
 }
 
-/// The coefficients of a class as the numbers of its table row.
+/// Writes the coefficients of a class as the numbers of its table row.
 template <class Real>
 void put_row(Real* row, const VoxelCoefficients<double>& c) {
   const double values[] = {c.inverse_mass,   c.inverse_inertia,         c.weight,
@@ -135,7 +135,7 @@ std::array<double, 3> VoxelState<Real>::position_m(std::size_t voxel) const {
   return position;
 }
 
-/// Three numbers of a voxel's motion times a coefficient of its class.
+/// Returns three numbers of a voxel's motion times a coefficient of its class.
 template <class Real>
 std::array<double, 3> VoxelState<Real>::rate_of(std::size_t voxel, int first, int inverse) const {
   const Real* motion = motion_.data() + line_size * voxel + first;

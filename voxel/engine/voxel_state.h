@@ -20,34 +20,35 @@ using AlignedArray = std::vector<Real, xsimd::aligned_allocator<Real, 64>>;
 template <class Real>
 class VoxelState {
  public:
-  /// Beams of a calibrated body keep their own rest lengths, which start as the edge.
+  /// Beams of a calibrated body have rest lengths of their own, which start as the edge.
   VoxelState(const VoxelBody& body, const VoxelLoads& loads);
   VoxelState(const VoxelState&) = delete;
   VoxelState& operator=(const VoxelState&) = delete;
 
   StepData<Real> data;  ///< pointers into the arrays below
 
-  /// What positions are counted from, m: the grid's corner, or in single precision, where digits are few, a place that is never
-  /// far from the body.
+  /// Returns the origin that positions are counted from, m. It is the grid's corner, or in single precision, where digits are
+  /// few, a place that is never far from the body.
   [[nodiscard]] const std::array<double, 3>& origin_m() const { return origin_; }
 
-  /// Centre of a voxel in the world, m, with what rounding left out.
+  /// Returns the centre of a voxel in the world, m, corrected for the rounding error of the stored position.
   [[nodiscard]] std::array<double, 3> position_m(std::size_t voxel) const;
 
-  /// Momentum over mass, m/s, and moment of momentum over moment of inertia, rad/s.
+  /// Return momentum over mass, m/s, and moment of momentum over moment of inertia, rad/s, of a voxel.
   [[nodiscard]] std::array<double, 3> velocity_m_s(std::size_t voxel) const;
   [[nodiscard]] std::array<double, 3> angular_velocity_rad_s(std::size_t voxel) const;
 
   /// Moves the origin to the body if the middle of the body is farther than eight edges from where it was. Positions in the world
-  /// stay to 1e-7 of a rounding. Returns whether it was moved.
+  /// stay the same to 1e-7 of a rounding error.
+  /// @return whether the origin was moved
   bool take_origin_along();
 
   [[nodiscard]] bool uniform() const { return uniform_; }
 
-  /// Puts the drive at sin and cos into all sizes and their rates; the kernels do this for the following steps.
+  /// Sets all sizes and their rates to the drive with this sine and cosine. In the following steps the kernels do this.
   void set_sizes(double sine, double cosine);
 
-  /// The same for a drive that the kernels cannot compute.
+  /// Sets all sizes and their rates to a drive that the kernels cannot compute.
   void set_sizes(const DriveMoment& moment);
 
  private:

@@ -1,7 +1,8 @@
 #pragma once
 
-// Included, by way of step_kernels.h, only by files that are each compiled for their own instruction set: everything here is a
-// template over the pack type, so that no code is shared between them.
+// Included, by way of step_kernels.h and lane_kernels.h, by files that are each compiled for their own instruction set.
+// Everything here is a template over the pack type, so that these files share no code. The energy balance (EnergyBalance)
+// includes it for scalars.
 
 #include "voxel/kernels/class_coefficients.h"
 #include "voxel/kernels/lines.h"
@@ -22,7 +23,7 @@ inline BeamHistory<T> load_history(const RealOf<T>* history, std::size_t stride)
   return h;
 }
 
-/// Damping from velocities asks for the extension and the state only.
+/// Stores the state of a beam for the next step. Damping from velocities needs only the extension and whether the state is small.
 template <bool Velocity, class T>
 inline void store_history(RealOf<T>* history, std::size_t stride, const BeamState<T>& state) {
   const BeamDeformation<T>& e = state.deformation;
@@ -39,7 +40,7 @@ inline void store_history(RealOf<T>* history, std::size_t stride, const BeamStat
   store_values<T>(history + 8 * stride, select(state.small, constant<T>(1.0), constant<T>(0.0)));
 }
 
-/// Ends of a beam from their poses; the rest length is the mean of their sizes.
+/// Returns the ends of a beam from their poses. The rest length is the mean of their sizes.
 template <int Axis, class T>
 inline BeamEnds<T> beam_ends(const Lines<T>& lower, const Lines<T>& upper) {
   BeamEnds<T> ends;
@@ -58,8 +59,11 @@ struct EndInertias {
   T lower_mass, upper_mass, lower_moment, upper_moment;
 };
 
-/// Velocities and angular velocities of a beam's two ends, from the momenta of their voxels, and the rate of its rest length, the
-/// mean of the rates of their sizes.
+/// Returns how fast the two ends of a beam move and turn, and how fast its rest length changes.
+///
+/// Velocities and angular velocities are the momenta of the two voxels times their inverse inertias, in axes permuted so that the
+/// beam's own comes first. The rate of the rest length is the mean of the rates of the sizes of the two voxels.
+/// @param lower, upper the lines of motion of the two voxels, see StepData::motion
 template <int Axis, class T>
 inline BeamEndRates<T> beam_end_rates(const EndInertias<T>& inverse, const Lines<T>& lower, const Lines<T>& upper) {
   return {inverse.lower_mass * permuted<Axis>(lower, slot::px), inverse.upper_mass * permuted<Axis>(upper, slot::px),
@@ -67,7 +71,7 @@ inline BeamEndRates<T> beam_end_rates(const EndInertias<T>& inverse, const Lines
           constant<T>(0.5) * (lower.value[slot::size_rate] + upper.value[slot::size_rate])};
 }
 
-/// One beam per lane, from its ends to their loads; what the sweep and the energy books share.
+/// State and loads of one beam per lane in a step. The sweep and the energy balance share it.
 template <class T>
 struct BeamStep {
   BeamState<T> state;
@@ -75,7 +79,7 @@ struct BeamStep {
   BeamLoads<T> damping;
 };
 
-/// The inertias of the ends of the beams from `i` on, one per lane.
+/// Returns the inertias of the ends of the beams from `i` on, one beam per lane.
 template <BeamVariety Variety, class T>
 inline EndInertias<T> end_inertias(const StepData<RealOf<T>>& d, const BeamAxisData<RealOf<T>>& beams, std::size_t i) {
   if constexpr (Variety == BeamVariety::uniform) {

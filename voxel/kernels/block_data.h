@@ -8,25 +8,26 @@
 
 namespace menger::voxel {
 
-/// How a pack is put together from lanes of packs that stand elsewhere.
+/// How a pack is put together from lanes of other packs.
 template <class Real>
 struct LaneMoves {
   /// Integers as wide as the numbers that they move.
   using Index = std::conditional_t<sizeof(Real) == sizeof(double), std::int64_t, std::int32_t>;
 
   int sources = 0;                    ///< packs that the lanes come from
-  std::int32_t source[most_lanes]{};  ///< of an odd number the last stands twice
+  std::int32_t source[most_lanes]{};  ///< these packs; of an odd number the last stands twice
 
-  /// Per two sources and lane, the lane that it comes from: one of the first, or, counted on, of the second.
+  /// Per pair of sources and lane: the lane that it comes from. The lanes of the second source are counted on from those of the
+  /// first.
   alignas(64) Index from[most_lanes / 2][most_lanes]{};
-  alignas(64) Real comes[most_lanes / 2][most_lanes]{};  ///< 1 where it comes from these two
-  alignas(64) Real any[most_lanes]{};                    ///< 1 where it comes from anywhere
+  alignas(64) Real comes[most_lanes / 2][most_lanes]{};  ///< 1 where the lane comes from these two sources
+  alignas(64) Real any[most_lanes]{};                    ///< 1 where the lane comes from any source
 };
 
 inline constexpr int end_loads = 6;  ///< packs of a force and a moment
 
-/// Beams between neighbouring blocks along one axis: as many for every pair of blocks as their faces have cells in common. The
-/// lanes of a pack are pairs of blocks; those left over repeat the last pair, and give their loads to nobody.
+/// Beams between neighbouring blocks along one axis. Every pair of blocks has as many of them as their faces have cells in
+/// common. The lanes of a pack are pairs of blocks. Left-over lanes repeat the last pair, and their loads are not used.
 template <class Real>
 struct BlockJoints {
   std::size_t faces = 0;
@@ -38,12 +39,12 @@ struct BlockJoints {
   Real* history = nullptr;  ///< history_values packs per face and pack
   Real* loads = nullptr;    ///< force and moment on the lower, then on the upper ends: twelve packs per face and pack
 
-  /// Per lower (0) or upper (1) end and group of blocks: which packs of pairs give its lanes their loads.
+  /// Per lower (0) or upper (1) end and group of blocks: the packs of pairs from which its lanes take their loads.
   const LaneMoves<Real>* to_blocks[2] = {};
 };
 
-/// A body of equal blocks, a block per lane. Every group of as many blocks as a register has lanes is LaneData of its own; the
-/// groups' poses, motions and loads stand one after the other.
+/// A body of equal blocks, one block per lane. Every group of as many blocks as a register has lanes is a LaneData of its own.
+/// The poses of all groups are stored one after the other, and likewise their motions and their loads.
 template <class Real>
 struct BlockData {
   const LaneData<Real>* groups = nullptr;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The sweeps over a body whose blocks are in lanes. Included only by files that are each compiled for their own instruction set:
-// everything here is a template over the pack type, so that no code is shared between them.
+// The sweeps over a body whose blocks are in lanes. Included only by files that are each compiled for their own instruction set.
+// Everything here is a template over the pack type, so that these files share no code.
 
 #include "voxel/kernels/block_data.h"
 #include "voxel/kernels/lane_sweep.h"
@@ -15,7 +15,7 @@ struct IndexPack {
   using Register [[gnu::vector_size(sizeof(typename T::register_type)), gnu::may_alias]] = typename LaneMoves<RealOf<T>>::Index;
 };
 
-/// Lane i of the result is lane index[i] of two packs, counted on from the first to the second.
+/// Returns a pack whose lane i is lane index[i] of two packs. Lanes are counted on from the first pack to the second.
 template <class T>
 inline T picked(const T& a, const T& b, const typename LaneMoves<RealOf<T>>::Index* index) {
   if constexpr (NumberTraits<T>::width == 1) {
@@ -39,8 +39,8 @@ inline T picked(const T& a, const T& b, const typename LaneMoves<RealOf<T>>::Ind
 
 }  // namespace detail
 
-/// Fills SIMD packs whose lanes come from several groups of blocks: the neighbour of a block need not lie in the same lane, nor
-/// in the same group.
+/// Fills SIMD packs whose lanes come from several groups of blocks. The neighbour of a block may lie in another lane or in
+/// another group.
 /// @param packs `Count` packs of group 0; those of the next group lie `stride` numbers further
 template <std::size_t Count, class T>
 inline void gather_packs(const RealOf<T>* packs, std::size_t stride, const LaneMoves<RealOf<T>>& moves, T (&values)[Count]) {
@@ -56,7 +56,8 @@ inline void gather_packs(const RealOf<T>* packs, std::size_t stride, const LaneM
   }
 }
 
-/// The packs of a voxel of several blocks as a line. @param packs of the voxel in the first group
+/// Returns the packs of one voxel of several blocks as a line.
+/// @param packs of the voxel in the first group
 template <class T>
 inline Lines<T> gather_line(const RealOf<T>* packs, std::size_t group_stride, const LaneMoves<RealOf<T>>& moves) {
   Lines<T> line;
@@ -64,7 +65,7 @@ inline Lines<T> gather_line(const RealOf<T>* packs, std::size_t group_stride, co
   return line;
 }
 
-/// Puts the loads on one end of beams along an axis into packs, in the order of their slots.
+/// Writes the loads on one end of beams along an axis into packs, in the order of their slots.
 template <int Axis, class T>
 inline void store_end_loads(RealOf<T>* packs, const Vector3<T>& force, const Vector3<T>& moment) {
   Lines<T> line;
@@ -76,7 +77,7 @@ inline void store_end_loads(RealOf<T>* packs, const Vector3<T>& force, const Vec
   }
 }
 
-/// Finds the loads of the beams between blocks along an axis. Packs of pairs of blocks from `first` on, before `last`.
+/// Computes the loads of the beams between blocks along an axis, for the packs of pairs of blocks from `first` on, before `last`.
 /// @return whether a strain is out of range or not finite
 template <int Axis, bool Velocity, class T>
 MENGER_INLINED_WHOLE bool sweep_joints(const BlockData<RealOf<T>>& b, std::size_t first, std::size_t last) {
@@ -112,7 +113,7 @@ MENGER_INLINED_WHOLE bool sweep_joints(const BlockData<RealOf<T>>& b, std::size_
   return any(out_of_range);
 }
 
-/// Adds what sweep_joints found for the lower (0) or upper (1) ends in a group.
+/// Adds the loads that sweep_joints computed for the lower (0) or upper (1) ends to the voxels of a group.
 template <class T>
 MENGER_INLINED_WHOLE void add_joint_loads(const BlockData<RealOf<T>>& b, std::size_t axis, std::size_t end, std::size_t group) {
   using Real = RealOf<T>;
@@ -136,15 +137,16 @@ MENGER_INLINED_WHOLE void add_joint_loads(const BlockData<RealOf<T>>& b, std::si
   }
 }
 
-/// Adds the loads of the beams inside the blocks of a group along an axis. @return whether a strain in one of its first `lanes`
-/// lanes is out of range or not finite
+/// Adds the loads of the beams inside the blocks of a group along an axis.
+/// @return whether a strain in one of its first `lanes` lanes is out of range or not finite
 template <int Axis, bool Velocity, class T>
 bool sweep_in_blocks(const LaneData<RealOf<T>>& d, int lanes) {
   const std::uint32_t bits = lane_bits<T>(sweep_lane_axis<Axis, Velocity, true, true, T>(d));
   return (bits & ((1ULL << lanes) - 1ULL)) != 0;
 }
 
-/// Puts position and size of a group's voxels into spheres, four numbers each, lane after lane and place after place.
+/// Writes position and size of a group's voxels into `spheres`, four numbers each, place after place and within a place lane
+/// after lane.
 template <class T>
 MENGER_INLINED_WHOLE void put_spheres(const LaneData<RealOf<T>>& d, RealOf<T>* spheres) {
   for (std::size_t i = 0; i < d.voxels; ++i) {

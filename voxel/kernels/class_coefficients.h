@@ -5,7 +5,7 @@
 
 namespace menger::voxel {
 
-/// The coefficients of a uniform body in every lane.
+/// Returns the coefficients of a uniform body in every lane.
 template <class T>
 inline VoxelCoefficients<T> broadcast(const VoxelCoefficients<RealOf<T>>& c) {
   return {T(c.inverse_mass),
@@ -34,7 +34,8 @@ inline BeamCoefficients<T> broadcast(const BeamCoefficients<RealOf<T>>& c) {
           T(c.turn_difference_root)};
 }
 
-/// Coefficients of a class per lane. The two lines of class c stand at 2 c and 2 c + 1; `row` holds the first.
+/// Returns the coefficients of one class per lane. The two lines of class c stand at 2 c and 2 c + 1 of the table; `row` holds
+/// the number of the first line.
 template <class T>
 inline VoxelCoefficients<T> voxel_coefficients(const RealOf<T>* table, const std::int32_t* row) {
   const Lines<T> a = load_lines<T>(table, row);

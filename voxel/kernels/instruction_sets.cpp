@@ -12,7 +12,7 @@ namespace {
 
 bool machine_has(InstructionSet set) {
 #ifdef MENGER_X86_KERNELS
-  // The compiler's test and not xsimd's, which does not ask whether the operating system saves the wide registers.
+  // The compiler's test is used, not that of xsimd, which does not check whether the operating system saves the wide registers.
   switch (set) {
     case InstructionSet::scalar:
       return true;
@@ -69,7 +69,8 @@ const StepKernels<float>& kernels_for<float>(InstructionSet set) {
 
 namespace {
 
-/// The lane kernels of the instruction sets up to a resolved one, from few lanes to many; scalar ones stand for themselves.
+/// Returns the lane kernels of the instruction sets up to a resolved one, from few lanes to many. The scalar kernels are returned
+/// only where there are no others.
 template <class Real>
 std::vector<const LaneKernels<Real>*> lane_kernels_up_to(InstructionSet set) {
   constexpr bool is_double = std::is_same_v<Real, double>;
@@ -109,7 +110,7 @@ std::size_t most_lanes_of(NumberType number, InstructionSet requested) {
 
 template <class Real>
 const LaneKernels<Real>* kernels_for_blocks(InstructionSet set, std::size_t blocks) {
-  constexpr double least_filled = 0.6;  // below it empty lanes cost what sorting voxels into registers does
+  constexpr double least_filled = 0.6;  // below it, empty lanes cost as much as sorting voxels into registers
   const LaneKernels<Real>* widest = lane_kernels_up_to<Real>(set).back();
   const auto lanes = static_cast<std::size_t>(widest->lanes);
   const std::size_t slots = (blocks + lanes - 1) / lanes * lanes;

@@ -10,24 +10,27 @@
 
 namespace menger::voxel {
 
-/// The instruction set that a request resolves to on this machine: the best one there is, or the requested one.
+/// Returns the instruction set that a request resolves to on this machine: the best available one, or the requested one.
 /// @throws std::invalid_argument if this machine does not have the one requested
 InstructionSet resolve(InstructionSet requested);
 
-/// The kernels of a resolved instruction set.
+/// Returns the kernels of a resolved instruction set.
 template <class Real>
 const StepKernels<Real>& kernels_for(InstructionSet set);
 
-/// The kernels for robots in lanes with the fewest lanes that hold so many robots, or else the most lanes that the instruction
-/// set has. @param set resolved
+/// Returns the kernels for robots in lanes with the fewest lanes that hold `robots` robots. If none has enough lanes, returns
+/// those with the most lanes of the instruction set.
+/// @param set resolved
 template <class Real>
 const LaneKernels<Real>& lane_kernels_for(InstructionSet set, std::size_t robots);
 
-/// Lanes of the widest kernels for robots in lanes of a machine. @throws std::invalid_argument as resolve does
+/// Returns the number of lanes of the widest kernels for robots in lanes on this machine.
+/// @throws std::invalid_argument as resolve does
 std::size_t most_lanes_of(NumberType number, InstructionSet requested);
 
-/// The widest kernels, for so many equal blocks of a body in lanes; null where blocks leave too many lanes empty, so that
-/// stepping voxel by voxel is as fast. @param set resolved
+/// Returns the widest kernels, for a body of `blocks` equal blocks in lanes. Null where the blocks would leave so many lanes
+/// empty that stepping voxel by voxel is as fast.
+/// @param set resolved
 template <class Real>
 const LaneKernels<Real>* kernels_for_blocks(InstructionSet set, std::size_t blocks);
 

@@ -7,15 +7,15 @@
 
 namespace menger::voxel {
 
-/// Lanes of the widest register there is a kernel for.
+/// Number of lanes of the widest register that there is a kernel for.
 inline constexpr int most_lanes = 16;
 
 inline constexpr int voxel_values = 9;  ///< numbers of VoxelCoefficients
 inline constexpr int beam_values = 14;  ///< numbers of BeamCoefficients
 inline constexpr int drive_values = 3;  ///< size base, sine part, cosine part
 
-/// Beams along one axis of robots in lanes. A pack is the same beam of all robots; `present` is 1 in the lanes of the robots that
-/// have it and 0 in the others.
+/// Beams along one axis of robots in lanes. A pack holds the same beam of all robots. `present` is 1 in the lanes of the robots
+/// that have the beam and 0 in the others.
 template <class Real>
 struct LaneBeams {
   std::size_t count = 0;
@@ -35,11 +35,11 @@ struct LanePairs {
   const Real* present = nullptr;  ///< a pack per pair
 };
 
-/// All that one step of several robots reads and writes, one robot per lane: where StepData has a number, these arrays have a
-/// pack, so that nothing needs to be gathered.
+/// Everything that one step of several robots reads and writes, one robot per lane. Where StepData has a number, these arrays
+/// have a pack, so that nothing needs to be gathered.
 ///
-/// Voxels and beams are those of the union of the robots. A lane whose robot has no such voxel or beam computes with numbers that
-/// mean nothing and come to nothing.
+/// Voxels and beams are those of the union of the robots. A lane whose robot lacks a voxel or beam computes with meaningless
+/// numbers there, which have no effect.
 template <class Real>
 struct LaneData : StepConstants<Real> {
   std::size_t voxels = 0;
@@ -61,14 +61,14 @@ struct LaneData : StepConstants<Real> {
 template <class Real>
 struct BlockData;
 
-/// The sweeps over robots, or over the blocks of one, in lanes of one instruction set and number type. Gravity, floor and drive
-/// are always in the loop.
+/// The sweeps over robots in lanes, or over the blocks of one robot in lanes, for one instruction set and number type. Gravity,
+/// floor and drive are always in the loop.
 template <class Real>
 struct LaneKernels {
   int lanes;
-  /// Adds the loads of all beams; bits of the lanes in which a strain is out of range or not finite.
+  /// Adds the loads of all beams. Returns a bit for every lane in which a strain is out of range or not finite.
   using BeamSweep = std::uint32_t (*)(const LaneData<Real>&);
-  /// Moves all voxels and clears their loads; bits of the lanes in which a voxel is too fast or not finite.
+  /// Moves all voxels and clears their loads. Returns a bit for every lane in which a voxel is too fast or not finite.
   /// @param largest_displacement2 m^2, per lane, aligned to 64 bytes
   using VoxelSweepFunction = std::uint32_t (*)(const LaneData<Real>&, Real* largest_displacement2);
   /// Adds the contact forces of all pairs.

@@ -1,14 +1,14 @@
 #pragma once
 
-// The table of sweeps over lanes of one instruction set. Included only by the files lane_kernels_<instruction set>.cpp, each
-// compiled for its own.
+// The table of sweeps over lanes of one instruction set. Included only by the files lane_kernels_<instruction set>.cpp, each of
+// which is compiled for its own instruction set.
 
 #include "voxel/kernels/block_sweep.h"
 #include "voxel/kernels/lane_sweep.h"
 
 namespace menger::voxel {
 
-/// All sweeps for one number or pack type.
+/// Returns all sweeps for one number or pack type.
 template <class T>
 const LaneKernels<RealOf<T>>& lane_kernels_of() {
   static constexpr LaneKernels<RealOf<T>> kernels = {

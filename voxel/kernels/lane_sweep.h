@@ -1,7 +1,7 @@
 #pragma once
 
-// The sweeps over robots in lanes. Included only by files that are each compiled for their own instruction set: everything here
-// is a template over the pack type, so that no code is shared between them.
+// The sweeps over robots in lanes. Included only by files that are each compiled for their own instruction set. Everything here
+// is a template over the pack type, so that these files share no code.
 
 #include <cmath>
 
@@ -12,13 +12,13 @@
 
 namespace menger::voxel {
 
-/// Numbers between the first packs of two neighbours in an array with `packs` packs each.
+/// Returns the distance, counted in numbers, between two neighbours in an array with `packs` packs each.
 template <class T>
 inline constexpr std::size_t pack_stride(int packs) {
   return static_cast<std::size_t>(packs) * static_cast<std::size_t>(NumberTraits<T>::width);
 }
 
-/// The packs of a voxel as a line.
+/// Loads the packs of a voxel as a line.
 template <class T>
 inline Lines<T> load_packs(const RealOf<T>* packs) {
   Lines<T> line;
@@ -31,7 +31,7 @@ inline void store_packs(RealOf<T>* packs, const Lines<T>& line) {
   for (int k = 0; k < line_length; ++k) store_values<T>(packs + pack_stride<T>(k), line.value[k]);
 }
 
-/// Adds three values to the packs from `first` on, or subtracts them.
+/// Adds three values to the packs from `first` on; subtract_packs subtracts them.
 template <class T>
 inline void add_packs(RealOf<T>* packs, int first, const Vector3<T>& v) {
   const T values[3] = {v.x, v.y, v.z};
@@ -64,7 +64,7 @@ inline BeamCoefficients<T> lane_beam_coefficients(const RealOf<T>* at) {
           value(7), value(8), value(9), value(10), value(11), value(12), value(13)};
 }
 
-/// A bit per lane.
+/// Returns a mask as bits, one per lane.
 template <class T>
 inline std::uint32_t lane_bits(const MaskOf<T>& mask) {
   if constexpr (NumberTraits<T>::width == 1) {
@@ -81,7 +81,8 @@ inline std::uint32_t lane_bits(const MaskOf<T>& mask) {
   }
 }
 
-/// A beam that is not there stands straight and undeformed, so that it carries exactly nothing and needs no rare branch.
+/// Makes a beam that is not present straight and undeformed, so that its elastic loads are exactly zero and it takes no rare
+/// branch.
 template <class T>
 inline void straighten(const MaskOf<T>& present, BeamEnds<T>& ends) {
   const T zero = constant<T>(0.0);
@@ -91,7 +92,7 @@ inline void straighten(const MaskOf<T>& present, BeamEnds<T>& ends) {
   ends.upper = select<T>(present, ends.upper, upright);
 }
 
-/// The inertias of the ends of a beam.
+/// Returns the inertias of the ends of a beam.
 template <bool Uniform, class T>
 inline EndInertias<T> lane_end_inertias(const LaneData<RealOf<T>>& d, std::size_t lower, std::size_t upper) {
   if constexpr (Uniform) {
@@ -103,8 +104,10 @@ inline EndInertias<T> lane_end_inertias(const LaneData<RealOf<T>>& d, std::size_
   }
 }
 
-/// A beam per lane, from its ends to their loads in the world (permuted axes); sets `in_range` by its strain.
-/// @param rates gives the BeamEndRates, asked only for damping from velocities @param remembered history_values packs
+/// Returns the loads of one beam per lane in the world (permuted axes), and stores its state for the next step. Sets `in_range`
+/// by its strain.
+/// @param rates returns the BeamEndRates; called only for damping from velocities
+/// @param remembered history_values packs, the BeamHistory
 template <bool Velocity, class T, class Rates>
 inline BeamLoads<T> pack_beam_loads(const StepConstants<RealOf<T>>& d, const BeamCoefficients<T>& c, BeamEnds<T> ends,
                                     const Rates& rates, RealOf<T>* remembered, MaskOf<T>& in_range) {
@@ -123,7 +126,7 @@ inline BeamLoads<T> pack_beam_loads(const StepConstants<RealOf<T>>& d, const Bea
   return to_world(state.frame, loads);
 }
 
-/// One beam of every robot.
+/// Returns the loads of one beam of every robot.
 template <int Axis, bool Velocity, bool Uniform, bool Complete, class T>
 inline BeamLoads<T> lane_beam_loads(const LaneData<RealOf<T>>& d, const LaneBeams<RealOf<T>>& beams, std::size_t i,
                                     BeamCoefficients<T> c, MaskOf<T>& in_range) {
@@ -135,7 +138,7 @@ inline BeamLoads<T> lane_beam_loads(const LaneData<RealOf<T>>& d, const LaneBeam
     const MaskOf<T> present = load_values<T>(beams.present + i * pack_stride<T>(1)) > constant<T>(0.5);
     if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
     straighten(present, ends);
-    // The ends of a beam that is not there still move.
+    // The ends of a beam that is not present still move, so it must not be damped.
     c.damping_lower = select(present, c.damping_lower, constant<T>(0.0));
     c.damping_upper = select(present, c.damping_upper, constant<T>(0.0));
   }

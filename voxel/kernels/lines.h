@@ -10,7 +10,7 @@
 
 namespace menger::voxel {
 
-/// Eight lines, one per lane, seen as eight numbers or packs.
+/// One line per lane. value[k] holds the k-th value of every line, as a number or as a pack.
 template <class T>
 struct Lines {
   T value[line_length];
@@ -27,9 +27,9 @@ inline Register zip_high(Register a, Register b, std::index_sequence<I...>) {
   return __builtin_shufflevector(a, b, (I % 2 == 0 ? (sizeof...(I) + I) / 2 : sizeof...(I) + (sizeof...(I) + I) / 2)...);
 }
 
-/// One stage of the perfect shuffle of eight (or four) registers of W numbers. With the address of a number written as (register,
-/// lane) in bits, a stage turns the address left by one bit; log2(W) stages turn W lines of eight (four) numbers into as many
-/// packs, three (two) more turn them back.
+/// Does one stage of the perfect shuffle of eight (or four) registers of W numbers. The address of a number is (register, lane),
+/// written in bits; a stage rotates this address left by one bit. log2(W) stages turn W lines of eight (four) numbers into eight
+/// (four) packs. Three (two) more turn them back.
 template <int W, class Register, std::size_t Count>
 inline void shuffle_stage(Register (&r)[Count]) {
   constexpr auto lanes = std::make_index_sequence<static_cast<std::size_t>(W)>{};
@@ -66,7 +66,8 @@ inline void add_half(float* line, Register r, std::index_sequence<I...>) {
   *sum += __builtin_shufflevector(r, r, First + I...);
 }
 
-/// Adds the line of a lane, out of registers that packs_to_lines made, to a line in memory.
+/// Adds the line of one lane to a line in memory.
+/// @param r registers that packs_to_lines made
 template <class T, class Register>
 inline void add_line(RealOf<T>* line, const Register (&r)[line_length], int lane) {
   constexpr int width = NumberTraits<T>::width;
@@ -88,7 +89,7 @@ inline void add_line(RealOf<T>* line, const Register (&r)[line_length], int lane
 
 }  // namespace detail
 
-/// The lines base[index[lane]] of all lanes.
+/// Returns the lines base[index[lane]] of all lanes.
 template <class T>
 inline Lines<T> load_lines(const RealOf<T>* base, const std::int32_t* index) {
   constexpr int width = NumberTraits<T>::width;
@@ -117,8 +118,8 @@ inline Lines<T> load_lines(const RealOf<T>* base, const std::int32_t* index) {
 
 namespace detail {
 
-/// Four numbers each from base[stride * index[0]] to base[stride * index[Halves - 1]] on, one after the other. Of a pack type, so
-/// that instruction sets share no code.
+/// Loads four numbers each from base[stride * index[0]] to base[stride * index[Halves - 1]] on, one after the other. A template
+/// over the pack type, so that instruction sets share no code.
 template <class T, std::size_t Halves>
 struct HalfLines {
   using Register [[gnu::vector_size(Halves * 4 * sizeof(RealOf<T>)), gnu::may_alias]] = RealOf<T>;
@@ -146,7 +147,8 @@ struct HalfLines<T, 1> {
 
 }  // namespace detail
 
-/// The four numbers from base[stride * index[lane]] on of all lanes. @param stride a multiple of four
+/// Loads for every lane the four numbers from base[stride * index[lane]] on.
+/// @param stride a multiple of four
 template <class T>
 inline void load_half_lines(const RealOf<T>* base, std::ptrdiff_t stride, const std::int32_t* index, T (&values)[4]) {
   constexpr int width = NumberTraits<T>::width;
@@ -170,7 +172,7 @@ inline void load_half_lines(const RealOf<T>* base, std::ptrdiff_t stride, const 
   }
 }
 
-/// The lines that stand one after the other at `first`.
+/// Returns the lines that are stored one after the other from `first` on.
 template <class T>
 inline Lines<T> load_lines(const RealOf<T>* first) {
   constexpr int width = NumberTraits<T>::width;
@@ -186,7 +188,7 @@ inline Lines<T> load_lines(const RealOf<T>* first) {
   return out;
 }
 
-/// Writes the lines one after the other to `first`.
+/// Writes the lines one after the other, from `first` on.
 template <class T>
 inline void store_lines(RealOf<T>* first, const Lines<T>& lines) {
   constexpr int width = NumberTraits<T>::width;
@@ -200,8 +202,8 @@ inline void store_lines(RealOf<T>* first, const Lines<T>& lines) {
   }
 }
 
-/// Adds lane after lane the line of `lower` to base[lower_index[lane]] and that of `upper` to base[upper_index[lane]]; an index
-/// may occur more than once.
+/// Adds, lane after lane, the line of `lower` to base[lower_index[lane]] and the line of `upper` to base[upper_index[lane]]. An
+/// index may occur more than once.
 template <class T>
 inline void add_lines(RealOf<T>* base, const std::int32_t* lower_index, const Lines<T>& lower, const std::int32_t* upper_index,
                       const Lines<T>& upper) {
@@ -226,13 +228,13 @@ inline void add_lines(RealOf<T>* base, const std::int32_t* lower_index, const Li
   }
 }
 
-/// Three values of a line in axes permuted so that `Axis` comes first.
+/// Returns three values of a line, from `first` on, in axes permuted so that `Axis` comes first.
 template <int Axis, class T>
 inline Vector3<T> permuted(const Lines<T>& line, int first) {
   return {line.value[first + Axis], line.value[first + (Axis + 1) % 3], line.value[first + (Axis + 2) % 3]};
 }
 
-/// Puts a permuted vector into a line.
+/// Writes a permuted vector into a line, from `first` on.
 template <int Axis, class T>
 inline void unpermute(const Vector3<T>& v, Lines<T>& line, int first) {
   line.value[first + Axis] = v.x;

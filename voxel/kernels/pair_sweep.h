@@ -1,7 +1,7 @@
 #pragma once
 
-// Included, by way of step_kernels.h, only by files that are each compiled for their own instruction set: everything here is a
-// template over the pack type, so that no code is shared between them.
+// Included, by way of step_kernels.h, only by files that are each compiled for their own instruction set. Everything here is a
+// template over the pack type, so that these files share no code.
 
 #include "voxel/kernels/lines.h"
 #include "voxel/kernels/step_data.h"
@@ -9,14 +9,14 @@
 
 namespace menger::voxel {
 
-/// Position and size (see namespace slot) of the voxels index[lane].
+/// Loads position and size (see namespace slot) of the voxels index[lane].
 template <class T>
 inline void load_spheres(const Spheres<RealOf<T>>& spheres, const std::int32_t* index, T (&sphere)[4]) {
   load_half_lines<T>(spheres.values, spheres.stride, index, sphere);
 }
 
-/// Finds the pairs whose spheres meet a condition, see StepKernels. @param meets takes the square of the distance and the sum of
-/// the sizes
+/// Finds the pairs whose spheres meet a condition, see StepKernels.
+/// @param meets (square of the distance, sum of the sizes) -> mask
 template <class T, class Condition>
 inline std::size_t find_pairs_where(const Condition& meets, const Spheres<RealOf<T>>& spheres, const std::int32_t* first,
                                     const std::int32_t* second, std::size_t count, std::int32_t* positions) {

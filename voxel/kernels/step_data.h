@@ -8,9 +8,9 @@
 
 namespace menger::voxel {
 
-/// Values in a line. All that a beam wants to know of a voxel's pose, its motion, or adds to its load, is one line of eight
-/// numbers: for double one cache line. A pack kernel reads a line per lane and turns them into eight packs in registers, which is
-/// faster than gathering component by component.
+/// Number of values in a line. The pose of a voxel, its motion and its load, as far as a beam needs them, are one line of eight
+/// numbers each: for double one cache line. A pack kernel reads a line per lane and turns them into eight packs in registers.
+/// That is faster than gathering component by component.
 inline constexpr int line_length = 8;
 
 /// Positions of values in the lines of a voxel.
@@ -21,12 +21,12 @@ inline constexpr int px = 0, py = 1, pz = 2, size_rate = 3, hx = 4, hy = 5, hz =
 inline constexpr int fx = 0, fy = 1, fz = 2, mx = 4, my = 5, mz = 6;  ///< load: N, N m; the others stay 0
 }  // namespace slot
 
-/// Positions of the values in a row of the voxel table that are read one by one; the order is that of VoxelCoefficients.
+/// Positions of those values in a row of the voxel table that are read one by one. The order is that of VoxelCoefficients.
 namespace class_slot {
 inline constexpr int inverse_mass = 0, inverse_inertia = 1, contact_stiffness = 5, contact_damping = 6;
 }  // namespace class_slot
 
-/// What a voxel is: the same for all voxels of a class (material, fixed or free).
+/// Coefficients of a voxel, the same for all voxels of a class (material, fixed or free).
 template <class T>
 struct VoxelCoefficients {
   T inverse_mass;             ///< 1/kg, 0 for a fixed voxel
@@ -37,14 +37,15 @@ struct VoxelCoefficients {
   FloorCoefficients<T> floor;
 };
 
-inline constexpr int history_values = 9;  ///< numbers that a beam remembers
+inline constexpr int history_values = 9;  ///< numbers of a BeamHistory
 inline constexpr int class_values = 16;   ///< numbers of a voxel or beam class in the tables, two lines
 
-/// Beams and voxels are padded to a multiple of this: the numbers in the widest register.
+/// Count of numbers in the widest register. Beams and voxels are padded to a multiple of it.
 template <class Real>
 inline constexpr std::size_t widest_pack = 64 / sizeof(Real);
 
-/// Beams along one axis, in the order of their lower voxel, padded with beams between two voxels that nobody sees.
+/// Beams along one axis, in the order of their lower voxel. They are padded with beams between two extra voxels that are not part
+/// of the body.
 template <class Real>
 struct BeamAxisData {
   std::size_t count = 0;                ///< with padding
@@ -53,12 +54,12 @@ struct BeamAxisData {
   const std::int32_t* beam_class = nullptr;  ///< row pair in the beam table
   Real* history = nullptr;                   ///< history_values arrays of `count`
 
-  /// Rest lengths (m) and their rates (m/s), where beams have their own; null where they are the means of the ends' sizes.
+  /// Rest lengths (m) and their rates (m/s), where beams have their own. Null where they are the means of the sizes of the ends.
   Real* rest_length = nullptr;
   Real* rest_length_rate = nullptr;
 };
 
-/// What all voxels and beams of a step have in common.
+/// Constants of a step that all voxels and beams share.
 template <class Real>
 struct StepConstants {
   Real time_step = 0;   ///< h, s
@@ -71,15 +72,15 @@ struct StepConstants {
   bool single_precision_rest_lengths = false;
 };
 
-/// All that one step of one body reads and writes: plain arrays and constants, the same for every instruction set.
+/// Everything that one step of one body reads and writes: plain arrays and constants, the same for every instruction set.
 template <class Real>
 struct StepData : StepConstants<Real> {
-  std::size_t voxels = 0;         ///< real ones
-  std::size_t padded_voxels = 0;  ///< swept ones
+  std::size_t voxels = 0;         ///< number of voxels of the body
+  std::size_t padded_voxels = 0;  ///< the same with padding
   Real* pose = nullptr;           ///< lines, see namespace slot
   Real* motion = nullptr;
   Real* load = nullptr;
-  Real* position_residual = nullptr;    ///< lines x, y, z: what rounding left out of the positions; float only
+  Real* position_residual = nullptr;    ///< lines x, y, z: rounding error of the positions; float only
   const Real* external_load = nullptr;  ///< lines, or null
   const Real* size_base = nullptr;      ///< size = base + sine part * sin(2 pi t/T) + cosine part * cos(2 pi t/T), m
   const Real* size_sine_part = nullptr;
@@ -90,11 +91,11 @@ struct StepData : StepConstants<Real> {
   VoxelCoefficients<Real> voxel;  ///< of all voxels, for uniform bodies
   BeamCoefficients<Real> beam;    ///< of all beams, for uniform bodies
   BeamAxisData<Real> axis[3];
-  Real floor_depth = 0;          ///< of the floor under the z = 0 of the positions, m
+  Real floor_depth = 0;          ///< of the floor below z = 0 of the positions, m
   Real displacement_limit2 = 0;  ///< (speed limit * h)^2, m^2
 };
 
-/// Rest length (m) of a beam in this step, as the kernels see it.
+/// Returns the rest length (m) of a beam in this step, as the kernels compute it.
 template <class Real>
 inline Real rest_length_m(const StepData<Real>& d, std::size_t axis, std::size_t beam) {
   const BeamAxisData<Real>& beams = d.axis[axis];
@@ -104,32 +105,32 @@ inline Real rest_length_m(const StepData<Real>& d, std::size_t axis, std::size_t
   return d.single_precision_rest_lengths ? rounded_to_single(length) : length;
 }
 
-/// What a sweep over voxels saw.
+/// Result of a sweep over voxels.
 struct VoxelSweep {
   bool out_of_range = false;           ///< a voxel is too fast or not finite
   double largest_displacement2 = 0.0;  ///< m^2 in this step
 };
 
-/// Where voxels are and how large they are against each other.
+/// Positions of voxels, and their sizes in contacts with each other.
 template <class Real>
 struct Spheres {
   const Real* values = nullptr;  ///< of voxel i from values[stride * i] on: x, y, z, size; m
   std::ptrdiff_t stride = line_length;
 };
 
-/// The spheres of a body in lines.
+/// Returns the spheres of a body whose voxels are stored in lines.
 template <class Real>
 inline Spheres<Real> spheres_of(const StepData<Real>& d) {
   return {d.pose, line_length};
 }
 
-/// Size (m) of a voxel in this step.
+/// Returns the size (m) of a voxel in this step.
 template <class Real>
 inline Real size_m(const StepData<Real>& d, std::size_t voxel) {
   return d.pose[static_cast<std::size_t>(line_length) * voxel + slot::size];
 }
 
-/// What beams differ in; a kernel reads no more than that.
+/// How the beams of a body differ. A kernel reads no more than that.
 enum class BeamVariety {
   classes,     ///< coefficients per beam, rest lengths from the sizes of the ends
   uniform,     ///< one set of coefficients
@@ -141,21 +142,22 @@ template <class Real>
 struct StepKernels {
   using BeamSweep =
       bool (*)(const StepData<Real>&);  ///< adds the loads of all beams; true if a strain is out of range or not finite
-  using VoxelSweepFunction = VoxelSweep (*)(const StepData<Real>&);  ///< moves all voxels and clears their loads
+  using VoxelSweepFunction = VoxelSweep (*)(const StepData<Real>&);  ///< moves all voxels and resets their loads
   BeamSweep beams[2][3];                                             ///< [damping from velocities][BeamVariety]
   VoxelSweepFunction voxels[2][2][2][2];                             ///< [uniform][floor][gravity][actuated]
 
-  /// Puts the positions, in ascending order, of the pairs (first, second) whose spheres overlap into `positions`, which has room
-  /// for `count` and a register's width more; `first` and `second` can be read so far, too. @return how many
+  /// Finds the pairs (first, second) whose spheres overlap. Writes their positions, ascending, into `positions`, which has room
+  /// for `count` numbers and a register's width more. `first` and `second` must be readable that far, too.
+  /// @return number of pairs found
   std::size_t (*touching)(const Spheres<Real>&, const std::int32_t* first, const std::int32_t* second, std::size_t count,
                           std::int32_t* positions);
 
-  /// The same for pairs whose centres are closer than `limit` (m).
+  /// Finds the pairs whose centres are closer than `limit` (m), in the same way.
   std::size_t (*closer)(const Spheres<Real>&, const std::int32_t* first, const std::int32_t* second, std::size_t count,
                         Real limit, std::int32_t* positions);
 };
 
-/// The sweeps of one instruction set; the pack ones exist only where the compiler can make them (x86-64).
+/// Return the sweeps of one instruction set. The pack versions exist only where the compiler can make them (x86-64).
 const StepKernels<double>& scalar_kernels_double();
 const StepKernels<float>& scalar_kernels_float();
 const StepKernels<double>& sse2_kernels_double();

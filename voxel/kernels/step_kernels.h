@@ -1,7 +1,7 @@
 #pragma once
 
-// The table of sweeps of one instruction set. Included only by the files step_kernels_<instruction set>.cpp, each compiled for
-// its own.
+// The table of sweeps of one instruction set. Included only by the files step_kernels_<instruction set>.cpp, each of which is
+// compiled for its own instruction set.
 
 #include "voxel/kernels/beam_sweep.h"
 #include "voxel/kernels/pair_sweep.h"
@@ -9,7 +9,7 @@
 
 namespace menger::voxel {
 
-/// All sweeps for one number or pack type.
+/// Returns all sweeps for one number or pack type.
 template <class T>
 const StepKernels<RealOf<T>>& kernels_of() {
   static constexpr StepKernels<RealOf<T>> kernels = {

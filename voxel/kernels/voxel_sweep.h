@@ -1,7 +1,8 @@
 #pragma once
 
-// Included, by way of step_kernels.h, only by files that are each compiled for their own instruction set: everything here is a
-// template over the pack type, so that no code is shared between them.
+// Included, by way of step_kernels.h and lane_kernels.h, by files that are each compiled for their own instruction set.
+// Everything here is a template over the pack type, so that these files share no code. The energy balance (EnergyBalance)
+// includes it for scalars.
 
 #include <type_traits>
 
@@ -12,7 +13,7 @@
 
 namespace menger::voxel {
 
-/// What one step did to a voxel, per lane; what the sweep and the energy books share.
+/// Result of a step of one voxel per lane. The sweep and the energy balance share it.
 template <class T>
 struct VoxelStep {
   FloorContact<T> floor;
@@ -25,7 +26,7 @@ struct VoxelStep {
   MaskOf<T> is_static;
 };
 
-/// Moves one voxel per lane: momentum, then position; moment of momentum, then orientation (semi-implicit Euler). @cite
+/// Computes a step of one voxel per lane (semi-implicit Euler): momentum, then displacement; moment of momentum, then turn. @cite
 /// hiller2014dynamic
 template <bool Floor, bool Gravity, class T>
 inline VoxelStep<T> voxel_step(const StepConstants<RealOf<T>>& d, const T& floor_depth, const VoxelCoefficients<T>& c,
@@ -70,13 +71,13 @@ inline VoxelStep<T> voxel_step(const StepConstants<RealOf<T>>& d, const T& floor
   return step;
 }
 
-/// The orientation that a step turns a voxel to.
+/// Returns the orientation of a voxel after a step.
 template <class T>
 inline Quaternion<T> turned_orientation(const Lines<T>& pose, const Vector3<T>& turn) {
   Quaternion<T> turned =
       quaternion_of(turn) * Quaternion<T>{pose.value[slot::qw], pose.value[slot::qx], pose.value[slot::qy], pose.value[slot::qz]};
   if constexpr (std::is_same_v<RealOf<T>, float>) {
-    // The cosine of a step's half angle rounds to 1 in float: without this the quaternion grows by 3e-4 a second.
+    // The cosine of half the angle of a step rounds to 1 in float. Without this correction the quaternion grows by 3e-4 a second.
     const T excess = constant<T>(0.5) *
                      (constant<T>(1.0) - (turned.w * turned.w + turned.x * turned.x + turned.y * turned.y + turned.z * turned.z));
     turned = {turned.w + excess * turned.w, turned.x + excess * turned.x, turned.y + excess * turned.y,
@@ -85,8 +86,8 @@ inline Quaternion<T> turned_orientation(const Lines<T>& pose, const Vector3<T>& 
   return turned;
 }
 
-/// Puts what a step did to a voxel into its lines.
-/// @param residual what rounding left out of the positions, three numbers; float only
+/// Writes the result of a step of a voxel into its lines.
+/// @param residual rounding error of the positions, three numbers; float only
 template <class T>
 inline void put_step(const VoxelStep<T>& step, Lines<T>& pose, Lines<T>& motion, T* residual) {
   const Quaternion<T> turned = turned_orientation(pose, step.turn);
@@ -115,7 +116,7 @@ inline void put_step(const VoxelStep<T>& step, Lines<T>& pose, Lines<T>& motion,
   motion.value[slot::is_static] = select(step.is_static, constant<T>(1.0), constant<T>(0.0));
 }
 
-/// Puts the size at the end of a step, base + sine part sin + cosine part cos, and its rate into the lines.
+/// Writes the size at the end of a step, base + sine part * sin + cosine part * cos, and its rate into the lines.
 template <class T>
 inline void put_size(const StepConstants<RealOf<T>>& d, const T& base, const T& sine_part, const T& cosine_part, Lines<T>& pose,
                      Lines<T>& motion) {
@@ -157,7 +158,7 @@ MENGER_INLINED_WHOLE VoxelSweep sweep_voxels(const StepData<RealOf<T>>& d) {
     store_lines<T>(d.motion + at, motion);
     store_lines<T>(d.load + at, d.external_load == nullptr ? no_load : load_lines<T>(d.external_load + at));
 
-    // Padding voxels move like the others but count for nothing.
+    // Padding voxels move like the others but are not counted.
     T displacement2 = dot(step.displacement, step.displacement);
     if (i + width > d.voxels) {
       if constexpr (width == 1) {

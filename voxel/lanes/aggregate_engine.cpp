@@ -12,11 +12,11 @@ namespace menger::voxel {
 
 namespace {
 
-/// Putting a body's blocks into lanes and taking them out again costs about a step.
+/// Writing a body's blocks into lanes and reading them out again costs about one step.
 constexpr std::uint64_t fewest_steps_in_blocks = 16;
 
-/// Above it, as measured with AVX-512, blocks are no faster in double precision for one thread: waiting for memory is what takes
-/// the time.
+/// Largest body in double precision on one thread for which blocks in lanes are faster, measured with AVX-512. Larger bodies
+/// mostly wait for memory.
 constexpr std::size_t most_voxels_in_blocks = 10000;
 
 }  // namespace
@@ -34,13 +34,13 @@ AggregateEngine<Real>::AggregateEngine(const meshes::Polycube& body, double cell
   prepare_blocks();
 }
 
-/// Whether blocks in lanes are faster than voxel by voxel on as many threads as there are now.
+/// Whether blocks in lanes are faster than voxel by voxel with the present number of threads.
 template <class Real>
 bool AggregateEngine<Real>::blocks_pay() const {
   return std::is_same_v<Real, float> || threads_ > 1 || this->body().lattice.voxel_count() <= most_voxels_in_blocks;
 }
 
-/// Puts an aggregate's blocks into lanes where that is faster.
+/// Puts the blocks of an aggregate into lanes if that is faster.
 template <class Real>
 void AggregateEngine<Real>::prepare_blocks() {
   if (blocks_ || !this->options().blocks_in_lanes || !blocks_pay() || !runs_in_lanes<Real>(*this)) return;
@@ -49,8 +49,8 @@ void AggregateEngine<Real>::prepare_blocks() {
   if (!blocks) return;
   const LaneKernels<Real>* kernels = kernels_for_blocks<Real>(this->instruction_set(), blocks->count);
   if (kernels == nullptr) return;
-  blocks_report_ =
-      "blocks of the aggregate in lanes: " + std::to_string(blocks->count) + " in registers of " + std::to_string(kernels->lanes);
+  blocks_report_ = "blocks of the aggregate in SIMD lanes: " + std::to_string(blocks->count) +
+                   " blocks, lanes per register: " + std::to_string(kernels->lanes);
   blocks_ = std::make_unique<BlockLanes<Real>>(this->moving_body(), std::move(*blocks), *kernels, threads_);
 }
 
@@ -72,7 +72,7 @@ io::RunStatus AggregateEngine<Real>::advance(std::uint64_t steps, const std::ato
   return record.steps == end ? io::RunStatus::completed : io::RunStatus::stopped;
 }
 
-/// Blocks in lanes have but one kernel, which leaves no term out.
+/// Blocks in lanes have only one kernel, which leaves no term out.
 template <class Real>
 std::vector<std::string> AggregateEngine<Real>::kernel_report() const {
   if (!blocks_) return EngineOf<Real>::kernel_report();

@@ -11,17 +11,18 @@
 
 namespace menger::voxel {
 
-/// Whether a body can be stepped in SIMD lanes as it is: solid voxels without lateral coupling, without loads, with a drive that
-/// is a sine, no term kept on request, not diverged.
+/// Whether an engine's body can be stepped in SIMD lanes as it is. That needs solid voxels without lateral coupling, no external
+/// load, no energy balance, a sine as drive from the start on (or no drive), no term kept on request (KeptTerms), and no
+/// divergence so far.
 template <class Real>
 [[nodiscard]] bool runs_in_lanes(const EngineOf<Real>& engine);
 
-/// The engine that moves an aggregate's blocks in SIMD lanes where that is faster than voxel by voxel, which it does with any
-/// other body.
+/// The engine of Simulation. It steps the blocks of an aggregate in SIMD lanes where that is faster, and any other body voxel by
+/// voxel.
 template <class Real>
 class AggregateEngine final : public EngineOf<Real> {
  public:
-  /// See Simulation.
+  /// See the constructor of Simulation.
   AggregateEngine(const meshes::Polycube& body, double cell_edge_m, const Physics& physics, const VoxelLoads& loads,
                   const KernelOptions& options);
 
@@ -34,8 +35,8 @@ class AggregateEngine final : public EngineOf<Real> {
   void prepare_blocks();
 
   int threads_;
-  std::string blocks_report_;                 ///< of the blocks
-  std::unique_ptr<BlockLanes<Real>> blocks_;  ///< of a body whose blocks go in lanes
+  std::string blocks_report_;                 ///< line of the kernel report about the blocks
+  std::unique_ptr<BlockLanes<Real>> blocks_;  ///< null for a body that is stepped voxel by voxel
 };
 
 }  // namespace menger::voxel

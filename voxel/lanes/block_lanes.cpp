@@ -14,8 +14,8 @@ constexpr auto history_size = static_cast<std::size_t>(history_values);
 constexpr auto drive_size = static_cast<std::size_t>(drive_values);
 constexpr auto end_size = static_cast<std::size_t>(end_loads);
 
-/// Where the lanes of a pack come from, as numbers pack * lanes + lane in ascending order, or a negative number where from
-/// nowhere.
+/// Builds a pack from lanes of other packs. @param origins per lane: pack * lanes + lane of its origin, ascending; negative for a
+/// lane without origin
 template <class Real>
 LaneMoves<Real> moves_of(const std::vector<std::int32_t>& origins) {
   const std::size_t lanes = origins.size();
@@ -148,7 +148,7 @@ void BlockLanes<Real>::join(std::size_t axis) {
   find_histories(axis);
 }
 
-/// Finds where the histories of the body's beams stand in lanes.
+/// Finds the positions of the histories of the body's beams in the lanes.
 template <class Real>
 void BlockLanes<Real>::find_histories(std::size_t axis) {
   const AxisBeams& inside = block_.beams[axis];
@@ -179,7 +179,7 @@ void BlockLanes<Real>::find_histories(std::size_t axis) {
   }
 }
 
-/// The number of lanes of a group that have a block.
+/// The number of lanes of a group that hold a block.
 template <class Real>
 std::size_t BlockLanes<Real>::lanes_used(std::size_t group) const {
   return std::min(lanes_, body_.count - group * lanes_);
@@ -235,7 +235,7 @@ void BlockLanes<Real>::put_histories() {
   }
 }
 
-/// Puts positions again whose origin has moved.
+/// Writes the positions again after their origin has moved.
 template <class Real>
 void BlockLanes<Real>::put_positions() {
   const StepData<Real>& d = moving_.data();
@@ -282,7 +282,7 @@ void BlockLanes<Real>::take() {
   }
 }
 
-/// Sets what all groups have in common in the next step, and finds its contacts; or says that there is no next step.
+/// Sets what all groups share in the next step and prepares its contacts, or ends the run if there is no next step.
 template <class Real>
 void BlockLanes<Real>::begin_step() {
   const RunRecord& record = moving_.record();
@@ -292,7 +292,7 @@ void BlockLanes<Real>::begin_step() {
   may_touch_ = prepare_contacts();
 }
 
-/// Renews what is known of close pairs where it must be. @return whether any pair may touch
+/// Updates the list of close pairs where necessary. @return whether any pair may touch
 template <class Real>
 bool BlockLanes<Real>::prepare_contacts() {
   ClosePairs<Real>* pairs = moving_.close_pairs();
@@ -308,7 +308,7 @@ bool BlockLanes<Real>::prepare_contacts() {
   return true;
 }
 
-/// Takes out the positions alone, which the list of close pairs is made of.
+/// Copies only the positions to the body; the list of close pairs is made from them.
 template <class Real>
 void BlockLanes<Real>::take_positions() {
   const StepData<Real>& d = moving_.data();
@@ -318,7 +318,7 @@ void BlockLanes<Real>::take_positions() {
   }
 }
 
-/// Names the spheres of the close pairs.
+/// Finds the indices of the spheres of the close pairs.
 template <class Real>
 void BlockLanes<Real>::number_spheres() {
   const VerletList& list = moving_.close_pairs()->list();
@@ -336,7 +336,7 @@ void BlockLanes<Real>::put_spheres(std::size_t group) {
   if (moving_.close_pairs() != nullptr) kernels_.put_spheres(groups_[group], spheres_.data() + 4 * group * places_ * lanes_);
 }
 
-/// Finds the contact forces of a part's share of the near pairs, which threads take in their order.
+/// Finds the contact forces of a part's share of the near pairs. Parts have their shares in the order of the pairs.
 template <class Real>
 void BlockLanes<Real>::find_contacts(Part& part) {
   for (std::vector<Contact>& of_group : part.contacts) of_group.clear();
@@ -362,8 +362,7 @@ void BlockLanes<Real>::find_contacts(Part& part) {
   add_contact_loads<Real>(search.touching(spheres(), first, last, part.touching), pairs.list().pairs(), sphere, end, add);
 }
 
-/// Adds the contact forces on a group to its loads, those of the first part first: so a voxel gets its forces in the order of the
-/// pairs.
+/// Adds the contact forces on a group to its loads, part by part. So a voxel gets its forces in the order of the pairs.
 template <class Real>
 void BlockLanes<Real>::add_contacts(std::size_t group) {
   for (const Part& part : parts_) {
@@ -381,17 +380,17 @@ void BlockLanes<Real>::find_joint_loads(Part& part) {
   const bool velocity = moving_.body().physics.integration.damping == DampingMode::velocity;
   part.strained = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Pairs stand in the order of their lower blocks: a thread finds nearly all of these in its own groups, and so in its cache.
+    // Pairs of blocks are sorted by their lower block. A thread finds nearly all of these in its own groups, and so in its cache.
     const auto [first, last] = share(data_.axis[axis].packs, part);
     if (kernels_.joints[velocity][axis](data_, first, last)) part.strained = true;
   }
 }
 
-/// Adds up the loads in the order in which a voxel gets those of its own beams, along x, y, z, each by the lower end, and moves
-/// the voxels, a group at a time, which stays in the cache for that.
+/// Adds up the loads and moves the voxels, one group at a time, which stays in the cache meanwhile.
 ///
-/// A voxel on the lower face of its block is the upper end of a beam between blocks before it is the lower end of one inside, and
-/// one on the upper face the other way round.
+/// The order of the sum is that of a voxel's own beams: along x, y, z, and along each axis by the lower end of the beam. A voxel
+/// on the lower face of its block is first the upper end of a beam between blocks, then the lower end of one inside. On the upper
+/// face it is the other way round.
 template <class Real>
 void BlockLanes<Real>::move_groups(Part& part) {
   const bool velocity = moving_.body().physics.integration.damping == DampingMode::velocity;
@@ -417,7 +416,7 @@ void BlockLanes<Real>::move_groups(Part& part) {
   }
 }
 
-/// Puts together what the threads saw.
+/// Combines the results of all threads and ends the step.
 template <class Real>
 void BlockLanes<Real>::end_step() {
   std::exception_ptr failure;
@@ -438,11 +437,11 @@ void BlockLanes<Real>::end_step() {
   }
   moving_.end_step(seen, Lanes{*this});
   const Real rate_scale = moving_.data().rate_scale;
-  if (groups_.front().rate_scale == rate_scale) return;  // what all threads read is left alone
+  if (groups_.front().rate_scale == rate_scale) return;  // Do not write what all threads read.
   for (LaneData<Real>& group : groups_) group.rate_scale = rate_scale;
 }
 
-/// What is not shared of a step. Where it throws, the others must be told, or they would wait for ever.
+/// Does the part of a step that is not shared. An exception is kept and ends all threads, which would otherwise wait for ever.
 template <class Real>
 void BlockLanes<Real>::do_alone(void (BlockLanes::*work)()) {
   if (failure_) return;
@@ -454,7 +453,7 @@ void BlockLanes<Real>::do_alone(void (BlockLanes::*work)()) {
   done_ = done_ || failure_;
 }
 
-/// A thread's share of all steps; what is not shared does whoever comes last.
+/// Does a thread's share of all steps. The last thread to arrive does the work that is not shared.
 template <class Real>
 void BlockLanes<Real>::do_part(Part& part) {
   barrier_.meet([this] { do_alone(&BlockLanes::begin_step); });
@@ -493,7 +492,7 @@ void BlockLanes<Real>::advance(std::uint64_t count, const std::atomic<bool>* sto
         if (start == Start::now) do_part(parts_[i]);
       });
     }
-  } catch (...) {  // no more threads: those that are there would wait for the others for ever
+  } catch (...) {  // No more threads can be started: release those that exist, or they would wait for ever.
     begin(Start::never);
     throw;
   }

@@ -15,48 +15,49 @@
 
 namespace menger::voxel {
 
-/// Steps an aggregate with its blocks in SIMD lanes, to the same bytes as voxel by voxel.
+/// Steps an aggregate whose blocks lie in SIMD lanes. The results are the same bytes as voxel by voxel.
 ///
-/// Copies of a block have the same beams in the same order, so that a pack is the same voxel or beam of several blocks and
-/// nothing has to be sorted into registers but the ends of beams between blocks. For uniform bodies that run in lanes.
+/// All copies of a block have the same beams in the same order. One pack therefore holds the same voxel or beam of several
+/// blocks, and only the ends of beams between blocks must be sorted into registers. For uniform bodies that run in lanes (see
+/// runs_in_lanes).
 template <class Real>
 class BlockLanes {
  public:
-  /// @param moving outlives this @param body its blocks @param kernels with more than one lane @param threads that share every
-  /// step, >= 1
+  /// @param moving must outlive this object @param body the blocks of the moving body @param kernels with more than one lane
+  /// @param threads number of threads that share every step, >= 1
   BlockLanes(MovingBody<Real>& moving, BlockBody body, const LaneKernels<Real>& kernels, int threads);
   BlockLanes(const BlockLanes&) = delete;
   BlockLanes& operator=(const BlockLanes&) = delete;
 
-  /// So many threads share the steps from now on. @param threads >= 1
+  /// Sets how many threads share every step from now on. @param threads >= 1
   void set_threads(int threads);
 
-  /// Takes `count` steps unless the robot diverges or `stop` becomes true, and puts what it came to into the moving body.
+  /// Takes `count` steps unless the robot diverges or `stop` becomes true, and writes the resulting state into the moving body.
   void advance(std::uint64_t count, const std::atomic<bool>* stop);
 
  private:
   /// A contact force on a voxel.
   struct Contact {
-    std::size_t at = 0;  ///< of the load's x
+    std::size_t at = 0;  ///< index in load_ of the x component of the voxel's force
     Vector3<Real> force;
   };
 
-  /// A thread's share of the steps, and what it saw in the last one.
+  /// One thread's share of the steps, with its results of the last step.
   struct alignas(64) Part {
     std::size_t number = 0;
     bool strained = false;
     VoxelSweep seen;
-    std::vector<std::vector<Contact>> contacts;  ///< that it found, per group, in the order of their pairs
-    std::vector<std::int32_t> touching;          ///< room for finding them
+    std::vector<std::vector<Contact>> contacts;  ///< found by this thread, per group, in the order of their pairs
+    std::vector<std::int32_t> touching;          ///< working memory of the contact search
     std::exception_ptr failure;
   };
 
-  /// Of `count` things, the first of a part's share and the first of the next part's.
+  /// The range [first, last) of `count` items that a part works on.
   [[nodiscard]] std::pair<std::size_t, std::size_t> share(std::size_t count, const Part& part) const {
     return {count * part.number / parts_.size(), count * (part.number + 1) / parts_.size()};
   }
 
-  /// See MovingBody::end_step.
+  /// The lanes as MovingBody::end_step needs them.
   struct Lanes {
     BlockLanes& blocks;
 
@@ -86,7 +87,7 @@ class BlockLanes {
   void do_alone(void (BlockLanes::*work)());
   void do_part(Part& part);
 
-  /// Where a number of a voxel stands in an array of so many packs per voxel.
+  /// Index of a number of a voxel, in an array with a fixed number of packs per voxel.
   [[nodiscard]] std::size_t at(std::size_t slot, std::size_t place, std::size_t packs, std::size_t pack) const {
     return ((slot / lanes_ * places_ + place) * packs + pack) * lanes_ + slot % lanes_;
   }
@@ -97,34 +98,35 @@ class BlockLanes {
   BlockBody body_;
   Lattice block_;
   const LaneKernels<Real>& kernels_;
-  std::size_t lanes_, places_,
-      slots_;  ///< slots: blocks, and lanes left over, which start as copies of the first block and then mean nothing
+  /// Slots are lanes over all groups: one per block, and lanes left over. Those start as copies of the first block, and their
+  /// numbers are ignored.
+  std::size_t lanes_, places_, slots_;
   AlignedArray<Real> pose_, motion_, load_, residual_, drive_;
   std::array<AlignedArray<Real>, 3> history_, joint_history_, joint_loads_;
   std::array<std::vector<std::int32_t>, 3> face_lower_, face_upper_;
   using Moves = std::vector<LaneMoves<Real>, xsimd::aligned_allocator<LaneMoves<Real>, 64>>;
   std::array<Moves, 3> lower_blocks_, upper_blocks_;
-  std::array<std::array<Moves, 2>, 3> to_blocks_;  ///< per axis and end
+  std::array<std::array<Moves, 2>, 3> to_blocks_;  ///< per axis and end of a beam (0 lower, 1 upper)
   std::vector<LaneData<Real>, xsimd::aligned_allocator<LaneData<Real>, 64>> groups_;
   BlockData<Real> data_;
 
-  std::vector<std::size_t> line_of_;          ///< per voxel, in arrays of line_length packs per voxel
-  std::vector<std::int32_t> sphere_of_;       ///< per voxel
-  AlignedArray<Real> spheres_;                ///< four numbers each, as after the last step
-  std::vector<std::int32_t> first_, second_;  ///< spheres of the close pairs, in their order
-  std::uint64_t list_of_spheres_ = 0;         ///< that these are of, by the number of lists made
-  bool may_touch_ = false;                    ///< any pair, in this step
+  std::vector<std::size_t> line_of_;          ///< index of a voxel's first number in arrays of line_length packs per voxel
+  std::vector<std::int32_t> sphere_of_;       ///< index of a voxel's sphere
+  AlignedArray<Real> spheres_;                ///< four numbers per voxel, after the last step
+  std::vector<std::int32_t> first_, second_;  ///< spheres of the close pairs, in the order of the pairs
+  std::uint64_t list_of_spheres_ = 0;         ///< number of the list that first_ and second_ come from
+  bool may_touch_ = false;                    ///< whether any pair may touch in this step
 
   std::vector<Part, xsimd::aligned_allocator<Part, 64>> parts_;  ///< one per thread
   SpinBarrier barrier_;
-  bool done_ = false;           ///< no further step
-  std::exception_ptr failure_;  ///< of what one thread does alone
+  bool done_ = false;           ///< whether no further step is to be taken
+  std::exception_ptr failure_;  ///< thrown by work that one thread does alone
   std::uint64_t last_step_ = 0;
   const std::atomic<bool>* stop_ = nullptr;
 
-  /// Per axis and beam of the body: where its history stands, a pack from one remembered value to the next.
+  /// Per axis and beam of the body: pointer to the history of the beam. Its remembered values are one pack apart.
   std::array<std::vector<Real*>, 3> remembered_;
-  std::array<std::vector<std::pair<Real*, Real*>>, 3> repeated_;  ///< histories of left over lanes, and those that they repeat
+  std::array<std::vector<std::pair<Real*, Real*>>, 3> repeated_;  ///< history of a lane left over, and the history that it copies
 };
 
 }  // namespace menger::voxel

@@ -9,15 +9,15 @@ namespace {
 
 constexpr int side = 3;
 
-/// A cell's block on the grid of blocks, x fastest.
+/// Position of a cell's block on the grid of blocks, x fastest.
 int block_place(const meshes::CellIndex& cell, const std::array<int, 3>& grid) {
   return cell.x / side + grid[0] / side * (cell.y / side + grid[1] / side * (cell.z / side));
 }
 
-/// A cell's position within its block.
+/// Position of a cell within its block.
 int cell_place(const meshes::CellIndex& cell) { return cell.x % side + side * (cell.y % side + side * (cell.z % side)); }
 
-/// Numbers the blocks in grid order and puts every voxel at its place. @return whether the blocks are alike
+/// Numbers the blocks in grid order and assigns every voxel its place. @return whether all blocks have the same cells
 bool place_voxels(const Lattice& lattice, BlockBody& body, std::map<int, std::int32_t>& block_at) {
   for (const meshes::CellIndex& cell : lattice.cells) {
     block_at.emplace(block_place(cell, lattice.grid), 0);
@@ -26,7 +26,7 @@ bool place_voxels(const Lattice& lattice, BlockBody& body, std::map<int, std::in
   body.count = block_at.size();
   std::int32_t next = 0;
   for (auto& [place, number] : block_at) number = next++;
-  // Where every block has every cell that any of them has, there are as many voxels as blocks times cells.
+  // If every block has each cell that any block has, the number of voxels is blocks times cells.
   const std::size_t places = body.block.count();
   if (lattice.voxel_count() != body.count * places) return false;
 

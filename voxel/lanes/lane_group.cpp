@@ -94,7 +94,8 @@ void LaneGroup<Real>::renew_pairs() {
   pairs_changed_ = false;
 }
 
-/// One list that is used up makes all others anew with it: they would follow one by one, and each time the lanes' list with them.
+/// Finds the contact forces of all lanes. When one robot's list of close pairs is used up, all robots' lists are made anew.
+/// Otherwise they would follow one by one, and the lanes' common list would be made anew each time.
 template <class Real>
 void LaneGroup<Real>::add_contacts() {
   const auto with_pairs = [&](const auto& act) {
@@ -155,7 +156,7 @@ void LaneGroup<Real>::step() {
   if (in_lanes_ != before && in_lanes_ > 0) fill_lanes();
 }
 
-/// Lanes without a robot of their own go on as copies of the first that has one.
+/// Fills the lanes of diverged robots with copies of the first robot that has not diverged.
 template <class Real>
 void LaneGroup<Real>::fill_lanes() {
   while (!robots_[leader_].in_lane) ++leader_;

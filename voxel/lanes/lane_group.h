@@ -11,18 +11,19 @@
 
 namespace menger::voxel {
 
-/// Up to as many robots as a register has lanes, stepped together; every one comes to the same bytes as alone.
+/// Robots that are stepped together, one per SIMD lane, up to the number of lanes of a register. Each robot gets the same bytes
+/// as alone.
 ///
-/// A robot that diverges is taken out at the end of its step, and its lane goes on as a copy of another: nothing that is not
-/// finite stays in a register.
+/// A robot that diverges is taken out at the end of its step. Its lane continues as a copy of another robot, so that no number
+/// that is not finite stays in a register.
 template <class Real>
 class LaneGroup {
  public:
-  /// @param robots 1 to kernels.lanes bodies that run in lanes, of equal physics, time step and steps so far, not diverged; they
-  /// outlive the group
+  /// @param robots 1 to kernels.lanes bodies that run in lanes and have not diverged, with equal physics, time step and steps so
+  /// far; they must outlive the group
   LaneGroup(const std::vector<MovingBody<Real>*>& robots, const LaneKernels<Real>& kernels);
 
-  /// Takes `count` steps unless all robots diverge or `stop` becomes true, and puts what the lanes came to into the robots.
+  /// Takes `count` steps unless all robots diverge or `stop` becomes true, and writes the resulting states into the robots.
   void advance(std::uint64_t count, const std::atomic<bool>* stop);
 
  private:
@@ -32,7 +33,7 @@ class LaneGroup {
     bool in_lane = true;
   };
 
-  /// One robot's lane, see MovingBody::end_step.
+  /// The lane of one robot, as MovingBody::end_step needs it.
   struct Lane {
     LaneGroup& group;
     std::size_t number;
@@ -51,15 +52,15 @@ class LaneGroup {
 
   Lattice lattice_;
   LaneState<Real> state_;
-  std::vector<Robot> robots_;  ///< per lane that was given one
-  std::vector<int> pairs_of_;  ///< per lane: the robot whose pairs it has
+  std::vector<Robot> robots_;  ///< those given to the constructor, one per lane
+  std::vector<int> pairs_of_;  ///< per lane: the robot whose close pairs the lane uses
   typename LaneKernels<Real>::BeamSweep beams_ = nullptr;
   typename LaneKernels<Real>::VoxelSweepFunction voxels_ = nullptr;
   typename LaneKernels<Real>::PairSweep pairs_ = nullptr;
   int lanes_ = 1;
   std::size_t leader_ = 0;    ///< the first robot that has not diverged
-  std::size_t in_lanes_ = 0;  ///< robots that have not
-  bool collide_ = false;      ///< any of them
+  std::size_t in_lanes_ = 0;  ///< number of robots that have not diverged
+  bool collide_ = false;      ///< whether any robot has collisions
   bool pairs_changed_ = false;
 };
 

@@ -14,7 +14,7 @@ namespace menger::voxel {
 
 namespace {
 
-/// Cells of a body that another does not have.
+/// The number of cells of a body that another body does not have.
 std::size_t cells_beyond(const std::vector<bool>& body, const std::vector<bool>& other) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < body.size(); ++i) {
@@ -23,13 +23,13 @@ std::size_t cells_beyond(const std::vector<bool>& body, const std::vector<bool>&
   return count;
 }
 
-/// Adds the cells of a body to those of others.
+/// Adds the cells of a body to a set of cells.
 void unite(std::vector<bool>& all, const std::vector<bool>& body) {
   if (all.empty()) all.assign(body.size(), false);
   for (std::size_t i = 0; i < body.size(); ++i) all[i] = all[i] || body[i];
 }
 
-/// Voxels and beams of a body; beams along each axis.
+/// Number of voxels of a body, and of beams along each axis.
 struct BodyCount {
   std::size_t voxels = 0;
   std::array<std::size_t, 3> beams{};
@@ -59,11 +59,11 @@ std::size_t rounded_up(std::size_t count, std::size_t share) { return (count + s
 
 double registers(std::size_t numbers, std::size_t lanes) { return static_cast<double>(rounded_up(numbers, lanes)); }
 
-// Times measured with AVX-512, in those of a beam of a register of robots. They rank the two ways; nothing else depends on them.
+// Times measured with AVX-512, in units of the time of one beam pack of robots in lanes. They only rank the two methods.
 constexpr double lane_voxel = 0.4;
-constexpr double beam_register = 1.8;  ///< of one robot, whose beams are sorted into the register first
+constexpr double beam_register = 1.8;  ///< of one robot, whose beams are first sorted into the register
 constexpr double voxel_register = 0.8;
-constexpr double narrow = 0.65;  ///< of a register of a quarter of the lanes
+constexpr double narrow = 0.65;  ///< for a register with a quarter of the lanes
 
 }  // namespace
 

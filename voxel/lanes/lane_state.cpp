@@ -16,7 +16,7 @@ constexpr auto drive_size = static_cast<std::size_t>(drive_values);
 }  // namespace
 
 LanePlaces::LanePlaces(const Lattice& shared, const Lattice& robot) {
-  // Both stand in grid order, so that one pass finds every cell.
+  // Both lattices are in grid order, so one pass finds every cell.
   std::size_t place = 0;
   for (const meshes::CellIndex& cell : robot.cells) {
     while (place < shared.cells.size() && shared.cells[place] != cell) ++place;

@@ -13,43 +13,45 @@
 
 namespace menger::voxel {
 
-/// Where the voxels and beams of a robot stand in the lattice that it shares with others.
+/// Positions of a robot's voxels and beams in the lattice that it shares with other robots.
 struct LanePlaces {
   std::vector<std::size_t> voxel;                ///< per voxel of the robot
   std::array<std::vector<std::size_t>, 3> beam;  ///< per axis and beam of the robot
 
-  /// @param shared of a body that has all cells of the robot's, on the same grid
+  /// @param shared lattice of a body that has all cells of the robot, on the same grid
   LanePlaces(const Lattice& shared, const Lattice& robot);
 };
 
-/// All arrays of robots in lanes, and the pointers to them that the kernels take. Starts with no robot in any lane.
+/// Memory of robots that are simulated together, one per lane: all arrays, and the pointers to them that the kernels take. At
+/// first all lanes are empty.
 template <class Real>
 class LaneState {
  public:
-  /// @param shared lattice of the union of the robots; outlives the state @param lanes 1 to most_lanes
+  /// @param shared lattice of the union of the robots, must outlive the state @param lanes 1 to most_lanes
   LaneState(const Lattice& shared, double cell_edge_m, int lanes);
   LaneState(const LaneState&) = delete;
   LaneState& operator=(const LaneState&) = delete;
 
   LaneData<Real> data;  ///< pointers into the arrays below
 
-  /// Puts a robot without external loads into a lane: its coefficients, drive and state.
+  /// Writes a robot without external loads into a lane: its coefficients, drive and state.
   void put(int lane, const StepData<Real>& robot, const LanePlaces& places);
 
-  /// Puts the positions of a robot that is in a lane there again.
+  /// Writes the positions of a robot into its lane again.
   void put_positions(int lane, const StepData<Real>& robot, const LanePlaces& places);
 
-  /// Takes the poses of a robot out of its lane, with what rounding left out of the positions.
+  /// Reads the poses of a robot from its lane, with the rounding residuals of the positions.
   void take_poses(int lane, StepData<Real>& robot, const LanePlaces& places) const;
 
-  /// Takes motions and what beams remember out of a lane, and the poses.
+  /// Reads the poses, motions and beam histories of a robot from its lane.
   void take(int lane, StepData<Real>& robot, const LanePlaces& places) const;
 
-  /// Makes one lane a copy of another, pairs apart.
+  /// Makes one lane a copy of another, except for its pairs.
   void copy_lane(int from, int to);
 
-  /// Pairs (first, second) of the shared lattice per lane, each lane's in ascending order.
+  /// Pairs (first, second) of voxels of the shared lattice that may touch in one lane, ascending.
   using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+  /// Sets the pairs of every lane.
   void set_pairs(std::span<const Pairs> of_lanes);
 
  private:

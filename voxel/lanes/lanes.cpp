@@ -15,7 +15,7 @@ namespace menger::voxel {
 
 namespace {
 
-/// Whether two robots that run in lanes can do so side by side.
+/// Whether two robots that run in lanes can run side by side.
 bool go_together(const Engine& one, const Engine& other) {
   const VoxelBody& a = one.body();
   const VoxelBody& b = other.body();
@@ -26,7 +26,7 @@ bool go_together(const Engine& one, const Engine& other) {
 template <class Real>
 constexpr NumberType number_type_of = std::is_same_v<Real, double> ? NumberType::float64 : NumberType::float32;
 
-/// Steps robots of one kind to the end, a register full at a time, or one after the other where that is faster.
+/// Advances robots of one kind, one register at a time, or one robot after the other where that is faster.
 template <class Real>
 void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t steps, const std::atomic<bool>* stop,
                   InstructionSet set, LaneUse use) {
@@ -38,7 +38,7 @@ void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t step
     cells.push_back(cells_of(grid, robot->body().lattice.cells));
   }
   const auto lanes = static_cast<std::size_t>(lane_kernels_for<Real>(set, robots.size()).lanes);
-  const std::size_t widest = most_lanes_of(number_type_of<Real>, set);  // which a robot by itself has
+  const std::size_t widest = most_lanes_of(number_type_of<Real>, set);  // for a robot that runs alone
   while (!left.empty()) {
     const std::vector<std::size_t> taken = take_similar(cells, left, lanes);
     std::vector<EngineOf<Real>*> together;
@@ -58,7 +58,7 @@ void advance_kind(const std::vector<EngineOf<Real>*>& robots, std::uint64_t step
   }
 }
 
-/// Steps all robots of one number type that run in lanes; the others stay as they are.
+/// Advances all robots of one number type that run in lanes. The others stay as they are.
 template <class Real>
 void advance_in_lanes(std::span<Engine* const> engines, double time_s, const std::atomic<bool>* stop, InstructionSet requested,
                       LaneUse use) {
@@ -92,7 +92,8 @@ std::vector<io::RunStatus> advance_together_to(std::span<Simulation> simulations
   for (Simulation& simulation : simulations) engines.push_back(simulation.engine_.get());
   advance_in_lanes<double>(engines, time_s, stop, instruction_set, use);
   advance_in_lanes<float>(engines, time_s, stop, instruction_set, use);
-  // What is left are the robots that go alone; the others are there, diverged, or stop with the next look at `stop`.
+  // The robots that run alone are still to be advanced. For the others this only returns the status: at the end, diverged or
+  // stopped.
   std::vector<io::RunStatus> statuses;
   for (Simulation& simulation : simulations) statuses.push_back(simulation.advance_to(time_s, stop));
   return statuses;

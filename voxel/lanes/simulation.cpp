@@ -23,7 +23,7 @@ void require(bool condition, const char* what) {
 bool positive(double value) { return std::isfinite(value) && value > 0.0; }
 bool not_negative(double value) { return std::isfinite(value) && value >= 0.0; }
 
-/// @return see check
+/// Checks a calibrated body and its drive. @return see check
 std::vector<std::string> check_calibrated(const meshes::Polycube& body, double cell_edge_m, const Physics& physics,
                                           const VoxelLoads& loads) {
   const CalibratedBody& calibrated = *physics.surrogate;
@@ -46,7 +46,7 @@ std::vector<std::string> check_calibrated(const meshes::Polycube& body, double c
   return outside;
 }
 
-/// @return what of a calibrated body and its drive lies outside the range of validity
+/// Checks all arguments of a simulation. @return sentences on a calibrated body and its drive outside the range of validity
 std::vector<std::string> check(const meshes::Polycube& body, double cell_edge_m, const Physics& physics,
                                const VoxelLoads& loads) {
   require(body.count() > 0, "the body has no voxels");
@@ -72,7 +72,7 @@ std::vector<std::string> check(const meshes::Polycube& body, double cell_edge_m,
   for (const double phase : physics.actuation.material_phase) require(std::isfinite(phase), "phases must be finite");
   require(std::isfinite(physics.actuation.wave_periods_per_body), "wave_periods_per_body must be finite");
   require(physics.integration.number == NumberType::float64 || physics.integration.damping == DampingMode::velocity,
-          "float32 cannot carry damping from increments");
+          "float32 does not work with damping from increments");
   require(!physics.surrogate || physics.integration.bond_damping == BondDamping::explicit_step,
           "the damping of a calibrated body is part of its parameters");
   require(positive(physics.limits.speed_fraction) && positive(physics.limits.strain), "divergence limits must be > 0");
@@ -176,8 +176,8 @@ std::vector<std::string> Simulation::outside_validity() const {
   const ValidityRange& validity = engine_->body().physics.surrogate->parameters.validity;
   const StrainRange& strains = *engine_->record().strain_range;
   if (strains.smallest < validity.smallest_strain || strains.largest > validity.largest_strain) {
-    faults.push_back("beams were strained from " + io::number_text(strains.smallest) + " to " + io::number_text(strains.largest) +
-                     ", those of the fit from " + io::number_text(validity.smallest_strain) + " to " +
+    faults.push_back("beams had strains from " + io::number_text(strains.smallest) + " to " + io::number_text(strains.largest) +
+                     ", but the fit had strains from " + io::number_text(validity.smallest_strain) + " to " +
                      io::number_text(validity.largest_strain));
   }
   return faults;

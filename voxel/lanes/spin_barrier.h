@@ -5,23 +5,23 @@
 
 namespace menger::voxel {
 
-/// A meeting point of threads that share the work of one step: they meet every few microseconds, so that whoever waits looks
-/// again and again before it lets another thread have the core.
+/// A barrier for threads that share the work of one step. They meet every few microseconds, so a waiting thread checks repeatedly
+/// before it lets another thread have the core.
 class SpinBarrier {
  public:
   /// @param threads >= 1
   explicit SpinBarrier(int threads) : threads_(threads) {}
 
-  /// Sets how many threads meet from now on. Precondition: none is waiting. @param threads >= 1
+  /// Sets how many threads meet from now on. Precondition: no thread is waiting. @param threads >= 1
   void set_threads(int threads) { threads_ = threads; }
 
-  /// Waits until all threads have called it. Afterwards each sees what the others wrote before.
+  /// Waits until all threads have called it. Afterwards each thread sees all that the others wrote before.
   void meet() {
     meet([] {});
   }
 
-  /// The same, and before any thread returns the last to come does some work, which must not throw: the others would wait for
-  /// ever.
+  /// Waits in the same way; the last thread to arrive does some work before any thread returns. The work must not throw, because
+  /// the other threads would wait for ever.
   template <class Work>
   void meet(const Work& work) {
     if (threads_ == 1) {
@@ -35,7 +35,7 @@ class SpinBarrier {
       round_.store(round + 1, std::memory_order_release);
       return;
     }
-    constexpr int patience = 2000;  // looks, some 20 microseconds
+    constexpr int patience = 2000;  // checks, about 20 microseconds
     for (int looks = 0; round_.load(std::memory_order_acquire) == round; ++looks) {
       if (looks >= patience) std::this_thread::yield();
     }

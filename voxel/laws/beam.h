@@ -8,10 +8,13 @@ namespace menger::voxel {
 
 /// Stiffness and damping of a beam between two voxels, in SI units.
 ///
-/// With E the harmonic mean of the two moduli and L the voxel edge: axial = E L^2, twist = E L^3 / (12 (1 + nu)) at nu = 0, shear
-/// = E L, bend = E L^2 / 2, turn = E L^3 / 6. The roots belong to the damping, see beam_damping. @cite hiller2014dynamic
+/// For a beam between solid voxels, with E the harmonic mean of their two moduli and L the voxel edge:
 ///
-/// Only a beam that shears (Timoshenko) has turn_difference and its root, see beam_coefficients of a section.
+///   axial = E L^2,  twist = E L^3 / (12 (1 + nu)) at nu = 0,  shear = E L,  bend = E L^2 / 2,  turn = E L^3 / 6
+///
+/// The members named root enter the damping, see beam_damping. @cite hiller2014dynamic
+///
+/// turn_difference and its root are zero unless the beam shears (Timoshenko); see beam_coefficients of a section.
 template <class T>
 struct BeamCoefficients {
   T axial;          ///< N, force per axial strain
@@ -27,11 +30,13 @@ struct BeamCoefficients {
   T damping_lower;  ///< zeta sqrt(m) of the voxel at the lower end
   T damping_upper;  ///< zeta sqrt(m) of the voxel at the upper end
 
-  T turn_difference;       ///< N m / rad, moment on either end against its rotation beyond the other end's; >= 0
-  T turn_difference_root;  ///< of its damping, >= 0
+  /// N m / rad, moment on each end against its rotation relative to the other end; >= 0
+  T turn_difference;
+  T turn_difference_root;  ///< damping that belongs to turn_difference, >= 0
 };
 
-/// The two ends of a beam, in axes permuted so that the undeformed beam points along +x from its lower to its upper end.
+/// Poses of the two ends of a beam. The axes are permuted so that the undeformed beam points along +x, from its lower to its
+/// upper end.
 template <class T>
 struct BeamEnds {
   Vector3<T> separation;  ///< upper minus lower position, m, world
@@ -40,7 +45,7 @@ struct BeamEnds {
   T rest_length;  ///< m
 };
 
-/// Rates of the ends, world; only for damping from velocities.
+/// Velocities of the two ends of a beam, in world axes permuted as in BeamEnds. Used only for damping from velocities.
 template <class T>
 struct BeamEndRates {
   Vector3<T> lower_velocity, upper_velocity;  ///< m/s
@@ -50,8 +55,9 @@ struct BeamEndRates {
 
 /// Deformation of a beam in its own frame.
 ///
-/// Small-angle state: the frame is that of the lower end, lower_angle is zero. Large-angle state: the frame's x axis joins the
-/// ends, displacement has no transverse part. lower_angle.x is zero in both.
+/// In the small-angle state the frame is that of the lower end, and lower_angle is zero. In the large-angle state the x axis of
+/// the frame joins the two ends, so that displacement has no transverse part. lower_angle.x is zero in both states and is not
+/// stored.
 template <class T>
 struct BeamDeformation {
   Vector3<T> displacement;  ///< m: extension, transverse displacement of the upper end
@@ -60,20 +66,21 @@ struct BeamDeformation {
   Vector3<T> upper_angle;  ///< rad
 };
 
-/// What a beam remembers from step to step.
+/// State of a beam that is kept from one step to the next.
 template <class T>
 struct BeamHistory {
   BeamDeformation<T> deformation;
   T small;  ///< 1 in the small-angle state, 0 in the large-angle state
 };
 
-/// A deformation with the frame it is measured in.
+/// Deformation of a beam in one step, with the frame that it is measured in.
 template <class T>
 struct BeamState {
   BeamDeformation<T> deformation;
-  Rotation<T> frame;        ///< beam to world (permuted axes)
-  MaskOf<T> small;          ///< in the small-angle state
-  MaskOf<T> state_changed;  ///< in this step: no damping
+  Rotation<T> frame;  ///< beam to world (permuted axes)
+  MaskOf<T> small;    ///< whether the beam is in the small-angle state
+  /// Whether the state changed in this step. Damping from increments is then zero, see rate_from_increments.
+  MaskOf<T> state_changed;
 };
 
 /// Forces (N) and moments (N m) on the ends of a beam.
@@ -88,8 +95,10 @@ inline BeamLoads<T> operator+(const BeamLoads<T>& a, const BeamLoads<T>& b) {
           a.upper_moment + b.upper_moment};
 }
 
-/// Deformation of a beam in the state that the mask names; state_changed is false.
-/// @param lower_frame matrix of ends.lower @param d the separation seen from the lower end
+/// Returns the deformation of a beam in a given state. state_changed is false.
+/// @param lower_frame matrix of ends.lower
+/// @param d separation of the ends in the frame of the lower end
+/// @param small mask: small-angle state where it holds, large-angle state elsewhere
 template <class T>
 inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, const Rotation<T>& lower_frame, const Vector3<T>& d,
                                   const MaskOf<T>& small) {
@@ -122,10 +131,11 @@ inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, const Rotation<T>& lo
   return state;
 }
 
-/// Deformation of a beam, with the switch between the small- and the large-angle state.
+/// Returns the deformation of a beam, and switches between the small- and the large-angle state.
 ///
-/// A beam enters the small-angle state when (|d_y| + |d_z|) / d_x < 0.05 and |1 - d_x / rest length| < 0.5, and leaves it beyond
-/// 0.06 or 0.6, with d the separation seen from the lower end. @cite hiller2014dynamic
+/// Let d be the separation of the ends in the frame of the lower end. A beam enters the small-angle state when
+/// (|d_y| + |d_z|) / d_x < 0.05 and |1 - d_x / rest length| < 0.5. It leaves that state beyond 0.06 or 0.6. @cite
+/// hiller2014dynamic
 template <class T>
 inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
   using std::abs;
@@ -142,8 +152,8 @@ inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
   return state;
 }
 
-/// Elastic loads of a beam, in its frame. @cite hiller2014dynamic @tparam Shears false leaves out the terms of turn_difference,
-/// for beams that have none: Euler-Bernoulli's
+/// Returns the elastic loads of a beam, in its frame. @cite hiller2014dynamic
+/// @tparam Shears false leaves out the terms of turn_difference, for Euler-Bernoulli beams, which have none
 template <bool Shears = true, class T>
 inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, const T& rest_length) {
   const T sum_y = e.lower_angle_y + e.upper_angle.y;
@@ -166,7 +176,7 @@ inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients<T>& c, const BeamD
   return loads;
 }
 
-/// Elastic energy (J) whose derivatives are the elastic loads.
+/// Returns the elastic energy of a beam, J. Its derivatives are the elastic loads.
 template <class T>
 inline T beam_energy(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, const T& rest_length) {
   const T half = constant<T>(0.5);
@@ -183,11 +193,11 @@ inline T beam_energy(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, 
   return stretch + shear + coupling + bending + half * c.twist * a.x * a.x + difference;
 }
 
-/// Damping loads from the rates of the deformation, in the beam's frame. `rate.displacement.x` contains the rate of the rest
-/// length.
+/// Returns the damping loads of a beam from the rates of its deformation, in its frame. `rate.displacement.x` is the rate of the
+/// length minus the rate of the rest length.
 ///
-/// The coefficients of the two ends differ with their masses; equal coefficients give equal and opposite forces. @tparam Shears
-/// as for beam_elastic_loads
+/// Each end has a coefficient of its own, which depends on its mass. Equal coefficients give equal and opposite forces.
+/// @tparam Shears as for beam_elastic_loads
 template <bool Shears = true, class T>
 inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeformation<T>& rate) {
   const T minus_half = constant<T>(-0.5);
@@ -216,7 +226,8 @@ inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeforma
   return loads;
 }
 
-/// Rate of a deformation from its change since the last step; zero where the state changed or there is no last step.
+/// Returns the rate of a deformation from its change since the last step. It is zero where the state changed in this step.
+/// @param steps_per_second 1/h, or 0 in the first step, which has no last step: the rate is then zero
 template <class T>
 inline BeamDeformation<T> rate_from_increments(const BeamState<T>& state, const BeamDeformation<T>& last,
                                                const T& steps_per_second) {
@@ -227,10 +238,10 @@ inline BeamDeformation<T> rate_from_increments(const BeamState<T>& state, const 
           scale * (e.lower_angle_z - last.lower_angle_z), scale * (e.upper_angle - last.upper_angle)};
 }
 
-/// Rate of a deformation from the velocities of the ends.
+/// Returns the rate of a deformation from the velocities of the ends.
 ///
-/// Small-angle state: the frame turns with the lower end. Large-angle state: its x axis turns with the line between the ends, and
-/// about that line so that the angle at the lower end keeps no twist.
+/// In the small-angle state the frame turns with the lower end. In the large-angle state the x axis of the frame turns with the
+/// line between the ends. About that line the frame turns so that the angle at the lower end keeps no twist.
 template <class T>
 inline BeamDeformation<T> rate_from_velocities(const BeamState<T>& state, const BeamEnds<T>& ends, const BeamEndRates<T>& rates) {
   const T zero = constant<T>(0.0);
@@ -243,7 +254,7 @@ inline BeamDeformation<T> rate_from_velocities(const BeamState<T>& state, const 
   BeamDeformation<T> rate = {{seen.x - rates.rest_length_rate, seen.y, seen.z}, zero, zero, relative_spin};
   const MaskOf<T> large = !state.small;
   if (any(large)) {
-    // Spin of the lower end against the frame: seen from it, the line between the ends turns with (-v_z, v_y) / length.
+    // Spin of the lower end relative to the frame. In its axes the line between the ends turns with (-v_z, v_y) / length.
     const T per_length = constant<T>(1.0) / select(large, separation.x, constant<T>(1.0));
     Vector3<T> spin = {zero, lower_spin.y + velocity.z * per_length, lower_spin.z - velocity.y * per_length};
     const Vector3<T> angle = {zero, e.lower_angle_y, e.lower_angle_z};
@@ -259,7 +270,7 @@ inline BeamDeformation<T> rate_from_velocities(const BeamState<T>& state, const 
   return rate;
 }
 
-/// Loads in the beam's frame turned to the world (permuted axes).
+/// Turns loads from the beam's frame to world axes (permuted).
 template <class T>
 inline BeamLoads<T> to_world(const Rotation<T>& frame, const BeamLoads<T>& loads) {
   return {rotate(frame, loads.lower_force), rotate(frame, loads.lower_moment), rotate(frame, loads.upper_force),

@@ -30,7 +30,7 @@ struct Lattice {
   [[nodiscard]] std::size_t voxel_count() const { return cells.size(); }
   [[nodiscard]] std::size_t beam_count() const { return beams[0].lower.size() + beams[1].lower.size() + beams[2].lower.size(); }
 
-  /// Voxels with fewer than six beams, ascending.
+  /// Returns the voxels with fewer than six beams, ascending.
   [[nodiscard]] std::vector<std::int32_t> surface() const;
 };
 

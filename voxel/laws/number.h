@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
-/// Inlines all that a kernel calls, which makes small bodies a third faster. Not with the address sanitizer, whose checks make
-/// compilers take minutes over each of them.
+/// Inlines everything that a kernel calls, which makes small bodies a third faster. Switched off with the address sanitizer,
+/// because its checks make the compiler take minutes for each kernel.
 #if defined(__SANITIZE_ADDRESS__)
 #define MENGER_INLINED_WHOLE
 #else
@@ -14,11 +14,11 @@
 
 namespace menger::voxel {
 
-/// The number types that the laws of this folder are written for: double, float and SIMD packs of them (one lane per beam or
-/// voxel).
+/// Describes a number type that the laws of this folder are written for: double, float, or a SIMD pack of them with one beam or
+/// voxel per lane.
 ///
-/// A law that is a template over T uses +, -, *, /, comparisons, sqrt, abs and the functions below, and nothing else, so that one
-/// source serves all. None of them fuses a multiplication with an addition: a lane of a pack and a scalar give the same bytes.
+/// A law is a template over T. It uses only +, -, *, /, comparisons, sqrt, abs and the functions below, so that one source serves
+/// all number types. None of them fuses a multiplication with an addition: a lane of a pack and a scalar give the same bytes.
 template <class T>
 struct NumberTraits {
   using Real = T;
@@ -38,32 +38,32 @@ using RealOf = typename NumberTraits<T>::Real;
 template <class T>
 using MaskOf = typename NumberTraits<T>::Mask;
 
-/// a where the mask holds, b elsewhere; never by multiplication, so that a NaN in the lane not chosen stays out. Always inlined:
-/// a copy compiled for one instruction set must not be linked into code for another.
+/// Returns a where the mask holds and b elsewhere. It does not multiply, so that a NaN in the value not chosen has no effect.
+/// Always inlined, because a copy compiled for one instruction set must not be linked into code for another.
 [[gnu::always_inline]] inline double select(bool mask, double a, double b) { return mask ? a : b; }
 [[gnu::always_inline]] inline float select(bool mask, float a, float b) { return mask ? a : b; }
 
 [[gnu::always_inline]] inline bool any(bool mask) { return mask; }
 
-/// A mask that holds nowhere.
+/// Returns a mask that is false in every lane.
 template <class T>
 inline MaskOf<T> nowhere() {
   if constexpr (NumberTraits<T>::width == 1) {
     return false;
   } else if constexpr (sizeof(MaskOf<T>) <= sizeof(std::uint64_t)) {
-    return MaskOf<T>(typename MaskOf<T>::register_type(0));  // a bool would be put into it bit by bit
+    return MaskOf<T>(typename MaskOf<T>::register_type(0));  // a constructor from bool would set it bit by bit
   } else {
     return MaskOf<T>(false);
   }
 }
 
-/// A constant as T.
+/// Returns a constant as a T; a pack has it in every lane.
 template <class T>
 inline T constant(double value) {
   return T(static_cast<RealOf<T>>(value));
 }
 
-/// Rounds a double to the precision of a float (24 bits) but returns it as a double; a float is returned as it is.
+/// Rounds a double to the precision of a float (24 bits) and returns it as a double. A float is returned unchanged.
 ///
 /// Dekker's splitting: subtracting the large multiple and adding it back drops the lower 29 bits.
 template <class T>
@@ -76,7 +76,7 @@ inline T rounded_to_single(const T& x) {
   }
 }
 
-/// A function of one double applied to every lane, for rare cases that have no pack version.
+/// Applies a function of one double to every lane. For rare cases that have no pack version.
 template <class T>
 [[gnu::noinline]] T apply_to_lanes(const T& x, double (*function)(double)) {
   using Real = RealOf<T>;

@@ -37,40 +37,41 @@ inline Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// a where the mask holds, b elsewhere.
+/// Returns a where the mask holds and b elsewhere.
 template <class T>
 inline Vector3<T> select(const MaskOf<T>& mask, const Vector3<T>& a, const Vector3<T>& b) {
   return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 
-/// A unit quaternion w + xi + yj + zk, a rotation.
+/// A rotation as a unit quaternion w + xi + yj + zk.
 template <class T>
 struct Quaternion {
   T w, x, y, z;
 };
 
-/// Product a b: the rotation b followed by a.
+/// Returns the product a b: the rotation b followed by the rotation a.
 template <class T>
 inline Quaternion<T> operator*(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
-/// conj(a) b: b as seen from a.
+/// Returns conj(a) b: the rotation b in the frame of a.
 template <class T>
 inline Quaternion<T> seen_from(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z, a.w * b.x - a.x * b.w - a.y * b.z + a.z * b.y,
           a.w * b.y + a.x * b.z - a.y * b.w - a.z * b.x, a.w * b.z - a.x * b.y + a.y * b.x - a.z * b.w};
 }
 
-/// Product of a turn about an axis across x, as rotation_onto_x gives it, and b.
+/// Returns turn * b for a rotation `turn` about an axis perpendicular to x, as rotation_onto_x returns it. The terms with
+/// turn.x = 0 are left out.
 template <class T>
 inline Quaternion<T> turn_times(const Quaternion<T>& turn, const Quaternion<T>& b) {
   return {turn.w * b.w - turn.y * b.y - turn.z * b.z, turn.w * b.x + turn.y * b.z - turn.z * b.y,
           turn.w * b.y + turn.y * b.w + turn.z * b.x, turn.w * b.z - turn.y * b.x + turn.z * b.w};
 }
 
-/// Product of a and the inverse of such a turn.
+/// Returns a times the inverse of `turn`, a rotation about an axis perpendicular to x as in turn_times.
 template <class T>
 inline Quaternion<T> times_inverse_turn(const Quaternion<T>& a, const Quaternion<T>& turn) {
   return {a.w * turn.w + a.y * turn.y + a.z * turn.z, a.x * turn.w - a.y * turn.z + a.z * turn.y,
@@ -88,7 +89,8 @@ struct Rotation {
   Vector3<T> row_x, row_y, row_z;
 };
 
-/// Matrix of a unit quaternion.
+/// Returns the matrix R of the rotation by a unit quaternion. R v is v turned by it: with the orientation of a voxel, from the
+/// frame of the voxel to that of the world.
 template <class T>
 inline Rotation<T> matrix(const Quaternion<T>& q) {
   const T two = constant<T>(2.0);
@@ -100,33 +102,34 @@ inline Rotation<T> matrix(const Quaternion<T>& q) {
   return {{one - (yy + zz), xy - wz, xz + wy}, {xy + wz, one - (xx + zz), yz - wx}, {xz - wy, yz + wx, one - (xx + yy)}};
 }
 
-/// R v.
+/// Returns R v.
 template <class T>
 inline Vector3<T> rotate(const Rotation<T>& r, const Vector3<T>& v) {
   return {dot(r.row_x, v), dot(r.row_y, v), dot(r.row_z, v)};
 }
 
-/// R^T v.
+/// Returns R^T v.
 template <class T>
 inline Vector3<T> rotate_back(const Rotation<T>& r, const Vector3<T>& v) {
   return {r.row_x.x * v.x + r.row_y.x * v.y + r.row_z.x * v.z, r.row_x.y * v.x + r.row_y.y * v.y + r.row_z.y * v.z,
           r.row_x.z * v.x + r.row_y.z * v.y + r.row_z.z * v.z};
 }
 
-/// 2 acos(w) / sqrt(1 - w^2) by the C library, 0 for |w| >= 1; for the rare lanes that the polynomial of rotation_vector does not
-/// reach.
+/// Returns 2 acos(w) / sqrt(1 - w^2), computed by the C library; 0 for |w| >= 1. For the rare lanes outside the range of the
+/// polynomial of rotation_vector.
 double exact_rotation_vector_factor(double w);
 
-/// cos(sqrt(x)) and sin(sqrt(x)) / sqrt(x) by the C library, x >= 0; for the rare lanes that the polynomials of quaternion_of do
-/// not reach.
+/// Return cos(sqrt(x)) and sin(sqrt(x)) / sqrt(x) for x >= 0, computed by the C library. For the rare lanes outside the range of
+/// the polynomials of quaternion_of.
 double exact_cosine_of_root(double x);
 double exact_sinc_of_root(double x);
 
-/// Rotation vector (axis times angle in radians) of a unit quaternion, 2 acos(w) / sqrt(1 - w^2) (x, y, z); angles beyond pi stay
-/// as they are.
+/// Returns the rotation vector (axis times angle in radians) of a unit quaternion, 2 acos(w) / sqrt(1 - w^2) (x, y, z). Angles
+/// beyond pi are returned as they are.
 ///
-/// With k = (1 - w)/2 = sin^2(angle/4) the factor is 2 sum_n k^n prod_{j<=n} 2j/(2j+1); eight terms leave a relative error below
-/// 1e-16 for k <= 0.01 (angles to 23 degrees), the four of single precision 5e-9; beyond k = 0.01 the C library takes over.
+/// With k = (1 - w)/2 = sin^2(angle/4) the factor is 2 sum_n k^n prod_{j<=n} 2j/(2j+1). In double precision eight terms leave a
+/// relative error below 1e-16 for k <= 0.01 (angles up to 23 degrees). In single precision four terms leave 5e-9. Beyond k = 0.01
+/// the C library computes the factor.
 template <class T>
 inline Vector3<T> rotation_vector(const Quaternion<T>& q) {
   const T k = constant<T>(0.5) * (constant<T>(1.0) - q.w);
@@ -143,18 +146,19 @@ inline Vector3<T> rotation_vector(const Quaternion<T>& q) {
   return {factor * q.x, factor * q.y, factor * q.z};
 }
 
-/// Time derivative of a rotation vector v from the angular velocity w, both in the rotated frame:
-/// w - v x w / 2 + v x (v x w) / 12. The next term is of relative size |v|^4 / 720.
+/// Returns the time derivative of a rotation vector v at the angular velocity w, both in the rotated frame:
+/// w - v x w / 2 + v x (v x w) / 12. The next term has the relative size |v|^4 / 720.
 template <class T>
 inline Vector3<T> rotation_vector_rate(const Vector3<T>& v, const Vector3<T>& w) {
   const Vector3<T> across = cross(v, w);
   return w - constant<T>(0.5) * across + constant<T>(1.0 / 12.0) * cross(v, across);
 }
 
-/// Unit quaternion of a rotation vector (axis times angle in radians).
+/// Returns the unit quaternion of a rotation vector (axis times angle in radians).
 ///
-/// With k = (angle/2)^2: w = cos(sqrt k), xyz = sin(sqrt k)/sqrt(k) v/2. Taylor sums to k^4 leave a relative error below 3e-17
-/// for k <= 0.01 (0.2 rad in one step), those to k^2 of single precision 2e-9; beyond k = 0.01 the C library takes over.
+/// With k = (angle/2)^2: w = cos(sqrt k), xyz = sin(sqrt k)/sqrt(k) v/2. In double precision Taylor sums up to k^4 leave a
+/// relative error below 3e-17 for k <= 0.01 (0.2 rad in one step). In single precision sums up to k^2 leave 2e-9. Beyond k = 0.01
+/// the C library computes both.
 template <class T>
 inline Quaternion<T> quaternion_of(const Vector3<T>& v) {
   const T half = constant<T>(0.5);
@@ -177,7 +181,7 @@ inline Quaternion<T> quaternion_of(const Vector3<T>& v) {
   return {cosine, sinc * u.x, sinc * u.y, sinc * u.z};
 }
 
-/// The shortest rotation that turns d onto the positive x axis; d = (-|d|, 0, 0) turns by half a turn about y. |d| > 0.
+/// Returns the shortest rotation that turns d onto the positive x axis. For d = (-|d|, 0, 0) it is half a turn about y. |d| > 0.
 template <class T>
 inline Quaternion<T> rotation_onto_x(const Vector3<T>& d) {
   using std::sqrt;

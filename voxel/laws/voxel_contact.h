@@ -9,27 +9,30 @@ namespace menger::voxel {
 /// Radius of a voxel's collision sphere as a fraction of its driven size. @cite hiller2014dynamic
 inline constexpr double collision_radius_fraction = 0.625;
 
-/// What one of two voxels brings to a contact between them.
+/// Velocity and contact coefficients of one of two voxels in contact.
 template <class T>
 struct ContactEnd {
   Vector3<T> velocity;  ///< m/s
-  T stiffness;          ///< 2 E L, N/m
-  T damping;            ///< 2 zeta_c sqrt(m E L), N s/m
+  T stiffness;          ///< N/m; 2 E L for a solid voxel
+  T damping;            ///< N s/m; 2 zeta_c sqrt(m E L) for a solid voxel
 };
 
-/// Whether two collision spheres overlap; never where the centres are the same or not finite.
+/// Whether two collision spheres overlap. False where their centres coincide or are not finite.
+/// @param distance2 square of the distance of the centres, m^2
 /// @param reach sum of the radii, m
 template <class T>
 inline MaskOf<T> spheres_overlap(const T& distance2, const T& reach) {
   return (distance2 < reach * reach) && (distance2 > constant<T>(0.0));
 }
 
-/// Force (N) of the first voxel on the second, whose spheres overlap; elsewhere the value means nothing.
+/// Returns the contact force (N) of the first voxel on the second. The value is meaningful only where their spheres overlap.
 ///
-/// With n from the first to the second voxel and the overlap d = reach - |r2 - r1| > 0: f = k d + c (v1 - v2) · n, +f n on the
-/// second; k is the harmonic mean of the stiffnesses, c the mean of the dampings. Zero where rounding leaves no overlap. @cite
-/// hiller2014dynamic
-/// @param apart r2 - r1, m @param distance2 |r2 - r1|^2
+/// Let n be the unit vector from the first to the second voxel and d = reach - |r2 - r1| > 0 the overlap. The force on the second
+/// voxel is f n with f = k d + c (v1 - v2) · n. k is the harmonic mean of the stiffnesses, c the mean of the dampings. The force
+/// is zero where rounding leaves no overlap. @cite hiller2014dynamic
+/// @param apart r2 - r1, m
+/// @param distance2 |r2 - r1|^2
+/// @param reach sum of the radii, m
 template <class T>
 inline Vector3<T> contact_force(const Vector3<T>& apart, const T& distance2, const T& reach, const ContactEnd<T>& first,
                                 const ContactEnd<T>& second) {

@@ -14,7 +14,7 @@
 namespace menger::voxel {
 namespace {
 
-/// The n-th root of a number of cells, 0 if it is no integer.
+/// Returns the `level`-th root of a number of cells, or 0 if it is not an integer.
 int root_of(int cells, int level) {
   const int root = static_cast<int>(std::lround(std::pow(cells, 1.0 / level)));
   long long power = 1;
@@ -22,7 +22,7 @@ int root_of(int cells, int level) {
   return power == cells ? root : 0;
 }
 
-/// Wall classes of the voxels of a body.
+/// Returns which wall classes the voxels of a body have, of their half beams or of their bulges.
 ByWallClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
   ByWallClass<bool> classes{};
   CalibratedBody module = calibrated;  // all modules have the same walls
@@ -36,18 +36,19 @@ ByWallClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Pol
   return classes;
 }
 
-/// Why walls of a class have no size somewhere in the drive, or an empty text.
+/// Returns why walls of a class have no size somewhere in the drive, or an empty text.
 std::string sizeless_class(const CalibratedBody& calibrated, std::size_t c) {
   const SurrogateParameters& parameters = calibrated.parameters;
   const auto text = [c](const char* what, double pressure) {
     return "wall class " + std::string(wall_class_names[c]) + what + io::number_text(pressure);
   };
-  // With rest at zero pressure in between: the drive may be ramped from there.
+  // Both ends are enough: zero pressure, from which the drive may be ramped, has a value in every law.
   for (const double pressure : calibrated.pressure_Pa) {
     for (const PressureLaw& law : {parameters.extension[c], parameters.bulge[c]}) {
       if (!law.has_value(pressure)) return text(" has no equilibrium at pressure_Pa = ", pressure);
     }
-    if (!(1.0 + parameters.extension[c].value(pressure) > 0.0)) return text(" has no length left at pressure_Pa = ", pressure);
+    if (!(1.0 + parameters.extension[c].value(pressure) > 0.0))
+      return text(" has no positive rest length at pressure_Pa = ", pressure);
   }
   return "";
 }
@@ -59,8 +60,8 @@ std::vector<std::string> faults_of(const CalibratedBody& calibrated, const BodyW
   for (const double pressure : calibrated.pressure_Pa) {
     if (covered.contains(pressure)) continue;
     faults.push_back("pressure_Pa = " + io::number_text(pressure) + " is outside the range of the fit for such a body, " +
-                     io::number_text(covered.lowest_Pa) + " to " + io::number_text(covered.highest_Pa) + " Pa, which " +
-                     (pressure < 0.0 ? covered.lowest_by + " begins" : covered.highest_by + " ends"));
+                     io::number_text(covered.lowest_Pa) + " to " + io::number_text(covered.highest_Pa) + " Pa, limited by " +
+                     (pressure < 0.0 ? covered.lowest_by + " (lowest pressure)" : covered.highest_by + " (highest pressure)"));
   }
   if (calibrated.chambers != parameters.chambers) {
     faults.push_back("chambers = \"" + std::string(to_string(calibrated.chambers)) + "\", the bodies of the fit had \"" +
@@ -113,14 +114,14 @@ HollowVoxels calibrated_voxels(const meshes::Polycube& body, const CalibratedBod
 
 std::string unusable_parameters(const CalibratedBody& calibrated, double cell_edge_m, const meshes::Polycube* basal_body) {
   const SurrogateParameters& parameters = calibrated.parameters;
-  // A design file may give the edge in other units of the last digit.
+  // The edge in a design file may differ in its last digit.
   if (!(std::abs(parameters.cell_edge_m - cell_edge_m) <= 1e-9 * cell_edge_m)) {
     return "the parameters are calibrated for cell_edge_m = " + io::number_text(parameters.cell_edge_m) +
            ", the design has cell_edge_m = " + io::number_text(cell_edge_m);
   }
   if (basal_body != nullptr) return sizeless_walls(calibrated, *basal_body);
   const std::vector<std::string> faults = sizeless_walls(calibrated);
-  return faults.size() == wall_class_count ? faults.front() + ", nor has any other" : "";
+  return faults.size() == wall_class_count ? faults.front() + ", and the same holds for all other classes" : "";
 }
 
 std::string sizeless_walls(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
@@ -157,9 +158,9 @@ std::string unrealisable_phases(const HollowVoxels& voxels, const std::vector<do
     std::optional<double>& phase = of_chamber.at(voxels.chamber[i]);
     if (!phase) phase = phases[i];
     if (*phase == phases[i]) continue;
-    return "a chamber has one pressure, but the voxels of one would need the phases " + io::number_text(*phase) + " and " +
-           io::number_text(phases[i]) + " (voxel " + std::to_string(cells[i].x) + ", " + std::to_string(cells[i].y) + ", " +
-           std::to_string(cells[i].z) + "): drive it in phase or give it chambers = \"per-phase\"";
+    return "a chamber has one pressure, but the voxels of one chamber would need the phases " + io::number_text(*phase) +
+           " and " + io::number_text(phases[i]) + " (voxel " + std::to_string(cells[i].x) + ", " + std::to_string(cells[i].y) +
+           ", " + std::to_string(cells[i].z) + "): drive the body in phase or choose chambers = \"per-phase\"";
   }
   return "";
 }

@@ -21,7 +21,7 @@ bool has_class(const BodyWalls& walls, std::size_t wall_class) {
   return std::any_of(walls.facing.begin(), walls.facing.end(), [wall_class](const auto& of_gap) { return of_gap[wall_class]; });
 }
 
-/// Calls `found(cell, axis, gap)` for every cell with the gap of walls that it lies in along an axis.
+/// Calls `found(cell, axis, gap)` for every cell and axis, with the gap between walls that the cell lies in along that axis.
 template <class Found>
 void visit_gaps(const HollowVoxels& cells, const Found& found) {
   const meshes::Polycube& body = cells.body;

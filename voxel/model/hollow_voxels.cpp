@@ -22,7 +22,7 @@ struct Slice {
   double second_moment = 0.0;  ///< of the length about the middle of the voxel, m^3
 };
 
-/// By position of the voxel in its cell, then by zone.
+/// Slices by the position of the voxel in its cell, then by zone.
 using Slices = std::vector<std::array<Slice, zones.size()>>;
 
 Slices slices(const HollowOptions& options) {
@@ -79,7 +79,7 @@ meshes::Polycube split_cells(const meshes::Polycube& cells, int parts) {
   return voxels;
 }
 
-/// Sides of a voxel that lie on a side of its cell behind which another chamber or no cell is.
+/// Returns the walled sides of a voxel: those that lie on a side of its cell behind which there is another chamber or no cell.
 std::array<bool, 6> walled_sides(const meshes::ModularBody& body, const CellIndex& cell, const std::array<int, 3>& part,
                                  int parts) {
   std::array<bool, 6> walled{};
@@ -91,7 +91,7 @@ std::array<bool, 6> walled_sides(const meshes::ModularBody& body, const CellInde
   return walled;
 }
 
-/// Of the walled sides those behind which the module goes on.
+/// Returns which of the walled sides have a cell of the same module behind them.
 std::array<bool, 6> shared_sides(const meshes::ModularBody& body, const CellIndex& cell, const std::array<bool, 6>& walled) {
   std::array<bool, 6> shared{};
   for (const meshes::Side side : meshes::all_sides) {
@@ -101,9 +101,11 @@ std::array<bool, 6> shared_sides(const meshes::ModularBody& body, const CellInde
   return shared;
 }
 
-/// Class of the bulge of a voxel's faces across an axis: by the squares of four cells that it shares with open neighbours.
-/// @param walled_across sides of the voxel parallel to the axis, in turn @param square whether all of the square between two
-/// sides that follow each other is open; the last lies between the last side and the first
+/// Returns the bulge class of the faces of a voxel across an axis, from the squares of four voxels that it shares with open
+/// neighbours.
+/// @param walled_across whether each of the four sides parallel to the axis has a wall, in turn
+/// @param square whether the whole square between one side and the next is open; the last square lies between the last side and
+/// the first
 std::uint8_t plate_class(const std::array<bool, 4>& walled_across, const std::array<bool, 4>& square) {
   constexpr std::array<std::uint8_t, 5> by_squares{walls::bend, walls::corner, walls::one, walls::none, walls::none};
   const auto squares = static_cast<std::size_t>(std::ranges::count(square, true));
@@ -113,13 +115,14 @@ std::uint8_t plate_class(const std::array<bool, 4>& walled_across, const std::ar
   return arms == 1 ? walls::three : walls::closed;
 }
 
-/// The class of a voxel's walls along an axis, by the sides that carry one, and of the bulge of its faces across it.
+/// The wall class of a voxel along an axis, from the sides that carry a wall, and the bulge class of its faces across the axis.
 struct AxisClasses {
   std::uint8_t wall;
   std::uint8_t bulge;
 };
 
-/// @param is_open whether the air of the voxel reaches another one of the grid
+/// Returns the classes of a voxel along an axis.
+/// @param is_open whether another voxel of the grid belongs to the same chamber
 template <class IsOpen>
 AxisClasses classes_along(std::size_t axis, const CellIndex& voxel, const std::array<bool, 6>& walled, const IsOpen& is_open) {
   const std::size_t first = (axis + 1) % 3;
@@ -193,7 +196,8 @@ std::vector<double> voxel_masses(const HollowVoxels& voxels, double density_kg_m
     total += masses.back();
   }
   const double smallest = smallest_share * total / static_cast<double>(masses.size());
-  // What is lifted is taken from the others in proportion, which may push more of them below: at most once per voxel.
+  // The mass added to light voxels is taken from the others in proportion. That may push more voxels below the bound; each voxel
+  // is lifted at most once.
   std::vector<bool> lifted(masses.size(), false);
   for (bool again = true; again;) {
     again = false;

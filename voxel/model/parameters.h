@@ -10,7 +10,7 @@
 
 namespace menger::voxel {
 
-/// What one of the two voxel materials is made of.
+/// Properties of one of the two voxel materials.
 struct VoxelMaterial {
   double youngs_modulus_Pa = 1e4;  ///< E > 0
   double density_kg_m3 = 10.0;     ///< rho > 0
@@ -22,14 +22,14 @@ struct VoxelMaterial {
 
 /// Damping ratios: fractions of the critical damping of the oscillator formed by one voxel and one beam (or one contact).
 struct DampingRatios {
-  double bond = 1.0;       ///< zeta, of beams; a calibrated body brings its own
+  double bond = 1.0;       ///< zeta, of beams; a calibrated body has its own
   double collision = 0.8;  ///< zeta_c, of contacts with the floor and between voxels
   double global = 0.01;    ///< zeta_g, of every voxel against the resting world
 
   bool operator==(const DampingRatios&) const = default;
 };
 
-/// Which phase a voxel is driven with.
+/// The phase that each voxel is driven with.
 enum class ActuationMode {
   none,       ///< nothing is driven
   in_phase,   ///< all voxels together, phase 0
@@ -38,11 +38,10 @@ enum class ActuationMode {
   hold        ///< all voxels together, held at the top of the cycle: the sine is 1 at all times
 };
 
-/// Drive of the voxel sizes: s = L (1 + amplitude sin(2 pi (t / period + phase))), with the amplitude growing from zero over the
-/// ramp.
+/// Drive of the voxel sizes: s = L (1 + amplitude sin(2 pi (t / period + phase))). Over the ramp the amplitude grows from zero.
 ///
-/// With ActuationMode::hold and a ramp a body is brought to a state and settles there under its damping, to be compared with an
-/// equilibrium.
+/// With ActuationMode::hold and a ramp a body is brought to a state and settles there under its damping. It can then be compared
+/// with an equilibrium.
 struct Actuation {
   ActuationMode mode = ActuationMode::antiphase;
   double amplitude = 0.144714;                     ///< a, fraction of the edge, 0 <= a < 1
@@ -62,14 +61,14 @@ struct Actuation {
 
 /// How beams are damped.
 enum class DampingMode {
-  increments,  ///< from the change of the beam's displacements since the last step: the public engines' way, needs double
-  velocity     ///< from the velocities of the ends and the rate of the rest length: conserves momentum, carries float
+  increments,  ///< from the change of a beam's displacements since the last step, as in the public engines; needs double
+  velocity     ///< from the velocities of the ends and the rate of the rest length: conserves momentum, works in float
 };
 
-/// When the damping of beams acts on the velocities that it damps; see effective_bond_ratio.
+/// How a step takes the damping of beams; see effective_bond_ratio.
 enum class BondDamping {
-  explicit_step,  ///< at the start of the step: bounds the step in full bodies
-  semi_implicit   ///< weakened so that it bounds no step: for steps up to three times as long, at less damping
+  explicit_step,  ///< with the velocities at the start of the step: limits the step in full bodies
+  semi_implicit   ///< weakened so that it does not limit the step: for steps up to three times as long, with less damping
 };
 
 enum class NumberType { float64, float32 };
@@ -81,42 +80,43 @@ struct Integration {
   NumberType number = NumberType::float64;
   BondDamping bond_damping = BondDamping::explicit_step;
 
-  /// Round rest lengths to 24 bits, as the public engine keeps them. Damping from increments divides that rounding by the step:
-  /// at a tenth of the paper's step it is a force noise of about a percent of a light robot's friction, enough to start a slip
-  /// early. For comparisons only.
+  /// Rounds rest lengths to 24 bits, as the public engine stores them. For comparisons only. Damping from increments divides that
+  /// rounding error by the step. At a tenth of the paper's step this is a force noise of about one percent of the friction of a
+  /// light robot, enough to start a slip early.
   bool single_precision_rest_lengths = false;
 
   bool operator==(const Integration&) const = default;
 };
 
-/// Contact between surface voxels as spheres of 0.625 of their size.
+/// Contact between surface voxels, taken as spheres with a radius of 0.625 of their size.
 struct Collisions {
-  /// Voxels that are this many beams apart or fewer never collide: 1 excludes direct neighbours (voxcraft-sim), 5 is Voxelyze's
-  /// rule; none: off.
+  /// Voxels that are at most this many beams apart never collide. 1 excludes direct neighbours (voxcraft-sim), 5 is the rule of
+  /// Voxelyze. None: collisions are off.
   std::optional<int> exclusion_depth = 1;
 
   bool operator==(const Collisions&) const = default;
 };
 
-/// Beyond these a run is called diverged. Tested over all voxels and beams at every step.
+/// Limits beyond which a run has diverged. They are tested over all voxels and beams at every step.
 struct DivergenceLimits {
-  double speed_fraction =
-      0.2;              ///< largest speed as a fraction of the wave speed sqrt(E / rho) of the stiffest and lightest material
+  /// Largest speed as a fraction of the wave speed: sqrt(E / rho) of the stiffest and lightest material, or in a calibrated body
+  /// the largest sqrt(axial_Pa L^3 / m) of any voxel and axis.
+  double speed_fraction = 0.2;
   double strain = 1.0;  ///< largest magnitude of a beam's axial strain
 
   bool operator==(const DivergenceLimits&) const = default;
 };
 
-/// All that decides how a body of voxels moves.
+/// Everything that decides how a body of voxels moves.
 struct Physics {
-  /// Materials 1 and 2. Of a calibrated body they give the friction only.
+  /// Materials 1 and 2. A calibrated body takes only the friction from them.
   std::array<VoxelMaterial, 2> materials{};
 
-  /// c of LateralCoupling, 0 <= c < 1: stretched bodies get thinner, by c / (1 + c) where they are wide. 0: not computed at all.
-  /// A calibrated body brings its own; see effective_coupling.
+  /// Coefficient c of LateralCoupling, 0 <= c < 1. A stretched body gets thinner, by c / (1 + c) of its strain where it is wide.
+  /// 0: not computed at all. A calibrated body has its own value; see effective_coupling.
   double lateral_coupling = 0.0;
 
-  /// Hollow cells driven by pressure; Actuation::amplitude is without effect then. None: solid voxels driven by size.
+  /// Hollow cells driven by pressure; Actuation::amplitude then has no effect. None: solid voxels driven by size.
   std::optional<CalibratedBody> surrogate;
 
   DampingRatios damping_ratios;
@@ -134,7 +134,7 @@ struct Physics {
   bool operator==(const Physics&) const = default;
 };
 
-/// The lateral coupling that counts: the parameters' of a calibrated body.
+/// Returns the lateral coupling in use: that of the calibrated parameters where there are any, otherwise that of the physics.
 inline double effective_coupling(const Physics& physics) {
   return physics.surrogate ? physics.surrogate->parameters.lateral_coupling : physics.lateral_coupling;
 }

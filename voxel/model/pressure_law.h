@@ -4,14 +4,14 @@
 
 namespace menger::voxel {
 
-/// How much longer a voxel or a bulge gets with the gauge pressure p of its chamber, as a fraction x of the voxel edge:
+/// How much a voxel lengthens, or a wall bulges, with the gauge pressure p of its chamber, as a fraction x of the voxel edge:
 ///
 ///   p >= 0:  x(p) = a * p * (w / (1 + k * p) + (1 - w) / (1 - q * p))
 ///   p < 0:   x(p) = a * p / (1 - v * |p|)
 ///
-/// Flat walls bend first and then stretch: the share w of bending fades beyond p = 1 / k. The rest softens towards the limit
-/// pressure 1 / q, where no equilibrium is left, or stiffens if q is negative. The slope at p = 0 is a from both sides. Vacuum
-/// has a softening v of its own, because walls that fold inwards are not walls that stretch.
+/// Flat walls bend first and then stretch. The share w of bending fades beyond p = 1 / k. The rest softens towards the limit
+/// pressure 1 / q, where no equilibrium is left; it stiffens if q is negative. The slope at p = 0 is a from both sides. Vacuum
+/// has a softening v of its own, because walls that fold inwards behave differently from walls that stretch.
 struct PressureLaw {
   double slope_per_Pa = 0.0;               ///< a
   double pressure_softening_per_Pa = 0.0;  ///< q, of either sign
@@ -27,13 +27,13 @@ struct PressureLaw {
   /// Whether the law has a value at a pressure: q |p| < 1.
   [[nodiscard]] bool has_value(double pressure_Pa) const { return softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa) < 1.0; }
 
-  /// x(p), where it has a value.
+  /// Returns x(p). Only where has_value(p).
   [[nodiscard]] double value(double pressure_Pa) const {
     const double share = pressure_Pa >= 0.0 ? fading_share : 0.0;
     const double rest = 1.0 - softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa);
     return slope_per_Pa * pressure_Pa * (share / (1.0 + fading_per_Pa * std::abs(pressure_Pa)) + (1.0 - share) / rest);
   }
-  /// dx/dp, 1/Pa.
+  /// Returns dx/dp, 1/Pa.
   [[nodiscard]] double derivative(double pressure_Pa) const {
     const double share = pressure_Pa >= 0.0 ? fading_share : 0.0;
     const double rest = 1.0 - softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa);

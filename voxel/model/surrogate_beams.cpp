@@ -49,13 +49,14 @@ BeamCoefficients<double> beam_coefficients(const SectionStiffness& section, doub
   c.bend = 6.0 * section.bending_N_m2 / length2 / softening;
   c.turn = 2.0 * section.bending_N_m2 / length_m / softening;
   c.turn_difference = 0.5 * phi * c.turn;
-  // The inertia of a solid voxel, m l^2 / 6, stands in for the ends': their own would make the damping of bending indefinite.
+  // The roots use the moment of inertia of a solid voxel, m l^2 / 6. Those of the ends would make the damping of bending
+  // indefinite.
   c.axial_root = std::sqrt(c.axial / length_m);
   c.shear_root = std::sqrt(c.shear);
   c.bend_root = std::sqrt(c.bend * length_m / 2.0);
   c.turn_root = std::sqrt(c.turn * length2 / 6.0);
   c.twist_root = std::sqrt(c.twist * length2 / 6.0);
-  // Under opposite rotations of the ends turn_root + 2 turn_difference_root damps: the root without shear.
+  // Opposite rotations of the two ends are damped by turn_root + 2 turn_difference_root, which is the root without shear.
   c.turn_difference_root = 0.5 * (std::sqrt(softening) - 1.0) * c.turn_root;
   return c;
 }

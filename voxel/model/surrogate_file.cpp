@@ -23,8 +23,9 @@ constexpr const char* seven_moduli = "[5e4, 5e4, 5e4, 5e4, 5e4, 5e4, 5e4]";
 constexpr const char* seven_pressures = "[5e3, 5e3, 5e3, 5e3, 5e3, 5e3, 5e3]";
 constexpr const char* seven_vacua = "[-2e3, -2e3, -2e3, -2e3, -2e3, -2e3, -2e3]";
 
-/// Where the law of a class of voxels must have a value: over the range of the class. Voxels of a divided cell have other classes
-/// than it, and any of them may come under any pressure.
+/// Returns the pressures between which the law of a wall class must have a value: the range of validity of the class. The voxels
+/// of a divided cell have other classes than the cell, and any of them may be under any pressure; so then it is the range of all
+/// classes together.
 std::array<double, 2> law_range(const SurrogateParameters& parameters, std::size_t wall_class) {
   const ValidityRange& validity = parameters.validity;
   std::array<double, 2> range{0.0, 0.0};
@@ -36,7 +37,8 @@ std::array<double, 2> law_range(const SurrogateParameters& parameters, std::size
   return range;
 }
 
-/// Demands that each law is sound over the range of validity of its class.
+/// Checks that each law has a value, and leaves a length, over the range of validity of its class.
+/// @throws io::InputError otherwise
 void check_laws(const io::TomlTable& table, const SurrogateParameters& parameters, const ByWallClass<PressureLaw>& laws,
                 bool is_extension) {
   for (std::size_t c = 0; c < wall_class_count; ++c) {
@@ -48,14 +50,15 @@ void check_laws(const io::TomlTable& table, const SurrogateParameters& parameter
             softening, "the law has its pole within the range of validity, which ends at " + io::number_text(end) + " Pa", entry);
       }
       if (is_extension && !(1.0 + laws[c].value(end) > 0.0)) {
-        throw table.error("slope_per_Pa", "no length is left at " + io::number_text(end) + " Pa, within the range of validity",
+        throw table.error("slope_per_Pa",
+                          "the rest length is not positive at " + io::number_text(end) + " Pa, within the range of validity",
                           entry);
       }
     }
   }
 }
 
-/// One value of the laws of all classes.
+/// Describes one value of the laws of all classes as one list.
 void describe_of_laws(io::StudyVisitor& visitor, const io::Key& key, ByWallClass<PressureLaw>& laws, double PressureLaw::*value,
                       const io::Range& range = io::any_number()) {
   ByWallClass<double> values{};
@@ -65,36 +68,38 @@ void describe_of_laws(io::StudyVisitor& visitor, const io::Key& key, ByWallClass
 }
 
 void describe_laws(io::StudyVisitor& visitor, ByWallClass<PressureLaw>& laws) {
-  describe_of_laws(visitor, {"slope_per_Pa", "Change of length by pressure at rest.", seven_zeros}, laws,
+  describe_of_laws(visitor, {"slope_per_Pa", "Change of length per pressure, at zero pressure.", seven_zeros}, laws,
                    &PressureLaw::slope_per_Pa);
   describe_of_laws(visitor, {"pressure_softening_per_Pa", "Reciprocal of the limit pressure.", seven_zeros}, laws,
                    &PressureLaw::pressure_softening_per_Pa);
-  describe_of_laws(visitor, {"vacuum_softening_per_Pa", "Reciprocal of the limit pressure of vacuum.", seven_zeros}, laws,
+  describe_of_laws(visitor, {"vacuum_softening_per_Pa", "Reciprocal of the limit pressure under vacuum.", seven_zeros}, laws,
                    &PressureLaw::vacuum_softening_per_Pa);
-  describe_of_laws(visitor, {"fading_share", "Share of the answer that fades under pressure.", seven_zeros}, laws,
+  describe_of_laws(visitor, {"fading_share", "Share of the response that fades under pressure.", seven_zeros}, laws,
                    &PressureLaw::fading_share, io::within(0.0, 1.0));
-  describe_of_laws(visitor, {"fading_per_Pa", "Reciprocal of the pressure from which on it fades.", seven_zeros}, laws,
+  describe_of_laws(visitor, {"fading_per_Pa", "Reciprocal of the pressure above which this share fades.", seven_zeros}, laws,
                    &PressureLaw::fading_per_Pa, io::non_negative());
 }
 
 void describe_subject(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
   visitor.text({"silicone", "Name of the silicone.", "\"Dragon Skin 10\""}, parameters.silicone);
-  visitor.text({"law", "Its law, as one line.", "\"neo-Hookean\""}, parameters.law);
-  visitor.number({"cell_edge_m", "Edge of a cell that is cast.", "0.01"}, parameters.cell_edge_m, io::positive());
-  visitor.number({"wall_thickness_m", "Thickness of its walls.", "0.002"}, parameters.wall_thickness_m, io::positive());
+  visitor.text({"law", "Law of the silicone, on one line.", "\"neo-Hookean\""}, parameters.law);
+  visitor.number({"cell_edge_m", "Edge of a cast cell.", "0.01"}, parameters.cell_edge_m, io::positive());
+  visitor.number({"wall_thickness_m", "Thickness of the walls of a cell.", "0.002"}, parameters.wall_thickness_m, io::positive());
   visitor.check(parameters.wall_thickness_m < 0.5 * parameters.cell_edge_m, "wall_thickness_m",
                 "must be less than half of cell_edge_m");
   visitor.integer({"voxels_per_cell", "Voxels along the edge of a cell.", "1"}, parameters.voxels_per_cell,
                   io::within(1, most_voxels_per_cell));
-  visitor.word({"chambers", "What is one chamber: a whole module, or each region of one phase.", "\"single\""},
-               parameters.chambers, meshes::chamber_layout_words());
+  visitor.word(
+      {"chambers", "Cells that share one chamber: all cells of a module, or each connected region of cells of one phase.",
+       "\"single\""},
+      parameters.chambers, meshes::chamber_layout_words());
 }
 
 void describe(io::StudyVisitor& visitor, ValidityRange& range) {
   constexpr ByGap<std::array<const char*, 2>> lowest{
       {{"lowest_pressure_gap_1_Pa", "Lowest pressure of cells between walls that face each other one cell apart."},
-       {"lowest_pressure_gap_2_Pa", "The same, two cells apart."},
-       {"lowest_pressure_gap_3_Pa", "The same, three cells apart or more."}}};
+       {"lowest_pressure_gap_2_Pa", "Lowest pressure of cells between walls that face each other two cells apart."},
+       {"lowest_pressure_gap_3_Pa", "Lowest pressure of cells between walls that face each other three cells apart or more."}}};
   for (std::size_t gap = 0; gap < gap_count; ++gap)
     visitor.numbers({lowest[gap][0], lowest[gap][1], seven_vacua}, range.lowest_pressure_Pa[gap], io::at_most(0.0));
   visitor.numbers({"highest_pressure_Pa", "Highest pressure of cells.", seven_pressures}, range.highest_pressure_Pa,
@@ -103,28 +108,28 @@ void describe(io::StudyVisitor& visitor, ValidityRange& range) {
                  io::at_most(0.0));
   visitor.number({"highest_joint_pressure_Pa", "Highest pressure of bodies with joints.", "5e3"}, range.highest_joint_pressure_Pa,
                  io::non_negative());
-  visitor.number({"smallest_strain", "Lowest strain of beams beyond their rest length.", "-0.1"}, range.smallest_strain,
-                 io::at_most(0.0));
-  visitor.number({"largest_strain", "Highest strain of beams beyond their rest length.", "0.1"}, range.largest_strain,
+  visitor.number({"smallest_strain", "Lowest axial strain of beams, relative to their rest length.", "-0.1"},
+                 range.smallest_strain, io::at_most(0.0));
+  visitor.number({"largest_strain", "Highest axial strain of beams, relative to their rest length.", "0.1"}, range.largest_strain,
                  io::non_negative());
-  visitor.integer({"longest_body_cells", "Cells along the longest side of a module.", "3"}, range.longest_body_cells,
-                  io::at_least(1));
-  visitor.integer({"longest_aggregate_modules", "Modules along the longest side of a body.", "1"},
+  visitor.integer({"longest_body_cells", "Largest number of cells along the longest side of a module.", "3"},
+                  range.longest_body_cells, io::at_least(1));
+  visitor.integer({"longest_aggregate_modules", "Largest number of modules along the longest side of a body.", "1"},
                   range.longest_aggregate_modules, io::at_least(1));
 }
 
 void describe_stiffness(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
-  visitor.numbers({"axial_Pa", "Modulus of beams along their axis.", seven_moduli}, parameters.axial_Pa, io::positive());
-  visitor.numbers({"bending_Pa", "Modulus of their bending.", seven_moduli}, parameters.bending_Pa, io::positive());
-  visitor.numbers({"torsion_Pa", "Modulus of their torsion.", seven_moduli}, parameters.torsion_Pa, io::positive());
-  visitor.numbers({"shear_compliance_per_Pa", "Compliance of their shear; 0: sections stay normal to the axis."},
+  visitor.numbers({"axial_Pa", "Axial modulus of beams.", seven_moduli}, parameters.axial_Pa, io::positive());
+  visitor.numbers({"bending_Pa", "Bending modulus of beams.", seven_moduli}, parameters.bending_Pa, io::positive());
+  visitor.numbers({"torsion_Pa", "Torsion modulus of beams.", seven_moduli}, parameters.torsion_Pa, io::positive());
+  visitor.numbers({"shear_compliance_per_Pa", "Shear compliance of beams. 0 means that sections stay normal to the axis."},
                   parameters.shear_compliance_per_Pa, io::non_negative());
-  visitor.number({"lateral_coupling", "How much a stretched body gets thinner.", "0"}, parameters.lateral_coupling,
+  visitor.number({"lateral_coupling", "How much a body becomes thinner when it is stretched.", "0"}, parameters.lateral_coupling,
                  {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
 }
 
-/// The calibration's report may hold any table and any key. Asking for it as a text counts as having seen the table, but not as
-/// having entered it.
+/// Accepts a table without reading what is in it, because the calibration's report may hold any table and any key. Asking for the
+/// key counts as having seen the table, but not as having entered it.
 void leave_unread(const io::TomlTable& top, std::string_view key) {
   if (top.asks_for(key) && !top.is_table(key)) throw top.error(key, "must be a table");
 }
@@ -136,34 +141,36 @@ std::string_view to_string(meshes::ChamberLayout layout) {
 }
 
 void describe(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
-  visitor.table({"holds_for", "What the parameters were fitted on."}, [&] { describe_subject(visitor, parameters); });
-  visitor.table({"validity", "Beyond what they say nothing."}, [&] { describe(visitor, parameters.validity); });
-  visitor.table({"mass", "Of the silicone."}, [&] {
+  visitor.table({"holds_for", "Silicone and cells that the parameters were fitted for."},
+                [&] { describe_subject(visitor, parameters); });
+  visitor.table({"validity", "Range of validity of the parameters."}, [&] { describe(visitor, parameters.validity); });
+  visitor.table({"mass", "Mass of the silicone."}, [&] {
     const io::Key density{
         .name = "density_kg_per_m3", .help = "Density of the silicone.", .example = "1070", .earlier = "density_kg_m3"};
     visitor.number(density, parameters.density_kg_m3, io::positive());
   });
-  visitor.table({"stiffness", "Of beams, by wall class."}, [&] { describe_stiffness(visitor, parameters); });
-  visitor.table({"joint", "Of beams from one module or chamber to another, beside those of all others."}, [&] {
-    visitor.number({"axial_factor", "Of the stiffness along the axis.", "1"}, parameters.joint.axial, io::positive());
-    visitor.number({"bending_factor", "Of the bending stiffness.", "1"}, parameters.joint.bending, io::positive());
-    visitor.number({"torsion_factor", "Of the torsional stiffness.", "1"}, parameters.joint.torsion, io::positive());
-  });
-  visitor.table({"extension", "How the rest length of beams answers to pressure, by wall class."}, [&] {
+  visitor.table({"stiffness", "Stiffness of beams, by wall class."}, [&] { describe_stiffness(visitor, parameters); });
+  visitor.table(
+      {"joint", "Factors on the stiffness of beams between two modules or two chambers, relative to all other beams."}, [&] {
+        visitor.number({"axial_factor", "Factor on the axial stiffness.", "1"}, parameters.joint.axial, io::positive());
+        visitor.number({"bending_factor", "Factor on the bending stiffness.", "1"}, parameters.joint.bending, io::positive());
+        visitor.number({"torsion_factor", "Factor on the torsional stiffness.", "1"}, parameters.joint.torsion, io::positive());
+      });
+  visitor.table({"extension", "How the rest length of beams depends on pressure, by wall class."}, [&] {
     describe_laws(visitor, parameters.extension);
     if (const io::TomlTable* table = visitor.source()) check_laws(*table, parameters, parameters.extension, true);
   });
-  visitor.table({"bulge", "How faces with a wall answer to pressure, by wall class."}, [&] {
+  visitor.table({"bulge", "How far faces with a wall bulge under pressure, by wall class."}, [&] {
     describe_laws(visitor, parameters.bulge);
     if (const io::TomlTable* table = visitor.source()) check_laws(*table, parameters, parameters.bulge, false);
-    visitor.numbers({"peak_ratio", "Largest bulge of a face by its mean.", seven_ones}, parameters.bulge_peak_ratio,
-                    io::at_least(1.0));
+    visitor.numbers({"peak_ratio", "Largest bulge of a face, divided by its mean bulge.", seven_ones},
+                    parameters.bulge_peak_ratio, io::at_least(1.0));
   });
   visitor.table({"ground", "Contact with the ground."}, [&] {
-    visitor.number({"stiffness_N_per_m", "Of a voxel that stands on all feet of a wall.", "500"},
+    visitor.number({"stiffness_N_per_m", "Contact stiffness of a voxel that stands on all feet of a wall.", "500"},
                    parameters.ground_stiffness_N_per_m, io::positive());
   });
-  visitor.table({"damping", "Of beams."}, [&] {
+  visitor.table({"damping", "Damping of beams."}, [&] {
     visitor.number({"bond_ratio", "Fraction of critical damping.", "1"}, parameters.bond_damping_ratio, io::non_negative());
     visitor.boolean({"measured", "Whether the ratio comes from a measured loss; otherwise it is assumed.", "false"},
                     parameters.damping_measured);
@@ -179,11 +186,11 @@ SurrogateParameters read_surrogate(const std::filesystem::path& file) {
   describe(reader, parameters);
   leave_unread(top, "fit");
   top.finish();
-  // Of the report only this matters, and what else stands in it is nobody's fault: so it is read apart.
+  // Only the status of the report matters. The report is read separately so that its other keys are not refused.
   const io::TomlTable again = io::read_toml(file);
   if (const auto fit = again.optional_table("fit")) {
     const std::string status = fit->text_or("status", "completed");
-    if (status != "completed") throw fit->error("status", "the calibration did not complete; its parameters are not to be used");
+    if (status != "completed") throw fit->error("status", "the calibration did not complete: do not use its parameters");
   }
   return parameters;
 }

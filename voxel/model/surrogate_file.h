@@ -11,17 +11,18 @@ namespace menger::voxel {
 
 std::string_view to_string(meshes::ChamberLayout layout);  ///< "single" or "per-phase"
 
-/// The keys of voxel parameters. Lists of seven numbers go by wall class.
+/// Describes the keys of voxel parameters. Lists of seven numbers are ordered by wall class.
 ///
-/// A reader refuses a law with its pole, or a size that vanishes, within the range of validity of its wall class (of any, where a
-/// cell has several voxels).
+/// A reader refuses a law that has its pole within the range of validity of its wall class, or an extension that leaves no length
+/// there. Where a cell has several voxels, it takes the ranges of all classes.
 void describe(io::StudyVisitor& visitor, SurrogateParameters& parameters);
 
-/// Parameters as the TOML that read_surrogate reads, exact and always in the same order: equal text means equal parameters.
+/// Returns parameters as the TOML that read_surrogate reads. The text is exact and always in the same order: equal texts mean
+/// equal parameters.
 std::string surrogate_text(const SurrogateParameters& parameters);
 
-/// Reads voxel parameters, also those that earlier versions wrote. A table `[fit]`, in which a calibration reports how it found
-/// them, is left unread, but for its status: of a file that is not "completed" the parameters are refused.
+/// Reads voxel parameters, also files that earlier versions wrote. A table `[fit]`, in which a calibration reports how it found
+/// them, is not read except for its status. A file whose status is not "completed" is refused.
 /// @throws io::InputError with file, key and value
 SurrogateParameters read_surrogate(const std::filesystem::path& file);
 

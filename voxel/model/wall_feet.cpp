@@ -10,12 +10,12 @@ namespace menger::voxel {
 
 namespace {
 
-/// Sides of a voxel and of the lattice: lower 2 * axis, upper one more.
+/// Returns the index of a side: 2 * axis for the lower one, 2 * axis + 1 for the upper one.
 std::size_t side_of(std::size_t axis, bool upper) { return 2 * axis + (upper ? 1 : 0); }
 
 double sign(bool upper) { return upper ? 1.0 : -1.0; }
 
-/// One that a plate has where four of its voxels meet.
+/// Returns the crown of a plate at the corner where four of its voxels meet.
 WallFoot crown_of(std::vector<std::size_t> plate, std::size_t axis, const std::array<double, 3>& signs) {
   WallFoot foot;
   foot.kind = WallFoot::Kind::crown;
@@ -26,10 +26,10 @@ WallFoot crown_of(std::vector<std::size_t> plate, std::size_t axis, const std::a
   return foot;
 }
 
-/// What a voxel has on one of its free sides.
+/// The crowns and the corners that a voxel has on one of its free sides.
 struct SideFeet {
   std::vector<WallFoot> crowns;
-  std::vector<std::array<double, 3>> rim;  ///< signs of the corners that no plate goes on beyond
+  std::vector<std::array<double, 3>> rim;  ///< signs of the corners beyond which no plate continues
 };
 
 SideFeet side_feet(const Lattice& lattice, const HollowVoxels& voxels, std::size_t voxel, std::size_t axis, bool upper) {
@@ -67,7 +67,7 @@ WallFoot middle_of(std::size_t voxel, std::size_t axis, bool upper, bool is_slop
 std::vector<WallFoot> wall_feet(const Lattice& lattice, const HollowVoxels& voxels, std::size_t voxel) {
   std::vector<WallFoot> feet;
   std::vector<WallFoot> crowns;
-  std::set<std::array<double, 3>> corners;  // those of two walls once
+  std::set<std::array<double, 3>> corners;  // a corner of two walls counts once
   for (std::size_t side = 0; side < 6; ++side) {
     if (!has_free_wall(lattice, voxels, voxel, side)) continue;
     const std::size_t axis = side / 2;

@@ -39,7 +39,7 @@ std::vector<CollectionEntry> read_collection(const std::filesystem::path& file) 
   const std::string text = io::read_whole(file);
   const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromString(text.c_str()));
   vtkXMLDataElement* collection = root == nullptr ? nullptr : root->FindNestedElementWithName("Collection");
-  if (collection == nullptr) throw io::InputError(file.string() + ": is no ParaView collection");
+  if (collection == nullptr) throw io::InputError(file.string() + ": is not a ParaView collection");
 
   std::vector<CollectionEntry> entries;
   for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
@@ -50,7 +50,7 @@ std::vector<CollectionEntry> read_collection(const std::filesystem::path& file) 
       throw io::InputError(file.string() + ": data set " + std::to_string(i + 1) + ": file or timestep is missing");
     }
     entry.file = name;
-    element->GetScalarAttribute("part", entry.part);  // stays 0 where there is none
+    element->GetScalarAttribute("part", entry.part);  // stays 0 if there is none
     entries.push_back(entry);
   }
   return entries;

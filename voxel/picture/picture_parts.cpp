@@ -28,10 +28,10 @@ namespace {
 
 constexpr std::array<std::array<unsigned char, 3>, 2> material_colours{{{72, 196, 212}, {232, 86, 80}}};
 
-/// Towards the light: the three visible sides of a resting cube get three different brightnesses.
+/// Direction to the light. The three visible sides of a resting cube get three different brightnesses.
 constexpr Vector light_direction{0.25, -0.47, 0.85};
 
-/// A flat patch of even colour.
+/// Adds a surface in one colour without shading.
 void add_flat(vtkRenderer& renderer, vtkPolyData& surface, const std::array<double, 3>& colour) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&surface);

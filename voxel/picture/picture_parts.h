@@ -14,37 +14,37 @@
 
 namespace menger::voxel {
 
-/// A robot moved by `shift` for the picture.
+/// A robot, moved by `shift` in the picture.
 struct Placed {
   const Frame* frame;
   Vector shift;
 };
 
-/// The sides of boxes with the colours of their materials, one each. @param corners_m in the order of VTK_HEXAHEDRON
+/// The sides of boxes, each box in the colour of its material. @param corners_m in the order of VTK_HEXAHEDRON
 vtkSmartPointer<vtkPolyData> box_surface(std::span<const std::array<Vector, 8>> corners_m,
                                          std::span<const meshes::Material> materials);
 
-/// The sides of all cubes with the colours of their materials.
+/// The sides of all cubes of a robot, in the colours of their materials.
 vtkSmartPointer<vtkPolyData> robot_surface(const Placed& robot);
 
-/// A copy of a surface elsewhere; what lies on it is shared.
+/// A moved copy of a surface; it shares the data on the surface.
 vtkSmartPointer<vtkPolyData> moved(vtkPolyData& surface, const Vector& shift);
 
-/// Where the light throws a point onto the ground of the given height.
+/// The shadow of a point on the ground at a given height.
 Vector shadow_of(const Vector& point, double ground_height);
 
-/// Add parts of a picture to a renderer. What lies on the ground is drawn at heights of its own, so that no two surfaces
-/// coincide.
+/// Adds the light to a renderer. This and the following functions add the parts of a picture. Parts on the ground are drawn at
+/// different heights, so that no two surfaces coincide.
 void add_light(vtkRenderer& renderer);
 void add_robot(vtkRenderer& renderer, vtkPolyData& surface, double line_width);
 
-/// Finite elements. @param line_width of their edges; 0: no edges
+/// Adds finite elements. @param line_width of their edges; 0: no edges
 void add_elements(vtkRenderer& renderer, vtkPolyData& surface, double line_width);
 void add_floor(vtkRenderer& renderer, const Extent& ground, double height);
 void add_shadow(vtkRenderer& renderer, vtkPolyData& surface, double ground_height, double height);
 void add_trail(vtkRenderer& renderer, std::span<const Vector> trail);
 
-/// @param across position of the caption's middle, 0 to 1 from left to right
+/// Adds a caption. @param across position of its middle, 0 to 1 from left to right
 void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size);
 
 }  // namespace menger::voxel

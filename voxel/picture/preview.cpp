@@ -15,7 +15,7 @@
 namespace menger::voxel {
 namespace {
 
-/// Shifts that put robots on one horizontal line across the picture, with gaps, and centre them over the origin.
+/// Shifts that place robots on one horizontal line across the picture, with gaps, centred over the origin.
 std::vector<Placed> side_by_side(std::span<const Frame> frames, const View& view) {
   constexpr double gap = 0.35;  // of the mean width
   double width = 0.0;
@@ -45,7 +45,7 @@ Extent moved(Extent extent, const Vector& shift) {
   return extent;
 }
 
-/// The ground under a robot: its box and its shadow with a margin around.
+/// The ground under a robot: its box and its shadow, with a margin around them.
 Extent tile_of(const Placed& robot, std::span<const Vector> trail, double ground_height) {
   const Extent box = moved(world_extent(*robot.frame), robot.shift);
   Extent tile = box;
@@ -61,7 +61,7 @@ Extent tile_of(const Placed& robot, std::span<const Vector> trail, double ground
   return tile;
 }
 
-/// Extent along the view of the four corners of a tile.
+/// Extent of the four corners of a tile, along the axes of the view.
 Extent view_of_tile(const Extent& tile, const View& view) {
   Extent seen;
   for (const double x : {tile.low[0], tile.high[0]}) {

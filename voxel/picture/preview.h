@@ -14,16 +14,15 @@ namespace menger::voxel {
 /// Size and content of a picture of robots.
 struct RobotStyle {
   io::PictureStyle picture{};
-  bool floor = true;  ///< the ground the robots stand on
+  bool floor = true;  ///< whether to draw the ground
 };
 
-/// Draws a robot as a PNG picture, seen from above at an angle: lit cubes, material 1 in cyan, material 2 in red, on the ground.
+/// Draws a robot as a PNG picture, seen from above at an angle: lit cubes on the ground, material 1 in cyan, material 2 in red.
 ///
-/// Renders off-screen on the X display at hand, or on a virtual one that is started for the purpose; where there is neither,
-/// nothing is drawn and the outcome says what is missing. Pictures are for looking at: their bytes depend on the graphics
-/// library.
-/// @param trail_m path of the centre of mass, drawn on the ground where there is one @throws io::InputError if the place cannot
-/// be written
+/// Renders off-screen on the available X display, or on a virtual one that is started for this purpose. If there is neither,
+/// nothing is drawn and the outcome states what is missing. The bytes of a picture depend on the graphics library, so pictures
+/// are only for viewing.
+/// @param trail_m path of the centre of mass, drawn on the ground if given @throws io::InputError if the place cannot be written
 io::PictureOutcome render_robot(const std::filesystem::path& file, const Frame& frame,
                                 std::span<const std::array<double, 3>> trail_m = {}, const RobotStyle& style = {});
 
@@ -32,7 +31,8 @@ io::PictureOutcome render_row(const std::filesystem::path& file, std::span<const
                               std::span<const std::string> captions = {},
                               const RobotStyle& style = {.picture = {.width_px = 2400, .height_px = 1100}});
 
-/// Draws a trajectory: horizontal displacement in body lengths over time, and the path seen from above.
+/// Draws a trajectory of the centre of mass as a PNG picture with two charts: the horizontal displacement over time, and the path
+/// seen from above. Both are in body lengths. Draws nothing, and says so in the outcome, for fewer than two points.
 io::PictureOutcome plot_trajectory(const std::filesystem::path& file, const Trajectory& trajectory, double body_length_m,
                                    const io::PictureStyle& style = {.width_px = 1600, .height_px = 800});
 

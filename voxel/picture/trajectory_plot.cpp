@@ -5,14 +5,14 @@
 namespace menger::voxel {
 namespace {
 
-/// Axes cover at least this many body lengths, so that a body that stays where it is does not fill the plot with its tremor.
+/// Axes cover at least this many body lengths. Otherwise the small motions of a body at rest would fill the plot.
 constexpr double least_span = 0.02;
 
 }  // namespace
 
 io::PictureOutcome plot_trajectory(const std::filesystem::path& file, const Trajectory& trajectory, double body_length_m,
                                    const io::PictureStyle& style) {
-  if (trajectory.size() < 2) return {.missing = "a trajectory of at least two records"};
+  if (trajectory.size() < 2) return {.missing = "it needs at least two records"};
   io::ChartSeries over_time;
   io::ChartSeries from_above;
   for (const TrajectoryPoint& point : trajectory) {

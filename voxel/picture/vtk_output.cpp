@@ -31,7 +31,7 @@ void add_real_array(vtkUnstructuredGrid& grid, const char* name, const std::vect
   grid.GetCellData()->AddArray(array);
 }
 
-/// Whole, since what is measured between voxels is small beside where they are.
+/// Adds points as float64, because differences between voxels are small compared with their positions.
 void add_points_array(vtkUnstructuredGrid& grid, const char* name, const std::vector<std::array<double, 3>>& points) {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
@@ -67,7 +67,7 @@ void add_cubes(vtkUnstructuredGrid& grid, const Frame& frame) {
   grid.SetPoints(points);
 }
 
-/// frame_0000.vtu and its like, of any number of digits.
+/// Whether a name is frame_0000.vtu or the like, with any number of digits.
 bool is_frame_name(std::string_view name) {
   constexpr std::string_view before = "frame_", after = ".vtu";
   if (name.size() <= before.size() + after.size() || !name.starts_with(before) || !name.ends_with(after)) return false;
@@ -99,7 +99,7 @@ FrameSeries::FrameSeries(std::filesystem::path folder, std::string name) : folde
 
 void FrameSeries::remove_earlier() const {
   io::remove_if_there(collection_file());
-  // Collected first: whether a listing goes on over files that vanish is not defined.
+  // All names are collected first, because it is not defined whether a listing continues correctly while files are removed.
   std::vector<std::filesystem::path> frames;
   std::error_code no_such_folder;
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / name_, no_such_folder)) {

@@ -13,7 +13,7 @@ BodyPieces body_pieces(const meshes::Polycube& body, const Physics& physics) {
     pieces.text += ", which cannot be cast as one body";
   } else {
     pieces.text += " that no beam joins";
-    if (physics.surrogate) pieces.text += ": bodies of their own, whose chambers are driven alike";
+    if (physics.surrogate) pieces.text += ": they are separate bodies, whose chambers are driven in the same way";
   }
   return pieces;
 }

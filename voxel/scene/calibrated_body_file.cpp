@@ -17,34 +17,34 @@ const io::Words<OutsideRange>& outside_range_words() {
   return words;
 }
 
-/// Whether a body has parameters; a new one has none.
+/// Whether a body has parameters. A new one has none.
 bool has_parameters(const CalibratedBody& body) { return body.parameters.cell_edge_m > 0.0; }
 
 void describe_parameters(io::StudyVisitor& visitor, CalibratedBody& body) {
   const auto in_place = [&] {
-    visitor.table({.name = "values", .help = "The parameters themselves.", .earlier = "parameters"},
+    visitor.table({.name = "values", .help = "Voxel parameters, given here instead of in a file.", .earlier = "parameters"},
                   [&] { describe(visitor, body.parameters); });
   };
   const auto in_file = [&] {
     if (const io::TomlTable* table = visitor.source(); table != nullptr && table->is_table("parameters")) return in_place();
     std::filesystem::path file;
-    visitor.path({"parameters", "Voxel parameters, a file that menger calibrate wrote.", "\"parameters.toml\""}, file);
+    visitor.path({"parameters", "File of voxel parameters that menger calibrate wrote.", "\"parameters.toml\""}, file);
     if (visitor.source() != nullptr) body.parameters = read_surrogate(file);
   };
   const auto keep = [] {};
   visitor.one_of({{"parameters", false, keep, in_file}, {"values", has_parameters(body), keep, in_place, "", true}},
-                 "the name of a file of voxel parameters is needed, see menger calibrate");
+                 "give the name of a file of voxel parameters, see menger calibrate");
 }
 
-/// What a file expects the parameters to hold for, where it says so.
+/// Describes the properties that a file may require of the parameters.
 void describe_expectations(io::StudyVisitor& visitor, const SurrogateParameters& parameters) {
   std::optional<double> wall_thickness_m;
-  visitor.optional_number({"wall_thickness_m", "Thickness of the walls, which must be that of the parameters.", "0.002"},
+  visitor.optional_number({"wall_thickness_m", "Thickness of the walls. It must be equal to that of the parameters.", "0.002"},
                           wall_thickness_m, io::positive());
   visitor.check(!wall_thickness_m || std::abs(*wall_thickness_m - parameters.wall_thickness_m) <= 1e-9 * *wall_thickness_m,
                 "wall_thickness_m", "the parameters are calibrated for " + io::number_text(parameters.wall_thickness_m));
   std::optional<std::string> silicone;
-  visitor.optional_text({"silicone", "Name of the silicone, which must be that of the parameters.", "\"Dragon Skin 10\""},
+  visitor.optional_text({"silicone", "Name of the silicone. It must be equal to that of the parameters.", "\"Dragon Skin 10\""},
                         silicone);
   visitor.check(!silicone || *silicone == parameters.silicone, "silicone",
                 "the parameters are calibrated for " + io::toml_quoted(parameters.silicone));
@@ -60,12 +60,14 @@ void describe(io::StudyVisitor& visitor, CalibratedBody& body) {
     body.chambers = body.parameters.chambers;
   else if (has_parameters(body))
     chambers = body.chambers;
-  visitor.optional_word(
-      {"chambers", "What is one chamber: a whole module, or each region of one phase; without it as in the fit.", "\"single\""},
-      chambers, meshes::chamber_layout_words());
+  visitor.optional_word({"chambers",
+                         "Cells that share one chamber: all cells of a module, or each connected region of cells of one phase. "
+                         "Without it, as in the fit.",
+                         "\"single\""},
+                        chambers, meshes::chamber_layout_words());
   body.chambers = chambers.value_or(body.chambers);
-  visitor.word({"outside_range", "What happens where a run leaves the range that the parameters were fitted on."},
-               body.outside_range, outside_range_words());
+  visitor.word({"outside_range", "What happens if a run leaves the range of validity of the parameters."}, body.outside_range,
+               outside_range_words());
 }
 
 std::optional<std::filesystem::path> parameters_file(const io::TomlTable& table) {

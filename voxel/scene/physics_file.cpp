@@ -13,7 +13,7 @@
 namespace menger::voxel {
 namespace {
 
-/// Words of an enumeration whose to_string is the one place that knows them.
+/// The words of an enumeration, taken from its to_string.
 template <class... Values>
 auto words_of(Values... values) {
   io::Words<std::common_type_t<Values...>> words;
@@ -22,9 +22,9 @@ auto words_of(Values... values) {
 }
 
 constexpr io::Range fraction_below_one{.lowest = 0.0, .highest = 1.0, .highest_excluded = true};
-constexpr std::string_view by_itself = "a body without [surrogate], whose parameters decide it";
+constexpr std::string_view by_itself = "a body without [surrogate]; with [surrogate] its parameters give this value";
 
-/// A key of both materials: in a study that has one value for both.
+/// Describes a key of both materials. A written study has it if both materials have the same value.
 void describe_both(io::StudyVisitor& visitor, const io::Key& key, std::array<VoxelMaterial, 2>& materials,
                    double VoxelMaterial::*value, const io::Range& range) {
   std::optional<double> both;
@@ -34,7 +34,7 @@ void describe_both(io::StudyVisitor& visitor, const io::Key& key, std::array<Vox
   for (VoxelMaterial& material : materials) material.*value = *both;
 }
 
-/// The same key of one material, where the other differs.
+/// Describes the same key for one material, if its value differs from that of the other.
 void describe_own(io::StudyVisitor& visitor, const io::Key& key, VoxelMaterial& material, const VoxelMaterial& other,
                   double VoxelMaterial::*value, const io::Range& range) {
   std::optional<double> own;
@@ -45,15 +45,15 @@ void describe_own(io::StudyVisitor& visitor, const io::Key& key, VoxelMaterial& 
 
 void describe_own(io::StudyVisitor& visitor, VoxelMaterial& material, const VoxelMaterial& other, bool is_calibrated) {
   visitor.only_if(!is_calibrated, by_itself, [&] {
-    describe_own(visitor, {"youngs_modulus_Pa", "Stiffness of this material alone.", "2e4"}, material, other,
+    describe_own(visitor, {"youngs_modulus_Pa", "Young's modulus of this material only.", "2e4"}, material, other,
                  &VoxelMaterial::youngs_modulus_Pa, io::positive());
     const io::Key density{
-        .name = "density_kg_per_m3", .help = "Density of this material alone.", .example = "20", .earlier = "density_kg_m3"};
+        .name = "density_kg_per_m3", .help = "Density of this material only.", .example = "20", .earlier = "density_kg_m3"};
     describe_own(visitor, density, material, other, &VoxelMaterial::density_kg_m3, io::positive());
   });
-  describe_own(visitor, {"static_friction", "Friction of this material alone at rest.", "0.9"}, material, other,
+  describe_own(visitor, {"static_friction", "Coefficient of static friction of this material only.", "0.9"}, material, other,
                &VoxelMaterial::static_friction, io::non_negative());
-  describe_own(visitor, {"kinetic_friction", "Friction of this material alone while it slips.", "0.4"}, material, other,
+  describe_own(visitor, {"kinetic_friction", "Coefficient of kinetic friction of this material only.", "0.4"}, material, other,
                &VoxelMaterial::kinetic_friction, io::non_negative());
 }
 
@@ -61,19 +61,19 @@ void describe_materials(io::StudyVisitor& visitor, Physics& physics) {
   std::array<VoxelMaterial, 2>& materials = physics.materials;
   const bool is_calibrated = physics.surrogate.has_value();
   visitor.only_if(!is_calibrated, by_itself, [&] {
-    describe_both(visitor, {"youngs_modulus_Pa", "Stiffness of both materials.", "1e4"}, materials,
+    describe_both(visitor, {"youngs_modulus_Pa", "Young's modulus of both materials.", "1e4"}, materials,
                   &VoxelMaterial::youngs_modulus_Pa, io::positive());
     const io::Key density{
         .name = "density_kg_per_m3", .help = "Density of both materials.", .example = "10", .earlier = "density_kg_m3"};
     describe_both(visitor, density, materials, &VoxelMaterial::density_kg_m3, io::positive());
-    visitor.number({"lateral_coupling", "How much a stretched body gets thinner; 0: not at all."}, physics.lateral_coupling,
-                   fraction_below_one);
+    visitor.number({"lateral_coupling", "How much a body becomes thinner when it is stretched. 0 means not at all."},
+                   physics.lateral_coupling, fraction_below_one);
   });
-  // What the other has is that of before, so that the first does not hide a difference from the second.
+  // Each material is compared with the values before, so that reading the first does not hide a difference of the second.
   const std::array<VoxelMaterial, 2> before = materials;
-  visitor.table({"material_1", "Where material 1 differs."},
+  visitor.table({"material_1", "Properties of material 1 that differ from those of both materials."},
                 [&] { describe_own(visitor, materials[0], before[1], is_calibrated); });
-  visitor.table({"material_2", "Where material 2 differs."},
+  visitor.table({"material_2", "Properties of material 2 that differ from those of both materials."},
                 [&] { describe_own(visitor, materials[1], before[0], is_calibrated); });
 }
 
@@ -81,25 +81,26 @@ void describe_ground(io::StudyVisitor& visitor, Physics& physics) {
   visitor.boolean({.name = "present", .help = "Whether there is a ground.", .earlier = "/environment.floor"}, physics.floor);
   describe_both(visitor,
                 {.name = "static_friction",
-                 .help = "Friction of both materials at rest.",
+                 .help = "Coefficient of static friction of both materials.",
                  .example = "1",
                  .earlier = "/materials.static_friction"},
                 physics.materials, &VoxelMaterial::static_friction, io::non_negative());
   describe_both(visitor,
                 {.name = "kinetic_friction",
-                 .help = "Friction of both materials while they slip.",
+                 .help = "Coefficient of kinetic friction of both materials.",
                  .example = "0.5",
                  .earlier = "/materials.kinetic_friction"},
                 physics.materials, &VoxelMaterial::kinetic_friction, io::non_negative());
-  visitor.only_if(!physics.surrogate, "a body without [surrogate], which stands on the feet of its walls", [&] {
-    visitor.boolean({.name = "stop_rotation",
-                     .help = "Whether a voxel that sticks to the ground stops turning, too.",
-                     .earlier = "/environment.stop_rotation_in_static_friction"},
-                    physics.stop_rotation_in_static_friction);
-  });
+  visitor.only_if(!physics.surrogate, "a body without [surrogate]; with [surrogate] the body stands on the feet of its walls",
+                  [&] {
+                    visitor.boolean({.name = "stop_rotation",
+                                     .help = "Whether a voxel in static friction with the ground also stops rotating.",
+                                     .earlier = "/environment.stop_rotation_in_static_friction"},
+                                    physics.stop_rotation_in_static_friction);
+                  });
 }
 
-/// @param brings_pressure whether the study had no pressure before
+/// Describes the key of the pressures. @param brings_pressure whether the study had no pressure before
 void describe_pressure(io::StudyVisitor& visitor, std::optional<CalibratedBody>& body, bool brings_pressure) {
   visitor.only_if(body.has_value(), "[surrogate]", [&] {
     std::array<double, 2> pressure_Pa = body ? body->pressure_Pa : CalibratedBody{}.pressure_Pa;
@@ -113,46 +114,50 @@ void describe_pressure(io::StudyVisitor& visitor, std::optional<CalibratedBody>&
   });
 }
 
-/// @param brings_body whether a calibrated body is being read
+/// Describes the keys of the drive. @param brings_body whether a calibrated body is being read
 void describe_drive(io::StudyVisitor& visitor, Actuation& drive, bool is_calibrated, bool brings_body) {
   using enum ActuationMode;
-  visitor.word({"mode", "Which phase a voxel is driven with."}, drive.mode, words_of(none, in_phase, antiphase, wave, hold));
+  visitor.word({"mode", "Phase with which each voxel is driven."}, drive.mode, words_of(none, in_phase, antiphase, wave, hold));
   visitor.only_if(!is_calibrated, by_itself, [&] {
-    visitor.number({"amplitude", "Of the edge of a voxel, as a fraction of it."}, drive.amplitude, fraction_below_one);
+    visitor.number({"amplitude", "Amplitude of the edge of a voxel, as a fraction of the edge."}, drive.amplitude,
+                   fraction_below_one);
   });
-  visitor.number({.name = "frequency_Hz", .help = "How often it is driven.", .earlier = "period_s", .was_reciprocal = true},
+  visitor.number({.name = "frequency_Hz", .help = "Frequency of the drive.", .earlier = "period_s", .was_reciprocal = true},
                  drive.frequency_Hz, io::positive());
   if (brings_body) drive.ramp_s = drive.period_s();
-  visitor.number({"ramp_s", "Time over which the drive grows from rest; with [surrogate] one period if it is not given."},
-                 drive.ramp_s, io::non_negative());
-  visitor.numbers({"material_phase", "Phases of the two materials in periods, of antiphase."}, drive.material_phase);
+  visitor.number(
+      {"ramp_s", "Time in which the drive grows from zero to its full size. With [surrogate] the default is one period."},
+      drive.ramp_s, io::non_negative());
+  visitor.numbers({"material_phase", "Phases of the two materials in periods, for antiphase only."}, drive.material_phase);
   const io::Words<int> axes{{"x", 0}, {"y", 1}, {"z", 2}};
-  visitor.word({"wave_axis", "Axis that a wave travels along."}, drive.wave_axis, axes);
-  visitor.number({"wave_periods_per_body", "Periods of a wave along a body; negative: towards growing coordinates."},
-                 drive.wave_periods_per_body);
-  visitor.boolean({"wave_over_gaps", "Whether the last layer of a body has the whole phase of a wave."}, drive.wave_over_gaps);
+  visitor.word({"wave_axis", "Axis along which a wave travels."}, drive.wave_axis, axes);
+  visitor.number(
+      {"wave_periods_per_body", "Periods of a wave along a body. If negative, the wave travels towards larger coordinates."},
+      drive.wave_periods_per_body);
+  visitor.boolean({"wave_over_gaps", "Whether the last layer of a body has the full phase of a wave."}, drive.wave_over_gaps);
 }
 
 void describe_integration(io::StudyVisitor& visitor, Integration& integration, bool is_calibrated) {
-  visitor.number({"time_step_fraction", "Of the recommended step."}, integration.time_step_fraction, io::positive());
-  visitor.word({"damping", "What the damping of beams comes from: changes of positions, or velocities."}, integration.damping,
-               words_of(DampingMode::increments, DampingMode::velocity));
-  visitor.word({"number", "Kind of number that is computed with; float32 goes with damping from velocities."}, integration.number,
+  visitor.number({"time_step_fraction", "Time step, as a fraction of the recommended step."}, integration.time_step_fraction,
+                 io::positive());
+  visitor.word({"damping", "How the damping of beams is computed: from changes of position, or from velocities."},
+               integration.damping, words_of(DampingMode::increments, DampingMode::velocity));
+  visitor.word({"number", "Floating-point type of the computation. float32 needs damping from velocities."}, integration.number,
                words_of(NumberType::float64, NumberType::float32));
   visitor.boolean({"single_precision_rest_lengths", "Whether rest lengths are rounded as the public engine rounds them."},
                   integration.single_precision_rest_lengths);
   visitor.only_if(!is_calibrated, by_itself, [&] {
-    visitor.word({"bond_damping", "Whether the damping of beams bounds the step, or is weakened so that it does not."},
+    visitor.word({"bond_damping", "Whether the damping of beams limits the time step, or is reduced so that it does not."},
                  integration.bond_damping, words_of(BondDamping::explicit_step, BondDamping::semi_implicit));
   });
   if (const io::TomlTable* table = visitor.source()) {
     const bool holds = integration.number != NumberType::float32 || integration.damping != DampingMode::increments;
     visitor.check(holds, table->has("number") ? "number" : "damping",
-                  "float32 cannot carry damping from increments: use damping = \"velocity\" or number = \"float64\"");
+                  "float32 does not work with damping from increments: choose damping = \"velocity\" or number = \"float64\"");
   }
 }
 
-/// What the parameters of a calibrated body decide keeps no value of its own.
+/// Sets all values that the parameters of a calibrated body decide to their defaults.
 void forget_what_parameters_decide(Physics& physics) {
   for (VoxelMaterial& material : physics.materials) {
     material.youngs_modulus_Pa = VoxelMaterial{}.youngs_modulus_Pa;
@@ -170,37 +175,39 @@ void forget_what_parameters_decide(Physics& physics) {
 void describe(io::StudyVisitor& visitor, Physics& physics) {
   const bool had_body = physics.surrogate.has_value();
   const bool brings_body = visitor.source() != nullptr && visitor.source()->has("surrogate");
-  visitor.optional_table({"surrogate", "Hollow cells driven by pressure in place of solid voxels driven by their size."},
+  visitor.optional_table({"surrogate", "Hollow cells driven by pressure, instead of solid voxels driven by their size."},
                          physics.surrogate, [&](CalibratedBody& body) { describe(visitor, body); });
   const bool is_calibrated = physics.surrogate.has_value();
   if (is_calibrated && visitor.source() != nullptr) forget_what_parameters_decide(physics);
-  visitor.table({"loads", "What acts on all bodies."}, [&] {
-    visitor.number({.name = "gravity_m_per_s2", .help = "Downwards.", .earlier = "/environment.gravity_m_s2"},
+  visitor.table({"loads", "Loads on all bodies."}, [&] {
+    visitor.number({.name = "gravity_m_per_s2", .help = "Gravity, downwards.", .earlier = "/environment.gravity_m_s2"},
                    physics.gravity_m_s2, io::non_negative());
   });
-  visitor.table({"ground", "A plane below the lowest voxels."}, [&] { describe_ground(visitor, physics); });
-  visitor.table({"materials", "Of voxels."}, [&] { describe_materials(visitor, physics); });
-  visitor.table({"damping", "Fractions of critical damping."}, [&] {
+  visitor.table({"ground", "Ground: a plane below the lowest voxels."}, [&] { describe_ground(visitor, physics); });
+  visitor.table({"materials", "Materials of the voxels."}, [&] { describe_materials(visitor, physics); });
+  visitor.table({"damping", "Damping, as fractions of critical damping."}, [&] {
     visitor.only_if(!is_calibrated, by_itself, [&] {
-      visitor.number({"bond", "Of beams."}, physics.damping_ratios.bond, io::non_negative());
+      visitor.number({"bond", "Damping ratio of beams."}, physics.damping_ratios.bond, io::non_negative());
     });
-    visitor.number({"collision", "Of contacts with the ground and between voxels."}, physics.damping_ratios.collision,
-                   io::non_negative());
-    visitor.number({"global", "Of every voxel against the resting world."}, physics.damping_ratios.global, io::non_negative());
+    visitor.number({"collision", "Damping ratio of contacts with the ground and between voxels."},
+                   physics.damping_ratios.collision, io::non_negative());
+    visitor.number({"global", "Damping ratio of the motion of every voxel relative to the fixed surroundings."},
+                   physics.damping_ratios.global, io::non_negative());
   });
-  visitor.table({.name = "drive", .help = "What moves a body.", .earlier = "/actuation"}, [&] {
+  visitor.table({.name = "drive", .help = "Drive of a body.", .earlier = "/actuation"}, [&] {
     describe_drive(visitor, physics.actuation, is_calibrated, brings_body);
     describe_pressure(visitor, physics.surrogate, brings_body || !had_body);
   });
-  visitor.table({"collisions", "Between voxels."}, [&] {
-    visitor.integer_or_word({"exclusion_depth", "Voxels that are so many beams apart or fewer never collide."},
+  visitor.table({"collisions", "Collisions between voxels."}, [&] {
+    visitor.integer_or_word({"exclusion_depth", "Voxels that are at most this many beams apart never collide."},
                             physics.collisions.exclusion_depth, "off", io::at_least(1));
   });
-  visitor.table({"integration", "How time goes on."}, [&] { describe_integration(visitor, physics.integration, is_calibrated); });
-  visitor.table({"limits", "Beyond them a run has diverged."}, [&] {
-    visitor.number({"speed_fraction", "Speed, as a fraction of the fastest wave."}, physics.limits.speed_fraction,
-                   io::positive());
-    visitor.number({"strain", "Axial strain of beams."}, physics.limits.strain, io::positive());
+  visitor.table({"integration", "Integration in time."},
+                [&] { describe_integration(visitor, physics.integration, is_calibrated); });
+  visitor.table({"limits", "Limits beyond which a run has diverged."}, [&] {
+    visitor.number({"speed_fraction", "Largest speed, as a fraction of the speed of the fastest wave."},
+                   physics.limits.speed_fraction, io::positive());
+    visitor.number({"strain", "Largest axial strain of beams."}, physics.limits.strain, io::positive());
   });
 }
 

@@ -8,19 +8,21 @@
 
 namespace menger::voxel {
 
-/// The keys of the physics of a scene or study; those that a `[surrogate]` decides are refused beside it.
+/// Describes the keys of the physics of a scene or study. Keys that the parameters of a `[surrogate]` decide are refused beside
+/// it.
 ///
-/// `youngs_modulus_Pa`, `density_kg_per_m3` and the two of friction stand for both materials, or in the table of one of them. A
-/// reader takes a drive without ramp_s beside a `[surrogate]` that it reads over its first period, since a step of pressure makes
-/// a body ring, and gives what the parameters decide its default, so that equal physics compare equal.
+/// `youngs_modulus_Pa`, `density_kg_per_m3` and the two friction coefficients hold for both materials, or in the table of one
+/// material for that one. If a `[surrogate]` is read and ramp_s is not given, the drive grows over its first period, because a
+/// step of pressure makes a body ring. Values that the parameters decide are then set to their defaults, so that equal physics
+/// compare equal.
 void describe(io::StudyVisitor& visitor, Physics& physics);
 
-/// Reads the physics of a scene or study from its tables; every key that is missing keeps its value of `defaults`. Other keys of
-/// `table` are left to the caller, who ends with table.finish(). @throws io::InputError with file, key and value
+/// Reads the physics of a scene or study from its tables. A missing key keeps its value in `defaults`. Other keys of `table` are
+/// left to the caller, who ends with table.finish(). @throws io::InputError with file, key and value
 Physics read_physics(const io::TomlTable& table, const Physics& defaults = {});
 
-/// All values as the TOML that read_physics reads, always in the same order and exact: equal text means equal physics, and
-/// reading it gives the same physics back. Serves as the identity of a physics.
+/// All values of a physics as TOML for read_physics, exact and always in the same order. Equal text means equal physics, and
+/// reading the text gives the same physics again. It serves as the identity of a physics.
 std::string physics_text(const Physics& physics);
 
 }  // namespace menger::voxel

@@ -28,7 +28,7 @@ double body_length_m(const meshes::Design& design, int level) {
 }
 
 std::size_t estimated_memory_bytes(const meshes::Polycube& basal_body, int level, int voxels_per_cell) {
-  // Per voxel: its state, up to three beams, its share of a frame and of the list of close pairs. Per cell of the grid: the
+  // Per voxel: its state, up to three beams, and its share of a frame and of the list of close pairs. Per cell of the grid: the
   // material and the index of its voxel.
   constexpr double bytes_per_voxel = 2048.0;
   constexpr double bytes_per_cell = 8.0;

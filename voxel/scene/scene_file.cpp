@@ -17,14 +17,14 @@
 namespace menger::voxel {
 namespace {
 
-/// @param design_file that was named, for a reader
+/// Describes the keys of the design. @param design_file set to the file that is named, when reading
 void describe_body(io::StudyVisitor& visitor, Scene& scene, std::optional<std::filesystem::path>& design_file) {
   if (const io::TomlTable* table = visitor.source(); table != nullptr && table->is_text("design"))
     throw table->error("design", "is called design.file now");
   visitor.table({"design", "The body."}, [&] {
     meshes::describe_design(visitor, scene.design, design_file);
     visitor.integer({.name = "level",
-                     .help = "Level of the fractal: 1 is the design itself, in 2 each cell is a copy of it.",
+                     .help = "Level of the fractal: 1 is the design itself, at 2 each cell is a copy of the design.",
                      .earlier = "/level"},
                     scene.level, io::within(1, largest_level));
   });
@@ -34,10 +34,11 @@ void describe_time(io::StudyVisitor& visitor, Scene& scene) {
   visitor.number({.name = "duration_s", .help = "Time that is simulated.", .earlier = "/duration_s"}, scene.duration_s,
                  io::positive());
   scene.record_interval_s = std::min(scene.record_interval_s, scene.duration_s);
-  visitor.number({.name = "record_interval_s",
-                  .help = "Between records, at most the duration: one at the first step at or after each multiple.",
-                  .earlier = "/record_interval_s"},
-                 scene.record_interval_s, io::positive());
+  visitor.number(
+      {.name = "record_interval_s",
+       .help = "Time between records, at most the duration. A record is taken at the first step at or after each multiple of it.",
+       .earlier = "/record_interval_s"},
+      scene.record_interval_s, io::positive());
   visitor.check(scene.record_interval_s <= scene.duration_s, "record_interval_s", "must be at most duration_s");
   if (const io::TomlTable* table = visitor.source()) {
     visitor.check(scene.duration_s / scene.record_interval_s <= largest_record_count,
@@ -46,23 +47,22 @@ void describe_time(io::StudyVisitor& visitor, Scene& scene) {
 }
 
 void describe_output(io::StudyVisitor& visitor, Scene& scene) {
-  visitor.boolean({"frames", "Whether the body is written for ParaView."}, scene.output.frames);
+  visitor.boolean({"frames", "Whether frames of the body are written for ParaView."}, scene.output.frames);
   visitor.boolean({"pictures", "Whether pictures are made."}, scene.output.pictures);
-  visitor.integer({"records_per_frame", "Every so many records one is a frame."}, scene.output.records_per_frame,
-                  io::at_least(1));
+  visitor.integer({"records_per_frame", "Number of records per frame."}, scene.output.records_per_frame, io::at_least(1));
 }
 
 void describe_scene(io::StudyVisitor& visitor, Scene& scene, std::optional<std::filesystem::path>& design_file) {
   describe_body(visitor, scene, design_file);
-  visitor.table({"time", "How long, and what is recorded."}, [&] { describe_time(visitor, scene); });
-  visitor.table({"output", "What is written beside the trajectory."}, [&] { describe_output(visitor, scene); });
-  visitor.boolean({"energy_ledger", "Whether the energy balance is kept (slow)."}, scene.energy_ledger);
+  visitor.table({"time", "Simulated time, and time between records."}, [&] { describe_time(visitor, scene); });
+  visitor.table({"output", "Files that are written in addition to the trajectory."}, [&] { describe_output(visitor, scene); });
+  visitor.boolean({"energy_ledger", "Whether the energy balance is computed (slow)."}, scene.energy_ledger);
   describe(visitor, scene.physics);
   visitor.check(!scene.energy_ledger || scene.physics.integration.number != NumberType::float32, "energy_ledger",
                 "needs number = \"float64\"");
 }
 
-/// The level and what messages call it.
+/// The level and its name in messages.
 struct GivenLevel {
   int level = 1;
   std::string name;
@@ -78,10 +78,10 @@ GivenLevel given_level(int in_file, std::optional<int> option) {
 
 std::string gibibytes(std::size_t bytes) { return io::formatted("%.3g GiB", static_cast<double>(bytes) / 1073741824.0); }
 
-/// What keeps a calibrated body from being this design, or an empty text.
+/// Why a calibrated body cannot have this design; empty if it can.
 std::string unusable_calibration(const Scene& scene) {
   const CalibratedBody& body = *scene.physics.surrogate;
-  // Pieces are refused at level 1 only, where the design is the whole body; run_scene asks about the others once they are built.
+  // Pieces are refused only at level 1, where the design is the whole body. run_scene checks other levels once they are built.
   if (const BodyPieces pieces = body_pieces(scene.design.body, scene.physics); pieces.is_refused) return pieces.text;
   if (std::string problem = unusable_parameters(body, scene.design.cell_edge_m, &scene.design.body); !problem.empty())
     return problem;
@@ -125,7 +125,7 @@ LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> lev
   if (const std::size_t needed = estimated_memory_bytes(scene.design.body, scene.level, voxels_per_cell(scene.physics));
       needed > memory_bytes) {
     throw io::InputError(file.string() + ": " + given.name + ": the simulation would need about " + gibibytes(needed) +
-                         " of memory, this machine has " + gibibytes(memory_bytes));
+                         " of memory, but this machine has " + gibibytes(memory_bytes));
   }
   return loaded;
 }

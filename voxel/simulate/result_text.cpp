@@ -14,12 +14,12 @@ void add_divergence(io::TomlText& text, const Divergence& divergence) {
   const auto& cell = divergence.cell;
   text.line("").table("divergence").add("voxel", divergence.voxel);
   text.add("cell", std::vector<std::int64_t>{cell.x, cell.y, cell.z}).add("quantity", divergence.quantity);
-  // What is not finite has no value that a file could hold, and no limit to pass.
+  // A value that is not finite cannot be written to the file, and is not compared with a limit.
   if (divergence.value) text.add("value", *divergence.value).add("limit", divergence.limit);
   text.add("time_s", divergence.time_s);
 }
 
-/// A list with a line for each of its texts.
+/// Adds a list with one line per text.
 void add_lines(io::TomlText& text, std::string_view key, const std::vector<std::string>& lines) {
   if (lines.empty()) {
     text.raw(key, "[]");

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// One scene on its way through its records.
+/// A run of one scene through all its records.
 class SceneRun {
  public:
   SceneRun(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options)
@@ -45,7 +45,7 @@ class SceneRun {
   SceneResult run() {
     if (options_.started) options_.started(result_.kernel_report);
     record(false);
-    // The last record lies at the duration itself, which need not be a multiple of the interval.
+    // The last record is at the end of the duration, which may not be a multiple of the interval.
     const auto intervals = static_cast<std::uint64_t>(std::ceil(scene_.duration_s / scene_.record_interval_s * (1.0 - 1e-12)));
     result_.status = io::RunStatus::completed;
     for (std::uint64_t i = 1; i <= intervals && result_.status == io::RunStatus::completed; ++i) {
@@ -65,7 +65,7 @@ class SceneRun {
     return kernel;
   }
 
-  /// A scene knows the level of its body, whoever made it.
+  /// The physics of a scene with the level of its body, which the scene sets.
   static Physics physics_of(const Scene& scene) {
     Physics physics = scene.physics;
     if (physics.surrogate) physics.surrogate->level = scene.level;
@@ -75,12 +75,12 @@ class SceneRun {
   void record(bool is_last) {
     const double time_s = simulation_.time_s();
     const std::size_t index = result_.trajectory.size();
-    // An interval shorter than a time step asks for the same state again.
+    // With an interval shorter than a time step the same state would be recorded again.
     const bool is_new = index == 0 || result_.trajectory.back().time_s != time_s;
     if (is_new) result_.trajectory.push_back({time_s, simulation_.centre_of_mass_m(), simulation_.energy()});
     const SceneOutput& output = scene_.output;
     const bool is_due = is_new && index % static_cast<std::size_t>(output.records_per_frame) == 0;
-    // Pictures of a run that is cut short show the last frame.
+    // Pictures of a run that was cut short show the last frame.
     const bool is_shown = is_due && (output.frames || output.pictures);
     if (index == 0 || is_shown || (is_last && last_frame_.time_s != time_s)) last_frame_ = simulation_.frame();
     if (is_due && output.frames) frames_.add(last_frame_);
@@ -93,7 +93,7 @@ class SceneRun {
     if (result_.status == io::RunStatus::diverged && result_.divergence) result_.reason = divergence_text(*result_.divergence);
   }
 
-  /// What a calibrated body did beyond what its parameters are known for.
+  /// Notes in the result where a calibrated body left the range of validity of its parameters.
   void note_validity() {
     if (!scene_.physics.surrogate) return;
     result_.strain_range = simulation_.strain_range();
@@ -151,14 +151,12 @@ SceneResult run_scene(const Scene& scene, const std::filesystem::path& folder, c
   try {
     run.emplace(scene, folder, options);
   } catch (const std::invalid_argument& fault) {
-    // What only the engine knows, such as kernels that this machine cannot run.
+    // Faults that only the engine can detect, such as kernels that this machine cannot run.
     const std::string scene_name = options.scene_file.empty() ? "the scene" : options.scene_file.string();
     throw io::InputError(scene_name + ": cannot be simulated: " + fault.what());
   }
   // From here on no file of an earlier run may pass for one of this run, also if this one is killed.
-  for (const char* name : {"result.toml", "manifest.json", "trajectory.csv", "check_dt.csv", "robot.png", "trajectory.png"}) {
-    io::remove_if_there(folder / name);
-  }
+  io::remove_files(folder, {"result.toml", "trajectory.csv", "check_dt.csv", "robot.png", "trajectory.png", "manifest.json"});
   FrameSeries(folder).remove_earlier();
   return run->run();
 }

@@ -7,7 +7,7 @@ namespace menger::voxel {
 namespace {
 
 constexpr double slice_seconds = 0.1;         ///< wall time between two reports of progress
-constexpr double largest_slice_growth = 8.0;  ///< so that one clock reading near zero does not make the next slice endless
+constexpr double largest_slice_growth = 8.0;  ///< so that a clock reading near zero does not make the next slice endless
 
 }  // namespace
 
@@ -21,7 +21,7 @@ io::RunStatus SlicedRun::advance_to(double until_s) {
   while (status == io::RunStatus::completed && simulation_->time_s() < until_s) {
     const double start_s = seconds();
     const std::uint64_t steps_before = simulation_->steps();
-    // The quotient may be off by a rounding: only advance_to knows the last step.
+    // Rounding may change the quotient. Only advance_to stops at the exact last step.
     const double steps_left = (until_s - simulation_->time_s()) / simulation_->time_step_s();
     status = steps_left > slice_steps_ + 1.0 ? simulation_->advance(static_cast<std::uint64_t>(slice_steps_), stop_)
                                              : simulation_->advance_to(until_s, stop_);

@@ -9,25 +9,25 @@
 
 namespace menger::voxel {
 
-/// How far a run is.
+/// The progress of a run.
 struct RunProgress {
   double time_s = 0.0;                  ///< simulated so far
   double duration_s = 0.0;              ///< to be simulated
-  double simulated_s_per_second = 0.0;  ///< simulated time per wall time
+  double simulated_s_per_second = 0.0;  ///< simulated time / wall time
   double remaining_s = 0.0;             ///< expected wall time to the end
 };
 
-/// Advances a simulation in slices of about a tenth of a second of wall time, between which progress is reported. The steps are
-/// those of Simulation::advance_to.
+/// Advances a simulation in slices of about a tenth of a second of wall time, and reports progress between them. The steps are
+/// the same as those of Simulation::advance_to.
 class SlicedRun {
  public:
   using Report = std::function<void(const RunProgress&)>;
 
-  /// The clock starts. @param simulation outlives this @param duration_s that is to be simulated in all @param progress may be
+  /// Starts the clock. @param simulation must outlive this object @param duration_s total time to simulate @param progress may be
   /// empty
   SlicedRun(Simulation& simulation, double duration_s, const std::atomic<bool>* stop, Report progress);
 
-  /// @return see Simulation::advance_to
+  /// Advances to a simulated time. @return see Simulation::advance_to
   [[nodiscard]] io::RunStatus advance_to(double until_s);
 
   void report() const;

@@ -33,7 +33,7 @@ void explain_status(const Simulation& simulation, StepCheck& check) {
   if (const auto& divergence = simulation.divergence()) check.reason = divergence_text(*divergence);
 }
 
-/// What both runs made of the displacement, and where they were farthest apart.
+/// Compares the displacements of both runs, and finds where they were farthest apart.
 void compare(const SceneResult& result, StepCheck& check) {
   for (std::size_t i = 0; i < check.trajectory.size(); ++i) {
     const double distance = distance_m(check.trajectory[i], result.trajectory[i]);
@@ -55,7 +55,7 @@ StepCheck check_time_step(const Scene& scene, const SceneResult& result, const R
   check.status = io::RunStatus::completed;
   const std::array<double, 3> start_m = simulation.centre_of_mass_m();
   for (const TrajectoryPoint& point : result.trajectory) {
-    // Twice the steps of half the length end at the very same number.
+    // Twice as many steps of half the length end at exactly the same number.
     check.status = run.advance_to(point.time_s);
     if (check.status != io::RunStatus::completed) break;
     check.trajectory.push_back({simulation.time_s(), simulation.centre_of_mass_m(), {}});

@@ -9,11 +9,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Force on the lower end (the upper one has the opposite force), moment on the lower end, moment on the upper end.
+/// Force on the lower end (the force on the upper end is opposite), moment on the lower end, moment on the upper end.
 using Loads = Eigen::Matrix<double, 9, 1>;
 
-/// Steps of the differences: of lengths by the voxel edge, and of angles. The error of rounding is 1e-16 / 1e-6, that of
-/// curvature 1e-12.
+/// Step of the differences: as a fraction of the voxel edge for lengths, in rad for angles. The rounding error is 1e-16 / 1e-6,
+/// the truncation error 1e-12.
 constexpr double difference_step = 1e-6;
 
 Loads loads_of(const BeamEnds<double>& ends, bool small, const BeamCoefficients<double>& coefficients) {
@@ -32,7 +32,7 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return m;
 }
 
-/// From axes permuted so that `axis` comes first to x, y, z; columns likewise.
+/// Turns a matrix from axes permuted so that `axis` comes first to axes x, y, z; its columns likewise.
 template <class Matrix>
 Matrix unpermuted(const Matrix& m, int axis) {
   Matrix result;
@@ -108,7 +108,7 @@ BeamTangent beam_tangent(const BeamEnds<double>& ends, bool small, const BeamCoe
                          double length_m) {
   const Loads loads = loads_of(ends, small, coefficients);
   const Derivatives d = differences(ends, small, coefficients, length_m);
-  // A rotation w of everything turns the separation by w x d, both ends by w, and every load f by w x f.
+  // A rotation w of the whole beam turns the separation by w x d, both ends by w, and every load f by w x f.
   const Matrix3d turned_separation = cross_matrix({ends.separation.x, ends.separation.y, ends.separation.z});
   Eigen::Matrix<double, 9, 3> lower_rotation = d.separation * turned_separation - d.upper_rotation;
   for (Eigen::Index part = 0; part < 9; part += 3) lower_rotation.middleRows<3>(part) -= cross_matrix(loads.segment<3>(part));

@@ -6,7 +6,7 @@
 
 namespace menger::voxel {
 
-/// Position and orientation of a voxel or of a place on a plate, world.
+/// Position and orientation of a voxel, or of the place where a plate holds a voxel, in world axes.
 struct Pose {
   Vector3<double> position{0.0, 0.0, 0.0};  ///< m
   Quaternion<double> orientation{1.0, 0.0, 0.0, 0.0};
@@ -15,23 +15,26 @@ struct Pose {
 /// Loads on the ends of a beam in world axes: force (N) and moment (N m) on the lower end, then on the upper end.
 using EndLoads = Eigen::Matrix<double, 12, 1>;
 
-/// Loads of a beam and how they change.
+/// The loads of a beam and their derivatives.
 struct BeamTangent {
   EndLoads loads;
-  /// minus the derivative of the loads with respect to displacement (m) and world rotation vector (rad) of the lower end, then of
-  /// the upper end; not symmetric where the beam carries load
+  /// Minus the derivative of the loads with respect to displacement (m) and world rotation vector (rad) of the lower end, then of
+  /// the upper end. Not symmetric if the beam carries load.
   Eigen::Matrix<double, 12, 12> stiffness;
 };
 
-/// A beam along an axis between two poses, in the permuted axes of BeamEnds.
+/// The ends of a beam along an axis between two poses, in the permuted axes of BeamEnds.
 BeamEnds<double> beam_ends(const Pose& lower, const Pose& upper, int axis, double rest_length_m);
 
-/// Loads of a beam in a state that is given, small-angle or large-angle. @param axis 0, 1, 2, along which it lies undeformed
+/// Loads of a beam in a given small-angle or large-angle state. @param small whether it is in the small-angle state @param axis
+/// 0, 1 or 2: the beam's axis when undeformed
 EndLoads beam_end_loads(const BeamEnds<double>& ends, bool small, const BeamCoefficients<double>& coefficients, int axis);
 
-/// Loads and their derivatives at a fixed rest length: those with respect to the separation and to the rotation of the upper end
-/// by central differences (relative error 1e-9), those with respect to the rotation of the lower end because loads turn with the
-/// whole beam. @param length_m scale of the steps: the voxel edge
+/// Loads of a beam and their derivatives at a fixed rest length.
+///
+/// Derivatives with respect to the separation and to the rotation of the upper end are central differences (relative error 1e-9).
+/// Those with respect to the rotation of the lower end follow from them, because loads turn with the whole beam. @param length_m
+/// scale of the difference steps: the voxel edge
 BeamTangent beam_tangent(const BeamEnds<double>& ends, bool small, const BeamCoefficients<double>& coefficients, int axis,
                          double length_m);
 

@@ -24,7 +24,7 @@ BlockMatrix::BlockMatrix(std::size_t size, const std::vector<std::array<std::siz
   fill_pattern();
 }
 
-/// The matrix is compressed from the beginning: laid down entry by entry, it would take longer than it is used.
+/// Fills the pattern directly in compressed form. To insert entries one by one would take longer than the use of the matrix.
 void BlockMatrix::fill_pattern() {
   Eigen::Index count = 0;
   for (const auto& rows : rows_) count += block_size * block_size * index(rows.size());

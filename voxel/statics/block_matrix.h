@@ -7,24 +7,24 @@
 
 namespace menger::voxel {
 
-/// A sparse matrix of 6 x 6 blocks whose pattern is laid down once and whose values are added many times.
+/// A sparse matrix of 6 x 6 blocks. Its pattern is set once, and values are added many times.
 class BlockMatrix {
  public:
-  /// Where a block begins in the values of the matrix, and how far its columns are apart.
+  /// Position of a block in the array of values, and the distance between its columns there.
   struct Place {
     Eigen::Index start = 0;
     Eigen::Index stride = 0;
   };
 
-  /// @param size blocks per side @param blocks {row, column} of blocks that may hold values; those on the diagonal always may
+  /// @param size blocks per side @param blocks {row, column} of blocks that may hold values; diagonal blocks always may
   BlockMatrix(std::size_t size, const std::vector<std::array<std::size_t, 2>>& blocks);
 
-  /// The place of a block of the pattern.
+  /// The position of a block of the pattern.
   [[nodiscard]] Place place(std::size_t row, std::size_t column) const;
 
   void set_zero();
 
-  /// Adds values to the part of a block that begins at (row, column) in it.
+  /// Adds values to a block, from position (row, column) within it.
   template <class Derived>
   void add(const Place& place, Eigen::Index row, Eigen::Index column, const Eigen::MatrixBase<Derived>& values) {
     for (Eigen::Index j = 0; j < values.cols(); ++j) {

@@ -11,61 +11,62 @@ namespace menger::voxel {
 
 class Equilibrium;
 
-/// What a body of the surrogate looks like from outside where its voxels lie: half lengths, faces, volumes.
+/// The outer shape of a surrogate body at given voxel positions: half lengths, faces, volumes.
 ///
-/// From the centre of a voxel to a side it is half the length of the beam there, the whole of a half beam to a plate, and where
-/// there is none the driven half length, shortened by the lateral coupling as if a beam without load were there: (L / 2)(1 +
-/// extension)(1 - c (e_b + e_d)), e_a half the sum of the strains of the beams along a at the voxel. Walls bulge where neither a
-/// voxel nor a plate lies behind them.
+/// The half length of a voxel is the distance from its centre to a side. If a beam leaves the voxel there, it is half the length
+/// of the beam, or the whole length of a half beam to a plate. Otherwise it is the driven half length, shortened by the lateral
+/// coupling as if an unloaded beam were there: (L / 2)(1 + extension)(1 - c (e_b + e_d)), where e_a is half the sum of the
+/// strains of the beams along a at the voxel. Walls bulge where neither a voxel nor a plate lies behind them.
 class BodyShape {
  public:
-  /// @param poses of the nodes, those of the voxels first; of a body without plates they may end there. All must outlive this
+  /// @param poses of the nodes, voxels first; for a body without plates only those of the voxels are needed
+  /// All arguments must outlive this object.
   BodyShape(const StaticBody& body, const DrivenSizes& sizes, const std::vector<Pose>& poses);
 
-  /// @param equilibrium must outlive this and not move
+  /// @param equilibrium must outlive this object and must not change meanwhile
   explicit BodyShape(const Equilibrium& equilibrium);
 
-  /// From the centre of a voxel to a side, without the bulge, m.
+  /// Distance from the centre of a voxel to a side, without the bulge, m.
   [[nodiscard]] double half_length(std::size_t voxel, meshes::Side side) const;
 
-  /// Mean bulge over the area of a side, m outwards; 0 where the wall cannot bulge or there is none.
+  /// Mean bulge over the area of a side, outwards, m. It is 0 if there is no wall or if the wall cannot bulge.
   [[nodiscard]] double bulge(std::size_t voxel, meshes::Side side) const;
 
-  /// Place of a side: its mean, or with the factor bulge_peak_ratio its middle, world, m.
+  /// World position of a side, m: its mean position, or its middle with bulge_peak_ratio as factor.
   [[nodiscard]] Vector3<double> face(std::size_t voxel, meshes::Side side, double bulge_factor = 1.0) const;
 
-  /// Distance of the mean positions of the end faces across an axis, m.
+  /// Distance between the mean positions of the end faces across an axis, m.
   [[nodiscard]] double extent(std::size_t axis) const;
 
-  /// Height of the middle of the top over the mean of the bottom faces, m. Where no voxel lies in the middle of the top layer it
-  /// is that of the nearest voxels, without bulge: the rim of a wall stands still beside it.
+  /// Height of the middle of the top above the mean of the bottom faces, m. If no voxel lies in the middle of the top layer, it
+  /// is the height of the nearest voxels without bulge, because the rim of a wall beside them does not move.
   [[nodiscard]] double top_height() const;
 
-  /// Extents and height of the top in the frame of the body, m.
+  /// Extents of the body and height of its top, in the frame of the body, m.
   struct FreeSize {
     std::array<double, 3> extents{};
     double top_height = 0.0;
   };
 
-  /// The same after the rotation of the body is taken out (meshes::rotation_of_body), for a body that is free but for its
-  /// rigid motions: where an unsymmetric one is held turns it, and says nothing.
+  /// Extents and height of the top after the rotation of the body is taken out (meshes::rotation_of_body). For a body that is
+  /// free to move rigidly: if it is not symmetric, it turns depending on where it is held, and this rotation has no meaning.
   [[nodiscard]] FreeSize free_size() const;
 
-  /// Walls across an axis that face each other and have met.
+  /// Two facing walls across an axis that touch each other.
   struct WallContact {
-    std::size_t voxel = 0;  ///< behind the wall on the low side
+    std::size_t voxel = 0;  ///< the voxel behind the wall on the low side
     std::size_t axis = 0;
   };
 
-  /// The first pair of facing walls of a chamber that have met in the mean over their areas, the thickness of both counted; as
-  /// long as there is none every chamber has air between its walls. Their middles meet earlier where they bulge more.
+  /// The first pair of facing chamber walls that touch, in the mean over their areas and with the thickness of both; nothing
+  /// while all chambers have air between their walls. Walls that bulge more in the middle meet there earlier.
   [[nodiscard]] std::optional<WallContact> wall_contact() const;
 
   /// Mean height of the faces on the x max side, m.
   [[nodiscard]] double tip_height() const;
 
-  /// Volume of all chambers by that at rest, minus 1. The wall keeps its volume, so that the chambers change by what the voxels
-  /// do: per voxel the product of its lengths, plus bulge times area of its walls.
+  /// Relative change of the volume of all chambers: volume / volume at rest - 1. The wall keeps its volume, so the chambers
+  /// change by as much as the voxels. The volume of a voxel is the product of its lengths, plus bulge times area of its walls.
   [[nodiscard]] double chamber_volume_change() const;
 
  private:

@@ -9,13 +9,13 @@ namespace {
 
 Vector3<double> between(const Vector3<double>& a, const Vector3<double>& b, double share) { return a + share * (b - a); }
 
-/// An entry of a list that may be shorter than another: the rest is zero.
+/// An entry of a list that may be shorter than another; missing entries are zero.
 template <class Value>
 Value entry(const std::vector<Value>& values, std::size_t i) {
   return i < values.size() ? values[i] : Value{};
 }
 
-/// Loads on the straight way from one set to another.
+/// Loads on the straight path between two sets of loads.
 StaticLoads between(const StaticLoads& a, const StaticLoads& b, double share) {
   if (share >= 1.0) return b;
   StaticLoads loads;
@@ -40,7 +40,7 @@ StaticLoads between(const StaticLoads& a, const StaticLoads& b, double share) {
 Equilibrium::Equilibrium(const StaticBody& body, const Supports& supports, const EquilibriumOptions& options)
     : body_(&body), options_(options), balance_(body, supports), state_(balance_.state_at_rest()) {
   loads_.pressures_Pa.assign(body.voxels.chamber_count, 0.0);
-  static_cast<void>(balance_.set_loads(loads_));  // no pressure is always in range
+  static_cast<void>(balance_.set_loads(loads_));  // zero pressure is always in range
 }
 
 io::RunStatus Equilibrium::load(const StaticLoads& target) {
@@ -88,8 +88,8 @@ bool Equilibrium::solve() {
 }
 
 bool Equilibrium::find_balance() {
-  // Rotations do not add up. The unknowns are steps from an origin, and the tangent is that of steps from where it is formed:
-  // there the origin moves to.
+  // Rotations cannot be added. The unknowns are therefore steps from an origin, and a tangent is that of steps from the state
+  // where it is formed. The origin moves to that state.
   StaticState origin = state_;
   StaticState moved = state_;
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(balance_.unknown_count());

@@ -9,53 +9,56 @@
 
 namespace menger::voxel {
 
-/// What a path to an equilibrium may cost before it is given up.
+/// Limits of the search for an equilibrium.
 struct EquilibriumOptions {
-  double tolerance = 1e-11;              ///< of the largest scaled residual (see ForceBalance), or 1e-6 of it at the start
-  int largest_iteration_count = 20;      ///< of one Newton solution
-  int largest_total_count = 400;         ///< of all Newton solutions of one call of load
-  double smallest_load_step = 1.0 / 64;  ///< as a share of the change of the loads
+  double tolerance = 1e-11;          ///< of the largest scaled residual (see ForceBalance), or 1e-6 of its first value if less
+  int largest_iteration_count = 20;  ///< of one Newton solution
+  int largest_total_count = 400;     ///< of all Newton solutions of one call of load
+  double smallest_load_step = 1.0 / 64;  ///< as a fraction of the change of the loads
 };
 
 /// Force and moment of a plate on the body.
 struct PlateLoad {
   Vector3<double> force{0.0, 0.0, 0.0};   ///< N
-  Vector3<double> moment{0.0, 0.0, 0.0};  ///< N m, about the centre of the plate where it is now
+  Vector3<double> moment{0.0, 0.0, 0.0};  ///< N m, about the present centre of the plate
 };
 
-/// Equilibria of a body of the surrogate along a path of loads.
+/// Follows the equilibria of a surrogate body along a path of loads.
 ///
-/// Each is a root of the scaled residual of ForceBalance, found by Newton's method with the exact tangent (ModifiedNewton). Loads
-/// go to their target in one step if they can, else in smaller ones, all in proportion.
+/// An equilibrium is a root of the scaled residual of ForceBalance. It is found by Newton's method with the exact tangent
+/// (ModifiedNewton). Loads go to their target in one step if possible, otherwise in smaller steps, all in proportion.
 ///
-/// Beams keep their small- or large-angle state during a solution; afterwards the engine's rule, hysteresis included, is applied
-/// to where they came from, and a change solves again. From the fourth change on beams only go over to the large-angle state, so
-/// that this ends. The states of an equilibrium may thus depend on the path, as they do in the engine.
+/// Beams keep their small-angle or large-angle state during a solution. Afterwards the rule of the engine, with its hysteresis,
+/// is applied to the states before; if a beam changes its state, the equilibrium is solved again. After four such changes beams
+/// may only go to the large-angle state, so that this ends. As in the engine, the beam states of an equilibrium may therefore
+/// depend on the path.
 class Equilibrium {
  public:
-  /// At rest, without loads. @param body must outlive this
+  /// Starts at rest, without loads. @param body must outlive this object
   explicit Equilibrium(const StaticBody& body, const Supports& supports = {}, const EquilibriumOptions& options = {});
 
-  /// Goes to the equilibrium under `target`, from the present one.
-  /// @return completed; limit_point where the pressures lie beyond what a law of the body knows (driven_sizes), else
-  /// not_converged where none was found: then the state is the last equilibrium on the way
+  /// Goes from the present equilibrium to the one under `target`.
+  /// @return completed; limit_point if the laws of the body give no usable size at the pressures (driven_sizes); otherwise
+  /// not_converged if no equilibrium was found. After a failure the state is the last equilibrium on the path
   [[nodiscard]] io::RunStatus load(const StaticLoads& target);
 
-  /// Puts the body into a state under loads, whether or not it is an equilibrium there, which only a state beside one is for.
-  /// @return false, and nothing changes, where the pressures lie beyond what a law of the body knows
+  /// Sets the loads and the state of the body, which need not be an equilibrium. For states close to an equilibrium.
+  /// @return false, with nothing changed, if the laws of the body give no usable size at the pressures (driven_sizes)
   [[nodiscard]] bool place(const StaticLoads& loads, const StaticState& state);
 
   [[nodiscard]] const StaticLoads& loads() const { return loads_; }
   [[nodiscard]] const StaticState& state() const { return state_; }
   [[nodiscard]] const Pose& pose(std::size_t node) const { return state_.poses[node]; }
   [[nodiscard]] const ForceBalance& balance() const { return balance_; }
-  [[nodiscard]] std::size_t iteration_count() const { return newton_.iteration_count(); }          ///< since the beginning
-  [[nodiscard]] std::size_t factorisation_count() const { return newton_.factorisation_count(); }  ///< of tangents, since then
+  [[nodiscard]] std::size_t iteration_count() const { return newton_.iteration_count(); }  ///< since construction
+  /// Number of factorised tangents since construction.
+  [[nodiscard]] std::size_t factorisation_count() const { return newton_.factorisation_count(); }
 
   [[nodiscard]] PlateLoad plate_load(std::size_t plate) const;
-  [[nodiscard]] double ground_force_N() const;                   ///< upwards, sum over all voxels
-  [[nodiscard]] double axial_strain(std::size_t beam) const;     ///< length by rest length, minus 1
-  [[nodiscard]] const Eigen::SparseMatrix<double>& linearise();  ///< stiffness at this equilibrium, scaled as in ForceBalance
+  [[nodiscard]] double ground_force_N() const;                ///< upwards, sum over all voxels
+  [[nodiscard]] double axial_strain(std::size_t beam) const;  ///< length / rest length - 1
+  /// Computes the stiffness at this equilibrium, scaled as in ForceBalance.
+  [[nodiscard]] const Eigen::SparseMatrix<double>& linearise();
 
  private:
   [[nodiscard]] bool solve();

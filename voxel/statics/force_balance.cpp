@@ -186,7 +186,7 @@ void ForceBalance::add_coupling(const StaticState& state, std::vector<NodeLoad>&
   const double scale = body_->edge_m / force_scale_;
   const auto add = [&](const BlockPlaces& places, const Matrix3d& k) {
     for (std::size_t block = 0; block < 4; ++block) {
-      // Ends of one sign attract each other: lower-lower and upper-upper.
+      // Equal ends (lower-lower, upper-upper) have positive stiffness, unequal ends negative.
       if (places[block]) stiffness->add(*places[block], 0, 0, (block == 0 || block == 3 ? scale : -scale) * k);
     }
   };
@@ -241,7 +241,7 @@ void ForceBalance::add_weight_and_ground(const StaticState& state, std::vector<N
   for (std::size_t voxel = 0; voxel < body_->voxel_count(); ++voxel) {
     loads[voxel][z] -= body_->mass_kg[voxel] * loads_.gravity_m_s2;
     for (const auto& [arm, foot_stiffness, push] : pressed_feet(state, voxel)) {
-      // How the foot rises with the displacement along z and the turns about x, y and z.
+      // Derivative of the foot's height with respect to the displacement along z and the rotations about x, y and z.
       const Eigen::Vector4d rise{1.0, arm.y, -arm.x, 0.0};
       loads[voxel].tail<4>() += push * rise;
       if (stiffness == nullptr || !free_[voxel]) continue;

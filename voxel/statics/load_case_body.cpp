@@ -43,7 +43,7 @@ HollowVoxels voxels_of(const SurrogateParameters& parameters, const LoadCase& lo
                         .chambers = load_case.per_phase ? meshes::ChamberLayout::per_phase : meshes::ChamberLayout::single});
 }
 
-/// How the tip plate of a bar of length l moves when it is bent by an angle: along the circular arc of its middle line.
+/// Motion of the tip plate of a bar of length l that is bent by an angle, along the circular arc of its middle line.
 PlateMotion bent(double length, double angle) {
   PlateMotion motion;
   motion.rotation.y = angle;

@@ -22,7 +22,7 @@ double moment_on(LoadCaseKind kind, const Equilibrium& equilibrium) {
   return kind == LoadCaseKind::torsion ? load.moment.x : load.moment.y;
 }
 
-/// Extents and height of the top by what the body is held at: a free one is seen in its own frame.
+/// Extents and height of the top. Those of a free body are in its own frame.
 BodyShape::FreeSize size_of(const BodyShape& shape, LoadCaseKind kind) {
   if (kind == LoadCaseKind::inflation) return shape.free_size();
   return {.extents = {shape.extent(0), shape.extent(1), shape.extent(2)}, .top_height = shape.top_height()};
@@ -35,7 +35,7 @@ double tip_height_at_rest(const StaticBody& body) {
   return sum / static_cast<double>(tip.size());
 }
 
-/// One number of a row other than frequencies, by the name of its column. @param size of the shape, see size_of
+/// One number of a row, other than a frequency, by the name of its column. @param size of the shape, see size_of
 double observed(const std::string& column, LoadCaseKind kind, const Equilibrium& equilibrium, const BodyShape& shape,
                 const BodyShape::FreeSize& size) {
   const StaticBody& body = equilibrium.balance().body();
@@ -47,7 +47,7 @@ double observed(const std::string& column, LoadCaseKind kind, const Equilibrium&
   if (column == "extent_z_m") return size.extents[2] - body.box_m[2];
   if (column == "top_m") return size.top_height - body.box_m[2];
   if (column == "tip_m") return shape.tip_height() - tip_height_at_rest(body);
-  throw std::logic_error("the surrogate does not know the column " + column);
+  throw std::logic_error("the surrogate does not have the column " + column);
 }
 
 }  // namespace

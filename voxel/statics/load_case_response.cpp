@@ -14,7 +14,7 @@ namespace {
 using meshes::LoadCase;
 using meshes::LoadCaseKind;
 
-/// Which wall class ends at a pressure.
+/// Names the wall class whose law ends before a pressure.
 std::string beyond_laws(const StaticBody& body, double pressure_Pa) {
   for (std::size_t c = 0; c < wall_class_count; ++c) {
     if (!body.has_class[c]) continue;
@@ -25,7 +25,7 @@ std::string beyond_laws(const StaticBody& body, double pressure_Pa) {
       }
     }
   }
-  return "a wall class has no length left at pressure_Pa = " + io::number_text(pressure_Pa);
+  return "a wall class has no positive rest length at pressure_Pa = " + io::number_text(pressure_Pa);
 }
 
 std::string contact_text(const StaticBody& body, const BodyShape::WallContact& contact) {
@@ -59,13 +59,13 @@ LoadCaseResponse visit_states(const SurrogateParameters& parameters, const LoadC
       return response;
     }
     std::vector<double> row(state.begin(), state.begin() + static_cast<std::ptrdiff_t>(meshes::abscissa_count(kind)));
-    const std::vector<double> answer = load_case_ordinates(response.columns, kind, equilibrium);
-    if (answer.empty()) {
+    const std::vector<double> ordinates = load_case_ordinates(response.columns, kind, equilibrium);
+    if (ordinates.empty()) {
       response.status = io::RunStatus::limit_point;
       response.reason = "the equilibrium is not stable";
       return response;
     }
-    row.insert(row.end(), answer.begin(), answer.end());
+    row.insert(row.end(), ordinates.begin(), ordinates.end());
     for (std::size_t i = 0; i < row.size(); ++i) response.values[i].push_back(row[i]);
     for (std::size_t beam = 0; beam < body.beams.size(); ++beam) {
       const double strain = equilibrium.axial_strain(beam);

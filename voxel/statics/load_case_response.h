@@ -10,10 +10,10 @@
 
 namespace menger::voxel {
 
-/// What the surrogate of a body answers to a load case, at the states (pressure, imposed) that are asked for: equilibria of the
-/// same beams that Simulation steps, found by Newton's method (see equilibrium.h), and small vibrations about them.
+/// Computes the response of a surrogate body to a load case at the given states (pressure, imposed). Responses are equilibria of
+/// the same beams that Simulation steps, found by Newton's method (see equilibrium.h), and small vibrations about them.
 ///
-/// Plates are joined to the voxels at the end of the body by half beams of length L / 2 of those voxels' own class.
+/// Plates are joined to the voxels at the end of the body by half beams of length L / 2, with the class of those voxels.
 /// @param states rows of abscissae, as many as meshes::abscissa_count(kind) each; empty: those of the load case
 /// @throws std::invalid_argument if cell edge or wall thickness are not those of the parameters
 LoadCaseResponse respond(const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
@@ -21,10 +21,10 @@ LoadCaseResponse respond(const SurrogateParameters& parameters, const meshes::Lo
 
 class Equilibrium;
 
-/// Called with every state reached and its row.
+/// Called for every state reached, with its row.
 using StateVisitor = std::function<void(std::size_t row, const Equilibrium& equilibrium)>;
 
-/// The same, and shows its equilibria on the way.
+/// Does the same as respond, and passes every equilibrium to a visitor.
 LoadCaseResponse visit_states(const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                               const std::vector<std::vector<double>>& states, const StateVisitor& visit);
 

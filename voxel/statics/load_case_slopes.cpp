@@ -16,24 +16,24 @@ namespace {
 using meshes::LoadCase;
 using meshes::LoadCaseKind;
 
-/// A surrogate of other parameters beside an equilibrium.
+/// A surrogate with neighbouring parameters, placed at the equilibrium of another.
 class Neighbour {
  public:
-  /// @param by how far away its parameters are, of sign
+  /// @param by signed distance of its parameters in the coordinate of the span
   Neighbour(const SurrogateParameters& parameters, const StaticBody& body, LoadCaseKind kind, double by)
       : body_(with(parameters, body)), equilibrium_(body_, load_case_supports(kind)), by_(by) {}
 
   [[nodiscard]] double by() const { return by_; }
 
-  /// Puts it where another is in equilibrium. @return the loads on it there, scaled as the other's residual is; nothing where its
-  /// laws have no value
+  /// Puts it into the equilibrium state of another surrogate. @return its residual there, scaled as that of the other; nothing if
+  /// its laws have no value
   [[nodiscard]] std::optional<Eigen::VectorXd> residual_beside(const Equilibrium& other) {
     if (!equilibrium_.place(other.loads(), other.state())) return std::nullopt;
     const ForceBalance& balance = equilibrium_.balance();
     return balance.force_scale_N() / other.balance().force_scale_N() * balance.residual(equilibrium_.state());
   }
 
-  /// Ordinates after a step from where it is; nothing where there are none.
+  /// Ordinates after a step from its state; nothing if there are none.
   [[nodiscard]] std::optional<std::vector<double>> ordinates(const std::vector<std::string>& columns, LoadCaseKind kind,
                                                              const Eigen::VectorXd& step) {
     StaticState moved = equilibrium_.state();
@@ -58,13 +58,13 @@ class Neighbour {
   double by_;
 };
 
-/// Both sides of a span, as far as there are any.
+/// The surrogates on both sides of a span, as far as they exist.
 struct Neighbours {
   std::unique_ptr<Neighbour> below;
   std::unique_ptr<Neighbour> above;
 };
 
-/// Slopes of all spans along the states of a load case.
+/// Computes the slopes of all spans along the states of a load case.
 class SlopeSweep {
  public:
   SlopeSweep(const LoadCase& load_case, const std::vector<ParameterSpan>& spans)
@@ -80,9 +80,9 @@ class SlopeSweep {
 
  private:
   void begin(const Equilibrium& equilibrium);
-  /// Change of the residual by the coordinate of a span; drops what has no answer.
+  /// Derivative of the residual with respect to the coordinate of a span. Drops a side that has no value.
   [[nodiscard]] std::optional<Eigen::VectorXd> residual_slope(std::size_t span, const Equilibrium& equilibrium);
-  /// Change of the ordinates if the unknowns change by a rate.
+  /// Derivative of the ordinates if the unknowns change at a rate.
   [[nodiscard]] std::optional<std::vector<double>> ordinate_slope(std::size_t span, const Eigen::VectorXd& rate,
                                                                   const std::vector<double>& here);
 
@@ -140,17 +140,17 @@ void SlopeSweep::visit(const Equilibrium& equilibrium) {
   if (!balance_) begin(equilibrium);
   const bool in_range = balance_->set_loads(equilibrium.loads());
   static_cast<void>(balance_->linearise(equilibrium.state()));
-  const bool has_answer = in_range && factors_.factorise(balance_->stiffness());
+  const bool has_converged = in_range && factors_.factorise(balance_->stiffness());
   Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(balance_->unknown_count(), static_cast<Eigen::Index>(spans_.size()));
   tbb::parallel_for(std::size_t{0}, spans_.size(), [&](std::size_t n) {
     if (!slopes_[n]) return;
-    if (const auto load = has_answer ? residual_slope(n, equilibrium) : std::nullopt) {
+    if (const auto load = has_converged ? residual_slope(n, equilibrium) : std::nullopt) {
       loads.col(static_cast<Eigen::Index>(n)) = *load;
     } else {
       slopes_[n].reset();
     }
   });
-  const Eigen::MatrixXd rates = has_answer ? factors_.solve(loads) : loads;
+  const Eigen::MatrixXd rates = has_converged ? factors_.solve(loads) : loads;
   const std::vector<double> here = load_case_ordinates(columns_, kind_, equilibrium);
   const std::size_t abscissae = meshes::abscissa_count(kind_);
   tbb::parallel_for(std::size_t{0}, spans_.size(), [&](std::size_t n) {

@@ -17,16 +17,16 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Near rounding the residual stops falling, and steps say nothing.
+/// Size of rounding errors. At this size the residual stops falling, and steps have no meaning.
 constexpr double rounding = 1e-13;
 
-/// What a step must leave of the residual at most for its tangent to be kept.
+/// Largest fraction of the residual that a step may leave if its tangent is to be kept.
 constexpr double fast = 0.2;
 
-/// KINSOL cuts a step in two where the system function asks for it, but evaluates five times at most.
+/// KINSOL halves a step if the system function asks for it, but evaluates five times at most.
 constexpr int most_halvings = 4;
 
-/// What the functions that KINSOL calls return: done, or again with less of the step.
+/// Return values of the functions that KINSOL calls: done, or try again with a smaller step.
 constexpr int accepted = 0;
 constexpr int too_far = 1;
 
@@ -34,9 +34,9 @@ using View = Eigen::Map<Eigen::VectorXd>;
 
 View view(N_Vector v) { return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))}; }
 
-/// The largest entry, infinite where one is not finite.
+/// The largest magnitude of the entries, infinite if one is not finite.
 double size_of(const Equations::Values& values) {
-  // maxCoeff passes over NaN; a sum does not.
+  // maxCoeff ignores NaN; a sum does not.
   const double sum = values.cwiseAbs().sum();
   if (!std::isfinite(sum)) return infinity;
   return values.size() == 0 ? 0.0 : values.lpNorm<Eigen::Infinity>();
@@ -44,11 +44,11 @@ double size_of(const Equations::Values& values) {
 
 }  // namespace
 
-/// The objects of KINSOL and the functions that it calls, with what these remember of a search.
+/// The objects of KINSOL, the functions that it calls, and the data that these keep during a search.
 struct ModifiedNewton::Solver {
   explicit Solver(Eigen::Index unknown_count);
 
-  /// @param residual at x @return the size of the residual where the search ends, infinite where a tangent was singular
+  /// Runs one search. @param residual at x @return the largest residual where the search ends, infinite if a tangent was singular
   [[nodiscard]] double search(const Equations& of, Eigen::VectorXd& x, const Eigen::VectorXd& residual, double tolerance,
                               const NewtonOptions& options);
 
@@ -65,19 +65,19 @@ struct ModifiedNewton::Solver {
   io::SundialsHandle<void*, KINFree> kinsol;
 
   const Equations* equations = nullptr;
-  const Eigen::VectorXd* start = nullptr;  ///< the residual where the search begins, until KINSOL has asked for it
+  const Eigen::VectorXd* start = nullptr;  ///< the residual at the start, until KINSOL has asked for it
   double largest_step = infinity;
 
-  const Eigen::SparseMatrix<double>* tangent = nullptr;  ///< what the matrix stands for
+  const Eigen::SparseMatrix<double>* tangent = nullptr;  ///< the tangent that `matrix` represents
   TangentFactors factors;
   bool has_factors = false;
-  bool is_new = false;   ///< whether they are those of the tangent where the next step begins
-  bool was_old = false;  ///< whether the last step was one of older factors
+  bool is_new = false;   ///< whether the factors belong to the tangent where the next step begins
+  bool was_old = false;  ///< whether the last step used older factors
 
-  double size = infinity;         ///< of the residual that was evaluated last
+  double size = infinity;         ///< of the residual evaluated last
   double size_before = infinity;  ///< of the residual where the last step began
-  double norm_before = infinity;  ///< the same, Euclidean norm
-  int halvings_left = 0;          ///< of the last step
+  double norm_before = infinity;  ///< Euclidean norm of that residual
+  int halvings_left = 0;          ///< for the last step
 
   std::size_t iterations = 0;
   std::size_t factorisations = 0;
@@ -91,7 +91,7 @@ ModifiedNewton::Solver::Solver(Eigen::Index unknown_count)
       kinsol(io::sundials_made<io::SundialsHandle<void*, KINFree>>(KINCreate(context.get()))) {
   matrix->content = this;
   matrix->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
-  matrix->ops->zero = [](SUNMatrix) { return SUNMAT_SUCCESS; };  // who forms a tangent begins from zero
+  matrix->ops->zero = [](SUNMatrix) { return SUNMAT_SUCCESS; };  // the function that forms a tangent starts from zero
   matrix->ops->destroy = SUNMatFreeEmpty;
   linear->content = this;
   linear->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
@@ -103,7 +103,7 @@ ModifiedNewton::Solver::Solver(Eigen::Index unknown_count)
   };
   void* const memory = kinsol.get();
   constexpr long never = std::numeric_limits<int>::max();
-  // For right arguments these fail for want of memory only.
+  // With valid arguments these fail only if memory is short.
   const auto check = [](int outcome) {
     if (outcome != KIN_SUCCESS) throw std::bad_alloc();
   };
@@ -113,7 +113,7 @@ ModifiedNewton::Solver::Solver(Eigen::Index unknown_count)
   check(KINSetLinearSolver(memory, linear.get(), matrix.get()));
   check(KINSetJacFn(memory, form_tangent));
   check(KINSetScaledStepTol(memory, rounding));
-  // solve() says when factors are too old, and keeps steps short.
+  // solve() reports old factors and limits the steps.
   check(KINSetNoInitSetup(memory, SUNTRUE));
   check(KINSetMaxSetupCalls(memory, never));
   check(KINSetMaxSubSetupCalls(memory, never));
@@ -121,9 +121,10 @@ ModifiedNewton::Solver::Solver(Eigen::Index unknown_count)
   check(KINSetMaxBetaFails(memory, never));
 }
 
-/// KINSOL's system function. It asks for half a step where the residual is not finite or, a few times, where it has grown:
-/// KINSOL's own search would go to the least value of the parabola through both ends. Where a slender body turns far, the step
-/// stretches it, the residual at its end says nothing about the way there, and that search takes twice the iterations.
+/// KINSOL's system function. It asks for half the step if the residual is not finite or, a few times, if it has grown. KINSOL's
+/// own line search would go to the minimum of the parabola through both ends. When a slender body turns far, the step stretches
+/// it; the residual at the end of the step then has no relation to the path to it, and KINSOL's search takes twice the
+/// iterations.
 int ModifiedNewton::Solver::evaluate(N_Vector x, N_Vector residual, void* solver) {
   auto* const self = static_cast<Solver*>(solver);
   View f = view(residual);
@@ -160,7 +161,7 @@ int ModifiedNewton::Solver::factorise(SUNLinearSolver linear, SUNMatrix /*tangen
   return self->has_factors ? SUNLS_SUCCESS : SUNLS_LUFACT_FAIL;
 }
 
-/// The step, cut to the largest one. Where it fails with old factors KINSOL makes new ones and comes back.
+/// Computes the step, shortened to the largest one. If it fails with old factors, KINSOL makes new ones and calls it again.
 int ModifiedNewton::Solver::solve(SUNLinearSolver linear, SUNMatrix /*tangent*/, N_Vector step, N_Vector minus_residual,
                                   double /*tolerance*/) {
   auto* const self = static_cast<Solver*>(linear->content);
@@ -202,14 +203,15 @@ double ModifiedNewton::Solver::search(const Equations& of, Eigen::VectorXd& x, c
   };
   int outcome = run();
   const auto leads_nowhere = [&] { return outcome == KIN_REPTD_SYSFUNC_ERR || outcome == KIN_SYSFUNC_FAIL; };
-  // KINSOL forms a new tangent where a step of old factors is too long, but ends where it has no residual all along.
+  // KINSOL forms a new tangent if a step of old factors is too long, but stops if the residual has no value anywhere along the
+  // step.
   while (leads_nowhere() && was_old && count < options.largest_iteration_count) {
     has_factors = false;
     outcome = run();
   }
   iterations += static_cast<std::size_t>(count);
   if (outcome != KIN_SUCCESS) {
-    // A search that failed has looked at other places after the one where it ends.
+    // A failed search has evaluated other points after the one where it ends.
     Eigen::VectorXd end(x.size());
     of.residual(x, end);
     size = size_of(end);

@@ -6,7 +6,7 @@
 namespace menger::voxel {
 namespace {
 
-/// Whether a response has all rows that another has, and says something in them.
+/// Whether a response has all rows that another has, and all its values are finite.
 bool is_like(const LoadCaseResponse& response, const LoadCaseResponse& other) {
   if (response.status != io::RunStatus::completed || response.values.size() != other.values.size()) return false;
   for (std::size_t c = 0; c < other.values.size(); ++c) {
@@ -22,7 +22,7 @@ ResponseSlopes Responder::slopes(const SurrogateParameters& parameters, const me
                                  const std::vector<ParameterSpan>& spans) const {
   if (slopes_) return slopes_(parameters, load_case, states, spans);
   ResponseSlopes result;
-  result.response = answer_(parameters, load_case, states);
+  result.response = response_(parameters, load_case, states);
   const LoadCaseResponse& here = result.response;
   if (here.status != io::RunStatus::completed) {
     result.slopes.resize(spans.size());
@@ -30,7 +30,7 @@ ResponseSlopes Responder::slopes(const SurrogateParameters& parameters, const me
   }
   const auto beside = [&](const SurrogateParameters& side, double by) {
     std::optional<LoadCaseResponse> response;
-    if (by > 0.0) response = answer_(side, load_case, states);
+    if (by > 0.0) response = response_(side, load_case, states);
     if (response && !is_like(*response, here)) response.reset();
     return response;
   };

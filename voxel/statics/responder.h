@@ -14,66 +14,68 @@
 
 namespace menger::voxel {
 
-/// A surrogate's answer to a load case.
+/// The response of a surrogate to a load case.
 struct LoadCaseResponse {
-  /// not_converged where a state has no equilibrium that was found; limit_point where its pressure lies beyond what a law of the
-  /// body's walls knows, or where it is not stable and so has no modes; wall_contact where chamber walls that face each other
-  /// have met (BodyShape::wall_contact), beyond which beams would go on as if they passed through each other
+  /// completed, or why not:
+  /// - not_converged: no equilibrium was found for a state.
+  /// - limit_point: the laws of the body's walls give no usable size at the pressure of a state (driven_sizes), or its
+  /// equilibrium is not stable and so has no modes.
+  /// - wall_contact: facing chamber walls touch (BodyShape::wall_contact). Beyond this, beams would pass through each other.
   io::RunStatus status = io::RunStatus::completed;
-  std::string reason{};                     ///< why, where there is more to say than the status
+  std::string reason{};                     ///< why, if there is more to say than the status
   std::vector<std::string> columns;         ///< meshes::response_columns(kind)
-  std::vector<std::vector<double>> values;  ///< by column; rows as in the load case; only the rows reached
-  double smallest_strain = 0.0;             ///< of any beam in any state, axial, beyond the rest length
+  std::vector<std::vector<double>> values;  ///< by column; rows as in the load case, only those reached
+  double smallest_strain = 0.0;             ///< axial, of any beam in any state: length / rest length - 1
   double largest_strain = 0.0;
 };
 
-/// Parameters on both sides of others, and how far away they are in the coordinate whose derivatives are sought.
+/// Parameters on both sides of given ones, with their distances in the coordinate of the derivative.
 struct ParameterSpan {
   SurrogateParameters below;
   SurrogateParameters above;
-  double below_by = 0.0;  ///< >= 0; 0: nothing is known below, and `below` is not looked at
-  double above_by = 0.0;  ///< likewise
+  double below_by = 0.0;  ///< >= 0; 0: there are none below, and `below` is not used
+  double above_by = 0.0;  ///< >= 0; 0: there are none above, and `above` is not used
 };
 
-/// By column, then row, as the values of a response; abscissae do not change.
+/// Derivatives by column, then row, as the values of a response; those of abscissae are zero.
 using ResponseSlope = std::vector<std::vector<double>>;
 
-/// A surrogate's answer to a load case and how it changes with its parameters.
+/// The response of a surrogate to a load case, and its derivatives with respect to parameters.
 struct ResponseSlopes {
   LoadCaseResponse response;
-  std::vector<std::optional<ResponseSlope>> slopes;  ///< by span; nothing where there is no answer on either side
+  std::vector<std::optional<ResponseSlope>> slopes;  ///< by span; nothing if neither side has a response
 };
 
-/// What answers to a load case at states (rows of abscissae; none: those of the load case): equilibria of the surrogate, or a
-/// closed form in their place.
+/// Computes responses to a load case at given states. States are rows of abscissae; without any, those of the load case are used.
+/// Responses come from equilibria of the surrogate, or from a closed form in their place.
 class Responder {
  public:
   using States = std::vector<std::vector<double>>;
-  using Answer = std::function<LoadCaseResponse(const SurrogateParameters&, const meshes::LoadCase&, const States&)>;
+  using Response = std::function<LoadCaseResponse(const SurrogateParameters&, const meshes::LoadCase&, const States&)>;
   using Slopes = std::function<ResponseSlopes(const SurrogateParameters&, const meshes::LoadCase&, const States&,
                                               const std::vector<ParameterSpan>&)>;
 
   Responder() = default;
 
-  /// From answers alone.
+  /// A responder without derivatives of its own.
   template <class Function>
-  requires(!std::same_as<Function, Responder> && std::constructible_from<Answer, Function>) Responder(Function answer)
-      : answer_(std::move(answer)) {}
+  requires(!std::same_as<Function, Responder> && std::constructible_from<Response, Function>) Responder(Function response)
+      : response_(std::move(response)) {}
 
-  Responder(Answer answer, Slopes slopes) : answer_(std::move(answer)), slopes_(std::move(slopes)) {}
+  Responder(Response response, Slopes slopes) : response_(std::move(response)), slopes_(std::move(slopes)) {}
 
   LoadCaseResponse operator()(const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                               const States& states) const {
-    return answer_(parameters, load_case, states);
+    return response_(parameters, load_case, states);
   }
 
-  /// The answer of parameters, and its derivatives. From answers alone they are differences: central ones, one-sided where one
-  /// side is not known or has no answer.
+  /// The response of the surrogate with some parameters, and its derivatives. A responder without derivatives of its own takes
+  /// differences of responses: central ones, or one-sided ones if a side is not given or has no response.
   [[nodiscard]] ResponseSlopes slopes(const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                                       const States& states, const std::vector<ParameterSpan>& spans) const;
 
  private:
-  Answer answer_;
+  Response response_;
   Slopes slopes_;
 };
 

@@ -16,7 +16,7 @@ using meshes::Side;
 
 std::array<int, 3> indices(const CellIndex& cell) { return {cell.x, cell.y, cell.z}; }
 
-/// Least and largest cell of a body along every axis.
+/// Smallest and largest cell coordinates of a body along every axis.
 struct CellBox {
   std::array<int, 3> low{};
   std::array<int, 3> high{};
@@ -43,7 +43,7 @@ Vector3<double> vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2
 
 std::size_t position(std::int32_t index) { return static_cast<std::size_t>(index); }
 
-/// The middle of a side of a box with a corner at the origin.
+/// The middle of a side of a box with one corner at the origin.
 std::array<double, 3> middle_of_side(const std::array<double, 3>& size, Side side) {
   std::array<double, 3> middle{0.5 * size[0], 0.5 * size[1], 0.5 * size[2]};
   const std::size_t axis = meshes::axis_of(side);

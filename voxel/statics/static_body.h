@@ -14,38 +14,38 @@
 
 namespace menger::voxel {
 
-/// A beam of a body at rest: between two voxels (its length is the voxel edge), or between a voxel and a loading plate that holds
-/// its face (half the edge).
+/// A beam of a body at rest. It joins two voxels (its length is the voxel edge), or a voxel and a loading plate that holds its
+/// face (half the edge).
 struct StaticBeam {
   int axis = 0;
-  std::size_t lower = 0;  ///< node: a voxel, or voxel count + place
+  std::size_t lower = 0;  ///< node: a voxel, or voxel count + index of a place
   std::size_t upper = 0;
   BeamCoefficients<double> coefficients{};
 };
 
-/// Where a plate holds the face of a voxel.
+/// A place where a plate holds the face of a voxel.
 struct PlatePlace {
   std::size_t plate = 0;
   std::size_t voxel = 0;
 };
 
-/// A rigid plate bonded to all faces of a body that lie in a plane of its bounding box.
+/// A rigid plate, bonded to all faces of a body that lie in one plane of its bounding box.
 struct Plate {
   meshes::Side side = meshes::Side::x_min;
   Vector3<double> centre{0.0, 0.0, 0.0};  ///< middle of that side of the bounding box, m
 };
 
-/// Half lengths of voxels and the bulges of their walls under the pressure of their chambers.
+/// Half lengths of voxels and bulges of their walls under the pressures of their chambers.
 struct DrivenSizes {
   std::vector<ByWallClass<double>> half_m;  ///< by chamber: (L / 2)(1 + extension)
   std::vector<ByWallClass<double>> bulge;   ///< by chamber, fraction of L
   std::vector<double> pressures_Pa;         ///< by chamber, gauge
 };
 
-/// A body of the surrogate at rest, with plates: what its equilibria and vibrations need and no load changes.
+/// A surrogate body at rest, with plates: all data of its equilibria and vibrations that do not depend on loads.
 ///
-/// The lowest voxels stand on z = 0 and the bounding box of the body begins at the origin. Nodes are the voxels in grid order and
-/// after them the places on plates; those keep the distances that they have at rest.
+/// The lowest voxels stand on z = 0, and the bounding box of the body begins at the origin. Nodes are the voxels in grid order,
+/// then the places on plates. Places of a plate keep their distances to each other.
 struct StaticBody {
   StaticBody(const SurrogateParameters& body_parameters, HollowVoxels hollow, const std::vector<meshes::Side>& plate_sides);
 
@@ -54,15 +54,15 @@ struct StaticBody {
   Lattice lattice;
   double edge_m;                  ///< of a voxel, L
   std::array<double, 3> box_m{};  ///< size of the bounding box
-  std::vector<StaticBeam> beams;  ///< along x, y, z, then those to plates
+  std::vector<StaticBeam> beams;  ///< along x, then y, then z, then those to plates
   std::vector<Plate> plates;
   std::vector<PlatePlace> places;
   std::vector<Pose> rest;       ///< of all nodes
   std::vector<double> mass_kg;  ///< of voxels
   std::vector<double> inertia_kg_m2;
-  ByWallClass<bool> has_class{};                ///< whether any voxel has the class along any axis, of its walls or its bulge
+  ByWallClass<bool> has_class{};                ///< whether any voxel has the class along any axis, for its walls or its bulge
   std::vector<std::array<double, 6>> openings;  ///< see wall_openings
-  /// Per voxel and side the beam that leaves it there, if any.
+  /// Per voxel and side: the beam that leaves the voxel there, if any.
   std::vector<std::array<std::optional<std::size_t>, 6>> beam_at;
 
   [[nodiscard]] std::size_t voxel_count() const { return lattice.voxel_count(); }
@@ -71,11 +71,11 @@ struct StaticBody {
   /// Voxels whose face on a side lies in that plane of the bounding box.
   [[nodiscard]] std::vector<std::size_t> end_voxels(meshes::Side side) const;
 
-  /// The half length of a voxel along an axis, without lateral coupling, m.
+  /// Half length of a voxel along an axis, without lateral coupling, m.
   [[nodiscard]] double half_length(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
     return sizes.half_m[voxels.chamber[voxel]][voxels.wall_class[voxel][axis]];
   }
-  /// Of a beam, without lateral coupling, m.
+  /// Rest length of a beam, without lateral coupling, m.
   [[nodiscard]] double rest_length(const DrivenSizes& sizes, const StaticBeam& beam) const;
   /// Mean bulge of a wall of a voxel across an axis, m.
   [[nodiscard]] double bulge(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
@@ -83,8 +83,9 @@ struct StaticBody {
   }
 };
 
-/// Sizes under gauge pressures, one per chamber (Pa), of the wall classes that a body has; nothing where the law of one of them
-/// reaches its pole or a half length falls below a tenth of what it is at rest, so that there is no body to speak of.
+/// Sizes of voxels under gauge pressures (Pa), one per chamber, for the wall classes that a body has. Returns nothing if the law
+/// of such a class reaches its pole, or if a half length falls below a tenth of its value at rest: such a body has no usable
+/// size.
 std::optional<DrivenSizes> driven_sizes(const StaticBody& body, const std::vector<double>& pressures_Pa);
 
 }  // namespace menger::voxel

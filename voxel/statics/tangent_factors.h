@@ -4,17 +4,18 @@
 
 namespace menger::voxel {
 
-/// Factors of a tangent whose pattern stays while its values change: it is ordered once.
+/// Factors of a tangent whose values change but whose pattern does not, so that it is ordered only once.
 ///
-/// Columns are ordered (COLAMD) and rows pivot, which keeps bodies of voxels sparser than orderings of the symmetric pattern do:
-/// with those the factors of a cube of six voxels along an edge take 1.8 (minimum degree) and 2.5 times (nested dissection) as
-/// long. A symmetric solver would not do, because a beam under load has a tangent that is not symmetric.
+/// Columns are ordered (COLAMD) and rows are pivoted. For bodies of voxels this gives sparser factors than orderings of the
+/// symmetric pattern. With those, factorisation takes 1.8 times (minimum degree) and 2.5 times (nested dissection) as long for a
+/// cube of six voxels along an edge. A symmetric solver cannot be used, because a beam under load has a tangent that is not
+/// symmetric.
 class TangentFactors {
  public:
-  /// @param tangent of the same pattern in every call @return false where it is singular
+  /// Computes the factors. @param tangent of the same pattern in every call @return false if it is singular
   [[nodiscard]] bool factorise(const Eigen::SparseMatrix<double>& tangent);
 
-  /// Steps of the unknowns for columns of residuals, by the tangent of the last factorisation.
+  /// Solves for steps of the unknowns, with the tangent of the last factorisation. @param residuals one column per step
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& residuals) const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 /// Derivative of the scaled residual with respect to the pressure of all chambers, by central differences.
 Eigen::VectorXd pressure_slope(ForceBalance& balance, const Equilibrium& equilibrium) {
-  // So small a step that no law is curved over it.
+  // The step is so small that the curvature of the laws does not matter.
   const SurrogateParameters& parameters = balance.body().parameters;
   double rate = 0.0;
   for (const auto& laws : {parameters.extension, parameters.bulge}) {
@@ -54,13 +54,13 @@ Eigen::MatrixXd rigid_motions(const ForceBalance& balance, const StaticState& st
   return motions;
 }
 
-/// Those rigid motions that a tangent answers with no load, in scaled unknowns.
+/// The rigid motions to which a tangent responds with no load, in scaled unknowns.
 Eigen::MatrixXd unresisted(const Eigen::MatrixXd& tangent, const Eigen::MatrixXd& rigid) {
   constexpr double no_load = 1e-7;
   if (tangent.rows() < rigid.cols()) return Eigen::MatrixXd::Zero(tangent.rows(), 0);
   const Eigen::MatrixXd basis = orthonormal(rigid);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(tangent * basis, Eigen::ComputeThinV);
-  // A single voxel without beams resists nothing at all.
+  // A single voxel without beams resists no motion.
   const double smallest = no_load * std::max(tangent.norm(), std::numeric_limits<double>::min());
   const Eigen::Index count = (svd.singularValues().array() <= smallest).count();
   return basis * svd.matrixV().rightCols(count);
@@ -101,7 +101,7 @@ Vibrations natural_vibrations(const SmallMotion& motion, std::size_t largest_cou
   Eigen::MatrixXd dynamic = per_root.asDiagonal() * motion.stiffness * per_root.asDiagonal();
   const Eigen::Index rigid_count = motion.rigid.cols();
   if (rigid_count > 0) {
-    // Rigid motions are taken out of the matrix and put above all others.
+    // Rigid motions are removed from the matrix and shifted above all other modes.
     const double above = 2.0 * dynamic.norm();
     const Eigen::MatrixXd rigid = root.asDiagonal() * motion.rigid;
     dynamic -= rigid * (rigid.transpose() * dynamic);

@@ -11,7 +11,7 @@ namespace {
 using meshes::Side;
 using Vector = Vector3<double>;
 
-/// From the centre of a voxel to the low and the high side along each axis.
+/// Vectors from the centre of a voxel to its low and high side along each axis.
 using Arms = std::array<std::array<Vector, 2>, 3>;
 
 Arms arms_of(const BodyShape& shape, std::size_t voxel, const Vector& centre) {
@@ -24,11 +24,11 @@ Arms arms_of(const BodyShape& shape, std::size_t voxel, const Vector& centre) {
   return arms;
 }
 
-/// Low (0) or high (1) end along x, y and z of the corners of VTK_HEXAHEDRON.
+/// For each corner of VTK_HEXAHEDRON: low (0) or high (1) end along x, y and z.
 constexpr std::array<std::array<std::size_t, 3>, 8> corner_ends{
     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
 
-/// Volume of the box between arms; each pair of arms lies on one line, along the axes of the turned voxel.
+/// Volume of the box between arms. The two arms of an axis lie on one line, along an axis of the rotated voxel.
 double volume_of(const Arms& arms) {
   double volume = 1.0;
   for (const auto& [low, high] : arms) {

@@ -10,20 +10,21 @@
 
 namespace menger::voxel {
 
-/// A body of the surrogate as boxes, one per voxel, for pictures: what extents and volumes are measured on (see BodyShape).
+/// A surrogate body in equilibrium as boxes for pictures, one per voxel. They show the shape on which extents and volumes are
+/// measured (BodyShape).
 struct BodyBoxes {
   using Point = std::array<double, 3>;
 
-  /// By voxel, in the order of VTK_HEXAHEDRON, m. Walls stand at their mean bulge, so that neighbouring boxes need not meet at
-  /// their edges.
+  /// Corners by voxel, in the order of VTK_HEXAHEDRON, m. Walls are drawn at their mean bulge, so neighbouring boxes may not meet
+  /// at their edges.
   std::vector<std::array<Point, 8>> corners_m;
   std::vector<meshes::Material> material;
-  std::vector<double> volume_change;  ///< of the box, by the voxel's volume at rest
+  std::vector<double> volume_change;  ///< of the box, divided by the volume of the voxel at rest
 };
 
 BodyBoxes body_boxes(const Equilibrium& equilibrium);
 
-/// The same boxes elsewhere, turned or not.
+/// Moves boxes by a rigid motion.
 BodyBoxes moved(BodyBoxes boxes, const Eigen::Isometry3d& motion);
 
 }  // namespace menger::voxel

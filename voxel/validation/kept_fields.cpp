@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using State = std::vector<double>;
 
-/// A file of fields, which has displacements.
+/// Reads a file of fields with displacements.
 vtkSmartPointer<vtkUnstructuredGrid> read_fields(const fs::path& file) {
   std::error_code ignored;
   vtkSmartPointer<vtkUnstructuredGrid> grid;
@@ -34,13 +34,13 @@ vtkSmartPointer<vtkUnstructuredGrid> read_fields(const fs::path& file) {
     grid = vtkUnstructuredGrid::SafeDownCast(reader->GetOutput());
   }
   if (grid == nullptr || grid->GetPointData()->GetArray("displacement_m") == nullptr)
-    throw io::InputError(file.string() + ": is no file of fields with displacement_m");
+    throw io::InputError(file.string() + ": is not a file of fields with displacement_m");
   return grid;
 }
 
-/// Of each row the step whose pressure is nearest, if it is near.
+/// For each row, the step with the nearest pressure, if it is near.
 FieldsByRow nearest_in_pressure(const std::vector<fs::path>& files, const std::vector<State>& states) {
-  constexpr double near_enough = 0.02;  // of the largest pressure: less than is seen in a picture
+  constexpr double near_enough = 0.02;  // of the largest pressure; a smaller difference is not visible in a picture
   double largest_Pa = 0.0;
   for (const State& state : states) largest_Pa = std::max(largest_Pa, std::abs(state.front()));
   FieldsByRow by_row;

@@ -7,7 +7,7 @@ namespace menger::voxel {
 
 namespace {
 
-/// Positions as columns.
+/// Positions, one per column.
 using Points = Eigen::Matrix3Xd;
 
 Eigen::Isometry3d best_fit(const Points& rest, const Points& deformed) {

@@ -8,11 +8,11 @@
 
 namespace menger::voxel {
 
-/// The rigid motion that comes nearest to a deformation: the least sum of squared distances between the moved corners of the
-/// boxes at rest and the deformed ones. @param deformed as many boxes in the same order
+/// The rigid motion nearest to a deformation. It minimises the sum of squared distances between the moved corners of the boxes at
+/// rest and the corners of the deformed boxes. @param deformed as many boxes, in the same order
 Eigen::Isometry3d rigid_part(const BodyBoxes& rest, const BodyBoxes& deformed);
 
-/// The same for the points of a surface, which are where its point data displacement_m brought them.
+/// The rigid motion nearest to the deformation of a surface. Its points are already displaced by its point data displacement_m.
 Eigen::Isometry3d rigid_part(vtkPolyData& deformed);
 
 }  // namespace menger::voxel

@@ -56,7 +56,7 @@ io::PictureOutcome draw_side_by_side(const std::filesystem::path& file, vtkPolyD
                                      const std::string& caption, const io::PictureStyle& style) {
   std::vector<vtkSmartPointer<vtkPolyData>> bodies;
   if (elements != nullptr) bodies.emplace_back(elements);
-  // All of one colour: the body is of one silicone.
+  // One colour for all boxes, because the body is of one silicone.
   bodies.push_back(box_surface(surrogate.corners_m, std::vector<meshes::Material>(surrogate.corners_m.size(), 1)));
   return io::write_picture(file, style, [&](vtkRenderWindow& window) { fill(window, bodies, caption, style); });
 }

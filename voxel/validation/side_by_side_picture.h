@@ -10,8 +10,8 @@
 
 namespace menger::voxel {
 
-/// Draws the deformed surface of finite elements and the boxes of a surrogate beside each other, to one scale, seen from above at
-/// an angle. @param elements nullptr: the surrogate alone @param caption what is shown, below both
+/// Draws the deformed surface of finite elements and the boxes of a surrogate side by side, at one scale, seen from above at an
+/// angle. @param elements nullptr: draw the surrogate alone @param caption shown below both
 /// @throws io::InputError if the place cannot be written
 io::PictureOutcome draw_side_by_side(const std::filesystem::path& file, vtkPolyData* elements, const BodyBoxes& surrogate,
                                      const std::string& caption,

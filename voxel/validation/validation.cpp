@@ -27,7 +27,7 @@ auto identity(const LoadCase& load_case) {
   return std::tie(load_case.cells, load_case.digits, load_case.level, load_case.per_phase);
 }
 
-/// A name without the word for its kind and what joins the two.
+/// A name without the word for its kind and the sign that joins them.
 std::string without_kind(std::string name, LoadCaseKind kind) {
   const std::string word(to_string(kind));
   const auto joins = [](char sign) { return sign == '_' || sign == '-'; };
@@ -46,7 +46,7 @@ double largest_magnitude(const std::vector<double>& values) {
   return largest;
 }
 
-/// By column; 0 for abscissae.
+/// Scale of the errors of each column; 0 for abscissae.
 std::vector<double> scales_of(const ResponseCurve& curve) {
   constexpr double least_share = 0.01;
   const std::size_t first = meshes::abscissa_count(curve.provenance.load_case.kind);
@@ -79,7 +79,7 @@ std::optional<double> imposed_of(const std::vector<double>& state) {
   return state.size() > 1 ? std::optional(state[1]) : std::nullopt;
 }
 
-/// Slope of the straight line of least squares; nothing if all x are equal.
+/// Slope of the least-squares straight line; nothing if all x are equal.
 std::optional<double> slope(const std::vector<double>& x, const std::vector<double>& y) {
   const auto count = static_cast<double>(x.size());
   double mean_x = 0.0;
@@ -102,18 +102,18 @@ std::vector<double> part(const std::vector<double>& values, std::size_t begin, s
   return {values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
-/// Answers of a column to a run of rows; nothing if one has none.
-std::optional<std::vector<double>> answers_between(const CurveComparison& comparison, std::size_t column, std::size_t begin,
-                                                   std::size_t end) {
-  std::vector<double> answers;
+/// Responses of a column in consecutive rows; nothing if a row has none.
+std::optional<std::vector<double>> responses_between(const CurveComparison& comparison, std::size_t column, std::size_t begin,
+                                                     std::size_t end) {
+  std::vector<double> responses;
   for (std::size_t row = begin; row < end; ++row) {
-    if (!comparison.answer_rows[row]) return std::nullopt;
-    answers.push_back(comparison.answer.values[column][*comparison.answer_rows[row]]);
+    if (!comparison.response_rows[row]) return std::nullopt;
+    responses.push_back(comparison.response.values[column][*comparison.response_rows[row]]);
   }
-  return answers;
+  return responses;
 }
 
-/// The worst of a run of rows.
+/// The first validity of consecutive rows that is not inside; inside if there is none.
 Validity validity_of_rows(const std::vector<Validity>& validity, std::size_t begin, std::size_t end) {
   const auto first = validity.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto last = validity.begin() + static_cast<std::ptrdiff_t>(end);
@@ -134,9 +134,9 @@ void add_stiffness(CurveComparison& comparison) {
     const std::optional<double> reference = slope(imposed, part(curve.values[2], begin, end));
     if (!reference) continue;
     scale = std::max(scale, std::abs(*reference));
-    const std::optional<std::vector<double>> forces = answers_between(comparison, 2, begin, end);
+    const std::optional<std::vector<double>> forces = responses_between(comparison, 2, begin, end);
     if (!forces) {
-      comparison.unanswered.push_back({ObservableKind::stiffness, validity_of_rows(validity, begin, end)});
+      comparison.without_equilibrium.push_back({ObservableKind::stiffness, validity_of_rows(validity, begin, end)});
       continue;
     }
     ObservableError error;
@@ -158,12 +158,12 @@ void add_stiffness(CurveComparison& comparison) {
 void add_column(CurveComparison& comparison, std::size_t column, double scale, const std::vector<std::vector<double>>& states) {
   const ResponseCurve& curve = comparison.curve;
   const ObservableKind kind = kind_of(curve.columns[column]);
-  const std::vector<double>& answers = comparison.answer.values[column];
+  const std::vector<double>& responses = comparison.response.values[column];
   const bool says_something_at_rest = comparison.load_case().kind == LoadCaseKind::modes;
   for (std::size_t row = 0; row < states.size(); ++row) {
     if (is_at_rest(states[row]) && !says_something_at_rest) continue;
-    if (!comparison.answer_rows[row]) {
-      comparison.unanswered.push_back({kind, comparison.validity[row]});
+    if (!comparison.response_rows[row]) {
+      comparison.without_equilibrium.push_back({kind, comparison.validity[row]});
       continue;
     }
     ObservableError error;
@@ -172,32 +172,32 @@ void add_column(CurveComparison& comparison, std::size_t column, double scale, c
     error.pressure_Pa = states[row].front();
     error.imposed = imposed_of(states[row]);
     error.reference = curve.values[column][row];
-    error.surrogate = answers[*comparison.answer_rows[row]];
+    error.surrogate = responses[*comparison.response_rows[row]];
     error.validity = comparison.validity[row];
     set_errors(error, scale);
     comparison.errors.push_back(error);
   }
 }
 
-/// Adds the answers to some rows of the curve, asked for in this order.
-void add_answers(CurveComparison& comparison, const std::vector<std::size_t>& rows, const LoadCaseResponse& part) {
-  LoadCaseResponse& answer = comparison.answer;
-  if (answer.status == io::RunStatus::completed) answer.status = part.status;
-  answer.smallest_strain = std::min(answer.smallest_strain, part.smallest_strain);
-  answer.largest_strain = std::max(answer.largest_strain, part.largest_strain);
-  answer.values.resize(comparison.curve.columns.size());  // without a state reached there may be no columns
+/// Adds the responses to some rows of the curve, which were computed in this order.
+void add_responses(CurveComparison& comparison, const std::vector<std::size_t>& rows, const LoadCaseResponse& part) {
+  LoadCaseResponse& response = comparison.response;
+  if (response.status == io::RunStatus::completed) response.status = part.status;
+  response.smallest_strain = std::min(response.smallest_strain, part.smallest_strain);
+  response.largest_strain = std::max(response.largest_strain, part.largest_strain);
+  response.values.resize(comparison.curve.columns.size());  // without any state reached there may be no columns
   if (part.values.empty()) return;
-  answer.columns = part.columns;
-  const std::size_t before = answer.values.front().size();
+  response.columns = part.columns;
+  const std::size_t before = response.values.front().size();
   const std::size_t reached = std::min(rows.size(), part.values.front().size());
-  for (std::size_t n = 0; n < reached; ++n) comparison.answer_rows[rows[n]] = before + n;
+  for (std::size_t n = 0; n < reached; ++n) comparison.response_rows[rows[n]] = before + n;
   for (std::size_t column = 0; column < part.values.size(); ++column)
-    answer.values[column].insert(answer.values[column].end(), part.values[column].begin(), part.values[column].end());
+    response.values[column].insert(response.values[column].end(), part.values[column].begin(), part.values[column].end());
 }
 
-/// Sets the answer to all states.
-void answer_all(CurveComparison& comparison, const std::vector<std::vector<double>>& states,
-                const SurrogateParameters& parameters, const Responder& responder) {
+/// Computes the responses to all states.
+void compute_all(CurveComparison& comparison, const std::vector<std::vector<double>>& states,
+                 const SurrogateParameters& parameters, const Responder& responder) {
   std::vector<std::size_t> all;
   std::vector<std::size_t> under_pressure;
   std::vector<std::size_t> under_vacuum;
@@ -206,25 +206,25 @@ void answer_all(CurveComparison& comparison, const std::vector<std::vector<doubl
     (states[row].front() < 0.0 ? under_vacuum : under_pressure).push_back(row);
   }
   std::reverse(under_vacuum.begin(), under_vacuum.end());
-  comparison.answer_rows.assign(states.size(), std::nullopt);
+  comparison.response_rows.assign(states.size(), std::nullopt);
   const LoadCaseResponse whole = responder(parameters, comparison.load_case(), states);
-  if (whole.status == io::RunStatus::completed || under_vacuum.empty()) return add_answers(comparison, all, whole);
+  if (whole.status == io::RunStatus::completed || under_vacuum.empty()) return add_responses(comparison, all, whole);
   for (const std::vector<std::size_t>& rows : {under_pressure, under_vacuum}) {
     if (rows.empty()) continue;
     std::vector<std::vector<double>> some;
     some.reserve(rows.size());
     for (const std::size_t row : rows) some.push_back(states[row]);
-    add_answers(comparison, rows, responder(parameters, comparison.load_case(), some));
+    add_responses(comparison, rows, responder(parameters, comparison.load_case(), some));
   }
 }
 
-/// What the parameters claim of each row.
+/// The validity of each row.
 std::vector<Validity> claims(const CurveComparison& comparison, const std::vector<std::vector<double>>& states,
                              const SurrogateParameters& parameters, const Responder& responder) {
-  std::vector<Validity> validity = validities(states, comparison.load_case(), comparison.answer, parameters, responder);
-  // beams that are in no equilibrium have no strain to blame
+  std::vector<Validity> validity = validities(states, comparison.load_case(), comparison.response, parameters, responder);
+  // Without an equilibrium there are no strains, so these cannot be the reason.
   for (std::size_t row = 0; row < validity.size(); ++row) {
-    if (!comparison.answer_rows[row] && validity[row] == Validity::strain) validity[row] = Validity::inside;
+    if (!comparison.response_rows[row] && validity[row] == Validity::strain) validity[row] = Validity::inside;
   }
   return validity;
 }
@@ -266,9 +266,9 @@ std::vector<std::vector<double>> states_of(const ResponseCurve& curve) {
 CurveComparison compare(const ResponseCurve& curve, const std::string& body, const SurrogateParameters& parameters,
                         const Responder& responder, const std::optional<std::vector<Validity>>& validity) {
   CurveComparison comparison{
-      .curve = curve, .body = body, .answer = {}, .answer_rows = {}, .validity = {}, .errors = {}, .unanswered = {}};
+      .curve = curve, .body = body, .response = {}, .response_rows = {}, .validity = {}, .errors = {}, .without_equilibrium = {}};
   const std::vector<std::vector<double>> states = states_of(curve);
-  answer_all(comparison, states, parameters, responder);
+  compute_all(comparison, states, parameters, responder);
   assert(!validity || validity->size() == states.size());
   comparison.validity = validity ? *validity : claims(comparison, states, parameters, responder);
   const std::vector<double> scales = scales_of(curve);

@@ -13,19 +13,19 @@
 
 namespace menger::voxel {
 
-/// What is compared, by its meaning.
+/// The kind of a compared quantity.
 enum class ObservableKind {
-  displacement,     ///< extents, top, tip
+  displacement,     ///< extents, heights of top and tip
   volume,           ///< change of chamber volume
   force,            ///< force or moment of a plate
-  stiffness,        ///< slope of force or moment over what is imposed, at one pressure
-  frequency,        ///< the first natural one
-  higher_frequency  ///< the second and third: modes that lie close together may change places
+  stiffness,        ///< slope of force or moment over the imposed value, at one pressure
+  frequency,        ///< first natural frequency
+  higher_frequency  ///< second and third natural frequency: modes that lie close together may change places
 };
 inline constexpr std::size_t observable_kind_count = 6;
 std::string_view to_string(ObservableKind kind);
 
-/// The error of one number.
+/// The error of one compared number.
 struct ObservableError {
   ObservableKind kind = ObservableKind::displacement;
   std::string observable;  ///< column of the curve; "stiffness" with its unit for slopes
@@ -33,49 +33,52 @@ struct ObservableError {
   std::optional<double> imposed{};
   double reference = 0.0;
   double surrogate = 0.0;
-  double error = 0.0;                     ///< (surrogate - reference) by the scale of the observable, see compare
-  std::optional<double> pointwise_error;  ///< by the reference itself; none where that is below a thousandth of the scale
+  double error = 0.0;  ///< (surrogate - reference) / scale of the observable, see compare
+  /// (surrogate - reference) / |reference|; nothing if the reference is below a thousandth of the scale.
+  std::optional<double> pointwise_error;
   Validity validity = Validity::inside;
 };
 
-/// A number that the surrogate has no answer to.
-struct UnansweredNumber {
+/// A number for which the surrogate has no response.
+struct UndeterminedNumber {
   ObservableKind kind = ObservableKind::displacement;
-  Validity validity = Validity::inside;  ///< by all that is known without an answer, which leaves out strains
+  /// Determined by all that is known without a response, that is, without strains.
+  Validity validity = Validity::inside;
 
-  bool operator==(const UnansweredNumber&) const = default;
+  bool operator==(const UndeterminedNumber&) const = default;
 };
 
-/// A response curve and what the surrogate makes of it.
+/// A response curve and the response of the surrogate to the same load case.
 struct CurveComparison {
   meshes::ResponseCurve curve;
-  std::string body;                                       ///< see body_names
-  LoadCaseResponse answer;                                ///< at the states of the curve, as far as it goes
-  std::vector<std::optional<std::size_t>> answer_rows{};  ///< by row of the curve that of the answer, if there is one
-  std::vector<Validity> validity{};                       ///< by row of the curve
-  std::vector<ObservableError> errors;                    ///< by observable, then row; slopes last
-  std::vector<UnansweredNumber> unanswered;               ///< in the same order
+  std::string body;                                         ///< see body_names
+  LoadCaseResponse response;                                ///< at the states of the curve, as far as it exists
+  std::vector<std::optional<std::size_t>> response_rows{};  ///< by row of the curve: row in `response`, if there is one
+  std::vector<Validity> validity{};                         ///< by row of the curve
+  std::vector<ObservableError> errors;                      ///< by observable, then row; slopes last
+  std::vector<UndeterminedNumber> without_equilibrium;      ///< in the same order
 
   [[nodiscard]] const meshes::LoadCase& load_case() const { return curve.provenance.load_case; }
 };
 
 /// Names for the bodies of curves: the name of the case without the word for its kind ("menger_inflation": "menger"). Curves of
-/// equal bodies (cells, digits, level, chambers) bear the name of the first of them, different bodies different names.
+/// equal bodies (cells, digits, level, chambers) get the name of the first of them. Different bodies get different names.
 std::vector<std::string> body_names(const std::vector<meshes::ResponseCurve>& curves);
 
-/// Rows of abscissae of a curve.
+/// The states of a curve: rows of abscissae.
 std::vector<std::vector<double>> states_of(const meshes::ResponseCurve& curve);
 
-/// Compares the surrogate with a curve, state by state. Where it does not come to the end of the curve, vacuum and pressure are
-/// asked for apart, each from rest on, so that an end under vacuum leaves the answers under pressure and those of milder vacuum.
+/// Compares the surrogate with a curve, state by state. If its response ends before the curve, vacuum and pressure are computed
+/// separately, each starting from rest. An end under vacuum then does not remove the responses under pressure and under milder
+/// vacuum.
 ///
-/// The error of an observable is its difference by its largest magnitude in the curve, or by a hundredth of the largest of its
-/// kind there if that is more: a top that does not move is not to be met to five per cent of nothing. States in which nothing is
-/// done to the body (all abscissae zero) say nothing, but for their frequencies, and are left out; so are observables that are
-/// zero throughout together with all of their kind. The stiffness at a pressure is the slope of the straight line of least
-/// squares through force over imposed value; it needs two values.
-/// @param validity what is claimed of each row of the curve, for judging several parameters by the same numbers; worked out from
-/// the parameters if not given
+/// The error of an observable is its difference divided by its largest magnitude in the curve, or by a hundredth of the largest
+/// magnitude of its kind if that is more. (A top that does not move cannot be met to a few per cent of zero.) States without any
+/// load (all abscissae zero) have no information except frequencies, and are left out. Observables are left out if they and all
+/// others of their kind are zero throughout. The stiffness at a pressure is the slope of the least-squares straight line through
+/// force over imposed value; it needs two different values.
+/// @param validity of each row of the curve, to evaluate several parameters by the same numbers; derived from the parameters if
+/// not given
 CurveComparison compare(const meshes::ResponseCurve& curve, const std::string& body, const SurrogateParameters& parameters,
                         const Responder& responder, const std::optional<std::vector<Validity>>& validity = std::nullopt);
 

@@ -56,7 +56,7 @@ bool belongs(Quantity quantity, OwnPart part) {
   return (with_sizes && is_size(quantity)) || (with_stiffness && is_stiffness(quantity));
 }
 
-/// What a part is fitted to.
+/// The curves that a part is fitted to.
 Curves fitted_of(const Curves& curves, OwnPart part) {
   if (part != OwnPart::sizes) return curves;
   Curves inflations;
@@ -66,7 +66,7 @@ Curves fitted_of(const Curves& curves, OwnPart part) {
   return inflations.empty() ? curves : inflations;
 }
 
-/// Details of a part that parameters have nothing of, and so no slope to begin with.
+/// Details of a part that the parameters do not have, so that a fit has no slope to start with.
 DetailSet missing_details(const SurrogateParameters& parameters, OwnPart part) {
   const auto fades = [](const PressureLaw& law) { return law.fading_share > 0.0; };
   const auto shears = [](double compliance_per_Pa) { return compliance_per_Pa > 0.0; };
@@ -81,7 +81,7 @@ DetailSet missing_details(const SurrogateParameters& parameters, OwnPart part) {
   return missing;
 }
 
-/// A fit of what belongs to a part, without some details.
+/// Fits a part of the parameters, without some details.
 CalibrationFit fit_part(const CalibrationProblem& problem, OwnPart part, const DetailSet& left_out,
                         const std::atomic<bool>* stop) {
   DetailSet details{CalibrationDetail::uniform,
@@ -102,7 +102,8 @@ CalibrationFit fit_part(const CalibrationProblem& problem, OwnPart part, const D
   return fit_parameters(problem.curves, unknowns, problem.start, problem.responder, {.stop = stop});
 }
 
-/// Fits a part to a body: first what the parameters know, then with details that they lack on top, if that is better.
+/// Fits a part to a body: first with the details that the parameters have, then also with those that they lack, if that is
+/// better.
 CalibrationFit fit_own(const Curves& curves, OwnPart part, const SurrogateParameters& parameters, const Responder& responder,
                        const std::atomic<bool>* stop) {
   CalibrationProblem problem;
@@ -122,7 +123,7 @@ CalibrationFit fit_own(const Curves& curves, OwnPart part, const SurrogateParame
   return all.parameter_count > 0 && all.chi2 < known.chi2 ? all : known;  // without parameters no fit was made
 }
 
-/// Whether a number counts in a report on what is inside the range of validity, or on all, see CauseReport::inside.
+/// Whether a number counts, in a report on the numbers inside the range of validity or on all, see CauseReport::inside.
 bool counts(Validity validity, bool inside) { return !inside || validity == Validity::inside; }
 
 bool is_aimed_at(ObservableKind kind) { return kind == ObservableKind::displacement || kind == ObservableKind::volume; }
@@ -132,11 +133,11 @@ bool has_inside(const std::vector<CurveComparison>& comparisons) {
   const auto is_inside = [](const auto& number) { return is_aimed_at(number.kind) && number.validity == Validity::inside; };
   return std::any_of(comparisons.begin(), comparisons.end(), [&](const CurveComparison& comparison) {
     return std::any_of(comparison.errors.begin(), comparison.errors.end(), is_inside) ||
-           std::any_of(comparison.unanswered.begin(), comparison.unanswered.end(), is_inside);
+           std::any_of(comparison.without_equilibrium.begin(), comparison.without_equilibrium.end(), is_inside);
   });
 }
 
-/// Root mean square of the errors of some kinds that count; nothing without any.
+/// Root mean square of the errors of some kinds that count; nothing if there are none.
 std::optional<double> rms(const std::vector<CurveComparison>& comparisons, bool inside,
                           const std::function<bool(ObservableKind)>& of_kind) {
   double sum = 0.0;
@@ -152,69 +153,71 @@ std::optional<double> rms(const std::vector<CurveComparison>& comparisons, bool 
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-/// Sets the errors of a trial, of what counts; 0 where no displacement and no volume does.
-void judge(CauseTrial& trial, std::vector<CurveComparison> comparisons, bool inside) {
+/// Sets the errors of a trial from the numbers that count; 0 if no displacement and no volume counts.
+void assess(CauseTrial& trial, std::vector<CurveComparison> comparisons, bool inside) {
   trial.rms_error = rms(comparisons, inside, is_aimed_at).value_or(0.0);
   trial.rms_stiffness_error = rms(comparisons, inside, [](ObservableKind kind) { return kind == ObservableKind::stiffness; });
-  trial.all_answered = std::all_of(comparisons.begin(), comparisons.end(), [&](const CurveComparison& comparison) {
-    return std::none_of(comparison.unanswered.begin(), comparison.unanswered.end(),
-                        [&](const UnansweredNumber& number) { return counts(number.validity, inside); });
+  trial.all_computed = std::all_of(comparisons.begin(), comparisons.end(), [&](const CurveComparison& comparison) {
+    return std::none_of(comparison.without_equilibrium.begin(), comparison.without_equilibrium.end(),
+                        [&](const UndeterminedNumber& number) { return counts(number.validity, inside); });
   });
   trial.comparisons = std::move(comparisons);
 }
 
-/// What to call a part in a sentence.
+/// The name of a part in a sentence.
 std::string name_of(OwnPart part) {
   constexpr std::array<std::string_view, 4> names{"nothing", "rest lengths", "stiffnesses", "rest lengths and stiffnesses"};
-  return std::string(names.at(static_cast<std::size_t>(part))) + " of its own";
+  return std::string(names.at(static_cast<std::size_t>(part))) + " fitted to this body";
 }
 
-/// Which of the trials closes the gap, in a sentence; see explain_miss.
+/// A sentence on which of the trials closes the gap; see explain_miss.
 std::string verdict_of(const CauseReport& report) {
   constexpr double closing_share = 0.25;
   constexpr double most_share = 0.5;
-  constexpr double least_gap = 1e-6;  // rounding, and what the solver leaves
+  constexpr double least_gap = 1e-6;  // size of rounding and of the remaining error of the solver
   if (report.trials.size() < 4) return "stopped before all trials were made";
   const CauseTrial& as_it_is = report.trials.front();
-  if (as_it_is.all_answered && as_it_is.rms_error < least_gap) return "there is no gap to close";
+  if (as_it_is.all_computed && as_it_is.rms_error < least_gap) return "there is no error to explain";
   const auto rms_of = [&](OwnPart part) { return report.trials[static_cast<std::size_t>(part)].rms_error; };
   const auto leaves_at_most = [&](OwnPart part, double share) {
-    return report.trials[static_cast<std::size_t>(part)].all_answered && rms_of(part) <= share * as_it_is.rms_error;
+    return report.trials[static_cast<std::size_t>(part)].all_computed && rms_of(part) <= share * as_it_is.rms_error;
   };
   const auto closes = [&](OwnPart part) { return leaves_at_most(part, closing_share); };
   const bool sizes = closes(OwnPart::sizes);
   const bool stiffness = closes(OwnPart::stiffness);
-  if (sizes && stiffness) return "either rest lengths or stiffnesses of its own close the gap: the curves do not tell them apart";
-  if (sizes) return name_of(OwnPart::sizes) + " close the gap: its chambers extend or bulge otherwise than those of the fit";
-  if (stiffness) return name_of(OwnPart::stiffness) + " close the gap: its walls bear loads otherwise than those of the fit";
-  if (closes(OwnPart::both)) return "only both " + name_of(OwnPart::both) + " close the gap";
+  if (sizes && stiffness)
+    return "rest lengths or stiffnesses fitted to this body remove the error: the curves do not distinguish the two";
+  if (sizes) return name_of(OwnPart::sizes) + " remove the error: its chambers extend or bulge differently from those of the fit";
+  if (stiffness) return name_of(OwnPart::stiffness) + " remove the error: its walls bear loads differently from those of the fit";
+  if (closes(OwnPart::both)) return "only both together, " + name_of(OwnPart::both) + ", remove the error";
   const auto best = std::min_element(report.trials.begin(), report.trials.end(), [](const CauseTrial& a, const CauseTrial& b) {
-    return std::pair(!a.all_answered, a.rms_error) < std::pair(!b.all_answered, b.rms_error);
+    return std::pair(!a.all_computed, a.rms_error) < std::pair(!b.all_computed, b.rms_error);
   });
   std::string text;
   for (const OwnPart part : {OwnPart::sizes, OwnPart::stiffness}) {
     if (!leaves_at_most(part, most_share)) continue;
-    text += (text.empty() ? "" : ", or ") + name_of(part) + " take most of the gap away, to " + percent(rms_of(part));
+    text += (text.empty() ? "" : ", or ") + name_of(part) + " remove most of the error, which falls to " + percent(rms_of(part));
   }
-  return text + (text.empty() ? "" : "; ") + "no parameters of its own close it (at best " + percent(best->rms_error) +
-         ", with " + name_of(best->part) + "): boxes and beams between their centres do not have the shape of these walls";
+  return text + (text.empty() ? "" : "; ") + "no parameters fitted to this body remove the error (at best " +
+         percent(best->rms_error) + ", with " + name_of(best->part) +
+         "): boxes and beams between their centres do not have the shape of these walls";
 }
 
-/// Median error of a kind over all bodies with one part of their own.
+/// Median error of a kind over all bodies, with one part fitted to each.
 std::string pooled_median(const std::vector<CauseReport>& reports, OwnPart part, ObservableKind kind) {
   std::vector<double> magnitudes;
-  std::size_t unanswered = 0;
+  std::size_t without_equilibrium = 0;
   for (const CauseReport& report : reports) {
     for (const CurveComparison& comparison : report.trials.at(static_cast<std::size_t>(part)).comparisons) {
       for (const ObservableError& error : comparison.errors) {
         if (error.kind == kind && counts(error.validity, report.inside)) magnitudes.push_back(std::abs(error.error));
       }
-      unanswered += static_cast<std::size_t>(std::count_if(
-          comparison.unanswered.begin(), comparison.unanswered.end(),
-          [&](const UnansweredNumber& number) { return number.kind == kind && counts(number.validity, report.inside); }));
+      without_equilibrium += static_cast<std::size_t>(std::count_if(
+          comparison.without_equilibrium.begin(), comparison.without_equilibrium.end(),
+          [&](const UndeterminedNumber& number) { return number.kind == kind && counts(number.validity, report.inside); }));
     }
   }
-  const std::optional<double> median = quantile(std::move(magnitudes), 0.5, unanswered);
+  const std::optional<double> median = quantile(std::move(magnitudes), 0.5, without_equilibrium);
   return median ? percent(*median) : "none";
 }
 
@@ -255,7 +258,7 @@ CauseReport explain_miss(const std::vector<CurveComparison>& comparisons, const 
     if (options.begin) options.begin(part);
     CauseTrial trial{.part = part};
     if (part == OwnPart::nothing) {
-      judge(trial, present, report.inside);
+      assess(trial, present, report.inside);
     } else {
       const CalibrationFit fit = fit_own(curves, part, part == OwnPart::both ? own_sizes : parameters, responder, options.stop);
       if (options.stop != nullptr && options.stop->load()) break;
@@ -266,7 +269,7 @@ CauseReport explain_miss(const std::vector<CurveComparison>& comparisons, const 
       own.reserve(present.size());
       for (const CurveComparison& comparison : present)
         own.push_back(compare(comparison.curve, body, fit.parameters, responder, comparison.validity));
-      judge(trial, std::move(own), report.inside);
+      assess(trial, std::move(own), report.inside);
     }
     report.trials.push_back(trial);
   }
@@ -277,14 +280,14 @@ CauseReport explain_miss(const std::vector<CurveComparison>& comparisons, const 
 std::vector<std::string> cause_lines(const std::vector<CauseReport>& reports) {
   std::vector<std::string> lines;
   for (const CauseReport& report : reports) {
-    lines.push_back("why " + report.body + " is missed (root mean square of errors in displacement and volume" +
+    lines.push_back("causes of the error of " + report.body + " (root mean square of errors in displacement and volume" +
                     std::string(report.inside ? "" : ", all outside the range of validity") + "):");
     for (const CauseTrial& trial : report.trials) {
-      std::string line = "  with " + std::string(to_string(trial.part)) + " of its own: " + percent(trial.rms_error);
+      std::string line = "  " + std::string(to_string(trial.part)) + " fitted to this body: " + percent(trial.rms_error);
       if (trial.rms_stiffness_error) line += ", stiffness " + percent(*trial.rms_stiffness_error);
       if (trial.status != io::RunStatus::completed)
         line += " (the fit: " + std::string(io::to_string(trial.status)) + ", " + trial.reason + ")";
-      if (!trial.all_answered) line += " (some states have no equilibrium)";
+      if (!trial.all_computed) line += " (some states have no equilibrium)";
       lines.push_back(line);
     }
     lines.push_back("  " + report.verdict);
@@ -292,8 +295,8 @@ std::vector<std::string> cause_lines(const std::vector<CauseReport>& reports) {
   if (reports.size() < 2) return lines;
   lines.emplace_back("median errors of these bodies together, displacement and volume:");
   for (const CauseTrial& trial : reports.front().trials) {
-    lines.push_back("  with " + std::string(to_string(trial.part)) +
-                    " of their own: " + pooled_median(reports, trial.part, ObservableKind::displacement) + ", " +
+    lines.push_back("  " + std::string(to_string(trial.part)) +
+                    " fitted to each body: " + pooled_median(reports, trial.part, ObservableKind::displacement) + ", " +
                     pooled_median(reports, trial.part, ObservableKind::volume));
   }
   return lines;

@@ -18,9 +18,9 @@ constexpr int panel_height_px = 850;
 bool counts(const ObservableError& error) { return error.validity == Validity::inside; }
 
 io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, double aim) {
-  io::ChartPanel panel{.title = "how many numbers are met how well",
-                       .x = {.title = "error (%), at most; dashed: the aim", .lowest = 0.0},
-                       .y = {.title = "share of the numbers (%)", .lowest = 0.0, .highest = 100.0},
+  io::ChartPanel panel{.title = "cumulative distribution of errors",
+                       .x = {.title = "error (%); dashed: aim", .lowest = 0.0},
+                       .y = {.title = "values with at most this error (%)", .lowest = 0.0, .highest = 100.0},
                        .series = {},
                        .markers = {{io::ChartMarker::Direction::vertical, 100.0 * aim, ""}}};
   for (std::size_t kind = 0; kind < observable_kind_count; ++kind) {
@@ -46,7 +46,7 @@ io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, dou
 io::ChartPanel pressure_panel(const std::vector<CurveComparison>& comparisons, ObservableKind kind, double aim) {
   io::ChartPanel panel{.title = "error in " + std::string(to_string(kind)),
                        .x = {.title = "pressure (kPa)"},
-                       .y = {.title = "error (%) of the largest in the curve"},
+                       .y = {.title = "error (% of the largest value in the curve)"},
                        .series = {},
                        .markers = {}};
   const std::vector<std::string> bodies = bodies_of(comparisons);
@@ -64,7 +64,7 @@ io::ChartPanel pressure_panel(const std::vector<CurveComparison>& comparisons, O
     }
     if (!series.x.empty()) panel.series.push_back(series);
   }
-  // markers must lie within the axis
+  // Markers must lie inside the axis.
   const double end = 110.0 * std::max(largest, aim);
   panel.y.lowest = -end;
   panel.y.highest = end;
@@ -73,7 +73,7 @@ io::ChartPanel pressure_panel(const std::vector<CurveComparison>& comparisons, O
   return panel;
 }
 
-/// How a column is shown: its title, and the factor to its unit.
+/// Title of a column in a picture, and the factor to its unit there.
 struct Shown {
   std::string title;
   double factor = 1.0;
@@ -93,7 +93,7 @@ Shown shown_as(const std::string& column) {
 
 std::string short_name(const std::string& column) { return column.substr(0, column.find_last_of('_')); }
 
-/// One line of a panel: rows of a column, of both models.
+/// One line of a panel: some rows of a column, for both models.
 struct CurvePart {
   std::string name;
   std::size_t column = 0;
@@ -101,7 +101,7 @@ struct CurvePart {
   std::size_t end = 0;
 };
 
-/// A column at once, or apart for each pressure if something else is imposed.
+/// A column as one line, or as one line per pressure if something else is imposed.
 std::vector<CurvePart> parts_of(const CurveComparison& comparison, std::size_t column) {
   const std::vector<double>& pressures = comparison.curve.values[0];
   const std::string name = short_name(comparison.curve.columns[column]);
@@ -121,14 +121,14 @@ void add_part(io::ChartPanel& panel, const CurveComparison& comparison, const Cu
   const io::Colour colour = io::chart_colour(panel.series.size() / 2);
   io::ChartSeries elements{.name = part.name, .marks = io::Marks::points, .colour = colour};
   io::ChartSeries surrogate{.marks = io::Marks::line, .colour = colour};
-  const std::vector<double>& answers = comparison.answer.values[part.column];
+  const std::vector<double>& responses = comparison.response.values[part.column];
   for (std::size_t row = part.begin; row < part.end; ++row) {
     const double x = x_factor * comparison.curve.values[abscissa][row];
     elements.x.push_back(x);
     elements.y.push_back(y_factor * comparison.curve.values[part.column][row]);
-    if (!comparison.answer_rows[row]) continue;
+    if (!comparison.response_rows[row]) continue;
     surrogate.x.push_back(x);
-    surrogate.y.push_back(y_factor * answers[*comparison.answer_rows[row]]);
+    surrogate.y.push_back(y_factor * responses[*comparison.response_rows[row]]);
   }
   if (surrogate.x.size() == 1) surrogate.marks = io::Marks::line_and_points;
   panel.series.push_back(elements);
@@ -145,7 +145,7 @@ io::PictureOutcome write(const std::filesystem::path& file, const io::Chart& cha
 io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vector<CurveComparison>& comparisons, double aim) {
   io::Chart chart{.title = "surrogate against finite elements, inside the range of validity", .panels = {}};
   chart.panels.push_back(spread_panel(comparisons, aim));
-  // a marker must lie within the axis
+  // A marker must lie inside the axis.
   double largest = 110.0 * aim;
   for (const io::ChartSeries& series : chart.panels.front().series) largest = std::max(largest, 1.02 * series.x.back());
   chart.panels.front().x.highest = largest;
@@ -155,7 +155,7 @@ io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vec
 }
 
 io::PictureOutcome draw_curve(const std::filesystem::path& file, const CurveComparison& comparison) {
-  io::Chart chart{.title = comparison.load_case().name + ": points finite elements, lines surrogate", .panels = {}};
+  io::Chart chart{.title = comparison.load_case().name + ": finite elements (points), surrogate (lines)", .panels = {}};
   const std::vector<std::string>& columns = comparison.curve.columns;
   const std::size_t first = meshes::abscissa_count(comparison.load_case().kind);
   for (std::size_t column = first; column < columns.size(); ++column) {

@@ -8,12 +8,12 @@
 
 namespace menger::voxel {
 
-/// Draws the errors inside the range of validity: for each kind of observable the share of numbers whose error is no larger, and
-/// the errors in displacement and volume over pressure, by body. @param aim a line at this error
+/// Draws the errors inside the range of validity. One panel has, for each kind of observable, the fraction of numbers whose error
+/// is no larger; another the errors in displacement and volume over pressure, by body. @param aim error at which a line is drawn
 /// @throws io::InputError if the place cannot be written
 io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vector<CurveComparison>& comparisons, double aim);
 
-/// Draws a curve in both models, a panel for each quantity: points are finite elements, lines the surrogate.
+/// Draws a curve of both models, with one panel per quantity. Points are finite elements, lines are the surrogate.
 /// @throws io::InputError if the place cannot be written
 io::PictureOutcome draw_curve(const std::filesystem::path& file, const CurveComparison& comparison);
 

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using meshes::LoadCaseKind;
 
-/// Shares of the work, roughly by time.
+/// Fractions of the work, roughly by time.
 constexpr double comparing = 0.6;
 constexpr double explaining = 0.3;
 
@@ -47,11 +47,11 @@ void compare_all(ValidationResult& result, const SurrogateParameters& parameters
 void add_notes(ValidationResult& result, const FitRecord& record) {
   if (record.curve_count == 0) {
     result.notes.emplace_back(
-        "the parameters do not say which curves they were fitted to: whether these are held out is not known");
+        "the file of parameters does not name the curves of its fit: it is not known whether these are held out");
   } else if (record.subjects.size() < record.curve_count) {
     result.notes.emplace_back(
-        "the parameters name some curves of their fit by content alone, as older versions did: that the same bodies and loads "
-        "are not among these under other names is not known");
+        "the file of parameters names some curves of its fit only by their content, as older versions did: it is not known "
+        "whether the same bodies and loads are among these under other names");
   }
   for (const CurveComparison& comparison : result.comparisons) {
     const std::string& name = comparison.load_case().name;
@@ -61,11 +61,11 @@ void add_notes(ValidationResult& result, const FitRecord& record) {
                              (provenance.reason.empty() ? "" : ", " + provenance.reason) +
                              "): " + std::to_string(comparison.curve.row_count()) + " states are compared");
     }
-    if (comparison.answer.status == io::RunStatus::completed) continue;
+    if (comparison.response.status == io::RunStatus::completed) continue;
     result.status = io::RunStatus::not_converged;
-    result.notes.push_back(name + ": the surrogate ends after " + std::to_string(comparison.answer.values.front().size()) +
+    result.notes.push_back(name + ": the surrogate ends after " + std::to_string(comparison.response.values.front().size()) +
                            " of " + std::to_string(comparison.curve.row_count()) + " states (" +
-                           std::string(io::to_string(comparison.answer.status)) + ")");
+                           std::string(io::to_string(comparison.response.status)) + ")");
   }
 }
 
@@ -85,12 +85,12 @@ void note_picture(ValidationResult& result, const io::PictureOutcome& outcome) {
 
 void draw_charts(ValidationResult& result, double aim, const fs::path& folder) {
   const io::PictureOutcome outcome = draw_errors(folder / "errors.png", result.comparisons, aim);
-  if (!outcome.written) return note_picture(result, outcome);  // the others would miss the same
+  if (!outcome.written) return note_picture(result, outcome);  // other pictures would fail for the same reason
   for (const CurveComparison& comparison : result.comparisons)
     note_picture(result, draw_curve(folder / ("curve_" + comparison.load_case().name + ".png"), comparison));
 }
 
-/// The row of an error in its curve; that of the largest imposed value for a slope.
+/// The row of an error in its curve. For a slope it is the row of the largest imposed value.
 std::size_t row_of(const CurveComparison& comparison, const ObservableError& error) {
   const std::vector<std::vector<double>> states = states_of(comparison.curve);
   std::size_t found = 0;
@@ -113,7 +113,7 @@ void show_worst(ValidationResult& result, const ErrorPlace& worst, const Surroga
   if (pictures && outcome.states > 0) note_picture(result, outcome.picture);
 }
 
-/// Bodies with numbers inside the range of validity that are to be met; the worst one if there are none.
+/// The bodies that have displacements or volumes inside the range of validity; the worst body if there are none.
 std::vector<std::string> bodies_to_explain(const std::vector<CurveComparison>& comparisons, const std::string& worst) {
   std::vector<std::string> bodies;
   for (const std::string& body : bodies_of(comparisons)) {
@@ -127,7 +127,7 @@ std::vector<std::string> bodies_to_explain(const std::vector<CurveComparison>& c
   return bodies.empty() ? std::vector{worst} : bodies;
 }
 
-/// Sets the causes, or the status if it is stopped.
+/// Sets the causes, or the status if the run is stopped.
 void explain(ValidationResult& result, const std::string& worst, const SurrogateParameters& parameters,
              const ValidationRunOptions& options) {
   const std::vector<std::string> bodies = bodies_to_explain(result.comparisons, worst);
@@ -136,7 +136,7 @@ void explain(ValidationResult& result, const std::string& worst, const Surrogate
     cause.begin = [&](OwnPart part) {
       const double done = static_cast<double>(b) + 0.25 * static_cast<double>(part);
       tell(options, comparing + explaining * done / static_cast<double>(bodies.size()),
-           bodies[b] + " with " + std::string(to_string(part)) + " of its own");
+           bodies[b] + ": " + std::string(to_string(part)) + " fitted to this body");
     };
     result.causes.push_back(explain_miss(result.comparisons, bodies[b], parameters, equilibrium_responder(), cause));
     if (!is_stopped(options)) continue;
@@ -177,7 +177,8 @@ ValidationResult run_validation(const ValidationStudy& study, const SurrogatePar
 std::vector<std::string> report_lines(const ValidationResult& result, double aim) {
   std::vector<std::string> lines = summary_lines(result.comparisons);
   lines.emplace_back(
-      "errors are by the largest magnitude of the observable in its curve, \"pointwise\" is the median by the value itself");
+      "errors are relative to the largest magnitude of the observable in its curve; \"pointwise\" is the median relative to the "
+      "value itself");
   for (const std::string& sentence : aim_sentences(result.comparisons, aim)) lines.push_back(sentence);
   if (!result.actuations.empty()) {
     lines.emplace_back("volume actuation by finite elements:");

@@ -81,7 +81,7 @@ vtkSmartPointer<vtkUnstructuredGrid> as_grid(vtkPolyData& surface) {
 
 std::string numbered(const std::string& kind, std::size_t row) { return "worst/" + kind + "_" + io::padded(row, 4) + ".vtu"; }
 
-/// Removes the files of an earlier run, and no other.
+/// Removes the files of an earlier run, and no others.
 void remove_earlier(const fs::path& folder) {
   io::remove_files(folder, {"worst.pvd", "worst.png", "worst/elements_*.vtu", "worst/voxels_*.vtu"});
 }
@@ -98,11 +98,11 @@ SurrogateStates surrogate_states(const SideBySide& sides, const std::vector<Stat
   const State nothing_done(states.front().size(), 0.0);
   (void)visit_states(sides.parameters, load_case, {nothing_done},
                      [&](std::size_t, const Equilibrium& equilibrium) { found.rest = body_boxes(equilibrium); });
-  // as far as the comparison has answers, and in no state beyond
+  // Only states with a response in the comparison, none beyond.
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < states.size(); ++row) {
-    const auto& answered = sides.comparison->answer_rows;
-    if (answered.empty() || answered[row]) rows.push_back(row);
+    const auto& response_rows = sides.comparison->response_rows;
+    if (response_rows.empty() || response_rows[row]) rows.push_back(row);
   }
   std::vector<State> shown;
   shown.reserve(rows.size());
@@ -114,7 +114,7 @@ SurrogateStates surrogate_states(const SideBySide& sides, const std::vector<Stat
   return found;
 }
 
-/// Where the surrogate is shown beside finite elements: half a body's width of air between them.
+/// Position of the surrogate beside the finite elements, with half a body width between them.
 Eigen::Isometry3d beside(const SideBySide& sides) {
   const meshes::LoadCase& load_case = sides.comparison->load_case();
   double width_m = sides.parameters.cell_edge_m;
@@ -135,14 +135,14 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
   SurrogateStates surrogate = surrogate_states(sides, states);
   const FieldsByRow fields = sides.fields ? fields_by_row(*sides.fields, states) : FieldsByRow{};
   if (!sides.fields) {
-    outcome.notes.emplace_back("no fields of finite elements are kept beside the curve: worst.pvd shows the surrogate alone");
+    outcome.notes.emplace_back("there are no fields of finite elements beside the curve: worst.pvd shows only the surrogate");
   } else if (fields.size() != states.size()) {
     outcome.notes.push_back(sides.fields->string() + ": has steps for " + std::to_string(fields.size()) + " of " +
-                            std::to_string(states.size()) + " rows of the curve: those are shown");
+                            std::to_string(states.size()) + " rows of the curve: only those rows are shown");
   }
   std::vector<CollectionEntry> entries;
   std::vector<std::size_t> shown;
-  // what holds the rigid motions of a free body is no part of its answer
+  // The rigid motion of a free body depends on its support and is not part of its response.
   const bool is_free = sides.comparison->load_case().kind == meshes::LoadCaseKind::inflation;
   for (auto& [row, body] : surrogate.by_row) {
     const auto elements = fields.find(row);
@@ -164,7 +164,7 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
   outcome.states = shown.size();
   if (outcome.states == 0) {
     outcome.notes.emplace_back(
-        "no state of the worst case has both an equilibrium of the surrogate and fields, so that there is nothing to show");
+        "no state of the worst case has both an equilibrium of the surrogate and fields: nothing is shown");
     return outcome;
   }
   write_collection(folder / "worst.pvd", entries);

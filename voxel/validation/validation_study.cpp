@@ -32,7 +32,7 @@ std::vector<fs::path> curve_files(const ValidationStudy& study) {
   std::set<fs::path> seen;
   for (const fs::path& place : study.curves) {
     const std::vector<fs::path> found = meshes::response_curve_files(place);
-    if (found.empty()) throw io::InputError(place.string() + ": holds no response curve (NAME.toml beside NAME.csv)");
+    if (found.empty()) throw io::InputError(place.string() + ": contains no response curve (NAME.toml with NAME.csv beside it)");
     for (const fs::path& file : found) {
       if (seen.insert(fs::weakly_canonical(file)).second) files.push_back(file);
     }
@@ -47,12 +47,13 @@ bool agree(double a, double b) {
   return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// @throws io::InputError unless a curve is of what the parameters hold for
+/// Checks that a curve has the silicone, law, density, cell edge and wall of the parameters. @throws io::InputError if it does
+/// not
 void check_subject(const HeldOutCurve& held_out, const SurrogateParameters& parameters, const fs::path& parameters_file) {
   const meshes::CurveProvenance& provenance = held_out.curve.provenance;
   const auto refuse = [&](const std::string& key, const std::string& value, const std::string& wanted) {
     throw io::InputError(held_out.file.string() + ": " + key + " = " + value + ": the parameters " + parameters_file.string() +
-                         " hold for " + wanted);
+                         " are for " + wanted);
   };
   const auto check_number = [&](const std::string& key, double value, double wanted) {
     if (!agree(value, wanted)) refuse(key, io::number_text(value), io::number_text(wanted));
@@ -64,7 +65,7 @@ void check_subject(const HeldOutCurve& held_out, const SurrogateParameters& para
   check_number("case.wall_thickness_m", provenance.load_case.wall_thickness_m, parameters.wall_thickness_m);
 }
 
-/// @throws io::InputError if the parameters were fitted to a curve
+/// Checks that the parameters were not fitted to a curve. @throws io::InputError if they were
 void check_is_held_out(const HeldOutCurve& held_out, const FitRecord& record, const fs::path& parameters_file) {
   const auto refuse_if_known = [&](const fs::path& part, const std::string& key, const std::string& value,
                                    const std::vector<std::string>& known) {
@@ -79,11 +80,12 @@ void check_is_held_out(const HeldOutCurve& held_out, const FitRecord& record, co
 
 void describe_curves(io::StudyVisitor& visitor, ValidationStudy& study) {
   const bool is_needed = study.curves.empty() && !study.load_cases;
-  visitor.paths({.name = "curves",
-                 .help = "Files of response curves and folders of them; those of load_cases are made in the first folder.",
-                 .example = is_needed ? "[\"curves\"]" : "",
-                 .may_be_elsewhere = true},
-                study.curves);
+  visitor.paths(
+      {.name = "curves",
+       .help = "Files of response curves, or folders with such files. Curves of load_cases are written to the first folder.",
+       .example = is_needed ? "[\"curves\"]" : "",
+       .may_be_elsewhere = true},
+      study.curves);
   visitor.check(!study.curves.empty() || study.load_cases, "curves", "must name at least one folder or file of response curves");
 }
 
@@ -92,17 +94,19 @@ void describe_curves(io::StudyVisitor& visitor, ValidationStudy& study) {
 void describe(io::StudyVisitor& visitor, ValidationStudy& study) {
   const char* parameters = study.parameters.empty() ? "\"parameters.toml\"" : "";
   visitor.path({.name = "parameters",
-                .help = "Voxel parameters, a file that menger calibrate wrote.",
+                .help = "File of voxel parameters that menger calibrate wrote.",
                 .example = parameters,
                 .may_be_elsewhere = true},
                study.parameters);
-  visitor.optional_path({"load_cases", "Load cases whose curves are made first.", "\"load_cases.toml\""}, study.load_cases);
+  visitor.optional_path({"load_cases", "File of load cases. Their curves are computed first.", "\"load_cases.toml\""},
+                        study.load_cases);
   describe_curves(visitor, study);
-  visitor.number({"aim", "Of the median errors in displacement and volume, as fractions."}, study.aim, io::positive());
-  visitor.number({"actuation_pressure_Pa", "Pressure at which the change of outer volume is stated."},
+  visitor.number({"aim", "Aim for the median errors in displacement and volume, as a fraction."}, study.aim, io::positive());
+  visitor.number({"actuation_pressure_Pa", "Pressure at which the change of the outer volume is reported."},
                  study.actuation_pressure_Pa, io::positive());
-  visitor.number({"actuation_amplitude", "Of the edges of solid voxels whose volume is stated beside it."},
-                 study.actuation_amplitude, io::between(0.0, 1.0));
+  visitor.number(
+      {"actuation_amplitude", "Amplitude of the edges of solid voxels. Their change of volume is reported for comparison."},
+      study.actuation_amplitude, io::between(0.0, 1.0));
 }
 
 ValidationStudy read_validation_study(const fs::path& file, const ValidationPlaces& instead) {
@@ -111,7 +115,7 @@ ValidationStudy read_validation_study(const fs::path& file, const ValidationPlac
   if (instead.parameters) study.parameters = *instead.parameters;
   if (!instead.curves.empty()) {
     study.curves = instead.curves;
-    study.load_cases.reset();  // nothing is computed into folders of the user's
+    study.load_cases.reset();  // nothing is computed into folders of the user
   }
   return study;
 }
@@ -122,7 +126,7 @@ fs::path load_case_folder(ValidationStudy& study, const fs::path& fallback) {
   std::error_code ignored;
   if (fs::exists(folder, ignored) && !is_folder(folder)) {
     throw io::InputError(study.file.string() + ": curves[1] = " + quoted(folder.string()) +
-                         ": must be the folder in which the curves of load_cases are made");
+                         ": must be the folder in which the curves of load_cases are computed");
   }
   return folder;
 }
@@ -153,7 +157,7 @@ std::vector<HeldOutCurve> read_held_out_curves(const ValidationStudy& study, con
     }
     check_subject(held_out, parameters, study.parameters);
     check_is_held_out(held_out, record, study.parameters);
-    // equal but for rounding, which the surrogate does not forgive
+    // Equal except for rounding, but the surrogate needs exactly equal values.
     held_out.curve.provenance.load_case.cell_edge_m = parameters.cell_edge_m;
     held_out.curve.provenance.load_case.wall_thickness_m = parameters.wall_thickness_m;
     curves.push_back(std::move(held_out));

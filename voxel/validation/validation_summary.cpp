@@ -32,14 +32,14 @@ struct Sample {
   [[nodiscard]] ErrorSummary summarised() const {
     ErrorSummary result = summary;
     result.count = magnitudes.size();
-    result.median = quantile(magnitudes, 0.5, summary.unanswered);
-    result.percentile_90 = quantile(magnitudes, 0.9, summary.unanswered);
+    result.median = quantile(magnitudes, 0.5, summary.without_equilibrium);
+    result.percentile_90 = quantile(magnitudes, 0.9, summary.without_equilibrium);
     if (!pointwise.empty()) result.pointwise_median = quantile(pointwise, 0.5);
     return result;
   }
 };
 
-/// Inside the range of validity first.
+/// 0 inside the range of validity, 1 outside.
 std::size_t side_of(Validity validity) { return validity == Validity::inside ? 0 : 1; }
 
 bool is_aimed_at(ObservableKind kind) { return kind == ObservableKind::displacement || kind == ObservableKind::volume; }
@@ -86,14 +86,14 @@ std::vector<ErrorSummary> summarise(const std::vector<CurveComparison>& comparis
     for (const ObservableError& error : comparison.errors) {
       samples.at(side_of(error.validity)).at(static_cast<std::size_t>(error.kind)).add(error, comparison);
     }
-    for (const UnansweredNumber& number : comparison.unanswered)
-      ++samples.at(side_of(number.validity)).at(static_cast<std::size_t>(number.kind)).summary.unanswered;
+    for (const UndeterminedNumber& number : comparison.without_equilibrium)
+      ++samples.at(side_of(number.validity)).at(static_cast<std::size_t>(number.kind)).summary.without_equilibrium;
   }
   std::vector<ErrorSummary> summaries;
   for (std::size_t side = 0; side < samples.size(); ++side) {
     for (std::size_t kind = 0; kind < observable_kind_count; ++kind) {
       const Sample& sample = samples.at(side).at(kind);
-      if (sample.magnitudes.empty() && sample.summary.unanswered == 0) continue;
+      if (sample.magnitudes.empty() && sample.summary.without_equilibrium == 0) continue;
       summaries.push_back(sample.summarised());
       summaries.back().kind = static_cast<ObservableKind>(kind);
       summaries.back().inside = side == 0;
@@ -124,17 +124,17 @@ std::optional<ErrorPlace> worst_error(const std::vector<CurveComparison>& compar
   return place;
 }
 
-std::vector<AimOutcome> judge(const std::vector<CurveComparison>& comparisons, double aim) {
+std::vector<AimOutcome> assess(const std::vector<CurveComparison>& comparisons, double aim) {
   std::vector<AimOutcome> outcomes;
   for (const ObservableKind kind : {ObservableKind::displacement, ObservableKind::volume}) {
     AimOutcome outcome{.kind = kind};
     const std::vector<ErrorSummary> all = summarise(comparisons);
     for (const ErrorSummary& summary : all) {
-      if (summary.kind == kind && !summary.inside) outcome.unanswered_outside = summary.unanswered;
+      if (summary.kind == kind && !summary.inside) outcome.undetermined_outside = summary.without_equilibrium;
     }
     if (const ErrorSummary* summary = find_summary(all, kind)) {
       outcome.count = summary->count;
-      outcome.unanswered_inside = summary->unanswered;
+      outcome.undetermined_inside = summary->without_equilibrium;
       outcome.median = summary->median;
       outcome.met = summary->median.has_value() && *summary->median <= aim;
     }

@@ -21,26 +21,26 @@ std::string side_of(const ErrorSummary& summary) { return summary.inside ? "insi
 void add_summaries(io::CsvTable& table, const std::vector<CurveComparison>& comparisons, const std::optional<std::string>& body) {
   for (const ErrorSummary& summary : summarise(comparisons, body)) {
     table.add_row(body.value_or("all"), to_string(summary.kind), side_of(summary), number(summary.count),
-                  number(summary.unanswered), summary.median, summary.percentile_90, summary.worst, summary.pointwise_median,
-                  summary.worst_body, summary.worst_case);
+                  number(summary.without_equilibrium), summary.median, summary.percentile_90, summary.worst,
+                  summary.pointwise_median, summary.worst_body, summary.worst_case);
   }
 }
 
-/// What is to be said of numbers that have no answer; empty if all have one.
-std::string without_answer(const AimOutcome& outcome) {
+/// Text on the numbers without a response; empty if all have one.
+std::string without_response(const AimOutcome& outcome) {
   std::string text;
-  if (outcome.unanswered_inside > 0) {
-    text += "; without an answer, and counted as missed, are " + std::to_string(outcome.unanswered_inside) + " of " +
-            std::to_string(outcome.count + outcome.unanswered_inside) + " numbers inside the range";
+  if (outcome.undetermined_inside > 0) {
+    text += "; no equilibrium inside the range (counted as missed): " + std::to_string(outcome.undetermined_inside) + " of " +
+            std::to_string(outcome.count + outcome.undetermined_inside) + " values";
   }
-  if (outcome.unanswered_outside > 0)
-    text += "; without an answer outside the range, and not counted, are " + std::to_string(outcome.unanswered_outside);
+  if (outcome.undetermined_outside > 0)
+    text += "; no equilibrium outside the range (not counted): " + std::to_string(outcome.undetermined_outside);
   return text;
 }
 
 using Line = std::array<std::string, 9>;
 
-/// Text in columns, the first and the last to the left, numbers to the right.
+/// Aligned text columns: the first and the last to the left, numbers to the right.
 std::vector<std::string> aligned(const std::vector<Line>& lines) {
   std::array<std::size_t, std::tuple_size_v<Line>> widths{};
   for (const Line& line : lines) {
@@ -78,8 +78,8 @@ io::CsvTable errors_table(const std::vector<CurveComparison>& comparisons) {
 }
 
 io::CsvTable summary_table(const std::vector<CurveComparison>& comparisons) {
-  io::CsvTable table({"body", "kind", "range", "count", "unanswered", "median", "percentile_90", "worst", "pointwise_median",
-                      "worst_body", "worst_case"});
+  io::CsvTable table({"body", "kind", "range", "count", "without_equilibrium", "median", "percentile_90", "worst",
+                      "pointwise_median", "worst_body", "worst_case"});
   add_summaries(table, comparisons, std::nullopt);
   for (const std::string& body : bodies_of(comparisons)) add_summaries(table, comparisons, body);
   return table;
@@ -99,10 +99,11 @@ io::CsvTable actuation_table(const std::vector<VolumeActuation>& actuations, con
 }
 
 std::vector<std::string> summary_lines(const std::vector<CurveComparison>& comparisons) {
-  std::vector<Line> lines{{"observable", "range", "number", "unanswered", "median", "90 %", "worst", "pointwise", "worst body"}};
+  std::vector<Line> lines{
+      {"observable", "range", "number", "without_equilibrium", "median", "90 %", "worst", "pointwise", "worst body"}};
   for (const ErrorSummary& summary : summarise(comparisons)) {
     lines.push_back({std::string(to_string(summary.kind)), side_of(summary), std::to_string(summary.count),
-                     std::to_string(summary.unanswered), percent_or_nothing(summary.median),
+                     std::to_string(summary.without_equilibrium), percent_or_nothing(summary.median),
                      percent_or_nothing(summary.percentile_90), percent_or_nothing(summary.worst),
                      percent_or_nothing(summary.pointwise_median), summary.worst_body});
   }
@@ -111,17 +112,17 @@ std::vector<std::string> summary_lines(const std::vector<CurveComparison>& compa
 
 std::vector<std::string> aim_sentences(const std::vector<CurveComparison>& comparisons, double aim) {
   std::vector<std::string> sentences;
-  for (const AimOutcome& outcome : judge(comparisons, aim)) {
+  for (const AimOutcome& outcome : assess(comparisons, aim)) {
     const std::string kind(to_string(outcome.kind));
-    const std::size_t inside = outcome.count + outcome.unanswered_inside;
+    const std::size_t inside = outcome.count + outcome.undetermined_inside;
     if (inside == 0) {
-      sentences.push_back(kind + ": nothing was compared inside the range of validity, so that nothing can be said of the aim" +
-                          without_answer(outcome));
+      sentences.push_back(kind + ": no value was compared inside the range of validity, so that the aim cannot be judged" +
+                          without_response(outcome));
       continue;
     }
-    std::string text = kind + ": median error " + (outcome.median ? percent(*outcome.median) : "without an answer") + ", aim " +
-                       percent(aim) + (outcome.met ? ": met" : ": missed") + without_answer(outcome);
-    if (!outcome.bodies_beyond.empty()) text += "; bodies beyond it by themselves: " + io::joined(outcome.bodies_beyond);
+    std::string text = kind + ": median error " + (outcome.median ? percent(*outcome.median) : "undetermined (no equilibrium)") +
+                       ", aim " + percent(aim) + (outcome.met ? ": met" : ": missed") + without_response(outcome);
+    if (!outcome.bodies_beyond.empty()) text += "; bodies that miss the aim: " + io::joined(outcome.bodies_beyond);
     sentences.push_back(text);
   }
   return sentences;

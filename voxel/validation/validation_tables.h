@@ -9,26 +9,26 @@
 
 namespace menger::voxel {
 
-/// A fraction for people: "6.6 %".
+/// A fraction as text in per cent: "6.6 %".
 std::string percent(double fraction);
 
-/// One row per number compared: case, body, kind, observable, pressure_Pa, imposed (in the unit that the case has it in),
-/// finite_elements, surrogate, error (by the scale of the observable), pointwise_error, validity (see Validity).
+/// A table with one row per compared number: case, body, kind, observable, pressure_Pa, imposed (in the unit of the case),
+/// finite_elements, surrogate, error (divided by the scale of the observable), pointwise_error, validity (see Validity).
 io::CsvTable errors_table(const std::vector<CurveComparison>& comparisons);
 
-/// One row per kind and side of the range of validity, for all bodies together and then for each: body ("all"), kind, range
-/// ("inside", "outside"), count, unanswered (numbers in states without an equilibrium of the surrogate; they count as larger than
-/// any error), median, percentile_90, worst, pointwise_median, worst_body, worst_case. Errors are fractions; cells are empty
-/// where a number is missing.
+/// A table with one row per kind and side of the range of validity, for all bodies together and then for each body. Columns: body
+/// ("all"), kind, range ("inside", "outside"), count, without_equilibrium (numbers in states without an equilibrium of the
+/// surrogate; they count as larger than any error), median, percentile_90, worst, pointwise_median, worst_body, worst_case.
+/// Errors are fractions. Cells are empty if a number is missing.
 io::CsvTable summary_table(const std::vector<CurveComparison>& comparisons);
 
-/// One row per body, see VolumeActuation.
+/// A table with one row per body, see VolumeActuation.
 io::CsvTable actuation_table(const std::vector<VolumeActuation>& actuations, const ActuationAim& aim);
 
-/// The summary of all bodies as a table of aligned columns, errors in per cent.
+/// The summary of all bodies as aligned text columns, errors in per cent.
 std::vector<std::string> summary_lines(const std::vector<CurveComparison>& comparisons);
 
-/// Whether the aim is met in displacement and volume, and which bodies miss it, in sentences.
+/// Sentences: whether the aim is met in displacement and volume, and which bodies miss it.
 std::vector<std::string> aim_sentences(const std::vector<CurveComparison>& comparisons, double aim);
 
 }  // namespace menger::voxel

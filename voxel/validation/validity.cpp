@@ -18,12 +18,12 @@ bool within(double value, double lowest, double highest) {
   return value >= lowest - slack && value <= highest + slack;
 }
 
-bool strains_inside(const LoadCaseResponse& answer, const ValidityRange& range) {
-  return within(answer.smallest_strain, range.smallest_strain, range.largest_strain) &&
-         within(answer.largest_strain, range.smallest_strain, range.largest_strain);
+bool strains_inside(const LoadCaseResponse& response, const ValidityRange& range) {
+  return within(response.smallest_strain, range.smallest_strain, range.largest_strain) &&
+         within(response.largest_strain, range.smallest_strain, range.largest_strain);
 }
 
-/// Why parameters claim nothing about a body at any pressure, or inside.
+/// The reason why a body is outside the range of validity at any pressure, or inside.
 Validity claimed(const SurrogateParameters& parameters, const LoadCase& load_case) {
   const bool per_phase = parameters.chambers == meshes::ChamberLayout::per_phase;
   if (load_case.per_phase != per_phase) return Validity::chambers;
@@ -41,11 +41,11 @@ std::string_view to_string(Validity validity) {
 }
 
 std::vector<Validity> validities(const std::vector<std::vector<double>>& states, const LoadCase& load_case,
-                                 const LoadCaseResponse& answer, const SurrogateParameters& parameters,
+                                 const LoadCaseResponse& response, const SurrogateParameters& parameters,
                                  const Responder& responder) {
   const Validity of_body = claimed(parameters, load_case);
   const CoveredPressures covered = covered_pressures(parameters.validity, body_walls(load_case));
-  const bool all_strains_inside = strains_inside(answer, parameters.validity);
+  const bool all_strains_inside = strains_inside(response, parameters.validity);
   std::vector<Validity> all;
   for (const std::vector<double>& state : states) {
     Validity validity = of_body;

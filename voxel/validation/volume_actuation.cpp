@@ -14,7 +14,7 @@ namespace menger::voxel {
 
 namespace {
 
-/// Share of the chambers in the outer volume of a body.
+/// Fraction of the outer volume of a body that is chambers.
 double chamber_share(const meshes::LoadCase& load_case) {
   const auto& [nx, ny, nz] = load_case.cells;
   const HollowVoxels hollow =
@@ -31,7 +31,7 @@ double chamber_share(const meshes::LoadCase& load_case) {
 /// A point of a curve: pressure and change of outer volume.
 using Point = std::array<double, 2>;
 
-/// Ascending in pressure, the state at rest included.
+/// Points in ascending order of pressure, with the state at rest.
 std::vector<Point> points_of(const meshes::ResponseCurve& curve, double share) {
   std::vector<Point> points;
   const std::vector<double>& pressures = curve.column("pressure_Pa");
@@ -44,7 +44,8 @@ std::vector<Point> points_of(const meshes::ResponseCurve& curve, double share) {
   return points;
 }
 
-/// Coordinate `to` where coordinate `from` first has a value, along points in their order; nothing if it never has.
+/// Value of coordinate `to` where coordinate `from` first reaches a value, along the points in their order; nothing if it never
+/// does.
 std::optional<double> crossing(const std::vector<Point>& points, double value, std::size_t from, std::size_t to) {
   if (points.front().at(from) == value) return points.front().at(to);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -62,9 +63,9 @@ std::string percent(double change) { return io::formatted("%+.3g %%", 100.0 * ch
 
 std::string swelling_sentence(const VolumeActuation& a, const ActuationAim& aim) {
   if (a.pressure_for_largest_Pa)
-    return percent(aim.largest_change) + " of the outer volume takes " + kilopascals(*a.pressure_for_largest_Pa);
+    return percent(aim.largest_change) + " of the outer volume needs " + kilopascals(*a.pressure_for_largest_Pa);
   std::string text = percent(aim.largest_change) + " of the outer volume is not reached: " + percent(a.change_at_highest) +
-                     " where the curve ends, at " + kilopascals(a.highest_pressure_Pa);
+                     " at the end of the curve, at " + kilopascals(a.highest_pressure_Pa);
   if (a.limit_pressure_Pa)
     text += " (" + io::formatted("%.2g", a.highest_pressure_Pa / *a.limit_pressure_Pa) + " of the limit pressure)";
   return text;
@@ -72,10 +73,10 @@ std::string swelling_sentence(const VolumeActuation& a, const ActuationAim& aim)
 
 std::string shrinking_sentence(const VolumeActuation& a, const ActuationAim& aim) {
   if (a.pressure_for_smallest_Pa)
-    return percent(aim.smallest_change) + " of the outer volume takes " + kilopascals(*a.pressure_for_smallest_Pa);
-  if (a.lowest_pressure_Pa == 0.0) return "vacuum is not on the curve";
+    return percent(aim.smallest_change) + " of the outer volume needs " + kilopascals(*a.pressure_for_smallest_Pa);
+  if (a.lowest_pressure_Pa == 0.0) return "the curve contains no vacuum";
   std::string text = percent(aim.smallest_change) + " of the outer volume is not reached: " + percent(a.change_at_lowest) +
-                     " where the curve ends, at " + kilopascals(a.lowest_pressure_Pa);
+                     " at the end of the curve, at " + kilopascals(a.lowest_pressure_Pa);
   if (a.contact_pressure_Pa) text += " (walls touch at " + kilopascals(*a.contact_pressure_Pa) + ")";
   return text;
 }

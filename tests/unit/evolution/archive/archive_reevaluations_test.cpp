@@ -27,7 +27,7 @@ Reevaluation completed_run(const std::string& design, const std::string& protoco
   Reevaluation run;
   run.design_hash = design;
   run.protocol = protocol;
-  run.variant = "judge";
+  run.variant = "reference";
   run.duration_s = 2.0;
   run.result.status = io::RunStatus::completed;
   run.result.displacement_m = {1.0 / 3.0, -2e-300, 0.1};
@@ -41,7 +41,7 @@ class ArchiveReevaluations : public testing::Test {
  protected:
   [[nodiscard]] RunArchive open() const { return RunArchive::open(file_, study, 3); }
 
-  /// Makes the archive what version 2 wrote.
+  /// Turns the archive into one of version 2.
   void make_old() const {
     (void)open();
     SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
@@ -120,8 +120,7 @@ TEST_F(ArchiveReevaluations, NoSearchGoesOnWithAnArchiveFromBeforeKeysHadTheirNa
     if (old == 3) RunArchive::open_to_extend(file_).add_reevaluations({});
     ASSERT_EQ(version(), old);
     const std::string message = tests::message_of([&] { (void)open(); });
-    EXPECT_NE(message.find("schema version " + std::to_string(old) + ", from before the keys of studies had their present names"),
-              std::string::npos)
+    EXPECT_NE(message.find("schema version " + std::to_string(old) + ", with earlier names of study keys"), std::string::npos)
         << message;
     EXPECT_EQ(version(), old) << "it is left as it is";
   }
@@ -148,6 +147,22 @@ TEST_F(ArchiveReevaluations, ResultsOfAnEarlierVersionAreFoundWhateverTheTextOfT
   EXPECT_EQ(archive.evaluation({"a", 1, "text of now"})->result.left_out_m, known.result.left_out_m);
   EXPECT_EQ(archive.step_check({"a", 1, "text of now"})->result.steps, 7U);
   EXPECT_FALSE(archive.evaluation({"b", 1, "text of now"}));
+}
+
+TEST_F(ArchiveReevaluations, ResultsOfMoreThanOnePhysicsInAnEarlierArchiveAreRefused) {
+  ArchivedEvaluation known;
+  known.result.status = io::RunStatus::completed;
+  known.result.displacement_m = {1.0, 2.0, 3.0};
+  {
+    RunArchive archive = open();
+    archive.add_evaluation({"a", 1, "text of then"}, known);
+    archive.add_evaluation({"b", 1, "another text"}, known);
+  }
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 3");
+  const std::string message = tests::message_of([&] {
+    (void)RunArchive::open_to_read(file_).evaluation({"a", 1, "text of now"});
+  });
+  EXPECT_NE(message.find("is damaged: its results in evaluation are of more than one physics"), std::string::npos) << message;
 }
 
 TEST_F(ArchiveReevaluations, AreAddedWholeOrNotAtAll) {
@@ -187,11 +202,11 @@ TEST_F(ArchiveReevaluations, DesignsWithAFitnessComeOncePerPhenotypeTheBestFirst
   RunArchive archive = open();
   std::vector<Individual> born{some_individual(0), some_individual(1), some_individual(2), some_individual(3)};
   born[2].phenotype = born[0].phenotype;
-  const std::vector<Contender> contenders{{0, 0, Knowledge::evaluated, 0.5, std::nullopt, 1},
-                                          {1, 0, Knowledge::evaluated, 0.75, std::nullopt, 0},
-                                          {2, 0, Knowledge::evaluated, 0.5, std::nullopt, std::nullopt},
-                                          {3, 0, Knowledge::failed, std::nullopt, std::nullopt, std::nullopt}};
-  archive.add_generation({0, 0, 0, 0, 0.0, "a", "b"}, born, contenders);
+  const std::vector<PoolMember> members{{0, 0, 0.5, Knowledge::evaluated, std::nullopt, 1},
+                                        {1, 0, 0.75, Knowledge::evaluated, std::nullopt, 0},
+                                        {2, 0, 0.5, Knowledge::evaluated, std::nullopt, std::nullopt},
+                                        {3, 0, std::nullopt, Knowledge::failed, std::nullopt, std::nullopt}};
+  archive.add_generation({0, 0, 0, 0, 0.0, "a", "b"}, born, members);
   const std::vector<FitDesign> designs = archive.fit_designs();
   ASSERT_EQ(designs.size(), 2U);
   EXPECT_EQ(designs[0].individual, 1U);

@@ -31,7 +31,7 @@ class Archive : public testing::Test {
  protected:
   [[nodiscard]] RunArchive open(int generations = 3) const { return RunArchive::open(file_, study, generations); }
 
-  /// An archive with enough rows for several pages.
+  /// Makes an archive with enough rows for several pages.
   void fill() const {
     RunArchive archive = open();
     for (int i = 0; i < 300; ++i) {
@@ -42,7 +42,7 @@ class Archive : public testing::Test {
     }
   }
 
-  /// Opening for writing and for reading is refused with all of these words, and leaves the file as it is.
+  /// Expects that opening for writing and for reading is refused with all of these words and leaves the file as it is.
   void expect_refused(const std::vector<std::string>& words, std::string_view wanted_study = study) const {
     const std::string before = fs::is_regular_file(file_) ? io::read_whole(file_) : "";
     try {
@@ -110,15 +110,15 @@ TEST_F(Archive, KnowsAResultOnlyUnderItsWholeKey) {
 TEST_F(Archive, GivesGenerationsBackAfterReopening) {
   const GenerationRecord record{0, 7, 8, 9, 1.5, "state a", "state b"};
   const std::vector<Individual> born{some_individual(0), some_individual(1, BodyPlan::nonfractal), some_individual(2)};
-  const std::vector<Contender> contenders{{0, 3, Knowledge::evaluated, 1.0 / 7.0, std::nullopt, 1},
-                                          {1, 0, Knowledge::failed, std::nullopt, std::nullopt, 0},
-                                          {2, 1, Knowledge::bounded, std::nullopt, 0.25, std::nullopt}};
-  open().add_generation(record, born, contenders);
+  const std::vector<PoolMember> members{{0, 3, 1.0 / 7.0, Knowledge::evaluated, std::nullopt, 1},
+                                        {1, 0, std::nullopt, Knowledge::failed, std::nullopt, 0},
+                                        {2, 1, std::nullopt, Knowledge::bounded, 0.25, std::nullopt}};
+  open().add_generation(record, born, members);
 
   const RunArchive archive = open();
   EXPECT_EQ(archive.last_generation(), 0);
   EXPECT_EQ(archive.generation(0), record);
-  EXPECT_EQ(archive.contenders(0), contenders);
+  EXPECT_EQ(archive.pool(0), members);
   for (const Individual& individual : born) EXPECT_EQ(archive.individual(individual.id), individual);
   EXPECT_EQ(archive.next_id(), 3U);
   EXPECT_EQ(archive.study(), study);
@@ -181,7 +181,7 @@ TEST_F(Archive, TakesTheLockThatADeadProcessLeft) {
 }
 
 TEST_F(Archive, TakesAnEmptyFileForANewArchive) {
-  // A process that is killed at its very beginning leaves one.
+  // A process that is killed at its start leaves an empty file.
   io::write_whole(file_, "");
   EXPECT_EQ(open().study(), study);
 }
@@ -231,7 +231,7 @@ TEST_F(Archive, RefusesAFileWithDamagedPages) {
 }
 
 TEST_F(Archive, RefusesRowsThatContradictEachOther) {
-  // Pages of SQLite carry no checksums: such damage passes its own check.
+  // Pages of SQLite have no checksums, so its own check does not find such damage.
   for (const char* damage :
        {"UPDATE study SET resolved = resolved || ' '", "UPDATE evaluation SET dy_m = NULL WHERE design_hash = 'design 7'",
         "UPDATE evaluation SET status = 'diverged' WHERE design_hash = 'design 8'"}) {

@@ -73,7 +73,7 @@ TEST(WorkerPool, PassesOnWhatAnEvaluationThrows) {
   FakeEvaluator::Options options;
   options.before_result = [](std::uint64_t call) {
     if (call == 3) throw std::runtime_error("out of chalk");
-    // Tasks as short as this fake's could all be done while the exception is on its way.
+    // The tasks of this fake are so short that all could be done before the exception arrives.
     if (call > 3) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   };
   const FakeEvaluator evaluator(options);
@@ -81,7 +81,7 @@ TEST(WorkerPool, PassesOnWhatAnEvaluationThrows) {
   EXPECT_LT(evaluator.calls(), 100U);
 }
 
-/// Judges bars of even and of odd length together.
+/// Evaluates bars of even length together, and bars of odd length together.
 class GroupingEvaluator final : public DesignEvaluator {
  public:
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override {
@@ -111,7 +111,7 @@ class GroupingEvaluator final : public DesignEvaluator {
   mutable std::atomic<int> calls_{0};
 };
 
-TEST(WorkerPool, JudgesAGroupAtATimeAndHandsOverEachResultUnderItsTask) {
+TEST(WorkerPool, EvaluatesAGroupAtATimeAndHandsOverEachResultUnderItsTask) {
   const GroupingEvaluator evaluator;
   const std::vector<EvaluationTask> tasks = bars(9);
   std::vector<std::size_t> order;
@@ -133,7 +133,7 @@ TEST(WorkerPool, HandsOverWhatOfAGroupWasDoneWhenItStopped) {
   EXPECT_EQ(done, (std::vector<std::size_t>{0, 4, 1, 3}));
 }
 
-/// Asks for threads until there are so many, or for ten seconds.
+/// Asks for threads until there are as many as wanted, or for ten seconds.
 class PatientEvaluator final : public DesignEvaluator {
  public:
   explicit PatientEvaluator(int threads) : wanted_(threads) {}

@@ -1,4 +1,4 @@
-// Schedules that can be drawn by hand.
+// Schedules that can be checked by hand.
 
 #include "evolution/evaluation/task_schedule.h"
 
@@ -11,7 +11,7 @@
 namespace menger::evolution {
 namespace {
 
-/// Tasks whose cost is known exactly.
+/// Returns tasks whose expected cost is their true time.
 std::vector<TimedTask> tasks(const std::vector<double>& seconds) {
   std::vector<TimedTask> all;
   for (const double one : seconds) all.push_back({one, one});
@@ -60,7 +60,7 @@ TEST(ListSchedule, StaysWithinItsBounds) {
     for (const TaskOrder order : {TaskOrder::as_asked, TaskOrder::costliest_first}) {
       const Schedule schedule = list_schedule(list, workers, order);
       EXPECT_GE(schedule.makespan_s, least_makespan_s(list, workers));
-      // While the last task waits, all are busy; the quotients are rounded.
+      // All workers are busy while the last task waits. The factor allows for rounding of the quotients.
       EXPECT_LE(schedule.makespan_s, (schedule.busy_s / m + (1.0 - 1.0 / m) * longest) * (1.0 + 1e-12));
       EXPECT_LE(schedule.straggling_s, longest);
     }
@@ -75,7 +75,7 @@ TEST(ListSchedule, MoreWorkersThanTasksWaitForTheLongest) {
 }
 
 TEST(ListSchedule, ExpectedCostsDecideTheOrderAndTimesTheSchedule) {
-  // The task that was thought the cheapest takes longest.
+  // The task that was expected to be the cheapest takes longest.
   const std::vector<TimedTask> surprising{{1.0, 3.0}, {1.0, 2.0}, {10.0, 1.0}};
   EXPECT_EQ(list_schedule(surprising, 2, TaskOrder::costliest_first).makespan_s, 11.0);
 }

@@ -13,7 +13,7 @@ namespace {
 
 using meshes::Polycube;
 
-/// Every cell occupied with this probability.
+/// Returns a grid in which every cell is occupied with this probability.
 Polycube random_cells(double density, RandomStream& random) {
   std::string digits;
   for (std::size_t cell = 0; cell < basal_cells; ++cell) digits += random.chance(density) ? '1' : '0';
@@ -24,7 +24,7 @@ Polycube random_cells(double density, RandomStream& random) {
 const Phenotype s_body = phenotype_from_key("110011000000000000000000000");
 const Phenotype bar_body = phenotype_from_key("111000000000000000000000000");
 
-TEST(Constraints, ReplacementIsJudgedAsTheBuiltBody) {
+TEST(Constraints, ReplacementIsEvaluatedAsTheBuiltBody) {
   RandomStream random(1, "replacement");
   int connected = 0;
   constexpr int samples = 3000;
@@ -86,7 +86,7 @@ TEST(Constraints, AFractalIsDecidedAtLevelTwoForLevelThree) {
   EXPECT_LT(apart, 360);
 }
 
-TEST(Constraints, ArrangementsAreJudgedAsTheBuiltBody) {
+TEST(Constraints, ArrangementsAreEvaluatedAsTheBuiltBody) {
   RandomStream random(3, "arrangement");
   for (int sample = 0; sample < 400; ++sample) {
     Phenotype phenotype;
@@ -130,16 +130,17 @@ TEST(Constraints, OnlyTheLevelsOfTheStudyCount) {
   EXPECT_FALSE(is_valid(s_body, {3, 27, DisconnectedPolicy::reject, {1, 3}}));
 }
 
-TEST(Constraints, AControlIsJudgedByItsLevelThreeBody) {
+TEST(Constraints, AControlIsEvaluatedByItsLevelThreeBody) {
   const std::string bar = bar_body.body.digits();
   const std::string cell = "100000000000000000000000000";
   const std::string s = s_body.body.digits();
   const ConstraintOptions allow{3, 27, DisconnectedPolicy::allow, {1, 2}};
   EXPECT_TRUE(is_valid(phenotype_from_key(bar + "|" + bar + "|" + bar), allow)) << "27 cells";
   EXPECT_FALSE(is_valid(phenotype_from_key(bar + "|" + cell + "|" + bar), allow)) << "9 cells";
-  EXPECT_TRUE(is_valid(phenotype_from_key(std::string(27, '1') + "|" + cell + "|" + cell), allow));
+  const std::string full(27, '1');
+  EXPECT_TRUE(is_valid(phenotype_from_key(full + "|" + cell + "|" + cell), allow));
   EXPECT_FALSE(is_valid(phenotype_from_key(s + "|" + bar + "|" + bar), allow)) << "36 cells that fall apart at level 3";
-  // The size of the basal body does not count.
+  // The size of the basal body does not matter.
   EXPECT_TRUE(
       is_valid(phenotype_from_key("111111111111111111111111111|" + cell + "|" + cell), {28, 27, DisconnectedPolicy::allow, {1}}));
 }

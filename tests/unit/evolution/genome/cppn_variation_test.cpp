@@ -18,7 +18,7 @@ constexpr VariationOptions released{ActivationSet::released_code, OutputFunction
 
 double tolerance(double probability, int draws) { return 4.0 * std::sqrt(probability * (1.0 - probability) / draws); }
 
-/// Whether the reader of networks, which checks every invariant, accepts the network.
+/// Returns whether the reader of networks, which checks every invariant, accepts the network.
 bool keeps_invariants(const Cppn& network) { return cppn_from_text(to_text(network)) == network; }
 
 TEST(CppnVariation, AddNodeSplitsAnEdgeInTwo) {
@@ -89,8 +89,8 @@ TEST(CppnVariation, AddLinkReachesEveryLegalPair) {
     add_link(network, random);
     ++counts[{network.edges.back().from, network.edges.back().to}];
   }
-  // From 5 inputs and 2 hidden nodes to 2 hidden nodes and 1 output: 5 * 3 + 2 + 1 pairs without a cycle or a loop, 3 of which
-  // are joined.
+  // From 5 inputs and 2 hidden nodes to 2 hidden nodes and 1 output there are 5 * 3 + 2 + 1 pairs without a cycle or a loop. Of
+  // these 3 are joined.
   EXPECT_EQ(counts.size(), 15U);
   for (const auto& [pair, count] : counts)
     EXPECT_NEAR(count / static_cast<double>(samples), 1.0 / 15.0, tolerance(1.0 / 15.0, samples));
@@ -240,8 +240,8 @@ TEST(CppnVariation, DrawsTheSixOperatorsAlike) {
     } else if (network.edges.size() == start.edges.size()) {
       ++counts[5];
     } else {
-      // A removed link may leave h1 without a way out, so that it is pruned; a removed node leaves edges from x and y to the
-      // output.
+      // Removing a link may leave h1 without an outgoing edge, so that it is pruned. Removing a node leaves edges from x and y to
+      // the output.
       const bool node_removed =
           network.hidden_count() < start.hidden_count() && network.find_edge(0, network.output(0)).has_value();
       ++counts[node_removed ? 1 : 3];

@@ -22,7 +22,7 @@ TEST(Decoder, PositiveFirstOutputIsACellAndPositiveSecondOneMaterialTwo) {
 }
 
 TEST(Decoder, KeepsTheLargestComponentOfThePresenceWhateverTheMaterials) {
-  // |x| > 1/2 leaves the two planes x = −1 and x = 1, which tie: the first in grid order stays, material 2 at the top of it.
+  // |x| > 1/2 leaves the planes x = −1 and x = 1, which are equally large. The first in grid order stays; its top is material 2.
   EXPECT_EQ(digits_of("hidden 0 absolute\nedge x h0 1\nedge h0 out0 1\nedge b out0 -0.5\nedge z out1 1\n"),
             "100100100100100100200200200");
 }

@@ -62,7 +62,7 @@ TEST(Offspring, ChildrenAreValidAndDifferFromTheirParentUnlessEveryTryFailed) {
       const Offspring parent = random_offspring(options, random);
       const Offspring child = child_of(parent.genome, parent.phenotype, options, random);
       if (child.phenotype == parent.phenotype) {
-        // From some full cubes no single step leads away.
+        // Some full cubes cannot be changed by a single step.
         ++equal;
         EXPECT_GE(child.tries, options.largest_tries);
       }
@@ -97,7 +97,7 @@ TEST(Offspring, EachOfThreeNetworksIsChosenWithOneThirdAndAtLeastOneIs) {
       changed += child.genome.networks[network] != parent.genome.networks[network] ? 1U : 0U;
     ++counts.at(changed);
   }
-  // None chosen (8/27) makes one of them; hence one 12/27 + 8/27, two 6/27, three 1/27.
+  // If none is chosen (8/27), one is drawn. Hence the probabilities: one 12/27 + 8/27, two 6/27, three 1/27.
   constexpr std::array expected{0.0, 20.0 / 27.0, 6.0 / 27.0, 1.0 / 27.0};
   for (std::size_t changed = 0; changed < counts.size(); ++changed) {
     const double probability = expected.at(changed);

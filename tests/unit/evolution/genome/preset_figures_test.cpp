@@ -11,12 +11,12 @@
 namespace menger::evolution {
 namespace {
 
-/// What was counted on a large sample of random genomes of the released program's options.
+/// Counts over a large sample of random genomes with the options of the released program.
 struct Figures {
   int draws = 0;
   int valid = 0;
   int several_consumers = 0;  ///< draws with a hidden node that feeds several consumers
-  int changed = 0;            ///< valid ones whose phenotype is another when every consumer gets the activated value
+  int changed = 0;            ///< valid ones whose phenotype changes if every consumer gets the activated value
   int full_cube = 0;
   int single_material = 0;
   int apart_at_level_two = 0;
@@ -65,15 +65,15 @@ const Figures& paper_figures() {
   return figures;
 }
 
-/// Checks a share of a sample against a figure that is known to `known_to`, with four standard deviations of the sample's own
-/// scatter.
+/// Checks a share of a sample against a published figure that is exact to `known_to`. The tolerance adds four standard deviations
+/// of the sample.
 void expect_share(const char* what, int count, int of, double figure, double known_to) {
   const double share = count / static_cast<double>(of);
   std::printf("%s: %.4f of %d\n", what, share, of);
   EXPECT_NEAR(share, figure, known_to + 4.0 * std::sqrt(figure * (1.0 - figure) / of)) << what;
 }
 
-// The figures were published as whole percents, hence known to half a percent.
+// The figures were published in whole percent, hence they are exact to half a percent.
 constexpr double whole_percent = 0.005;
 
 TEST(PresetFigures, TheRememberedSumChangesTwentySevenPercentOfTheBodies) {
@@ -96,9 +96,9 @@ TEST(PresetFigures, ThirtyNinePercentOfTheDrawsAreInvalid) {
   expect_share("invalid draws", figures.draws - figures.valid, figures.draws, 0.39, whole_percent);
 }
 
-// 60 % full cubes and 72 % bodies of one material have been reported for a sample whose size is not stated. 80,000 draws of an
-// independent program (dictionaries and the generator of Python, 49,276 valid bodies) give 57.70 % and 73.50 %, which are the
-// references here, with four standard deviations of that sample.
+// 60 % full cubes and 72 % bodies of one material have been reported, for a sample whose size is not stated. 80,000 draws of an
+// independent program (with dictionaries and the generator of Python, 49,276 valid bodies) give 57.70 % and 73.50 %. These are
+// the references here, with four standard deviations of that sample.
 TEST(PresetFigures, MostBodiesAreFullCubesAndOfOneMaterial) {
   constexpr double independent_sample = 49276.0;
   const auto scatter = [](double share) { return 4.0 * std::sqrt(share * (1.0 - share) / independent_sample); };
@@ -124,7 +124,7 @@ TEST(PresetFigures, KeepingTheOutputFunctionAloneChangesTheBodies) {
   const Figures kept = count_figures({ActivationSet::released_code, OutputFunction::kept},
                                      {Expression::first_consumer_activated, AxisMap::zyx}, sample_size / 3);
   const Figures& released = released_figures();
-  // Outputs of one sign everywhere (absolute, square, root, their negatives) are the full and the empty cubes.
+  // An output of one sign everywhere (absolute, square, root, their negatives) gives a full or an empty cube.
   EXPECT_LT(kept.full_cube / static_cast<double>(kept.valid), 0.5 * released.full_cube / static_cast<double>(released.valid));
 }
 

@@ -13,7 +13,7 @@
 namespace menger::evolution {
 namespace {
 
-/// Four standard deviations of the frequency of an event of this probability in so many draws.
+/// Returns four standard deviations of the frequency of an event with this probability, over this number of draws.
 double tolerance(double probability, int draws) { return 4.0 * std::sqrt(probability * (1.0 - probability) / draws); }
 
 TEST(RandomStream, GivesThePublishedSequenceOfItsGenerator) {

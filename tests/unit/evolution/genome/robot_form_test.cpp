@@ -10,7 +10,7 @@ namespace {
 
 using meshes::Polycube;
 
-/// Layers from the ground up.
+/// Returns a body from its layers, the lowest first.
 Polycube layers(const std::string& first, const std::string& second = "000000000", const std::string& third = "000000000") {
   return Polycube::from_digits(3, 3, 3, first + second + third);
 }
@@ -46,7 +46,7 @@ TEST(RobotForm, MaterialsAndPlaceCountWhereTheDriveKnowsThem) {
   EXPECT_EQ(robot_form(one, {.place = true}), robot_form(layers("000000000", "112000000"), {.place = true}));
 }
 
-/// Cells of a body as offsets from its lowest corner, to compare bodies wherever they are.
+/// Returns the cells of a body as offsets from its lowest corner, to compare bodies in different places.
 std::set<std::string> cells_of(const Polycube& body, int lowest_z) {
   std::set<std::string> cells;
   for (const meshes::CellIndex& cell : body.occupied())

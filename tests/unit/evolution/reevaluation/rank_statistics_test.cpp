@@ -36,7 +36,7 @@ TEST(RankStatistics, KendallAgreesWithPublishedAndHandComputedValues) {
 TEST(RankStatistics, IntervalsAreThoseOfBonettAndWright) {
   const Values x{1, 2, 3, 4, 5};
   const Values y{2, 1, 4, 3, 5};
-  // tanh(artanh 0.8 -+ 1.959964 sqrt(1.32 / 2)) and tanh(artanh 0.6 -+ 1.959964 sqrt(0.437)), worked out elsewhere
+  // tanh(artanh 0.8 -+ 1.959964 sqrt(1.32 / 2)) and tanh(artanh 0.6 -+ 1.959964 sqrt(0.437)), computed independently
   const Interval rho = spearman_correlation(x, y).value().interval.value();
   EXPECT_NEAR(rho.low, -0.4571244, 1e-6);
   EXPECT_NEAR(rho.high, 0.9908429, 1e-6);
@@ -59,9 +59,9 @@ TEST(RankStatistics, WhatHasNoAnswerHasNone) {
 }
 
 TEST(RankStatistics, IntervalsHoldTheTrueCorrelationAboutAsOftenAsTheySay) {
-  // Pairs of normal deviates of correlation r have rho = 6 / pi arcsin(r / 2) and tau = 2 / pi arcsin(r). Of 4000 trials the
-  // share lies within 0.01 (three standard errors) of the true coverage, which for 20 pairs is that of an approximation, itself
-  // within about 0.01 of 0.95 at this r.
+  // Pairs of normal deviates with correlation r have rho = 6 / pi arcsin(r / 2) and tau = 2 / pi arcsin(r). Over 4000 trials the
+  // share is within 0.01 (three standard errors) of the true coverage. The interval is an approximation: for 20 pairs and this r
+  // its coverage is within about 0.01 of 0.95.
   constexpr double r = 0.6;
   const double rho = 6.0 / std::numbers::pi * std::asin(0.5 * r);
   const double tau = 2.0 / std::numbers::pi * std::asin(r);
@@ -97,19 +97,19 @@ TEST(RankStatistics, SharesHaveWilsonsInterval) {
 
 TEST(RankStatistics, RegretIsWhatTheSurrogatesBestLeaveOut) {
   const Values surrogate{5, 4, 3, 2, 1};
-  const Values judge{2, 3, 7, 1, 6};
-  const TopRegret first = top_regret(surrogate, judge, 1).value();
+  const Values reference{2, 3, 7, 1, 6};
+  const TopRegret first = top_regret(surrogate, reference, 1).value();
   EXPECT_EQ(first.best, 7.0);
   EXPECT_EQ(first.regret, 5.0);
   EXPECT_EQ(first.shared, 0U);
-  const TopRegret two = top_regret(surrogate, judge, 2).value();
+  const TopRegret two = top_regret(surrogate, reference, 2).value();
   EXPECT_EQ(two.best_of_top, 3.0);
   EXPECT_EQ(two.regret, 4.0);
   EXPECT_EQ(two.shared, 0U) << "places 0 and 1 against 2 and 4";
-  EXPECT_EQ(top_regret(surrogate, judge, 3).value().regret, 0.0);
-  EXPECT_EQ(top_regret(surrogate, judge, 3).value().shared, 2U) << "1 and 2 of 2, 4, 1";
+  EXPECT_EQ(top_regret(surrogate, reference, 3).value().regret, 0.0);
+  EXPECT_EQ(top_regret(surrogate, reference, 3).value().shared, 2U) << "1 and 2 of 2, 4, 1";
   EXPECT_EQ(top_regret(Values{1, 1}, Values{3, 4}, 1).value().regret, 1.0) << "of equals the first is taken";
-  EXPECT_FALSE(top_regret(surrogate, judge, 6));
+  EXPECT_FALSE(top_regret(surrogate, reference, 6));
 }
 
 }  // namespace

@@ -7,14 +7,14 @@
 #include "evolution/genome/balance.h"
 #include "evolution/reevaluation/reevaluation_chart.h"
 #include "evolution/reevaluation/reevaluation_table.h"
-#include "tests/support/judged_archive.h"
+#include "tests/support/silicone_archive.h"
 
 namespace menger::evolution {
 namespace {
 
 using Vector = std::array<double, 3>;
 
-/// Two seconds of a robot of 3 cm, less than 3 mm being no direction.
+/// A study of two seconds with bodies of 3 cm. A displacement below 3 mm has no direction.
 ReevaluationStudy some_study() {
   ReevaluationStudy study;
   study.search = tests::silicone_study();
@@ -24,8 +24,8 @@ ReevaluationStudy some_study() {
   return study;
 }
 
-JudgedDesign judged(std::size_t rank, double surrogate_m, double elements_m, bool is_top = true) {
-  JudgedDesign design;
+ReevaluatedDesign evaluated(std::size_t rank, double surrogate_m, double elements_m, bool is_top = true) {
+  ReevaluatedDesign design;
   design.design.rank = rank;
   design.design.is_top = is_top;
   design.design.body = meshes::Polycube::from_digits(3, 3, 3, "111000000000000000000000000");
@@ -61,9 +61,9 @@ TEST(ReevaluationComparison, AnglesAndChangesAreHorizontalAndNeedADistance) {
 
 TEST(ReevaluationComparison, DistancesThatAreTooSmallAreTies) {
   const ReevaluationStudy study = some_study();
-  // Below 3 mm on finite elements the order is against the surrogate's, above it agrees.
-  const std::vector<JudgedDesign> designs{judged(1, 0.03, 0.02), judged(2, 0.02, 0.01), judged(3, 0.01, 1e-17),
-                                          judged(4, 0.009, 1e-14), judged(5, 0.008, 2e-3)};
+  // On finite elements, the order below 3 mm is opposite to the surrogate's, and above 3 mm it agrees.
+  const std::vector<ReevaluatedDesign> designs{evaluated(1, 0.03, 0.02), evaluated(2, 0.02, 0.01), evaluated(3, 0.01, 1e-17),
+                                               evaluated(4, 0.009, 1e-14), evaluated(5, 0.008, 2e-3)};
   const Ranking ranking = rank_all(study, designs).front();
   // Ranks 5 4 3 2 1 against 5 4 2 2 2: covariance 8, variances 10 and 8; with 5 4 1 2 3 it would be 0.6.
   EXPECT_NEAR(ranking.spearman.value().value, 8.0 / std::sqrt(80.0), 1e-12);
@@ -71,34 +71,34 @@ TEST(ReevaluationComparison, DistancesThatAreTooSmallAreTies) {
 
 TEST(ReevaluationComparison, WhereTheBestAreAllNothingCanBeLost) {
   const ReevaluationStudy study = some_study();
-  const std::vector<JudgedDesign> two{judged(1, 0.03, 0.02), judged(2, 0.02, 0.03)};
+  const std::vector<ReevaluatedDesign> two{evaluated(1, 0.03, 0.02), evaluated(2, 0.02, 0.03)};
   const Ranking all = rank_all(study, two).front();
   EXPECT_EQ(all.k, 2U);
   EXPECT_FALSE(all.best_of_k) << "the best two of two";
   EXPECT_NEAR(all.best.value().regret, 10.0, 1e-9) << "20 for 30 body lengths per minute";
-  std::vector<JudgedDesign> three = two;
-  three.push_back(judged(3, 0.01, 0.04));
+  std::vector<ReevaluatedDesign> three = two;
+  three.push_back(evaluated(3, 0.01, 0.04));
   EXPECT_NEAR(rank_all(study, three).front().best_of_k.value().regret, 10.0, 1e-9);
 }
 
 TEST(ReevaluationComparison, TheSampleComesFirstAndThoseThatStandAreRankedByThemselves) {
   const ReevaluationStudy study = some_study();
-  std::vector<JudgedDesign> designs{judged(1, 0.03, 0.02), judged(2, 0.02, 0.03), judged(4, 0.01, 0.01, false),
-                                    judged(6, 0.01, 0.02, false)};
+  std::vector<ReevaluatedDesign> designs{evaluated(1, 0.03, 0.02), evaluated(2, 0.02, 0.03), evaluated(4, 0.01, 0.01, false),
+                                         evaluated(6, 0.01, 0.02, false)};
   designs[1].is_balanced = false;
   const std::vector<Ranking> rankings = rank_all(study, designs);
   ASSERT_EQ(rankings.size(), 4U);
   EXPECT_EQ(rankings[0].name, "sample");
   EXPECT_EQ(rankings[1].name, "top");
   EXPECT_EQ(rankings[2].name, "balanced");
-  EXPECT_EQ(rankings[2].judged, 3U);
+  EXPECT_EQ(rankings[2].evaluated, 3U);
   EXPECT_EQ(rankings[3].name, "all");
 }
 
 TEST(ReevaluationText, SaysWhatBothModelsSaidOfEveryRobot) {
   const ReevaluationStudy study = some_study();
   ReevaluationFindings findings;
-  findings.designs = {judged(1, 0.03, 0.02), judged(2, 0.02, 0.03)};
+  findings.designs = {evaluated(1, 0.03, 0.02), evaluated(2, 0.02, 0.03)};
   findings.designs[1].surrogate.result.status = io::RunStatus::diverged;
   findings.designs[1].surrogate.result.displacement_m.reset();
   findings.designs[1].surrogate.result.reason = "voxel 3 too fast";
@@ -107,7 +107,7 @@ TEST(ReevaluationText, SaysWhatBothModelsSaidOfEveryRobot) {
   findings.refused = {{.individual = 4, .phenotype = "", .fitness = 0.5, .rank = 3, .reason = "weak contact"}};
   findings.rankings = rank_all(study, findings.designs);
   const std::string text = findings_text(study, findings);
-  for (const char* words : {"2 of 9 robots judged for 2 s", "surrogate diverged: voxel 3 too fast", "falls over by itself",
+  for (const char* words : {"2 of 9 robots re-evaluated for 2 s", "surrogate diverged: voxel 3 too fast", "falls over by itself",
                             "(rank 3): weak contact", "1 of 2 designs completed in both models"})
     EXPECT_NE(text.find(words), std::string::npos) << text << "\ndoes not say: " << words;
 }
@@ -115,7 +115,7 @@ TEST(ReevaluationText, SaysWhatBothModelsSaidOfEveryRobot) {
 TEST(ReevaluationChart, HasAPointPerDesignThatCompletedInBothModels) {
   const ReevaluationStudy study = some_study();
   ReevaluationFindings findings;
-  findings.designs = {judged(1, 0.03, 0.02), judged(2, 0.02, 0.03)};
+  findings.designs = {evaluated(1, 0.03, 0.02), evaluated(2, 0.02, 0.03)};
   findings.designs[1].elements.displacement_m.reset();
   const io::Chart chart = scatter_chart(study, findings);
   ASSERT_EQ(chart.panels.size(), 2U);
@@ -132,7 +132,7 @@ meshes::Polycube layers(const std::string& first, const std::string& second, con
 TEST(Balance, ABodyWhoseCentreIsBesideItsFootFallsOver) {
   EXPECT_TRUE(is_balanced(layers("111111111", "000000000", "000000000")));
   EXPECT_TRUE(is_balanced(layers("010000000", "010000000", "010000000"))) << "a post";
-  // A foot at one end of a beam of three: the centre is a cell beside it.
+  // A beam of three cells with a foot at one end: the centre is one cell beside the foot.
   EXPECT_FALSE(is_balanced(layers("100000000", "111000000", "000000000")));
   EXPECT_FALSE(is_balanced(layers("100000000", "100000000", "111000000"))) << "the centre at 1.1 cells, the foot ends at 1";
   EXPECT_TRUE(is_balanced(layers("101000000", "111000000", "000000000"))) << "two feet, the centre between them";

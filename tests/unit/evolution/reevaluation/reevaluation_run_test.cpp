@@ -10,7 +10,7 @@
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "tests/support/input_error_message.h"
-#include "tests/support/judged_archive.h"
+#include "tests/support/silicone_archive.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::evolution {
@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Finite elements as a script: n cells go n mm along x in 0.1 s and a hundredth of that along y, times the square root of
-/// E / 260 kPa, with `before` done first.
+/// A script in place of finite elements: n cells move n mm along x in 0.1 s and a hundredth of that along y, times the square
+/// root of E / 260 kPa. It runs `before` first.
 std::string fake_locomote(const std::string& before = "") {
-  return R"(cells=$(sed -n '/layers/,$p' design.toml | tr -cd 12 | wc -c)
+  return R"(cells=$(sed -n 's/^layers = //p' study.toml | tr -cd 12 | wc -c)
 modulus=$(sed -n 's/^youngs_modulus_Pa = //p' study.toml)
 through=$(sed -n 's/^elements_through_wall = //p' study.toml)
 )" + before +
@@ -33,7 +33,7 @@ awk -v n=$cells -v e=${modulus:-260000} -v t=$through 'BEGIN {
   print "time_s,centre_of_mass_x_m,centre_of_mass_y_m,centre_of_mass_z_m" > out
   for (i = 0; i <= 5; ++i) printf "%.12g,%.12g,%.12g,%.12g\n", i * 0.02, 0.015 + x * i / 5, 0.015 + x * i / 500, 0.005 > out
   printf "status = \"completed\"\nreason = \"\"\ntime_s = 0.1\nsteps = %d\nelements = %d\n", 1000 * t, 10 * t > "result/locomotion.toml"
-  printf "displacement_m = [%.12g, %.12g, 0.0]\nseconds = 0.5\n", x, x / 100 > "result/locomotion.toml"
+  printf "body_length_m = 0.03\nseconds = 0.5\n" > "result/locomotion.toml"
 }'
 )";
 }
@@ -45,7 +45,7 @@ const std::string plate_4 = "110110000000000000000000000";
 const std::string plate_6 = "111111000000000000000000000";
 const std::string weak = "100010000000000000000000000";
 
-/// An archive of silicone robots and a program that is a script, which notes its calls in the file `calls`.
+/// An archive of silicone robots, and a script in place of the program, which writes its calls into the file `calls`.
 class ReevaluationRun : public testing::Test {
  protected:
   ReevaluationRun() {
@@ -65,7 +65,7 @@ class ReevaluationRun : public testing::Test {
   /// @param top_keys of the study @param more keys of [time] or tables
   [[nodiscard]] ReevaluationResult run(std::size_t top, std::size_t sample = 0, const std::string& more = "",
                                        const std::string& top_keys = "") const {
-    // the surrogate needs few steps to be wrong in another way than the script
+    // a few steps are enough for the surrogate to differ from the script
     io::write_whole(folder_ / "study.toml", "least_body_lengths = " + least_ + "\n" + top_keys +
                                                 "[time]\nduration_s = 0.1\nrecord_interval_s = 0.02\n" + more);
     RunArchive archive = RunArchive::open_to_read(archive_);
@@ -82,10 +82,10 @@ class ReevaluationRun : public testing::Test {
   const tests::TestFolder folder_;
   fs::path archive_ = folder_ / "run.sqlite";
   ReevaluationOptions options_;
-  std::string least_ = "0.001";  ///< body lengths that make a direction
+  std::string least_ = "0.001";  ///< least displacement with a direction, in body lengths
 };
 
-TEST_F(ReevaluationRun, JudgesTheBestAndASampleInBothModels) {
+TEST_F(ReevaluationRun, EvaluatesTheBestAndASampleInBothModels) {
   options_.jobs = 3;
   const ReevaluationResult result = run(2, 2);
   EXPECT_EQ(result.status, io::RunStatus::completed);
@@ -97,13 +97,13 @@ TEST_F(ReevaluationRun, JudgesTheBestAndASampleInBothModels) {
   EXPECT_EQ(found.text(1, "selection"), "top");
   EXPECT_EQ(found.text(2, "selection"), "sample");
   EXPECT_EQ(found.number(0, "fitness_body_lengths"), 1.0);
-  // by hand: 3 cells go 3 mm, a tenth of a body length in a tenth of a second
+  // computed by hand: 3 cells move 3 mm, a tenth of a body length in a tenth of a second
   EXPECT_NEAR(found.number(0, "elements_dx_m"), 3e-3, 1e-12);
   EXPECT_NEAR(found.number(0, "elements_body_lengths"), 0.1 * std::hypot(1.0, 0.01), 1e-9);
   EXPECT_NEAR(found.number(0, "elements_body_lengths_per_minute"), 60.0 * std::hypot(1.0, 0.01), 1e-6);
   EXPECT_NEAR(found.number(0, "elements_direction_deg"), std::atan(0.01) * 57.29577951308232, 1e-9);
-  EXPECT_EQ(found.number(0, "elements_lowest_dz_m"), 0.0) << "the script moves level";
-  EXPECT_LE(found.number(0, "surrogate_lowest_dz_m"), 0.0);
+  EXPECT_EQ(found.number(0, "elements_least_dz_m"), 0.0) << "the script moves level";
+  EXPECT_LE(found.number(0, "surrogate_least_dz_m"), 0.0);
   EXPECT_EQ(found.text(0, "elements_steps"), "1000");
   EXPECT_EQ(found.text(0, "elements_seconds"), "0.5");
   EXPECT_EQ(found.text(0, "surrogate_status"), "completed");
@@ -112,11 +112,11 @@ TEST_F(ReevaluationRun, JudgesTheBestAndASampleInBothModels) {
   EXPECT_EQ(table("refused.csv").text(0, "rank"), "2");
   for (const char* file : {"summary.txt", "winner/design.toml", "trajectories/rank_0001.csv"})
     EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
-  EXPECT_FALSE(fs::exists(folder_ / "out/reevaluation_judge.csv"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/variants.csv"));
 }
 
 TEST_F(ReevaluationRun, TheNumbersOfATableFollowFromItsDisplacements) {
-  // A tenth of a second is too short for the surrogate to go far: what is more than rounding counts.
+  // In a tenth of a second the surrogate hardly moves, so every displacement above rounding counts.
   least_ = "1e-9";
   constexpr double least_m = 1e-9 * 0.03;
   (void)run(5);
@@ -149,20 +149,20 @@ TEST_F(ReevaluationRun, TheNumbersOfATableFollowFromItsDisplacements) {
   ASSERT_EQ(clock.row_count(), 6U);
   EXPECT_EQ(clock.number(0, "separation_m"), 0.0);
   EXPECT_NEAR(clock.number(5, "elements_dx_m"), 3e-3, 1e-12);
-  // of the last record both models have, interpolated or not
+  // at the last record both models have a position, interpolated or not
   EXPECT_NEAR(clock.number(5, "surrogate_dx_m"), found.number(0, "surrogate_dx_m"), 1e-6);
 }
 
 TEST_F(ReevaluationRun, AFallShowsInTheLowestHeight) {
   add_program(fake_locomote() + "printf '0.12,0.018,0.015,0.003\\n0.14,0.018,0.015,0.006\\n' >>result/trajectory.csv\n");
   (void)run(1);
-  EXPECT_NEAR(table("reevaluation.csv").number(0, "elements_lowest_dz_m"), -0.002, 1e-12);
+  EXPECT_NEAR(table("reevaluation.csv").number(0, "elements_least_dz_m"), -0.002, 1e-12);
 }
 
 TEST_F(ReevaluationRun, WhatIsLeftOutIsTakenFromBothModelsAndRecorded) {
   (void)run(1, 0, "measure_from_s = 0.04\n");
   const io::CsvContents found = table("reevaluation.csv");
-  // by hand: 3 cells go 3 mm evenly in 0.1 s, of which 0.06 s count
+  // computed by hand: 3 cells move 3 mm at constant speed in 0.1 s, and 0.06 s of this count
   EXPECT_NEAR(found.number(0, "elements_dx_m"), 1.8e-3, 1e-12);
   EXPECT_NEAR(found.number(0, "elements_left_out_m"), 1.2e-3 * std::hypot(1.0, 0.01), 1e-12);
   EXPECT_NEAR(found.number(0, "elements_body_lengths_per_minute"), 60.0 * std::hypot(1.0, 0.01), 1e-6) << "as fast as ever";
@@ -212,7 +212,7 @@ TEST_F(ReevaluationRun, ASecondCallRepeatsNothing) {
 
 TEST_F(ReevaluationRun, AFailedDesignDoesNotEndTheOthers) {
   add_program(fake_locomote(R"(case $cells in
-2) mkdir -p result; printf 'status = "diverged"\nreason = "too fast"\ntime_s = 0.01\nsteps = 7\nelements = 3\nseconds = 0.1\n' >result/locomotion.toml
+2) mkdir -p result; printf 'status = "diverged"\nreason = "too fast"\ntime_s = 0.01\nsteps = 7\nelements = 3\nbody_length_m = 0.03\nseconds = 0.1\n' >result/locomotion.toml
    printf 'time_s,centre_of_mass_x_m,centre_of_mass_y_m,centre_of_mass_z_m\n0,0,0,0\n' >result/trajectory.csv; exit 3;;
 4) echo broken >&2; exit 1;;
 1) exit 0;;
@@ -245,23 +245,23 @@ TEST_F(ReevaluationRun, WhereNothingCompletesTheOutcomeIsNumerical) {
   EXPECT_EQ(table("ranking.csv").text(0, "value"), "");
 }
 
-TEST_F(ReevaluationRun, VariantsTellTheJudgesOwnError) {
-  const ReevaluationResult result = run(3, 0, "[judge]\ndesigns = 2\nyoungs_moduli_Pa = [65e3, 260e3]\n");
+TEST_F(ReevaluationRun, VariantsTellTheReferencesOwnError) {
+  const ReevaluationResult result = run(3, 0, "[variants]\ndesigns = 2\nyoungs_moduli_Pa = [65e3, 260e3]\n");
   EXPECT_EQ(result.repeated, 3U + 2U * 5U);
-  const io::CsvContents found = table("reevaluation_judge.csv");
-  ASSERT_EQ(found.row_count(), 12U) << "two designs by the judge and five variants";
-  EXPECT_EQ(found.text(0, "variant"), "judge");
+  const io::CsvContents found = table("variants.csv");
+  ASSERT_EQ(found.row_count(), 12U) << "two designs by the reference evaluator and five variants";
+  EXPECT_EQ(found.text(0, "variant"), "reference");
   EXPECT_EQ(found.number(0, "relative_change"), 0.0);
   EXPECT_EQ(found.text(1, "variant"), "2 elements through the wall");
   EXPECT_EQ(found.text(1, "steps"), "2000");
   EXPECT_EQ(found.text(4, "variant"), "E 65 kPa");
   EXPECT_EQ(found.text(4, "kind"), "stiffness");
-  EXPECT_NEAR(found.number(4, "relative_change"), 0.5, 1e-9) << "a quarter of the modulus, half the way";
-  EXPECT_EQ(found.text(6, "rank"), "3") << "the next that can be judged";
-  const std::vector<JudgeError> errors =
-      judge_errors(read_reevaluation_study({.archive = archive_, .file = folder_ / "study.toml", .top = 3},
-                                           RunArchive::open_to_read(archive_)),
-                   result.findings.designs, result.findings.variants);
+  EXPECT_NEAR(found.number(4, "relative_change"), 0.5, 1e-9) << "a quarter of the modulus, half the displacement";
+  EXPECT_EQ(found.text(6, "rank"), "3") << "the next that can be evaluated";
+  const std::vector<ReferenceError> errors =
+      reference_errors(read_reevaluation_study({.archive = archive_, .file = folder_ / "study.toml", .top = 3},
+                                               RunArchive::open_to_read(archive_)),
+                       result.findings.designs, result.findings.variants);
   ASSERT_EQ(errors.size(), 2U);
   EXPECT_EQ(errors[0].runs, 6U);
   EXPECT_NEAR(errors[0].largest_change.value(), 0.0, 1e-12);
@@ -279,7 +279,7 @@ TEST_F(ReevaluationRun, TheArchiveKeepsWhatWasFound) {
   Phenotype winner;
   winner.body = meshes::Polycube::from_digits(3, 3, 3, bar_3);
   const Reevaluation& found = by_design.at(design_hash(winner, 1));
-  EXPECT_EQ(found.variant, "judge");
+  EXPECT_EQ(found.variant, "reference");
   EXPECT_EQ(found.duration_s, 0.1);
   ASSERT_TRUE(found.result.displacement_m);
   EXPECT_NEAR((*found.result.displacement_m)[0], 3e-3, 1e-12);
@@ -313,7 +313,7 @@ TEST_F(ReevaluationRun, ACheckpointThatIsRefusedIsLeftAside) {
 }
 
 TEST_F(ReevaluationRun, EqualVariantsAndASecondProcessAreRefused) {
-  EXPECT_THROW((void)run(1, 0, "[judge]\nyoungs_moduli_Pa = [2e5, 2e5]\n"), io::InputError);
+  EXPECT_THROW((void)run(1, 0, "[variants]\nyoungs_moduli_Pa = [2e5, 2e5]\n"), io::InputError);
   fs::create_directories(folder_ / "out/runs");
   const io::FileLock lock(folder_ / "out/runs");
   const std::string message = tests::message_of([&] { (void)run(1); });
@@ -325,9 +325,9 @@ TEST(Locomotions, EqualJobsAreRunOnceForAll) {
   const tests::TestFolder folder;
   io::write_whole(folder / "program", "#!/bin/sh\nset -e\necho call >>'" + (folder / "calls").string() + "'\n" + fake_locomote());
   fs::permissions(folder / "program", fs::perms::owner_all);
-  const LocomotionJob job{.name = "one", .study = "elements_through_wall = 1\n", .design = "layers\n111\n", .silicone = ""};
+  const LocomotionJob job{.name = "one", .study = "elements_through_wall = 1\nlayers = 111\n"};
   LocomotionJob other = job;
-  other.design = "layers\n11\n";
+  other.study = "elements_through_wall = 1\nlayers = 11\n";
   const std::vector<LocomotionJob> jobs{job, other, job};
   const auto runs = run_locomotions(jobs, {.program = folder / "program", .runs = folder / "runs", .jobs = 3});
   ASSERT_TRUE(runs);
@@ -382,7 +382,7 @@ TEST_F(ReevaluationRun, DesignsThatCannotBeCastAreWrongInput) {
   fs::remove(archive_);
   tests::make_archive(archive_, tests::silicone_study(), {weak});
   const std::string message = tests::message_of([&] { (void)run(1); });
-  EXPECT_NE(message.find("no design can be judged"), std::string::npos) << message;
+  EXPECT_NE(message.find("no design can be evaluated"), std::string::npos) << message;
   fs::remove(archive_);
   tests::make_archive(archive_, tests::silicone_study(), {});
   EXPECT_NE(tests::message_of([&] { (void)run(1); }).find("no design has a fitness"), std::string::npos);

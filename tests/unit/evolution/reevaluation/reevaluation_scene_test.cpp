@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr double edge_m = 0.01;
 
-/// A cube at x as finite elements write it.
+/// Writes a cube at x as finite elements do.
 void write_cube(const fs::path& file, double x_m) {
   vtkNew<vtkPoints> points;
   for (const auto& [x, y, z] : std::array<std::array<double, 3>, 8>{
@@ -36,7 +36,7 @@ void write_cube(const fs::path& file, double x_m) {
   io::write_vtu(file, *grid);
 }
 
-/// A voxel that the surrogate has at x from its start.
+/// Returns a frame of the surrogate with one voxel, moved by x from its start.
 voxel::Frame frame_at(double time_s, double x_m) {
   voxel::Frame frame;
   frame.time_s = time_s;
@@ -67,7 +67,7 @@ class ReevaluationScene : public testing::Test {
   }
 
   const tests::TestFolder folder_;
-  JudgedDesign design_;
+  ReevaluatedDesign design_;
 };
 
 TEST_F(ReevaluationScene, BothModelsStandInOneCollectionOnOneClock) {

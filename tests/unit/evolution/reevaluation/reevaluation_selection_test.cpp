@@ -12,7 +12,7 @@ using meshes::Polycube;
 
 Polycube body_of(const std::string& digits) { return Polycube::from_digits(3, 3, 3, digits); }
 
-/// Layers from the ground up.
+/// Returns a body from its layers, the lowest first.
 Polycube layers(const std::string& first, const std::string& second = "000000000", const std::string& third = "000000000") {
   return body_of(first + second + third);
 }
@@ -23,7 +23,7 @@ FitDesign design(std::uint64_t individual, const Polycube& body, double fitness)
           .fitness = fitness};
 }
 
-/// Bars and plates that are all different robots, the best first.
+/// Returns bars and plates that are all different robots, the best first.
 std::vector<FitDesign> different_designs() {
   const std::vector<Polycube> bodies{
       layers("100000000"), layers("110000000"), layers("111000000"), layers("110100000"),
@@ -42,7 +42,7 @@ std::string nothing_against(const Polycube&) { return ""; }
 
 TEST(ReevaluationSelection, TakesTheBestDistinctOnesOnce) {
   std::vector<FitDesign> designs = different_designs();
-  designs.insert(designs.begin() + 1, design(7, layers("000000001"), 0.995));  // the first one elsewhere
+  designs.insert(designs.begin() + 1, design(7, layers("000000001"), 0.995));  // the first robot in another place
   const Selection selection = choose_designs(designs, {.top = 3, .distinction = {.materials = false}}, nothing_against);
   EXPECT_EQ(selection.distinct, 12U);
   ASSERT_EQ(selection.chosen.size(), 3U);
@@ -54,7 +54,7 @@ TEST(ReevaluationSelection, TakesTheBestDistinctOnesOnce) {
   EXPECT_TRUE(selection.refused.empty());
 }
 
-TEST(ReevaluationSelection, WhatCannotBeJudgedIsNamedAndLeftOut) {
+TEST(ReevaluationSelection, WhatCannotBeEvaluatedIsNamedAndLeftOut) {
   const auto obstacle = [](const Polycube& body) { return body.count() == 2 ? std::string("too short") : std::string(); };
   const Selection selection = choose_designs(different_designs(), {.top = 2}, obstacle);
   ASSERT_EQ(selection.chosen.size(), 2U);

@@ -5,19 +5,22 @@
 #include <array>
 #include <atomic>
 
-#include "evolution/reevaluation/reevaluation_judge.h"
+#include "evolution/reevaluation/reference_error.h"
 #include "evolution/reference/reevaluation_locomotion.h"
 #include "evolution/reference/reevaluation_runner.h"
 #include "evolution/reference/reevaluation_surrogate.h"
 #include "evolution/study/voxel_evaluator.h"
+#include "fem/locomotion/locomotion_study_file.h"
 #include "io/study/study_reader.h"
 #include "io/study/study_template.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
+#include "materials/laws/law_file.h"
+#include "materials/laws/silicone_library.h"
 #include "tests/support/described_study.h"
 #include "tests/support/earlier_archive.h"
 #include "tests/support/input_error_message.h"
-#include "tests/support/judged_archive.h"
+#include "tests/support/silicone_archive.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::evolution {
@@ -40,7 +43,7 @@ class ReevaluationStudyTest : public testing::Test {
                                    RunArchive::open_to_read(archive));
   }
 
-  /// What is said against a study.
+  /// Returns the message with which a study is refused.
   [[nodiscard]] std::string refusal(const std::string& text, const Study& search = tests::silicone_study()) const {
     return message_of([&] { (void)read(text, search); });
   }
@@ -48,14 +51,14 @@ class ReevaluationStudyTest : public testing::Test {
   const tests::TestFolder folder_;
 };
 
-TEST_F(ReevaluationStudyTest, WithoutKeysItJudgesAsTheSearchDid) {
+TEST_F(ReevaluationStudyTest, WithoutKeysItEvaluatesAsTheSearchDid) {
   const ReevaluationStudy study = read("");
   EXPECT_EQ(study.level, 1);
   EXPECT_EQ(study.duration_s, 2.0);
   EXPECT_EQ(study.search.physics.materials[0].static_friction, 1.0);
-  EXPECT_FALSE(study.judge);
+  EXPECT_FALSE(study.variants);
   EXPECT_EQ(study.elements, LocomotionOptions{});
-  EXPECT_TRUE(judge_variants(study).empty());
+  EXPECT_TRUE(reference_variants(study).empty());
 }
 
 TEST_F(ReevaluationStudyTest, ReadsEveryKeyAndItsTextIsReadBackTheSame) {
@@ -65,17 +68,18 @@ TEST_F(ReevaluationStudyTest, ReadsEveryKeyAndItsTextIsReadBackTheSame) {
       "[elements]\nelements_through_wall = 2\nbulk_modulus_ratio = 100\nstep_safety = 0.8\nyoungs_modulus_Pa = 2e5\n"
       "damping_model = \"maxwell\"\nthreads = 2\n"
       "[ground]\nstatic_friction = 0.7\nkinetic_friction = 0.6\n"
-      "[judge]\ndesigns = 4\nelements_through_wall = 3\nbulk_modulus_factor = 3\nstep_factor = 0.25\nyoungs_moduli_Pa = [1e5]\n");
+      "[variants]\ndesigns = 4\nelements_through_wall = 3\nbulk_modulus_factor = 3\nstep_factor = 0.25\nyoungs_moduli_Pa = "
+      "[1e5]\n");
   EXPECT_EQ(study.duration_s, 0.6);
   EXPECT_EQ(study.elements.elements_through_wall, 2);
   EXPECT_EQ(study.elements.youngs_modulus_Pa, 2e5);
-  EXPECT_EQ(study.elements.damping_model, "maxwell");
+  EXPECT_EQ(study.elements.damping_model, fem::DampingModel::maxwell);
   for (const voxel::VoxelMaterial& material : study.search.physics.materials) {
     EXPECT_EQ(material.static_friction, 0.7);
     EXPECT_EQ(material.kinetic_friction, 0.6);
   }
-  ASSERT_TRUE(study.judge);
-  EXPECT_EQ(study.judge->designs, 4U);
+  ASSERT_TRUE(study.variants);
+  EXPECT_EQ(study.variants->designs, 4U);
   const std::string text = resolved_text(study);
   std::string without_request = text;
   for (const char* key : {"top = 1\n", "sample = 0\n"}) without_request.erase(without_request.find(key), std::string(key).size());
@@ -87,7 +91,7 @@ TEST_F(ReevaluationStudyTest, KeysOfEarlierVersionsAreToldTheirNewNames) {
     EXPECT_NE(refusal(key + " = 1\n").find(key + " = 1: is called time." + key + " now"), std::string::npos) << key;
 }
 
-/// A study of a search, as it is where a file says nothing.
+/// The study of re-evaluation of a search, without a file.
 struct StudyOfSearch : ReevaluationStudy {
   StudyOfSearch() : ReevaluationStudy(read_reevaluation_study({.archive = "run.sqlite", .file = {}}, tests::silicone_study())) {}
 };
@@ -99,19 +103,19 @@ TEST_F(ReevaluationStudyTest, ItsTemplateAndItsTextsAreReadBack) {
     return study;
   };
   tests::expect_template_is_read<StudyOfSearch>(parse);
-  tests::expect_texts_are_read_back<StudyOfSearch>(parse, 5);
+  tests::expect_texts_are_read_back<StudyOfSearch>(parse, 5, {}, {"silicone"});
 }
 
-TEST_F(ReevaluationStudyTest, ATemplateWithoutASearchJudgesAsTheSearchDid) {
+TEST_F(ReevaluationStudyTest, ATemplateWithoutASearchEvaluatesAsTheSearchDid) {
   io::StudyTemplateWriter writer;
   ReevaluationStudy nothing;
   describe(writer, nothing);
   EXPECT_EQ(resolved_text(read(writer.text())), resolved_text(read("")));
 }
 
-TEST_F(ReevaluationStudyTest, VariantsDifferFromTheJudgeInOneThing) {
-  const ReevaluationStudy study = read("[judge]\n");
-  const std::vector<JudgeVariant> variants = judge_variants(study);
+TEST_F(ReevaluationStudyTest, VariantsDifferFromTheReferenceInOneThing) {
+  const ReevaluationStudy study = read("[variants]\n");
+  const std::vector<ReferenceVariant> variants = reference_variants(study);
   ASSERT_EQ(variants.size(), 5U);
   EXPECT_EQ(variants[0].options, (LocomotionOptions{.elements_through_wall = 2}));
   EXPECT_EQ(variants[1].options, (LocomotionOptions{.bulk_modulus_ratio = 100.0}));
@@ -120,9 +124,9 @@ TEST_F(ReevaluationStudyTest, VariantsDifferFromTheJudgeInOneThing) {
   EXPECT_EQ(variants[4].options, (LocomotionOptions{.youngs_modulus_Pa = 264e3}));
   EXPECT_TRUE(variants[2].is_numerical);
   EXPECT_FALSE(variants[3].is_numerical);
-  const ReevaluationStudy none =
-      read("[elements]\nelements_through_wall = 2\n[judge]\nbulk_modulus_factor = 1\nstep_factor = 1\nyoungs_moduli_Pa = []\n");
-  EXPECT_TRUE(judge_variants(none).empty()) << "what is the judge itself is no variant";
+  const ReevaluationStudy none = read(
+      "[elements]\nelements_through_wall = 2\n[variants]\nbulk_modulus_factor = 1\nstep_factor = 1\nyoungs_moduli_Pa = []\n");
+  EXPECT_TRUE(reference_variants(none).empty()) << "what is the reference evaluator itself is no variant";
 }
 
 TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheSearch) {
@@ -142,8 +146,11 @@ TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheS
   EXPECT_EQ(table.table("loads").number("gravity_m_per_s2"), 9.81);
   EXPECT_EQ(table.table("time").number("duration_s"), 0.6);
   EXPECT_EQ(table.table("output").integer("records_per_frame"), 10) << "a tenth of a second";
-  io::write_whole(folder_ / "design.toml", job.design);
-  EXPECT_EQ(meshes::read_design(folder_ / "design.toml").body, body);
+  const fem::LocomotionStudy walk = fem::parse_locomotion_study(job.study, "study.toml");
+  EXPECT_EQ(walk.design.body, body);
+  EXPECT_EQ(walk.material.density_kg_per_m3, materials::read_silicone(study.silicone_file).data_sheet.density_kg_per_m3);
+  EXPECT_EQ(materials::law_line(walk.material.law),
+            materials::law_line(materials::read_silicone(study.silicone_file).recommended.law));
 
   LocomotionOptions other = study.elements;
   other.threads = 2;
@@ -151,8 +158,20 @@ TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheS
   other.step_safety = 0.45;
   EXPECT_NE(protocol_text(study, other), protocol_text(study, study.elements));
   other.step_safety = study.elements.step_safety;
-  other.damping_model = "maxwell";
+  other.damping_model = fem::DampingModel::maxwell;
   EXPECT_NE(protocol_text(study, other), protocol_text(study, study.elements));
+}
+
+TEST_F(ReevaluationStudyTest, TakesTheSiliconeOfTheSearch) {
+  EXPECT_EQ(read("").silicone_file.stem(), "dragon_skin_10");
+  Study soft = tests::silicone_study();
+  soft.physics.surrogate->parameters.silicone = "Ecoflex 00-30";
+  soft.physics.surrogate->parameters.law = materials::law_line(
+      materials::read_silicone(materials::silicone_with_record_name("Ecoflex 00-30").value()).recommended.law);
+  EXPECT_EQ(read("", soft).silicone_file.stem(), "ecoflex_00_30");
+  soft.physics.surrogate->parameters.silicone = "Home-made";
+  EXPECT_NE(refusal("", soft).find("calibrated for \"Home-made\", which is not a silicone of menger"), std::string::npos)
+      << refusal("", soft);
 }
 
 TEST_F(ReevaluationStudyTest, TheSurrogateMovesAsInTheSearch) {
@@ -236,7 +255,7 @@ TEST(LeaveOut, TakesWhatCameBeforeATimeOutOfTheDisplacement) {
 TEST_F(ReevaluationStudyTest, NamesWhatStandsAgainstABody) {
   const ReevaluationStudy study = read("");
   const auto obstacle = [&](const std::string& digits) {
-    return obstacle_to_judging(study, meshes::Polycube::from_digits(3, 3, 3, digits));
+    return obstacle_to_reference(study, meshes::Polycube::from_digits(3, 3, 3, digits));
   };
   EXPECT_EQ(obstacle(bar), "");
   EXPECT_NE(obstacle("100010000000000000000000000"), "") << "cells that touch along an edge";
@@ -245,14 +264,14 @@ TEST_F(ReevaluationStudyTest, NamesWhatStandsAgainstABody) {
   antiphase.physics.actuation.mode = voxel::ActuationMode::antiphase;
   antiphase.physics.actuation.material_phase = {0.0, 0.5};
   const ReevaluationStudy phases = read("", antiphase);
-  const std::string reason = obstacle_to_judging(phases, meshes::Polycube::from_digits(3, 3, 3, "112000000000000000000000000"));
+  const std::string reason = obstacle_to_reference(phases, meshes::Polycube::from_digits(3, 3, 3, "112000000000000000000000000"));
   EXPECT_NE(reason.find("chamber"), std::string::npos) << reason;
-  EXPECT_EQ(obstacle_to_judging(phases, meshes::Polycube::from_digits(3, 3, 3, bar)), "") << "one phase";
+  EXPECT_EQ(obstacle_to_reference(phases, meshes::Polycube::from_digits(3, 3, 3, bar)), "") << "one phase";
 }
 
 TEST_F(ReevaluationStudyTest, WrongInputIsNamed) {
   EXPECT_NE(refusal("depth = 3\n").find("depth"), std::string::npos) << "an unknown key";
-  EXPECT_NE(refusal("[judge]\nwinners = 3\n").find("judge.winners"), std::string::npos);
+  EXPECT_NE(refusal("[variants]\nwinners = 3\n").find("variants.winners"), std::string::npos);
   EXPECT_NE(refusal("level = 2\n").find("level = 2"), std::string::npos) << "the search knows level 1 only";
   EXPECT_NE(refusal("[time]\nduration_s = 0\n").find("duration_s"), std::string::npos);
   EXPECT_NE(refusal("[time]\nrecord_interval_s = 0.02\nframe_interval_s = 0.03\n").find("frame_interval_s"), std::string::npos);
@@ -261,7 +280,7 @@ TEST_F(ReevaluationStudyTest, WrongInputIsNamed) {
   EXPECT_NE(message_of([&] { (void)read("", tests::silicone_study(), 0); }).find("--top"), std::string::npos);
 }
 
-TEST_F(ReevaluationStudyTest, RobotsOfAnEarlierArchiveCanBeJudged) {
+TEST_F(ReevaluationStudyTest, RobotsOfAnEarlierArchiveCanBeEvaluated) {
   const fs::path archive = folder_ / "run.sqlite";
   tests::make_archive(archive, tests::silicone_study(), {bar});
   tests::make_earlier(archive, tests::silicone_study_of_version_3);
@@ -272,7 +291,7 @@ TEST_F(ReevaluationStudyTest, RobotsOfAnEarlierArchiveCanBeJudged) {
   RunArchive::open_to_extend(archive).add_reevaluations({});
 }
 
-TEST_F(ReevaluationStudyTest, SearchesThatFiniteElementsCannotJudgeAreRefused) {
+TEST_F(ReevaluationStudyTest, SearchesThatFiniteElementsCannotEvaluateAreRefused) {
   Study solid = tests::silicone_study();
   solid.physics.surrogate.reset();
   EXPECT_NE(refusal("", solid).find("[surrogate]"), std::string::npos) << refusal("", solid);

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders as menger export and menger reevaluate leave them.
+/// Folders with the tables of menger export and menger reevaluate.
 class SearchComparison : public testing::Test {
  protected:
   SearchComparison() {
@@ -20,8 +20,8 @@ class SearchComparison : public testing::Test {
                     "generation,voxel_steps,element_steps,total_voxel_steps_so_far\n0,1000,0,1000\n1,500,0,1500\n"
                     "2,500,300,2600\n3,100,100,2900\n");
     io::write_whole(
-        folder_ / "corrected_1/judgements.csv",
-        "generation,surrogate_body_lengths,judge_body_lengths,element_steps\n2,0.5,0.1,100\n2,0.4,,200\n3,0.2,0.3,100\n");
+        folder_ / "corrected_1/reference.csv",
+        "generation,surrogate_body_lengths,reference_body_lengths,element_steps\n2,0.5,0.1,100\n2,0.4,,200\n3,0.2,0.3,100\n");
     io::write_whole(folder_ / "plain_1/costs.csv",
                     "generation,voxel_steps,element_steps,total_voxel_steps_so_far\n0,1000,0,1000\n1,500,0,1500\n");
     io::write_whole(folder_ / "plain_1/reevaluation.csv",
@@ -55,7 +55,7 @@ TEST_F(SearchComparison, StepsAreCountedTogetherAtTheRateOfExchange) {
   const ComparedSearch corrected = read("corrected_1", options);
   EXPECT_EQ(corrected.voxel_steps, 2100.0);
   EXPECT_EQ(corrected.element_steps, 400.0);
-  // After generation 1, and then robot by robot; the round of generation 3 after all of generation 2.
+  // The round of generation 2 follows generation 1, robot by robot; the round of generation 3 follows all of generation 2.
   EXPECT_EQ(corrected.robots[0].total_voxel_steps, 1500.0 + 200.0);
   EXPECT_EQ(corrected.robots[1].total_voxel_steps, 1500.0 + 600.0);
   EXPECT_EQ(corrected.robots[2].total_voxel_steps, 2600.0 + 200.0);
@@ -81,17 +81,17 @@ TEST_F(SearchComparison, TheChartShowsTheBestSoFarAndTheOutcomes) {
   EXPECT_EQ(chart.panels[0].series[0].y, (std::vector{0.1, 0.1, 0.1, 0.1, 0.3}));
   EXPECT_EQ(chart.panels[0].series[1].y, (std::vector{0.05, 0.05, 0.2, 0.2, 0.4}));
   EXPECT_EQ(chart.panels[1].series[1].y, std::vector{0.4});
-  EXPECT_NE(comparison_text({read("corrected_1"), read("plain_1")}, {}).find("median of the corrected 0.30000"),
+  EXPECT_NE(comparison_text({read("corrected_1"), read("plain_1")}, {}).find("median outcome: corrected searches 0.30000"),
             std::string::npos);
 }
 
 TEST_F(SearchComparison, MissingOrDamagedTablesAreNamed) {
   fs::remove(folder_ / "plain_1/reevaluation.csv");
   EXPECT_NE(tests::message_of([&] { (void)read("plain_1"); }).find("reevaluation.csv"), std::string::npos);
-  io::write_whole(folder_ / "corrected_1/judgements.csv", "generation,surrogate_m2,judge_m2,element_steps\n2,1,1,1\n");
+  io::write_whole(folder_ / "corrected_1/reference.csv", "generation,surrogate_m2,reference_m2,element_steps\n2,1,1,1\n");
   EXPECT_NE(tests::message_of([&] { (void)read("corrected_1"); }).find("body_lengths"), std::string::npos);
-  io::write_whole(folder_ / "corrected_1/judgements.csv",
-                  "generation,surrogate_body_lengths,judge_body_lengths,element_steps\n7,1,1,1\n");
+  io::write_whole(folder_ / "corrected_1/reference.csv",
+                  "generation,surrogate_body_lengths,reference_body_lengths,element_steps\n7,1,1,1\n");
   EXPECT_NE(tests::message_of([&] { (void)read("corrected_1"); }).find("generation"), std::string::npos);
 }
 

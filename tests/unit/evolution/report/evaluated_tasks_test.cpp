@@ -18,11 +18,10 @@ namespace {
 using test_support::FakeEvaluator;
 using tests::small_plan;
 
-/// A finished search in a folder of its own, with the requests as they were made.
+/// A finished search in a folder of its own, and the evaluations that it asked for.
 class EvaluatedTasks : public testing::Test {
  protected:
-  /// Runs a search on one thread. @return how many evaluations were known to be needed when each batch was asked for, by
-  /// generation
+  /// Runs a search on one thread. @return by generation, the number of evaluations asked for so far at the start of each batch
   std::map<int, std::vector<std::size_t>> search(const SearchPlan& plan, const std::string& name = "run") {
     archive_.emplace(RunArchive::open(folder_ / (name + ".sqlite"), "a study", 1));
     std::map<int, std::vector<std::size_t>> requested;
@@ -55,7 +54,7 @@ TEST_F(EvaluatedTasks, AreTheBatchesThatTheSearchAskedFor) {
       for (int generation = 0; generation <= plan.generations; ++generation) {
         const std::vector<EvaluatedTask> tasks = evaluated_tasks(run, generation);
         EXPECT_EQ(tasks.size(), archive_->generation(generation).evaluations);
-        // What the search had asked for after each batch that brought something new.
+        // The number of evaluations asked for after each batch that was not empty.
         std::vector<std::size_t> sums;
         for (std::size_t i = 0; i < tasks.size(); ++i) {
           if (i + 1 == tasks.size() || tasks[i + 1].batch != tasks[i].batch) sums.push_back(i + 1);
@@ -99,13 +98,13 @@ TEST_F(EvaluatedTasks, TablesAddUp) {
     }
     EXPECT_EQ(schedule.number(row, "evaluations"), static_cast<double>(count));
     const double seconds = schedule.number(row, "seconds");
-    EXPECT_EQ(schedule.number(row, "took_seconds"),
+    EXPECT_EQ(schedule.number(row, "wall_seconds"),
               run.archive->generation(static_cast<int>(schedule.number(row, "generation"))).seconds);
     EXPECT_NEAR(schedule.number(row, "busy_seconds"), sum, 1e-12 * sum);
-    // A single worker is always busy; three cannot be more than three times as fast.
+    // A single worker is always busy. Three workers are at most three times as fast.
     if (schedule.number(row, "workers") == 1.0) {
       EXPECT_NEAR(seconds, sum, 1e-12 * sum);
-      EXPECT_NEAR(schedule.number(row, "straggling_seconds"), 0.0, 1e-12 * sum);
+      EXPECT_NEAR(schedule.number(row, "idle_tail_seconds"), 0.0, 1e-12 * sum);
     }
     EXPECT_GE(seconds * (1.0 + 1e-12), schedule.number(row, "least_seconds"));
     EXPECT_GE(schedule.number(row, "least_seconds") * (1.0 + 1e-12), sum / schedule.number(row, "workers"));

@@ -13,16 +13,16 @@ namespace {
 
 using Ids = std::vector<std::uint64_t>;
 
-Ids ids_in_order(const std::vector<Contestant>& pool, std::size_t survivors) {
+Ids ids_in_order(const std::vector<PoolMember>& pool, std::size_t survivors) {
   Ids ids;
   for (const std::size_t position : selection_order(pool, survivors)) ids.push_back(pool[position].id);
   return ids;
 }
 
 TEST(AgeFitnessPareto, DominanceWantsMoreFitnessAndLessAge) {
-  const Contestant young_good{1, 0, 2.0};
-  const Contestant old_good{2, 5, 2.0};
-  const Contestant young_poor{3, 0, 1.0};
+  const PoolMember young_good{1, 0, 2.0};
+  const PoolMember old_good{2, 5, 2.0};
+  const PoolMember young_poor{3, 0, 1.0};
   EXPECT_TRUE(dominates(young_good, old_good));
   EXPECT_TRUE(dominates(young_good, young_poor));
   EXPECT_FALSE(dominates(old_good, young_good));
@@ -32,27 +32,27 @@ TEST(AgeFitnessPareto, DominanceWantsMoreFitnessAndLessAge) {
 }
 
 TEST(AgeFitnessPareto, AmongEqualsTheNewerDominates) {
-  const Contestant older{1, 3, 2.0};
-  const Contestant newer{2, 3, 2.0};
+  const PoolMember older{1, 3, 2.0};
+  const PoolMember newer{2, 3, 2.0};
   EXPECT_TRUE(dominates(newer, older));
   EXPECT_FALSE(dominates(older, newer));
   EXPECT_FALSE(dominates(older, older));
 }
 
 TEST(AgeFitnessPareto, AFailedNewcomerDominatesNoElder) {
-  const Contestant failed{9, 0, std::nullopt};
-  const Contestant elder{1, 40, 0.0};
+  const PoolMember failed{9, 0, std::nullopt};
+  const PoolMember elder{1, 40, 0.0};
   EXPECT_FALSE(dominates(failed, elder));
   EXPECT_TRUE(dominates(failed, {1, 40, std::nullopt})) << "other failures do not count as elders";
 }
 
 TEST(AgeFitnessPareto, LevelsCountDominators) {
-  const std::vector<Contestant> pool{{1, 2, 3.0}, {2, 1, 2.0}, {3, 2, 2.0}, {4, 3, 1.0}, {5, 0, std::nullopt}};
+  const std::vector<PoolMember> pool{{1, 2, 3.0}, {2, 1, 2.0}, {3, 2, 2.0}, {4, 3, 1.0}, {5, 0, std::nullopt}};
   EXPECT_EQ(domination_levels(pool, 3), (std::vector<std::size_t>{0, 0, 2, 3, 6}));
 }
 
 TEST(AgeFitnessPareto, OrderIsLevelThenFitnessThenAgeThenNewest) {
-  const std::vector<Contestant> pool{{1, 0, 1.0}, {2, 2, 3.0},          {3, 1, 2.0},
+  const std::vector<PoolMember> pool{{1, 0, 1.0}, {2, 2, 3.0},          {3, 1, 2.0},
                                      {4, 2, 3.0}, {5, 0, std::nullopt}, {6, 0, std::nullopt}};
   EXPECT_EQ(ids_in_order(pool, 3), (Ids{4, 3, 1, 2, 6, 5}));
 }
@@ -60,7 +60,7 @@ TEST(AgeFitnessPareto, OrderIsLevelThenFitnessThenAgeThenNewest) {
 TEST(AgeFitnessPareto, FailuresRankBehindAllThatHaveAFitness) {
   RandomStream random(1, "pools");
   for (int sample = 0; sample < 500; ++sample) {
-    std::vector<Contestant> pool;
+    std::vector<PoolMember> pool;
     for (std::uint64_t id = 0; id < 31; ++id) {
       pool.push_back(
           {id, static_cast<int>(random.below(10)), random.chance(0.3) ? std::nullopt : std::optional(random.uniform())});
@@ -74,7 +74,7 @@ TEST(AgeFitnessPareto, FailuresRankBehindAllThatHaveAFitness) {
 }
 
 TEST(AgeFitnessPareto, WholeLevelsAreTakenInOrderWithoutADraw) {
-  const std::vector<Contestant> pool{{1, 0, 1.0}, {2, 1, 2.0}, {3, 2, 0.5}, {4, 3, 0.25}};
+  const std::vector<PoolMember> pool{{1, 0, 1.0}, {2, 1, 2.0}, {3, 2, 0.5}, {4, 3, 0.25}};
   RandomStream random(2, "selection");
   const RandomStream before = random;
   EXPECT_EQ(select_survivors(pool, 3, random), (Ids{2, 1, 3}));
@@ -84,8 +84,8 @@ TEST(AgeFitnessPareto, WholeLevelsAreTakenInOrderWithoutADraw) {
 }
 
 TEST(AgeFitnessPareto, TheLastLevelIsDrawnAtTheStatedIndices) {
-  // Six that do not dominate each other: in selection order 6, 5, ..., 1.
-  std::vector<Contestant> pool;
+  // Six members that do not dominate each other; their selection order is 6, 5, ..., 1.
+  std::vector<PoolMember> pool;
   for (std::uint64_t id = 1; id <= 6; ++id) pool.push_back({id, static_cast<int>(id), static_cast<double>(id)});
   RandomStream random(3, "selection");
   for (int sample = 0; sample < 200; ++sample) {
@@ -102,7 +102,7 @@ TEST(AgeFitnessPareto, TheLastLevelIsDrawnAtTheStatedIndices) {
 }
 
 TEST(AgeFitnessPareto, TheLastLevelFavoursTheBetterByLogarithms) {
-  std::vector<Contestant> pool;
+  std::vector<PoolMember> pool;
   for (std::uint64_t id = 1; id <= 5; ++id) pool.push_back({id, static_cast<int>(id), static_cast<double>(id)});
   RandomStream random(4, "selection");
   std::map<std::uint64_t, int> counts;
@@ -118,7 +118,7 @@ TEST(AgeFitnessPareto, TheLastLevelFavoursTheBetterByLogarithms) {
 TEST(AgeFitnessPareto, OrderOfThePoolDoesNotMatter) {
   RandomStream random(5, "pools");
   for (int sample = 0; sample < 200; ++sample) {
-    std::vector<Contestant> pool;
+    std::vector<PoolMember> pool;
     for (std::uint64_t id = 0; id < 31; ++id) {
       pool.push_back({id, static_cast<int>(random.below(5)), static_cast<double>(random.below(6))});
     }

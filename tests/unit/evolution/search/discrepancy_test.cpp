@@ -20,7 +20,7 @@ const std::string bar = "111000000000000000000000000";
 const std::string turned_bar = "100100100000000000000000000";
 const std::string tower = "100000000100000000100000000";
 
-TEST(Discrepancy, WithoutJudgedRobotsNothingIsCorrected) {
+TEST(Discrepancy, WithoutEvaluatedRobotsNothingIsCorrected) {
   const Discrepancy none;
   EXPECT_EQ(none.kind(), Correction::none);
   EXPECT_EQ(none.corrected(poses(bar), 0.3), 0.3);
@@ -51,21 +51,21 @@ TEST(Discrepancy, RobotsThatTheSurrogateHoldsStillGiveNoRatio) {
   EXPECT_DOUBLE_EQ(mixed.ratio(), 2.0);
 }
 
-/// Robots of two kinds: plates with one more cell go twice as far as the surrogate says, towers not at all.
-std::vector<JudgedScore> two_kinds() {
-  std::vector<JudgedScore> judged;
+/// Robots of two kinds: plates with one more cell move twice as far as on the surrogate, towers do not move at all.
+std::vector<ScorePair> two_kinds() {
+  std::vector<ScorePair> evaluated;
   for (std::size_t cell = 6; cell < 9; ++cell) {
     std::string plate = flat;
     plate[cell] = '1';
-    judged.push_back({poses(plate), 0.1 + 0.01 * static_cast<double>(cell), 0.2 + 0.02 * static_cast<double>(cell)});
+    evaluated.push_back({poses(plate), 0.1 + 0.01 * static_cast<double>(cell), 0.2 + 0.02 * static_cast<double>(cell)});
     std::string post = tower;
     post[cell - 5] = '1';
-    judged.push_back({poses(post), 0.1 + 0.01 * static_cast<double>(cell), 0.0});
+    evaluated.push_back({poses(post), 0.1 + 0.01 * static_cast<double>(cell), 0.0});
   }
-  return judged;
+  return evaluated;
 }
 
-TEST(Discrepancy, LearnsWhichShapesTheSurrogateMisjudges) {
+TEST(Discrepancy, LearnsWhichShapesTheSurrogateMisestimates) {
   const Discrepancy learnt(two_kinds());
   EXPECT_EQ(learnt.kind(), Correction::gaussian_process);
   EXPECT_LT(learnt.error().value(), 0.9 * learnt.error_of_ratio().value());
@@ -78,10 +78,10 @@ TEST(Discrepancy, LearnsWhichShapesTheSurrogateMisjudges) {
 }
 
 TEST(Discrepancy, ShapesThatTellNothingLeaveTheRatio) {
-  // The same ratio for all: there is nothing that a process could add.
-  std::vector<JudgedScore> judged = two_kinds();
-  for (JudgedScore& one : judged) one.judge = 0.5 * one.surrogate;
-  const Discrepancy learnt(judged);
+  // The ratio is the same for all, so a Gaussian process cannot improve it.
+  std::vector<ScorePair> evaluated = two_kinds();
+  for (ScorePair& one : evaluated) one.reference = 0.5 * one.surrogate;
+  const Discrepancy learnt(evaluated);
   EXPECT_EQ(learnt.kind(), Correction::median_ratio);
   EXPECT_DOUBLE_EQ(learnt.ratio(), 0.5);
   EXPECT_NEAR(learnt.error().value(), 0.0, 1e-15);
@@ -90,11 +90,11 @@ TEST(Discrepancy, ShapesThatTellNothingLeaveTheRatio) {
 TEST(Discrepancy, DoesNotSeeHowARobotStands) {
   const Discrepancy learnt(two_kinds());
   ASSERT_EQ(learnt.kind(), Correction::gaussian_process);
-  // The poses are the same in another order: equal to rounding.
+  // The poses are the same in another order: results are equal up to rounding.
   EXPECT_NEAR(learnt.corrected(poses(bar), 0.1), learnt.corrected(poses(turned_bar), 0.1), 1e-14);
 }
 
-TEST(Discrepancy, ARobotFarFromAllJudgedHasTheRatioNearlyToItself) {
+TEST(Discrepancy, ARobotFarFromAllEvaluatedHasTheRatioNearlyToItself) {
   const Discrepancy learnt(two_kinds());
   const std::string far = "000000000222222222222222222";
   const double pull = std::abs(learnt.corrected(poses(far), 0.1) - learnt.ratio() * 0.1);

@@ -9,43 +9,50 @@
 #include <set>
 #include <utility>
 
+#include "evolution/search/age_fitness_pareto.h"
+
 namespace menger::evolution {
 namespace {
 
 constexpr std::size_t levels = 3;
 using Ids = std::vector<std::uint64_t>;
 
-/// An individual with what each of its evaluations would give.
+/// An individual and the results that each of its evaluations would give.
 struct Truth {
-  Contestant known;  ///< fitness as full evaluation gives it
+  PoolMember known;  ///< with the fitness of full evaluation
   std::array<std::optional<double>, levels> results{};
   std::size_t evaluated = 0;  ///< evaluations that were made before the selection
 
   static Truth of(std::uint64_t id, int age, const std::array<std::optional<double>, levels>& results,
                   std::size_t evaluated = 0) {
-    Truth truth{{id, age, std::nullopt}, results, evaluated};
+    Truth truth{{.id = id, .age = age, .fitness = {}}, results, evaluated};
     if (std::ranges::all_of(results, [](const auto& result) { return result.has_value(); }))
       truth.known.fitness = **std::ranges::min_element(results);
     return truth;
   }
 
-  /// What is known after the first evaluations; a failure decides.
-  [[nodiscard]] PartialContestant after(std::size_t count) const {
-    PartialContestant partial{known.id, known.age};
+  /// Returns the individual as it is known after the first `count` evaluations. A failure decides it.
+  [[nodiscard]] PoolMember after(std::size_t count) const {
+    PoolMember partly{.id = known.id, .age = known.age, .fitness = {}, .knowledge = Knowledge::bounded};
     for (std::size_t level = 0; level < count; ++level) {
       if (!results.at(level)) {
-        partial.decided = true;
-        return partial;
+        partly.knowledge = Knowledge::failed;
+        return partly;
       }
-      partial.bound = std::min(partial.bound, *results.at(level));
+      partly.fitness_bound = std::min(*results.at(level), partly.fitness_bound.value_or(*results.at(level)));
     }
     if (count == levels) {
-      partial.decided = true;
-      partial.fitness = known.fitness;
+      partly.knowledge = Knowledge::evaluated;
+      partly.fitness = known.fitness;
     }
-    return partial;
+    return partly;
   }
 };
+
+/// Returns an individual whose fitness is not known yet. @param bound upper bound of the fitness, if anything was evaluated
+PoolMember bounded(std::uint64_t id, int age, std::optional<double> bound = std::nullopt) {
+  return {.id = id, .age = age, .fitness = {}, .knowledge = Knowledge::bounded, .fitness_bound = bound};
+}
 
 /// An evaluation: id and level.
 using Runs = std::set<std::pair<std::uint64_t, std::size_t>>;
@@ -58,11 +65,11 @@ struct LazyResult {
   Runs runs;
 };
 
-/// Evaluates as the policy picks from the outlook until selection is certain, then selects.
+/// Makes the evaluations that the policy chooses from the outlook until selection is certain, then selects.
 LazyResult select_lazily(const std::vector<Truth>& truths, std::size_t survivors, const Policy& policy, RandomStream& random) {
   LazyResult result;
   std::vector<std::size_t> counts;
-  std::vector<PartialContestant> pool;
+  std::vector<PoolMember> pool;
   for (const Truth& truth : truths) {
     counts.push_back(truth.evaluated);
     pool.push_back(truth.after(truth.evaluated));
@@ -73,26 +80,26 @@ LazyResult select_lazily(const std::vector<Truth>& truths, std::size_t survivors
     const Ids picked = policy(seen);
     EXPECT_FALSE(picked.empty());
     for (const std::uint64_t id : picked) {
-      const auto found = std::ranges::find(pool, id, &PartialContestant::id);
+      const auto found = std::ranges::find(pool, id, &PoolMember::id);
       const auto position = static_cast<std::size_t>(found - pool.begin());
-      EXPECT_FALSE(found->decided);
+      EXPECT_FALSE(found->is_decided());
       EXPECT_TRUE(result.runs.emplace(id, counts[position]).second);
       *found = truths[position].after(++counts[position]);
     }
     if (picked.empty()) break;
   }
-  result.survivors = select_survivors(settled(pool), survivors, random);
+  result.survivors = select_survivors(pool, survivors, random);
   return result;
 }
 
 Ids select_fully(const std::vector<Truth>& truths, std::size_t survivors, RandomStream& random) {
-  std::vector<Contestant> pool;
+  std::vector<PoolMember> pool;
   pool.reserve(truths.size());
   for (const Truth& truth : truths) pool.push_back(truth.known);
   return select_survivors(pool, survivors, random);
 }
 
-/// Any mixture of elders and newcomers, ages, ties (coarse results) and failures, in any order of the pool.
+/// Returns a random pool: old and new members, various ages, ties (coarse results) and failures, in any order.
 std::vector<Truth> random_pool(RandomStream& random) {
   const std::size_t size = 1 + random.below(40);
   const std::size_t grades = 2 + random.below(60);
@@ -112,7 +119,7 @@ std::vector<Truth> random_pool(RandomStream& random) {
   return pool;
 }
 
-/// Survivors and draws of lazy selection are those of full evaluation, in so many pools.
+/// Expects that the survivors and draws of lazy selection are those of full evaluation, in `samples` random pools.
 void expect_as_fully_evaluated(int samples, RandomStream& random, const Policy& policy) {
   for (int sample = 0; sample < samples; ++sample) {
     const std::vector<Truth> truths = random_pool(random);
@@ -125,7 +132,7 @@ void expect_as_fully_evaluated(int samples, RandomStream& random, const Policy& 
   }
 }
 
-/// One of the blocking evaluations, drawn at random.
+/// Returns a policy that draws one of the blocking evaluations at random.
 Policy any_blocking(RandomStream& choice) {
   return [&choice](const SelectionOutlook& seen) { return Ids{seen.blocking[choice.below(seen.blocking.size())]}; };
 }
@@ -158,7 +165,7 @@ TEST(LazySelection, FirstEvaluationsApartNoOtherOrderSavesAnEvaluation) {
 }
 
 TEST(LazySelection, CertaintyIsNotClaimedTooEarly) {
-  // Whatever is still unknown when selection is called certain may turn out otherwise: the survivors must stay.
+  // When selection is certain, the survivors must stay the same whatever the unknown results turn out to be.
   RandomStream random(4, "pools");
   int changed_truths = 0;
   for (int sample = 0; sample < 3000; ++sample) {
@@ -183,35 +190,33 @@ TEST(LazySelection, CertaintyIsNotClaimedTooEarly) {
 }
 
 TEST(LazySelection, AHopelessNewcomerIsNotEvaluatedFurther) {
-  std::vector<PartialContestant> pool;
-  for (std::uint64_t id = 0; id < 3; ++id) pool.push_back({id, 4, true, 5.0 + static_cast<double>(id)});
-  pool.push_back({3, 4, false, std::nullopt, 1.0});
+  std::vector<PoolMember> pool;
+  for (std::uint64_t id = 0; id < 3; ++id) pool.push_back({.id = id, .age = 4, .fitness = 5.0 + static_cast<double>(id)});
+  pool.push_back(bounded(3, 4, 1.0));
   EXPECT_TRUE(outlook(pool, 3).certain());
-  pool.back().bound = 6.5;
+  pool.back().fitness_bound = 6.5;
   EXPECT_EQ(outlook(pool, 3).blocking, (Ids{3}));
-  pool.back().bound = 1.0;
+  pool.back().fitness_bound = 1.0;
   pool.back().age = 3;
   EXPECT_EQ(outlook(pool, 3).blocking, (Ids{3})) << "a younger one is dominated by none of them";
 }
 
 TEST(LazySelection, OfTwoNewcomersTheMorePromisingRunsFirst) {
-  std::vector<PartialContestant> pool{{0, 4, true, 5.0}};
-  pool.push_back({1, 4, false, std::nullopt, 9.0});
-  pool.push_back({2, 4, false, std::nullopt, 8.0});
+  const std::vector<PoolMember> pool{{.id = 0, .age = 4, .fitness = 5.0}, bounded(1, 4, 9.0), bounded(2, 4, 8.0)};
   const SelectionOutlook seen = outlook(pool, 1);
   EXPECT_EQ(seen.blocking, (Ids{1, 2}));
   EXPECT_EQ(seen.run_now, (Ids{1})) << "should 1 reach 8, 2 cannot survive";
 }
 
 TEST(LazySelection, UntouchedBlockingOnesRunAtOnce) {
-  std::vector<PartialContestant> pool{{0, 1}, {1, 1}, {2, 1}, {3, 1}};
+  const std::vector<PoolMember> pool{bounded(0, 1), bounded(1, 1), bounded(2, 1), bounded(3, 1)};
   EXPECT_EQ(outlook(pool, 2).run_now, (Ids{3, 2, 1, 0}));
 }
 
 TEST(LazySelection, AnEmptyPoolIsCertain) { EXPECT_TRUE(outlook({}, 15).certain()); }
 
-/// A search of the usual size on a made-up landscape: children near their parents, one newcomer, results that differ between
-/// levels.
+/// A search of the usual size with artificial results: children are near their parents, there is one newcomer, and results
+/// differ between levels.
 struct Landscape {
   RandomStream random{5, "landscape"};
   std::uint64_t next_id = 0;

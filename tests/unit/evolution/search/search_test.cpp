@@ -9,7 +9,7 @@
 
 #include "evolution/genome/robot_form.h"
 #include "evolution/search/age_fitness_pareto.h"
-#include "evolution/search/pool_judge.h"
+#include "evolution/search/pool_evaluation.h"
 #include "io/text/content_hash.h"
 #include "tests/support/search_fixture.h"
 
@@ -37,13 +37,13 @@ class SearchRun : public tests::SearchFixture {
   }
 };
 
-/// All that selection decided: who survived, in which order and state, and the random streams.
+/// Returns everything that selection decided: the survivors with their order and state, and the random streams.
 std::string outcome_of(const RunArchive& archive) {
   std::string text;
   for (int generation = 0; generation <= archive.last_generation().value(); ++generation) {
-    std::map<std::size_t, Contender> survivors;
-    for (const Contender& contender : archive.contenders(generation)) {
-      if (contender.survivor_rank) survivors[*contender.survivor_rank] = contender;
+    std::map<std::size_t, PoolMember> survivors;
+    for (const PoolMember& member : archive.pool(generation)) {
+      if (member.survivor_rank) survivors[*member.survivor_rank] = member;
     }
     for (const auto& [rank, survivor] : survivors) {
       text += std::to_string(rank) + " " + std::to_string(survivor.id) + " " + std::to_string(survivor.age) + " " +
@@ -66,12 +66,12 @@ TEST_F(SearchRun, EvaluatesGenerationZeroInFullAndKeepsAllOfIt) {
   SearchPlan plan = small_plan();
   plan.generations = 0;
   const RunArchive archive = searched(plan);
-  const std::vector<Contender> contenders = archive.contenders(0);
-  ASSERT_EQ(contenders.size(), 6U);
-  for (const Contender& contender : contenders) {
-    EXPECT_EQ(contender.age, 0);
-    EXPECT_EQ(contender.survivor_rank, contender.id);
-    for (const int level : plan.levels()) EXPECT_TRUE(result(archive, archive.individual(contender.id).phenotype, level));
+  const std::vector<PoolMember> members = archive.pool(0);
+  ASSERT_EQ(members.size(), 6U);
+  for (const PoolMember& member : members) {
+    EXPECT_EQ(member.age, 0);
+    EXPECT_EQ(member.survivor_rank, member.id);
+    for (const int level : plan.levels()) EXPECT_TRUE(result(archive, archive.individual(member.id).phenotype, level));
   }
   EXPECT_EQ(archive.generation(0).pruned, 0U);
 }
@@ -80,24 +80,24 @@ TEST_F(SearchRun, EverySurvivorHasOneChildOfItsAgeAndANewcomerJoins) {
   const RunArchive archive = searched(small_plan());
   for (int generation = 1; generation <= 6; ++generation) {
     std::map<std::uint64_t, int> age_before;
-    for (const Contender& contender : archive.contenders(generation - 1)) {
-      if (contender.survivor_rank) age_before[contender.id] = contender.age;
+    for (const PoolMember& member : archive.pool(generation - 1)) {
+      if (member.survivor_rank) age_before[member.id] = member.age;
     }
-    const std::vector<Contender> pool = archive.contenders(generation);
+    const std::vector<PoolMember> pool = archive.pool(generation);
     ASSERT_EQ(pool.size(), 13U);
     std::multiset<std::uint64_t> parents;
     int newcomers = 0;
-    for (const Contender& contender : pool) {
-      const Individual individual = archive.individual(contender.id);
+    for (const PoolMember& member : pool) {
+      const Individual individual = archive.individual(member.id);
       if (individual.generation < generation) {
-        EXPECT_EQ(contender.age, age_before.at(contender.id) + 1);
+        EXPECT_EQ(member.age, age_before.at(member.id) + 1);
       } else if (individual.parent) {
         parents.insert(*individual.parent);
-        EXPECT_EQ(contender.age, age_before.at(*individual.parent) + 1);
-        EXPECT_EQ(individual.age, contender.age);
+        EXPECT_EQ(member.age, age_before.at(*individual.parent) + 1);
+        EXPECT_EQ(individual.age, member.age);
       } else {
         ++newcomers;
-        EXPECT_EQ(contender.age, 0);
+        EXPECT_EQ(member.age, 0);
       }
     }
     EXPECT_EQ(newcomers, 1);
@@ -112,17 +112,17 @@ TEST_F(SearchRun, FitnessIsTheLeastScoreAndNoneWithoutAllLevels) {
     std::size_t evaluated = 0;
     std::size_t failed = 0;
     for (int generation = 0; generation <= 6; ++generation) {
-      for (const Contender& contender : archive.contenders(generation)) {
-        const Phenotype phenotype = archive.individual(contender.id).phenotype;
-        EXPECT_EQ(contender.fitness.has_value(), contender.knowledge == Knowledge::evaluated);
-        if (contender.knowledge == Knowledge::evaluated) {
+      for (const PoolMember& member : archive.pool(generation)) {
+        const Phenotype phenotype = archive.individual(member.id).phenotype;
+        EXPECT_EQ(member.fitness.has_value(), member.knowledge == Knowledge::evaluated);
+        if (member.knowledge == Knowledge::evaluated) {
           double least = 1e300;
           for (const int level : plan.levels())
             least = std::min(least, level_score(plan, result(archive, phenotype, level)->result.displacement_m.value(), level));
-          EXPECT_EQ(contender.fitness, least);
+          EXPECT_EQ(member.fitness, least);
           ++evaluated;
         }
-        if (contender.knowledge == Knowledge::failed) {
+        if (member.knowledge == Knowledge::failed) {
           EXPECT_TRUE(std::ranges::any_of(plan.levels(), [&](int level) {
             const auto found = result(archive, phenotype, level);
             return found && found->result.status == io::RunStatus::diverged;
@@ -141,12 +141,12 @@ TEST_F(SearchRun, WithoutPruningSurvivorsAreThoseOfSelectionOnTheWholePool) {
   plan.pruning = false;
   const RunArchive archive = searched(plan);
   for (int generation = 1; generation <= 6; ++generation) {
-    std::vector<Contestant> pool;
+    std::vector<PoolMember> pool;
     std::map<std::size_t, std::uint64_t> ranks;
-    for (const Contender& contender : archive.contenders(generation)) {
-      EXPECT_NE(contender.knowledge, Knowledge::bounded);
-      pool.push_back({contender.id, contender.age, contender.fitness});
-      if (contender.survivor_rank) ranks[*contender.survivor_rank] = contender.id;
+    for (const PoolMember& member : archive.pool(generation)) {
+      EXPECT_NE(member.knowledge, Knowledge::bounded);
+      pool.push_back({member.id, member.age, member.fitness});
+      if (member.survivor_rank) ranks[*member.survivor_rank] = member.id;
     }
     RandomStream random = RandomStream::from_text(archive.generation(generation - 1).selection_generator);
     const std::vector<std::uint64_t> expected = select_survivors(pool, 6, random);
@@ -195,10 +195,10 @@ TEST_F(SearchRun, NoSurvivorIsOnlyBounded) {
   const RunArchive archive = searched(small_plan());
   bool any_bounded = false;
   for (int generation = 0; generation <= 6; ++generation) {
-    for (const Contender& contender : archive.contenders(generation)) {
-      any_bounded = any_bounded || contender.knowledge == Knowledge::bounded;
-      if (contender.survivor_rank) {
-        EXPECT_NE(contender.knowledge, Knowledge::bounded);
+    for (const PoolMember& member : archive.pool(generation)) {
+      any_bounded = any_bounded || member.knowledge == Knowledge::bounded;
+      if (member.survivor_rank) {
+        EXPECT_NE(member.knowledge, Knowledge::bounded);
       }
     }
   }
@@ -247,15 +247,15 @@ TEST_F(SearchRun, NeverEvaluatesADesignTwice) {
   EXPECT_GT(cached, 0U) << "no duplicates, so nothing is tested";
 }
 
-/// New individuals whose phenotype an earlier one had, with how they stood in their first selection.
-std::vector<std::pair<Individual, Contender>> duplicates_in(const RunArchive& archive) {
+/// Returns new individuals with the phenotype of an earlier one, with their entries in their first pool.
+std::vector<std::pair<Individual, PoolMember>> duplicates_in(const RunArchive& archive) {
   std::set<std::string> seen;
-  std::vector<std::pair<Individual, Contender>> found;
+  std::vector<std::pair<Individual, PoolMember>> found;
   for (int generation = 0; generation <= archive.last_generation().value(); ++generation) {
-    for (const Contender& contender : archive.contenders(generation)) {
-      Individual individual = archive.individual(contender.id);
+    for (const PoolMember& member : archive.pool(generation)) {
+      Individual individual = archive.individual(member.id);
       if (individual.generation < generation) continue;
-      if (!seen.insert(phenotype_key(individual.phenotype)).second) found.emplace_back(std::move(individual), contender);
+      if (!seen.insert(phenotype_key(individual.phenotype)).second) found.emplace_back(std::move(individual), member);
     }
   }
   return found;
@@ -268,12 +268,12 @@ TEST_F(SearchRun, DuplicatesTakeTheArchivedResultOrAreCulled) {
     const RunArchive archive = searched(plan, std::string(to_string(plan.duplicates)));
     const auto duplicates = duplicates_in(archive);
     ASSERT_FALSE(duplicates.empty());
-    for (const auto& [individual, contender] : duplicates) {
+    for (const auto& [individual, member] : duplicates) {
       if (plan.duplicates == DuplicatePolicy::culled) {
-        EXPECT_EQ(contender.knowledge, Knowledge::duplicate);
-        EXPECT_FALSE(contender.fitness);
+        EXPECT_EQ(member.knowledge, Knowledge::duplicate);
+        EXPECT_FALSE(member.fitness);
       } else {
-        EXPECT_TRUE(contender.knowledge == Knowledge::evaluated || contender.knowledge == Knowledge::failed);
+        EXPECT_TRUE(member.knowledge == Knowledge::evaluated || member.knowledge == Knowledge::failed);
       }
     }
   }
@@ -292,15 +292,15 @@ TEST_F(SearchRun, ADesignAndItsLiftedTwinShareAnEvaluationWhereBodiesStand) {
     std::size_t commits = 0;
     const std::uint64_t before = evaluator_.calls();
     const SearchOptions options;
-    PoolJudge judge(plan, evaluator_, archive, options, 0, &commits);
-    judge.add_newcomer(low, false);
-    judge.add_newcomer(high, false);
-    ASSERT_EQ(judge.judge_in_full(), io::RunStatus::completed);
-    const std::vector<Contestant> pool = judge.contestants();
-    ASSERT_TRUE(pool[0].fitness) << "this body diverges: take another";
-    EXPECT_EQ(pool[0].fitness == pool[1].fitness, stand);
+    PoolEvaluation pool(plan, evaluator_, archive, options, 0, &commits);
+    pool.add_newcomer(low, false);
+    pool.add_newcomer(high, false);
+    ASSERT_EQ(pool.evaluate_in_full(), io::RunStatus::completed);
+    const std::vector<PoolMember> members = pool.pool();
+    ASSERT_TRUE(members[0].fitness) << "this body diverges: take another";
+    EXPECT_EQ(members[0].fitness == members[1].fitness, stand);
     EXPECT_EQ(evaluator_.calls() - before, stand ? 3U : 6U) << "at three levels";
-    EXPECT_EQ(judge.counts().cached, stand ? 3U : 0U);
+    EXPECT_EQ(pool.counts().cached, stand ? 3U : 0U);
   }
 }
 
@@ -315,9 +315,9 @@ TEST_F(SearchRun, WhereBodiesStandALiftedTwinIsADuplicate) {
   for (std::uint64_t id = 0; id < archive.next_id(); ++id) {
     const Individual individual = archive.individual(id);
     const bool is_new = seen.insert(phenotype_key(standing(individual.phenotype))).second;
-    const std::vector<Contender> pool = archive.contenders(individual.generation);
-    const auto contender = std::ranges::find(pool, id, &Contender::id);
-    EXPECT_EQ(contender->knowledge == Knowledge::duplicate, !is_new);
+    const std::vector<PoolMember> pool = archive.pool(individual.generation);
+    const auto member = std::ranges::find(pool, id, &PoolMember::id);
+    EXPECT_EQ(member->knowledge == Knowledge::duplicate, !is_new);
     if (standing(individual.phenotype) != individual.phenotype) ++lifted;
   }
   EXPECT_GT(lifted, 0U) << "all bodies stand as they grew, so nothing is tested";
@@ -329,12 +329,12 @@ TEST_F(SearchRun, PenalisedBodiesHaveNoFitnessAndAreNotSimulated) {
   plan.survivors = 20;
   const RunArchive archive = searched(plan);
   std::size_t penalised = 0;
-  for (const Contender& contender : archive.contenders(0)) {
-    const Phenotype phenotype = archive.individual(contender.id).phenotype;
-    EXPECT_EQ(contender.knowledge == Knowledge::penalised, falls_apart(phenotype, plan.offspring.constraints));
-    if (contender.knowledge != Knowledge::penalised) continue;
+  for (const PoolMember& member : archive.pool(0)) {
+    const Phenotype phenotype = archive.individual(member.id).phenotype;
+    EXPECT_EQ(member.knowledge == Knowledge::penalised, falls_apart(phenotype, plan.offspring.constraints));
+    if (member.knowledge != Knowledge::penalised) continue;
     ++penalised;
-    EXPECT_FALSE(contender.fitness);
+    EXPECT_FALSE(member.fitness);
     for (const int level : plan.levels()) EXPECT_FALSE(result(archive, phenotype, level));
   }
   EXPECT_GT(penalised, 0U);
@@ -345,7 +345,7 @@ TEST_F(SearchRun, ArrangedBodiesAreSearchedToo) {
   plan.offspring.decoder.plan = BodyPlan::nonfractal;
   plan.generations = 2;
   const RunArchive archive = searched(plan);
-  EXPECT_TRUE(archive.individual(archive.contenders(2).front().id).phenotype.has_arrangements());
+  EXPECT_TRUE(archive.individual(archive.pool(2).front().id).phenotype.has_arrangements());
 }
 
 TEST_F(SearchRun, ReportsEveryGenerationAndItsCounts) {
@@ -356,7 +356,7 @@ TEST_F(SearchRun, ReportsEveryGenerationAndItsCounts) {
   options.generation_done = [&](const GenerationRecord& record) {
     numbers.push_back(record.number);
     EXPECT_EQ(record.evaluations, requested);
-    // Children and newcomers at three levels each; the first generation has no more than the population.
+    // Children and newcomers at three levels each. The first generation is the population alone.
     EXPECT_EQ(record.evaluations + record.cached + record.pruned, (record.number == 0 ? 6U : 7U) * 3U);
   };
   options.progress = [&](const SearchProgress& progress) {

@@ -1,4 +1,4 @@
-// Elites evaluated again with half the time step: what is checked, and that nothing else changes.
+// Elites evaluated again with half the time step: which are checked, and that nothing else changes.
 
 #include "evolution/search/step_checking.h"
 
@@ -33,7 +33,7 @@ class CheckedSearch : public tests::SearchFixture {
   }
 };
 
-/// The content of an archive without its table of checks.
+/// Returns the content of an archive without its table of checks.
 std::string without_checks(std::string content) {
   const std::size_t begin = content.find("step_check (");
   if (begin == std::string::npos) return content;
@@ -90,7 +90,7 @@ TEST_F(CheckedSearch, NoDesignIsCheckedTwice) {
 TEST_F(CheckedSearch, IsTheSameForAnyNumberOfThreads) { expect_the_same_for_any_threads(checked_plan()); }
 
 TEST_F(CheckedSearch, StoppedAtAnyCommitGoesOnToTheSameArchive) {
-  // After the last check nothing but the generation itself is left, which a stop does not keep from its end.
+  // After the last check only the generation itself remains to be finished, and a stop does not prevent that.
   expect_the_same_after_stops(checked_plan(), {.stride = 3, .spared = 1});
 }
 
@@ -131,12 +131,14 @@ TEST_F(CheckedSearch, PeopleReadWhatHalfTheStepMakes) {
   EXPECT_DOUBLE_EQ(whole_step_score(plan, design).value(), 0.5);
   EXPECT_DOUBLE_EQ(half_step_score(plan, design).value(), 0.6);
   EXPECT_EQ(step_check_text(plan, 4, {design}),
-            "     half the time step, generation 4, individual 12: 0.6 instead of 0.5, +20 %; level 1 -10 %; level 2 +20 %\n");
+            "     time step check, generation 4, individual 12: score 0.6 with half the time step, 0.5 with the whole one, +20 "
+            "%; level 1 -10 %; level 2 +20 %\n");
   design.levels[1].half = {};
   design.levels[1].half.status = io::RunStatus::diverged;
   design.levels[1].half.reason = "voxel 7: speed";
   EXPECT_EQ(step_check_text(plan, 4, {design}),
-            "     half the time step, generation 4, individual 12: no score; level 1 -10 %; level 2 diverged (voxel 7: speed)\n");
+            "     time step check, generation 4, individual 12: no score with half the time step; level 1 -10 %; level 2 "
+            "diverged (voxel 7: speed)\n");
 }
 
 TEST(Elites, AreTheFittestOfEqualsTheYoungestAndEachBodyOnce) {
@@ -147,15 +149,14 @@ TEST(Elites, AreTheFittestOfEqualsTheYoungestAndEachBodyOnce) {
   Phenotype plate;
   plate.body = meshes::Polycube::from_digits(3, 3, 3, "111111111000000000000000000");
   const auto survivor = [](std::uint64_t id, int age, std::optional<double> fitness, const Phenotype& phenotype) {
-    Contender contender;
-    contender.id = id;
-    contender.age = age;
-    contender.fitness = fitness;
-    contender.survivor_rank = id;
-    return RankedSurvivor{contender, &phenotype};
+    Survivor one;
+    one.individual.id = id;
+    one.individual.phenotype = phenotype;
+    one.member = {.id = id, .age = age, .fitness = fitness, .survivor_rank = id};
+    return one;
   };
-  std::vector<RankedSurvivor> survivors{survivor(1, 9, 0.5, bar), survivor(2, 3, 0.5, plate), survivor(3, 0, 0.4, lifted),
-                                        survivor(4, 0, std::nullopt, plate)};
+  std::vector<Survivor> survivors{survivor(1, 9, 0.5, bar), survivor(2, 3, 0.5, plate), survivor(3, 0, 0.4, lifted),
+                                  survivor(4, 0, std::nullopt, plate)};
   const auto ids = [&](const SearchPlan& plan, std::size_t count) {
     std::vector<std::uint64_t> all;
     for (const Elite& elite : elites(plan, survivors, count)) all.push_back(elite.individual);
@@ -166,7 +167,7 @@ TEST(Elites, AreTheFittestOfEqualsTheYoungestAndEachBodyOnce) {
   EXPECT_EQ(ids(plan, 9), (std::vector<std::uint64_t>{2, 1, 3})) << "who has no fitness is no elite";
   plan.stand = true;
   EXPECT_EQ(ids(plan, 9), (std::vector<std::uint64_t>{2, 1})) << "standing they are one body";
-  survivors[1].contender.survivor_rank.reset();
+  survivors[1].member.survivor_rank.reset();
   EXPECT_EQ(ids(plan, 1), (std::vector<std::uint64_t>{1})) << "who was culled is no elite";
 }
 

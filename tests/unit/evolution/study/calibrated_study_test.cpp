@@ -80,13 +80,13 @@ TEST_F(CalibratedStudy, RefusesWhatItsParametersDoNotHoldFor) {
   expect_refused(
       "preset = \"paper\"\n[body]\ncell_edge_m = 0.01\n[surrogate]\nparameters = \"soft.toml\"\n"
       "[drive]\npressure_Pa = [0, 3e3]\nmode = \"in_phase\"\n",
-      "pressure_Pa = [0, 3000] is outside the range of the fit for any body");
+      "pressure_Pa = [0, 3000] is outside the range of the fit for every body");
   expect_refused(head + in_phase + "[genome]\nencoding = \"nonfractal\"\n", "genome.encoding = \"nonfractal\"");
   expect_refused(head + in_phase + "[materials]\ndensity_kg_per_m3 = 10\n",
                  "materials.density_kg_per_m3 = 10: belongs to a body without [surrogate]");
 }
 
-/// Fitted under vacuum with limbs one cell wide alone.
+/// Parameters that were fitted under vacuum only for limbs of one cell width.
 voxel::SurrogateParameters fitted_on_limbs() {
   voxel::SurrogateParameters parameters = tests::surrogate_example();
   parameters.validity.set_pressures(0.0, 2e3);
@@ -109,7 +109,7 @@ TEST_F(CalibratedStudy, StandsOnFeetWhateverThePresetSaysOfRotations) {
   }
 }
 
-TEST_F(CalibratedStudy, LeavesWallsThatBodiesNeedNotHaveToTheirJudgement) {
+TEST_F(CalibratedStudy, LeavesWallsThatBodiesNeedNotHaveToTheirEvaluation) {
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(fitted_on_limbs()));
   const Study study = read(head + in_phase);
   ASSERT_EQ(study.physics.surrogate->outside_range, voxel::OutsideRange::refuse);
@@ -132,17 +132,17 @@ TEST_F(CalibratedStudy, RefusesDrivesThatNoWallWasFittedAt) {
   parameters.validity.highest_pressure_Pa = voxel::all_classes(0.0);
   parameters.validity.highest_pressure_Pa[voxel::walls::none] = 2e3;
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
-  // Some bear the one end, some the other, none both.
-  expect_refused(head + in_phase, "pressure_Pa = [-500, 1500] is outside the range of the fit for any body");
+  // Some walls were fitted at one end of the drive, some at the other, none at both.
+  expect_refused(head + in_phase, "pressure_Pa = [-500, 1500] is outside the range of the fit for every body");
   EXPECT_NO_THROW((void)read(head + "outside_range = \"warn\"\n" + in_phase));
   // Every body of a search at level 2 has joints.
   parameters = tests::surrogate_example();
   parameters.validity.lowest_joint_pressure_Pa = -400.0;
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
-  expect_refused(head + in_phase, "from -400 to 2000 Pa between joints");
+  expect_refused(head + in_phase, "cover -400 to 2000 Pa (walls with joints)");
 }
 
-TEST_F(CalibratedStudy, LeavesWallsWithoutASizeToTheJudgementOfTheirBodies) {
+TEST_F(CalibratedStudy, LeavesWallsWithoutASizeToTheEvaluationOfTheirBodies) {
   voxel::SurrogateParameters parameters = tests::surrogate_example();
   const auto end_at_1400 = [&](std::size_t c) {
     parameters.bulge.at(c).pressure_softening_per_Pa = 1.0 / 1400.0;
@@ -166,7 +166,8 @@ TEST_F(CalibratedStudy, LeavesWallsWithoutASizeToTheJudgementOfTheirBodies) {
   }
   for (std::size_t c = 0; c < voxel::wall_class_count; ++c) end_at_1400(c);
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
-  expect_refused(head + in_phase, "wall class 0 has no equilibrium at pressure_Pa = 1500, nor has any other");
+  expect_refused(head + in_phase,
+                 "wall class 0 has no equilibrium at pressure_Pa = 1500, and the same holds for all other classes");
 }
 
 TEST_F(CalibratedStudy, RefusesLengthsThatNoBodyCouldKeep) {
@@ -182,7 +183,7 @@ TEST_F(CalibratedStudy, RefusesLengthsThatNoBodyCouldKeep) {
   expect_refused(with_cells("9"), "the body is 3 cells long, the longest of the fit was 2");
 }
 
-TEST_F(CalibratedStudy, JudgesBodiesOfEveryLevelAsHollowModules) {
+TEST_F(CalibratedStudy, EvaluatesBodiesOfEveryLevelAsHollowModules) {
   const Study study = read(head + in_phase);
   const VoxelEvaluator evaluator(study.physics, 0.01, 0.02);
   const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, "102000201111211112000000000");
@@ -198,7 +199,7 @@ TEST_F(CalibratedStudy, MarksBodiesThatLeaveTheRangeOfValidity) {
   const Study study = read(head + in_phase);
   const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, "102000201111211112000000000");
   const std::atomic<bool> never{false};
-  const auto judged = [&](auto change, voxel::OutsideRange rule) {
+  const auto evaluated = [&](auto change, voxel::OutsideRange rule) {
     voxel::Physics physics = study.physics;
     physics.surrogate->outside_range = rule;
     change(physics.surrogate->parameters.validity);
@@ -207,16 +208,16 @@ TEST_F(CalibratedStudy, MarksBodiesThatLeaveTheRangeOfValidity) {
   const auto inside = [](voxel::ValidityRange&) {};
   const auto strained = [](voxel::ValidityRange& validity) { validity.smallest_strain = -1e-9; };
   const auto long_body = [](voxel::ValidityRange& validity) { validity.longest_body_cells = 2; };
-  EXPECT_EQ(judged(inside, voxel::OutsideRange::warn).outside_validity, "");
+  EXPECT_EQ(evaluated(inside, voxel::OutsideRange::warn).outside_validity, "");
 
-  const Evaluation warned = judged(strained, voxel::OutsideRange::warn);
+  const Evaluation warned = evaluated(strained, voxel::OutsideRange::warn);
   EXPECT_EQ(warned.status, io::RunStatus::completed) << warned.reason;
-  EXPECT_NE(warned.outside_validity.find("beams were strained from"), std::string::npos) << warned.outside_validity;
-  EXPECT_EQ(warned.displacement_m, judged(inside, voxel::OutsideRange::warn).displacement_m) << "a mark changes nothing";
-  EXPECT_EQ(judged(strained, voxel::OutsideRange::refuse).status, io::RunStatus::diverged);
+  EXPECT_NE(warned.outside_validity.find("beams had strains from"), std::string::npos) << warned.outside_validity;
+  EXPECT_EQ(warned.displacement_m, evaluated(inside, voxel::OutsideRange::warn).displacement_m) << "a mark changes nothing";
+  EXPECT_EQ(evaluated(strained, voxel::OutsideRange::refuse).status, io::RunStatus::diverged);
 
-  EXPECT_NE(judged(long_body, voxel::OutsideRange::warn).outside_validity.find("3 cells long"), std::string::npos);
-  const Evaluation refused = judged(long_body, voxel::OutsideRange::refuse);
+  EXPECT_NE(evaluated(long_body, voxel::OutsideRange::warn).outside_validity.find("3 cells long"), std::string::npos);
+  const Evaluation refused = evaluated(long_body, voxel::OutsideRange::refuse);
   EXPECT_EQ(refused.status, io::RunStatus::diverged);
   EXPECT_EQ(refused.steps, 0U) << "what is known beforehand costs nothing";
   EXPECT_FALSE(refused.displacement_m);
@@ -292,7 +293,7 @@ TEST(Castable, TellsWhyNoBodyWasValid) {
     (void)random_offspring(options, random);
     FAIL() << "a body larger than its grid";
   } catch (const io::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("too small 20"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("too small: 20"), std::string::npos) << error.what();
   }
 }
 

@@ -73,7 +73,7 @@ TEST(VoxelEvaluator, PhysicsTextNamesEverythingThatDecides) {
 }
 
 TEST(VoxelEvaluator, DisplacementCountsFromTheTimeThatIsAskedFor) {
-  // Two whole evaluations on either side of the window, whose steps are the same.
+  // Two whole evaluations, one ending at the start of the window and one at its end. Their steps are the same.
   const Evaluation whole = VoxelEvaluator({}, 0.01, 0.05).evaluate(quadruped(), 1, never);
   const Evaluation start = VoxelEvaluator({}, 0.01, 0.02).evaluate(quadruped(), 1, never);
   const Evaluation window = VoxelEvaluator({}, 0.01, 0.05, 0.02).evaluate(quadruped(), 1, never);
@@ -82,7 +82,7 @@ TEST(VoxelEvaluator, DisplacementCountsFromTheTimeThatIsAskedFor) {
   EXPECT_EQ(window.left_out_m, start.displacement_m);
   EXPECT_FALSE(whole.left_out_m);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Positions are some 1e-2 m: differences of them are exact to 1e-17.
+    // Positions are about 1e-2 m, so their differences are exact to 1e-17 m.
     EXPECT_NEAR((*window.displacement_m)[axis], (*whole.displacement_m)[axis] - (*start.displacement_m)[axis], 1e-16);
   }
   EXPECT_NE(*window.displacement_m, *whole.displacement_m);
@@ -104,14 +104,14 @@ TEST(VoxelEvaluator, OneThatDivergesBeforeItCountsHasNothingLeftOut) {
   EXPECT_FALSE(result.left_out_m);
 }
 
-/// Bodies on one grid, some alike and some not, as a generation has them.
+/// Returns bodies on one grid, some of them equal in shape, as in a generation.
 std::vector<EvaluationTask> generation() {
   std::vector<EvaluationTask> tasks;
   std::mt19937 random(11);
   for (int i = 0; i < 21; ++i) {
     std::string digits(27, '0');
     for (char& digit : digits) digit = static_cast<char>('0' + random() % 3);
-    // Two thirds are the quadruped with other materials.
+    // Two thirds are the quadruped with different materials.
     meshes::Polycube body = i % 3 == 0 ? meshes::Polycube::from_digits(3, 3, 3, digits) : quadruped();
     for (const meshes::CellIndex& cell : body.occupied()) body.set(cell, static_cast<meshes::Material>(1 + random() % 2));
     tasks.push_back({body, 1});

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 const fs::path paper = fs::path(MENGER_SOURCE_DIR) / "paper";
 
-/// The lines of a TOML text with its comments, blank lines and blanks around lines taken off.
+/// Returns the lines of a TOML text without comments, blank lines and spaces around lines.
 std::vector<std::string> bare_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
@@ -181,7 +181,8 @@ TEST_F(StudyFile, RefusesWhatDoesNotFitWithPlaceKeyAndValue) {
   for (const std::string ratio : {"0.5", "0"})
     expect_refused(head + "[materials]\npoissons_ratio = " + ratio + "\n",
                    {place + "3", "poissons_ratio = " + ratio, "had to be 0"});
-  expect_refused(head + "[genome]\nencoding = \"nonfractal\"\n[body]\nlevels = [4]\n", {place + "5", "nonfractal", "at most 3"});
+  expect_refused(head + "[genome]\nencoding = \"nonfractal\"\n[body]\nlevels = [4]\n",
+                 {place + "5", "nonfractal", "highest level", "is 3"});
   expect_refused(head + "[body]\nlevels = [1, 9]\n", {place + "3", "levels", "memory"});
 }
 
@@ -245,8 +246,8 @@ TEST_F(StudyFile, ItsTemplateAndItsTextsAreReadBack) {
   tests::expect_texts_are_read_back<Study>([](const std::string& text) { return study_from_text(text, "study.toml"); });
 }
 
-const std::string judged_study =
-    "preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nstudy = \"finite/elements.toml\"\nbudget_element_steps = 4e9\n";
+const std::string reference_study =
+    "preset = \"paper\"\n[body]\nlevels = [1]\n[reference]\nstudy = \"finite/elements.toml\"\nbudget_element_steps = 4e9\n";
 
 TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentity) {
   const std::string head = "preset = \"paper\"\n";
@@ -256,7 +257,7 @@ TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentity) {
   EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
   const std::string usual = identity_text(read("preset = \"paper\"\n"));
   EXPECT_EQ(identity_text(read(head + "[evaluation]\nstand = false\n[time]\nmeasure_from_s = 0\n")), usual);
-  EXPECT_EQ(usual.find("judge"), std::string::npos);
+  EXPECT_EQ(usual.find("reference"), std::string::npos);
   EXPECT_NE(identity_text(read(head + "[evaluation]\nstand = true\n")), usual);
   EXPECT_NE(identity_text(read(head + "[time]\nmeasure_from_s = 1\n")), usual);
 }
@@ -271,37 +272,38 @@ TEST_F(StudyFile, RefusesAWindowThatIsNoPartOfTheEvaluation) {
   expect_refused(head + "measure_from_s = 0.5\n", {"measure_from_s = 0.5", "less than duration_s = 0.25"}, overrides);
 }
 
-TEST_F(StudyFile, AJudgeIsNamedByItsStudyAndArchivedByItsProtocol) {
-  Study study = read(judged_study + "every = 4\ndesigns = 3\n");
-  ASSERT_TRUE(study.search.judging);
-  EXPECT_EQ(study.search.judging->every, 4);
-  EXPECT_EQ(study.search.judging->designs, 3U);
-  EXPECT_EQ(study.search.judging->budget_element_steps, 4e9);
-  EXPECT_EQ(study.search.judging->voxel_steps_per_element_step, 2.6);
-  EXPECT_EQ(study.judge_file, folder_ / "finite/elements.toml") << "counts from the study's folder";
-  EXPECT_EQ(study_inputs(folder_ / "study.toml").back(), study.judge_file);
-  study.search.judging->protocol = "0123";
+TEST_F(StudyFile, AReferenceIsNamedByItsStudyAndArchivedByItsProtocol) {
+  Study study = read(reference_study + "every = 4\ndesigns = 3\n");
+  ASSERT_TRUE(study.search.reference);
+  EXPECT_EQ(study.search.reference->every, 4);
+  EXPECT_EQ(study.search.reference->designs, 3U);
+  EXPECT_EQ(study.search.reference->budget_element_steps, 4e9);
+  EXPECT_EQ(study.search.reference->voxel_steps_per_element_step, 2.6);
+  EXPECT_EQ(study.reference_file, folder_ / "finite/elements.toml") << "counts from the study's folder";
+  EXPECT_EQ(study_inputs(folder_ / "study.toml").back(), study.reference_file);
+  study.search.reference->protocol = "0123";
   const Study archived = study_from_text(resolved_text(study), "archive");
   EXPECT_EQ(archived.search, study.search);
-  EXPECT_TRUE(archived.judge_file.empty());
+  EXPECT_TRUE(archived.reference_file.empty());
   Study other = study;
-  other.search.judging->protocol = "4567";
+  other.search.reference->protocol = "4567";
   EXPECT_NE(identity_text(other), identity_text(study));
 }
 
-TEST_F(StudyFile, RefusesAJudgeThatCannotWork) {
-  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nstudy = \"a.toml\"\n", {"judge.budget_element_steps"});
-  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nbudget_element_steps = 1\n", {"judge.study"});
-  expect_refused(judged_study + "protocol = \"0123\"\n", {"judge.protocol", "study beside it"});
-  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[judge]\nprotocol = \"0123\"\nbudget_element_steps = 1\n",
-                 {"judge.protocol", "of an archive"});
-  expect_refused(judged_study + "every = 0\n", {"judge.every = 0"});
-  expect_refused(judged_study + "designs = 0\n", {"judge.designs = 0"});
-  expect_refused(judged_study + "robots = 3\n", {"judge.robots", "unknown key"});
-  expect_refused(judged_study + "voxel_steps_per_element_step = 0\n", {"judge.voxel_steps_per_element_step = 0"});
+TEST_F(StudyFile, RefusesAReferenceThatCannotWork) {
+  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[reference]\nstudy = \"a.toml\"\n",
+                 {"reference.budget_element_steps"});
+  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[reference]\nbudget_element_steps = 1\n", {"reference.study"});
+  expect_refused(reference_study + "protocol = \"0123\"\n", {"reference.protocol", "study is also given"});
+  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[reference]\nprotocol = \"0123\"\nbudget_element_steps = 1\n",
+                 {"reference.protocol", "for archives only"});
+  expect_refused(reference_study + "every = 0\n", {"reference.every = 0"});
+  expect_refused(reference_study + "designs = 0\n", {"reference.designs = 0"});
+  expect_refused(reference_study + "robots = 3\n", {"reference.robots", "unknown key"});
+  expect_refused(reference_study + "voxel_steps_per_element_step = 0\n", {"reference.voxel_steps_per_element_step = 0"});
   StudyOverrides overrides;
   overrides.levels = std::vector{1, 2};
-  expect_refused(judged_study, {"levels", "[judge]", "one"}, overrides);
+  expect_refused(reference_study, {"levels", "[reference]", "exactly one"}, overrides);
 }
 
 TEST_F(StudyFile, RefusesALevelThatWouldNotFitTheMemory) {
@@ -324,7 +326,7 @@ TEST_F(StudyFile, StudiesOfThePaperAreValid) {
     const Study small = read_study(paper / name / "small.toml");
     EXPECT_EQ(full.search.generations, 325);
     EXPECT_EQ(full.duration_s, 5.0);
-    // The small one differs in size only.
+    // The small study differs in size only.
     full.search.generations = small.search.generations;
     full.search.survivors = small.search.survivors;
     full.search.mutants = small.search.mutants;

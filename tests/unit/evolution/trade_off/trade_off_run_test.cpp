@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Finite elements as a script: everything grows by (1 + 1 / (degree * elements)^2) * 0.001 per 1000 Pa, with `before` done
-/// first.
+/// A script in place of finite elements: everything grows by (1 + 1 / (degree * elements)^2) * 0.001 per 1000 Pa. It runs
+/// `before` first.
 std::string fake_inflate(const std::string& before) {
   return R"(n() { sed -n "s/^$1 = //p" inflate.toml | head -1; }
 degree=$(n degree); through=$(n elements_through_wall); pressure=$(sed -n 's/^pressure_Pa = \[0, \(.*\)\]/\1/p' inflate.toml)
@@ -39,7 +39,7 @@ printf 'status = "completed"\nvoxels = 3\nsteps = 100\n' >result/result.toml
 awk "BEGIN { print \"horizontal_displacement_m = \" 1 + $step }" >>result/result.toml
 )";
 
-/// Programs that are scripts, which note their calls in the file `calls`, and a study that runs them.
+/// Scripts in place of programs, which write their calls into the file `calls`, and a study that runs them.
 class TradeRunTest : public testing::Test {
  protected:
   TradeRunTest() {
@@ -82,7 +82,7 @@ TEST_F(TradeRunTest, ComparesAllFidelitiesWithTheFinest) {
   ASSERT_TRUE(result.body && result.gait);
   ASSERT_EQ(result.body->rows.size(), 4U);
   EXPECT_EQ(result.body->reference, 3U);
-  // by hand, in units of a micrometre: 2, 1.25, 1.25, 1.0625, with all observables in proportion
+  // computed by hand, in micrometres: 2, 1.25, 1.25, 1.0625; all observables are proportional
   const double rounding = 1e-7;  // of the script
   EXPECT_NEAR(result.body->rows[3].values[0].value(), 1.0625e-3, 1e-8);
   EXPECT_NEAR(result.body->rows[3].values[1].value(), 2.125e-3, 1e-8);
@@ -143,7 +143,7 @@ TEST_F(TradeRunTest, RunsThatTakeTooLongAreEnded) {
 
 TEST_F(TradeRunTest, WhatIsTooLargeIsSkippedAndNamed) {
   TradeStudy small = study();
-  small.elements->largest_unknowns = 10'000.0;  // of 2964, 14856 and 17658
+  small.elements->largest_unknowns = 10'000.0;  // the meshes have 2964, 14856 and 17658
   const TradeResult result = run(small);
   EXPECT_EQ(result.body->rows[0].status, "completed");
   EXPECT_EQ(result.body->rows[1].status, "skipped");
@@ -241,7 +241,7 @@ TEST_F(TradeRunTest, WhatLeavesTheRangeOfValiditySaysSo) {
 }
 
 TEST_F(TradeRunTest, ParametersOfAnotherBodyAreRefusedBeforeAnythingRuns) {
-  // of another silicone, and of cells of 10 mm, not 20
+  // for another silicone, and for cells of 10 mm, not 20
   io::write_whole(folder_ / "p.toml", voxel::surrogate_text(tests::surrogate_example()));
   EXPECT_THROW((void)run(study("[finite_elements]\n[settling]\nparameters = [\"p.toml\"]\n")), io::InputError);
   EXPECT_EQ(calls(), 0U);

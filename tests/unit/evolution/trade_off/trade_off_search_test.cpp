@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 const VoxelFidelity coarse{"float32", "velocity", 0.9, "off", {}};
 const VoxelFidelity fine{"float64", "increments", 0.09, "1", {}};
 
-/// Champions that walk so far by the finest surrogate.
+/// Returns searches whose champions have these displacements on the finest surrogate.
 SearchTrade trade_of(const std::vector<double>& coarse_walks, const std::vector<double>& fine_walks) {
   SearchTrade trade{.voxel_steps = 1e6, .finest = fine};
   const auto add = [&](const VoxelFidelity& fidelity, const std::vector<double>& walks) {
@@ -36,16 +36,19 @@ SearchTrade trade_of(const std::vector<double>& coarse_walks, const std::vector<
 }
 
 TEST(SearchTrade, ADifferenceWithinTheSpreadIsNotResolved) {
-  // means 2 and 3, both with standard deviation 1: t = 1.22 of 2.78 for four degrees of freedom
+  // means 2 and 3, both with standard deviation 1: t = 1.22, and the limit is 2.78 for four degrees of freedom
   const std::string text = search_text(trade_of({1, 2, 3}, {2, 3, 4}));
-  EXPECT_NE(text.find("2 +- 1 (3 seeds); not resolved: the difference to the finest, -1, is less than 2.267"), std::string::npos)
+  EXPECT_NE(
+      text.find("2 +- 1 (3 seeds); not significant: differs from the finest by -1; the spread over seeds explains up to 2.267"),
+      std::string::npos)
       << text;
 }
 
 TEST(SearchTrade, ADifferenceBeyondTheSpreadIsResolved) {
   const std::string text = search_text(trade_of({1, 2, 3}, {5, 6, 7}));
-  EXPECT_NE(text.find("resolved: differs from the finest by -4, more than 2.267"), std::string::npos) << text;
-  EXPECT_EQ(text.find("not resolved: the difference to the finest, -4"), std::string::npos);
+  EXPECT_NE(text.find("significant: differs from the finest by -4; the spread over seeds explains only 2.267"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("not significant: differs from the finest by -4"), std::string::npos);
 }
 
 TEST(SearchTrade, OneChampionTellsNothing) {
@@ -91,8 +94,8 @@ TEST(SearchTrade, VoxelStepsAreSummedOverTheArchive) {
     archive.add_evaluation({design_hash(individual.phenotype, 1), 1, "physics"}, {0, result});
     result.steps = 10;
     archive.add_evaluation({design_hash(individual.phenotype, 2), 2, "physics"}, {0, result});
-    const Contender contender{.id = 0, .age = 0, .fitness = 0.1, .fitness_bound = {}, .survivor_rank = 0};
-    archive.add_generation({}, std::vector{individual}, std::vector{contender});
+    const PoolMember member{.id = 0, .age = 0, .fitness = 0.1, .fitness_bound = {}, .survivor_rank = 0};
+    archive.add_generation({}, std::vector{individual}, std::vector{member});
   }
   EXPECT_EQ(archived_voxel_steps(file), 100U * 3U + 10U * 9U);
   io::write_whole(folder / "other", "no archive");

@@ -24,15 +24,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double rounding_m = 1e-14;  // of lengths of centimetres, after an iterated fit of the rotation
+constexpr double rounding_m = 1e-14;  // for lengths of centimetres, after an iterated fit of the rotation
 
-/// Voxels of 10 mm whose half lengths and bulges are known at 1000 Pa.
+/// Voxels of 10 mm with known half lengths and bulges at 1000 Pa.
 class SettledBodyTest : public testing::Test {
  protected:
-  /// Extensions 0.01 and bulges 0.001 for every wall beside, at 1000 Pa. @param softening q of the extension
+  /// Parameters with extension 0.01 and bulge 0.001 for every wall beside an axis, at 1000 Pa. @param softening q of the
+  /// extension
   [[nodiscard]] static voxel::SurrogateParameters driven(double softening = 0.0) {
     voxel::SurrogateParameters p = tests::surrogate_example();
-    const std::array slopes{0.0, 1.0, 2.0, 2.0, 2.0, 3.0, 4.0};  // the walls beside
+    const std::array slopes{0.0, 1.0, 2.0, 2.0, 2.0, 3.0, 4.0};  // number of walls beside the axis
     for (std::size_t c = 0; c < voxel::wall_class_count; ++c) {
       p.extension[c] = {.slope_per_Pa = 1e-5 * slopes.at(c), .pressure_softening_per_Pa = softening};
       p.bulge[c] = {.slope_per_Pa = 1e-6 * slopes.at(c)};
@@ -67,7 +68,7 @@ class SettledBodyTest : public testing::Test {
     return voxels;
   }
 
-  /// The surrogate's own equilibrium under a pressure, as a frame would show it.
+  /// Returns the surrogate's own equilibrium under a pressure, as a frame has it.
   [[nodiscard]] static SettledBody::Voxels equilibrium(const voxel::SurrogateParameters& parameters,
                                                        const meshes::LoadCase& load_case, voxel::LoadCaseResponse& response) {
     SettledBody::Voxels voxels;
@@ -118,7 +119,7 @@ TEST_F(SettledBodyTest, AJointInABodyHasNoWall) {
 }
 
 TEST_F(SettledBodyTest, StretchedBodiesBecomeThinByTheirLateralCoupling) {
-  // rest length 10.4 mm: a strain of 0.25, half of which lies on each voxel, and c = 0.5
+  // rest length 10.4 mm: a strain of 0.25, half of it on each voxel, and c = 0.5
   const SettledBody body(bar("11"), file_of(driven()));
   const SettledBody::Voxels settled = upright({{0, 0, 0}, {0.013, 0, 0}});
   EXPECT_NEAR(body.observed(TradeObservable::extent_y, settled, 1000.0), 0.01 * (1.03 * (1.0 - 0.5 * 0.125) + 2.0 * 0.003 - 1.0),
@@ -136,7 +137,7 @@ TEST_F(SettledBodyTest, ChambersPerPhaseHaveAWallBetweenThem) {
 TEST_F(SettledBodyTest, TurnsAndShiftsAreNotObserved) {
   const SettledBody body(study_of(meshes::Polycube::from_digits(3, 2, 1, "111100")), file_of(driven()));
   const SettledBody::Voxels before = upright({{0, 0, 0}, {0.011, 0.001, 0}, {0.022, 0.003, 0.001}, {0, 0.0105, 0}});
-  // a third of a turn about (1, 1, 1) takes x to y, y to z and z to x
+  // a third of a turn about (1, 1, 1) turns x into y, y into z and z into x
   const auto turned = [](const voxel::Vector3<double>& v) { return voxel::Vector3<double>{v.z, v.x, v.y}; };
   SettledBody::Voxels after = before;
   for (OrientedVoxel& voxel : after) {
@@ -150,7 +151,7 @@ TEST_F(SettledBodyTest, TurnsAndShiftsAreNotObserved) {
 }
 
 TEST_F(SettledBodyTest, EquilibriaAreObservedAsTheFitSawThem) {
-  // the parameters are fitted by voxel::respond: another reading of the same body would count as its error
+  // voxel::respond is what parameters are fitted with: a different evaluation of the same body would count as an error of the fit
   for (const int voxels_per_cell : {1, 2}) {
     voxel::SurrogateParameters parameters = driven();
     parameters.voxels_per_cell = voxels_per_cell;
@@ -201,7 +202,7 @@ TEST_F(SettledBodyTest, ParametersOfAnotherBodyAreRefusedByKeyAndValue) {
   expect_refused(study, {"wall_thickness_m", "0.002", "0.003"});
 }
 
-/// Solid voxels of 10 mm whose boxes reach to unequal sides, as far as drawing goes.
+/// A frame of solid voxels of 10 mm whose drawn boxes are not symmetric about the centres.
 voxel::Frame frame_of(const std::vector<std::array<double, 3>>& centres_m) {
   const std::size_t count = centres_m.size();
   return {.time_s = 0.0,
@@ -219,7 +220,7 @@ voxel::Frame frame_of(const std::vector<std::array<double, 3>>& centres_m) {
 
 TEST_F(SettledBodyTest, FramesGiveCentresAndDirectionsWhateverBoxesAreDrawn) {
   voxel::Frame frame = frame_of({{0.1, 0.2, 0.3}, {0.7, -0.2, 1.0 / 3.0}});
-  frame.orientation[1] = {std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};  // about z, its x points along y
+  frame.orientation[1] = {std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};  // a quarter turn about z: its x axis points along y
   voxel::write_frame(folder_ / "frame.vtu", frame);
   const SettledBody::Voxels voxels = frame_voxels(folder_ / "frame.vtu");
   ASSERT_EQ(voxels.size(), 2U);
@@ -228,7 +229,7 @@ TEST_F(SettledBodyTest, FramesGiveCentresAndDirectionsWhateverBoxesAreDrawn) {
   for (std::size_t n = 0; n < 2; ++n) EXPECT_EQ(numbers(voxels[n].middle), frame.position_m[n]);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t along = 0; along < 3; ++along) {
-      // corners of boxes of centimetres are float32 numbers below 1 m, good to 3e-8 m
+      // corners are float32 numbers below 1 m, exact to 3e-8 m, and the boxes are centimetres long
       EXPECT_NEAR(numbers(voxels[0].axes.at(axis)).at(along), axis == along ? 1.0 : 0.0, 2e-5);
       EXPECT_NEAR(numbers(voxels[1].axes.at(axis)).at(along), turned.at(axis).at(along), 2e-5);
     }
@@ -246,7 +247,9 @@ TEST_F(SettledBodyTest, FilesWithoutCentresAreNoFrames) {
     (void)frame_voxels(file);
     ADD_FAILURE() << "accepted";
   } catch (const io::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("frame.vtu: centre_m is missing"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("frame.vtu: is not a frame of menger simulate: centre_m is missing"),
+              std::string::npos)
+        << error.what();
   }
 }
 
@@ -263,10 +266,10 @@ TEST_F(SettledBodyTest, EveryObservableThatStillMovesIsNamed) {
   write("frame_0002.vtu", 0.001);
   TradeRow row;
   row.values.assign(study.observables.size(), std::nullopt);
-  // at rest pressure, where a body of no stretch has observables of zero
+  // at pressure 0, where the observables of an unstretched body are zero
   read_settling_result(study, body, 0.0, {.folder = folder_ / "run", .outcome = {}, .message = {}}, row);
   EXPECT_EQ(row.status, "completed");
-  EXPECT_NEAR(row.values[1].value(), 1e-3, 1e-9);  // by the distance of the centres and by nothing of the boxes
+  EXPECT_NEAR(row.values[1].value(), 1e-3, 1e-9);  // from the distance of the centres, not from the boxes
   for (const char* column : {"volume_change", "extent_change_x_m"})
     EXPECT_NE(row.reason.find(std::string("still moving: ") + column + " changed from "), std::string::npos) << row.reason;
   EXPECT_EQ(row.reason.find("inf"), std::string::npos) << row.reason;

@@ -30,7 +30,7 @@ class TradeStudyTest : public testing::Test {
     return read_trade_study(folder_ / "study.toml");
   }
 
-  /// Reading is refused with all of these words.
+  /// Expects that reading is refused with a message that has all of these words.
   void expect_refused(const std::string& text, const std::vector<std::string>& words) const {
     try {
       (void)read(text);
@@ -49,7 +49,8 @@ TEST_F(TradeStudyTest, ADesignAloneRunsElementsAndAGait) {
   EXPECT_TRUE(study.elements && study.gait);
   EXPECT_FALSE(study.settling || study.search);
   EXPECT_EQ(study.silicone, "dragon_skin_10");
-  EXPECT_NEAR(study.shear_modulus_Pa, 4333850.0 / 50.0, 1e-6);  // 50 of which `menger inflate` assumes for this record
+  EXPECT_NEAR(study.shear_modulus_Pa, 4333850.0 / 50.0,
+              1e-6);  // for this record `menger inflate` assumes a bulk modulus of 50 times this
 }
 
 TEST_F(TradeStudyTest, ReadsWhatIsAskedFor) {
@@ -114,7 +115,7 @@ TEST_F(TradeStudyTest, WrongInputIsNamed) {
 }
 
 TEST_F(TradeStudyTest, UnknownsOfAHollowCubeAreThoseOfTheGrid) {
-  // 20 mm with walls of 2 mm: 11^3 nodes less 7^3 inside the chamber, or with middles 21^3 less 15^3; three unknowns each
+  // 20 mm with walls of 2 mm: 11^3 nodes without 7^3 inside the chamber, or with middles 21^3 without 15^3; three unknowns each
   const TradeStudy study = read("[finite_elements]\n");
   EXPECT_EQ(count_elements(study, 1, 1).unknowns, 3U * (11 * 11 * 11 - 7 * 7 * 7));
   EXPECT_EQ(count_elements(study, 2, 1).unknowns, 3U * (21 * 21 * 21 - 15 * 15 * 15));

@@ -152,9 +152,12 @@ TEST(BodyOverlap, IsToldInWords) {
   const meshes::HexahedralMesh mesh = separate_blocks();
   const std::string text = BodyOverlapSearch(mesh).text_of({.pairs = 3, .share = 0.7, .depth_m = 1.4e-3, .elements = {0, 17}});
   EXPECT_EQ(
-      text.rfind("walls went through each other: 3 pairs of elements, the deepest, those that rest at (0, 0, 0) mm and (", 0), 0U)
+      text.rfind("walls went through each other: 3 pairs of elements; the largest overlap relative to the thickness is between "
+                 "those that rest at (0, 0, 0) mm and (",
+                 0),
+      0U)
       << text;
-  EXPECT_NE(text.find(", by 1.4 mm or 0.7 of the thinner one"), std::string::npos) << text;
+  EXPECT_NE(text.find(": 1.4 mm or 0.7 of the thickness of the thinner one"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(ContactMemory, WayIsThatOfTheNodeAsTheFaceSeesIt) {
   velocities[3 * surfaces.mesh_node(node) + 1] += 0.25;
   std::size_t without = 0;
   while (std::find(surfaces.face(without).begin(), surfaces.face(without).end(), node) != surfaces.face(without).end()) ++without;
-  EXPECT_NEAR(way_past_face_m(surfaces, node, without, {{}, velocities, 1e-4}), 0.25e-4, 1e-18);
+  EXPECT_NEAR(path_past_face_m(surfaces, node, without, {{}, velocities, 1e-4}), 0.25e-4, 1e-18);
 }
 
 TEST(SelfFriction, SticksBreaksAwayAndSlides) {
@@ -101,12 +101,12 @@ TEST(SelfFriction, SticksBreaksAwayAndSlides) {
 TEST(SelfFriction, AnswersBalanceForceAndMoment) {
   const PressedNode pressed = below_square();
   const Point force{0.7, -0.4, 0.0};
-  const std::array<Point, 4> answers = face_reactions_N(pressed, force);
+  const std::array<Point, 4> responses = face_reactions_N(pressed, force);
   Point total = force;
   Point moment = cross({0.3, 0.6, -0.1}, force);
   for (std::size_t c = 0; c < 4; ++c) {
-    total = sum(total, answers[c]);
-    moment = sum(moment, cross(pressed.corners[c], answers[c]));
+    total = sum(total, responses[c]);
+    moment = sum(moment, cross(pressed.corners[c], responses[c]));
   }
   EXPECT_LT(norm(total), 1e-15);
   EXPECT_LT(norm(moment), 1e-15);
@@ -116,12 +116,12 @@ TEST(SelfFriction, AnswersBalanceForceAndMoment) {
 TEST(SelfFriction, RigidMotionSlipsByNothing) {
   const PressedNode pressed = below_square();
   const Point turn{0.02, -0.03, 0.05};
-  const auto way_of = [&](const Point& x) { return sum({0.1, 0.2, 0.3}, cross(turn, x)); };
-  const std::array<Point, 4> ways{way_of(pressed.corners[0]), way_of(pressed.corners[1]), way_of(pressed.corners[2]),
-                                  way_of(pressed.corners[3])};
+  const auto displacement_of = [&](const Point& x) { return sum({0.1, 0.2, 0.3}, cross(turn, x)); };
+  const std::array<Point, 4> ways{displacement_of(pressed.corners[0]), displacement_of(pressed.corners[1]),
+                                  displacement_of(pressed.corners[2]), displacement_of(pressed.corners[3])};
   EXPECT_LT(norm(difference(face_turn_rad(pressed.corners, ways), turn)), 1e-15);
-  EXPECT_LT(norm(way_along_face_m(pressed, way_of({0.3, 0.6, -0.1}), ways)), 1e-15);
-  EXPECT_NEAR(way_along_face_m(pressed, sum(way_of({0.3, 0.6, -0.1}), {0.01, 0.0, 0.5}), ways)[0], 0.01, 1e-15);
+  EXPECT_LT(norm(path_along_face_m(pressed, displacement_of({0.3, 0.6, -0.1}), ways)), 1e-15);
+  EXPECT_NEAR(path_along_face_m(pressed, sum(displacement_of({0.3, 0.6, -0.1}), {0.01, 0.0, 0.5}), ways)[0], 0.01, 1e-15);
   ContactMemory memory;
   memory.pressed_m = 0.1;
   memory.slip_m = {0.02, 0.0, 0.0};
@@ -133,7 +133,7 @@ TEST(SelfFriction, RigidMotionSlipsByNothing) {
 TEST(SelfFriction, FaceOnALineTurnsNothing) {
   PressedNode pressed = below_square();
   for (Point& corner : pressed.corners) corner[1] = 0.0;
-  for (const Point& answer : face_reactions_N(pressed, {1.0, 0.0, 0.0})) EXPECT_TRUE(std::isfinite(norm(answer)));
+  for (const Point& response : face_reactions_N(pressed, {1.0, 0.0, 0.0})) EXPECT_TRUE(std::isfinite(norm(response)));
 }
 
 }  // namespace

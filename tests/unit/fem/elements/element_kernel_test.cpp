@@ -65,7 +65,7 @@ SampleElement moved(SampleElement element, const std::vector<double>& direction,
   return element;
 }
 
-ElementAnswer answer_of(const ElementKernels& kernels, const ElementMaterial& material, const SampleElement& element) {
+ElementResponse response_of(const ElementKernels& kernels, const ElementMaterial& material, const SampleElement& element) {
   return SampleBatch(kernels, material, {element}).evaluate()[0];
 }
 
@@ -104,14 +104,14 @@ TEST(ElementKernels, ResidualIsTheDerivativeOfTheEnergy) {
   const ElementKernels kernels = best_element_kernels();
   for (const ElementMaterial& material : all_materials()) {
     const SampleElement element = strained_element(material.degree, 1);
-    const ElementAnswer answer = answer_of(kernels, material, element);
-    ASSERT_GT(answer.smallest_ratio, 0.0) << description(material);
+    const ElementResponse response = response_of(kernels, material, element);
+    ASSERT_GT(response.smallest_ratio, 0.0) << description(material);
     for (unsigned seed = 2; seed < 5; ++seed) {
       const std::vector<double> direction = RandomNumbers(seed)(element.positions.size(), 1.0);
-      const double ahead = answer_of(kernels, material, moved(element, direction, difference_step)).energy;
-      const double behind = answer_of(kernels, material, moved(element, direction, -difference_step)).energy;
+      const double ahead = response_of(kernels, material, moved(element, direction, difference_step)).energy;
+      const double behind = response_of(kernels, material, moved(element, direction, -difference_step)).energy;
       const double difference = (ahead - behind) / (2.0 * difference_step);
-      EXPECT_NEAR(product(answer.residual, direction), difference, difference_tolerance * largest(answer.residual))
+      EXPECT_NEAR(product(response.residual, direction), difference, difference_tolerance * largest(response.residual))
           << description(material);
     }
   }
@@ -121,13 +121,13 @@ TEST(ElementKernels, StiffnessIsTheDerivativeOfTheResidual) {
   const ElementKernels kernels = best_element_kernels();
   for (const ElementMaterial& material : all_materials()) {
     const SampleElement element = strained_element(material.degree, 6);
-    const ElementAnswer answer = answer_of(kernels, material, element);
+    const ElementResponse response = response_of(kernels, material, element);
     const std::vector<double> direction = RandomNumbers(7)(element.positions.size(), 1.0);
-    std::vector<double> difference = answer_of(kernels, material, moved(element, direction, difference_step)).residual;
-    const std::vector<double> behind = answer_of(kernels, material, moved(element, direction, -difference_step)).residual;
+    std::vector<double> difference = response_of(kernels, material, moved(element, direction, difference_step)).residual;
+    const std::vector<double> behind = response_of(kernels, material, moved(element, direction, -difference_step)).residual;
     for (std::size_t n = 0; n < difference.size(); ++n) difference[n] = (difference[n] - behind[n]) / (2.0 * difference_step);
-    EXPECT_LT(largest_difference(product_with_matrix(answer.stiffness, direction), difference),
-              difference_tolerance * largest(answer.stiffness))
+    EXPECT_LT(largest_difference(product_with_matrix(response.stiffness, direction), difference),
+              difference_tolerance * largest(response.stiffness))
         << description(material);
   }
 }
@@ -135,12 +135,12 @@ TEST(ElementKernels, StiffnessIsTheDerivativeOfTheResidual) {
 TEST(ElementKernels, StiffnessIsSymmetric) {
   const ElementKernels kernels = best_element_kernels();
   for (const ElementMaterial& material : all_materials()) {
-    const ElementAnswer answer = answer_of(kernels, material, strained_element(material.degree, 8));
+    const ElementResponse response = response_of(kernels, material, strained_element(material.degree, 8));
     const std::size_t columns = 3 * ElementShape{material.degree}.nodes();
-    const double tolerance = 1e-13 * largest(answer.stiffness);  // rounding; only blocks on the diagonal could be unsymmetric
+    const double tolerance = 1e-13 * largest(response.stiffness);  // rounding; only blocks on the diagonal could be unsymmetric
     for (std::size_t m = 0; m < columns; ++m)
       for (std::size_t n = 0; n < m; ++n)
-        ASSERT_NEAR(answer.stiffness[m * columns + n], answer.stiffness[n * columns + m], tolerance) << description(material);
+        ASSERT_NEAR(response.stiffness[m * columns + n], response.stiffness[n * columns + m], tolerance) << description(material);
   }
 }
 
@@ -149,7 +149,7 @@ TEST(ElementKernels, ResidualIsInBalance) {
   const ElementKernels kernels = best_element_kernels();
   for (const ElementMaterial& material : all_materials()) {
     const SampleElement element = strained_element(material.degree, 9);
-    const std::vector<double> residual = answer_of(kernels, material, element).residual;
+    const std::vector<double> residual = response_of(kernels, material, element).residual;
     Point force{};
     Point moment{};
     for (std::size_t n = 0; n < residual.size(); n += 3) {
@@ -177,11 +177,11 @@ TEST(ElementKernels, RotatedElementIsAtRest) {
       element.displacements[n + 1] = s * x + c * y - y;
       element.displacements[n + 2] = -1.0;
     }
-    const ElementAnswer answer = answer_of(kernels, material, element);
-    EXPECT_NEAR(answer.energy, 0.0, 1e-15 * bulk_modulus_Pa) << description(material);
+    const ElementResponse response = response_of(kernels, material, element);
+    EXPECT_NEAR(response.energy, 0.0, 1e-15 * bulk_modulus_Pa) << description(material);
     // rounding of F times the bulk modulus
-    EXPECT_LT(largest(answer.residual), 1e-13 * bulk_modulus_Pa) << description(material);
-    EXPECT_NEAR(answer.smallest_ratio, 1.0, 1e-13) << description(material);
+    EXPECT_LT(largest(response.residual), 1e-13 * bulk_modulus_Pa) << description(material);
+    EXPECT_NEAR(response.smallest_ratio, 1.0, 1e-13) << description(material);
   }
 }
 
@@ -193,16 +193,16 @@ TEST(ElementKernels, InstructionSetsAgreeToRounding) {
     for (unsigned seed = 0; seed < 3; ++seed) {
       const SampleElement element = strained_element(material.degree, seed);
       const std::vector<double> step = RandomNumbers(seed + 20)(element.positions.size(), 0.01);
-      const ElementAnswer first = answer_of(all.front(), material, element);
+      const ElementResponse first = response_of(all.front(), material, element);
       const auto first_pressure = SampleBatch(all.front(), material, {element}).predict_pressure({step})[0];
       const auto first_points = SampleBatch(all.front(), material, {element}).evaluate_points()[0];
       for (const ElementKernels& other : all) {
         SCOPED_TRACE(description(material) + ", " + std::string(other.instruction_set));
-        const ElementAnswer answer = answer_of(other, material, element);
-        EXPECT_NEAR(answer.energy, first.energy, 1e-12 * first.energy);
-        EXPECT_NEAR(answer.smallest_ratio, first.smallest_ratio, 1e-12);
-        EXPECT_LT(largest_difference(answer.residual, first.residual), 1e-12 * largest(first.residual));
-        EXPECT_LT(largest_difference(answer.stiffness, first.stiffness), 1e-12 * largest(first.stiffness));
+        const ElementResponse response = response_of(other, material, element);
+        EXPECT_NEAR(response.energy, first.energy, 1e-12 * first.energy);
+        EXPECT_NEAR(response.smallest_ratio, first.smallest_ratio, 1e-12);
+        EXPECT_LT(largest_difference(response.residual, first.residual), 1e-12 * largest(first.residual));
+        EXPECT_LT(largest_difference(response.stiffness, first.stiffness), 1e-12 * largest(first.stiffness));
         const SampleBatch batch(other, material, {element});
         EXPECT_LT(largest_difference(batch.predict_pressure({step})[0], first_pressure), 1e-12 * bulk_modulus_Pa);
         EXPECT_LT(largest_difference(batch.evaluate_points()[0].cauchy_stress, first_points.cauchy_stress),
@@ -212,7 +212,7 @@ TEST(ElementKernels, InstructionSetsAgreeToRounding) {
   }
 }
 
-// Every lane computes its own element, whatever its neighbours are: here one of them has no answer.
+// Every lane computes its own element, whatever its neighbours are: here one of them does not exist.
 TEST(ElementKernels, LanesDoNotDisturbEachOther) {
   for (const ElementKernels& kernels : available_element_kernels()) {
     for (const int degree : {1, 2}) {
@@ -223,7 +223,7 @@ TEST(ElementKernels, LanesDoNotDisturbEachOther) {
       const auto together = SampleBatch(kernels, material, elements).evaluate();
       for (std::size_t lane = 0; lane < kernels.width; ++lane) {
         if (lane == kernels.width / 2) continue;
-        const ElementAnswer alone = answer_of(kernels, material, elements[lane]);
+        const ElementResponse alone = response_of(kernels, material, elements[lane]);
         EXPECT_EQ(together[lane].energy, alone.energy) << kernels.instruction_set;
         EXPECT_EQ(together[lane].smallest_ratio, alone.smallest_ratio) << kernels.instruction_set;
         EXPECT_EQ(together[lane].residual, alone.residual) << kernels.instruction_set;
@@ -237,7 +237,7 @@ TEST(ElementKernels, EnergyAloneIsThatWithEverything) {
   const ElementKernels kernels = best_element_kernels();
   for (const ElementMaterial& material : all_materials()) {
     const SampleBatch batch(kernels, material, {strained_element(material.degree, 3)});
-    const ElementAnswer all = batch.evaluate()[0];
+    const ElementResponse all = batch.evaluate()[0];
     EXPECT_DOUBLE_EQ(batch.evaluate_energy()[0].energy, all.energy) << description(material);
     EXPECT_DOUBLE_EQ(batch.evaluate_energy()[0].smallest_ratio, all.smallest_ratio) << description(material);
   }
@@ -254,8 +254,8 @@ SampleElement stretched_element(int degree, const std::array<double, 3>& stretch
 TEST(ElementKernels, SmallestRatioIsThatOfTheVolume) {
   for (const ElementKernels& kernels : available_element_kernels()) {
     for (const int degree : {1, 2}) {
-      const ElementAnswer answer = answer_of(kernels, plain_material(degree), stretched_element(degree, {0.9, 0.8, 1.1}));
-      EXPECT_NEAR(answer.smallest_ratio, 0.9 * 0.8 * 1.1, 1e-13);
+      const ElementResponse response = response_of(kernels, plain_material(degree), stretched_element(degree, {0.9, 0.8, 1.1}));
+      EXPECT_NEAR(response.smallest_ratio, 0.9 * 0.8 * 1.1, 1e-13);
     }
   }
 }
@@ -264,9 +264,9 @@ TEST(ElementKernels, InvertedElementIsReported) {
   for (const ElementKernels& kernels : available_element_kernels()) {
     for (const ElementMaterial& material : all_materials()) {
       const SampleElement inside_out = stretched_element(material.degree, {1.0, 1.0, -0.5});
-      EXPECT_FALSE(answer_of(kernels, material, inside_out).smallest_ratio > 0.0) << description(material);
+      EXPECT_FALSE(response_of(kernels, material, inside_out).smallest_ratio > 0.0) << description(material);
       const SampleElement flat = stretched_element(material.degree, {1.0, 1.0, 0.0});
-      EXPECT_FALSE(answer_of(kernels, material, flat).smallest_ratio > 1e-12) << description(material);
+      EXPECT_FALSE(response_of(kernels, material, flat).smallest_ratio > 1e-12) << description(material);
     }
   }
 }
@@ -279,7 +279,7 @@ TEST(ElementKernels, PartlyInvertedElementIsReported) {
       std::fill(element.displacements.begin(), element.displacements.end(), 0.0);
       element.displacements[0] = element.displacements[1] = element.displacements[2] = 0.9;
       const ElementMaterial material = plain_material(degree, Formulation::displacement);
-      EXPECT_LT(answer_of(kernels, material, element).smallest_ratio, 0.0);
+      EXPECT_LT(response_of(kernels, material, element).smallest_ratio, 0.0);
     }
   }
 }
@@ -293,8 +293,8 @@ TEST(ElementKernels, StretchBeyondLockingIsReported) {
       const auto uniaxial = [degree](double stretch) {
         return stretched_element(degree, {stretch, 1.0 / std::sqrt(stretch), 1.0 / std::sqrt(stretch)});
       };
-      EXPECT_NEAR(answer_of(kernels, material, uniaxial(4.5)).smallest_ratio, 1.0, 1e-12);
-      EXPECT_LE(answer_of(kernels, material, uniaxial(5.0)).smallest_ratio, 0.0);
+      EXPECT_NEAR(response_of(kernels, material, uniaxial(4.5)).smallest_ratio, 1.0, 1e-12);
+      EXPECT_LE(response_of(kernels, material, uniaxial(5.0)).smallest_ratio, 0.0);
     }
   }
 }
@@ -305,7 +305,7 @@ TEST(ElementKernels, DisplacementsThatAreNoNumbersAreReported) {
       for (const ElementMaterial& material : all_materials()) {
         SampleElement element = strained_element(material.degree, 1);
         element.displacements[5] = none;
-        EXPECT_FALSE(answer_of(kernels, material, element).smallest_ratio > 0.0) << description(material);
+        EXPECT_FALSE(response_of(kernels, material, element).smallest_ratio > 0.0) << description(material);
       }
     }
   }
@@ -332,8 +332,8 @@ TEST(ElementKernels, StepOfZeroPredictsThePressureOfTheState) {
     const std::vector<double> hydrostatic = uneven.evaluate_points()[0].pressure;
     for (std::size_t q = 0; q < hydrostatic.size(); ++q)
       EXPECT_NEAR(predicted[0][q], -hydrostatic[q], 1e-12 * bulk_modulus_Pa) << description(material);
-    const ElementAnswer exact = uneven.evaluate()[0];
-    const ElementAnswer with_prediction = uneven.evaluate(predicted)[0];
+    const ElementResponse exact = uneven.evaluate()[0];
+    const ElementResponse with_prediction = uneven.evaluate(predicted)[0];
     EXPECT_LT(largest_difference(with_prediction.stiffness, exact.stiffness), 1e-13 * largest(exact.stiffness))
         << description(material);
   }
@@ -361,8 +361,8 @@ TEST(ElementKernels, PredictedPressureLeavesEnergyAndResidual) {
   const ElementKernels kernels = best_element_kernels();
   for (const ElementMaterial& material : all_materials()) {
     const SampleBatch batch(kernels, material, {strained_element(material.degree, 4)});
-    const ElementAnswer exact = batch.evaluate()[0];
-    const ElementAnswer other = batch.evaluate({RandomNumbers(6)(ElementShape{material.degree}.points(), 1e5)})[0];
+    const ElementResponse exact = batch.evaluate()[0];
+    const ElementResponse other = batch.evaluate({RandomNumbers(6)(ElementShape{material.degree}.points(), 1e5)})[0];
     EXPECT_EQ(other.energy, exact.energy) << description(material);
     EXPECT_EQ(other.residual, exact.residual) << description(material);
     EXPECT_GT(largest_difference(other.stiffness, exact.stiffness), 1e-3 * largest(exact.stiffness)) << description(material);
@@ -412,8 +412,8 @@ TEST(ElementKernels, PredictedPressureEntersTheStiffnessWithTheHessianOfTheVolum
       const SampleElement element = strained_element(degree, 4);
       const SampleBatch batch(kernels, material, {element});
       const std::size_t points = ElementShape{degree}.points();
-      const ElementAnswer without = batch.evaluate({std::vector<double>(points, 0.0)})[0];
-      const ElementAnswer with = batch.evaluate({std::vector<double>(points, 3e5)})[0];
+      const ElementResponse without = batch.evaluate({std::vector<double>(points, 0.0)})[0];
+      const ElementResponse with = batch.evaluate({std::vector<double>(points, 3e5)})[0];
       std::vector<double> expected = degree == 1 ? hessian_of_volume<4>(1, element) : hessian_of_volume<9>(2, element);
       for (double& entry : expected) entry *= 3e5;
       std::vector<double> change = with.stiffness;
@@ -443,7 +443,7 @@ TEST(ElementKernels, PointsOfAHomogeneousDeformationHaveTheStressOfTheMaterial) 
         },
         material.law, material.volume);
     const Tensor<double> tau = materials::product(P, materials::transpose(F));
-    const PointAnswer points = SampleBatch(kernels, material, {element}).evaluate_points()[0];
+    const PointResponse points = SampleBatch(kernels, material, {element}).evaluate_points()[0];
     for (std::size_t q = 0; q < ElementShape{material.degree}.points(); ++q) {
       for (std::size_t n = 0; n < 9; ++n) {
         EXPECT_NEAR(points.deformation_gradient[9 * q + n], F.components[n], 1e-13) << description(material);
@@ -462,7 +462,7 @@ TEST(ElementKernels, PointsOfAStretchedBarFollowItsFormula) {
   for (const ElementMaterial& material : all_materials()) {
     for (const double stretch : {0.7, 1.0, 1.5, 2.5}) {
       const auto stretches = materials::stretches_of(materials::LoadingMode::uniaxial, stretch);
-      const PointAnswer points =
+      const PointResponse points =
           SampleBatch(kernels, material, {stretched_element(material.degree, stretches)}).evaluate_points()[0];
       const auto nominal = materials::nominal_stress(material.law, materials::LoadingMode::uniaxial, stretch);
       ASSERT_EQ(nominal.status, materials::LawStatus::valid);
@@ -485,8 +485,8 @@ TEST(ElementKernels, EnergyOfAHomogeneousDeformationIsItsDensityTimesTheVolume) 
     for (double& u : element.displacements) u *= stretch - 1.0;
     const double density =
         std::visit([&](const auto& volume) { return volume.energy(stretch * stretch * stretch); }, material.volume);
-    const ElementAnswer answer = answer_of(kernels, material, element);
-    EXPECT_NEAR(answer.energy, density, 1e-12 * density) << description(material);
+    const ElementResponse response = response_of(kernels, material, element);
+    EXPECT_NEAR(response.energy, density, 1e-12 * density) << description(material);
   }
 }
 

@@ -71,14 +71,14 @@ inline SampleElement strained_element(int degree, unsigned seed) {
 }
 
 /// What the kernels say of one element.
-struct ElementAnswer {
+struct ElementResponse {
   double energy = 0.0;
   double smallest_ratio = 0.0;
   std::vector<double> residual;
   std::vector<double> stiffness;  ///< both triangles, row by row
 };
 
-struct PointAnswer {
+struct PointResponse {
   std::vector<double> deformation_gradient;
   std::vector<double> cauchy_stress;
   std::vector<double> volume_ratio;
@@ -103,7 +103,7 @@ class SampleBatch {
   }
 
   /// @param predicted_pressures per element; empty: the exact stiffness
-  [[nodiscard]] std::vector<ElementAnswer> evaluate(const std::vector<std::vector<double>>& predicted_pressures = {}) const {
+  [[nodiscard]] std::vector<ElementResponse> evaluate(const std::vector<std::vector<double>>& predicted_pressures = {}) const {
     const Packed predicted = predicted_pressures.empty() ? Packed{} : packed(predicted_pressures);
     Packed residual = room(3 * shape_.nodes());
     Packed stiffness = room(9 * shape_.pairs());
@@ -116,24 +116,24 @@ class SampleBatch {
                                   .stiffness = stiffness.data(),
                                   .energy = energy.data(),
                                   .smallest_ratio = ratio.data()});
-    std::vector<ElementAnswer> answers;
+    std::vector<ElementResponse> responses;
     for (std::size_t lane = 0; lane < count_; ++lane) {
-      answers.push_back({energy[lane], ratio[lane], unpacked(residual, lane), both_triangles(unpacked(stiffness, lane))});
+      responses.push_back({energy[lane], ratio[lane], unpacked(residual, lane), both_triangles(unpacked(stiffness, lane))});
     }
-    return answers;
+    return responses;
   }
 
   /// The same without residual and stiffness.
-  [[nodiscard]] std::vector<ElementAnswer> evaluate_energy() const {
+  [[nodiscard]] std::vector<ElementResponse> evaluate_energy() const {
     Packed energy = room(1);
     Packed ratio = room(1);
     kernels_.evaluate(material_, {.positions = positions_.data(),
                                   .displacements = displacements_.data(),
                                   .energy = energy.data(),
                                   .smallest_ratio = ratio.data()});
-    std::vector<ElementAnswer> answers;
-    for (std::size_t lane = 0; lane < count_; ++lane) answers.push_back({energy[lane], ratio[lane], {}, {}});
-    return answers;
+    std::vector<ElementResponse> responses;
+    for (std::size_t lane = 0; lane < count_; ++lane) responses.push_back({energy[lane], ratio[lane], {}, {}});
+    return responses;
   }
 
   [[nodiscard]] std::vector<std::vector<double>> predict_pressure(const std::vector<std::vector<double>>& steps) const {
@@ -141,22 +141,22 @@ class SampleBatch {
     Packed predicted = room(shape_.points());
     kernels_.predict_pressure(material_, {.positions = positions_.data(), .displacements = displacements_.data()}, step.data(),
                               predicted.data());
-    std::vector<std::vector<double>> answers;
-    for (std::size_t lane = 0; lane < count_; ++lane) answers.push_back(unpacked(predicted, lane));
-    return answers;
+    std::vector<std::vector<double>> responses;
+    for (std::size_t lane = 0; lane < count_; ++lane) responses.push_back(unpacked(predicted, lane));
+    return responses;
   }
 
-  [[nodiscard]] std::vector<PointAnswer> evaluate_points() const {
+  [[nodiscard]] std::vector<PointResponse> evaluate_points() const {
     Packed F = room(9 * shape_.points());
     Packed stress = room(9 * shape_.points());
     Packed ratio = room(shape_.points());
     Packed pressure = room(shape_.points());
     kernels_.evaluate_points(material_, {.positions = positions_.data(), .displacements = displacements_.data()},
                              {F.data(), stress.data(), ratio.data(), pressure.data()});
-    std::vector<PointAnswer> answers;
+    std::vector<PointResponse> responses;
     for (std::size_t lane = 0; lane < count_; ++lane)
-      answers.push_back({unpacked(F, lane), unpacked(stress, lane), unpacked(ratio, lane), unpacked(pressure, lane)});
-    return answers;
+      responses.push_back({unpacked(F, lane), unpacked(stress, lane), unpacked(ratio, lane), unpacked(pressure, lane)});
+    return responses;
   }
 
  private:

@@ -1,4 +1,4 @@
-// Intervals of explicit dynamics: steps that follow a body's stiffness, books that stay closed, walls that meet.
+// Intervals of explicit dynamics: steps that follow a body's stiffness, an energy balance that stays closed, walls that meet.
 
 #include <gtest/gtest.h>
 
@@ -76,11 +76,11 @@ TEST(ExplicitAdvance, OpenBooksAreNoCompletion) {
   ExplicitDynamics dynamics(cube.mesh, cube.body, options);
   const ExplicitReport report = dynamics.advance_to(0.01);
   EXPECT_EQ(report.status, io::RunStatus::diverged);
-  EXPECT_NE(report.reason.find("books are open"), std::string::npos) << report.reason;
+  EXPECT_NE(report.reason.find("balance has an error"), std::string::npos) << report.reason;
 }
 
-// A vacuum that grows slowly, and one at once: without self-contact walls meet while the chamber still has air, and the books are
-// in order.
+// A vacuum that grows slowly, and one at once: without self-contact walls meet while the chamber still has air, and the energy
+// balance is in order.
 TEST(ExplicitAdvance, WallsThatMeetEndTheRun) {
   const StandingCube cube(materials::NeoHookean{50e3});
   for (ExplicitOptions options : {under(ConstantPressure{-5e3}, 0.1), under(ConstantPressure{-20e3})}) {
@@ -93,8 +93,8 @@ TEST(ExplicitAdvance, WallsThatMeetEndTheRun) {
     const double ratio = dynamics.chamber_volumes_m3()[0] / volume;
     EXPECT_GT(ratio, 0.2);
     EXPECT_LT(ratio, 0.6);
-    const ExplicitEnergies books = dynamics.energies();
-    EXPECT_LT(std::abs(books.imbalance_J()), 0.02 * std::abs(books.work.pressure_J));
+    const MotionEnergies energies = dynamics.energies();
+    EXPECT_LT(std::abs(energies.imbalance_J()), 0.02 * std::abs(energies.work.pressure_J));
   }
 }
 

@@ -28,7 +28,7 @@ ExplicitOptions everything() {
 
 struct Outcome {
   ExplicitState state;
-  ExplicitEnergies energies;
+  MotionEnergies energies;
 };
 
 Outcome run(const ExplicitOptions& options, const std::vector<double>& times) {
@@ -66,7 +66,7 @@ TEST(ExplicitDynamics, GoesOnFromAStateAsIfNothingHadHappened) {
   EXPECT_EQ(first.energies().imbalance_J(), second.energies().imbalance_J());
 }
 
-// Rest, thrown upwards: books that began with the state before are open by what was added, those that begin anew are not.
+// Rest, thrown upwards: a balance that began with the state before is off by what was added, one that begins anew is not.
 TEST(ExplicitDynamics, BooksOfAChangedStateBeginAnew) {
   const meshes::HexahedralMesh mesh = hollow_cube();
   const ExplicitBody body(mesh, silicone_options(mesh));
@@ -118,8 +118,8 @@ TEST(ExplicitDynamics, PressureBeyondTheLimitIsAStatus) {
   EXPECT_NE(report.reason.find("chamber 0 grew to "), std::string::npos) << report.reason;
   EXPECT_LT(dynamics.state().time_s, 0.2);
   for (const double u : dynamics.state().displacements_m) ASSERT_TRUE(std::isfinite(u));
-  const ExplicitEnergies books = dynamics.energies();
-  EXPECT_LT(std::abs(books.imbalance_J()), 0.2 * books.work.pressure_J);
+  const MotionEnergies energies = dynamics.energies();
+  EXPECT_LT(std::abs(energies.imbalance_J()), 0.2 * energies.work.pressure_J);
   const double time = dynamics.state().time_s;
   EXPECT_EQ(dynamics.advance_to(0.3).reason, report.reason);
   EXPECT_EQ(dynamics.state().time_s, time);
@@ -183,10 +183,10 @@ TEST(ExplicitDynamics, RefusesBadOptions) {
     });
   };
   EXPECT_EQ(rub(0.5, 0.5), "no error");
-  EXPECT_NE(rub(0.5, -0.5).find("self-contact kinetic_coefficient = -0.5"), std::string::npos);
-  EXPECT_NE(rub(0.1, 0.5).find("self-contact static_coefficient = 0.1"), std::string::npos);
+  EXPECT_NE(rub(0.5, -0.5).find("self_contact_kinetic_friction = -0.5"), std::string::npos);
+  EXPECT_NE(rub(0.1, 0.5).find("self_contact_static_friction = 0.1"), std::string::npos);
   EXPECT_NE(message([](ExplicitOptions& o) { o.schedules.resize(2); }).find("2 schedules for 1 plena"), std::string::npos);
-  EXPECT_NE(message([](ExplicitOptions& o) { o.loads.ground->friction.static_coefficient = 0.1; }).find("static_coefficient"),
+  EXPECT_NE(message([](ExplicitOptions& o) { o.loads.ground->friction.static_coefficient = 0.1; }).find("static_friction"),
             std::string::npos);
   EXPECT_NE(message([](ExplicitOptions& o) {
               o.loads.ground->friction.directional = DirectionalFriction{.forward = {1.0, 1.0}};

@@ -74,11 +74,11 @@ TEST(ExplicitKernels, ForcesAndEnergyAreThoseOfTheImplicitElements) {
         }
         const ElementKernels implicit = best_element_kernels();
         const ElementMaterial same{1, Formulation::three_field, material.law, material.volume};
-        const ElementAnswer answer = SampleBatch(implicit, same, {element}).evaluate()[0];
-        ASSERT_GT(answer.smallest_ratio, 0.0);
-        energy += answer.energy;
+        const ElementResponse response = SampleBatch(implicit, same, {element}).evaluate()[0];
+        ASSERT_GT(response.smallest_ratio, 0.0);
+        energy += response.energy;
         for (std::size_t c = 0; c < 8; ++c)
-          for (std::size_t i = 0; i < 3; ++i) expected[3 * corners[c] + i] += answer.residual[3 * c + i];
+          for (std::size_t i = 0; i < 3; ++i) expected[3 * corners[c] + i] += response.residual[3 * c + i];
       }
       const std::vector<double> forces = internal_forces(body, {displacements.data()});
       for (std::size_t n = 0; n < forces.size(); ++n) ASSERT_NEAR(forces[n], expected[n], 1e-12 * largest(expected)) << n;

@@ -33,20 +33,20 @@ struct Block {
   }
 };
 
-struct Answer {
+struct Response {
   std::vector<double> residual;
   std::vector<GroundNode> nodes;
   GroundTotals totals;
 };
 
-Answer answer(const Block& block, const ImplicitContact& contact, const StepMotion& motion,
-              const std::vector<GroundNode>& before) {
-  Answer result{block.moved({}), before, {}};
+Response response(const Block& block, const ImplicitContact& contact, const StepMotion& motion,
+                  const std::vector<GroundNode>& before) {
+  Response result{block.moved({}), before, {}};
   result.totals = contact.add_forces(motion, before, result.nodes, result.residual);
   return result;
 }
 
-Point total_force(const Answer& result) {
+Point total_force(const Response& result) {
   Point force{};
   for (std::size_t n = 0; n < result.residual.size(); ++n) force[n % 3] -= result.residual[n];
   return force;
@@ -59,7 +59,7 @@ TEST(ImplicitContact, SpringsComeFromOuterAreas) {
     const Block block(degree);
     const ImplicitContact contact(block.assembly, block.sample.body, rough(0.0, 0.0), 1.0);
     const std::vector<double> u = block.moved({});
-    const Answer result = answer(block, contact, {u, u, u, 0.0}, contact.free_nodes());
+    const Response result = response(block, contact, {u, u, u, 0.0}, contact.free_nodes());
     const double area = 16e-6 + 16e-3 * 2e-3 * (degree == 1 ? 0.5 : 1.0 / 6.0);
     EXPECT_NEAR(result.totals.force_N, stiffness * area * 1e-5, 1e-12);
     EXPECT_NEAR(result.totals.normal_energy_J, 0.5 * stiffness * area * 1e-10, 1e-18);
@@ -79,33 +79,33 @@ TEST(ImplicitContact, SticksUpToStaticFrictionAndSlidesAtKinetic) {
   const Block block;
   const ImplicitContact contact(block.assembly, block.sample.body, rough(0.8, 0.5), 0.5);
   const std::vector<double> start = block.moved({});
-  const Answer lying = answer(block, contact, {start, start, start, 0.0}, contact.free_nodes());
+  const Response lying = response(block, contact, {start, start, start, 0.0}, contact.free_nodes());
   const double normal = lying.totals.force_N;
   const auto slide_to = [&](double from, double to, const std::vector<GroundNode>& before) {
     const std::vector<double> begin = block.moved({0.6 * from, 0.8 * from, 0.0});
     const std::vector<double> end = block.moved({0.6 * to, 0.8 * to, 0.0});
-    return answer(block, contact, {begin, end, start, 0.0}, before);
+    return response(block, contact, {begin, end, start, 0.0}, before);
   };
   // 10 um deep, the stick spring is half as stiff: friction 0.8 N is reached at 16 um.
-  const Answer pulled = slide_to(0.0, 15e-6, lying.nodes);
+  const Response pulled = slide_to(0.0, 15e-6, lying.nodes);
   EXPECT_NEAR(total_force(pulled)[0], -0.6 * 0.75 * normal, 1e-12);
   EXPECT_NEAR(total_force(pulled)[1], -0.8 * 0.75 * normal, 1e-12);
   EXPECT_EQ(pulled.totals.friction_loss_J, 0.0);
   EXPECT_NEAR(pulled.totals.stick_energy_J, 0.5 * 0.75 * normal * 15e-6, 1e-16);
-  const Answer back = slide_to(15e-6, 0.0, pulled.nodes);
+  const Response back = slide_to(15e-6, 0.0, pulled.nodes);
   EXPECT_NEAR(norm(difference(total_force(back), {0.0, 0.0, normal})), 0.0, 1e-12);
-  const Answer slid = slide_to(15e-6, 30e-6, pulled.nodes);
+  const Response slid = slide_to(15e-6, 30e-6, pulled.nodes);
   EXPECT_NEAR(std::hypot(total_force(slid)[0], total_force(slid)[1]), 0.8 * normal, 1e-12);
   // it gave way by 14 um, under the mean of 0.75 and 0.8 N
   EXPECT_NEAR(slid.totals.friction_loss_J, 0.775 * normal * 14e-6, 1e-15);
   // from sliding, kinetic friction is the limit
-  const Answer on = slide_to(30e-6, 40e-6, slid.nodes);
+  const Response on = slide_to(30e-6, 40e-6, slid.nodes);
   EXPECT_NEAR(std::hypot(total_force(on)[0], total_force(on)[1]), 0.5 * normal, 1e-12);
   // from 14 to 30 um, under the mean of 0.8 and 0.5 N
   EXPECT_NEAR(on.totals.friction_loss_J, 0.65 * normal * 16e-6, 1e-15);
   // lifted, it forgets
   const std::vector<double> up = block.moved({0.0, 0.0, 1.0});
-  const Answer lifted = answer(block, contact, {start, up, start, 0.0}, on.nodes);
+  const Response lifted = response(block, contact, {start, up, start, 0.0}, on.nodes);
   EXPECT_EQ(norm(total_force(lifted)), 0.0);
   EXPECT_NEAR(lifted.totals.friction_loss_J, 0.5 * 0.5 * normal * 10e-6, 1e-15);
 }
@@ -127,7 +127,7 @@ TEST(ImplicitContact, SlidingOnDoesNotFeelStaticFriction) {
     for (int n = 0; n < steps; ++n) {
       const std::vector<double> from = place(n * step_s);
       const std::vector<double> to = place((n + 1) * step_s);
-      const Answer result = answer(block, contact, {from, to, block.moved({speed, 0.0, 0.0}), 0.0}, nodes);
+      const Response result = response(block, contact, {from, to, block.moved({speed, 0.0, 0.0}), 0.0}, nodes);
       nodes = result.nodes;
       if (2 * n < steps) continue;  // the pull builds up
       friction -= total_force(result)[0];
@@ -146,9 +146,9 @@ TEST(ImplicitContact, SmoothGroundHoldsNothing) {
   const Block block;
   const ImplicitContact contact(block.assembly, block.sample.body, rough(0.0, 0.0), 1.0);
   const std::vector<double> start = block.moved({});
-  const Answer lying = answer(block, contact, {start, start, start, 0.0}, contact.free_nodes());
+  const Response lying = response(block, contact, {start, start, start, 0.0}, contact.free_nodes());
   const std::vector<double> end = block.moved({1e-5, 0.0, 0.0});
-  const Answer moved = answer(block, contact, {start, end, start, 0.0}, lying.nodes);
+  const Response moved = response(block, contact, {start, end, start, 0.0}, lying.nodes);
   EXPECT_EQ(total_force(moved)[0], 0.0);
   EXPECT_EQ(moved.totals.friction_loss_J, 0.0);
   EXPECT_EQ(moved.totals.stick_energy_J, 0.0);
@@ -159,10 +159,10 @@ TEST(ImplicitContact, RemembersItsForces) {
   const Block block;
   const ImplicitContact contact(block.assembly, block.sample.body, rough(0.8, 0.5), 0.5);
   const std::vector<double> start = block.moved({});
-  const Answer lying = answer(block, contact, {start, start, start, 0.0}, contact.free_nodes());
+  const Response lying = response(block, contact, {start, start, start, 0.0}, contact.free_nodes());
   for (const double way : {10e-6, 30e-6}) {
     const std::vector<double> end = block.moved({way, 0.0, 0.0});
-    const Answer pulled = answer(block, contact, {start, end, start, 0.0}, lying.nodes);
+    const Response pulled = response(block, contact, {start, end, start, 0.0}, lying.nodes);
     std::vector<double> residual = block.moved({});
     const GroundTotals totals = contact.add_remembered_forces(end, pulled.nodes, residual);
     EXPECT_EQ(residual, pulled.residual);
@@ -180,7 +180,7 @@ TEST(ImplicitContact, RegularisedFrictionFollowsTheSpeed) {
   const ImplicitContact contact(block.assembly, block.sample.body, ground, 1.0);
   const std::vector<double> u = block.moved({});
   const auto friction = [&](double speed) {
-    const Answer result = answer(block, contact, {u, u, block.moved({speed, 0.0, 0.0}), 0.0}, contact.free_nodes());
+    const Response result = response(block, contact, {u, u, block.moved({speed, 0.0, 0.0}), 0.0}, contact.free_nodes());
     return total_force(result)[0] / result.totals.force_N;
   };
   EXPECT_NEAR(friction(0.5e-3), -0.4, 1e-12);
@@ -196,13 +196,13 @@ TEST(ImplicitContact, MatrixMatchesCentralDifferences) {
     const ImplicitContact contact(block.assembly, block.sample.body, rough(0.8, 0.5, speed), 1.0);
     for (const double way : {3e-6, 30e-6}) {
       const std::vector<double> start = block.moved({});
-      const Answer lying = answer(block, contact, {start, start, start, 0.0}, contact.free_nodes());
+      const Response lying = response(block, contact, {start, start, start, 0.0}, contact.free_nodes());
       const std::vector<double> end = block.moved({0.6 * way, 0.8 * way, 0.0});
       constexpr double by_displacement = 2e3;
       const auto at = [&](const std::vector<double>& u) {
         std::vector<double> v = u;
         for (double& value : v) value *= by_displacement;
-        return answer(block, contact, {start, u, v, by_displacement}, lying.nodes).residual;
+        return response(block, contact, {start, u, v, by_displacement}, lying.nodes).residual;
       };
       std::vector<double> velocities = end;
       for (double& value : velocities) value *= by_displacement;

@@ -162,7 +162,7 @@ TEST(ImplicitDynamics, FlyingFarDoesNotCloseWalls) {
   EXPECT_LT(smallest, 0.998 * first);
 }
 
-// Mass damping: a body that falls follows v = (g / a) (1 - exp(-a t)), with closed books, for both kinds of mass. 100 steps of
+// Mass damping: a body that falls follows v = (g / a) (1 - exp(-a t)), with closed energies, for both kinds of mass. 100 steps of
 // the trapezoidal rule are right to (a h)^2 / 12 = 3e-5.
 TEST(ImplicitDynamics, MassDampingSlowsAFallingBody) {
   for (const bool lumped : {false, true}) {
@@ -176,7 +176,7 @@ TEST(ImplicitDynamics, MassDampingSlowsAFallingBody) {
     const double expected = -9.81 / 20.0 * (1.0 - std::exp(-2.0));
     for (std::size_t n = 2; n < dynamics.state().velocities_m_per_s.size(); n += 3)
       EXPECT_NEAR(dynamics.state().velocities_m_per_s[n], expected, 1e-4 * std::abs(expected));
-    const ExplicitEnergies energies = dynamics.energies();
+    const MotionEnergies energies = dynamics.energies();
     EXPECT_NEAR(energies.imbalance_J(), 0.0, 1e-4 * energies.work.gravity_J);
     EXPECT_GT(energies.work.mass_damping_J, 0.1 * energies.work.gravity_J);
   }

@@ -156,7 +156,10 @@ void describe(io::StudyVisitor& visitor, PossibleStudy& possible) {
 }
 
 TEST(InflationStudyKeys, TextsAreReadBack) {
-  tests::expect_texts_are_read_back<PossibleStudy>([](const std::string& text) { return PossibleStudy{parse(text)}; });
+  tests::expect_texts_are_read_back<PossibleStudy>(
+      [](const std::string& text) { return PossibleStudy{parse(text)}; }, 30, {},
+      {"gas_amount", "pressure_Pa", "volume_ratio", "displacement_x_m", "displacement_y_m", "displacement_z_m", "rotation_x_rad",
+       "rotation_y_rad", "rotation_z_rad"});
 }
 
 /// A fault in a study, and what the message must name beside the file.
@@ -210,7 +213,7 @@ TEST_F(InflationStudyFile, RefusesEachFaultNamingFileKeyAndValue) {
       {{.material = "[material]\nsilicone = \"dragon_skin_10\"\nlaw_name = \"yeoh\"\nlaw_variant = 9\n"},
        "material.law_variant",
        "9"},
-      {{.material = material + "silicone = \"dragon_skin_10\"\n"}, "material.law", "silicone beside it"},
+      {{.material = material + "silicone = \"dragon_skin_10\"\n"}, "material.law", "silicone is also given"},
       {{.material = "[material]\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = -1}\n"}, "shear_modulus_Pa", "-1"},
       {{.material = "[material]\nsilicone = \"dragon_skin_10\"\nbulk_modulus_Pa = 0\n"}, "material.bulk_modulus_Pa", "0"},
       {{.material = "[material]\nsilicone = \"dragon_skin_10\"\nvolumetric = \"linear\"\n"}, "material.volumetric", "linear"},
@@ -218,7 +221,7 @@ TEST_F(InflationStudyFile, RefusesEachFaultNamingFileKeyAndValue) {
       {{.body = "[mesh]\nfile = \"body.stl\"\n"}, "mesh.file", "body.stl"},
       {{.body = "[design]\nfile = \"cube.toml\"\nwall = 1\n"}, "design.wall: unknown key", ""},
       {{.rest = "[mesh]\nfile = \"body.msh\"\n"}, "mesh", ""},
-      {{.body = "[mesh]\nfile = \"body.vtu\"\nlength_unit_m = 1\n"}, "mesh.length_unit_m", "a .vtu is in metres"},
+      {{.body = "[mesh]\nfile = \"body.vtu\"\nlength_unit_m = 1\n"}, "mesh.length_unit_m", "a .vtu file is in metres"},
       {{.rest = "[supports]\nground_stiffness_Pa_per_m = 1e6\n"}, "supports.ground_stiffness_Pa_per_m", "kind = \"resting\""},
       {{.rest = "[extra]\n"}, "extra", ""},
   };
@@ -254,13 +257,13 @@ TEST_F(InflationStudyFile, RefusesPlatesThatCannotBe) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
   has(plate(""), "side or label is missing");
-  has(plate("side = \"x max\"\nlabel = \"outer\"\n"), "side beside it: keep one of them");
+  has(plate("side = \"x max\"\nlabel = \"outer\"\n"), "side is also given: keep one of them");
   has(plate("side = \"x top\"\n"), "side = \"x top\"");
   has(plate("side = \"x max\"\ndisplacement_x_m = [0, 1, 2]\n"), "one value for each of the 2 knots");
   has(plate("side = \"x max\"\ndisplacement_x_m = [1, 1]\n"), "must begin with 0");
   has(plate("side = \"x max\"\ndisplacement_x_mm = [0, 1]\n"), "displacement_x_mm");
-  has(plate("side = \"x max\"\ngrip = \"sliding\"\ndisplacement_y_m = [0, 1e-3]\n"), "along the normal of its side alone");
-  has(plate("label = \"outer\"\ngrip = \"sliding\"\n"), "only the faces of a side slide");
+  has(plate("side = \"x max\"\ngrip = \"sliding\"\ndisplacement_y_m = [0, 1e-3]\n"), "moves only along the normal of its side");
+  has(plate("label = \"outer\"\ngrip = \"sliding\"\n"), "only the faces of a side can slide");
   has(plate("side = \"x max\"\n[[plates]]\nname = \"tip\"\nside = \"x min\"\n"), "is given twice");
 }
 

@@ -46,34 +46,34 @@ CaseRequest row_of_cells(LoadCaseKind kind, int count, std::vector<double> press
   return request;
 }
 
-CaseAnswer completed(const CaseRequest& request) {
-  CaseAnswer answer = run_load_case(request, silicone());
-  EXPECT_EQ(answer.status, io::RunStatus::completed) << answer.reason;
+CaseResponse completed(const CaseRequest& request) {
+  CaseResponse response = run_load_case(request, silicone());
+  EXPECT_EQ(response.status, io::RunStatus::completed) << response.reason;
   const std::size_t columns = meshes::response_columns(request.load_case.kind).size();
   const std::size_t inner = std::max<std::size_t>(request.load_case.imposed.size(), 1);
-  EXPECT_EQ(answer.rows.size(), answer.pressures_Pa.size() * inner);
-  EXPECT_TRUE(std::is_sorted(answer.rows.begin(), answer.rows.end()));
-  for (const std::vector<double>& row : answer.rows) EXPECT_EQ(row.size(), columns);
-  return answer;
+  EXPECT_EQ(response.rows.size(), response.pressures_Pa.size() * inner);
+  EXPECT_TRUE(std::is_sorted(response.rows.begin(), response.rows.end()));
+  for (const std::vector<double>& row : response.rows) EXPECT_EQ(row.size(), columns);
+  return response;
 }
 
 TEST(LoadCaseRun, InflationFindsItsRangeAndKeepsTheSymmetryOfACube) {
   CaseRequest request = row_of_cells(LoadCaseKind::inflation, 1, {});
   request.state_count = 6;
-  const CaseAnswer answer = completed(request);
-  ASSERT_EQ(answer.rows.size(), 6U);
-  ASSERT_TRUE(answer.limit_pressure_Pa.has_value());
-  EXPECT_NEAR(answer.rows.back()[0], 0.8 * *answer.limit_pressure_Pa, 1e-9 * *answer.limit_pressure_Pa);
-  EXPECT_LT(answer.rows.front()[0], 0.0);
-  EXPECT_EQ(answer.rows[2][0], 0.0);
-  for (std::size_t column = 1; column < 6; ++column) EXPECT_EQ(answer.rows[2][column], 0.0);
-  for (const std::vector<double>& row : answer.rows) {
+  const CaseResponse response = completed(request);
+  ASSERT_EQ(response.rows.size(), 6U);
+  ASSERT_TRUE(response.limit_pressure_Pa.has_value());
+  EXPECT_NEAR(response.rows.back()[0], 0.8 * *response.limit_pressure_Pa, 1e-9 * *response.limit_pressure_Pa);
+  EXPECT_LT(response.rows.front()[0], 0.0);
+  EXPECT_EQ(response.rows[2][0], 0.0);
+  for (std::size_t column = 1; column < 6; ++column) EXPECT_EQ(response.rows[2][column], 0.0);
+  for (const std::vector<double>& row : response.rows) {
     EXPECT_NEAR(row[3], row[2], 1e-9) << "extents in x and y";
     EXPECT_NEAR(row[4], row[2], 1e-9) << "extents in x and z";
   }
-  for (std::size_t n = 1; n < answer.rows.size(); ++n) {
-    EXPECT_GT(answer.rows[n][1], answer.rows[n - 1][1]) << "volume grows with pressure";
-    EXPECT_GT(answer.rows[n][5], answer.rows[n - 1][5]) << "and the top rises";
+  for (std::size_t n = 1; n < response.rows.size(); ++n) {
+    EXPECT_GT(response.rows[n][1], response.rows[n - 1][1]) << "volume grows with pressure";
+    EXPECT_GT(response.rows[n][5], response.rows[n - 1][5]) << "and the top rises";
   }
 }
 
@@ -88,8 +88,8 @@ CaseRequest l_of_cells(const std::string& digits) {
 // Turned by half a turn about z the body is held at three other points of it. Equilibria agree to the force tolerance, 1e-6 of
 // the change; without taking out the rotation the extents of the two differ by a factor of two.
 TEST(LoadCaseRun, ExtentsOfAnUnsymmetricBodyDoNotDependOnWhereItIsHeld) {
-  const CaseAnswer body = completed(l_of_cells("111100100"));
-  const CaseAnswer turned = completed(l_of_cells("001001111"));
+  const CaseResponse body = completed(l_of_cells("111100100"));
+  const CaseResponse turned = completed(l_of_cells("001001111"));
   for (std::size_t column = 1; column < 5; ++column)
     EXPECT_NEAR(turned.rows[0][column] / body.rows[0][column], 1.0, 1e-5) << column;
   // an L is its own mirror image in the plane x = y
@@ -99,7 +99,7 @@ TEST(LoadCaseRun, ExtentsOfAnUnsymmetricBodyDoNotDependOnWhereItIsHeld) {
 // Both follow a path of their own to the same equilibrium, to the force tolerance.
 TEST(LoadCaseRun, AFreeStudyOfInflateGivesTheVolumeAndExtentsOfALoadCase) {
   CaseRequest request = row_of_cells(LoadCaseKind::inflation, 1, {4000.0});
-  const CaseAnswer answer = completed(request);
+  const CaseResponse response = completed(request);
   InflationStudy study;
   study.file = "study.toml";
   DesignSource source;
@@ -118,71 +118,71 @@ TEST(LoadCaseRun, AFreeStudyOfInflateGivesTheVolumeAndExtentsOfALoadCase) {
   ASSERT_EQ(result.path.status, io::RunStatus::completed) << result.path.reason;
   const double volume_change =
       result.path.points.back().plenum_volumes_m3[0] / result.path.points.front().plenum_volumes_m3[0] - 1.0;
-  EXPECT_NEAR(volume_change / answer.rows[0][1], 1.0, 1e-6);
+  EXPECT_NEAR(volume_change / response.rows[0][1], 1.0, 1e-6);
   ASSERT_TRUE(result.extent_changes_m.back().has_value());
   for (std::size_t axis = 0; axis < 3; ++axis)
-    EXPECT_NEAR((*result.extent_changes_m.back())[axis] / answer.rows[0][2 + axis], 1.0, 1e-6);
+    EXPECT_NEAR((*result.extent_changes_m.back())[axis] / response.rows[0][2 + axis], 1.0, 1e-6);
 }
 
 TEST(LoadCaseRun, BlockedForceIsThatOfAStretchByNothing) {
-  const CaseAnswer blocked = completed(row_of_cells(LoadCaseKind::blocked, 2, {-1000.0, 4000.0}));
-  const CaseAnswer stretch = completed(row_of_cells(LoadCaseKind::stretch, 2, {-1000.0, 4000.0}, {0.0}));
+  const CaseResponse blocked = completed(row_of_cells(LoadCaseKind::blocked, 2, {-1000.0, 4000.0}));
+  const CaseResponse stretch = completed(row_of_cells(LoadCaseKind::stretch, 2, {-1000.0, 4000.0}, {0.0}));
   for (std::size_t n = 0; n < 2; ++n) EXPECT_EQ(blocked.rows[n][1], stretch.rows[n][2]);
   EXPECT_LT(blocked.rows[1][1], 0.0) << "the body pushes out, the plate back";
   EXPECT_GT(blocked.rows[0][1], 0.0);
 }
 
-// A bar is its own image in y and z: a motion and its opposite are answered alike. Equilibria agree to the force tolerance.
+// A bar is its own image in y and z: a motion and its opposite are computed alike. Equilibria agree to the force tolerance.
 TEST(LoadCaseRun, OppositeMotionsAreAnsweredAlike) {
-  const CaseAnswer shear = completed(row_of_cells(LoadCaseKind::shear, 2, {2000.0}, {-0.001, 0.001}));
+  const CaseResponse shear = completed(row_of_cells(LoadCaseKind::shear, 2, {2000.0}, {-0.001, 0.001}));
   EXPECT_NEAR(shear.rows[0][2], -shear.rows[1][2], 1e-5 * shear.rows[1][2]);
   EXPECT_GT(shear.rows[1][2], 0.0);
   for (const LoadCaseKind kind : {LoadCaseKind::bending, LoadCaseKind::torsion}) {
-    const CaseAnswer answer = completed(row_of_cells(kind, 2, {2000.0}, {-0.3, 0.3}));
-    EXPECT_NEAR(answer.rows[0][2], -answer.rows[1][2], 1e-5 * answer.rows[1][2]);
-    EXPECT_GT(answer.rows[1][2], 0.0);
+    const CaseResponse response = completed(row_of_cells(kind, 2, {2000.0}, {-0.3, 0.3}));
+    EXPECT_NEAR(response.rows[0][2], -response.rows[1][2], 1e-5 * response.rows[1][2]);
+    EXPECT_GT(response.rows[1][2], 0.0);
   }
 }
 
 TEST(LoadCaseRun, StretchedBodiesPullBackAndContract) {
   const std::vector<double> imposed{0.0, 0.0005, 0.001};
-  const CaseAnswer answer = completed(row_of_cells(LoadCaseKind::stretch, 1, {0.0}, imposed));
-  EXPECT_NEAR(answer.rows[0][2], 0.0, 1e-9);
-  EXPECT_GT(answer.rows[2][2], answer.rows[1][2]);
-  EXPECT_LT(answer.rows[2][4], 0.0) << "lateral contraction";
-  EXPECT_NEAR(answer.rows[2][4], answer.rows[2][5], 1e-9);
+  const CaseResponse response = completed(row_of_cells(LoadCaseKind::stretch, 1, {0.0}, imposed));
+  EXPECT_NEAR(response.rows[0][2], 0.0, 1e-9);
+  EXPECT_GT(response.rows[2][2], response.rows[1][2]);
+  EXPECT_LT(response.rows[2][4], 0.0) << "lateral contraction";
+  EXPECT_NEAR(response.rows[2][4], response.rows[2][5], 1e-9);
 }
 
 TEST(LoadCaseRun, PressMeetsTheGroundAtOnce) {
-  const CaseAnswer answer = completed(row_of_cells(LoadCaseKind::press, 1, {0.0, 3000.0}, {0.0, 0.0003, 0.0006}));
-  EXPECT_EQ(answer.rows[0][2], 0.0);
-  EXPECT_GT(answer.rows[1][2], 0.0);
-  EXPECT_GT(answer.rows[2][2], answer.rows[1][2]);
-  EXPECT_GT(answer.rows[3][2], 0.0) << "the bulging wall pushes on the ground";
+  const CaseResponse response = completed(row_of_cells(LoadCaseKind::press, 1, {0.0, 3000.0}, {0.0, 0.0003, 0.0006}));
+  EXPECT_EQ(response.rows[0][2], 0.0);
+  EXPECT_GT(response.rows[1][2], 0.0);
+  EXPECT_GT(response.rows[2][2], response.rows[1][2]);
+  EXPECT_GT(response.rows[3][2], 0.0) << "the bulging wall pushes on the ground";
   // under compression by s the ground takes about what a bonded stretch by -s takes, for the foot may slide and lift at its rim
-  const CaseAnswer stretch = completed(row_of_cells(LoadCaseKind::stretch, 1, {0.0}, {-0.0006}));
-  EXPECT_LT(answer.rows[2][2], -stretch.rows[0][2]);
-  EXPECT_GT(answer.rows[2][2], -0.5 * stretch.rows[0][2]);
+  const CaseResponse stretch = completed(row_of_cells(LoadCaseKind::stretch, 1, {0.0}, {-0.0006}));
+  EXPECT_LT(response.rows[2][2], -stretch.rows[0][2]);
+  EXPECT_GT(response.rows[2][2], -0.5 * stretch.rows[0][2]);
 }
 
 TEST(LoadCaseRun, SagIsProportionalToSmallGravity) {
-  const CaseAnswer answer = completed(row_of_cells(LoadCaseKind::sag, 3, {0.0}, {0.1, 0.2}));
-  EXPECT_LT(answer.rows[0][2], 0.0);
-  EXPECT_NEAR(answer.rows[1][2] / answer.rows[0][2], 2.0, 1e-4);
+  const CaseResponse response = completed(row_of_cells(LoadCaseKind::sag, 3, {0.0}, {0.1, 0.2}));
+  EXPECT_LT(response.rows[0][2], 0.0);
+  EXPECT_NEAR(response.rows[1][2] / response.rows[0][2], 2.0, 1e-4);
 }
 
 TEST(LoadCaseRun, ModesOfASquareBarComeInPairs) {
-  const CaseAnswer answer = completed(row_of_cells(LoadCaseKind::modes, 3, {0.0}));
-  EXPECT_GT(answer.rows[0][1], 0.0);
-  EXPECT_NEAR(answer.rows[0][2] / answer.rows[0][1], 1.0, 1e-6);
-  EXPECT_GT(answer.rows[0][3], 1.5 * answer.rows[0][1]);
+  const CaseResponse response = completed(row_of_cells(LoadCaseKind::modes, 3, {0.0}));
+  EXPECT_GT(response.rows[0][1], 0.0);
+  EXPECT_NEAR(response.rows[0][2] / response.rows[0][1], 1.0, 1e-6);
+  EXPECT_GT(response.rows[0][3], 1.5 * response.rows[0][1]);
 }
 
 TEST(LoadCaseRun, ModulesOfAPairShareTheirPressure) {
   CaseRequest request = row_of_cells(LoadCaseKind::inflation, 2, {2000.0});
   request.load_case.level = 2;
-  const CaseAnswer pair = completed(request);
-  const CaseAnswer single = completed(row_of_cells(LoadCaseKind::inflation, 2, {2000.0}));
+  const CaseResponse pair = completed(request);
+  const CaseResponse single = completed(row_of_cells(LoadCaseKind::inflation, 2, {2000.0}));
   // the joint hinders each module at one end: somewhat less than a free module, far from nothing
   EXPECT_LT(pair.rows[0][1], single.rows[0][1]);
   EXPECT_GT(pair.rows[0][1], 0.8 * single.rows[0][1]);
@@ -212,11 +212,12 @@ TEST(LoadCaseRun, ShowsEveryStateWithItsPlaceAmongThoseAskedFor) {
 }
 
 TEST(LoadCaseRun, KeepsWhatWasReachedBeforeAPathEnds) {
-  const CaseAnswer answer = run_load_case(row_of_cells(LoadCaseKind::stretch, 1, {0.0}, {-0.0099, -0.0005, 0.0005}), silicone());
-  EXPECT_NE(answer.status, io::RunStatus::completed);
-  EXPECT_NE(answer.reason.find("displacement_m = -"), std::string::npos) << answer.reason;
-  ASSERT_EQ(answer.rows.size(), 2U);
-  EXPECT_EQ(answer.rows[0][1], -0.0005);
+  const CaseResponse response =
+      run_load_case(row_of_cells(LoadCaseKind::stretch, 1, {0.0}, {-0.0099, -0.0005, 0.0005}), silicone());
+  EXPECT_NE(response.status, io::RunStatus::completed);
+  EXPECT_NE(response.reason.find("displacement_m = -"), std::string::npos) << response.reason;
+  ASSERT_EQ(response.rows.size(), 2U);
+  EXPECT_EQ(response.rows[0][1], -0.0005);
 }
 
 TEST(PressureRange, SidesWithoutRangeGiveNoPressureTwice) {

@@ -118,7 +118,8 @@ void describe(io::StudyVisitor& visitor, PossibleSet& possible) {
 }
 
 TEST(LoadCaseKeys, TextsAreReadBack) {
-  tests::expect_texts_are_read_back<PossibleSet>([](const std::string& text) { return PossibleSet{parse(text)}; });
+  tests::expect_texts_are_read_back<PossibleSet>([](const std::string& text) { return PossibleSet{parse(text)}; }, 30, {},
+                                                 {"name", "cells", "digits"});
 }
 
 TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
@@ -129,7 +130,7 @@ TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
   has(refusal(head), "case");
-  has(refusal("[material]\nrecord = \"dragon_skin_10\"\n"), "stand at the top now");
+  has(refusal("[material]\nrecord = \"dragon_skin_10\"\n"), "are now at the top");
   has(refusal("record = \"dragon_skin_10\"\n"), "is called silicone now");
   has(one("kind = \"pull\"\n" + bar), "kind = \"pull\"");
   has(one(stretch + "displacement_m = [0.001]\n"), "pressures_Pa or pressure_fractions is missing");
@@ -139,7 +140,7 @@ TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
   has(one(stretch + "pressures_Pa = [0, 0]\ndisplacement_m = [1e-3]\n"), "must not hold a value twice");
   has(one(stretch + "pressures_Pa = [0]\npressure_fractions = [0]\ndisplacement_m = [1e-3]\n"), "keep one of them");
   has(one(stretch + "pressure_fractions = [1.5]\ndisplacement_m = [1e-3]\n"), "pressure_fractions[1] = 1.5");
-  has(one(stretch + "pressures_Pa = [0]\ndisplacement_m = [-0.03]\n"), "leaves nothing of the length");
+  has(one(stretch + "pressures_Pa = [0]\ndisplacement_m = [-0.03]\n"), "must shorten the body by less than its length");
   has(one(stretch + "wall_thickness_m = 0.005\npressures_Pa = [0]\ndisplacement_m = [1e-3]\n"), "thinner than half a cell");
   has(one("kind = \"inflation\"\n" + bar + "design = \"l.toml\"\n"), "keep one of them");
   const std::string missing = one("kind = \"inflation\"\ndesign = \"missing.toml\"\n");

@@ -159,7 +159,7 @@ TEST(LocomotionCheckpoint, RefusesDamageAndOtherStudies) {
   const auto message = [&](const std::string& identity) {
     return message_of([&] { (void)read_locomotion_checkpoint(file, identity); });
   };
-  EXPECT_NE(message("other").find("belongs to another study or another number of processes; --restart"), std::string::npos);
+  EXPECT_NE(message("other").find("belongs to another study or another number of processes; give --restart"), std::string::npos);
   std::string flipped = whole;
   flipped[flipped.size() - 7] ^= 1;
   io::write_whole(file, flipped);
@@ -167,7 +167,7 @@ TEST(LocomotionCheckpoint, RefusesDamageAndOtherStudies) {
   io::write_whole(file, whole.substr(0, whole.size() / 2));
   EXPECT_NE(message("study").find("is damaged"), std::string::npos);
   io::write_whole(file, "nonsense");
-  EXPECT_NE(message("study").find("is no checkpoint"), std::string::npos);
+  EXPECT_NE(message("study").find("is not a checkpoint"), std::string::npos);
 }
 
 }  // namespace

@@ -80,10 +80,10 @@ TEST_F(LocomotionRun, GoesWhereTheGroundLetsIt) {
   const LocomotionResult left = run(study("[-1, 0]"), "left");
   const LocomotionResult away = run(study("[0, 2]"), "away");
   ASSERT_TRUE(travel_of(right) && travel_of(left) && travel_of(away));
-  const double way_m = travel_of(right)->displacement_m[0];
-  EXPECT_GT(way_m, 1e-6);
-  EXPECT_NEAR(travel_of(left)->displacement_m[0], -way_m, 1e-3 * way_m);
-  EXPECT_NEAR(travel_of(away)->displacement_m[1], way_m, 1e-3 * way_m);
+  const double path_m = travel_of(right)->displacement_m[0];
+  EXPECT_GT(path_m, 1e-6);
+  EXPECT_NEAR(travel_of(left)->displacement_m[0], -path_m, 1e-3 * path_m);
+  EXPECT_NEAR(travel_of(away)->displacement_m[1], path_m, 1e-3 * path_m);
   EXPECT_NEAR(travel_of(away)->direction_deg, 90.0, 0.1);
 }
 
@@ -185,7 +185,8 @@ TEST_F(LocomotionRun, DoesNotTakeUpAnotherStudy) {
   run(study, "out");
   study.replace(study.find("4000"), 4, "4500");
   const std::string message = message_of([&] { run(study, "out"); });
-  EXPECT_NE(message.find("locomotion.checkpoint: belongs to another study or another number of processes; --restart begins anew"),
+  EXPECT_NE(message.find("locomotion.checkpoint: belongs to another study or another number of processes; "
+                         "give --restart to start again from the beginning"),
             std::string::npos)
       << message;
   EXPECT_TRUE(fs::exists(folder_ / "out/trajectory.csv")) << "nothing is written over";

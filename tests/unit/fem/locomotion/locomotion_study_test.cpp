@@ -137,14 +137,14 @@ TEST(LocomotionStudy, NamesFileAndKeyOfWhatDoesNotFit) {
   expect_refused(cube_study + "[floor]\nheight = 1\n", {"study.toml", "floor"});
   expect_refused(cube + silicone + drive + time, {"study.toml", "ground.kinetic_friction is missing"});
   expect_refused(cube + silicone + ground + time,
-                 {"study.toml", "drive or pressure is missing: a table [drive] or [[pressure]] is needed"});
+                 {"study.toml", "drive or pressure is missing: give a table [drive] or [[pressure]]"});
   expect_refused(cube + silicone + ground + drive, {"study.toml", "time.duration_s is missing"});
   expect_refused(cube_study + "[dynamics]\nmethod = \"magic\"\n", {"dynamics.method = \"magic\""});
   expect_refused(cube_study + "[[pressure]]\nplenum = \"plenum 0\"\nschedule = \"constant\"\npressure_Pa = 0\n",
                  {"keep one of them"});
   expect_refused("schema_version = 3\n" + cube_study, {"schema_version = 3"});
-  expect_refused("schema_version = 1\n" + cube_study, {"schema_version = 1", "other names"});
-  expect_refused(cube_study + "[gas]\nexponent = 1.4\n", {"gas = {...}: a table [drive] beside it"});
+  expect_refused("schema_version = 1\n" + cube_study, {"schema_version = 1", "new names"});
+  expect_refused(cube_study + "[gas]\nexponent = 1.4\n", {"gas = {...}: the table [drive] already drives all plena"});
   expect_refused(cube + silicone + "[ground]\nkinetic_coefficient = 0.5\n" + drive + time,
                  {"ground.kinetic_coefficient = 0.5", "is called ground.kinetic_friction now"});
   expect_refused(cube + silicone + ground + drive + "[time]\nduration_s = 1e6\nrecord_interval_s = 1e-3\n",
@@ -170,7 +170,7 @@ TEST(LocomotionStudy, ReadsWhatMovesItImplicitly) {
 TEST(LocomotionStudy, RefusesWhatImplicitDynamicsHasNot) {
   const std::string implicit = "[dynamics]\nmethod = \"implicit\"\n";
   expect_refused(cube + rubber + "damping_model = \"maxwell\"\n" + ground + drive + time + implicit,
-                 {"study.toml:", "material.damping_model = \"maxwell\"", "\"kelvin_voigt\" alone"});
+                 {"study.toml:", "material.damping_model = \"maxwell\"", "only \"kelvin_voigt\""});
   expect_refused(cube_study + implicit + "self_contact = true\n", {"study.toml:", "dynamics.self_contact = true"});
   expect_refused(cube_study + implicit + "step_safety = 0.5\n", {"dynamics.step_safety = 0.5", "method = \"explicit\""});
   expect_refused(cube_study + implicit + "threads = 2\n", {"dynamics.threads = 2"});
@@ -270,7 +270,7 @@ TEST(LocomotionStudy, RefusesBodiesThatCannotBeCast) {
   expect_refused("[design]\ncells = [1, 1, 1]\ndigits = \"1\"\ncell_edge_m = 0.02\nwall_thickness_m = 0.01\n" + rest,
                  {"study.toml: [design]", "wall_thickness_m = 0.01", "smaller than half a cell"});
   expect_refused("[design]\ncells = [3, 1, 1]\ndigits = \"101\"\ncell_edge_m = 0.02\n" + rest,
-                 {"study.toml: [design]", "falls into 2 parts"});
+                 {"study.toml: [design]", "consists of 2 parts"});
   // One piece, but its copies in an aggregate do not touch each other face to face.
   expect_refused("[design]\ncells = [3, 3, 1]\ndigits = \"110011001\"\nlevel = 2\ncell_edge_m = 0.01\n" + rest,
                  {"study.toml: [design]", "level 2"});

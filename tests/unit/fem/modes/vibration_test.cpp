@@ -384,20 +384,20 @@ TEST(FrequencyResponse, HasNoAnswerAtAnUndampedResonanceAndAFiniteOneWithDamping
   const VibrationReport modes = vibrations(linearised, {.mode_count = 4});
   ASSERT_EQ(modes.status, io::RunStatus::completed) << modes.reason;
   FrequencyResponseOptions options{.frequencies_Hz = {modes.frequencies_Hz[0]}};
-  const auto answer = [&] {
+  const auto response = [&] {
     return frequency_response(linearised, modes, linearised.volume_gradient(0), cube.observables, options).amplitudes[0][0];
   };
-  EXPECT_FALSE(answer().has_value());
+  EXPECT_FALSE(response().has_value());
   options.loss_factor = 0.05;
-  ASSERT_TRUE(answer().has_value());
-  EXPECT_LT(answer()->imag(), 0.0);  // the motion lags the load
+  ASSERT_TRUE(response().has_value());
+  EXPECT_LT(response()->imag(), 0.0);  // the motion lags the load
 }
 
-// Chamber pressure cannot push a free body: without supports it answers with the same change of volume.
+// Chamber pressure cannot push a free body: without supports it responses with the same change of volume.
 TEST(FrequencyResponse, OfAFreeBodyIsThatOfOneHeldWithoutForce) {
   InflatedCube cube;
   const BodyState state = cube.state_at(3e3);
-  std::vector<double> answers;
+  std::vector<double> responses;
   for (const bool is_held : {true, false}) {
     Body body = cube.body;
     body.supports.clear();
@@ -412,10 +412,10 @@ TEST(FrequencyResponse, OfAFreeBodyIsThatOfOneHeldWithoutForce) {
     const FrequencyResponse response = frequency_response(linearised, vibrations(linearised), linearised.volume_gradient(0),
                                                           observables, {.frequencies_Hz = {0.0}});
     ASSERT_EQ(response.status, io::RunStatus::completed) << response.reason;
-    answers.push_back(response.amplitudes[0][0]->real());
+    responses.push_back(response.amplitudes[0][0]->real());
   }
-  EXPECT_NEAR(answers[1], answers[0],
-              1e-8 * answers[0]);  // the cube of shift over eigenvalue, and rounding of the shifted system
+  EXPECT_NEAR(responses[1], responses[0],
+              1e-8 * responses[0]);  // the cube of shift over eigenvalue, and rounding of the shifted system
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(PneumaticSupplyFile, BadInputNamesFileKeyAndValue) {
   has(cam + on_cam, "resistance_Pa_s_per_m3");
   has(cam + on_cam + "length_m = 1\n", "diameter_m");
   has(cam + on_cam + "length_m = 1\ndiameter_m = 1e-3\n" + resistance, "resistance_Pa_s_per_m3");
-  has(cam + on_cam + resistance + on_cam + resistance, "has a supply already");
+  has(cam + on_cam + resistance + on_cam + resistance, "already has a supply");
   has(cam + cam + on_cam + resistance, "another piston has this name");
   has(cam + "[[pressure]]\nplenum = 'lung'\nsupply = 'piston'\npiston = 'cam'\n" + resistance, "\"lung\"");
   has("[gas]\nexponent = 1\n", "pressure is missing");
@@ -86,7 +86,7 @@ TEST(PneumaticSupplyFile, BadInputNamesFileKeyAndValue) {
   long_stroke.replace(long_stroke.find("stroke_m = 0.04"), 15, "stroke_m = 0.0625");
   has(long_stroke + on_cam + resistance, "stroke_m = 0.0625");
   long_stroke.replace(long_stroke.find("stroke_m = 0.0625"), 17, "stroke_m = 0.05");
-  has(long_stroke + on_cam + resistance, "leaves the air no room");
+  has(long_stroke + on_cam + resistance, "leaves no room for the air");
   EXPECT_EQ(message(long_stroke + on_cam + resistance + "volume_m3 = 1e-6\n"), "no error");
 }
 

@@ -53,7 +53,7 @@ TEST(PneumaticSupply, AirIsConserved) {
 }
 
 /// What the energy of all air misses, over the work of the piston.
-double open_books(const PneumaticSupply& supply, int steps) {
+double open_balance(const PneumaticSupply& supply, int steps) {
   const double at_start = supply.stored_J(supply.start(0.0, breathing_m3(0.0)));
   const PneumaticState end = after(supply, 1.1, steps);
   EXPECT_GT(end.work.piston_J, 0.01);
@@ -66,8 +66,8 @@ double open_books(const PneumaticSupply& supply, int steps) {
 TEST(PneumaticSupply, EnergyBooksClose) {
   for (const double exponent : {1.0, 1.4}) {
     const PneumaticSupply supply = mixed_supply(exponent);
-    EXPECT_LT(open_books(supply, 400), 1e-6);
-    EXPECT_LT(open_books(supply, 800), 1e-6);
+    EXPECT_LT(open_balance(supply, 400), 1e-6);
+    EXPECT_LT(open_balance(supply, 800), 1e-6);
   }
 }
 

@@ -120,7 +120,8 @@ TEST(PressureSchedule, BadInputNamesKeyAndValue) {
            {"schedule = 'saw'\n", "schedule = \"saw\""},
            {"pressure_Pa = 1\n", "schedule is missing"},
            {"schedule = 'table'\n", "times_s or file is missing"},
-           {"schedule = 'table'\ntimes_s = [0, 1]\npressures_Pa = [0]\n", "pressures_Pa = [...]: must be as many as times_s"},
+           {"schedule = 'table'\ntimes_s = [0, 1]\npressures_Pa = [0]\n",
+            "pressures_Pa = [...]: must have as many values as times_s"},
            {"schedule = 'table'\ntimes_s = [0, 1, 1]\npressures_Pa = [0, 1, 2]\n", "times_s[3] = 1: must be later"}}) {
     const std::string message = message_of([&, keys = std::string(text)] { (void)read(keys); });
     EXPECT_NE(message.find(part), std::string::npos) << message;

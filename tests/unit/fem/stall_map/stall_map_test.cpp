@@ -224,11 +224,11 @@ TEST_F(StallMapFile, EqualVolumesAreNoDecrease) {
 
 TEST_F(StallMapFile, BadInputIsNamed) {
   refuses("longest = 0.1", "longest = 0.125", "longest = 0.125");
-  refuses("volume_m3 = 1e-6\n", "\n", "leaves the air no room");
+  refuses("volume_m3 = 1e-6\n", "\n", "leaves no room for the air");
   refuses("highest = 1e9", "highest = 1e5", "highest = 100000");
   refuses("frequency_Hz = 3", "frequency_Hz = 2", "frequency_Hz = 2");
   refuses("[1.2, 3]", "[]", "frequencies_Hz");
-  refuses("[1.2, 3]", "[3, 1.2, 3]", "none of them twice");
+  refuses("[1.2, 3]", "[3, 1.2, 3]", "must not hold a value twice");
   refuses("isobars_Pa = [2000]", "isobars_Pa = [2000, 5001]", "5001");
   refuses("pressure_Pa = 4000", "pressure_Pa = 6000", "pressure_Pa = 6000");
   refuses("bore_m = 0.03", "bore_m = -1", "bore_m = -1");
@@ -299,7 +299,9 @@ TEST(StallMapStudy, TemplateAndTextsAreRead) {
     return study;
   };
   tests::expect_template_is_read<StallMapStudy>(parse, {"plenum.curve", "travel"});  // name files that are not there
-  tests::expect_texts_are_read_back<PossibleStudy>([&](const std::string& text) { return PossibleStudy{parse(text)}; }, 100);
+  tests::expect_texts_are_read_back<PossibleStudy>(
+      [&](const std::string& text) { return PossibleStudy{parse(text)}; }, 100, {},
+      {"frequency_Hz", "dead_volume_m3", "fill_pressure_Pa", "count", "pressures_Pa", "volumes_m3"});
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class OneEquation {
 
   std::vector<double> visited;
   std::size_t evaluations = 0;    ///< of residuals, rejected trials included    ///< by steps
-  std::vector<double> distances;  ///< that the judge was told
+  std::vector<double> distances;  ///< that the check was given
   double x = 0.0;
 
   NewtonOutcome solve(double start, const std::atomic<bool>* stop = nullptr) {
@@ -66,7 +66,7 @@ class OneEquation {
                   VectorWriter{y}[0] = VectorReader(b)[0] / tangent_;
                   return can_solve;
                 },
-            .judge =
+            .check =
                 [this](const NewtonIterate& iterate) {
                   distances.push_back(iterate.distance);
                   return std::abs(residual_) <= 1e-12 ? NewtonVerdict::solved : NewtonVerdict::go_on;
@@ -132,7 +132,7 @@ TEST(NewtonSolver, ConvergesQuadraticallyToAKnownRoot) {
             s[1] = (2.0 * x * r[1] - r[0]) / determinant;
             return true;
           },
-      .judge = [&](const NewtonIterate&) { return norm <= 1e-14 ? NewtonVerdict::solved : NewtonVerdict::go_on; },
+      .check = [&](const NewtonIterate&) { return norm <= 1e-14 ? NewtonVerdict::solved : NewtonVerdict::go_on; },
       .follow_step =
           [&](Vec, Vec to) {
             const VectorReader u(to);
@@ -179,7 +179,7 @@ TEST(NewtonSolver, CorrectsTrialsBeforeTheyAreEvaluated) {
                             },
                         .prepare_tangent = [](Vec) { return true; },
                         .solve_tangent = [](Vec b, Vec y) { return VecCopy(b, y) == 0; },
-                        .judge = [&](const NewtonIterate&) { return x == 1.0 ? NewtonVerdict::solved : NewtonVerdict::go_on; },
+                        .check = [&](const NewtonIterate&) { return x == 1.0 ? NewtonVerdict::solved : NewtonVerdict::go_on; },
                         .correct_trial =
                             [&](Vec trial, Vec from, double length) {
                               EXPECT_EQ(VectorReader(trial)[0], (1.0 - length) * VectorReader(from)[0] + length);
@@ -273,7 +273,7 @@ TEST(NewtonSolver, EndsWhereTheProblemJudgesThatItDiverges) {
       .residual = [](Vec, Vec residual) { return VecSet(residual, 1.0) == 0; },
       .prepare_tangent = [](Vec) { return true; },
       .solve_tangent = [](Vec b, Vec y) { return VecCopy(b, y) == 0; },
-      .judge = [](const NewtonIterate& iterate) { return iterate.steps < 2 ? NewtonVerdict::go_on : NewtonVerdict::diverging; }};
+      .check = [](const NewtonIterate& iterate) { return iterate.steps < 2 ? NewtonVerdict::go_on : NewtonVerdict::diverging; }};
   NewtonSolver solver(unknown, std::move(problem), {.steps = HalvedSteps{}, .reuse = never});
   const NewtonOutcome outcome = solver.solve(unknown);
   EXPECT_EQ(outcome.end, NewtonEnd::diverging);

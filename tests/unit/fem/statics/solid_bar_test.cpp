@@ -15,15 +15,15 @@ constexpr double poissons_ratio = 0.49;
 constexpr double bulk_modulus_Pa = shear_modulus_Pa * 2.0 * (1.0 + poissons_ratio) / (3.0 * (1.0 - 2.0 * poissons_ratio));
 constexpr double youngs_modulus_Pa = 2.0 * shear_modulus_Pa * (1.0 + poissons_ratio);
 
-/// What a solid bar answers to a stretch between two plates.
-struct BarAnswer {
+/// What a solid bar responds to a stretch between two plates.
+struct BarResponse {
   double modulus_Pa = 0.0;   ///< force by the area at rest by the strain
   double contraction = 0.0;  ///< part of its width that the middle section loses, mean over a side, by the strain
 };
 
 /// A neo-Hookean bar of some cells of 1 cm along x in quadratic elements of 2.5 mm, stretched by a strain. @param slides whether
 /// the plates let its ends contract
-BarAnswer stretched(int cells, bool slides, double strain) {
+BarResponse stretched(int cells, bool slides, double strain) {
   const double length_m = cells * edge_m;
   constexpr std::size_t per_cell = 4;
   const Space space =
@@ -44,8 +44,8 @@ BarAnswer stretched(int cells, bool slides, double strain) {
   const PathReport report = follow_path(equilibrium, drives, PathOptions{},
                                         [&](const PathPoint&, const BodyState& state, const PathRestart&) { last = state; });
   EXPECT_EQ(report.status, io::RunStatus::completed) << report.reason;
-  BarAnswer answer;
-  answer.modulus_Pa = report.points.back().plates[1].force_N[0] / (edge_m * edge_m * strain);
+  BarResponse response;
+  response.modulus_Pa = report.points.back().plates[1].force_N[0] / (edge_m * edge_m * strain);
   double narrowing_m = 0.0;
   int count = 0;
   for (std::size_t n = 0; n < space.positions.size(); ++n) {
@@ -56,22 +56,22 @@ BarAnswer stretched(int cells, bool slides, double strain) {
     narrowing_m += (X[1] < 1e-9 ? 1.0 : -1.0) * last.displacements_m[3 * n + 1];
     ++count;
   }
-  answer.contraction = 2.0 * narrowing_m / count / (edge_m * strain);
-  return answer;
+  response.contraction = 2.0 * narrowing_m / count / (edge_m * strain);
+  return response;
 }
 
-void record(const std::string& name, const BarAnswer& answer) {
-  testing::Test::RecordProperty(name + "_modulus_by_E", std::to_string(answer.modulus_Pa / youngs_modulus_Pa));
-  testing::Test::RecordProperty(name + "_contraction", std::to_string(answer.contraction));
+void record(const std::string& name, const BarResponse& response) {
+  testing::Test::RecordProperty(name + "_modulus_by_E", std::to_string(response.modulus_Pa / youngs_modulus_Pa));
+  testing::Test::RecordProperty(name + "_contraction", std::to_string(response.contraction));
 }
 
 // A homogeneous state, which every mesh represents: what is left is the curvature of the law over a strain of 1e-4.
 TEST(SolidBar, BetweenSlidingPlatesHasTheModuliOfTheMaterial) {
   for (const int cells : {3, 6}) {
-    const BarAnswer answer = stretched(cells, true, 1e-4);
-    record("sliding_" + std::to_string(cells), answer);
-    EXPECT_NEAR(answer.modulus_Pa / youngs_modulus_Pa, 1.0, 5e-4) << cells;
-    EXPECT_NEAR(answer.contraction, poissons_ratio, 5e-4) << cells;
+    const BarResponse response = stretched(cells, true, 1e-4);
+    record("sliding_" + std::to_string(cells), response);
+    EXPECT_NEAR(response.modulus_Pa / youngs_modulus_Pa, 1.0, 5e-4) << cells;
+    EXPECT_NEAR(response.contraction, poissons_ratio, 5e-4) << cells;
   }
 }
 
@@ -87,9 +87,9 @@ TEST(SolidBar, BetweenSlidingPlatesFollowsTheLawAtLargeStrain) {
   double low = 0.8;
   double high = 1.0;
   for (int step = 0; step < 60; ++step) (lateral_stress(0.5 * (low + high)) < 0.0 ? low : high) = 0.5 * (low + high);
-  const BarAnswer answer = stretched(3, true, l - 1.0);
-  record("sliding_3_at_20_percent", answer);
-  EXPECT_NEAR(answer.contraction, (1.0 - low) / (l - 1.0), 1e-6);
+  const BarResponse response = stretched(3, true, l - 1.0);
+  record("sliding_3_at_20_percent", response);
+  EXPECT_NEAR(response.contraction, (1.0 - low) / (l - 1.0), 1e-6);
 }
 
 // What bonded ends add to the stiffness is theirs alone (Saint-Venant): the length that the bar seems to have lost, L (1 - E /
@@ -97,24 +97,24 @@ TEST(SolidBar, BetweenSlidingPlatesFollowsTheLawAtLargeStrain) {
 // force by area and E. Both hold up to what is left of the ends' disturbance one and a half widths away from them, some
 // thousandths.
 TEST(SolidBar, BetweenBondedPlatesIsStifferByItsEndsAlone) {
-  const BarAnswer three = stretched(3, false, 1e-4);
-  const BarAnswer six = stretched(6, false, 1e-4);
+  const BarResponse three = stretched(3, false, 1e-4);
+  const BarResponse six = stretched(6, false, 1e-4);
   record("bonded_3", three);
   record("bonded_6", six);
   const double lost_by_three = 3.0 * (1.0 - youngs_modulus_Pa / three.modulus_Pa);
   const double lost_by_six = 6.0 * (1.0 - youngs_modulus_Pa / six.modulus_Pa);
   EXPECT_GT(lost_by_three, 0.1);
   EXPECT_NEAR(lost_by_six / lost_by_three, 1.0, 0.01);
-  for (const BarAnswer& answer : {three, six})
-    EXPECT_NEAR(answer.contraction / (poissons_ratio * answer.modulus_Pa / youngs_modulus_Pa), 1.0, 0.003);
+  for (const BarResponse& response : {three, six})
+    EXPECT_NEAR(response.contraction / (poissons_ratio * response.modulus_Pa / youngs_modulus_Pa), 1.0, 0.003);
 }
 
 // The same order at large strain, where law and geometry take some of it back.
 TEST(SolidBar, BetweenBondedPlatesStaysStifferAtLargeStrain) {
   constexpr double strain = 0.2;
-  const BarAnswer sliding = stretched(3, true, strain);
-  const BarAnswer three = stretched(3, false, strain);
-  const BarAnswer six = stretched(6, false, strain);
+  const BarResponse sliding = stretched(3, true, strain);
+  const BarResponse three = stretched(3, false, strain);
+  const BarResponse six = stretched(6, false, strain);
   record("bonded_3_at_20_percent", three);
   record("bonded_6_at_20_percent", six);
   EXPECT_GT(three.modulus_Pa, six.modulus_Pa);

@@ -43,7 +43,7 @@ TEST(WallContact, GapOfASqueezedBoxIsItsHeight) {
   expect_box_gap<9>();
 }
 
-/// The same box turned: the answer does not depend on the axes.
+/// The same box turned: the response does not depend on the axes.
 TEST(WallContact, GapDoesNotChangeUnderRotation) {
   auto surface = box_chamber<9>({0.0, 0.0, 0.0}, {0.02, 0.016, 0.0003}, 4);
   surface.deform([](const Point& p) -> Point {

@@ -126,7 +126,7 @@ TEST_F(ChartPicture, RefusesWhatCannotStandOnALogarithmicAxis) {
       FAIL();
     } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()),
-                file_.string() + ": series \"error\": y = " + (bad == 0.0 ? "0" : "-1") + ": cannot stand on a logarithmic axis");
+                file_.string() + ": series \"error\": y = " + (bad == 0.0 ? "0" : "-1") + ": must be > 0 on a logarithmic axis");
     }
   }
   ChartPanel panel{.x = {.logarithmic = true}, .markers = {{.direction = ChartMarker::Direction::vertical, .at = 0.0}}};

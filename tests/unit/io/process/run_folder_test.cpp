@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -31,14 +32,42 @@ TEST(RunFolder, EndsWithAManifest) {
   const tests::TestFolder folder;
   RunFolder("menger-x", folder.path()).finish("a = 1\n", {{"study.toml", "hash"}}, 7);
   const std::string text = read_whole(folder / "manifest.json");
-  for (const char* part : {"menger-x", "a = 1", "study.toml", "\"seed\": 7"})
+  for (const char* part : {"menger-x", "\"a\": 1", "study.toml", "\"seed\": 7"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+TEST(RunFolder, BeginsWithoutTheManifestOfAnEarlierRun) {
+  const tests::TestFolder folder;
+  const RunFolder run("menger-x", folder.path());
+  EXPECT_FALSE(run.is_own());
+  run.finish("a = 1\n", {});
+  write_whole(folder / "result.csv", "x");
+  write_whole(folder / "run.checkpoint", "x");
+  EXPECT_TRUE(run.is_own());
+  EXPECT_FALSE(RunFolder("menger-y", folder.path()).is_own());
+  run.begin({"result.csv"});
+  EXPECT_FALSE(run.is_own());
+  EXPECT_FALSE(fs::exists(folder / "result.csv"));
+  EXPECT_TRUE(fs::exists(folder / "run.checkpoint"));
+  write_whole(folder / "manifest.json", "no JSON");
+  EXPECT_FALSE(run.is_own());
+}
+
+TEST(RunFolder, CountsTheTimeOfEarlierCalls) {
+  RunFolder run("menger-x", "anywhere");
+  const double before_s = run.seconds();
+  run.add_seconds(100.0);
+  EXPECT_GE(run.seconds() - before_s, 100.0);
 }
 
 TEST(ExitCode, FollowsFromTheStatus) {
   EXPECT_EQ(exit_code_of(RunStatus::completed), exit_code::done);
   EXPECT_EQ(exit_code_of(RunStatus::diverged), exit_code::numerical);
   EXPECT_EQ(exit_code_of(RunStatus::stopped), exit_code::interrupted);
+  const std::array worst_stopped{RunStatus::diverged, RunStatus::stopped};
+  EXPECT_EQ(exit_code_of(worst_stopped), exit_code::interrupted);
+  const std::array one_diverged{RunStatus::completed, RunStatus::diverged};
+  EXPECT_EQ(exit_code_of(one_diverged), exit_code::numerical);
 }
 
 }  // namespace

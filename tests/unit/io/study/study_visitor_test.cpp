@@ -133,7 +133,7 @@ TEST(StudyReader, NamesFileKeyAndValueOfBadInput) {
       {"size_m = 1\n[soil]\nperiod_s = 2", "soil.period_s = 2: is called soil.frequency_Hz now, the reciprocal of this number"},
       {"size_m = 1\nmethod = \"guess\"", "must be \"direct\" | \"iterative\""},
       {"size_m = 1\ntolerance = 1", "tolerance = 1: belongs to method = \"iterative\""},
-      {"size_m = 1\npressure_Pa = 1\nvolume_m3 = 1", "volume_m3 = 1: pressure_Pa beside it: keep one of them"},
+      {"size_m = 1\npressure_Pa = 1\nvolume_m3 = 1", "volume_m3 = 1: pressure_Pa is also given: keep one of them"},
       {"size_m = 1\nheight_m = 2", "height_m = 2: must be less than size_m"},
       {"size_m = 1\ncentre_m = [1, 2]", "must be three numbers, not 2"},
       {"size_m = 1\nlevels = []", "needs at least one of its integers"},

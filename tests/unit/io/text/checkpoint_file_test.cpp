@@ -33,11 +33,11 @@ TEST_F(Checkpoint, GivesTheStateBackToTheSameRun) {
 
 TEST_F(Checkpoint, IsRefusedByAnotherRunAndByAnotherVersion) {
   of("a").write("state");
-  EXPECT_NE(
-      refusal(of("b")).find("run.checkpoint: belongs to another study or another number of processes; --restart begins anew"),
-      std::string::npos)
+  EXPECT_NE(refusal(of("b")).find("run.checkpoint: belongs to another study or another number of processes; "
+                                  "give --restart to start again from the beginning"),
+            std::string::npos)
       << refusal(of("b"));
-  EXPECT_NE(refusal(of("a", "state of a test 2")).find("is no checkpoint of this version of menger"), std::string::npos);
+  EXPECT_NE(refusal(of("a", "state of a test 2")).find("is not a checkpoint of this version of menger"), std::string::npos);
 }
 
 TEST_F(Checkpoint, IsRefusedIfAnyByteIsWrongOrMissing) {

@@ -37,12 +37,12 @@ TEST(TomlSubstitution, RefusesWhatIsNoNumberThere) {
   const auto message = [](const std::string& text, const std::string& key) {
     return message_of([&] { (void)with_number(text, key, 1.0, "a.toml"); });
   };
-  EXPECT_EQ(message("a = 1\n", "b"), "a.toml: b: the file does not state this number");
-  EXPECT_EQ(message("a = 1\n", "a.b"), "a.toml: a.b: the file does not state this number");
+  EXPECT_EQ(message("a = 1\n", "b"), "a.toml: b: the file does not contain this number");
+  EXPECT_EQ(message("a = 1\n", "a.b"), "a.toml: a.b: the file does not contain this number");
   EXPECT_EQ(message("[a]\nb = 1\n", "a"), "a.toml: a: must be a number");
   EXPECT_EQ(message("a = \"x\"\n", "a"), "a.toml: a: must be a number");
-  EXPECT_NE(message("a = = 1\n", "a").find("no TOML"), std::string::npos);
-  EXPECT_EQ(message("a = 1\n", ""), "a.toml: : the file does not state this number");
+  EXPECT_NE(message("a = = 1\n", "a").find("not TOML"), std::string::npos);
+  EXPECT_EQ(message("a = 1\n", ""), "a.toml: : the file does not contain this number");
 }
 
 }  // namespace

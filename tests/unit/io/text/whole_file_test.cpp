@@ -101,7 +101,7 @@ TEST_F(WholeFile, CannotBeCommittedUnwritten) {
 TEST_F(WholeFile, CannotStandBelowAFile) {
   write_whole(folder_ / "file", "old");
   const std::string below = message([&] { write_whole(folder_ / "file/sub/a.txt", "x"); });
-  EXPECT_EQ(below, (folder_ / "file/sub").string() + ": cannot be made a folder: Not a directory");
+  EXPECT_EQ(below, (folder_ / "file/sub").string() + ": cannot be created as a folder: Not a directory");
   EXPECT_EQ(read_whole(folder_ / "file"), "old");
 }
 
@@ -117,8 +117,9 @@ TEST_F(WholeFile, CannotBeWrittenWhereTheSystemForbidsFilesEvenToRoot) {
 TEST_F(WholeFile, FolderThatIsAFileIsReported) {
   write_whole(folder_ / "file", "old");
   EXPECT_EQ(message([&] { require_writable_folder(folder_ / "file"); }),
-            (folder_ / "file").string() + ": cannot be made a folder: Not a directory");
-  EXPECT_NE(message([&] { require_writable_folder(folder_ / "file/sub"); }).find("cannot be made a folder"), std::string::npos);
+            (folder_ / "file").string() + ": cannot be created as a folder: Not a directory");
+  EXPECT_NE(message([&] { require_writable_folder(folder_ / "file/sub"); }).find("cannot be created as a folder"),
+            std::string::npos);
 }
 
 TEST_F(WholeFile, FolderIsMadeWithItsParents) {

@@ -42,5 +42,10 @@ TEST(SiliconeLibrary, NamesTheRecordsThatThereAre) {
   }
 }
 
+TEST(SiliconeLibrary, FindsASiliconeByTheNameInItsRecord) {
+  EXPECT_EQ(silicone_with_record_name("Dragon Skin 10").value().filename(), "dragon_skin_10.toml");
+  EXPECT_FALSE(silicone_with_record_name("dragon_skin_10"));
+}
+
 }  // namespace
 }  // namespace menger::materials

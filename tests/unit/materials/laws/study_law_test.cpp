@@ -57,13 +57,13 @@ TEST(StudyLaw, MayBeAnotherOneOfTheRecord) {
 }
 
 TEST(StudyLaw, NamesBadInput) {
-  EXPECT_NE(message("").find("silicone or law is missing: a silicone is needed"), std::string::npos) << message("");
+  EXPECT_NE(message("").find("silicone or law is missing: give a silicone or a law"), std::string::npos) << message("");
   for (const auto& [text, part] : std::initializer_list<std::pair<const char*, const char*>>{
            {"silicone = \"jelly\"", "silicone = \"jelly\": is neither a file (.toml) nor one of "},
            {"record = \"dragon_skin_10\"", "record = \"dragon_skin_10\": is called silicone now"},
            {"silicone = \"dragon_skin_10\"\nlaw_name = \"jelly\"", "law_name = \"jelly\": the record has recommended, "},
-           {"silicone = \"dragon_skin_10\"\nlaw_variant = 2", "law_variant = 2: there is one recommended law"},
-           {"silicone = \"dragon_skin_10\"\n[law]\nname = \"gent\"", "law = {...}: silicone beside it: keep one of them"},
+           {"silicone = \"dragon_skin_10\"\nlaw_variant = 2", "law_variant = 2: there is only one recommended law"},
+           {"silicone = \"dragon_skin_10\"\n[law]\nname = \"gent\"", "law = {...}: silicone is also given: keep one of them"},
            {"law = \"gent\"", "law = \"gent\": is called law_name now"},
            {"[law]\nname = \"neo_hookean\"\nshear_modulus_Pa = 1\nc10_Pa = 1",
             "law.c10_Pa = 1: belongs to name = \"mooney_rivlin\" or name = \"yeoh\""},

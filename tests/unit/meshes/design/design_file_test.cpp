@@ -101,7 +101,7 @@ TEST(DesignFile, RefusesDigitsThatAreNoMaterial) {
 
 TEST(DesignFile, RefusesRaggedRowsAndLayers) {
   EXPECT_EQ(refusal_of_layers("[[\"10\"],\n[\"1\"]]"),
-            place(4) + "layers[2][1] = \"1\": must have 2 digits as the first row has");
+            place(4) + "layers[2][1] = \"1\": must have 2 digits, as in the first row");
   EXPECT_EQ(refusal_of_layers("[[\"10\"],\n[\"10\", \"10\"]]"),
             place(4) + "layers[2] = [...]: has 2 rows where the first layer has 1");
 }
@@ -174,9 +174,9 @@ TEST(DescribeDesign, TakesAFileWithCellsOfItsOwnSizeOrAnother) {
 TEST(DescribeDesign, NamesBadInput) {
   const auto message = [](const std::string& text) { return tests::message_of([&] { (void)parse_given(text); }); };
   for (const auto& [text, part] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"cell_edge_m = 1", "layers or digits or file is missing: a body is needed"},
+           {"cell_edge_m = 1", "layers or digits or file is missing: give one of them"},
            {"layers = [[\"1\"]]", "cell_edge_m is missing"},
-           {"layers = [[\"1\"]]\ndigits = \"1\"", "digits = \"1\": layers beside it: keep one of them"},
+           {"layers = [[\"1\"]]\ndigits = \"1\"", "digits = \"1\": layers is also given: keep one of them"},
            {"digits = \"12\"\ncells = [1, 1, 2]\ncell_edge_m = 0", "cell_edge_m = 0: must be > 0"},
            {"digits = \"1\"\ncells = [1, 1]\ncell_edge_m = 1", "must be three integers, not 2"},
            {"digits = \"123\"\ncells = [3, 1, 1]\ncell_edge_m = 1", "digits = \"123\": "},

@@ -186,7 +186,7 @@ TEST_F(GmshMesh, RefusesOtherElementsByTheirName) {
 TEST_F(GmshMesh, RefusesFilesThatAreNoMesh) {
   EXPECT_TRUE(refusal_of(folder_ / "none.msh").starts_with((folder_ / "none.msh").string()));
   for (const char* text : {"", "this is no mesh", "Point(1) = {0, 0, 0, 1};"}) {
-    EXPECT_NE(refusal(text).find("a.msh: is no mesh of Gmsh: it must begin with $MeshFormat"), std::string::npos)
+    EXPECT_NE(refusal(text).find("a.msh: is not a mesh of Gmsh: it must begin with $MeshFormat"), std::string::npos)
         << refusal(text);
   }
   io::write_whole(folder_ / "mesh.geo", "Point(1) = {0, 0, 0, 1};");

@@ -135,7 +135,7 @@ TEST_F(VtuMesh, RefusesFilesThatAreNoMesh) {
   const fs::path file = folder_ / "mesh.vtu";
   EXPECT_TRUE(refusal(file).starts_with(file.string())) << "missing";
   io::write_whole(file, "solid");
-  EXPECT_EQ(refusal(file), file.string() + ": is no VTK file of unstructured cells (.vtu)");
+  EXPECT_EQ(refusal(file), file.string() + ": is not a VTK file of unstructured cells (.vtu)");
   write_vtu_mesh(file, body_with_everything().mesh);
   const std::string whole = io::read_whole(file);
   io::write_whole(file, whole.substr(0, whole.size() / 2));
@@ -150,7 +150,7 @@ TEST_F(VtuMesh, RefusesFilesThatAreNoMesh) {
   writer->SetInputData(grid);
   writer->SetFileName(file.c_str());
   writer->Write();
-  EXPECT_EQ(refusal(file), file.string() + ": has no field data region_names, so it is no mesh that menger wrote");
+  EXPECT_EQ(refusal(file), file.string() + ": has no field data region_names, so menger did not write this mesh");
 }
 
 TEST_F(VtuMesh, RefusesInvertedElementsAndOpenChambers) {
@@ -189,7 +189,7 @@ TEST_F(VtuMesh, RefusesPointsThatAreNoNumbers) {
     HexahedralMesh mesh = box({1.0, 1.0, 1.0}, {1, 1, 1});
     mesh.points[3][1] = bad;
     write_vtu_mesh(folder_ / "mesh.vtu", mesh);
-    EXPECT_NE(refusal(folder_ / "mesh.vtu").find("point 3 has a coordinate that is no finite number"), std::string::npos)
+    EXPECT_NE(refusal(folder_ / "mesh.vtu").find("point 3 has a coordinate that is not a finite number"), std::string::npos)
         << refusal(folder_ / "mesh.vtu");
   }
 }
@@ -205,13 +205,14 @@ TEST_F(VtuMesh, RefusesFacesThatAreNotTheBoundary) {
   const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
   EXPECT_EQ(refused([](HexahedralMesh&) {}), "accepted");
   EXPECT_TRUE(has(refused([](HexahedralMesh& m) { m.faces.pop_back(); }), "1 sides of elements on the boundary have no face"));
-  EXPECT_TRUE(has(refused([](HexahedralMesh& m) { m.faces.push_back(m.faces[0]); }), "is there twice"));
-  EXPECT_TRUE(has(refused([](HexahedralMesh& m) { std::swap(m.faces[0].corners[0], m.faces[0].corners[2]); }), "the wrong way"));
+  EXPECT_TRUE(has(refused([](HexahedralMesh& m) { m.faces.push_back(m.faces[0]); }), "is given twice"));
+  EXPECT_TRUE(
+      has(refused([](HexahedralMesh& m) { std::swap(m.faces[0].corners[0], m.faces[0].corners[2]); }), "in the wrong order"));
   EXPECT_TRUE(has(refused([](HexahedralMesh& m) {
                     for (std::size_t i = 0; i < 4; ++i) m.faces[0].corners[i] = m.elements[0][face_corners[5][i]];
                   }),
                   "lies inside the solid"));
-  EXPECT_TRUE(has(refused([](HexahedralMesh& m) { m.faces[0].corners = {0, 1, 2, 11}; }), "is on no element"));
+  EXPECT_TRUE(has(refused([](HexahedralMesh& m) { m.faces[0].corners = {0, 1, 2, 11}; }), "belongs to no element"));
 }
 
 /// The file of a mesh after a change to what VTK reads from it.

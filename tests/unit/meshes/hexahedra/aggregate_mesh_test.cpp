@@ -177,7 +177,7 @@ TEST(Aggregate, OneThatFallsApartIsRefused) {
     static_cast<void>(hollow_polycube(step, level_2()));
     FAIL() << "accepted";
   } catch (const io::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("design step: at level 2 the body falls into"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("design step: at level 2 the body consists of"), std::string::npos) << error.what();
   }
 }
 

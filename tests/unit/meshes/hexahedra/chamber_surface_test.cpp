@@ -105,7 +105,7 @@ TEST(MeshQuality, InvertedElementsAreRefusedWithTheirNumberAndPlace) {
     require_no_inverted_elements(mesh, "box");
     FAIL() << "accepted";
   } catch (const io::InputError& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with("box: 1 of 3 elements are inverted, the first is element 1 around ("))
+    EXPECT_TRUE(std::string(error.what()).starts_with("box: 1 of 3 elements are inverted; the first is element 1 around ("))
         << error.what();
   }
 }

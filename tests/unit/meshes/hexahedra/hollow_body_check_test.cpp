@@ -30,7 +30,7 @@ TEST(HollowBodyCheck, RefusesWhatCannotBeCast) {
   EXPECT_TRUE(contains(edge, "only along an edge")) << edge;
   const std::string ring = refusal({"ring", Polycube::from_digits(2, 2, 2, "10011111"), 0.01}, {});
   EXPECT_TRUE(contains(ring, "cells (0, 0, 0) and (1, 1, 0) touch only along an edge")) << ring;
-  EXPECT_TRUE(contains(refusal({"two", Polycube::from_digits(3, 1, 1, "101"), 0.01}, {}), "falls into 2 parts"));
+  EXPECT_TRUE(contains(refusal({"two", Polycube::from_digits(3, 1, 1, "101"), 0.01}, {}), "consists of 2 parts"));
   EXPECT_TRUE(contains(refusal({"none", Polycube(1, 1, 1), 0.01}, {}), "empty"));
 }
 
@@ -72,7 +72,7 @@ TEST(HollowBodyCheck, RefusesOptionsThatMakeNoSense) {
                       "tube hole at side x min of cell (0, 0, 0): is given twice"));
   HollowBodyOptions inside;
   inside.tubes = {{{0, 0, 0}, Side::x_max, 0.002}};
-  EXPECT_NE(refusal({"bar", bar(2), 0.01}, inside).find("a cell lies behind that side"), std::string::npos);
+  EXPECT_NE(refusal({"bar", bar(2), 0.01}, inside).find("another cell lies at that side"), std::string::npos);
 }
 
 }  // namespace

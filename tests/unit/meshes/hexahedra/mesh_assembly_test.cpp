@@ -80,7 +80,7 @@ TEST(MeshAssembly, RefusesElementsThatAreReallyInverted) {
   for (Point& point : input.points) {
     if (point[0] == 0.5) point[0] = 1.2;
   }
-  EXPECT_TRUE(refusal(input).starts_with("a.msh: 1 of 2 elements are inverted, the first is element 1")) << refusal(input);
+  EXPECT_TRUE(refusal(input).starts_with("a.msh: 1 of 2 elements are inverted; the first is element 1")) << refusal(input);
 }
 
 TEST(MeshAssembly, RefusesFacesAndElementsThatDoNotFit) {
@@ -92,7 +92,7 @@ TEST(MeshAssembly, RefusesFacesAndElementsThatDoNotFit) {
   EXPECT_EQ(refusal(inner), "a.msh: a face of \"x max\" around (500, 500, 500) mm lies inside the solid");
   NamedHexahedra diagonal = sound;
   diagonal.faces.push_back({{first[0], first[3], first[7], first[4]}, 1});
-  EXPECT_NE(refusal(diagonal).find("is on no element"), std::string::npos);
+  EXPECT_NE(refusal(diagonal).find("belongs to no element"), std::string::npos);
   NamedHexahedra twice = sound;
   twice.faces.push_back({twice.faces[0].corners, twice.faces[0].label + 1});
   EXPECT_NE(refusal(twice).find("also belongs to"), std::string::npos);
@@ -102,7 +102,7 @@ TEST(MeshAssembly, RefusesFacesAndElementsThatDoNotFit) {
     corner = apart.points.size() - 1;
   }
   apart.faces.clear();
-  EXPECT_NE(refusal(apart).find("only 1 of 2 elements hang together"), std::string::npos);
+  EXPECT_NE(refusal(apart).find("only 1 of 2 elements are connected"), std::string::npos);
   NamedHexahedra crowded = sound;
   crowded.elements.push_back(crowded.elements[0]);
   crowded.elements.push_back(crowded.elements[0]);

@@ -36,7 +36,7 @@ TEST_F(CurveFolder, MustBeThere) {
     (void)response_curve_files(folder_ / "absent");
     ADD_FAILURE() << "accepted";
   } catch (const io::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("absent: is not there"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("absent: does not exist"), std::string::npos) << error.what();
   }
 }
 

@@ -110,8 +110,8 @@ TEST_F(ResponseCurveFile, EqualCurvesAreEqualFiles) {
 TEST_F(ResponseCurveFile, RefusesATableWithoutProvenance) {
   write_response_curve(folder_, stretch_curve());
   fs::remove(folder_ / "stretch.toml");
-  EXPECT_NE(refusal().find("is no provenance"), std::string::npos);
-  EXPECT_NE(refusal("stretch.csv").find("stretch.csv: is no provenance"), std::string::npos);
+  EXPECT_NE(refusal().find("is not the provenance"), std::string::npos);
+  EXPECT_NE(refusal("stretch.csv").find("stretch.csv: is not the provenance"), std::string::npos);
 }
 
 TEST_F(ResponseCurveFile, RefusesProvenanceWithoutItsTable) {
@@ -123,7 +123,7 @@ TEST_F(ResponseCurveFile, RefusesProvenanceWithoutItsTable) {
 TEST_F(ResponseCurveFile, RefusesATableThatWasChanged) {
   write_response_curve(folder_, stretch_curve());
   replace("stretch.csv", "0.002", "0.003");
-  EXPECT_NE(refusal().find("is not the one this provenance was written for"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("is not the one for which this provenance was written"), std::string::npos) << refusal();
 }
 
 TEST_F(ResponseCurveFile, RefusesOtherUnitsAndMissingOrUnknownColumns) {

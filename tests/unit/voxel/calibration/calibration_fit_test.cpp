@@ -75,16 +75,16 @@ TEST(CalibrationFit, AStartAtABoundIsMovedInside) {
   // where the search begins differs from the start, whose chi2 it would else have
   double chi2 = 0.0;
   for (const FittedCurve& curve : problem.curves) {
-    const auto answers = answers_of(curve, problem.responder(start, curve.load_case, curve.states));
-    ASSERT_TRUE(answers);
-    for (const double residual : residuals_of(curve, *answers)) chi2 += residual * residual;
+    const auto responses = responses_of(curve, problem.responder(start, curve.load_case, curve.states));
+    ASSERT_TRUE(responses);
+    for (const double residual : residuals_of(curve, *responses)) chi2 += residual * residual;
   }
   EXPECT_LT(chi2_by_iteration.front(), 0.99 * chi2);
   EXPECT_LT(fit.chi2, 1e-6);
 }
 
-/// Closed forms that have no answer for ground stiffnesses in a range.
-Responder without_answers_in(double lowest_N_per_m, double highest_N_per_m) {
+/// Closed forms that have no response for ground stiffnesses in a range.
+Responder without_responses_in(double lowest_N_per_m, double highest_N_per_m) {
   return [=](const SurrogateParameters& p, const meshes::LoadCase& load_case, const Responder::States& states) {
     const double stiffness = p.ground_stiffness_N_per_m;
     if (stiffness > lowest_N_per_m && stiffness < highest_N_per_m)
@@ -94,7 +94,7 @@ Responder without_answers_in(double lowest_N_per_m, double highest_N_per_m) {
 }
 
 // The ground stiffness, of 5000 in truth, ends at its bound of 6000; a repetition begins at 6049, or 6012, 6002, 6000 where there
-// is no answer.
+// is no response.
 TEST(CalibrationFit, ARepetitionWithoutAnswersLosesNothing) {
   for (const double lowest : {6030.0, 6010.0, 6001.0}) {
     CalibrationProblem problem = samples::problem(noisy_curves(samples::truth(), 13));
@@ -103,10 +103,10 @@ TEST(CalibrationFit, ARepetitionWithoutAnswersLosesNothing) {
     SurrogateParameters start = samples::truth();
     start.ground_stiffness_N_per_m = 8000.0;
     const CalibrationFit whole = fit_parameters(problem.curves, parameters, start, problem.responder);
-    const CalibrationFit fit = fit_parameters(problem.curves, parameters, start, without_answers_in(lowest, 6100.0));
+    const CalibrationFit fit = fit_parameters(problem.curves, parameters, start, without_responses_in(lowest, 6100.0));
     EXPECT_EQ(fit.status, io::RunStatus::completed) << fit.reason;
     EXPECT_NEAR(value_named(fit, "ground_stiffness_N_per_m").value, 6000.0, 1e-6);
-    EXPECT_EQ(fit.residual_count, whole.residual_count) << "every value has its answer";
+    EXPECT_EQ(fit.residual_count, whole.residual_count) << "every value has its response";
     EXPECT_NEAR(fit.chi2, whole.chi2, 1e-3 * whole.chi2) << "where a search ends that gains no more";
   }
 }
@@ -120,8 +120,9 @@ TEST(CalibrationFit, BeginsBesideABoundWhereThereIsNoAnswerInside) {
   std::vector<double> chi2_by_iteration;
   CalibrationFitOptions options;
   options.progress = [&](int, double chi2) { chi2_by_iteration.push_back(chi2); };
-  const CalibrationFit fit = fit_parameters(problem.curves, parameters, start, without_answers_in(6001.0, 1e9), options);
-  for (const double chi2 : chi2_by_iteration) EXPECT_TRUE(std::isfinite(chi2)) << "also after steps to where there is no answer";
+  const CalibrationFit fit = fit_parameters(problem.curves, parameters, start, without_responses_in(6001.0, 1e9), options);
+  for (const double chi2 : chi2_by_iteration)
+    EXPECT_TRUE(std::isfinite(chi2)) << "also after steps to where there is no equilibrium";
   EXPECT_EQ(fit.status, io::RunStatus::completed) << fit.reason;
   EXPECT_NEAR(value_named(fit, "ground_stiffness_N_per_m").value, 6000.0, 1e-6);
   // slopes were not halved for it

@@ -66,7 +66,7 @@ TEST(CalibrationFrequency, ReadsGainsAndComplexAmplitudes) {
   io::write_whole(file, "frequency_Hz,tip_x_real_m_per_Pa,tip_x_imaginary_m_per_Pa\n0.5,3e-8,-4e-8\n1,,\n");
   FrequencyReference reference{.file = file, .column = "tip_x", .body = bar(3)};
   auto gains = read_frequency_gains(reference);
-  answer_frequency_response(gains, reference, bar_parameters());
+  compute_frequency_response(gains, reference, bar_parameters());
   ASSERT_EQ(gains.size(), 1U) << "the reference has none at its resonance";
   EXPECT_NEAR(gains[0].reference_m_per_Pa, 5e-8, 1e-20);
   EXPECT_TRUE(gains[0].surrogate_m_per_Pa);

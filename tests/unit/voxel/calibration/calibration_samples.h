@@ -11,7 +11,7 @@
 #include "voxel/calibration/calibration.h"
 #include "voxel/calibration/calibration_start.h"
 
-/// Bodies that answer by closed forms in place of the surrogate, so that a fit takes milliseconds and the truth is known.
+/// Bodies that response by closed forms in place of the surrogate, so that a fit takes milliseconds and the truth is known.
 namespace menger::voxel::samples {
 
 /// Of the corners that a bar of two by two cells across consists of.

@@ -35,7 +35,9 @@ PossibleStudy parsed(const std::string& text) {
 
 TEST(CalibrationStudy, TemplateIsReadToTheDefaultsAndToEachAlternative) { tests::expect_template_is_read<PossibleStudy>(parsed); }
 
-TEST(CalibrationStudy, TextsOfAllStudiesAreReadBack) { tests::expect_texts_are_read_back<PossibleStudy>(parsed); }
+TEST(CalibrationStudy, TextsOfAllStudiesAreReadBack) {
+  tests::expect_texts_are_read_back<PossibleStudy>(parsed, 30, {}, {"cells", "digits"});
+}
 
 TEST(CalibrationStudy, ReadsWhatItIsGivenAndKeepsTheRest) {
   const PossibleStudy study = parsed(

@@ -110,7 +110,7 @@ TEST(Calibration, BuysClassesOfTheirOwnWhereTheDataAskForThem) {
   const Calibration found = calibrate(samples::problem(noisy_curves(samples::truth(), 5)), {});
   const DetailSet details = found.details();
   for (const CalibrationDetail detail : samples::by_class) EXPECT_TRUE(details.contains(detail)) << to_string(detail);
-  // no load case answers to them
+  // no load case responds to them
   for (const CalibrationDetail detail : {CalibrationDetail::shear, CalibrationDetail::lateral, CalibrationDetail::joints})
     EXPECT_FALSE(details.contains(detail)) << to_string(detail);
   EXPECT_TRUE(found.fit().explained);
@@ -242,14 +242,14 @@ TEST(Calibration, AValueAtItsBoundIsReported) {
 
 TEST(Calibration, AStartWithoutEquilibriumIsPulledBack) {
   CalibrationProblem problem = samples::problem(noisy_curves(samples::truth(), 15, 0.0));
-  for (PressureLaw& law : problem.start.extension) law.slope_per_Pa = 2e-4;  // extension 3 at 15 kPa, where there is no answer
+  for (PressureLaw& law : problem.start.extension) law.slope_per_Pa = 2e-4;  // extension 3 at 15 kPa, where there is no response
   problem.bounds[Quantity::extension_slope] = {-1e-3, 1e-3};
   const Calibration found = calibrate(problem, plan_by_class());
   ASSERT_EQ(found.fit().status, io::RunStatus::completed) << found.fit().reason;
   EXPECT_LT(found.fit().chi2, 1e-3);
 }
 
-// Nothing has an answer with lateral coupling, which the third detail begins with.
+// Nothing has an response with lateral coupling, which the third detail begins with.
 TEST(Calibration, ADetailThatCannotBeFittedLeavesThoseThatCan) {
   CalibrationProblem problem = samples::problem(noisy_curves(samples::truth(), 15));
   problem.responder = [](const SurrogateParameters& p, const meshes::LoadCase& load_case, const Responder::States& states) {
@@ -272,8 +272,8 @@ TEST(Calibration, ADetailThatCannotBeFittedLeavesThoseThatCan) {
   }
 }
 
-// Bulges by class begin in their rough proportions, here so large that there is no answer until they are halved too often to come
-// back; the fit before, with one bulge for all classes, is the truth.
+// Bulges by class begin in their rough proportions, here so large that there is no response until they are halved too often to
+// come back; the fit before, with one bulge for all classes, is the truth.
 TEST(Calibration, ADetailIsNeverWorseThanTheFitThatItHolds) {
   SurrogateParameters truth = samples::truth();
   truth.bulge.fill(truth.bulge[closed_wall_class]);
@@ -283,7 +283,7 @@ TEST(Calibration, ADetailIsNeverWorseThanTheFitThatItHolds) {
   truth.torsion_Pa.fill(truth.torsion_Pa[closed_wall_class]);
   truth.extension.fill(truth.extension[closed_wall_class]);
   CalibrationProblem problem = samples::problem(noisy_curves(truth, 15));
-  // answers only about the truth, but for a valley far away from it
+  // responses only about the truth, but for a valley far away from it
   problem.responder = [&](const SurrogateParameters& p, const meshes::LoadCase& load_case, const Responder::States& states) {
     const double ratio = p.bulge[samples::corner_wall_class].slope_per_Pa / truth.bulge[samples::corner_wall_class].slope_per_Pa;
     if (ratio > 5.0 && ratio < 20.0) return LoadCaseResponse{.status = io::RunStatus::not_converged, .columns = {}, .values = {}};

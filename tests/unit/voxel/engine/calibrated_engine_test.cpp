@@ -89,7 +89,7 @@ TEST(ScaleCheck, RefusesAnyStiffnessThatCannotBeSteppedWith) {
         +[](SurrogateParameters& p) { p.torsion_Pa[2] = 1e60; },
         +[](SurrogateParameters& p) { p.ground_stiffness_N_per_m = 1e60; },
         +[](SurrogateParameters& p) { p.bond_damping_ratio = 1e30; }}) {
-    EXPECT_NE(problem(stiffen).find("more than can be counted"), std::string::npos);
+    EXPECT_NE(problem(stiffen).find("too many steps to count"), std::string::npos);
     EXPECT_EQ(problem(stiffen, 0.0), "") << "without a duration there is nothing to count";
   }
 }
@@ -150,7 +150,7 @@ TEST(ScaleCheck, LeavesLawsWithoutAValueToThoseWhoKnowTheBody) {
 }
 
 TEST(ScaleCheck, StepsNoCoarserThanTheBody) {
-  // What is judged before the body is there may not be far from what the body will need.
+  // What is checked before the body is there may not be far from what the body will need.
   Physics physics = held_at(1000.0);
   const double step_s = recommended_time_step_s(meshes::full_cube(3), 0.01, physics);
   const double countable_s = 1e15 * physics.integration.time_step_fraction * step_s;

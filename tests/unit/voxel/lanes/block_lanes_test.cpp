@@ -27,7 +27,7 @@ std::string said_of(const Simulation& simulation) {
 
 bool goes_in_blocks(const Simulation& simulation) {
   for (const std::string& line : simulation.kernel_report()) {
-    if (line.starts_with("blocks of the aggregate in lanes")) return true;
+    if (line.starts_with("blocks of the aggregate in SIMD lanes")) return true;
   }
   return false;
 }

@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadPhysics{"[integration]\ntime_step_fraction = nan", ": integration.time_step_fraction = nan: "},
                     BadPhysics{"[integration]\nnumber = \"float16\"", ": integration.number = \"float16\": "},
                     BadPhysics{"[integration]\nnumber = \"float32\"",
-                               ": integration.number = \"float32\": float32 cannot carry damping from increments"},
+                               ": integration.number = \"float32\": float32 does not work with damping from increments"},
                     BadPhysics{"[drive]\nramp_s = -1", ": drive.ramp_s = -1: must be >= 0"},
                     BadPhysics{"[materials]\nlateral_coupling = 1", ": materials.lateral_coupling = 1: must be in [0, 1)"},
                     BadPhysics{"[limits]\nstrain = 0", ": limits.strain = 0: must be > 0"},
@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadPhysics{"[materials]\nstatic_friction = 1", ": materials.static_friction = 1: is called ground.static"},
                     BadPhysics{"[drive]\npressure_Pa = [0, 1]", ": drive.pressure_Pa"},
                     BadPhysics{"[surrogate]\nchambers = \"single\"",
-                               "surrogate.parameters or values is missing: the name of a file"},
+                               "surrogate.parameters or values is missing: give the name of a file"},
                     BadPhysics{"[surrogate.parameters.mass]\ndensity_kg_m3 = 1", "is called surrogate.values now"},
                     BadPhysics{"limits = 3", ": limits = 3: must be a table"}));
 

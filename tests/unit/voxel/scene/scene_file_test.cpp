@@ -151,7 +151,7 @@ TEST_F(SceneFile, RefusesValuesThatNoMachineNumberCanSimulate) {
 }
 
 TEST_F(SceneFile, RefusesBadDesignsNamingFileKeyAndValue) {
-  expect_refused("time.duration_s = 1", ": design.layers or digits or file is missing: a body is needed");
+  expect_refused("time.duration_s = 1", ": design.layers or digits or file is missing: give one of them");
   expect_refused("design = 5", ": design = 5: must be a table");
   expect_refused("design = \"bar.toml\"", ": design = \"bar.toml\": is called design.file now");
   expect_refused(std::string("level = 2\n").append(bar), ": level = 2: is called design.level now");

@@ -85,7 +85,7 @@ TEST_F(CalibratedScene, PlainCouplingReadsBack) {
 
 TEST_F(CalibratedScene, RefusesKeysThatItsParametersDecide) {
   const std::string scene = bar + use + in_phase;
-  const std::string contradiction = "belongs to a body without [surrogate], whose parameters decide it";
+  const std::string contradiction = "belongs to a body without [surrogate]; with [surrogate] its parameters give this value";
   expect_refused(scene + "[materials]\nyoungs_modulus_Pa = 1e4\n", "materials.youngs_modulus_Pa = 10000.0: " + contradiction);
   expect_refused(scene + "[materials.material_2]\ndensity_kg_per_m3 = 1000\n",
                  "materials.material_2.density_kg_per_m3 = 1000: " + contradiction);
@@ -93,7 +93,8 @@ TEST_F(CalibratedScene, RefusesKeysThatItsParametersDecide) {
   expect_refused(scene + "amplitude = 0.25\n", "drive.amplitude = 0.25: " + contradiction);
   expect_refused(scene + "[damping]\nbond = 0.25\n", "damping.bond = 0.25: " + contradiction);
   expect_refused(scene + "[integration]\nbond_damping = \"semi-implicit\"\n", contradiction);
-  expect_refused(scene + "[ground]\nstop_rotation = true\n", "belongs to a body without [surrogate], which stands on the feet");
+  expect_refused(scene + "[ground]\nstop_rotation = true\n",
+                 "belongs to a body without [surrogate]; with [surrogate] the body stands on the feet");
   expect_refused(bar + in_phase, "drive.pressure_Pa = [...]: belongs to [surrogate]");
 }
 
@@ -129,7 +130,8 @@ TEST_F(CalibratedScene, OfLevelTwoInPiecesRunsWithANote) {
     EXPECT_EQ(result.status, io::RunStatus::completed) << result.reason;
     EXPECT_EQ(result.parts, pieces) << digits;
     ASSERT_FALSE(result.notes.empty());
-    EXPECT_NE(result.notes.front().find("that no beam joins: bodies of their own"), std::string::npos) << result.notes.front();
+    EXPECT_NE(result.notes.front().find("that no beam joins: they are separate bodies"), std::string::npos)
+        << result.notes.front();
   }
 }
 
@@ -143,7 +145,7 @@ TEST_F(CalibratedScene, NotesModulesThatDoNotTouch) {
   const SceneResult result = run_scene(scene, folder_ / "out");
   EXPECT_EQ(result.status, io::RunStatus::completed) << result.reason;
   ASSERT_EQ(result.parts, 5U);
-  EXPECT_NE(result.notes.front().find("bodies of their own"), std::string::npos) << result.notes.front();
+  EXPECT_NE(result.notes.front().find("separate bodies"), std::string::npos) << result.notes.front();
 }
 
 TEST_F(CalibratedScene, RampsItsPressureOverAPeriodUnlessItSaysOtherwise) {
@@ -204,7 +206,7 @@ TEST_F(CalibratedScene, StatesThatStrainsLeftTheRange) {
   const SceneResult warned = run_scene(scene, folder_ / "warned");
   EXPECT_EQ(warned.status, io::RunStatus::completed);
   ASSERT_EQ(warned.outside_validity.size(), 1U);
-  EXPECT_NE(warned.outside_validity[0].find("beams were strained from"), std::string::npos);
+  EXPECT_NE(warned.outside_validity[0].find("beams had strains from"), std::string::npos);
   scene.physics.surrogate->outside_range = OutsideRange::refuse;
   const SceneResult refused = run_scene(scene, folder_ / "refused");
   EXPECT_EQ(refused.status, io::RunStatus::diverged);

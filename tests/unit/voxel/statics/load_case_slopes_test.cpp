@@ -69,15 +69,15 @@ std::vector<ParameterSpan> spans_about(const SurrogateParameters& p, double by) 
   return spans;
 }
 
-const Responder whole_answers = [](const SurrogateParameters& parameters, const LoadCase& of, const Responder::States& states) {
+const Responder whole_responses = [](const SurrogateParameters& parameters, const LoadCase& of, const Responder::States& states) {
   return respond(parameters, of, states);
 };
 
 /// Largest difference of the slopes of an ordinate by the largest of its slopes.
-void expect_slopes_of_whole_answers(const SurrogateParameters& parameters, const LoadCase& of) {
+void expect_slopes_of_whole_responses(const SurrogateParameters& parameters, const LoadCase& of) {
   const std::vector<ParameterSpan> spans = spans_about(parameters, 1e-4);
   const ResponseSlopes found = equilibrium_responder().slopes(parameters, of, {}, spans);
-  const ResponseSlopes expected = whole_answers.slopes(parameters, of, {}, spans);
+  const ResponseSlopes expected = whole_responses.slopes(parameters, of, {}, spans);
   ASSERT_EQ(found.response.status, io::RunStatus::completed);
   EXPECT_EQ(found.response.values, expected.response.values);
   for (std::size_t c = meshes::abscissa_count(of.kind); c < found.response.columns.size(); ++c) {
@@ -99,19 +99,19 @@ void expect_slopes_of_whole_answers(const SurrogateParameters& parameters, const
 TEST(LoadCaseSlopes, AreThoseOfWholeAnswers) {
   const std::vector<double> pressures{-600.0, 900.0};
   const SurrogateParameters parameters = driven_parameters();
-  expect_slopes_of_whole_answers(parameters, load_case(LoadCaseKind::inflation, {3, 2, 1}, pressures));
-  expect_slopes_of_whole_answers(parameters, load_case(LoadCaseKind::blocked, {3, 2, 1}, pressures));
-  expect_slopes_of_whole_answers(parameters, load_case(LoadCaseKind::stretch, {3, 2, 1}, pressures, {0.002}));
-  expect_slopes_of_whole_answers(parameters, load_case(LoadCaseKind::shear, {3, 2, 1}, pressures, {0.002}));
-  expect_slopes_of_whole_answers(parameters, load_case(LoadCaseKind::bending, {3, 2, 1}, pressures, {0.3}));
-  expect_slopes_of_whole_answers(parameters, load_case(LoadCaseKind::torsion, {3, 2, 1}, pressures, {0.3}));
-  expect_slopes_of_whole_answers(parameters, load_case(LoadCaseKind::press, {3, 2, 1}, {0.0, 900.0}, {0.0005}));
-  expect_slopes_of_whole_answers(parameters, load_case(LoadCaseKind::sag, {3, 2, 1}, pressures, {1.0}));
-  expect_slopes_of_whole_answers(parameters, load_case(LoadCaseKind::modes, {3, 1, 1}, pressures));
+  expect_slopes_of_whole_responses(parameters, load_case(LoadCaseKind::inflation, {3, 2, 1}, pressures));
+  expect_slopes_of_whole_responses(parameters, load_case(LoadCaseKind::blocked, {3, 2, 1}, pressures));
+  expect_slopes_of_whole_responses(parameters, load_case(LoadCaseKind::stretch, {3, 2, 1}, pressures, {0.002}));
+  expect_slopes_of_whole_responses(parameters, load_case(LoadCaseKind::shear, {3, 2, 1}, pressures, {0.002}));
+  expect_slopes_of_whole_responses(parameters, load_case(LoadCaseKind::bending, {3, 2, 1}, pressures, {0.3}));
+  expect_slopes_of_whole_responses(parameters, load_case(LoadCaseKind::torsion, {3, 2, 1}, pressures, {0.3}));
+  expect_slopes_of_whole_responses(parameters, load_case(LoadCaseKind::press, {3, 2, 1}, {0.0, 900.0}, {0.0005}));
+  expect_slopes_of_whole_responses(parameters, load_case(LoadCaseKind::sag, {3, 2, 1}, pressures, {1.0}));
+  expect_slopes_of_whole_responses(parameters, load_case(LoadCaseKind::modes, {3, 1, 1}, pressures));
 }
 
 TEST(LoadCaseSlopes, AreThoseOfWholeAnswersWithTwoVoxelsAlongACell) {
-  expect_slopes_of_whole_answers(driven_parameters(2), load_case(LoadCaseKind::inflation, {2, 2, 1}, {-300.0, 600.0}));
+  expect_slopes_of_whole_responses(driven_parameters(2), load_case(LoadCaseKind::inflation, {2, 2, 1}, {-300.0, 600.0}));
 }
 
 // One voxel does not move: its slopes are those of its laws.

@@ -5,7 +5,7 @@
 namespace menger::voxel {
 namespace {
 
-/// y = axial^3 p, with an answer up to axial = 2.
+/// y = axial^3 p, with an response up to axial = 2.
 LoadCaseResponse cubic(const SurrogateParameters& parameters, const meshes::LoadCase&, const Responder::States& states) {
   LoadCaseResponse response;
   const double a = parameters.axial_Pa[0];

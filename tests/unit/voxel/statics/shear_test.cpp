@@ -39,7 +39,7 @@ struct Cantilever {
       : body(sample_body(meshes::bar(n), {Side::x_min}, shearing(compliance_per_Pa))), equilibrium(body) {}
 
   /// Displacement and rotation of the last voxel under loads on it.
-  Pose answer(const Vector3<double>& force, const Vector3<double>& moment) {
+  Pose response(const Vector3<double>& force, const Vector3<double>& moment) {
     StaticLoads loads = under_pressure(0.0);
     loads.points = {{static_cast<std::size_t>(n - 1), force, moment}};
     EXPECT_EQ(equilibrium.load(loads), io::RunStatus::completed);
@@ -61,7 +61,7 @@ TEST(Shear, OfACantileverIsTimoshenkosUnderATipForce) {
     const double bending = std::pow(Cantilever::length, 3) / (3.0 * sample_bending());
     const double shear = Cantilever::length * compliance / (sample_edge * sample_edge);
     const double force = 1e-6 * Cantilever::length / (bending + shear);
-    const Pose tip = cantilever.answer({0.0, 0.0, force}, {});
+    const Pose tip = cantilever.response({0.0, 0.0, force}, {});
     EXPECT_NEAR(tip.position.z, force * (bending + shear), 1e-9 * force * (bending + shear)) << compliance;
     const double slope = force * Cantilever::length * Cantilever::length / (2.0 * sample_bending());
     EXPECT_NEAR(rotation_vector(tip.orientation).y, -slope, 1e-9 * 1e-6) << compliance;
@@ -72,7 +72,7 @@ TEST(Shear, LeavesACantileverUnderAnEndMomentAsItIs) {
   const double angle = 1e-6;
   const double moment = sample_bending() * angle / Cantilever::length;
   for (const double compliance : compliances_per_Pa) {
-    const Pose tip = Cantilever(compliance).answer({}, {0.0, moment, 0.0});
+    const Pose tip = Cantilever(compliance).response({}, {0.0, moment, 0.0});
     EXPECT_NEAR(rotation_vector(tip.orientation).y, angle, 1e-9 * angle) << compliance;
     // Where next to nothing resists shear, rounding of the moments shears it by more.
     EXPECT_NEAR(tip.position.z, -0.5 * angle * Cantilever::length, 1e-8 * angle * Cantilever::length) << compliance;

@@ -10,7 +10,7 @@ namespace menger::voxel {
 inline constexpr double sample_edge = 0.01;    ///< m
 inline constexpr double sample_modulus = 1e5;  ///< Pa
 
-/// Parameters of equal moduli for all classes; lengths and walls do not answer to pressure.
+/// Parameters of equal moduli for all classes; lengths and walls do not response to pressure.
 inline SurrogateParameters sample_parameters() {
   SurrogateParameters parameters;
   parameters.silicone = "sample";

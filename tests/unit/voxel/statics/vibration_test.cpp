@@ -101,7 +101,7 @@ TEST(SmallMotion, AnswersToPressureAsEquilibriaDo) {
   Equilibrium equilibrium(body);
   ASSERT_EQ(equilibrium.load(under_pressure(1000.0)), io::RunStatus::completed);
   const SmallMotion motion = small_motion(equilibrium);
-  const Eigen::VectorXd answer = motion.stiffness.ldlt().solve(motion.pressure_load);
+  const Eigen::VectorXd response = motion.stiffness.ldlt().solve(motion.pressure_load);
   const std::size_t tip = body.voxel_count() - 1;
   const auto at = equilibrium.balance().first_unknown(tip);
   ASSERT_TRUE(at.has_value());
@@ -111,9 +111,9 @@ TEST(SmallMotion, AnswersToPressureAsEquilibriaDo) {
   };
   const double step = 1.0;
   const Vector3<double> slope = (1.0 / (2.0 * step)) * (place(1000.0 + step) - place(1000.0 - step));
-  // 1e-3: the antisymmetric part of the stiffness is left out of the answer.
-  EXPECT_NEAR(answer(*at), slope.x, 1e-3 * slope.x);
-  EXPECT_NEAR(answer(*at + 2), slope.z, 1e-3 * slope.x);
+  // 1e-3: the antisymmetric part of the stiffness is left out of the response.
+  EXPECT_NEAR(response(*at), slope.x, 1e-3 * slope.x);
+  EXPECT_NEAR(response(*at + 2), slope.z, 1e-3 * slope.x);
 }
 
 TEST(SmallMotion, IsSymmetricAtRestAndNearlySoUnderLoad) {

@@ -11,7 +11,7 @@ using meshes::LoadCaseKind;
 using samples::bar_curve;
 using samples::validation_parameters;
 
-/// Curves of a bar whose true parameters are known: the surrogate answers in place of finite elements.
+/// Curves of a bar whose true parameters are known: the surrogate responses in place of finite elements.
 std::vector<meshes::ResponseCurve> curves_of(const SurrogateParameters& truth) {
   std::vector<meshes::ResponseCurve> curves{bar_curve("bar_inflation", LoadCaseKind::inflation, {}),
                                             bar_curve("bar_sag", LoadCaseKind::sag, {}),
@@ -51,7 +51,7 @@ TEST(ValidationCause, FindsRestLengthsThatAreNotThoseOfTheFit) {
   EXPECT_GT(gap, 0.05);
   EXPECT_LT(report.trials[1].rms_error, small_share * gap);
   EXPECT_GT(report.trials[2].rms_error, 0.5 * gap);
-  EXPECT_EQ(report.verdict.rfind("rest lengths of its own close the gap", 0), 0U) << text_of(report);
+  EXPECT_EQ(report.verdict.rfind("rest lengths fitted to this body remove the error", 0), 0U) << text_of(report);
 }
 
 TEST(ValidationCause, FindsStiffnessesThatAreNotThoseOfTheFit) {
@@ -66,7 +66,7 @@ TEST(ValidationCause, FindsStiffnessesThatAreNotThoseOfTheFit) {
   EXPECT_GT(gap, 0.05);
   EXPECT_LT(report.trials[2].rms_error, small_share * gap);
   EXPECT_LT(report.trials[2].rms_stiffness_error.value(), small_share * report.trials[0].rms_stiffness_error.value());
-  EXPECT_EQ(report.verdict.rfind("stiffnesses of its own close the gap", 0), 0U) << text_of(report);
+  EXPECT_EQ(report.verdict.rfind("stiffnesses fitted to this body remove the error", 0), 0U) << text_of(report);
 }
 
 TEST(ValidationCause, FindsBulgesThatFade) {
@@ -79,7 +79,7 @@ TEST(ValidationCause, FindsBulgesThatFade) {
   }
   const CauseReport report = explained(truth, validation_parameters());
   EXPECT_LT(report.trials[1].rms_error, small_share * report.trials[0].rms_error);
-  EXPECT_EQ(report.verdict.rfind("rest lengths of its own close the gap", 0), 0U) << text_of(report);
+  EXPECT_EQ(report.verdict.rfind("rest lengths fitted to this body remove the error", 0), 0U) << text_of(report);
 }
 
 TEST(ValidationCause, FindsShearThatTheParametersLack) {
@@ -87,11 +87,11 @@ TEST(ValidationCause, FindsShearThatTheParametersLack) {
   for (std::size_t c = 0; c < wall_class_count; ++c) truth.shear_compliance_per_Pa.at(c) = 20.0 / truth.axial_Pa.at(c);
   const CauseReport report = explained(truth, validation_parameters());
   EXPECT_LT(report.trials[2].rms_error, small_share * report.trials[0].rms_error);
-  EXPECT_EQ(report.verdict.rfind("stiffnesses of its own close the gap", 0), 0U) << text_of(report);
+  EXPECT_EQ(report.verdict.rfind("stiffnesses fitted to this body remove the error", 0), 0U) << text_of(report);
 }
 
 TEST(ValidationCause, CountsWhatIsInsideTheRangeAlone) {
-  // beyond the range of 8 kPa the curve is nonsense, and beyond 9.5 kPa there is no answer to it
+  // beyond the range of 8 kPa the curve is nonsense, and beyond 9.5 kPa there is no response to it
   SurrogateParameters truth = validation_parameters();
   for (PressureLaw& law : truth.extension) law.slope_per_Pa *= 1.5;
   meshes::ResponseCurve curve = bar_curve("bar_inflation", LoadCaseKind::inflation, {});
@@ -102,20 +102,20 @@ TEST(ValidationCause, CountsWhatIsInsideTheRangeAlone) {
   }
   const Responder responder = [](const SurrogateParameters& parameters, const meshes::LoadCase& load_case,
                                  const std::vector<std::vector<double>>& states) {
-    std::vector<std::vector<double>> answered = states;
-    std::erase_if(answered, [](const std::vector<double>& state) { return state[0] > 9.5e3; });
-    LoadCaseResponse response = respond(parameters, load_case, answered);
-    if (answered.size() < states.size()) response.status = io::RunStatus::not_converged;
+    std::vector<std::vector<double>> computed = states;
+    std::erase_if(computed, [](const std::vector<double>& state) { return state[0] > 9.5e3; });
+    LoadCaseResponse response = respond(parameters, load_case, computed);
+    if (computed.size() < states.size()) response.status = io::RunStatus::not_converged;
     return response;
   };
   const CurveComparison comparison = compare(curve, "bar", validation_parameters(), responder);
-  ASSERT_FALSE(comparison.unanswered.empty());
+  ASSERT_FALSE(comparison.without_equilibrium.empty());
   const CauseReport report = explain_miss({comparison}, "bar", validation_parameters(), responder);
   ASSERT_EQ(report.trials.size(), 4U);
   EXPECT_TRUE(report.inside);
-  for (const CauseTrial& trial : report.trials) EXPECT_TRUE(trial.all_answered) << to_string(trial.part);
+  for (const CauseTrial& trial : report.trials) EXPECT_TRUE(trial.all_computed) << to_string(trial.part);
   EXPECT_LT(report.trials[1].rms_error, small_share * report.trials[0].rms_error) << text_of(report);
-  EXPECT_EQ(report.verdict.rfind("rest lengths of its own close the gap", 0), 0U) << text_of(report);
+  EXPECT_EQ(report.verdict.rfind("rest lengths fitted to this body remove the error", 0), 0U) << text_of(report);
 }
 
 TEST(ValidationCause, CountsAllWhereNothingIsInsideTheRange) {
@@ -133,7 +133,7 @@ TEST(ValidationCause, CountsAllWhereNothingIsInsideTheRange) {
 
 TEST(ValidationCause, SaysSoWhereThereIsNoGap) {
   const CauseReport report = explained(validation_parameters(), validation_parameters());
-  EXPECT_EQ(report.verdict, "there is no gap to close") << text_of(report);
+  EXPECT_EQ(report.verdict, "there is no error to explain") << text_of(report);
 }
 
 TEST(ValidationCause, PoolsTheErrorsOfSeveralBodies) {
@@ -152,7 +152,7 @@ TEST(ValidationCause, PoolsTheErrorsOfSeveralBodies) {
            .error = 9.0,
            .pointwise_error = {},
            .validity = Validity::pressure}};
-      comparison.unanswered = {{ObservableKind::displacement, Validity::pressure}};
+      comparison.without_equilibrium = {{ObservableKind::displacement, Validity::pressure}};
       CauseTrial trial;
       trial.part = part;
       trial.comparisons = {comparison};
@@ -163,8 +163,8 @@ TEST(ValidationCause, PoolsTheErrorsOfSeveralBodies) {
   const std::vector<std::string> lines = cause_lines({report_of("a", 0.1), report_of("b", -0.3)});
   ASSERT_EQ(lines.size(), 17U) << "six of each, and five of both together";
   EXPECT_EQ(lines[12], "median errors of these bodies together, displacement and volume:");
-  EXPECT_EQ(lines[13], "  with nothing of their own: 20 %, 10 %");
-  EXPECT_EQ(lines[16], "  with both of their own: 1 %, 10 %");
+  EXPECT_EQ(lines[13], "  nothing fitted to each body: 20 %, 10 %");
+  EXPECT_EQ(lines[16], "  both fitted to each body: 1 %, 10 %");
 }
 
 TEST(ValidationCause, SaysSoWhereNoParametersFollowTheBody) {
@@ -177,7 +177,7 @@ TEST(ValidationCause, SaysSoWhereNoParametersFollowTheBody) {
   }
   const std::vector<CurveComparison> comparisons{compare(curve, "bar", validation_parameters(), respond)};
   const CauseReport report = explain_miss(comparisons, "bar", validation_parameters(), respond);
-  EXPECT_EQ(report.verdict.rfind("no parameters of its own close it", 0), 0U) << text_of(report);
+  EXPECT_EQ(report.verdict.rfind("no parameters fitted to this body remove the error", 0), 0U) << text_of(report);
   EXPECT_EQ(cause_lines({report}).size(), 6U);
 }
 

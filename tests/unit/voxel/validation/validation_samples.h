@@ -35,9 +35,9 @@ inline meshes::ResponseCurve bar_curve(const std::string& name, meshes::LoadCase
   return curve;
 }
 
-/// Answers with a table, whatever is asked, as far as it goes; its strains are those given.
-inline Responder answering(std::vector<std::vector<double>> values, double largest_strain = 0.1,
-                           io::RunStatus status = io::RunStatus::completed) {
+/// Responses with a table, whatever is asked, as far as it goes; its strains are those given.
+inline Responder responding(std::vector<std::vector<double>> values, double largest_strain = 0.1,
+                            io::RunStatus status = io::RunStatus::completed) {
   return [values = std::move(values), largest_strain, status](const SurrogateParameters&, const meshes::LoadCase& load_case,
                                                               const std::vector<std::vector<double>>&) {
     LoadCaseResponse response;

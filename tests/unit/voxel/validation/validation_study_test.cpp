@@ -119,7 +119,7 @@ TEST_F(ValidationStudyFile, RefusesCurvesOfOtherBodies) {
   EXPECT_EQ(complaint(), "");
   write_curve("bar", "another");
   EXPECT_NE(complaint().find("bar.toml: silicone = \"another\": the parameters"), std::string::npos) << complaint();
-  EXPECT_NE(complaint().find("hold for \"test silicone\""), std::string::npos) << complaint();
+  EXPECT_NE(complaint().find("are for \"test silicone\""), std::string::npos) << complaint();
   write_curve("bar", "test silicone", 0.012);
   EXPECT_NE(complaint().find("case.cell_edge_m = 0.012"), std::string::npos) << complaint();
 }
@@ -153,7 +153,7 @@ TEST_F(ValidationStudyFile, RefusesTwoCurvesOfOneName) {
 TEST_F(ValidationStudyFile, RefusesPlacesWithoutCurves) {
   EXPECT_NE(complaint().find("curves"), std::string::npos) << "nothing is there";
   fs::create_directories(folder_ / "curves");
-  EXPECT_NE(complaint().find("holds no response curve"), std::string::npos);
+  EXPECT_NE(complaint().find("contains no response curve"), std::string::npos);
 }
 
 TEST_F(ValidationStudyFile, FindsTheCurvesOfTheFitInTheParameters) {

@@ -12,8 +12,8 @@ namespace menger::voxel {
 namespace {
 
 using meshes::LoadCaseKind;
-using samples::answering;
 using samples::bar_curve;
+using samples::responding;
 using samples::validation_parameters;
 
 // Sums and quotients of a few numbers of order one.
@@ -31,34 +31,34 @@ const ObservableError& error_of(const CurveComparison& comparison, const std::st
 }
 
 TEST(Validation, TakesErrorsByTheLargestMagnitudeOfTheObservableInItsCurve) {
-  std::vector<std::vector<double>> answer = blocked_table;
-  answer[1] = {0.0, -0.12, -0.3};
-  answer[2] = {0.0, 0.025, 0.05};
-  const CurveComparison comparison =
-      compare(bar_curve("bar_blocked", LoadCaseKind::blocked, blocked_table), "bar", validation_parameters(), answering(answer));
+  std::vector<std::vector<double>> response = blocked_table;
+  response[1] = {0.0, -0.12, -0.3};
+  response[2] = {0.0, 0.025, 0.05};
+  const CurveComparison comparison = compare(bar_curve("bar_blocked", LoadCaseKind::blocked, blocked_table), "bar",
+                                             validation_parameters(), responding(response));
   ASSERT_EQ(comparison.errors.size(), 4U) << "the state at rest says nothing";
   EXPECT_NEAR(error_of(comparison, "force_N", 1e3).error, -0.02 / 0.4, rounding);
   EXPECT_NEAR(error_of(comparison, "force_N", 1e3).pointwise_error.value(), -0.02 / 0.1, rounding);
   EXPECT_NEAR(error_of(comparison, "force_N", 2e3).error, 0.1 / 0.4, rounding);
   EXPECT_NEAR(error_of(comparison, "volume_change", 1e3).error, 0.1, rounding);
   EXPECT_EQ(error_of(comparison, "volume_change", 1e3).kind, ObservableKind::volume);
-  EXPECT_TRUE(comparison.unanswered.empty());
+  EXPECT_TRUE(comparison.without_equilibrium.empty());
 }
 
 TEST(Validation, DoesNotBlowUpAnObservableThatHardlyAnswers) {
   // The top stays within a ten-thousandth of what the extents do: its scale is a hundredth of theirs.
   const std::vector<std::vector<double>> table{{1e3}, {0.1}, {1e-3}, {1e-3}, {1e-3}, {1e-7}};
-  std::vector<std::vector<double>> answer = table;
-  answer[5] = {2e-6};
+  std::vector<std::vector<double>> response = table;
+  response[5] = {2e-6};
   const CurveComparison comparison =
-      compare(bar_curve("bar", LoadCaseKind::inflation, table), "bar", validation_parameters(), answering(answer));
+      compare(bar_curve("bar", LoadCaseKind::inflation, table), "bar", validation_parameters(), responding(response));
   EXPECT_NEAR(error_of(comparison, "top_m", 1e3).error, 1.9e-6 / 1e-5, rounding);
 }
 
 TEST(Validation, LeavesOutWhatIsZeroThroughout) {
   const std::vector<std::vector<double>> table{{1e3}, {-0.2}, {0.0}};
   const CurveComparison comparison =
-      compare(bar_curve("bar", LoadCaseKind::blocked, table), "bar", validation_parameters(), answering(table));
+      compare(bar_curve("bar", LoadCaseKind::blocked, table), "bar", validation_parameters(), responding(table));
   ASSERT_EQ(comparison.errors.size(), 1U);
   EXPECT_EQ(comparison.errors[0].observable, "force_N");
 }
@@ -68,9 +68,9 @@ TEST(Validation, TakesStiffnessFromTheSlopeAtEachPressure) {
   const std::vector<double> pressures{0.0, 0.0, 0.0, 4e3, 4e3};
   const std::vector<double> imposed{-1e-3, 0.0, 1e-3, 0.0, 1e-3};
   const std::vector<double> forces{0.2, 0.3, 0.4, 0.0, 0.08};
-  const std::vector<double> answers{0.09, 0.2, 0.31, 0.0, 0.06};
+  const std::vector<double> responses{0.09, 0.2, 0.31, 0.0, 0.06};
   const CurveComparison comparison = compare(bar_curve("bar", LoadCaseKind::shear, {pressures, imposed, forces}), "bar",
-                                             validation_parameters(), answering({pressures, imposed, answers}));
+                                             validation_parameters(), responding({pressures, imposed, responses}));
   const ObservableError& relaxed = error_of(comparison, "stiffness_N_per_m", 0.0);
   EXPECT_NEAR(relaxed.reference, 100.0, 1e-9);
   EXPECT_NEAR(relaxed.surrogate, 110.0, 1e-9);
@@ -84,7 +84,7 @@ TEST(Validation, TakesStiffnessFromTheSlopeAtEachPressure) {
 TEST(Validation, ComparesFrequenciesOfTheBodyAtRest) {
   const std::vector<std::vector<double>> table{{0.0}, {20.0}, {25.0}, {60.0}};
   const CurveComparison comparison = compare(bar_curve("bar", LoadCaseKind::modes, table), "bar", validation_parameters(),
-                                             answering({{0.0}, {22.0}, {25.0}, {60.0}}));
+                                             responding({{0.0}, {22.0}, {25.0}, {60.0}}));
   ASSERT_EQ(comparison.errors.size(), 3U);
   EXPECT_NEAR(comparison.errors[0].error, 0.1, rounding);
   EXPECT_EQ(comparison.errors[0].kind, ObservableKind::frequency);
@@ -93,19 +93,19 @@ TEST(Validation, ComparesFrequenciesOfTheBodyAtRest) {
 
 TEST(Validation, TellsWhichNumbersHaveNoAnswer) {
   const CurveComparison some = compare(bar_curve("bar", LoadCaseKind::blocked, blocked_table), "bar", validation_parameters(),
-                                       answering({{0.0, 1e3}, {0.0, -0.1}, {0.0, 0.02}}, 0.1, io::RunStatus::not_converged));
+                                       responding({{0.0, 1e3}, {0.0, -0.1}, {0.0, 0.02}}, 0.1, io::RunStatus::not_converged));
   EXPECT_EQ(some.errors.size(), 2U);
-  EXPECT_EQ(some.unanswered, (std::vector<UnansweredNumber>{{ObservableKind::force, Validity::inside},
-                                                            {ObservableKind::volume, Validity::inside}}));
+  EXPECT_EQ(some.without_equilibrium, (std::vector<UndeterminedNumber>{{ObservableKind::force, Validity::inside},
+                                                                       {ObservableKind::volume, Validity::inside}}));
   const CurveComparison none = compare(bar_curve("bar", LoadCaseKind::blocked, blocked_table), "bar", validation_parameters(),
-                                       answering({}, 0.1, io::RunStatus::not_converged));
-  EXPECT_EQ(none.unanswered.size(), 4U);
+                                       responding({}, 0.1, io::RunStatus::not_converged));
+  EXPECT_EQ(none.without_equilibrium.size(), 4U);
   EXPECT_NE(summary_table({none}).text().find("all,force,inside,0,2,,,,,,"), std::string::npos) << summary_table({none}).text();
 }
 
 TEST(Validation, MarksWhatTheParametersSayNothingOf) {
   const auto first_validity = [](const meshes::ResponseCurve& curve, double largest_strain = 0.1) {
-    return compare(curve, "bar", validation_parameters(), answering(curve.values, largest_strain)).errors.back().validity;
+    return compare(curve, "bar", validation_parameters(), responding(curve.values, largest_strain)).errors.back().validity;
   };
   meshes::ResponseCurve curve = bar_curve("bar", LoadCaseKind::blocked, {{8e3}, {-0.4}, {0.1}});
   EXPECT_EQ(first_validity(curve), Validity::inside);
@@ -115,7 +115,7 @@ TEST(Validation, MarksWhatTheParametersSayNothingOf) {
   curve.values[0] = {-5.1e3};
   EXPECT_EQ(first_validity(curve), Validity::pressure);
   curve.provenance.load_case.level = 2;
-  EXPECT_EQ(first_validity(curve), Validity::pressure) << "modules are judged alone";
+  EXPECT_EQ(first_validity(curve), Validity::pressure) << "modules are checked alone";
   curve.provenance.load_case.cells = {4, 1, 1};
   curve.provenance.load_case.digits = "1111";
   EXPECT_EQ(first_validity(curve), Validity::size);
@@ -139,7 +139,7 @@ TEST(Validation, BlamesStrainOnlyOnTheStatesThatHaveIt) {
 }
 
 TEST(Validation, DoesNotBlameStrainForAMissingAnswer) {
-  // the state that has an answer leaves the range of strains; what the other would do to the beams nobody knows
+  // the state that has an response leaves the range of strains; what the other would do to the beams nobody knows
   const Responder responder = [](const SurrogateParameters&, const meshes::LoadCase& load_case,
                                  const std::vector<std::vector<double>>& states) {
     LoadCaseResponse response;
@@ -152,11 +152,11 @@ TEST(Validation, DoesNotBlameStrainForAMissingAnswer) {
   };
   const CurveComparison comparison =
       compare(bar_curve("bar", LoadCaseKind::blocked, blocked_table), "bar", validation_parameters(), responder);
-  ASSERT_EQ(comparison.unanswered.size(), 2U);
-  EXPECT_EQ(comparison.unanswered[0].validity, Validity::inside);
+  ASSERT_EQ(comparison.without_equilibrium.size(), 2U);
+  EXPECT_EQ(comparison.without_equilibrium[0].validity, Validity::inside);
 }
 
-/// An answer ends where walls touch, beyond -1 kPa, and what comes after has none.
+/// An response ends where walls touch, beyond -1 kPa, and what comes after has none.
 LoadCaseResponse touching_walls(const SurrogateParameters&, const meshes::LoadCase& load_case,
                                 const std::vector<std::vector<double>>& states) {
   LoadCaseResponse response;
@@ -178,8 +178,8 @@ TEST(Validation, KeepsTheAnswersUnderPressureWhereVacuumHasNone) {
   const std::vector<std::vector<double>> table{{-2e3, -1e3, 0.0, 2e3}, {0.2, 0.1, 0.0, -0.1}, {-0.04, -0.02, 0.0, 0.04}};
   const CurveComparison comparison =
       compare(bar_curve("bar", LoadCaseKind::blocked, table), "bar", validation_parameters(), touching_walls);
-  EXPECT_EQ(comparison.answer.status, io::RunStatus::wall_contact);
-  EXPECT_EQ(comparison.unanswered.size(), 2U) << "of the first state";
+  EXPECT_EQ(comparison.response.status, io::RunStatus::wall_contact);
+  EXPECT_EQ(comparison.without_equilibrium.size(), 2U) << "of the first state";
   EXPECT_NEAR(error_of(comparison, "force_N", -1e3).error, 0.0, rounding);
   EXPECT_NEAR(error_of(comparison, "force_N", 2e3).error, -0.1 / 0.2, rounding);
 }
@@ -188,8 +188,8 @@ TEST(Validation, KeepsTheAnswersUnderMildVacuumWhereDeepVacuumHasNone) {
   const std::vector<std::vector<double>> table{{-2e3, -1e3, -5e2}, {0.2, 0.1, 0.05}, {-0.04, -0.02, -0.01}};
   const CurveComparison comparison =
       compare(bar_curve("bar", LoadCaseKind::blocked, table), "bar", validation_parameters(), touching_walls);
-  EXPECT_EQ(comparison.answer.status, io::RunStatus::wall_contact);
-  EXPECT_EQ(comparison.unanswered.size(), 2U) << "of the deepest state";
+  EXPECT_EQ(comparison.response.status, io::RunStatus::wall_contact);
+  EXPECT_EQ(comparison.without_equilibrium.size(), 2U) << "of the deepest state";
   EXPECT_NEAR(error_of(comparison, "force_N", -1e3).error, 0.0, rounding);
   EXPECT_NEAR(error_of(comparison, "force_N", -5e2).error, 0.0, rounding);
 }
@@ -198,8 +198,8 @@ TEST(Validation, JudgesByTheClaimsItIsGiven) {
   const std::vector<std::vector<double>> table{{-2e3, -5e2, 1e3}, {0.2, 0.05, -0.1}, {-0.04, -0.01, 0.02}};
   const CurveComparison comparison = compare(bar_curve("bar", LoadCaseKind::blocked, table), "bar", validation_parameters(),
                                              touching_walls, std::vector{Validity::size, Validity::inside, Validity::strain});
-  ASSERT_EQ(comparison.unanswered.size(), 2U);
-  EXPECT_EQ(comparison.unanswered[0].validity, Validity::size);
+  ASSERT_EQ(comparison.without_equilibrium.size(), 2U);
+  EXPECT_EQ(comparison.without_equilibrium[0].validity, Validity::size);
   EXPECT_EQ(error_of(comparison, "force_N", -5e2).validity, Validity::inside);
   EXPECT_EQ(error_of(comparison, "force_N", 1e3).validity, Validity::strain);
 }
@@ -273,36 +273,36 @@ TEST(ValidationSummary, KeepsWhatLiesOutsideTheRangeApart) {
 TEST(ValidationSummary, JudgesMediansAndNamesTheBodiesThatMiss) {
   const std::vector<CurveComparison> comparisons{with_errors("a", {0.01, 0.02, 0.03}), with_errors("b", {0.2}),
                                                  with_errors("c", {-0.3}), with_errors("d", {5.0}, Validity::size)};
-  const std::vector<AimOutcome> outcomes = judge(comparisons, 0.1);
+  const std::vector<AimOutcome> outcomes = assess(comparisons, 0.1);
   ASSERT_EQ(outcomes.size(), 2U);
   EXPECT_FALSE(outcomes[0].median.has_value()) << "no displacement was compared";
   EXPECT_NEAR(outcomes[1].median.value(), 0.03, rounding);
   EXPECT_TRUE(outcomes[1].met);
   EXPECT_EQ(outcomes[1].bodies_beyond, (std::vector<std::string>{"c", "b"}));
-  EXPECT_FALSE(judge(comparisons, 0.015)[1].met);
+  EXPECT_FALSE(assess(comparisons, 0.015)[1].met);
   const std::vector<std::string> sentences = aim_sentences(comparisons, 0.015);
-  EXPECT_NE(sentences[0].find("nothing was compared"), std::string::npos);
-  EXPECT_EQ(sentences[1].rfind("volume: median error 3 %, aim 1.5 %: missed; bodies beyond it by themselves: c, b, a", 0), 0U)
+  EXPECT_NE(sentences[0].find("no value was compared"), std::string::npos);
+  EXPECT_EQ(sentences[1].rfind("volume: median error 3 %, aim 1.5 %: missed; bodies that miss the aim: c, b, a", 0), 0U)
       << sentences[1];
 }
 
 TEST(ValidationSummary, CountsNumbersWithoutAnswerAsMissed) {
   std::vector<CurveComparison> comparisons{with_errors("a", {0.01, 0.02, 0.03})};
-  comparisons[0].unanswered.assign(3, {ObservableKind::volume, Validity::inside});
-  const AimOutcome missed = judge(comparisons, 0.1)[1];
-  EXPECT_FALSE(missed.median.has_value()) << "half of the six have no answer";
+  comparisons[0].without_equilibrium.assign(3, {ObservableKind::volume, Validity::inside});
+  const AimOutcome missed = assess(comparisons, 0.1)[1];
+  EXPECT_FALSE(missed.median.has_value()) << "half of the six have no equilibrium";
   EXPECT_FALSE(missed.met);
-  EXPECT_EQ(missed.unanswered_inside, 3U);
+  EXPECT_EQ(missed.undetermined_inside, 3U);
   EXPECT_EQ(missed.bodies_beyond, std::vector<std::string>{"a"});
   const std::string sentence = aim_sentences(comparisons, 0.1)[1];
-  EXPECT_NE(sentence.find("missed; without an answer, and counted as missed, are 3 of 6 numbers"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("missed; no equilibrium inside the range (counted as missed): 3 of 6 values"), std::string::npos)
+      << sentence;
 
-  comparisons[0].unanswered.assign(3, {ObservableKind::volume, Validity::pressure});
-  const AimOutcome met = judge(comparisons, 0.1)[1];
+  comparisons[0].without_equilibrium.assign(3, {ObservableKind::volume, Validity::pressure});
+  const AimOutcome met = assess(comparisons, 0.1)[1];
   EXPECT_TRUE(met.met) << "nothing is claimed outside the range";
-  EXPECT_EQ(met.unanswered_outside, 3U);
-  EXPECT_NE(aim_sentences(comparisons, 0.1)[1].find("met; without an answer outside the range, and not counted, are 3"),
-            std::string::npos);
+  EXPECT_EQ(met.undetermined_outside, 3U);
+  EXPECT_NE(aim_sentences(comparisons, 0.1)[1].find("met; no equilibrium outside the range (not counted): 3"), std::string::npos);
 }
 
 TEST(ValidationTables, HoldOneRowPerNumberAndPerKind) {

@@ -46,7 +46,7 @@ TEST(VolumeActuation, KnowsTheStateAtRestWithoutARowForIt) {
   const VolumeActuation actuation = volume_actuation(curve_of({12e3}, {0.6}), "bar", actuation_aim(6e3, 0.144714));
   EXPECT_NEAR(actuation.change_at_pressure.value(), 0.3, rounding);
   EXPECT_FALSE(actuation.pressure_for_smallest_Pa.has_value());
-  EXPECT_EQ(actuation_sentences(actuation, actuation_aim(6e3, 0.144714)).back(), "vacuum is not on the curve");
+  EXPECT_EQ(actuation_sentences(actuation, actuation_aim(6e3, 0.144714)).back(), "the curve contains no vacuum");
 }
 
 TEST(VolumeActuation, ReadsOffNothingBeyondTheCurve) {
@@ -60,7 +60,7 @@ TEST(VolumeActuation, ReadsOffNothingBeyondTheCurve) {
   EXPECT_FALSE(actuation.pressure_for_smallest_Pa.has_value());
   const std::vector<std::string> sentences = actuation_sentences(actuation, aim);
   EXPECT_NE(sentences[0].find("limit pressure is 6.25 kPa"), std::string::npos) << sentences[0];
-  EXPECT_NE(sentences[1].find("+20 % where the curve ends, at 5 kPa (0.8 of the limit pressure)"), std::string::npos)
+  EXPECT_NE(sentences[1].find("+20 % at the end of the curve, at 5 kPa (0.8 of the limit pressure)"), std::string::npos)
       << sentences[1];
   EXPECT_NE(sentences[2].find("walls touch at -4 kPa"), std::string::npos) << sentences[2];
 }

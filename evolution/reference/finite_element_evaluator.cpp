@@ -1,4 +1,4 @@
-#include "evolution/reference/silicone_judge.h"
+#include "evolution/reference/finite_element_evaluator.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,30 +13,30 @@
 
 namespace menger::evolution {
 
-std::unique_ptr<SiliconeJudge> judge_of(Study& study, const std::filesystem::path& file, const SiliconeJudgeOptions& options,
-                                        int threads) {
-  if (!study.search.judging) return nullptr;
-  ReevaluationStudy judging = read_reevaluation_study({.archive = file, .file = study.judge_file}, study);
-  SiliconeJudgeOptions chosen = options;
-  chosen.jobs = std::max(1, threads / judging.elements.threads);
-  auto judge = std::make_unique<SiliconeJudge>(std::move(judging), std::move(chosen));
-  study.search.judging->protocol = io::content_hash(judge->protocol());
-  return judge;
+std::unique_ptr<FiniteElementEvaluator> reference_evaluator_of(Study& study, const std::filesystem::path& file,
+                                                               const FiniteElementEvaluatorOptions& options, int threads) {
+  if (!study.search.reference) return nullptr;
+  ReevaluationStudy reevaluation = read_reevaluation_study({.archive = file, .file = study.reference_file}, study);
+  FiniteElementEvaluatorOptions chosen = options;
+  chosen.jobs = std::max(1, threads / reevaluation.elements.threads);
+  auto reference = std::make_unique<FiniteElementEvaluator>(std::move(reevaluation), std::move(chosen));
+  study.search.reference->protocol = io::content_hash(reference->protocol());
+  return reference;
 }
 
-SiliconeJudge::SiliconeJudge(ReevaluationStudy study, SiliconeJudgeOptions options)
+FiniteElementEvaluator::FiniteElementEvaluator(ReevaluationStudy study, FiniteElementEvaluatorOptions options)
     : study_(std::move(study)), options_(std::move(options)), program_(io::program_in(options_.programs, "menger-locomote")) {}
 
-Distinction SiliconeJudge::distinction() const { return distinction_of(study_.search); }
+Distinction FiniteElementEvaluator::distinction() const { return distinction_of(study_.search); }
 
-std::string SiliconeJudge::obstacle(const meshes::Polycube& body) const {
+std::string FiniteElementEvaluator::obstacle(const meshes::Polycube& body) const {
   const auto [place, is_new] = obstacles_.try_emplace(body.digits());
-  if (is_new) place->second = obstacle_to_judging(study_, body);
+  if (is_new) place->second = obstacle_to_reference(study_, body);
   return place->second;
 }
 
-std::optional<std::vector<JudgeResult>> SiliconeJudge::judge(std::span<const meshes::Polycube> bodies,
-                                                             const std::atomic<bool>* stop) {
+std::optional<std::vector<ReferenceResult>> FiniteElementEvaluator::evaluate(std::span<const meshes::Polycube> bodies,
+                                                                             const std::atomic<bool>* stop) {
   std::vector<LocomotionJob> jobs;
   for (const meshes::Polycube& body : bodies) {
     const std::string name = std::to_string(jobs.size() + 1) + " of " + std::to_string(bodies.size());
@@ -53,7 +53,7 @@ std::optional<std::vector<JudgeResult>> SiliconeJudge::judge(std::span<const mes
   auto runs = run_locomotions(jobs, run_options);
   if (!runs) return std::nullopt;
   require_accepted(*runs);
-  std::vector<JudgeResult> results;
+  std::vector<ReferenceResult> results;
   for (LocomotionRun& run : *runs) {
     leave_out(run, study_.measure_from_s);
     results.push_back(
@@ -62,9 +62,9 @@ std::optional<std::vector<JudgeResult>> SiliconeJudge::judge(std::span<const mes
   return results;
 }
 
-std::string SiliconeJudge::protocol() const { return protocol_text(study_, study_.elements); }
+std::string FiniteElementEvaluator::protocol() const { return protocol_text(study_, study_.elements); }
 
-double SiliconeJudge::time_factor() const {
+double FiniteElementEvaluator::time_factor() const {
   return (study_.search.duration_s - study_.search.measure_from_s) / study_.measured_s();
 }
 

@@ -1,4 +1,4 @@
-#include "voxel/engine/energy_books.h"
+#include "voxel/engine/energy_balance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace menger::voxel {
 
-EnergyBooks::EnergyBooks(const StepData<double>& data, BeamVariety variety, bool velocity, bool floor, bool gravity,
-                         bool actuated, LateralCoupling<double>* coupling, const FootContact<double>* feet)
+EnergyBalance::EnergyBalance(const StepData<double>& data, BeamVariety variety, bool velocity, bool floor, bool gravity,
+                             bool actuated, LateralCoupling<double>* coupling, const FootContact<double>* feet)
     : data_(&data),
       variety_(variety),
       velocity_(velocity),
@@ -18,7 +18,7 @@ EnergyBooks::EnergyBooks(const StepData<double>& data, BeamVariety variety, bool
       actuated_(actuated),
       coupling_(coupling),
       feet_(feet),
-      books_(data.padded_voxels + 4) {
+      balance_(data.padded_voxels + 4) {
   std::size_t beams = 0;
   for (const BeamAxisData<double>& axis : data.axis) beams += axis.count;
   for (auto* values : {&rest_length_, &last_rest_length_, &rest_length_force_, &last_rest_length_force_})
@@ -26,7 +26,7 @@ EnergyBooks::EnergyBooks(const StepData<double>& data, BeamVariety variety, bool
 }
 
 template <int Axis, bool Velocity, BeamVariety Variety>
-bool EnergyBooks::add_axis() {
+bool EnergyBalance::add_axis() {
   constexpr bool uniform = Variety == BeamVariety::uniform;
   const StepData<double>& d = *data_;
   const BeamAxisData<double>& beams = d.axis[Axis];
@@ -49,21 +49,21 @@ bool EnergyBooks::add_axis() {
 
     const auto lower = static_cast<std::size_t>(beams.lower[i]);
     const auto upper = static_cast<std::size_t>(beams.upper[i]);
-    const auto book = [&](Kind kind, const BeamLoads<double>& in_frame) {
+    const auto add_loads = [&](Kind kind, const BeamLoads<double>& in_frame) {
       const BeamLoads<double> loads = to_world(step.state.frame, in_frame);
       Lines<double> line{};
       const auto add = [&](std::size_t voxel, const Vector3<double>& force_on, const Vector3<double>& moment_on) {
         unpermute<Axis>(force_on, line, slot::fx);
         unpermute<Axis>(moment_on, line, slot::mx);
-        Load& load = books_[voxel].load[kind];
+        Load& load = balance_[voxel].load[kind];
         load.force = load.force + Vector3<double>{line.value[slot::fx], line.value[slot::fy], line.value[slot::fz]};
         load.moment = load.moment + Vector3<double>{line.value[slot::mx], line.value[slot::my], line.value[slot::mz]};
       };
       add(lower, loads.lower_force, loads.lower_moment);
       add(upper, loads.upper_force, loads.upper_moment);
     };
-    book(elastic, step.elastic);
-    book(bond_damping, step.damping);
+    add_loads(elastic, step.elastic);
+    add_loads(bond_damping, step.damping);
 
     const BeamLoads<double> loads = to_world(step.state.frame, step.elastic + step.damping);
     Lines<double> lower_line{};
@@ -78,7 +78,7 @@ bool EnergyBooks::add_axis() {
 }
 
 template <bool Velocity, BeamVariety Variety>
-bool EnergyBooks::add_axes() {
+bool EnergyBalance::add_axes() {
   const bool x = add_axis<0, Velocity, Variety>();
   const bool y = add_axis<1, Velocity, Variety>();
   const bool z = add_axis<2, Velocity, Variety>();
@@ -86,7 +86,7 @@ bool EnergyBooks::add_axes() {
 }
 
 template <bool Velocity>
-bool EnergyBooks::add_all_axes() {
+bool EnergyBalance::add_all_axes() {
   switch (variety_) {
     case BeamVariety::classes:
       return add_axes<Velocity, BeamVariety::classes>();
@@ -98,9 +98,9 @@ bool EnergyBooks::add_all_axes() {
   return add_axes<Velocity, BeamVariety::own_lengths>();
 }
 
-/// The work that the drive does on the stored energy by changing rest lengths, with the mean of the forces at both ends of the
-/// step.
-void EnergyBooks::book_actuation() {
+/// Adds the work that the drive does on the stored energy by changing rest lengths. It takes the mean of the forces at both ends
+/// of the step.
+void EnergyBalance::add_actuation() {
   for (std::size_t i = 0; i < rest_length_.size() && !first_; ++i) {
     const double change = rest_length_[i] - last_rest_length_[i];
     ledger_.actuation_work_J -= 0.5 * (rest_length_force_[i] + last_rest_length_force_[i]) * change;
@@ -109,11 +109,11 @@ void EnergyBooks::book_actuation() {
   last_rest_length_force_ = rest_length_force_;
 }
 
-bool EnergyBooks::add_beam_loads() {
+bool EnergyBalance::add_beam_loads() {
   ledger_.elastic_J = 0.0;
-  for (VoxelBook& book : books_) {
-    book.last_load = book.load;
-    book.load = {};
+  for (VoxelBalance& balance : balance_) {
+    balance.last_load = balance.load;
+    balance.load = {};
   }
   const bool out_of_range = velocity_ ? add_all_axes<true>() : add_all_axes<false>();
   if (coupling_ != nullptr) {
@@ -126,17 +126,18 @@ bool EnergyBooks::add_beam_loads() {
       offset += data_->axis[axis].count;
     }
   }
-  book_actuation();
-  // Contacts are added next, straight to the load lines: remember what stands there, to tell them apart.
+  add_actuation();
+  // Contacts are added next, directly to the load lines. Their present values are kept so that the contacts can be separated from
+  // them.
   for (std::size_t i = 0; i < data_->voxels; ++i) {
     const double* load = data_->load + i * static_cast<std::size_t>(line_length);
-    books_[i].load[collision].force = -Vector3<double>{load[slot::fx], load[slot::fy], load[slot::fz]};
+    balance_[i].load[collision].force = -Vector3<double>{load[slot::fx], load[slot::fy], load[slot::fz]};
   }
   return out_of_range;
 }
 
 template <bool Floor, bool Gravity>
-VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
+VoxelSweep EnergyBalance::move(VoxelSweep (*sweep)(const StepData<double>&)) {
   const StepData<double>& d = *data_;
   double kinetic = 0.0;
   double height_weight = 0.0;
@@ -148,7 +149,7 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
     const Lines<double> motion = load_lines<double>(d.motion + at);
     const Lines<double> load = load_lines<double>(d.load + at);
     const VoxelStep<double> step = voxel_step<Floor, Gravity, double>(d, d.floor_depth, c, pose, motion, load);
-    VoxelBook& book = books_[i];
+    VoxelBalance& balance = balance_[i];
 
     const Vector3<double> momentum = {motion.value[slot::px], motion.value[slot::py], motion.value[slot::pz]};
     const Vector3<double> spin_momentum = {motion.value[slot::hx], motion.value[slot::hy], motion.value[slot::hz]};
@@ -156,18 +157,18 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
         0.5 * c.inverse_mass * dot(momentum, step.momentum) + 0.5 * c.inverse_inertia * dot(spin_momentum, step.spin_momentum);
     height_weight += c.weight * pose.value[slot::z];
 
-    book.load[collision].force =
-        book.load[collision].force + Vector3<double>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz]};
+    balance.load[collision].force =
+        balance.load[collision].force + Vector3<double>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz]};
     if (d.external_load != nullptr) {
       const Lines<double> external_line = load_lines<double>(d.external_load + at);
-      book.load[external] = {{external_line.value[slot::fx], external_line.value[slot::fy], external_line.value[slot::fz]},
-                             {external_line.value[slot::mx], external_line.value[slot::my], external_line.value[slot::mz]}};
+      balance.load[external] = {{external_line.value[slot::fx], external_line.value[slot::fy], external_line.value[slot::fz]},
+                                {external_line.value[slot::mx], external_line.value[slot::my], external_line.value[slot::mz]}};
     }
-    book.load[global_damping] = {-(c.global_damping * step.velocity), -(c.global_rotation_damping * step.spin)};
-    book.load[floor_normal].force = {0.0, 0.0, step.floor.normal_force};
-    if (feet_ != nullptr) book_feet(book, i);
+    balance.load[global_damping] = {-(c.global_damping * step.velocity), -(c.global_rotation_damping * step.spin)};
+    balance.load[floor_normal].force = {0.0, 0.0, step.floor.normal_force};
+    if (feet_ != nullptr) add_feet(balance, i);
     if (Floor && feet_ == nullptr) {
-      // Friction is what the momentum lost beyond all other forces: stops by static friction included.
+      // Friction is the change of momentum that no other force explains. It includes stops by static friction.
       const double weight = Gravity ? c.weight : 0.0;
       const Vector3<double> others =
           Vector3<double>{load.value[slot::fx], load.value[slot::fy], load.value[slot::fz] - weight + step.floor.normal_force} -
@@ -175,12 +176,12 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
       const Vector3<double> other_moments = Vector3<double>{load.value[slot::mx], load.value[slot::my], load.value[slot::mz]} -
                                             c.global_rotation_damping * step.spin;
       const double per_step = 1.0 / d.time_step;
-      book.load[friction] = {per_step * (step.momentum - momentum) - others,
-                             per_step * (step.spin_momentum - spin_momentum) - other_moments};
+      balance.load[friction] = {per_step * (step.momentum - momentum) - others,
+                                per_step * (step.spin_momentum - spin_momentum) - other_moments};
     }
-    book_work(book);
-    book.last_displacement = step.displacement;
-    book.last_turn = step.turn;
+    add_work(balance);
+    balance.last_displacement = step.displacement;
+    balance.last_turn = step.turn;
   }
   ledger_.kinetic_J = kinetic;
   if (first_) {
@@ -201,25 +202,26 @@ VoxelSweep EnergyBooks::move(VoxelSweep (*sweep)(const StepData<double>&)) {
   return sweep(d);
 }
 
-/// What feet added to the loads of a voxel is no work of collisions.
-void EnergyBooks::book_feet(VoxelBook& book, std::size_t voxel) {
+/// Counts the loads of the feet of a voxel as floor and friction, and takes them out of the collisions.
+void EnergyBalance::add_feet(VoxelBalance& balance, std::size_t voxel) {
   const FootContact<double>::Load& pressing = feet_->pressing(voxel);
   const FootContact<double>::Load& held = feet_->friction(voxel);
-  book.load[floor_normal] = {pressing.force, pressing.moment};
-  book.load[friction] = {held.force, held.moment};
-  book.load[collision].force = book.load[collision].force - (pressing.force + held.force);
+  balance.load[floor_normal] = {pressing.force, pressing.moment};
+  balance.load[friction] = {held.force, held.moment};
+  balance.load[collision].force = balance.load[collision].force - (pressing.force + held.force);
 }
 
-void EnergyBooks::book_work(VoxelBook& book) {
+void EnergyBalance::add_work(VoxelBalance& balance) {
   if (first_) return;
   for (std::size_t kind = 0; kind < static_cast<std::size_t>(kinds); ++kind) {
-    const Load& now = book.load[kind];
-    const Load& last = book.last_load[kind];
-    work_[kind] += 0.5 * (dot(now.force + last.force, book.last_displacement) + dot(now.moment + last.moment, book.last_turn));
+    const Load& now = balance.load[kind];
+    const Load& last = balance.last_load[kind];
+    work_[kind] +=
+        0.5 * (dot(now.force + last.force, balance.last_displacement) + dot(now.moment + last.moment, balance.last_turn));
   }
 }
 
-VoxelSweep EnergyBooks::move_voxels() {
+VoxelSweep EnergyBalance::move_voxels() {
   VoxelSweep (*sweep)(const StepData<double>&) =
       scalar_kernels_double().voxels[variety_ == BeamVariety::uniform][floor_][gravity_][actuated_];
   if (floor_) return gravity_ ? move<true, true>(sweep) : move<true, false>(sweep);

@@ -6,7 +6,7 @@ namespace menger::fem {
 
 /// Work done on a body since the start, and what damping and friction have taken out of it, J. Losses are >= 0, those in the
 /// material and by friction up to errors of the step.
-struct ExplicitWork {
+struct MotionWork {
   double pressure_J = 0.0;      ///< of the chambers' pressure
   double gravity_J = 0.0;       ///< of the weight
   double contact_J = 0.0;       ///< of the ground's springs on the body: minus what is stored in them
@@ -15,7 +15,7 @@ struct ExplicitWork {
   double viscous_J = 0.0;       ///< lost in the material: by its viscosity to first order in the step, by its branches exactly
   double mass_damping_J = 0.0;  ///< lost
 
-  ExplicitWork& operator+=(const ExplicitWork& other) {
+  MotionWork& operator+=(const MotionWork& other) {
     pressure_J += other.pressure_J;
     gravity_J += other.gravity_J;
     contact_J += other.contact_J;
@@ -27,12 +27,12 @@ struct ExplicitWork {
   }
 };
 
-/// The books of a body at one time, J.
-struct ExplicitEnergies {
+/// The energies of a body at one time, J.
+struct MotionEnergies {
   double kinetic_J = 0.0;
   double strain_J = 0.0;  ///< with what branches store
-  ExplicitWork work;
-  double at_start_J = 0.0;  ///< what makes the books balance in the state that the body was set to
+  MotionWork work;
+  double at_start_J = 0.0;  ///< what closes the energy balance in the state that the body was set to
 
   /// What is there minus what should be there: zero but for errors of second order in the step (first in losses by viscosity).
   [[nodiscard]] double imbalance_J() const {

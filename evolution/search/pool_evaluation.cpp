@@ -1,0 +1,161 @@
+#include "evolution/search/pool_evaluation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "evolution/search/lazy_selection.h"
+#include "io/text/content_hash.h"
+
+namespace menger::evolution {
+
+namespace {
+
+const std::atomic<bool> never{false};
+
+}  // namespace
+
+PoolEvaluation::PoolEvaluation(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
+                               const SearchOptions& options, int generation, std::size_t* commits,
+                               const CorrectedFitness* correction)
+    : plan_(&plan),
+      archive_(&archive),
+      options_(&options),
+      physics_hash_(io::content_hash(evaluator.physics())),
+      generation_(generation),
+      commits_(commits),
+      correction_(correction),
+      workers_(evaluator, options.threads) {}
+
+void PoolEvaluation::add_survivor(const PoolMember& survivor) {
+  assert(survivor.knowledge != Knowledge::bounded);
+  Entry entry;
+  entry.member = survivor;
+  entry.member.survivor_rank.reset();
+  entries_.push_back(std::move(entry));
+}
+
+void PoolEvaluation::add_newcomer(const Individual& individual, bool duplicate) {
+  Entry entry;
+  entry.member.id = individual.id;
+  entry.member.age = individual.age;
+  entry.member.knowledge = Knowledge::bounded;
+  entry.phenotype = as_simulated(*plan_, individual.phenotype);
+  if (duplicate && plan_->duplicates == DuplicatePolicy::culled) entry.member.knowledge = Knowledge::duplicate;
+  if (is_penalised(individual.phenotype, plan_->offspring.constraints)) entry.member.knowledge = Knowledge::penalised;
+  entries_.push_back(std::move(entry));
+}
+
+EvaluationKey PoolEvaluation::key_of(const Entry& entry, int level) const {
+  return {design_hash(*entry.phenotype, level), level, physics_hash_};
+}
+
+std::optional<int> PoolEvaluation::next_level(const Entry& entry) const {
+  for (const int level : plan_->levels()) {
+    if (!entry.results.contains(level)) return level;
+  }
+  return std::nullopt;
+}
+
+void PoolEvaluation::learn(Entry& entry, int level, const Evaluation& result) {
+  entry.results[level] = result;
+  PoolMember& member = entry.member;
+  if (!result.displacement_m) {
+    member.knowledge = Knowledge::failed;
+    member.fitness_bound.reset();
+  }
+  if (!entry.undecided()) return;
+  const double score = level_score(*plan_, *result.displacement_m, level);
+  member.fitness_bound = std::min(score, member.fitness_bound.value_or(score));
+  if (next_level(entry)) return;
+  member.knowledge = Knowledge::evaluated;
+  member.fitness = std::exchange(member.fitness_bound, std::nullopt);
+  if (correction_ == nullptr) return;
+  const CorrectedScore corrected = correction_->score(entry.phenotype->body, *member.fitness);
+  member.knowledge = corrected.knowledge;
+  member.fitness = corrected.fitness;
+}
+
+io::RunStatus PoolEvaluation::evaluate(const std::vector<Request>& requests) {
+  std::vector<EvaluationKey> missing;
+  std::vector<EvaluationTask> tasks;
+  std::set<EvaluationKey> asked;
+  for (const auto& [position, level] : requests) {
+    EvaluationKey key = key_of(entries_[position], level);
+    if (results_.contains(key) || !asked.insert(key).second) {
+      ++cached_;
+      continue;
+    }
+    const auto archived = archive_->evaluation(key);
+    // A result of this generation that is in the archive already comes from an interrupted run. It counts as made now.
+    ++(archived && archived->generation < generation_ ? cached_ : evaluations_);
+    if (archived) {
+      results_[key] = archived->result;
+    } else {
+      tasks.push_back({aggregate(*entries_[position].phenotype, level), level});
+      missing.push_back(std::move(key));
+    }
+  }
+  std::size_t finished = evaluations_ - tasks.size();
+  const auto report = [&] {
+    if (options_->progress) options_->progress({generation_, finished, evaluations_});
+  };
+  report();
+  const io::RunStatus status =
+      workers_.run(tasks, options_->stop != nullptr ? *options_->stop : never, [&](std::size_t task, const Evaluation& result) {
+        archive_->add_evaluation(missing[task], {generation_, result});
+        results_[missing[task]] = result;
+        ++finished;
+        ++*commits_;
+        if (options_->after_commit) options_->after_commit(*commits_);
+        report();
+      });
+  if (status != io::RunStatus::completed) return status;
+  for (const auto& [position, level] : requests) {
+    Entry& entry = entries_[position];
+    learn(entry, level, results_.at(key_of(entry, level)));
+  }
+  return status;
+}
+
+io::RunStatus PoolEvaluation::evaluate_in_full() {
+  std::vector<Request> requests;
+  for (std::size_t position = 0; position < entries_.size(); ++position) {
+    if (!entries_[position].undecided()) continue;
+    for (const int level : plan_->levels()) requests.emplace_back(position, level);
+  }
+  return evaluate(requests);
+}
+
+io::RunStatus PoolEvaluation::evaluate_lazily() {
+  while (true) {
+    const SelectionOutlook view = outlook(pool(), static_cast<std::size_t>(plan_->survivors));
+    if (view.certain()) return io::RunStatus::completed;
+    std::vector<Request> requests;
+    for (const std::uint64_t id : view.run_now) {
+      const auto found = std::ranges::find_if(entries_, [id](const Entry& one) { return one.member.id == id; });
+      requests.emplace_back(static_cast<std::size_t>(found - entries_.begin()), *next_level(*found));
+    }
+    const io::RunStatus status = evaluate(requests);
+    if (status != io::RunStatus::completed) return status;
+  }
+}
+
+std::vector<PoolMember> PoolEvaluation::pool() const {
+  std::vector<PoolMember> all;
+  all.reserve(entries_.size());
+  for (const Entry& entry : entries_) all.push_back(entry.member);
+  return all;
+}
+
+EvaluationCounts PoolEvaluation::counts() const {
+  EvaluationCounts counts{evaluations_, cached_, 0};
+  for (const Entry& entry : entries_) {
+    const bool counted =
+        entry.phenotype && entry.member.knowledge != Knowledge::duplicate && entry.member.knowledge != Knowledge::penalised;
+    if (counted) counts.pruned += plan_->levels().size() - entry.results.size();
+  }
+  return counts;
+}
+
+}  // namespace menger::evolution

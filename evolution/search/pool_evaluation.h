@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "evolution/archive/run_archive.h"
+#include "evolution/evaluation/worker_pool.h"
+#include "evolution/search/reference_rounds.h"
+#include "evolution/search/search.h"
+
+namespace menger::evolution {
+
+/// Numbers of evaluations that one generation made and saved; see GenerationRecord.
+struct EvaluationCounts {
+  std::uint64_t evaluations = 0;
+  std::uint64_t cached = 0;
+  std::uint64_t pruned = 0;
+};
+
+/// Evaluates the new individuals of one generation, as far as selection needs it.
+class PoolEvaluation {
+ public:
+  /// @param correction turns scores into fitness; if null, the scores are the fitness
+  /// @param commits incremented with every result that is added to the archive
+  PoolEvaluation(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
+                 int generation, std::size_t* commits, const CorrectedFitness* correction = nullptr);
+
+  /// Adds a survivor of the previous generation at its present age. Its fitness is known.
+  void add_survivor(const PoolMember& survivor);
+
+  /// Adds a new individual. @param duplicate whether an earlier individual has the same phenotype
+  void add_newcomer(const Individual& individual, bool duplicate);
+
+  /// Evaluates everything. @return completed or stopped
+  [[nodiscard]] io::RunStatus evaluate_in_full();
+
+  /// Evaluates, level by level, only what selection depends on (see outlook). @return completed or stopped
+  [[nodiscard]] io::RunStatus evaluate_lazily();
+
+  /// Returns the pool in the order in which its members were added. Survivor ranks are not set.
+  [[nodiscard]] std::vector<PoolMember> pool() const;
+
+  [[nodiscard]] EvaluationCounts counts() const;
+
+ private:
+  struct Entry {
+    PoolMember member;                   ///< its knowledge is `bounded` while undecided
+    std::optional<Phenotype> phenotype;  ///< of new individuals only: see as_simulated
+    std::map<int, Evaluation> results;   ///< those that are known, by level
+    [[nodiscard]] bool undecided() const { return member.knowledge == Knowledge::bounded; }
+  };
+  using Request = std::pair<std::size_t, int>;  ///< position of an entry, level
+
+  [[nodiscard]] io::RunStatus evaluate(const std::vector<Request>& requests);
+  [[nodiscard]] EvaluationKey key_of(const Entry& entry, int level) const;
+  [[nodiscard]] std::optional<int> next_level(const Entry& entry) const;
+  void learn(Entry& entry, int level, const Evaluation& result);
+
+  const SearchPlan* plan_;
+  RunArchive* archive_;
+  const SearchOptions* options_;
+  std::string physics_hash_;
+  int generation_;
+  std::size_t* commits_;
+  const CorrectedFitness* correction_;
+  WorkerPool workers_;
+  std::vector<Entry> entries_;
+  std::map<EvaluationKey, Evaluation> results_;  ///< of this generation's requests
+  std::uint64_t evaluations_ = 0;
+  std::uint64_t cached_ = 0;
+};
+
+}  // namespace menger::evolution
