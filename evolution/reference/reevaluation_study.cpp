@@ -29,10 +29,11 @@ void require_calibrated_search(const Study& search, const fs::path& archive) {
   const auto refuse = [&](const std::string& why) {
     throw io::InputError(archive.string() + ": its search cannot be evaluated by finite elements: " + why);
   };
-  if (!search.physics.surrogate)
+  if (!search.physics.surrogate) {
     refuse(
         "it drove solid voxels by changing their size; a search with a table [surrogate] with calibrated parameters and "
         "pressures is needed");
+  }
   const auto& [low_Pa, high_Pa] = search.physics.surrogate->pressure_Pa;
   if (low_Pa == 0.0 && high_Pa == 0.0) refuse("its pressure_Pa is [0, 0]");
   if (!search.physics.floor) refuse("it had no floor");
