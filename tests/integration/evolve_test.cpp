@@ -85,7 +85,7 @@ TEST_F(Evolve, WritesAnArchiveAndAManifestAndALinePerGeneration) {
   }
   EXPECT_EQ(outcome.out.find('\r'), std::string::npos) << "a bar in a file";
   EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(io::read_whole(folder_ / "run.manifest.json").find("duration_s = 0.05"), std::string::npos);
+  EXPECT_NE(io::read_whole(folder_ / "run.manifest.json").find("\"duration_s\": 0.05"), std::string::npos);
 }
 
 TEST_F(Evolve, OfACalibratedStudyBelongsToItsParameters) {

@@ -163,7 +163,7 @@ TEST_F(InflateProgram, InterruptedRunGoesOnToTheSameBytes) {
   ASSERT_LT(done, curves("whole").row_count()) << "the run was over before it could be interrupted";
   const Outcome resumed = run({"study.toml", "-o", "parts"});
   ASSERT_EQ(resumed.code, 0) << resumed.err;
-  EXPECT_NE(resumed.out.find(std::to_string(done) + " states of an earlier run"), std::string::npos) << resumed.out;
+  EXPECT_NE(resumed.out.find(std::to_string(done) + " states resumed from an earlier run"), std::string::npos) << resumed.out;
   EXPECT_EQ(curves_without_seconds("parts"), curves_without_seconds("whole"));
   EXPECT_EQ(io::read_whole(folder_ / "parts/fields.pvd"), io::read_whole(folder_ / "whole/fields.pvd"));
 }
