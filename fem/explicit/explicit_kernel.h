@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fem/elements/maxwell_branch.h"
 #include "fem/elements/volumetric_law.h"
-#include "fem/explicit/maxwell_branch.h"
 #include "materials/laws/hyperelastic_law.h"
 
 namespace menger::fem {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/explicit/maxwell_branch.h"
+#include "fem/elements/maxwell_branch.h"
 #include "materials/laws/silicone_record.h"
 
 namespace menger::fem {

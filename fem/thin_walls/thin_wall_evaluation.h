@@ -1,0 +1,189 @@
+#pragma once
+
+// The kernels of thin walls for one number type. Included only by the files thin_wall_kernel_<instruction set>.cpp, each compiled
+// for its own, and instantiated with packs of that instruction set only.
+
+#include <type_traits>
+
+#include "fem/thin_walls/block_element.h"
+#include "fem/thin_walls/wall_element.h"
+
+namespace menger::fem::detail {
+
+/// A law of one type, inside of the element's code.
+template <class Law>
+class InlineLaw {
+ public:
+  template <class Number>
+  explicit InlineLaw(const ThinWallTask<Number>& task)
+      : law_(*static_cast<const Law*>(task.law.parameters)), bulk_modulus_Pa_(task.bulk_modulus_Pa) {}
+  template <class T>
+  MembraneAnswer<T> operator()(const PlaneMetric<T>& metric) const {
+    return membrane_answer(law_, bulk_modulus_Pa_, metric);
+  }
+  template <class T>
+  BlockAnswer<T> operator()(const BlockGradient<T>& F) const {
+    return block_answer(law_, F);
+  }
+
+ private:
+  Law law_;
+  double bulk_modulus_Pa_;
+};
+
+/// Any law, through a function.
+template <class T>
+class AnyLaw {
+ public:
+  explicit AnyLaw(const ThinWallTask<NumberOf<T>>& task) : law_(task.law), bulk_modulus_Pa_(task.bulk_modulus_Pa) {}
+  MembraneAnswer<T> operator()(const PlaneMetric<T>& metric) const {
+    static constexpr auto functions = membrane_functions<T>(static_cast<const materials::HyperelasticLaw*>(nullptr));
+    MembraneAnswer<T> answer;
+    functions[law_.index](law_.parameters, bulk_modulus_Pa_, metric, answer);
+    return answer;
+  }
+  BlockAnswer<T> operator()(const BlockGradient<T>& F) const {
+    static constexpr auto functions = block_functions<T>(static_cast<const materials::HyperelasticLaw*>(nullptr));
+    BlockAnswer<T> answer;
+    functions[law_.index](law_.parameters, F, answer);
+    return answer;
+  }
+
+ private:
+  LawReference law_;
+  double bulk_modulus_Pa_;
+};
+
+template <class Element>
+using BranchOf = std::conditional_t<Element::kind == ThinWallElement::wall, WallBranch<typename Element::Lane>,
+                                    BlockBranch<typename Element::Lane>>;
+
+/// Numbers of one batch's branches, if there are any.
+template <class Element, class Number>
+Number* branch_of(Number* numbers, std::size_t batch) {
+  return numbers == nullptr ? nullptr : numbers + thin_wall_branch_numbers(Element::kind) * Element::width * batch;
+}
+
+/// Sums of lanes over many batches, in double precision.
+template <class T>
+class LaneSums {
+ public:
+  void add(const T& values) {
+    alignas(64) std::array<NumberOf<T>, Lanes<T>::count> lanes;
+    Lanes<T>::store(values, lanes.data());
+    for (std::size_t lane = 0; lane < lanes.size(); ++lane) sums_[lane] += static_cast<double>(lanes[lane]);
+  }
+  [[nodiscard]] double total() const {
+    double total = 0.0;
+    for (const double sum : sums_) total += sum;
+    return total;
+  }
+
+ private:
+  std::array<double, Lanes<T>::count> sums_{};
+};
+
+template <class Element, class Law, bool is_damped>
+ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typename Element::Number>& task, typename Element::Number* forces_N) {
+  using T = typename Element::Lane;
+  const Law law(task);
+  T smallest(1.0);
+  LaneSums<T> dissipated;
+  LaneSums<T> relaxed;
+  for (std::size_t batch = 0; batch < task.batches.count; ++batch) {
+    Element elements(task, batch);
+    elements.place();
+    BranchOf<Element> branch;
+    if constexpr (is_damped) {
+      branch.is_there = task.branch != nullptr;
+      if (task.relaxing != nullptr) {
+        branch = elements.relax(branch_of<Element>(task.relaxing, batch));
+      } else if (branch.is_there) {
+        branch.load(branch_of<Element>(task.branch, batch));
+      }
+    }
+    elements.template compute_forces<is_damped>(law, branch);
+    elements.store(forces_N + 24 * Element::width * batch);
+    smallest = min(smallest, elements.smallest_ratio());
+    if constexpr (is_damped) {
+      dissipated.add(elements.dissipation());
+      relaxed.add(elements.relaxed());
+    }
+  }
+  ThinWallOutcome outcome;
+  alignas(64) std::array<typename Element::Number, Element::width> lanes;
+  Lanes<T>::store(smallest, lanes.data());
+  for (const auto ratio : lanes)
+    if (static_cast<double>(ratio) < outcome.smallest_ratio) outcome.smallest_ratio = static_cast<double>(ratio);
+  outcome.dissipated_W = dissipated.total();
+  outcome.relaxed_J = relaxed.total();
+  return outcome;
+}
+
+template <class Element>
+ThinWallOutcome element_forces(const ThinWallTask<typename Element::Number>& task, typename Element::Number* forces_N) {
+  static_assert(std::is_same_v<std::variant_alternative_t<0, materials::HyperelasticLaw>, materials::NeoHookean>);
+  using T = typename Element::Lane;
+  const bool is_damped = task.branch != nullptr || task.viscosity_Pa_s > 0.0;
+  if (task.law.index == 0) {
+    if (is_damped) return thin_wall_forces_with<Element, InlineLaw<materials::NeoHookean>, true>(task, forces_N);
+    return thin_wall_forces_with<Element, InlineLaw<materials::NeoHookean>, false>(task, forces_N);
+  }
+  if (is_damped) return thin_wall_forces_with<Element, AnyLaw<T>, true>(task, forces_N);
+  return thin_wall_forces_with<Element, AnyLaw<T>, false>(task, forces_N);
+}
+
+template <class Element>
+void element_energies(const ThinWallTask<typename Element::Number>& task, typename Element::Number* energies_J,
+                      typename Element::Number* smallest_ratios) {
+  using T = typename Element::Lane;
+  const AnyLaw<T> law(task);
+  for (std::size_t batch = 0; batch < task.batches.count; ++batch) {
+    Element elements(task, batch);
+    elements.place();
+    Lanes<T>::store(elements.energy(law, branch_of<Element>(task.branch, batch)), energies_J + Element::width * batch);
+    Lanes<T>::store(elements.smallest_ratio(), smallest_ratios + Element::width * batch);
+  }
+}
+
+template <class Element>
+void rest_element_branches(const ThinWallTask<typename Element::Number>& task, typename Element::Number* branch) {
+  for (std::size_t batch = 0; batch < task.batches.count; ++batch) {
+    Element elements(task, batch);
+    elements.place();
+    elements.rest().store(branch_of<Element>(branch, batch));
+  }
+}
+
+template <class T>
+ThinWallOutcome thin_wall_forces(const ThinWallTask<NumberOf<T>>& task, NumberOf<T>* forces_N) {
+  if (task.batches.element == ThinWallElement::wall) return element_forces<WallElement<T>>(task, forces_N);
+  return element_forces<BlockElement<T>>(task, forces_N);
+}
+
+template <class T>
+void thin_wall_energies(const ThinWallTask<NumberOf<T>>& task, NumberOf<T>* energies_J, NumberOf<T>* smallest_ratios) {
+  if (task.batches.element == ThinWallElement::wall) {
+    element_energies<WallElement<T>>(task, energies_J, smallest_ratios);
+  } else {
+    element_energies<BlockElement<T>>(task, energies_J, smallest_ratios);
+  }
+}
+
+template <class T>
+void rest_thin_wall_branches(const ThinWallTask<NumberOf<T>>& task, NumberOf<T>* branch) {
+  if (task.batches.element == ThinWallElement::wall) {
+    rest_element_branches<WallElement<T>>(task, branch);
+  } else {
+    rest_element_branches<BlockElement<T>>(task, branch);
+  }
+}
+
+template <class T>
+const ThinWallTable<NumberOf<T>>& thin_wall_table(const char* instruction_set) {
+  static const ThinWallTable<NumberOf<T>> table{instruction_set, Lanes<T>::count, thin_wall_forces<T>, thin_wall_energies<T>,
+                                                rest_thin_wall_branches<T>};
+  return table;
+}
+
+}  // namespace menger::fem::detail

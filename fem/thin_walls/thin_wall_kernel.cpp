@@ -1,0 +1,118 @@
+#include "fem/thin_walls/thin_wall_kernel.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "fem/thin_walls/thin_wall_kernel_table.h"
+
+namespace menger::fem {
+
+namespace {
+
+using detail::ThinWallTable;
+using detail::ThinWallTask;
+
+template <class Number>
+ThinWallTask<Number> task_of(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
+                             const ThinWallMotion<Number>& motion, const Number* branch) {
+  const double mu = materials::shear_modulus_at_rest_Pa(material.law);
+  return {detail::reference_to(material.law),
+          mu,
+          material.bulk_modulus_Pa,
+          material.wall_penalty_ratio * mu,
+          material.block_stiffness_ratio * mu,
+          motion.velocities_m_per_s == nullptr ? 0.0 : material.viscosity_Pa_s,
+          material.branch.shear_modulus_Pa,
+          0.0,
+          material.branch.is_there() ? branch : nullptr,
+          nullptr,
+          batches,
+          motion};
+}
+
+/// All kernels this machine can run, the widest last.
+template <class Number>
+const std::vector<const ThinWallTable<Number>*>& available_tables() {
+  static const std::vector<const ThinWallTable<Number>*> tables = [] {
+    std::vector<const ThinWallTable<Number>*> result{&detail::scalar_thin_walls<Number>(),
+                                                     &detail::baseline_thin_walls<Number>()};
+#ifdef MENGER_X86_KERNELS
+    // The compiler's test, which also asks whether the operating system saves the wide registers.
+    if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0)
+      result.push_back(&detail::avx2_thin_walls<Number>());
+    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
+      result.push_back(&detail::avx512_thin_walls<Number>());
+#endif
+    return result;
+  }();
+  return tables;
+}
+
+}  // namespace
+
+std::array<double, shape_numbers_per_lane> shape_of(const std::array<double, 3>& edges_m) {
+  std::array<double, shape_numbers_per_lane> shape{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    assert(edges_m[i] > 0.0);
+    shape[i] = 0.25 / edges_m[i];
+  }
+  shape[3] = edges_m[0] * edges_m[1] * edges_m[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double slenderness = edges_m[i] / edges_m[2];
+    shape[4 + i] = 1.0 / std::sqrt(1.0 + 0.25 * detail::shear_factor * slenderness * slenderness);
+  }
+  return shape;
+}
+
+template <class Number>
+ThinWallKernels<Number>::ThinWallKernels(const ThinWallTable<Number>& table)
+    : instruction_set(table.instruction_set), width(table.width), table_(&table) {}
+
+template <class Number>
+ThinWallOutcome ThinWallKernels<Number>::forces(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
+                                                const ThinWallMotion<Number>& motion, const ThinWallBranches<Number>& branches,
+                                                Number* forces_N) const {
+  ThinWallTask<Number> task = task_of<Number>(material, batches, motion, branches.values);
+  if (task.branch != nullptr && branches.relaxed_s > 0.0) {
+    task.share = -std::expm1(-branches.relaxed_s / material.branch.relaxation_time_s);
+    task.relaxing = branches.values;
+  }
+  return table_->forces(task, forces_N);
+}
+
+template <class Number>
+void ThinWallKernels<Number>::energies(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
+                                       const ThinWallMotion<Number>& motion, const Number* branch, Number* energies_J,
+                                       Number* smallest_ratios) const {
+  table_->energies(task_of<Number>(material, batches, motion, branch), energies_J, smallest_ratios);
+}
+
+template <class Number>
+void ThinWallKernels<Number>::rest_branches(const ThinWallBatches<Number>& batches, const ThinWallMotion<Number>& motion,
+                                            Number* branch) const {
+  const ThinWallMaterial any{.law = materials::NeoHookean{1.0}, .bulk_modulus_Pa = 1.0};
+  table_->rest_branches(task_of<Number>(any, batches, motion, nullptr), branch);
+}
+
+template class ThinWallKernels<double>;
+template class ThinWallKernels<float>;
+
+template <class Number>
+std::vector<ThinWallKernels<Number>> available_thin_wall_kernels() {
+  std::vector<ThinWallKernels<Number>> kernels;
+  for (const ThinWallTable<Number>* table : available_tables<Number>()) kernels.emplace_back(*table);
+  return kernels;
+}
+
+template std::vector<ThinWallKernels<double>> available_thin_wall_kernels();
+template std::vector<ThinWallKernels<float>> available_thin_wall_kernels();
+
+template <class Number>
+ThinWallKernels<Number> best_thin_wall_kernels() {
+  return ThinWallKernels<Number>(*available_tables<Number>().back());
+}
+
+template ThinWallKernels<double> best_thin_wall_kernels();
+template ThinWallKernels<float> best_thin_wall_kernels();
+
+}  // namespace menger::fem

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "fem/elements/pack_laws.h"
+#include "fem/thin_walls/thin_wall_kernel.h"
+
+namespace menger::fem::detail {
+
+/// The shear factor k of a plate.
+inline constexpr double shear_factor = 5.0 / 6.0;
+
+/// Elements and their material as kernels take it; the law by index and address, so that files of one instruction set need not
+/// visit variants.
+template <class Number>
+struct ThinWallTask {
+  LawReference law;
+  double shear_modulus_Pa;  ///< mu, of the law at rest
+  double bulk_modulus_Pa;
+  double wall_penalty_Pa;     ///< kappa'
+  double block_stiffness_Pa;  ///< lambda
+  double viscosity_Pa_s;      ///< 0 where there are no velocities
+  double branch_modulus_Pa;
+  double share;          ///< of the way to rest that branches go before they act, in [0, 1]
+  const Number* branch;  ///< nullptr: none
+  Number* relaxing;      ///< the same where they go a part of it
+  ThinWallBatches<Number> batches;
+  ThinWallMotion<Number> motion;
+};
+
+/// The functions of one instruction set.
+template <class Number>
+struct ThinWallTable {
+  std::string_view instruction_set;
+  std::size_t width;
+  ThinWallOutcome (*forces)(const ThinWallTask<Number>& task, Number* forces_N);
+  void (*energies)(const ThinWallTask<Number>& task, Number* energies_J, Number* smallest_ratios);
+  void (*rest_branches)(const ThinWallTask<Number>& task, Number* branch);
+};
+
+template <class Number>
+const ThinWallTable<Number>& scalar_thin_walls();
+template <class Number>
+const ThinWallTable<Number>& baseline_thin_walls();
+template <class Number>
+const ThinWallTable<Number>& avx2_thin_walls();
+template <class Number>
+const ThinWallTable<Number>& avx512_thin_walls();
+
+}  // namespace menger::fem::detail

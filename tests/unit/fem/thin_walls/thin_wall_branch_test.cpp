@@ -1,0 +1,158 @@
+// The Maxwell branch and the viscosity of walls and blocks.
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/fem/thin_walls/thin_wall_samples.h"
+
+namespace menger::fem {
+namespace {
+
+constexpr double mu = 50e3;
+
+ThinWallMaterial branched(double modulus_Pa = 11e3) {
+  ThinWallMaterial material = silicone_of(materials::NeoHookean{mu});
+  material.branch = {modulus_Pa, 4e-3};
+  return material;
+}
+
+TEST(ThinWallBranch, ForcesAreTheDerivativesOfTheEnergy) {
+  const auto kernels = best_thin_wall_kernels<double>();
+  const Grid grid = one_box(1);
+  for (const ThinWallElement element : both_elements) {
+    Patch<double> patch(kernels, element, grid);
+    patch.rest_branches(strained(grid, 0.2, 0.1e-3, 31));
+    const std::vector<double> u = strained(grid, 0.2, 0.1e-3, 32);
+    const std::vector<double> forces = patch.forces(branched(), u);
+    for (unsigned seed = 33; seed < 39; ++seed) {
+      const std::vector<double> direction = random_values(u.size(), 1.0, seed);
+      const double step_m = 1e-8;  // errors as without a branch
+      const double ahead = patch.energy(branched(), moved(u, direction, step_m));
+      const double behind = patch.energy(branched(), moved(u, direction, -step_m));
+      EXPECT_NEAR(product(forces, direction), (ahead - behind) / (2.0 * step_m), 5e-8 * largest(forces)) << name_of(element);
+    }
+  }
+}
+
+TEST(ThinWallBranch, AtRestItCarriesNothing) {
+  const auto kernels = best_thin_wall_kernels<double>();
+  const Grid grid = one_box();
+  for (const ThinWallElement element : both_elements) {
+    Patch<double> patch(kernels, element, grid);
+    const std::vector<double> u = strained(grid, 0.2, 0.1e-3, 41);
+    const std::vector<double> elastic = patch.forces(branched(), u);
+    const double energy = patch.energy(branched(), u);
+    patch.rest_branches(u);
+    const std::vector<double> forces = patch.forces(branched(), u);
+    for (std::size_t n = 0; n < 24; ++n) EXPECT_NEAR(forces[n], elastic[n], 1e-13 * largest(elastic));  // rounding
+    EXPECT_NEAR(patch.energy(branched(), u), energy, 1e-13 * energy);
+  }
+}
+
+// Without what only volume answers, a sudden small strain meets mu + m in place of mu in every term.
+TEST(ThinWallBranch, FastStrainMeetsBothModuli) {
+  const auto kernels = best_thin_wall_kernels<double>();
+  const Grid grid = one_box();
+  ThinWallMaterial material = branched();
+  material.bulk_modulus_Pa = 1e9 * mu;
+  material.wall_penalty_ratio = 1e-9;
+  material.block_stiffness_ratio = 1e-9;
+  for (const ThinWallElement element : both_elements) {
+    for (unsigned seed = 51; seed < 55; ++seed) {
+      Patch<double> patch(kernels, element, grid);
+      const std::vector<double> u = strained(grid, 1e-5, 1e-8, seed);
+      const double slow = patch.energy(material, u);
+      patch.rest_branches(std::vector<double>(24, 0.0));
+      // strains of the next order, and rounding of the branch's energy
+      EXPECT_NEAR(patch.energy(material, u) / slow, 1.0 + 11e3 / mu, 1e-4) << name_of(element);
+    }
+  }
+}
+
+TEST(ThinWallBranch, RelaxingReleasesWhatTheEnergyFallsBy) {
+  for (const auto& kernels : available_thin_wall_kernels<double>()) {
+    const Grid grid = one_box(0);
+    for (const ThinWallElement element : both_elements) {
+      Patch<double> patch(kernels, element, grid);
+      const std::vector<double> u = strained(grid, 0.2, 0.1e-3, 61);
+      patch.rest_branches(strained(grid, 0.1, 0.1e-3, 62));
+      double before = patch.energy(branched(), u);
+      const double elastic = Patch<double>(kernels, element, grid).energy(branched(), u);
+      EXPECT_GT(before, elastic);
+      for (int n = 0; n < 3; ++n) {
+        static_cast<void>(patch.forces(branched(), u, {}, 1e-3));
+        const double after = patch.energy(branched(), u);
+        EXPECT_GT(patch.outcome.relaxed_J, 0.0);
+        EXPECT_NEAR(patch.outcome.relaxed_J, before - after, 1e-13 * before);  // rounding
+        before = after;
+      }
+      static_cast<void>(patch.forces(branched(), u, {}, 1.0));  // 250 relaxation times
+      EXPECT_NEAR(patch.energy(branched(), u), elastic, 1e-13 * elastic);
+    }
+  }
+}
+
+// At a held deformation tensors go to rest as exp(-t / tau), in one step or in several.
+TEST(ThinWallBranch, RelaxationIsExponential) {
+  const auto kernels = best_thin_wall_kernels<double>();
+  const Grid grid = one_box();
+  for (const ThinWallElement element : both_elements) {
+    const std::vector<double> u = strained(grid, 0.2, 0.1e-3, 71);
+    Patch<double> once(kernels, element, grid);
+    once.rest_branches(std::vector<double>(24, 0.0));
+    Patch<double> often = once;
+    static_cast<void>(once.forces(branched(), u, {}, 4e-3));
+    for (int n = 0; n < 4; ++n) static_cast<void>(often.forces(branched(), u, {}, 1e-3));
+    for (std::size_t n = 0; n < once.branch.size(); ++n) EXPECT_NEAR(once.branch[n], often.branch[n], 1e-14);
+  }
+}
+
+TEST(ThinWallViscosity, ForcesWorkWhatIsDissipated) {
+  const auto kernels = best_thin_wall_kernels<double>();
+  const Grid grid = one_box(1);
+  ThinWallMaterial material = silicone_of(materials::NeoHookean{mu});
+  material.viscosity_Pa_s = 20.0;
+  for (const ThinWallElement element : both_elements) {
+    Patch<double> patch(kernels, element, grid);
+    const std::vector<double> u = strained(grid, 0.2, 0.1e-3, 81);
+    const std::vector<double> elastic = patch.forces(material, u);
+    std::vector<double> velocities_1 = random_values(24, 0.1, 82);
+    std::vector<double> velocities_2 = random_values(24, 0.1, 83);
+    const std::vector<double> first = moved(patch.forces(material, u, velocities_1), elastic, -1.0);
+    EXPECT_GT(patch.outcome.dissipated_W, 0.0);
+    EXPECT_NEAR(product(first, velocities_1), patch.outcome.dissipated_W, 1e-12 * patch.outcome.dissipated_W);
+    // They are the derivatives of a quadratic function of the velocities.
+    const std::vector<double> second = moved(patch.forces(material, u, velocities_2), elastic, -1.0);
+    EXPECT_NEAR(product(first, velocities_2), product(second, velocities_1), 1e-12 * patch.outcome.dissipated_W);
+  }
+}
+
+TEST(ThinWallViscosity, TurningIsFreeAndStretchingCostsTheRateOfStrain) {
+  const auto kernels = best_thin_wall_kernels<double>();
+  const Grid grid = one_box();
+  ThinWallMaterial material = silicone_of(materials::NeoHookean{mu});
+  material.viscosity_Pa_s = 20.0;
+  for (const ThinWallElement element : both_elements) {
+    Patch<double> patch(kernels, element, grid);
+    const std::vector<double> u = strained(grid, 0.2, 0.1e-3, 91);
+    const std::vector<double> elastic = patch.forces(material, u);
+    std::vector<double> turning(24);
+    for (std::size_t n = 0; n < 8; ++n) {
+      const auto X = grid.position(n);
+      turning[3 * n] = -(X[1] + u[3 * n + 1]) + 0.4 * (X[2] + u[3 * n + 2]);
+      turning[3 * n + 1] = X[0] + u[3 * n];
+      turning[3 * n + 2] = -0.4 * (X[0] + u[3 * n]) + 7.0;
+    }
+    const std::vector<double> forces = patch.forces(material, u, turning);
+    for (std::size_t n = 0; n < 24; ++n) EXPECT_NEAR(forces[n], elastic[n], 1e-12 * largest(elastic));
+    EXPECT_NEAR(patch.outcome.dissipated_W, 0.0, 1e-20);
+    // 2 eta d : d of a layer that is stretched in one direction in its plane and keeps its volume
+    const auto stretching = grid.displacements([](const std::array<double, 3>& X) {
+      return std::array{2.0 * X[0], 0.0, -2.0 * X[2]};
+    });
+    static_cast<void>(patch.forces(material, std::vector<double>(24, 0.0), stretching));
+    EXPECT_NEAR(patch.outcome.dissipated_W, 2.0 * 20.0 * 8.0 * 6e-9, 1e-18);
+  }
+}
+
+}  // namespace
+}  // namespace menger::fem
