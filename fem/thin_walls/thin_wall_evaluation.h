@@ -83,8 +83,10 @@ class LaneSums {
   std::array<double, Lanes<T>::count> sums_{};
 };
 
+/// All of an element in one function: its many small parts pass each other more numbers than there are registers.
 template <class Element, class Law, bool is_damped>
-ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typename Element::Number>& task, typename Element::Number* forces_N) {
+[[gnu::flatten]] ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typename Element::Number>& task,
+                                                       typename Element::Number* forces_N) {
   using T = typename Element::Lane;
   const Law law(task);
   T smallest(1.0);
