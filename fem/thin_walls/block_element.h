@@ -37,28 +37,28 @@ class BlockElement {
     T square(0.0);
     for (std::size_t j = 0; j < 3; ++j) {
       g[j] = scaled(c_[j], u_.linear[j]);
-      F_.columns[j] = g[j];
-      F_.columns[j][j] = g[j][j] + T(1.0);
+      gradient_.columns[j] = g[j];
+      gradient_.columns[j][j] = g[j][j] + T(1.0);
       square = square + dot(g[j], g[j]);
     }
-    const auto& f = F_.columns;
-    F_.cofactors = {cross(f[1], f[2]), cross(f[2], f[0]), cross(f[0], f[1])};
+    const auto& f = gradient_.columns;
+    gradient_.cofactors = {cross(f[1], f[2]), cross(f[2], f[0]), cross(f[0], f[1])};
     // J - 1 without cancellation
     const T normal_excess = (g[0][0] + g[1][1]) + fms(g[0][0], g[1][1], g[0][1] * g[1][0]);
     const T ratio = fma(normal_excess, g[2][2], normal_excess + g[2][2]);
-    F_.ratio_excess = fma(F_.cofactors[2][0], f[2][0], fma(F_.cofactors[2][1], f[2][1], ratio));
-    F_.ratio = T(1.0) + F_.ratio_excess;
-    F_.square_excess = fma(T(2.0), (g[0][0] + g[1][1]) + (g[2][2] - F_.ratio_excess), square);
+    gradient_.ratio_excess = fma(gradient_.cofactors[2][0], f[2][0], fma(gradient_.cofactors[2][1], f[2][1], ratio));
+    gradient_.ratio = T(1.0) + gradient_.ratio_excess;
+    gradient_.square_excess = fma(T(2.0), (g[0][0] + g[1][1]) + (g[2][2] - gradient_.ratio_excess), square);
     strains_ = strains_of(f, u_.hourglass);
   }
 
   [[nodiscard]] T smallest_ratio() const {
-    return select(answered_ > T(0.0), select(F_.ratio > T(0.0), F_.ratio, T(-1.0)), T(-1.0));
+    return select(answered_ > T(0.0), select(gradient_.ratio > T(0.0), gradient_.ratio, T(-1.0)), T(-1.0));
   }
 
   template <bool is_damped, class Law>
   void compute_forces(const Law& law, const BlockBranch<T>& branch) {
-    BlockAnswer<T> answer = law(F_);
+    BlockAnswer<T> answer = law(gradient_);
     answered_ = min(answered_, answer.answered);
     BlockStrains<T> strains = strains_;
     std::array<Vector3<T>, 3> viscous{};
@@ -66,48 +66,48 @@ class BlockElement {
       if (branch.is_there) {
         const T modulus = T(task_.branch_modulus_Pa);
         for (std::size_t c = 0; c < 6; ++c) answer.stress[c] = fma(modulus, branch.tensor[c], answer.stress[c]);
-        answer.by_cofactor = answer.by_cofactor - modulus / F_.ratio;
+        answer.by_cofactor = answer.by_cofactor - modulus / gradient_.ratio;
         const T ratio = T(task_.branch_modulus_Pa / task_.shear_modulus_Pa);
         for (std::size_t n = 0; n < 12; ++n) strains[n] = fma(ratio, strains_[n] - branch.strains[n], strains[n]);
       }
       if (task_.viscosity_Pa_s > 0.0) viscous = viscous_forces(strains);
     }
-    const T pressure = fma(T(task_.block_stiffness_Pa), F_.ratio_excess, answer.by_cofactor);
+    const T pressure = fma(T(task_.block_stiffness_Pa), gradient_.ratio_excess, answer.by_cofactor);
     const auto& S = answer.stress;
     const std::array<std::array<std::size_t, 3>, 3> places{{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};
     for (std::size_t j = 0; j < 3; ++j) {
-      P_[j] = scaled(pressure, F_.cofactors[j]);
-      for (std::size_t k = 0; k < 3; ++k) add(P_[j], S[places[j][k]], F_.columns[k]);
-      if constexpr (is_damped) add(P_[j], T(1.0), viscous[j]);
+      column_forces_[j] = scaled(pressure, gradient_.cofactors[j]);
+      for (std::size_t k = 0; k < 3; ++k) add(column_forces_[j], S[places[j][k]], gradient_.columns[k]);
+      if constexpr (is_damped) add(column_forces_[j], T(1.0), viscous[j]);
     }
     add_hourglass_forces(strains);
   }
 
   void store(Number* forces) const {
     BoxModes<T> modes;
-    for (std::size_t j = 0; j < 3; ++j) modes.linear[j] = scaled(c_[j] * volume_, P_[j]);
-    for (std::size_t a = 0; a < 4; ++a) modes.hourglass[a] = scaled(volume_, R_[a]);
+    for (std::size_t j = 0; j < 3; ++j) modes.linear[j] = scaled(c_[j] * volume_, column_forces_[j]);
+    for (std::size_t a = 0; a < 4; ++a) modes.hourglass[a] = scaled(volume_, pattern_forces_[a]);
     store_forces(modes, first_axis_, forces);
   }
 
   template <class Law>
   [[nodiscard]] T energy(const Law& law, const Number* branch) {
-    const BlockAnswer<T> answer = law(F_);
+    const BlockAnswer<T> answer = law(gradient_);
     answered_ = min(answered_, answer.answered);
-    T sum = fma(T(0.5 * task_.block_stiffness_Pa) * F_.ratio_excess, F_.ratio_excess, answer.energy);
+    T sum = fma(T(0.5 * task_.block_stiffness_Pa) * gradient_.ratio_excess, gradient_.ratio_excess, answer.energy);
     sum = sum + quadratic_energy(strains_);
     if (branch == nullptr) return volume_ * sum;
     BlockBranch<T> state;
     state.load(branch);
-    const T change = (contraction(state.tensor) - T(3.0)) - log(determinant(state.tensor) * F_.ratio * F_.ratio);
+    const T change = (contraction(state.tensor) - T(3.0)) - log(determinant(state.tensor) * gradient_.ratio * gradient_.ratio);
     const T stored = fma(T(0.5) * mu_, change, quadratic_energy(difference(strains_, state.strains)));
     return volume_ * fma(T(task_.branch_modulus_Pa / task_.shear_modulus_Pa), stored, sum);
   }
 
   [[nodiscard]] BlockBranch<T> rest() const {
-    const T inverse = T(1.0) / F_.ratio;
+    const T inverse = T(1.0) / gradient_.ratio;
     std::array<Vector3<T>, 3> n;
-    for (std::size_t j = 0; j < 3; ++j) n[j] = scaled(inverse, F_.cofactors[j]);
+    for (std::size_t j = 0; j < 3; ++j) n[j] = scaled(inverse, gradient_.cofactors[j]);
     return {
         true, {dot(n[0], n[0]), dot(n[1], n[1]), dot(n[2], n[2]), dot(n[1], n[2]), dot(n[0], n[2]), dot(n[0], n[1])}, strains_};
   }
@@ -170,9 +170,9 @@ class BlockElement {
 
   void add_hourglass_forces(const BlockStrains<T>& strains) {
     const BlockStrains<T> s = hourglass_stress(strains);
-    const auto& f = F_.columns;
+    const auto& f = gradient_.columns;
     const auto& H = u_.hourglass;
-    for (Vector3<T>& R : R_) R = {T(0.0), T(0.0), T(0.0)};
+    for (Vector3<T>& force : pattern_forces_) force = {T(0.0), T(0.0), T(0.0)};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
       const T x = c_[i] * s[3 * i];
@@ -180,16 +180,16 @@ class BlockElement {
       const T first = c_[j] * s[3 * i + 2];
       const T second = c_[i] * s[3 * i + 2];
       const T last = c_[i] * s[9 + i];
-      add(P_[i], x, H[j]);
-      add(P_[j], y, H[i]);
-      add(P_[i], first, H[i]);
-      add(P_[j], second, H[j]);
-      add(P_[i], last, H[3]);
-      add(R_[j], x, f[i]);
-      add(R_[i], y, f[j]);
-      add(R_[i], first, f[i]);
-      add(R_[j], second, f[j]);
-      add(R_[3], last, f[i]);
+      add(column_forces_[i], x, H[j]);
+      add(column_forces_[j], y, H[i]);
+      add(column_forces_[i], first, H[i]);
+      add(column_forces_[j], second, H[j]);
+      add(column_forces_[i], last, H[3]);
+      add(pattern_forces_[j], x, f[i]);
+      add(pattern_forces_[i], y, f[j]);
+      add(pattern_forces_[i], first, f[i]);
+      add(pattern_forces_[j], second, f[j]);
+      add(pattern_forces_[3], last, f[i]);
     }
   }
 
@@ -198,8 +198,8 @@ class BlockElement {
     const BoxModes<T> v = gathered_modes<T>(nodes_, first_axis_, task_.motion.velocities_m_per_s);
     std::array<Vector3<T>, 3> rate;
     for (std::size_t j = 0; j < 3; ++j) rate[j] = scaled(c_[j], v.linear[j]);
-    const T inverse = T(1.0) / F_.ratio;
-    const auto& n = F_.cofactors;
+    const T inverse = T(1.0) / gradient_.ratio;
+    const auto& n = gradient_.cofactors;
     const auto entry = [&](std::size_t i, std::size_t j) {  // of J dF/dt F^-1
       return fma(rate[0][i], n[0][j], fma(rate[1][i], n[1][j], rate[2][i] * n[2][j]));
     };
@@ -213,7 +213,7 @@ class BlockElement {
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t i = 0; i < 3; ++i) forces[j][i] = factor * dot(d[i], n[j]);
     const T power = T(2.0 * task_.viscosity_Pa_s) * (dot(d[0], d[0]) + dot(d[1], d[1]) + dot(d[2], d[2]));
-    BlockStrains<T> rates = strains_of(F_.columns, v.hourglass);
+    BlockStrains<T> rates = strains_of(gradient_.columns, v.hourglass);
     const BlockStrains<T> turning = strains_of(rate, u_.hourglass);
     const T time = T(task_.viscosity_Pa_s / task_.shear_modulus_Pa);
     for (std::size_t k = 0; k < 12; ++k) {
@@ -226,7 +226,7 @@ class BlockElement {
 
   /// A : C
   [[nodiscard]] T contraction(const std::array<T, 6>& A) const {
-    const auto& f = F_.columns;
+    const auto& f = gradient_.columns;
     const T diagonal = fma(A[0], dot(f[0], f[0]), fma(A[1], dot(f[1], f[1]), A[2] * dot(f[2], f[2])));
     const T off = fma(A[3], dot(f[1], f[2]), fma(A[4], dot(f[0], f[2]), A[5] * dot(f[0], f[1])));
     return fma(T(2.0), off, diagonal);
@@ -246,10 +246,10 @@ class BlockElement {
   std::array<T, 3> c_;
   T volume_;
   BoxModes<T> u_;
-  BlockGradient<T> F_;
+  BlockGradient<T> gradient_;
   BlockStrains<T> strains_;
-  std::array<Vector3<T>, 3> P_;
-  std::array<Vector3<T>, 4> R_;
+  std::array<Vector3<T>, 3> column_forces_;
+  std::array<Vector3<T>, 4> pattern_forces_;
   T answered_ = T(1.0);
   T dissipation_ = T(0.0);
   T relaxed_ = T(0.0);

@@ -99,8 +99,8 @@ class WallElement {
 
   void store(Number* forces) const {
     BoxModes<T> modes;
-    for (std::size_t j = 0; j < 3; ++j) modes.linear[j] = scaled(c_[j] * volume_, P_[j]);
-    for (std::size_t a = 0; a < 4; ++a) modes.hourglass[a] = scaled(volume_, R_[a]);
+    for (std::size_t j = 0; j < 3; ++j) modes.linear[j] = scaled(c_[j] * volume_, column_forces_[j]);
+    for (std::size_t a = 0; a < 4; ++a) modes.hourglass[a] = scaled(volume_, pattern_forces_[a]);
     store_forces(modes, first_axis_, forces);
   }
 
@@ -295,25 +295,25 @@ class WallElement {
     return stress;
   }
 
-  /// P_j, the derivatives by f_j, and the parts of R by q1 and q2.
+  /// P_j, the derivatives by f_j, and the those by q1 and q2.
   void set_gradient_forces(const PlaneStress<T>& centre, const PlaneStress<T>& mean, const PlaneStress<T>& moment) {
     const T pressure = fms(T(task_.wall_penalty_Pa), ratio_excess_, pressure_);
     const PlaneStress<T> s{centre.s11 + branch_metric_.s11, centre.s22 + branch_metric_.s22, centre.s12 + branch_metric_.s12};
-    P_[0] = scaled(pressure, cross(f_[1], f_[2]));
-    P_[1] = scaled(pressure, cross(f_[2], f_[0]));
-    P_[2] = scaled(pressure, normal_);
-    add(P_[0], s.s11, f_[0]);
-    add(P_[0], s.s12, f_[1]);
-    add(P_[0], moment.s11, u_.q1);
-    add(P_[0], moment.s12, u_.q2);
-    add(P_[0], shear_forces_[0], f_[2]);
-    add(P_[1], s.s22, f_[1]);
-    add(P_[1], s.s12, f_[0]);
-    add(P_[1], moment.s22, u_.q2);
-    add(P_[1], moment.s12, u_.q1);
-    add(P_[1], shear_forces_[1], f_[2]);
-    add(P_[2], shear_forces_[0], f_[0]);
-    add(P_[2], shear_forces_[1], f_[1]);
+    column_forces_[0] = scaled(pressure, cross(f_[1], f_[2]));
+    column_forces_[1] = scaled(pressure, cross(f_[2], f_[0]));
+    column_forces_[2] = scaled(pressure, normal_);
+    add(column_forces_[0], s.s11, f_[0]);
+    add(column_forces_[0], s.s12, f_[1]);
+    add(column_forces_[0], moment.s11, u_.q1);
+    add(column_forces_[0], moment.s12, u_.q2);
+    add(column_forces_[0], shear_forces_[0], f_[2]);
+    add(column_forces_[1], s.s22, f_[1]);
+    add(column_forces_[1], s.s12, f_[0]);
+    add(column_forces_[1], moment.s22, u_.q2);
+    add(column_forces_[1], moment.s12, u_.q1);
+    add(column_forces_[1], shear_forces_[1], f_[2]);
+    add(column_forces_[2], shear_forces_[0], f_[0]);
+    add(column_forces_[2], shear_forces_[1], f_[1]);
     const T third = T(1.0 / 3.0);
     Vector3<T> Q1 = scaled(moment.s11, f_[0]);
     add(Q1, moment.s12, f_[1]);
@@ -323,8 +323,8 @@ class WallElement {
     add(Q2, moment.s12, f_[0]);
     add(Q2, third * mean.s22, u_.q2);
     add(Q2, third * mean.s12, u_.q1);
-    R_[0] = scaled(c_[1], Q2);
-    R_[1] = scaled(c_[0], Q1);
+    pattern_forces_[0] = scaled(c_[1], Q2);
+    pattern_forces_[1] = scaled(c_[0], Q1);
   }
 
   void add_hourglass_forces(const WallStrains<T>& strains) {
@@ -340,26 +340,26 @@ class WallElement {
     const T t1 = c_[2] * s[4];
     const T t2 = c_[2] * s[5];
     const std::array<T, 3> k{c_[0] * s[6], c_[1] * s[7], c_[2] * s[8]};
-    add(P_[0], e11, H[2]);
-    add(P_[0], across1, H[0]);
-    add(P_[0], k[0], H[3]);
-    add(P_[1], e22, H[2]);
-    add(P_[1], across2, H[1]);
-    add(P_[1], k[1], H[3]);
-    add(P_[2], along, H[2]);
-    add(P_[2], t1, H[0]);
-    add(P_[2], t2, H[1]);
-    add(P_[2], k[2], H[3]);
-    add(R_[0], across1, f_[0]);
-    add(R_[0], t1, f_[2]);
-    add(R_[1], across2, f_[1]);
-    add(R_[1], t2, f_[2]);
-    R_[2] = scaled(e11, f_[0]);
-    add(R_[2], e22, f_[1]);
-    add(R_[2], along, f_[2]);
-    R_[3] = scaled(k[0], f_[0]);
-    add(R_[3], k[1], f_[1]);
-    add(R_[3], k[2], f_[2]);
+    add(column_forces_[0], e11, H[2]);
+    add(column_forces_[0], across1, H[0]);
+    add(column_forces_[0], k[0], H[3]);
+    add(column_forces_[1], e22, H[2]);
+    add(column_forces_[1], across2, H[1]);
+    add(column_forces_[1], k[1], H[3]);
+    add(column_forces_[2], along, H[2]);
+    add(column_forces_[2], t1, H[0]);
+    add(column_forces_[2], t2, H[1]);
+    add(column_forces_[2], k[2], H[3]);
+    add(pattern_forces_[0], across1, f_[0]);
+    add(pattern_forces_[0], t1, f_[2]);
+    add(pattern_forces_[1], across2, f_[1]);
+    add(pattern_forces_[1], t2, f_[2]);
+    pattern_forces_[2] = scaled(e11, f_[0]);
+    add(pattern_forces_[2], e22, f_[1]);
+    add(pattern_forces_[2], along, f_[2]);
+    pattern_forces_[3] = scaled(k[0], f_[0]);
+    add(pattern_forces_[3], k[1], f_[1]);
+    add(pattern_forces_[3], k[2], f_[2]);
   }
 
   /// Of transverse shear and hourglass strains.
@@ -397,8 +397,8 @@ class WallElement {
   WallStrains<T> strains_;
   std::array<T, 2> shear_forces_;
   PlaneStress<T> branch_metric_;
-  std::array<Vector3<T>, 3> P_;
-  std::array<Vector3<T>, 4> R_;
+  std::array<Vector3<T>, 3> column_forces_;
+  std::array<Vector3<T>, 4> pattern_forces_;
   T answered_ = T(1.0);
   T dissipation_ = T(0.0);
   T relaxed_ = T(0.0);
