@@ -53,27 +53,27 @@ class BlockElement {
   }
 
   [[nodiscard]] T smallest_ratio() const {
-    return select(answered_ > T(0.0), select(gradient_.ratio > T(0.0), gradient_.ratio, T(-1.0)), T(-1.0));
+    return select(admissible_ > T(0.0), select(gradient_.ratio > T(0.0), gradient_.ratio, T(-1.0)), T(-1.0));
   }
 
   template <bool is_damped, class Law>
   void compute_forces(const Law& law, const BlockBranch<T>& branch) {
-    BlockAnswer<T> answer = law(gradient_);
-    answered_ = min(answered_, answer.answered);
+    BlockResponse<T> response = law(gradient_);
+    admissible_ = min(admissible_, response.admissible);
     BlockStrains<T> strains = strains_;
     std::array<Vector3<T>, 3> viscous{};
     if constexpr (is_damped) {
       if (branch.is_there) {
         const T modulus = T(task_.branch_modulus_Pa);
-        for (std::size_t c = 0; c < 6; ++c) answer.stress[c] = fma(modulus, branch.tensor[c], answer.stress[c]);
-        answer.by_cofactor = answer.by_cofactor - modulus / gradient_.ratio;
+        for (std::size_t c = 0; c < 6; ++c) response.stress[c] = fma(modulus, branch.tensor[c], response.stress[c]);
+        response.by_cofactor = response.by_cofactor - modulus / gradient_.ratio;
         const T ratio = T(task_.branch_modulus_Pa / task_.shear_modulus_Pa);
         for (std::size_t n = 0; n < 12; ++n) strains[n] = fma(ratio, strains_[n] - branch.strains[n], strains[n]);
       }
       if (task_.viscosity_Pa_s > 0.0) viscous = viscous_forces(strains);
     }
-    const T pressure = fma(T(task_.block_stiffness_Pa), gradient_.ratio_excess, answer.by_cofactor);
-    const auto& S = answer.stress;
+    const T pressure = fma(T(task_.block_stiffness_Pa), gradient_.ratio_excess, response.by_cofactor);
+    const auto& S = response.stress;
     const std::array<std::array<std::size_t, 3>, 3> places{{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};
     for (std::size_t j = 0; j < 3; ++j) {
       column_forces_[j] = scaled(pressure, gradient_.cofactors[j]);
@@ -92,9 +92,9 @@ class BlockElement {
 
   template <class Law>
   [[nodiscard]] T energy(const Law& law, const Number* branch) {
-    const BlockAnswer<T> answer = law(gradient_);
-    answered_ = min(answered_, answer.answered);
-    T sum = fma(T(0.5 * task_.block_stiffness_Pa) * gradient_.ratio_excess, gradient_.ratio_excess, answer.energy);
+    const BlockResponse<T> response = law(gradient_);
+    admissible_ = min(admissible_, response.admissible);
+    T sum = fma(T(0.5 * task_.block_stiffness_Pa) * gradient_.ratio_excess, gradient_.ratio_excess, response.energy);
     sum = sum + quadratic_energy(strains_);
     if (branch == nullptr) return volume_ * sum;
     BlockBranch<T> state;
@@ -250,7 +250,7 @@ class BlockElement {
   BlockStrains<T> strains_;
   std::array<Vector3<T>, 3> column_forces_;
   std::array<Vector3<T>, 4> pattern_forces_;
-  T answered_ = T(1.0);
+  T admissible_ = T(1.0);
   T dissipation_ = T(0.0);
   T relaxed_ = T(0.0);
 };

@@ -24,11 +24,11 @@ struct BlockGradient {
 
 /// P = F S + b cof F.
 template <class T>
-struct BlockAnswer {
+struct BlockResponse {
   std::array<T, 6> stress;  ///< S: 11, 22, 33, 23, 13, 12, Pa
   T by_cofactor;            ///< b, Pa
   T energy;                 ///< J/m^3
-  T answered;               ///< 1, or -1 where the law has no answer
+  T admissible;             ///< 1, or -1 where the law has no value
 };
 
 /// I1 - 3 - 2 ln J, the sum of l^2 - 1 - ln l^2 over the principal stretches l: 0 at rest, positive elsewhere.
@@ -43,7 +43,7 @@ T first_block_excess(const BlockGradient<T>& F) {
 /// cube root, and the logarithm keeps a block from being crushed. The law of volume, lambda/2 (J - 1)^2, is added to it by the
 /// element. A neo-Hookean block has mu/2 (I1 - 3) - mu ln J.
 template <class T>
-BlockAnswer<T> block_answer(const materials::NeoHookean& law, const BlockGradient<T>& F) {
+BlockResponse<T> block_answer(const materials::NeoHookean& law, const BlockGradient<T>& F) {
   const T mu = T(law.shear_modulus_Pa);
   const T zero = T(0.0);
   return {{mu, mu, mu, zero, zero, zero}, -(mu / F.ratio), T(0.5) * mu * first_block_excess(F), T(1.0)};
@@ -51,7 +51,7 @@ BlockAnswer<T> block_answer(const materials::NeoHookean& law, const BlockGradien
 
 /// P = 2 W1 (F - F^-T) + W2 (2 (I1 F - F C) - 4 F^-T - 4 (J - 1) cof F).
 template <materials::InvariantLaw Law, class T>
-BlockAnswer<T> block_answer(const Law& law, const BlockGradient<T>& F) {
+BlockResponse<T> block_answer(const Law& law, const BlockGradient<T>& F) {
   const T y1 = first_block_excess(F);
   const auto& f = F.columns;
   T y2(0.0);
@@ -68,20 +68,20 @@ BlockAnswer<T> block_answer(const Law& law, const BlockGradient<T>& F) {
   const materials::InvariantEnergy<T> w = law.energy(y1, y2);
   const T zero = T(0.0);
   const T twice = T(2.0) * w.d1;
-  BlockAnswer<T> answer{
+  BlockResponse<T> response{
       {twice, twice, twice, zero, zero, zero}, -(twice / F.ratio), w.energy, select(law.is_within_limit(y1), T(1.0), T(-1.0))};
   if constexpr (Law::uses_second_invariant) {
     const T by_second = T(2.0) * w.d2;
-    for (std::size_t c = 0; c < 6; ++c) answer.stress[c] = fnma(by_second, C[c], answer.stress[c]);
-    for (std::size_t c = 0; c < 3; ++c) answer.stress[c] = fma(by_second, first, answer.stress[c]);
-    answer.by_cofactor = fnma(T(2.0) * by_second, T(1.0) / F.ratio + F.ratio_excess, answer.by_cofactor);
+    for (std::size_t c = 0; c < 6; ++c) response.stress[c] = fnma(by_second, C[c], response.stress[c]);
+    for (std::size_t c = 0; c < 3; ++c) response.stress[c] = fma(by_second, first, response.stress[c]);
+    response.by_cofactor = fnma(T(2.0) * by_second, T(1.0) / F.ratio + F.ratio_excess, response.by_cofactor);
   }
-  return answer;
+  return response;
 }
 
 /// Ogden's law for a body that can change its volume: sum mu_p/alpha_p (l1^alpha + l2^alpha + l3^alpha - 3 - alpha ln J).
 template <std::size_t n, class T>
-BlockAnswer<T> block_answer(const materials::Ogden<n>& law, const BlockGradient<T>& F) {
+BlockResponse<T> block_answer(const materials::Ogden<n>& law, const BlockGradient<T>& F) {
   const auto& f = F.columns;
   const T C12 = dot(f[0], f[1]);
   const T C13 = dot(f[0], f[2]);
@@ -102,25 +102,25 @@ BlockAnswer<T> block_answer(const materials::Ogden<n>& law, const BlockGradient<
       energy = fma(T(term.modulus_Pa / term.exponent), materials::exp_remainder<T>(exponent), energy);
     }
   }
-  BlockAnswer<T> answer{
+  BlockResponse<T> response{
       {T(0.0), T(0.0), T(0.0), T(0.0), T(0.0), T(0.0)}, -(pressure / F.ratio), energy, sign_above(F.ratio, T(0.0))};
   for (std::size_t a = 0; a < 3; ++a) {
     const T value = forces[a] / C.values[a];
     const auto& N = C.axes;
-    for (std::size_t c = 0; c < 3; ++c) answer.stress[c] = fma(value * N(c, a), N(c, a), answer.stress[c]);
-    answer.stress[3] = fma(value * N(1, a), N(2, a), answer.stress[3]);
-    answer.stress[4] = fma(value * N(0, a), N(2, a), answer.stress[4]);
-    answer.stress[5] = fma(value * N(0, a), N(1, a), answer.stress[5]);
+    for (std::size_t c = 0; c < 3; ++c) response.stress[c] = fma(value * N(c, a), N(c, a), response.stress[c]);
+    response.stress[3] = fma(value * N(1, a), N(2, a), response.stress[3]);
+    response.stress[4] = fma(value * N(0, a), N(2, a), response.stress[4]);
+    response.stress[5] = fma(value * N(0, a), N(1, a), response.stress[5]);
   }
-  return answer;
+  return response;
 }
 
 template <class T>
-using BlockFunction = void (*)(const void* law, const BlockGradient<T>& F, BlockAnswer<T>& answer);
+using BlockFunction = void (*)(const void* law, const BlockGradient<T>& F, BlockResponse<T>& response);
 
 template <class Law, class T>
-void answer_block(const void* law, const BlockGradient<T>& F, BlockAnswer<T>& answer) {
-  answer = block_answer(*static_cast<const Law*>(law), F);
+void answer_block(const void* law, const BlockGradient<T>& F, BlockResponse<T>& response) {
+  response = block_answer(*static_cast<const Law*>(law), F);
 }
 
 template <class T, class... Laws>

@@ -38,19 +38,19 @@ struct PlaneStress {
   T s12 = T(0.0);
 };
 
-/// What a law answers to a metric.
+/// The response of a law to a metric.
 template <class T>
-struct MembraneAnswer {
+struct MembraneResponse {
   PlaneStress<T> stress;
-  T energy;    ///< J/m^3
-  T answered;  ///< 1, or -1 where the law has no answer
+  T energy;      ///< J/m^3
+  T admissible;  ///< 1, or -1 where the law has no value
 };
 
 /// A neo-Hookean layer: the minimum of mu/2 (J^(-2/3) I1 - 3) + kappa/2 (J - 1)^2 over the stretch across it, exact to first
 /// order in mu / kappa: mu/2 (a + b + 1/d - 3) - mu^2 Q^2 / (2 kappa) with Q = 2/(3 d) - (a + b)/3. It has no lower bound where
 /// the area ratio falls below 0.13.
 template <class T>
-MembraneAnswer<T> membrane_answer(const materials::NeoHookean& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
+MembraneResponse<T> membrane_answer(const materials::NeoHookean& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
   const T mu = T(law.shear_modulus_Pa);
   const T sum = m.a_excess + m.b_excess;
   const T d = T(1.0) + m.area_excess;
@@ -60,17 +60,17 @@ MembraneAnswer<T> membrane_answer(const materials::NeoHookean& law, double bulk_
   const T inverse_square = m.inverse * m.inverse;
   const T both = fma(m.area_excess, m.area_excess, T(2.0) * m.area_excess);  // d^2 - 1
   const T slope = inverse_square * fma(softening, T(2.0), T(-1.0));          // what multiplies b in s11
-  MembraneAnswer<T> answer;
+  MembraneResponse<T> response;
   // 1 - b/d^2 without cancellation, and softening (1 + 2 b/d^2)
   const T doubled = T(2.0) * softening * inverse_square;
-  answer.stress.s11 = mu * fma(inverse_square, both - m.b_excess, fma(doubled, m.b_excess, softening + doubled));
-  answer.stress.s22 = mu * fma(inverse_square, both - m.a_excess, fma(doubled, m.a_excess, softening + doubled));
-  answer.stress.s12 = -(mu * slope * m.c);
+  response.stress.s11 = mu * fma(inverse_square, both - m.b_excess, fma(doubled, m.b_excess, softening + doubled));
+  response.stress.s22 = mu * fma(inverse_square, both - m.a_excess, fma(doubled, m.a_excess, softening + doubled));
+  response.stress.s12 = -(mu * slope * m.c);
   // a + b + 1/d - 3 = ((a + b - 2) (d - 1) + (a + b - 2) - (d - 1)) / d, where the last two are c^2 - (a - 1)(b - 1)
   const T excess = m.inverse * fma(sum, m.area_excess, fms(m.c, m.c, m.a_excess * m.b_excess));
-  answer.energy = mu * T(0.5) * fms(Q, Q * T(-law.shear_modulus_Pa / bulk_modulus_Pa), -excess);
-  answer.answered = T(1.0);
-  return answer;
+  response.energy = mu * T(0.5) * fms(Q, Q * T(-law.shear_modulus_Pa / bulk_modulus_Pa), -excess);
+  response.admissible = T(1.0);
+  return response;
 }
 
 /// When the change of a stretch in Newton's method says that its square is below rounding.
@@ -103,7 +103,7 @@ T minimise(T& x, const Derivatives& derivatives) {
 /// was found, because the energy does not change with s there. Bounded also where a law stiffens, as the first order in mu /
 /// kappa is not.
 template <materials::InvariantLaw Law, class T>
-MembraneAnswer<T> membrane_answer(const Law& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
+MembraneResponse<T> membrane_answer(const Law& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
   const T sum = m.a_excess + m.b_excess;
   const T A = T(2.0) + sum;
   const T B = m.inverse;
@@ -159,28 +159,28 @@ MembraneAnswer<T> membrane_answer(const Law& law, double bulk_modulus_Pa, const 
   const T down = p.inverse_square - T(1.0);
   const T up = fourth - T(1.0);
   const auto first_part = [&](const T& excess) { return fma(B2, both - excess, fms(up * B2, -(T(1.0) + excess), -down)); };
-  MembraneAnswer<T> answer;
+  MembraneResponse<T> response;
   const T twice = T(2.0) * w.d1;
-  answer.stress.s11 = twice * first_part(m.b_excess);
-  answer.stress.s22 = twice * first_part(m.a_excess);
-  answer.stress.s12 = twice * fourth * B2 * m.c;
+  response.stress.s11 = twice * first_part(m.b_excess);
+  response.stress.s22 = twice * first_part(m.a_excess);
+  response.stress.s12 = twice * fourth * B2 * m.c;
   if constexpr (Law::uses_second_invariant) {
     const T square = s * s;
     const T i4 = p.inverse_square * p.inverse_square;
     const T by_other = fms(square * A, -B2, -i4);  // s^-4 - s^2 (a + b) / d^2
     const T doubled = T(2.0) * w.d2;
-    answer.stress.s11 = fma(doubled, fma(T(1.0) + m.b_excess, by_other, square * B), answer.stress.s11);
-    answer.stress.s22 = fma(doubled, fma(T(1.0) + m.a_excess, by_other, square * B), answer.stress.s22);
-    answer.stress.s12 = fnma(doubled * by_other, m.c, answer.stress.s12);
+    response.stress.s11 = fma(doubled, fma(T(1.0) + m.b_excess, by_other, square * B), response.stress.s11);
+    response.stress.s22 = fma(doubled, fma(T(1.0) + m.a_excess, by_other, square * B), response.stress.s22);
+    response.stress.s12 = fnma(doubled * by_other, m.c, response.stress.s12);
   }
-  answer.energy = fma(T(0.5) * kappa * p.cube_excess, p.cube_excess, w.energy);
-  answer.answered = select(law.is_within_limit(p.first), arrived, T(-1.0));
-  return answer;
+  response.energy = fma(T(0.5) * kappa * p.cube_excess, p.cube_excess, w.energy);
+  response.admissible = select(law.is_within_limit(p.first), arrived, T(-1.0));
+  return response;
 }
 
 /// A layer of Ogden's law, in its principal stretches; the stretch across it is solved for as above, by t = ln(J)/3.
 template <std::size_t n, class T>
-MembraneAnswer<T> membrane_answer(const materials::Ogden<n>& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
+MembraneResponse<T> membrane_answer(const materials::Ogden<n>& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
   const T half_difference = T(0.5) * (m.a_excess - m.b_excess);
   const T radius = sqrt(fma(half_difference, half_difference, m.c * m.c));
   const T v1 = T(1.0) + fma(T(0.5), m.a_excess + m.b_excess, radius);  // the larger eigenvalue of the metric
@@ -233,22 +233,22 @@ MembraneAnswer<T> membrane_answer(const materials::Ogden<n>& law, double bulk_mo
     energy = fma(T(term.modulus_Pa / term.exponent), sum, energy);
   }
   const T by_inverse = across * m.inverse;
-  MembraneAnswer<T> answer;
-  answer.stress.s11 = fma(quotient, half_difference, fnma(by_inverse, T(1.0) + m.b_excess, mean));
-  answer.stress.s22 = fnma(quotient, half_difference, fnma(by_inverse, T(1.0) + m.a_excess, mean));
-  answer.stress.s12 = m.c * (quotient + by_inverse);
-  answer.energy = energy;
-  answer.answered = select(m.area_excess > T(-1.0), arrived, T(-1.0));
-  return answer;
+  MembraneResponse<T> response;
+  response.stress.s11 = fma(quotient, half_difference, fnma(by_inverse, T(1.0) + m.b_excess, mean));
+  response.stress.s22 = fnma(quotient, half_difference, fnma(by_inverse, T(1.0) + m.a_excess, mean));
+  response.stress.s12 = m.c * (quotient + by_inverse);
+  response.energy = energy;
+  response.admissible = select(m.area_excess > T(-1.0), arrived, T(-1.0));
+  return response;
 }
 
 template <class T>
 using MembraneFunction = void (*)(const void* law, double bulk_modulus_Pa, const PlaneMetric<T>& metric,
-                                  MembraneAnswer<T>& answer);
+                                  MembraneResponse<T>& response);
 
 template <class Law, class T>
-void answer_membrane(const void* law, double bulk_modulus_Pa, const PlaneMetric<T>& metric, MembraneAnswer<T>& answer) {
-  answer = membrane_answer(*static_cast<const Law*>(law), bulk_modulus_Pa, metric);
+void answer_membrane(const void* law, double bulk_modulus_Pa, const PlaneMetric<T>& metric, MembraneResponse<T>& response) {
+  response = membrane_answer(*static_cast<const Law*>(law), bulk_modulus_Pa, metric);
 }
 
 template <class T, class... Laws>

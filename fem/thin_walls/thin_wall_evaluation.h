@@ -18,11 +18,11 @@ class InlineLaw {
   explicit InlineLaw(const ThinWallTask<Number>& task)
       : law_(*static_cast<const Law*>(task.law.parameters)), bulk_modulus_Pa_(task.bulk_modulus_Pa) {}
   template <class T>
-  MembraneAnswer<T> operator()(const PlaneMetric<T>& metric) const {
+  MembraneResponse<T> operator()(const PlaneMetric<T>& metric) const {
     return membrane_answer(law_, bulk_modulus_Pa_, metric);
   }
   template <class T>
-  BlockAnswer<T> operator()(const BlockGradient<T>& F) const {
+  BlockResponse<T> operator()(const BlockGradient<T>& F) const {
     return block_answer(law_, F);
   }
 
@@ -36,17 +36,17 @@ template <class T>
 class AnyLaw {
  public:
   explicit AnyLaw(const ThinWallTask<NumberOf<T>>& task) : law_(task.law), bulk_modulus_Pa_(task.bulk_modulus_Pa) {}
-  MembraneAnswer<T> operator()(const PlaneMetric<T>& metric) const {
+  MembraneResponse<T> operator()(const PlaneMetric<T>& metric) const {
     static constexpr auto functions = membrane_functions<T>(static_cast<const materials::HyperelasticLaw*>(nullptr));
-    MembraneAnswer<T> answer;
-    functions[law_.index](law_.parameters, bulk_modulus_Pa_, metric, answer);
-    return answer;
+    MembraneResponse<T> response;
+    functions[law_.index](law_.parameters, bulk_modulus_Pa_, metric, response);
+    return response;
   }
-  BlockAnswer<T> operator()(const BlockGradient<T>& F) const {
+  BlockResponse<T> operator()(const BlockGradient<T>& F) const {
     static constexpr auto functions = block_functions<T>(static_cast<const materials::HyperelasticLaw*>(nullptr));
-    BlockAnswer<T> answer;
-    functions[law_.index](law_.parameters, F, answer);
-    return answer;
+    BlockResponse<T> response;
+    functions[law_.index](law_.parameters, F, response);
+    return response;
   }
 
  private:

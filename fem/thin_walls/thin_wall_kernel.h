@@ -92,7 +92,7 @@ struct ThinWallOutcome {
   /// has no lower bound much further down.
   static constexpr double smallest_allowed_ratio = 0.3;
 
-  /// Of the volume at the centre and of the area at both points of a wall, over all elements; -1 where the law has no answer.
+  /// Of the volume at the centre and of the area at both points of a wall, over all elements; -1 where the law has no value.
   double smallest_ratio = 1.0;
   double dissipated_W = 0.0;  ///< by the viscosity, >= 0
   double relaxed_J = 0.0;     ///< what the branches' energy fell by while they relaxed, >= 0 up to rounding
@@ -106,7 +106,7 @@ struct ThinWallTable;
 }
 
 /// Energies and internal forces of the elements of thin walls, of one instruction set and number type. Results of two instruction
-/// sets differ by rounding. What a lane answers does not depend on the other lanes.
+/// sets differ by rounding. The result of a lane does not depend on the other lanes.
 ///
 /// The energy of a wall of volume V = l1 l2 t with the columns f_i = e_i + c_i D_i of F at its centre, c_i = 1 / (4 l_i), and the
 /// changes q1 = c1 H2 and q2 = c2 H1 of f1 and f2 across it, D and H being the signed sums of displacements over the corners:
@@ -130,9 +130,9 @@ struct ThinWallTable;
 /// f_i.H_i + c_i f_j.H_j give E / (6 (1 - nu^2)) (x^2 + y^2 + 2 nu x y) + mu g^2 / 6, and the last pattern E/18 sum (c_i
 /// f_i.H4)^2, with E = 2 mu (1 + nu) and nu = 0.49.
 ///
-/// With a branch of modulus m, shares m / mu of everything but the penalties answer the difference to its rest (see
-/// MaxwellBranch); the membrane's part is incompressible. With a viscosity eta, eta / mu of them answer the rate; the membrane
-/// and the block's centre have the Kirchhoff stress 2 eta dev(d).
+/// With a branch of modulus m, shares m / mu of everything but the penalties respond to the difference to its rest (see
+/// MaxwellBranch); the membrane's part is incompressible. With a viscosity eta, eta / mu of them respond to the rate; the
+/// membrane and the block's centre have the Kirchhoff stress 2 eta dev(d).
 template <class Number>
 class ThinWallKernels {
  public:

@@ -66,7 +66,7 @@ class WallElement {
   [[nodiscard]] T smallest_ratio() const {
     const T d = T(1.0) + min(points_[0].area_excess, points_[1].area_excess);
     const T ratio = min(T(1.0) + ratio_excess_, sqrt(max(d, T(0.0))));
-    return select(answered_ > T(0.0), select(ratio > T(0.0), ratio, T(-1.0)), T(-1.0));
+    return select(admissible_ > T(0.0), select(ratio > T(0.0), ratio, T(-1.0)), T(-1.0));
   }
 
   /// @tparam Law a law, called with a metric @tparam is_damped whether there is a branch or a viscosity
@@ -74,9 +74,9 @@ class WallElement {
   void compute_forces(const Law& law, const WallBranch<T>& branch) {
     std::array<PlaneStress<T>, 2> stresses;
     for (std::size_t z = 0; z < 2; ++z) {
-      const MembraneAnswer<T> answer = law(points_[z]);
-      stresses[z] = answer.stress;
-      answered_ = min(answered_, answer.answered);
+      const MembraneResponse<T> response = law(points_[z]);
+      stresses[z] = response.stress;
+      admissible_ = min(admissible_, response.admissible);
     }
     std::array<T, 2> shears = shears_;
     WallStrains<T> strains = strains_;
@@ -109,9 +109,9 @@ class WallElement {
   [[nodiscard]] T energy(const Law& law, const Number* branch) {
     T sum(0.0);
     for (const PlaneMetric<T>& point : points_) {
-      const MembraneAnswer<T> answer = law(point);
-      sum = fma(T(0.5), answer.energy, sum);
-      answered_ = min(answered_, answer.answered);
+      const MembraneResponse<T> response = law(point);
+      sum = fma(T(0.5), response.energy, sum);
+      admissible_ = min(admissible_, response.admissible);
     }
     sum = sum + quadratic_energy(shears_, strains_);
     sum = fma(ratio_excess_, fms(T(0.5 * task_.wall_penalty_Pa), ratio_excess_, pressure_), sum);
@@ -399,7 +399,7 @@ class WallElement {
   PlaneStress<T> branch_metric_;
   std::array<Vector3<T>, 3> column_forces_;
   std::array<Vector3<T>, 4> pattern_forces_;
-  T answered_ = T(1.0);
+  T admissible_ = T(1.0);
   T dissipation_ = T(0.0);
   T relaxed_ = T(0.0);
 };

@@ -78,7 +78,7 @@ void three_field(benchmark::State& state, const fem::ExplicitKernels& kernels, c
     (void)unused;
     const auto outcome = body.element_forces({motion.displacements.data(), motion.velocities.data()}, 0,
                                              body.boxes().batch_count(), slots.data(), branch);
-    if (!(outcome.smallest_ratio > 0.0)) state.SkipWithError("an element has no answer");
+    if (!(outcome.smallest_ratio > 0.0)) state.SkipWithError("an element has no value");
     benchmark::ClobberMemory();
   }
   count_elements(state);

@@ -48,7 +48,7 @@ TEST(ThinWallBranch, AtRestItCarriesNothing) {
   }
 }
 
-// Without what only volume answers, a sudden small strain meets mu + m in place of mu in every term.
+// Without what only volume responses, a sudden small strain meets mu + m in place of mu in every term.
 TEST(ThinWallBranch, FastStrainMeetsBothModuli) {
   const auto kernels = best_thin_wall_kernels<double>();
   const Grid grid = one_box();

@@ -155,8 +155,8 @@ TEST(ThinWallKernels, ForcesTurnWithTheElement) {
       expected[3 * n + 1] = f[3 * n + 1];
       expected[3 * n + 2] = s * f[3 * n] + c * f[3 * n + 2];
     }
-    const std::vector<double> answer = patch.forces(material, turned);
-    for (std::size_t n = 0; n < 24; ++n) EXPECT_NEAR(answer[n], expected[n], 1e-12 * largest(f));  // rounding
+    const std::vector<double> response = patch.forces(material, turned);
+    for (std::size_t n = 0; n < 24; ++n) EXPECT_NEAR(response[n], expected[n], 1e-12 * largest(f));  // rounding
   }
 }
 
@@ -241,7 +241,7 @@ TEST(ThinWallKernels, EveryInstructionSetGivesTheSame) {
   }
 }
 
-// The lanes beside an element, whole batches of others and where it stands in them change no byte of its answer.
+// The lanes beside an element, whole batches of others and where it stands in them change no byte of its response.
 TEST(ThinWallKernels, WhatAnElementAnswersDoesNotDependOnItsNeighbours) {
   Grid grid = one_box();
   grid.lines[0][1] = 0.00390625;  // whose multiples have no rounding
