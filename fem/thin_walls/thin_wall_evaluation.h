@@ -83,10 +83,17 @@ class LaneSums {
   std::array<double, Lanes<T>::count> sums_{};
 };
 
+// Sanitizers would make of one function so large what takes minutes to compile.
+#ifdef __SANITIZE_ADDRESS__
+#define MENGER_ALL_IN_ONE
+#else
+#define MENGER_ALL_IN_ONE [[gnu::flatten]]
+#endif
+
 /// All of an element in one function: its many small parts pass each other more numbers than there are registers.
 template <class Element, class Law, bool is_damped>
-[[gnu::flatten]] ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typename Element::Number>& task,
-                                                       typename Element::Number* forces_N) {
+MENGER_ALL_IN_ONE ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typename Element::Number>& task,
+                                                        typename Element::Number* forces_N) {
   using T = typename Element::Lane;
   const Law law(task);
   T smallest(1.0);
