@@ -73,11 +73,15 @@ fs::path silicone_of_search(const io::TomlTable& table, const ReevaluationStudy&
 }
 
 void describe_silicone(io::StudyVisitor& visitor, ReevaluationStudy& study) {
-  std::string silicone = study.silicone_file.empty() ? usual_silicone : study.silicone_file.string();
-  visitor.text({"silicone", "Name of a silicone of menger, or a silicone file; default: that of the search."}, silicone);
-  if (const io::TomlTable* table = visitor.source())
+  std::optional<std::string> silicone;
+  if (!study.silicone_file.empty()) silicone = study.silicone_file.string();
+  visitor.optional_text(
+      {"silicone", "Name of a silicone of menger, or a silicone file; default: that of the search.", "\"dragon_skin_10\""},
+      silicone);
+  if (const io::TomlTable* table = visitor.source()) {
     study.silicone_file =
         table->has("silicone") ? materials::silicone_file(*table, "silicone") : silicone_of_search(*table, study);
+  }
 }
 
 bool is_multiple(double value, double of) {
