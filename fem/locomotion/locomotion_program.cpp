@@ -1,7 +1,6 @@
 #include "fem/locomotion/locomotion_program.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -72,12 +71,11 @@ void print(const LocomotionResult& result) {
   std::cout << '\n' << std::flush;
 }
 
-/// Returns the exit code of a sweep: `interrupted` if its last case was stopped, `numerical` if any case did not complete.
 int exit_code_of(const std::vector<SweepCase>& cases) {
-  if (cases.back().result.status == io::RunStatus::stopped) return io::exit_code::interrupted;
-  const bool all =
-      std::all_of(cases.begin(), cases.end(), [](const SweepCase& one) { return one.result.status == io::RunStatus::completed; });
-  return all ? io::exit_code::done : io::exit_code::numerical;
+  std::vector<io::RunStatus> parts;
+  parts.reserve(cases.size());
+  for (const SweepCase& one : cases) parts.push_back(one.result.status);
+  return io::exit_code_of(parts);
 }
 
 /// The progress line, which shows the time that a study, or the cases of its sweep, still takes.
