@@ -77,7 +77,7 @@ LoadCaseBody::LoadCaseBody(const LoadCase& load_case, const StudyMaterial& mater
   } catch (const io::InputError&) {  // the point is not in the body
     top_ = locate_points(space_, {{"top centre", nearest_corner(mesh, top)}});
   }
-  rest_volume_m3_ = equilibrium_->plenum_volumes(equilibrium_->totals(equilibrium_->rest(), 0.0)).front();
+  rest_volume_m3_ = equilibrium_->plenum_volumes(equilibrium_->totals(equilibrium_->rest())).front();
 }
 
 void LoadCaseBody::add_grips(const meshes::HexahedralMesh& mesh) {

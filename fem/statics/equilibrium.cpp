@@ -104,10 +104,9 @@ std::vector<double> Equilibrium::plenum_volumes(const BodyTotals& totals) const 
   return volumes;
 }
 
-BodyTotals Equilibrium::totals(const BodyState& state, double dead_load_factor) {
-  dead_load_factor_ = dead_load_factor;
+BodyTotals Equilibrium::totals(const BodyState& state) {
   assembly_.elements().forget_prediction();
-  return assembly_.assemble(state.displacements_m, {state.plenum_pressures_Pa, dead_load_factor}, {}, {}, nullptr);
+  return assembly_.assemble(state.displacements_m, {state.plenum_pressures_Pa}, {}, {}, nullptr);
 }
 
 std::optional<int> Equilibrium::count_negative_pivots(const BodyState& state, double dead_load_factor) {

@@ -89,7 +89,7 @@ class Equilibrium {
 
   /// Returns the totals of a body in a state, which need not be an equilibrium: energies, volumes, ground force and work of the
   /// dead loads (see BodyTotals). They follow from the displacements of the state alone. The reactions of plates are left empty.
-  BodyTotals totals(const BodyState& state, double dead_load_factor);
+  BodyTotals totals(const BodyState& state);
   /// Returns the volume of each plenum, m^3: the sum of the volumes of its chambers in `totals`.
   [[nodiscard]] std::vector<double> plenum_volumes(const BodyTotals& totals) const;
 

@@ -89,7 +89,7 @@ PathFollower::PathFollower(Equilibrium& equilibrium, const PathDrives& drives, c
       step_(options.first_step) {
   assert(drives.plena.size() == equilibrium.body().plenum_count);
   assert(drives.plates.empty() || drives.plates.size() == equilibrium.body().plates.size());
-  const BodyTotals at_rest = equilibrium.totals(equilibrium.rest(), 0.0);
+  const BodyTotals at_rest = equilibrium.totals(equilibrium.rest());
   rest_volumes_m3_ = equilibrium.plenum_volumes(at_rest);
   rest_chamber_volumes_m3_ = at_rest.chamber_volumes_m3;
 }

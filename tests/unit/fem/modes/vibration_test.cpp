@@ -316,7 +316,7 @@ TEST(FrequencyResponse, AtRestIsTheDifferenceOfTwoEquilibria) {
   constexpr double step_Pa = 10.0;
   const BodyState above = cube.state_at(pressure_Pa + step_Pa);
   const BodyState below = cube.state_at(pressure_Pa - step_Pa);
-  const auto volume = [&](const BodyState& state) { return cube.equilibrium.totals(state, 1.0).chamber_volumes_m3[0]; };
+  const auto volume = [&](const BodyState& state) { return cube.equilibrium.totals(state).chamber_volumes_m3[0]; };
   const double by_volume = (volume(above) - volume(below)) / (2.0 * step_Pa);
   const std::size_t top = cube.top_component();
   const double by_top = (above.displacements_m[top] - below.displacements_m[top]) / (2.0 * step_Pa);
