@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "evolution/report/evaluated_tasks.h"
@@ -15,6 +18,7 @@
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/design_file.h"
 #include "meshes/load_cases/observables.h"
@@ -26,6 +30,21 @@ namespace menger::evolution {
 namespace {
 
 namespace fs = std::filesystem;
+
+using Displacement = std::optional<std::array<double, 3>>;
+
+/// Returns the displacement of an archived evaluation with the part that does not count.
+Displacement whole_displacement_m(const Evaluation& result) {
+  Displacement whole_m = result.displacement_m;
+  if (!whole_m || !result.left_out_m) return whole_m;
+  for (std::size_t axis = 0; axis < 3; ++axis) whole_m->at(axis) += result.left_out_m->at(axis);
+  return whole_m;
+}
+
+std::string displacement_text(const Displacement& displacement_m) {
+  if (!displacement_m) return "none";
+  return io::toml_value_text(std::span<const double>(*displacement_m)) + " m";
+}
 
 class Exporter {
  public:
@@ -150,24 +169,28 @@ class Exporter {
     result_.levels.push_back(std::move(done));
   }
 
+  [[nodiscard]] std::optional<Evaluation> archived(int level) const {
+    const auto found = archive_.evaluation({design_hash(simulated(), level), level, io::content_hash(run_.physics)});
+    return found ? std::optional(found->result) : std::nullopt;
+  }
+
   [[nodiscard]] bool differs_from_archive(const LevelResult& done) const {
-    const auto archived = archive_.evaluation({design_hash(simulated(), done.level), done.level, io::content_hash(run_.physics)});
-    if (!archived) return false;
-    const Evaluation& result = archived->result;
-    if (!result.left_out_m || !done.scene.displacement_m) return result.displacement_m != done.scene.displacement_m;
+    const std::optional<Evaluation> result = archived(done.level);
+    if (!result) return false;
+    const Displacement whole_m = whole_displacement_m(*result);
+    if (!result->left_out_m || !whole_m || !done.scene.displacement_m) return whole_m != done.scene.displacement_m;
     // The archive has two parts of the displacement. Their sum is rounded differently.
     constexpr double rounding_m = 1e-12;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double whole_m = result.displacement_m->at(axis) + result.left_out_m->at(axis);
-      if (std::abs(whole_m - done.scene.displacement_m->at(axis)) > rounding_m) return true;
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (std::abs(whole_m->at(axis) - done.scene.displacement_m->at(axis)) > rounding_m) return true;
     return false;
   }
 
   void compare_with_archive(const LevelResult& done) {
     if (done.scene.status == io::RunStatus::stopped || !differs_from_archive(done)) return;
     add_note("level " + std::to_string(done.level) +
-             ": the simulation differs from the result in the archive; the archive was made by another version of menger");
+             ": the displacement differs from that in the archive: " + displacement_text(done.scene.displacement_m) + " here, " +
+             displacement_text(whole_displacement_m(*archived(done.level))) + " there");
   }
 
   void draw() {

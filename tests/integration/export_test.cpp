@@ -111,6 +111,19 @@ TEST_F(Export, ReadsAnEarlierArchive) {
   EXPECT_EQ(contents("then"), contents("now"));
 }
 
+TEST_F(Export, TellsADisplacementThatDiffersFromThatOfTheArchive) {
+  evolve("run.sqlite");
+  {
+    SQLite::Database archive((folder_ / "run.sqlite").string(), SQLite::OPEN_READWRITE);
+    EXPECT_GT(archive.exec("UPDATE evaluation SET dx_m = 12, dy_m = 0.5, dz_m = -3 WHERE level = 1 AND dx_m IS NOT NULL"), 0);
+  }
+  const Outcome outcome = export_run("run.sqlite", "out", {"--levels", "1", "2"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("level 1: the displacement differs from that in the archive: ["), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("] m here, [12, 0.5, -3] m there"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("level 2: the displacement differs"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Export, HoldsTheChecksOfTheTimeStep) {
   io::write_whole(folder_ / "study.toml",
                   "preset = \"paper\"\ngenerations = 2\n[population]\nsurvivors = 3\nmutants = 3\n[body]\nlevels = [1, 2]\n"
