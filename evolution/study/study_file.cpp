@@ -19,15 +19,6 @@ namespace menger::evolution {
 
 namespace {
 
-/// Returns the words of an enumeration, from its to_string.
-template <class... Values>
-auto words_of(Values... values) {
-  using Value = std::common_type_t<Values...>;
-  io::Words<Value> words;
-  (words.emplace_back(to_string(values), values), ...);
-  return words;
-}
-
 constexpr double largest_population = 1e6;
 constexpr double basal_cell_count = 27;
 
@@ -44,15 +35,15 @@ void describe_genome(io::StudyVisitor& visitor, OffspringOptions& options) {
   visitor.word({"encoding",
                 "Kind of body: fractal (the same arrangement at every level), nonfractal (arrangements evolved for each level), "
                 "single-actuator (fractal of one material)."},
-               options.decoder.plan, words_of(BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator));
+               options.decoder.plan, io::words_of(BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator));
   visitor.word({"activations", "Activation functions that nodes may have."}, variation.activations,
-               words_of(ActivationSet::paper, ActivationSet::released_code));
+               io::words_of(ActivationSet::paper, ActivationSet::released_code));
   visitor.word({"output_function", "Whether the functions of outputs may be mutated."}, variation.output_function,
-               words_of(OutputFunction::kept, OutputFunction::mutable_));
+               io::words_of(OutputFunction::kept, OutputFunction::mutable_));
   visitor.word({"expression", "Whether all consumers of a node get its activated value, or only the first."},
-               expression.expression, words_of(Expression::every_consumer_activated, Expression::first_consumer_activated));
+               expression.expression, io::words_of(Expression::every_consumer_activated, Expression::first_consumer_activated));
   visitor.word({"axes", "Axes of the body that the network inputs x, y and z stand for."}, expression.axes,
-               words_of(AxisMap::xyz, AxisMap::zyx));
+               io::words_of(AxisMap::xyz, AxisMap::zyx));
   visitor.integer({"largest_tries", "Mutations that are tried until a body is valid."}, options.largest_tries, io::at_least(1));
 }
 
@@ -69,7 +60,7 @@ void describe_body(io::StudyVisitor& visitor, SearchPlan& plan) {
   visitor.integer({"smallest_arranged_body_cells", "Least number of cells of a nonfractal body at level 3."},
                   constraints.smallest_arranged_body, io::within(1, 19683));
   visitor.word({"disconnected", "What happens to bodies that fall apart."}, constraints.disconnected,
-               words_of(DisconnectedPolicy::reject, DisconnectedPolicy::penalise, DisconnectedPolicy::allow));
+               io::words_of(DisconnectedPolicy::reject, DisconnectedPolicy::penalise, DisconnectedPolicy::allow));
   visitor.boolean({"castable",
                    "Whether only bodies are valid that can be cast: in one piece, with no cells that touch only along an edge or "
                    "at a corner."},
@@ -86,9 +77,9 @@ void describe_time(io::StudyVisitor& visitor, Study& study) {
 void describe_evaluation(io::StudyVisitor& visitor, SearchPlan& plan) {
   visitor.boolean({"stand", "Whether bodies stand on the ground from the start."}, plan.stand);
   visitor.word({"objective", "How a displacement becomes a fitness."}, plan.objective,
-               words_of(Objective::body_lengths, Objective::squared_metres_per_scale));
+               io::words_of(Objective::body_lengths, Objective::squared_metres_per_scale));
   visitor.word({"duplicates", "What happens to a new individual with the body of an earlier one."}, plan.duplicates,
-               words_of(DuplicatePolicy::archived_result, DuplicatePolicy::culled));
+               io::words_of(DuplicatePolicy::archived_result, DuplicatePolicy::culled));
   visitor.boolean({"pruning", "Whether evaluations that cannot change the survivors are skipped."}, plan.pruning);
 }
 

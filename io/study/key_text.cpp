@@ -49,8 +49,7 @@ std::string unit_of(std::string_view name) {
 }
 
 std::string values_of(const StudyEntry& entry) {
-  std::string each;
-  for (const std::string_view word : entry.words) each.append(each.empty() ? "" : " | ").append(toml_quoted(word));
+  std::string each = list_of_words(entry.words);
   std::string range = entry.range.demand();
   if (constexpr std::string_view must_be = "must be "; range.starts_with(must_be)) range.erase(0, must_be.size());
   if (!range.empty()) each = range + (each.empty() ? "" : " | ") + each;

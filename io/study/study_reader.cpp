@@ -1,6 +1,5 @@
 #include "io/study/study_reader.h"
 
-#include <cmath>
 #include <utility>
 
 namespace menger::io {
@@ -24,12 +23,6 @@ void check_count(const TomlTable& table, const StudyEntry& entry, std::string_vi
     throw table.error(entry.key.name, demand_of(entry.count, values, found));
 }
 
-std::string one_of_words(const std::vector<std::string_view>& words) {
-  std::string list;
-  for (const std::string_view word : words) list.append(list.empty() ? "" : " | ").append(toml_quoted(word));
-  return "must be " + list;
-}
-
 bool is_among(const std::vector<std::string_view>& words, std::string_view text) {
   return std::ranges::find(words, text) != words.end();
 }
@@ -42,20 +35,11 @@ std::string read_text(const TomlTable& table, const StudyEntry& entry) {
 }
 
 std::int64_t read_integer(const TomlTable& table, const StudyEntry& entry) {
-  const auto value = table.integer<std::int64_t>(entry.key.name, entry.range);
-  if (value < entry.limits.lowest) throw table.error(entry.key.name, "must be at least " + std::to_string(entry.limits.lowest));
-  if (value > entry.limits.highest) throw table.error(entry.key.name, "must be at most " + std::to_string(entry.limits.highest));
-  return value;
+  return table.integer(entry.key.name, entry.range, entry.limits);
 }
 
 std::vector<std::int64_t> read_integers(const TomlTable& table, const StudyEntry& entry) {
-  std::vector<std::int64_t> values;
-  const Range limits = within(static_cast<double>(entry.limits.lowest), static_cast<double>(entry.limits.highest));
-  for (const double number : table.numbers(entry.key.name, entry.range)) {
-    if (!limits.contains(number)) throw table.error(entry.key.name, limits.demand(), std::array{values.size()});
-    if (number != std::floor(number)) throw table.error(entry.key.name, "must be an integer", std::array{values.size()});
-    values.push_back(static_cast<std::int64_t>(number));
-  }
+  std::vector<std::int64_t> values = table.integers(entry.key.name, entry.range, entry.limits);
   check_count(table, entry, "integers", values.size());
   return values;
 }
@@ -70,7 +54,7 @@ std::vector<std::string> read_texts(const TomlTable& table, const StudyEntry& en
   std::vector<std::string> values = table.texts(entry.key.name);
   for (std::size_t n = 0; n < values.size(); ++n) {
     if (!entry.words.empty() && !is_among(entry.words, values[n]))
-      throw table.error(entry.key.name, one_of_words(entry.words), std::array{n});
+      throw table.error(entry.key.name, "must be " + list_of_words(entry.words), std::array{n});
   }
   check_count(table, entry, "texts", values.size());
   return values;

@@ -2,6 +2,10 @@
 
 namespace menger::io {
 
+std::string no_such_word(std::string_view word, const std::vector<std::string_view>& words) {
+  return toml_quoted(word) + " is none of the words of this key, " + list_of_words(words);
+}
+
 void StudyVisitor::boolean(const Key& key, bool& value) { value = visited({.key = key, .kind = ValueKind::boolean}, value); }
 
 void StudyVisitor::number(const Key& key, double& value, const Range& range) {

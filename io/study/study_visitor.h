@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,12 +47,6 @@ using StudyValue = std::variant<bool, std::int64_t, double, std::string, std::fi
 
 /// The kind of value that a key takes, in the order of the types of StudyValue.
 enum class ValueKind { boolean, integer, number, text, path, integers, numbers, texts, text_rows };
-
-/// The least and greatest integers that a type can hold.
-struct IntegerLimits {
-  std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
-  std::int64_t highest = std::numeric_limits<std::int64_t>::max();
-};
 
 /// A key and the values that it accepts.
 struct StudyEntry {
@@ -193,22 +188,22 @@ class StudyVisitor {
   }
 };
 
-/// Returns the integers that both a type and a file (64 bits, signed) can hold.
-template <std::integral Integer>
-IntegerLimits limits_of() {
-  using Limits = std::numeric_limits<Integer>;
-  const std::int64_t lowest = std::in_range<std::int64_t>(Limits::min()) ? static_cast<std::int64_t>(Limits::min())
-                                                                         : std::numeric_limits<std::int64_t>::min();
-  const std::int64_t highest = std::in_range<std::int64_t>(Limits::max()) ? static_cast<std::int64_t>(Limits::max())
-                                                                          : std::numeric_limits<std::int64_t>::max();
-  return {lowest, highest};
-}
+/// Returns the message for a word that is none of the words of a key.
+std::string no_such_word(std::string_view word, const std::vector<std::string_view>& words);
 
 template <class Value>
 std::vector<std::string_view> names_of(const Words<Value>& words) {
   std::vector<std::string_view> names;
   for (const auto& [name, value] : words) names.push_back(name);
   return names;
+}
+
+/// Returns the words of an enumeration, from its to_string.
+template <class... Values>
+auto words_of(Values... values) {
+  Words<std::common_type_t<Values...>> words;
+  (words.emplace_back(to_string(values), values), ...);
+  return words;
 }
 
 /// Returns the word for a value; empty if it has none.
@@ -218,9 +213,13 @@ std::string word_of(const Words<Value>& words, const Value& value) {
   return found == words.end() ? std::string() : std::string(found->first);
 }
 
+/// Returns the value of a word. @throws std::invalid_argument if it is none of these words. Readers refuse such a word before; so
+/// it is the word of a value for which a description has none.
 template <class Value>
 Value value_of(const Words<Value>& words, std::string_view word) {
-  return std::ranges::find(words, word, [](const auto& pair) { return pair.first; })->second;
+  const auto found = std::ranges::find(words, word, [](const auto& pair) { return pair.first; });
+  if (found == words.end()) throw std::invalid_argument(no_such_word(word, names_of(words)));
+  return found->second;
 }
 
 template <std::integral Integer>

@@ -30,6 +30,12 @@ std::string toml_quoted(std::string_view text) {
   return quoted.str();
 }
 
+std::string list_of_words(std::span<const std::string_view> words) {
+  std::string list;
+  for (const std::string_view word : words) list.append(list.empty() ? "" : " | ").append(toml_quoted(word));
+  return list;
+}
+
 double TomlTable::number(std::string_view key, const Range& range) const {
   return node_->number(std::string(key), node_->require(key, "a number"), range);
 }
@@ -43,15 +49,17 @@ std::optional<double> TomlTable::optional_number(std::string_view key, const Ran
   return number(key, range);
 }
 
-std::int64_t TomlTable::checked_integer(std::string_view key, const Range& range, std::int64_t lowest,
-                                        std::int64_t highest) const {
-  const toml::node& node = node_->require(key, "an integer");
-  const auto fault = [&](const std::string& reason) { return node_->fault(key, node, reason); };
-  const std::int64_t value = toml_value<std::int64_t>(node, "an integer", fault).get();
-  if (!range.contains(static_cast<double>(value))) throw fault(range.demand());
-  if (value < lowest) throw fault("must be at least " + std::to_string(lowest));
-  if (value > highest) throw fault("must be at most " + std::to_string(highest));
-  return value;
+std::int64_t TomlTable::integer(std::string_view key, const Range& range, const IntegerLimits& limits) const {
+  return node_->integer(std::string(key), node_->require(key, "an integer"), range, limits);
+}
+
+std::vector<std::int64_t> TomlTable::integers(std::string_view key, const Range& range, const IntegerLimits& limits) const {
+  constexpr std::string_view wanted = "an array of integers";
+  std::vector<std::int64_t> values;
+  node_->each(std::string(key), node_->require(key, wanted), wanted, [&](const std::string& name, const toml::node& element) {
+    values.push_back(node_->integer(name, element, range, limits));
+  });
+  return values;
 }
 
 bool TomlTable::boolean(std::string_view key) const {
@@ -107,8 +115,7 @@ std::vector<std::vector<std::string>> TomlTable::text_rows(std::string_view key)
 }
 
 std::size_t TomlTable::checked_word(std::string_view key, std::span<const std::string_view> words) const {
-  std::string list;
-  for (const std::string_view word : words) list.append(list.empty() ? "" : " | ").append(toml_quoted(word));
+  const std::string list = list_of_words(words);
   const toml::node& node = node_->require(key, list);
   const auto* text = node.as<std::string>();
   const auto found = text == nullptr ? words.end() : std::find(words.begin(), words.end(), text->get());

@@ -22,6 +22,16 @@ namespace menger::io {
 template <class Value>
 using Words = std::vector<std::pair<std::string_view, Value>>;
 
+/// The least and greatest integers that a type can hold.
+struct IntegerLimits {
+  std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
+  std::int64_t highest = std::numeric_limits<std::int64_t>::max();
+};
+
+/// Returns the integers that both a type and a file (64 bits, signed) can hold.
+template <std::integral Integer>
+constexpr IntegerLimits limits_of();
+
 /// A table of a TOML file. Callers ask for its keys one by one. Every error is an InputError that names file, line, key and
 /// value.
 ///
@@ -36,6 +46,7 @@ class TomlTable {
 
   template <std::integral Integer = int>
   Integer integer(std::string_view key, const Range& range = any_number()) const;
+  std::int64_t integer(std::string_view key, const Range& range, const IntegerLimits& limits) const;
   template <std::integral Integer>
   Integer integer_or(std::string_view key, Integer fallback, const Range& range = any_number()) const;
 
@@ -50,6 +61,7 @@ class TomlTable {
   std::optional<std::filesystem::path> optional_path(std::string_view key) const;
 
   std::vector<double> numbers(std::string_view key, const Range& range = any_number()) const;
+  std::vector<std::int64_t> integers(std::string_view key, const Range& range, const IntegerLimits& limits) const;
   std::vector<std::string> texts(std::string_view key) const;
   std::vector<std::vector<std::string>> text_rows(std::string_view key) const;  ///< an array of arrays of strings
 
@@ -93,7 +105,6 @@ class TomlTable {
   struct Node;
   explicit TomlTable(std::shared_ptr<Node> node) : node_(std::move(node)) {}
 
-  std::int64_t checked_integer(std::string_view key, const Range& range, std::int64_t lowest, std::int64_t highest) const;
   std::size_t checked_word(std::string_view key, std::span<const std::string_view> words) const;
 
   std::shared_ptr<Node> node_;
@@ -108,15 +119,21 @@ TomlTable parse_toml(std::string_view text, const std::filesystem::path& file);
 /// Returns a text as a TOML string with its quotes.
 std::string toml_quoted(std::string_view text);
 
+/// Returns a list of words for people: `"direct" | "iterative"`.
+std::string list_of_words(std::span<const std::string_view> words);
+
+template <std::integral Integer>
+constexpr IntegerLimits limits_of() {
+  using Limits = std::numeric_limits<Integer>;
+  IntegerLimits limits;
+  if (std::in_range<std::int64_t>(Limits::min())) limits.lowest = static_cast<std::int64_t>(Limits::min());
+  if (std::in_range<std::int64_t>(Limits::max())) limits.highest = static_cast<std::int64_t>(Limits::max());
+  return limits;
+}
+
 template <std::integral Integer>
 Integer TomlTable::integer(std::string_view key, const Range& range) const {
-  constexpr auto lowest = std::in_range<std::int64_t>(std::numeric_limits<Integer>::min())
-                              ? static_cast<std::int64_t>(std::numeric_limits<Integer>::min())
-                              : std::numeric_limits<std::int64_t>::min();
-  constexpr auto highest = std::in_range<std::int64_t>(std::numeric_limits<Integer>::max())
-                               ? static_cast<std::int64_t>(std::numeric_limits<Integer>::max())
-                               : std::numeric_limits<std::int64_t>::max();
-  return static_cast<Integer>(checked_integer(key, range, lowest, highest));
+  return static_cast<Integer>(integer(key, range, limits_of<Integer>()));
 }
 
 template <std::integral Integer>

@@ -51,6 +51,16 @@ double TomlTable::Node::number(const std::string& name, const toml::node& node, 
   return value;
 }
 
+std::int64_t TomlTable::Node::integer(const std::string& name, const toml::node& node, const Range& range,
+                                      const IntegerLimits& limits) const {
+  const auto refuse = [&](const std::string& reason) { return fault(name, node, reason); };
+  const std::int64_t value = toml_value<std::int64_t>(node, "an integer", refuse).get();
+  if (!range.contains(static_cast<double>(value))) throw refuse(range.demand());
+  if (value < limits.lowest) throw refuse("must be at least " + std::to_string(limits.lowest));
+  if (value > limits.highest) throw refuse("must be at most " + std::to_string(limits.highest));
+  return value;
+}
+
 std::string TomlTable::Node::text(const std::string& name, const toml::node& node) const {
   return toml_value<std::string>(node, "a string", [&](const std::string& reason) { return fault(name, node, reason); }).get();
 }

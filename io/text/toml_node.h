@@ -47,6 +47,8 @@ struct TomlTable::Node {
   [[nodiscard]] InputError fault(std::string_view name, const toml::node& node, std::string_view reason) const;
 
   [[nodiscard]] double number(const std::string& name, const toml::node& node, const Range& range) const;
+  [[nodiscard]] std::int64_t integer(const std::string& name, const toml::node& node, const Range& range,
+                                     const IntegerLimits& limits) const;
   [[nodiscard]] std::string text(const std::string& name, const toml::node& node) const;
 
   /// Calls `read(name, element)` for each element of an array.

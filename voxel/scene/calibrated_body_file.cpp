@@ -11,12 +11,6 @@
 namespace menger::voxel {
 namespace {
 
-const io::Words<OutsideRange>& outside_range_words() {
-  static const io::Words<OutsideRange> words{{to_string(OutsideRange::refuse), OutsideRange::refuse},
-                                             {to_string(OutsideRange::warn), OutsideRange::warn}};
-  return words;
-}
-
 /// Whether a body has parameters. A new one has none.
 bool has_parameters(const CalibratedBody& body) { return body.parameters.cell_edge_m > 0.0; }
 
@@ -67,7 +61,7 @@ void describe(io::StudyVisitor& visitor, CalibratedBody& body) {
                         chambers, meshes::chamber_layout_words());
   body.chambers = chambers.value_or(body.chambers);
   visitor.word({"outside_range", "What happens if a run leaves the range of validity of the parameters."}, body.outside_range,
-               outside_range_words());
+               io::words_of(OutsideRange::refuse, OutsideRange::warn));
 }
 
 std::optional<std::filesystem::path> parameters_file(const io::TomlTable& table) {

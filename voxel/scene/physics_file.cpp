@@ -13,14 +13,6 @@
 namespace menger::voxel {
 namespace {
 
-/// The words of an enumeration, taken from its to_string.
-template <class... Values>
-auto words_of(Values... values) {
-  io::Words<std::common_type_t<Values...>> words;
-  (words.emplace_back(to_string(values), values), ...);
-  return words;
-}
-
 constexpr io::Range fraction_below_one{.lowest = 0.0, .highest = 1.0, .highest_excluded = true};
 constexpr std::string_view by_itself = "a body without [surrogate]; with [surrogate] its parameters give this value";
 
@@ -117,7 +109,8 @@ void describe_pressure(io::StudyVisitor& visitor, std::optional<CalibratedBody>&
 /// Describes the keys of the drive. @param brings_body whether a calibrated body is being read
 void describe_drive(io::StudyVisitor& visitor, Actuation& drive, bool is_calibrated, bool brings_body) {
   using enum ActuationMode;
-  visitor.word({"mode", "Phase with which each voxel is driven."}, drive.mode, words_of(none, in_phase, antiphase, wave, hold));
+  visitor.word({"mode", "Phase with which each voxel is driven."}, drive.mode,
+               io::words_of(none, in_phase, antiphase, wave, hold));
   visitor.only_if(!is_calibrated, by_itself, [&] {
     visitor.number({"amplitude", "Amplitude of the edge of a voxel, as a fraction of the edge."}, drive.amplitude,
                    fraction_below_one);
@@ -141,14 +134,14 @@ void describe_integration(io::StudyVisitor& visitor, Integration& integration, b
   visitor.number({"time_step_fraction", "Time step, as a fraction of the recommended step."}, integration.time_step_fraction,
                  io::positive());
   visitor.word({"damping", "How the damping of beams is computed: from changes of position, or from velocities."},
-               integration.damping, words_of(DampingMode::increments, DampingMode::velocity));
+               integration.damping, io::words_of(DampingMode::increments, DampingMode::velocity));
   visitor.word({"number", "Floating-point type of the computation. float32 needs damping from velocities."}, integration.number,
-               words_of(NumberType::float64, NumberType::float32));
+               io::words_of(NumberType::float64, NumberType::float32));
   visitor.boolean({"single_precision_rest_lengths", "Whether rest lengths are rounded as the public engine rounds them."},
                   integration.single_precision_rest_lengths);
   visitor.only_if(!is_calibrated, by_itself, [&] {
     visitor.word({"bond_damping", "Whether the damping of beams limits the time step, or is reduced so that it does not."},
-                 integration.bond_damping, words_of(BondDamping::explicit_step, BondDamping::semi_implicit));
+                 integration.bond_damping, io::words_of(BondDamping::explicit_step, BondDamping::semi_implicit));
   });
   if (const io::TomlTable* table = visitor.source()) {
     const bool holds = integration.number != NumberType::float32 || integration.damping != DampingMode::increments;

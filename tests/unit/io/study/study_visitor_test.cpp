@@ -5,6 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -145,6 +146,62 @@ TEST(StudyReader, NamesFileKeyAndValueOfBadInput) {
       {"size_m = 1\n[[beds]]\nlength_m = 1", "beds[1].name is missing: a string is needed"},
   };
   for (const auto& [text, expected] : cases) EXPECT_NE(message(text).find(expected), std::string::npos) << message(text);
+}
+
+TEST(StudyReader, KeepsEveryDigitOfIntegers) {
+  struct Seeds {
+    std::vector<std::int64_t> seeds;
+    std::vector<std::uint8_t> small;
+  };
+  const auto read_seeds = [](const std::string& text) {
+    Seeds seeds;
+    const TomlTable table = parse_toml(text, "seeds.toml");
+    StudyReader reader(table);
+    StudyVisitor& visitor = reader;
+    visitor.integers({"seeds", "Of random numbers."}, seeds.seeds, {}, {.fewest = 1});
+    visitor.integers({"small", "Of few bits."}, seeds.small, at_least(1));
+    return seeds;
+  };
+  const std::vector<std::int64_t> large{9007199254740993, -9007199254740993, 9223372036854775807,
+                                        std::int64_t{-9223372036854775807} - 1};
+  std::string list;
+  for (const std::int64_t seed : large) list += (list.empty() ? "" : ", ") + std::to_string(seed);
+  EXPECT_EQ(read_seeds("seeds = [" + list + "]").seeds, large);
+  const auto refusal = [&](const std::string& text) { return tests::message_of([&] { (void)read_seeds(text); }); };
+  EXPECT_EQ(refusal("seeds = [1, 2.0]"), "seeds.toml:1: seeds[2] = 2.0: must be an integer");
+  EXPECT_EQ(refusal("seeds = []"), "seeds.toml:1: seeds = [...]: needs at least one of its integers");
+  EXPECT_EQ(refusal("seeds = [1]\nsmall = [255, 256]"), "seeds.toml:2: small[2] = 256: must be at most 255");
+  EXPECT_EQ(refusal("seeds = [1]\nsmall = [0]"), "seeds.toml:2: small[1] = 0: must be >= 1");
+}
+
+// A description is wrong whose words miss a value of the enumeration.
+TEST(Words, WithoutTheWordOfAValueAreReported) {
+  EXPECT_EQ(value_of(method_words, "iterative"), Method::iterative);
+  const auto message_for = [](const auto& work) -> std::string {
+    try {
+      work();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(message_for([] { (void)value_of(method_words, "guess"); }),
+            "\"guess\" is none of the words of this key, \"direct\" | \"iterative\"");
+  const Words<Method> direct_only{{"direct", Method::direct}};
+  StudyTextWriter writer;
+  StudyVisitor& visitor = writer;
+  Method method = Method::iterative;
+  EXPECT_EQ(message_for([&] {
+              visitor.word({"method", "How."}, method, direct_only);
+            }),
+            "\"\" is none of the words of this key, \"direct\"");
+}
+
+enum class Fruit { apple, pear };
+std::string_view to_string(Fruit fruit) { return fruit == Fruit::apple ? "apple" : "pear"; }
+
+TEST(Words, OfAnEnumerationAreThoseOfToString) {
+  EXPECT_EQ(words_of(Fruit::pear, Fruit::apple), (Words<Fruit>{{"pear", Fruit::pear}, {"apple", Fruit::apple}}));
 }
 
 TEST(StudyReader, ReadsEarlierNamesOfWhatProgramsWrote) {

@@ -151,6 +151,19 @@ TEST(TomlTable, RefusesIntegersThatDoNotFitTheirType) {
   EXPECT_EQ(parsed("a = -9223372036854775808").integer<std::int64_t>("a"), INT64_MIN);
 }
 
+TEST(TomlTable, ReadsIntegersOfAListExactly) {
+  const auto read = [](const TomlTable& t) { return t.integers("a", within(-1e19, 1e19), limits_of<std::int64_t>()); };
+  EXPECT_EQ(read(parsed("a = [9007199254740993, 9223372036854775807, -9223372036854775808]")),
+            (std::vector<std::int64_t>{9007199254740993, INT64_MAX, INT64_MIN}));
+  EXPECT_EQ(refusal("a = 1", read), "folder/study.toml:1: a = 1: must be an array of integers");
+  EXPECT_EQ(refusal("a = [1, 2.0]", read), "folder/study.toml:1: a[2] = 2.0: must be an integer");
+  EXPECT_EQ(refusal("a = [\"1\"]", read), "folder/study.toml:1: a[1] = \"1\": must be an integer");
+  EXPECT_EQ(refusal("a = [3]", [](const TomlTable& t) { return t.integers("a", at_least(4), {}); }),
+            "folder/study.toml:1: a[1] = 3: must be >= 4");
+  EXPECT_EQ(refusal("a = [0, -1]", [](const TomlTable& t) { return t.integers("a", {}, limits_of<std::uint8_t>()); }),
+            "folder/study.toml:1: a[2] = -1: must be at least 0");
+}
+
 TEST(TomlTable, ListsTheAllowedWords) {
   EXPECT_EQ(refusal("a = \"blue\"", [](const TomlTable& t) { return t.word("a", colours); }),
             "folder/study.toml:1: a = \"blue\": must be \"red\" | \"green\"");
