@@ -182,11 +182,9 @@ int evolve(const Arguments& arguments) {
   };
   const std::unique_ptr<FiniteElementEvaluator> reference =
       reference_evaluator_of(study, arguments.study, reference_options, arguments.threads);
-  io::Manifest manifest{.program = "menger-evolve",
-                        .parameters = resolved_text(study),
-                        .seed = study.search.seed,
-                        .seconds = 0.0,
-                        .inputs = io::file_hashes(study_inputs(arguments.study))};
+  io::Manifest manifest{
+      .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
+  for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
   if (reference) manifest.inputs.insert(reference->study().inputs.begin(), reference->study().inputs.end());
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
   const RunView run = view_of(archive, study);

@@ -89,7 +89,7 @@ int reevaluate_archive(const Arguments& arguments) {
   RunArchive archive = RunArchive::open_to_read(arguments.request.archive);
   const ReevaluationStudy study = read_reevaluation_study(arguments.request, archive);
   std::map<std::string, std::string> inputs = study.inputs;
-  inputs[arguments.request.archive.string() + " (study)"] = io::content_hash(archive.study());
+  io::note_input(inputs, arguments.request.archive.string() + " (study)", archive.study());
   io::catch_interrupts();
   std::unique_ptr<io::Progress> bar;
   ReevaluationOptions options{.programs = arguments.programs,

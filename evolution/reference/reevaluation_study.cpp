@@ -214,7 +214,7 @@ void require_calibrated_silicone(ReevaluationStudy& study) {
   if (record.name != calibrated.silicone) refuse("its name", record.name, calibrated.silicone);
   const std::string law = materials::law_line(record.recommended.law);
   if (law != calibrated.law) refuse("its recommended law", law, calibrated.law);
-  study.inputs[study.silicone_file.string()] = io::file_hash(study.silicone_file);
+  io::note_input(study.inputs, study.silicone_file);
 }
 
 }  // namespace
@@ -256,7 +256,7 @@ ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, co
   require_calibrated_search(study.search, request.archive);
   const bool is_given = !request.file.empty();
   const io::TomlTable table = is_given ? io::read_toml(request.file) : io::parse_toml("", "the study");
-  if (is_given) study.inputs[request.file.string()] = io::file_hash(request.file);
+  if (is_given) io::note_input(study.inputs, request.file);
   const std::vector<int>& levels = study.search.search.levels();
   study.level = levels.size() == 1 ? levels.front() : 0;
   study.duration_s = study.search.duration_s;

@@ -23,12 +23,10 @@ const io::Words<TradeObservable> observable_words{{"volume_change", TradeObserva
                                                   {"extent_y", TradeObservable::extent_y},
                                                   {"extent_z", TradeObservable::extent_z}};
 
-void note_input(TradeStudy& study, const fs::path& file) { study.inputs[file.string()] = io::file_hash(file); }
-
 /// Adds a scene or study, and the voxel parameters that it names, to the inputs.
 void note_variant(TradeStudy& study, const fs::path& file) {
-  note_input(study, file);
-  if (const auto parameters = TomlVariant(file).parameters()) note_input(study, *parameters);
+  io::note_input(study.inputs, file);
+  if (const auto parameters = TomlVariant(file).parameters()) io::note_input(study.inputs, *parameters);
 }
 
 const io::Words<std::string> number_words{{"float64", "float64"}, {"float32", "float32"}};
@@ -71,7 +69,7 @@ bool is_depth(const std::string& word) {
 void describe_body(io::StudyVisitor& visitor, TradeStudy& study) {
   std::optional<fs::path> file;
   meshes::describe_design(visitor, study.design, file);
-  if (file) note_input(study, *file);
+  if (file) io::note_input(study.inputs, *file);
   visitor.number({"wall_thickness_m", "Thickness of every outer wall.", "", "/wall_thickness_m"}, study.wall_thickness_m,
                  io::positive());
   visitor.word({"chambers", "single: all cells of a module share one chamber; per-phase: the cells of each phase share one.", "",
@@ -158,7 +156,7 @@ void read_silicone(const io::TomlTable& table, TradeStudy& study) {
   study.silicone_name = record.name;
   study.law = materials::law_line(record.recommended.law);
   study.shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(record.recommended.law);
-  note_input(study, study.silicone_file);
+  io::note_input(study.inputs, study.silicone_file);
 }
 
 }  // namespace
@@ -211,7 +209,7 @@ TradeStudy read_trade_study(const fs::path& file) {
   const io::TomlTable table = io::read_toml(file);
   TradeStudy study;
   study.file = file;
-  note_input(study, file);
+  io::note_input(study.inputs, file);
   if (table.has("layers")) {
     io::read_described(table, study.design);
     study.elements = ElementChoice{};
@@ -222,7 +220,7 @@ TradeStudy read_trade_study(const fs::path& file) {
   }
   read_silicone(table, study);
   if (study.settling) {
-    for (const fs::path& parameters : study.settling->parameters) note_input(study, parameters);
+    for (const fs::path& parameters : study.settling->parameters) io::note_input(study.inputs, parameters);
   }
   if (study.gait && study.gait->scene) note_variant(study, *study.gait->scene);
   if (study.search) note_variant(study, study.search->study);

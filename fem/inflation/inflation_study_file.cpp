@@ -8,10 +8,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void add_input(InflationStudy& study, const fs::path& file) { study.inputs[file.string()] = io::file_hash(file); }
-
 void resume(InflationStudy& study, const StudyMaterial& material) {
-  if (material.file) add_input(study, *material.file);
+  if (material.file) io::note_input(study.inputs, *material.file);
   study.notes.insert(study.notes.end(), material.notes.begin(), material.notes.end());
 }
 
@@ -21,11 +19,11 @@ InflationStudy read_inflation_study(const fs::path& file) {
   InflationStudy study;
   study.file = file;
   io::read_described(io::read_toml(file), study);
-  add_input(study, file);
+  io::note_input(study.inputs, file);
   if (const auto* mesh = std::get_if<MeshSource>(&study.source)) {
-    add_input(study, mesh->file);
+    io::note_input(study.inputs, mesh->file);
   } else if (const auto& design = std::get<DesignSource>(study.source).file) {
-    add_input(study, *design);
+    io::note_input(study.inputs, *design);
   }
   resume(study, study.material);
   for (const auto& [region, material] : study.region_materials) resume(study, material);

@@ -170,11 +170,10 @@ LoadCaseStudy read_load_case_study(const fs::path& file) {
   study.file = file;
   const io::TomlTable top = io::read_toml(file);
   io::read_described(top, study);
-  const auto add_input = [&](const fs::path& input) { study.inputs[input.string()] = io::file_hash(input); };
-  add_input(file);
-  if (study.material.file) add_input(*study.material.file);
+  io::note_input(study.inputs, file);
+  if (study.material.file) io::note_input(study.inputs, *study.material.file);
   for (const CaseRequest& request : study.cases) {
-    if (request.design_file) add_input(*request.design_file);
+    if (request.design_file) io::note_input(study.inputs, *request.design_file);
   }
   study.notes = study.material.notes;
   return study;

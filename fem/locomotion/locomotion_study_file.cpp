@@ -29,10 +29,6 @@ constexpr int largest_level = 3;
 
 enum class Method { explicit_dynamics, implicit_dynamics };
 
-void note_input(LocomotionStudy& study, const std::optional<fs::path>& file) {
-  if (file) study.inputs[file->string()] = io::file_hash(*file);
-}
-
 void describe_version(io::StudyVisitor& visitor) {
   int version = schema_version;
   visitor.integer({"schema_version", "Version of these keys."}, version);
@@ -45,14 +41,14 @@ void describe_version(io::StudyVisitor& visitor) {
 void describe_body(io::StudyVisitor& visitor, LocomotionStudy& study) {
   std::optional<fs::path> file;
   meshes::describe_design(visitor, study.design, file);
-  note_input(study, file);
+  if (file) io::note_input(study.inputs, *file);
   describe(visitor, study.hollow);
   visitor.check(study.hollow.level <= largest_level, "level", "must be at most " + std::to_string(largest_level));
 }
 
 void describe_silicone(io::StudyVisitor& visitor, LocomotionStudy& study) {
   describe(visitor, study.silicone);
-  if (visitor.source() != nullptr && study.silicone.law.record) note_input(study, study.silicone.law.file);
+  if (visitor.source() != nullptr && study.silicone.law.record) io::note_input(study.inputs, study.silicone.law.file);
 }
 
 /// Describes the pressures: either the surrogate's drive, or a schedule or supply of each plenum.
@@ -70,7 +66,9 @@ void describe_pressures(io::StudyVisitor& visitor, LocomotionStudy& study) {
   const auto describe_supply = [&] {
     describe(visitor, study.stated_supply);
     if (visitor.source() == nullptr) return;
-    for (const StudyPlenum& plenum : study.stated_supply.plena) note_input(study, plenum.file);
+    for (const StudyPlenum& plenum : study.stated_supply.plena) {
+      if (plenum.file) io::note_input(study.inputs, *plenum.file);
+    }
   };
   const bool has_plena = !study.drive && !study.stated_supply.plena.empty();
   visitor.one_of({{"drive", study.drive.has_value(), choose_drive, describe_drive},
@@ -258,7 +256,7 @@ LocomotionStudy parse_locomotion_study(std::string_view text, const fs::path& fi
   LocomotionStudy study;
   study.file = file;
   study.text = text;
-  study.inputs[file.string()] = io::content_hash(text);
+  io::note_input(study.inputs, file, text);
   io::read_described(top, study);
   complete(top, study);
   return study;

@@ -53,7 +53,7 @@ void describe_plenum(io::StudyVisitor& visitor, StallMapStudy& study) {
     visitor.path({"curve", "A CSV table with the columns pressure_Pa and volume_m3.", "\"curve.csv\""}, file);
     if (visitor.source() == nullptr) return;
     const std::string text = io::read_whole(file);
-    study.inputs[file.string()] = io::content_hash(text);
+    io::note_input(study.inputs, file, text);
     curve = read_curve(text, file);
   };
   visitor.one_of({{"pressures_Pa", !curve.pressures_Pa.empty(), keep, [&] { describe_points(visitor, curve); }},
@@ -166,7 +166,7 @@ void describe_map(io::StudyVisitor& visitor, StallMapStudy& study) {
 void describe_walker_design(io::StudyVisitor& visitor, StallWalker& walker, std::map<std::string, std::string>& inputs) {
   std::optional<fs::path> file;
   meshes::describe_design(visitor, walker.design, file);
-  if (file) inputs[file->string()] = io::file_hash(*file);
+  if (file) io::note_input(inputs, *file);
   visitor.integer({.name = "level",
                    .help = "Level of the fractal: 1 is the design itself, in 2 each cell is a copy of it.",
                    .earlier = "/travel.level"},
@@ -180,7 +180,7 @@ void describe_walker(io::StudyVisitor& visitor, StallWalker& walker, std::map<st
   visitor.path({"parameters", "Voxel parameters of its cells.", "\"parameters.toml\""}, walker.parameters);
   if (visitor.source() != nullptr) {
     walker.parameters_text = io::read_whole(walker.parameters);
-    inputs[walker.parameters.string()] = io::content_hash(walker.parameters_text);
+    io::note_input(inputs, walker.parameters, walker.parameters_text);
   }
   visitor.number({"kinetic_friction", "Coefficient of friction while sliding."}, walker.kinetic_friction, io::non_negative());
   visitor.number({"static_friction", "Coefficient of friction at rest, at least the kinetic one."}, walker.static_friction,
@@ -220,7 +220,7 @@ StallMapStudy read_stall_map_study(const fs::path& file) {
   StallMapStudy study;
   study.file = file;
   const std::string text = io::read_whole(file);
-  study.inputs[file.string()] = io::content_hash(text);
+  io::note_input(study.inputs, file, text);
   io::read_described(io::parse_toml(text, file), study);
   return study;
 }

@@ -27,10 +27,12 @@ std::string content_hash(std::string_view bytes) {
 
 std::string file_hash(const std::filesystem::path& file) { return content_hash(read_whole(file)); }
 
-std::map<std::string, std::string> file_hashes(std::span<const std::filesystem::path> files) {
-  std::map<std::string, std::string> hashes;
-  for (const std::filesystem::path& file : files) hashes[file.string()] = file_hash(file);
-  return hashes;
+void note_input(std::map<std::string, std::string>& inputs, const std::filesystem::path& file) {
+  note_input(inputs, file, read_whole(file));
+}
+
+void note_input(std::map<std::string, std::string>& inputs, const std::filesystem::path& file, std::string_view content) {
+  inputs[file.string()] = content_hash(content);
 }
 
 }  // namespace menger::io

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,7 +13,11 @@ std::string content_hash(std::string_view bytes);
 /// Returns the SHA-256 of the content of a file. @throws InputError if it cannot be read
 std::string file_hash(const std::filesystem::path& file);
 
-/// The hash of each file's content, by its path as given. @throws InputError if one cannot be read
-std::map<std::string, std::string> file_hashes(std::span<const std::filesystem::path> files);
+/// Notes an input file for a manifest: its path as given, with the hash of its present content.
+/// @throws InputError if it cannot be read
+void note_input(std::map<std::string, std::string>& inputs, const std::filesystem::path& file);
+
+/// Does the same for a file that was read before. @param content what was read
+void note_input(std::map<std::string, std::string>& inputs, const std::filesystem::path& file, std::string_view content);
 
 }  // namespace menger::io

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/text/content_hash.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
 
@@ -26,8 +25,6 @@ nlohmann::json json_of(const std::string& toml) {
 }
 
 }  // namespace
-
-void add_input(Manifest& manifest, const std::filesystem::path& file) { manifest.inputs[file.string()] = file_hash(file); }
 
 std::string manifest_text(const Manifest& manifest) {
   nlohmann::json json{{"program", manifest.program},

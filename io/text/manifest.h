@@ -14,11 +14,8 @@ struct Manifest {
   std::string parameters;                     ///< everything that determined the result, including defaults, as text
   std::optional<std::uint64_t> seed;          ///< seed of the random streams, if any
   double seconds = 0.0;                       ///< wall time; not compared when results are compared
-  std::map<std::string, std::string> inputs;  ///< input files: path as given and content_hash of the content that was read
+  std::map<std::string, std::string> inputs;  ///< of the input files, see note_input
 };
-
-/// Adds an input file with the hash of its present content. @throws InputError if it cannot be read
-void add_input(Manifest& manifest, const std::filesystem::path& file);
 
 /// Returns the manifest as JSON with sorted keys and the version of menger.
 std::string manifest_text(const Manifest& manifest);

@@ -10,6 +10,7 @@
 #include "io/process/program.h"
 #include "io/process/study_help.h"
 #include "io/study/study_text.h"
+#include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/number_text.h"
@@ -110,7 +111,7 @@ MeshToWrite convert(const Arguments& arguments, io::Manifest& manifest) {
 MeshToWrite mesh_design(const Arguments& arguments, io::Manifest& manifest) {
   meshes::MeshStudy study = meshes::read_mesh_study(arguments.input);
   override_options(arguments, study.options);
-  if (study.design_file && *study.design_file != arguments.input) io::add_input(manifest, *study.design_file);
+  if (study.design_file && *study.design_file != arguments.input) io::note_input(manifest.inputs, *study.design_file);
   manifest.parameters = io::described_text(study);
   try {
     meshes::HollowBody body = meshes::hollow_polycube(study.design, study.options);
@@ -136,7 +137,7 @@ int run(int argc, const char* const* argv) {
 
   io::Manifest manifest;
   manifest.program = "menger-mesh";
-  io::add_input(manifest, arguments.input);
+  io::note_input(manifest.inputs, arguments.input);
   const MeshToWrite result = is_gmsh ? convert(arguments, manifest) : mesh_design(arguments, manifest);
   const std::filesystem::path base = arguments.output.parent_path() / arguments.output.stem();
   meshes::write_vtu_mesh(arguments.output, result.mesh);

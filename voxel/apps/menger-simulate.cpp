@@ -146,7 +146,8 @@ int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
   auto [scene, files] = voxel::read_scene(arguments.scene, arguments.level);
-  const std::map<std::string, std::string> inputs = io::file_hashes(files);  // now: files may be edited while the simulation runs
+  std::map<std::string, std::string> inputs;
+  for (const std::filesystem::path& file : files) io::note_input(inputs, file);  // now: they may be edited during the simulation
   if (arguments.no_pictures) scene.output.pictures = false;
   if (arguments.energy) scene.energy_ledger = true;
   if (scene.energy_ledger && scene.physics.integration.number != voxel::NumberType::float64) {

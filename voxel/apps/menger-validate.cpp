@@ -93,7 +93,7 @@ std::string parameter_text(const voxel::ValidationStudy& study, const voxel::Sur
 std::map<std::string, std::string> inputs_of(const voxel::ValidationStudy& study,
                                              const std::vector<voxel::HeldOutCurve>& curves) {
   std::map<std::string, std::string> inputs;
-  const auto add = [&](const std::filesystem::path& file) { inputs[file.string()] = io::file_hash(file); };
+  const auto add = [&](const std::filesystem::path& file) { io::note_input(inputs, file); };
   add(study.file);
   add(study.parameters);
   for (const voxel::HeldOutCurve& curve : curves) add(curve.file);

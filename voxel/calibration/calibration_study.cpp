@@ -147,7 +147,7 @@ void read_record(const io::TomlTable& top, CalibrationStudy& study) {
   const materials::SiliconeRecord record = materials::read_silicone(file);
   const std::string& wanted = study.subject.silicone;
   if (record.name != wanted) throw top.error("silicone", "is " + record.name + ", but the study is for " + wanted);
-  study.inputs[file.string()] = io::file_hash(file);
+  io::note_input(study.inputs, file);
   study.loss = record.loss;
   study.notes.push_back(record.loss ? "damping: " + record.loss->source : "damping: not measured for " + wanted);
 }
@@ -178,10 +178,9 @@ CalibrationStudy read_calibration_study(const fs::path& file, const std::vector<
   const io::TomlTable top = io::read_toml(file);
   CalibrationStudy study{.file = file, .places = curves};
   io::read_described(top, study);
-  study.inputs[file.string()] = io::file_hash(file);
+  io::note_input(study.inputs, file);
   read_record(top, study);
-  if (study.frequency_response)
-    study.inputs[study.frequency_response->file.string()] = io::file_hash(study.frequency_response->file);
+  if (study.frequency_response) io::note_input(study.inputs, study.frequency_response->file);
   read_curves(top, curves, study);
   return study;
 }

@@ -29,5 +29,23 @@ TEST(ContentHash, OfAFileIsThatOfItsBytes) {
   EXPECT_THROW(file_hash(file / "absent"), InputError);
 }
 
+TEST(NotedInput, HasTheHashOfWhatTheFileHoldsOrOfWhatWasRead) {
+  const tests::TestFolder folder;
+  const std::filesystem::path file = folder / "study.toml";
+  write_whole(file, "a = 1\n");
+  std::map<std::string, std::string> inputs;
+  note_input(inputs, file);
+  EXPECT_EQ(inputs, (std::map<std::string, std::string>{{file.string(), content_hash("a = 1\n")}}));
+  note_input(inputs, file, "a = 2\n");
+  EXPECT_EQ(inputs, (std::map<std::string, std::string>{{file.string(), content_hash("a = 2\n")}}));
+}
+
+TEST(NotedInput, IsRefusedIfItIsMissing) {
+  const tests::TestFolder folder;
+  std::map<std::string, std::string> inputs;
+  EXPECT_THROW(note_input(inputs, folder / "absent.toml"), InputError);
+  EXPECT_TRUE(inputs.empty());
+}
+
 }  // namespace
 }  // namespace menger::io

@@ -24,7 +24,7 @@ TEST(Manifest, HoldsWhatMadeTheResults) {
                     .seed = 18446744073709551615U,
                     .seconds = 1.5,
                     .inputs = {}};
-  add_input(manifest, folder / "scene.toml");
+  note_input(manifest.inputs, folder / "scene.toml");
   write_manifest(folder, manifest);
   const auto json = nlohmann::json::parse(read_whole(folder / "manifest.json"));
   EXPECT_EQ(json.at("program"), "menger-simulate");
@@ -42,13 +42,6 @@ TEST(Manifest, SurvivesBytesThatAreNoUtf8) {
   const std::string text = manifest_text(manifest);
   ASSERT_TRUE(nlohmann::json::accept(text));
   EXPECT_TRUE(nlohmann::json::parse(text).at("parameters").is_string());
-}
-
-TEST(Manifest, RefusesAMissingInput) {
-  const tests::TestFolder folder;
-  Manifest manifest;
-  EXPECT_THROW(add_input(manifest, folder / "absent.toml"), InputError);
-  EXPECT_TRUE(manifest.inputs.empty());
 }
 
 TEST(Version, IsThreeNumbers) {
