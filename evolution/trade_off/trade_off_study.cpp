@@ -181,8 +181,8 @@ std::size_t axis_of(TradeObservable observable) {
 }
 
 void describe(io::StudyVisitor& visitor, TradeStudy& study) {
-  visitor.check(visitor.source() == nullptr || !visitor.source()->is_text("design"), "design", "is called design.file now");
-  visitor.table({"design", "The body and its walls."}, [&] { describe_body(visitor, study); });
+  visitor.table({.name = "design", .help = "The body and its walls.", .earlier_text = "design.file"},
+                [&] { describe_body(visitor, study); });
   visitor.text({"silicone", "Name of a silicone of menger, or a silicone file."}, study.silicone);
   visitor.optional_number(
       {"pressure_Pa",

@@ -33,8 +33,8 @@ void describe_version(io::StudyVisitor& visitor) {
   int version = schema_version;
   visitor.integer({"schema_version", "Version of these keys."}, version);
   visitor.check(version != 1, "schema_version",
-                "some keys have new names since version 1: remove this line to get a message with the new names (menger locomote "
-                "--keys lists all keys)");
+                "some keys have new names since version 1, but none of this file: remove this line, or write " +
+                    std::to_string(schema_version));
   visitor.check(version == 1 || version == schema_version, "schema_version", "must be " + std::to_string(schema_version));
 }
 
@@ -159,8 +159,8 @@ void describe_output(io::StudyVisitor& visitor, LocomotionOutput& output) {
 }
 
 void describe_sweep(io::StudyVisitor& visitor, LocomotionSweep& sweep) {
-  visitor.texts({"keys", "Keys of numbers of this study, with their tables.", R"(["ground.kinetic_friction"])"}, sweep.keys,
-                {.fewest = 1});
+  visitor.key_names({"keys", "Keys of numbers of this study, with their tables.", R"(["ground.kinetic_friction"])"}, sweep.keys,
+                    {.fewest = 1});
   visitor.numbers({"values", "Values of these keys. In each run all keys have the same value.", "[0.4, 0.5]"}, sweep.values,
                   io::any_number(), {.fewest = 1});
 }

@@ -174,9 +174,8 @@ void describe_walker_design(io::StudyVisitor& visitor, StallWalker& walker, std:
 }
 
 void describe_walker(io::StudyVisitor& visitor, StallWalker& walker, std::map<std::string, std::string>& inputs) {
-  const bool was_file = visitor.source() != nullptr && visitor.source()->is_text("design");
-  visitor.check(!was_file, "design", "is called design.file now, in a table with level");
-  visitor.table({"design", "The robot."}, [&] { describe_walker_design(visitor, walker, inputs); });
+  visitor.table({.name = "design", .help = "The robot.", .earlier_text = "design.file"},
+                [&] { describe_walker_design(visitor, walker, inputs); });
   visitor.path({"parameters", "Voxel parameters of its cells.", "\"parameters.toml\""}, walker.parameters);
   if (visitor.source() != nullptr) {
     walker.parameters_text = io::read_whole(walker.parameters);

@@ -28,9 +28,9 @@ std::string StudyKeyTable::text() const {
   return all;
 }
 
-void StudyKeyTable::inside(std::string_view name, const std::function<void()>& describe) {
+void StudyKeyTable::inside(const Key& key, bool is_entry, const std::function<void()>& describe) {
   const std::string outer = prefix_;
-  prefix_.append(name).append(".");
+  prefix_.append(key.name).append(is_entry ? "[]." : ".");
   describe();
   prefix_ = outer;
 }
@@ -57,38 +57,6 @@ void StudyKeyTable::visit(const StudyEntry& entry, std::optional<StudyValue>& va
     rows_.push_back(std::move(row));
   else if (!same->condition.empty() && same->condition != row.condition)
     same->condition = row.condition.empty() ? "" : same->condition + " or " + row.condition;
-}
-
-void StudyKeyTable::visit_table(const Key& key, const std::function<void()>& describe) { inside(key.name, describe); }
-
-void StudyKeyTable::visit_optional_table(const Key& key, bool has, const std::function<void(bool)>& set,
-                                         const std::function<void()>& describe) {
-  set(true);
-  inside(key.name, describe);
-  set(has);
-}
-
-void StudyKeyTable::visit_tables(const Key& key, const Count&, std::size_t size, const std::function<void(std::size_t)>& resize,
-                                 const std::function<void(std::size_t)>& describe) {
-  if (size == 0) resize(1);
-  inside(std::string(key.name) + "[]", [&] { describe(0); });
-  if (size == 0) resize(0);
-}
-
-void StudyKeyTable::visit_choice(const std::vector<Alternative>& alternatives, std::string_view) {
-  const Alternative* chosen = nullptr;
-  for (const Alternative& alternative : alternatives) {
-    if (alternative.is_chosen) chosen = &alternative;
-    if (alternative.is_for_programs) continue;
-    alternative.choose();
-    alternative.describe();
-  }
-  if (chosen != nullptr) chosen->choose();
-}
-
-void StudyKeyTable::visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) {
-  if (holds) return describe();
-  under(condition, describe);
 }
 
 }  // namespace menger::io

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/study/study_visitor.h"
+#include "io/study/every_key_visitor.h"
 
 namespace menger::io {
 
@@ -19,26 +19,20 @@ struct KeyRow {
 };
 
 /// Makes the table of the keys of a study. The study must have its defaults before; do not use it afterwards.
-class StudyKeyTable : public StudyVisitor {
+class StudyKeyTable : public EveryKeyVisitor {
  public:
+  StudyKeyTable() : EveryKeyVisitor(true) {}
+
   [[nodiscard]] const std::vector<KeyRow>& rows() const { return rows_; }
   /// Returns the table for a terminal: one line per key, columns aligned.
   [[nodiscard]] std::string text() const;
 
  protected:
   void visit(const StudyEntry& entry, std::optional<StudyValue>& value) override;
-  void visit_table(const Key& key, const std::function<void()>& describe) override;
-  void visit_optional_table(const Key& key, bool has, const std::function<void(bool)>& set,
-                            const std::function<void()>& describe) override;
-  void visit_tables(const Key& key, const Count& count, std::size_t size, const std::function<void(std::size_t)>& resize,
-                    const std::function<void(std::size_t)>& describe) override;
-  void visit_choice(const std::vector<Alternative>& alternatives, std::string_view missing) override;
-  void visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) override;
+  void inside(const Key& key, bool is_entry, const std::function<void()>& describe) override;
+  void under(std::string_view condition, const std::function<void()>& describe) override;
 
  private:
-  void inside(std::string_view name, const std::function<void()>& describe);
-  void under(std::string_view condition, const std::function<void()>& describe);
-
   std::vector<KeyRow> rows_;
   std::string prefix_;
   std::string condition_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/study/earlier_names.h"
 #include "io/study/study_visitor.h"
 
 namespace menger::io {
@@ -58,10 +59,17 @@ class StudyReader : public StudyVisitor {
   std::string refused_because_{};
 };
 
-/// Reads the whole table of a file into a study that has a `describe` function. @throws InputError
+/// Reads the whole table of a file into a study that has a `describe` function. If earlier names of keys are refused, one error
+/// gives the present names of all of them. @throws InputError
 template <class Study>
 void read_described(const TomlTable& table, Study& study,
                     StudyReader::EarlierNames earlier_names = StudyReader::EarlierNames::refused) {
+  if (earlier_names == StudyReader::EarlierNames::refused) {
+    refuse_earlier_names(table, [](StudyVisitor& visitor) {
+      Study usual{};
+      describe(visitor, usual);
+    });
+  }
   StudyReader reader(table, earlier_names);
   describe(reader, study);
   table.finish();

@@ -38,6 +38,10 @@ void StudyVisitor::texts(const Key& key, std::vector<std::string>& values, const
   values = visited({.key = key, .kind = ValueKind::texts, .count = count}, values);
 }
 
+void StudyVisitor::key_names(const Key& key, std::vector<std::string>& values, const Count& count) {
+  values = visited({.key = key, .kind = ValueKind::texts, .count = count, .names_keys = true}, values);
+}
+
 void StudyVisitor::optional_numbers(const Key& key, std::optional<std::vector<double>>& values, const Range& range,
                                     const Count& count) {
   values = visited({.key = key, .kind = ValueKind::numbers, .range = range, .count = count, .is_optional = true}, values);

@@ -30,6 +30,9 @@ struct Key {
   /// Its name in files of earlier versions. It is in the same table, or counts from the top of the file: "/actuation.period_s".
   std::string_view earlier{};
   bool was_reciprocal = false;  ///< whether the earlier key held the reciprocal, such as a period for a frequency
+  /// For a table whose name was that of a text in earlier versions: the present key of that text, beside the table:
+  /// "design.file".
+  std::string_view earlier_text{};
   /// Whether another table, a file or the command line may give the value instead. A schema sees only this table, so it does not
   /// require the key then.
   bool may_be_elsewhere = false;
@@ -59,6 +62,7 @@ struct StudyEntry {
   std::vector<std::string_view> words{};
   Count count{};             ///< for a list
   bool is_optional = false;  ///< whether a study may have no value here
+  bool names_keys = false;   ///< whether the texts are names of keys of the same study
   bool is_required() const { return !key.example.empty() && !is_optional; }
 };
 
@@ -115,6 +119,8 @@ class StudyVisitor {
   template <std::integral Integer>
   void integers(const Key& key, std::vector<Integer>& values, const Range& range = any_number(), const Count& count = {});
   void texts(const Key& key, std::vector<std::string>& values, const Count& count = {});
+  /// Names of keys of the same file, with the tables that contain them: "ground.height_m".
+  void key_names(const Key& key, std::vector<std::string>& values, const Count& count = {});
   void optional_texts(const Key& key, std::optional<std::vector<std::string>>& values, const Count& count = {});
   /// Files and folders. Relative paths count from the folder of the study file.
   void paths(const Key& key, std::vector<std::filesystem::path>& values, const Count& count = {});

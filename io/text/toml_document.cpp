@@ -167,12 +167,22 @@ bool TomlTable::is_table(std::string_view key) const {
   return node != nullptr && node->is_table();
 }
 
+bool TomlTable::is_array_of_tables(std::string_view key) const {
+  const toml::node* node = node_->table->get(key);
+  return node != nullptr && node->is_array_of_tables();
+}
+
 bool TomlTable::is_text(std::string_view key) const {
   const toml::node* node = node_->table->get(key);
   return node != nullptr && node->is_string();
 }
 
 const std::filesystem::path& TomlTable::file() const { return node_->source->file; }
+
+TomlTable TomlTable::unasked() const {
+  Node node{.source = node_->source, .table = node_->table, .prefix = node_->prefix, .asked = {}, .children = {}};
+  return TomlTable(std::make_shared<Node>(std::move(node)));
+}
 
 InputError TomlTable::error(std::string_view key, std::string_view reason, std::span<const std::size_t> entry) const {
   if (const auto dot = key.find('.'); dot != std::string_view::npos && !has(key)) {

@@ -84,8 +84,13 @@ class TomlTable {
   bool has(std::string_view key) const;       ///< does not count as asking for the key
   bool is_text(std::string_view key) const;   ///< whether the value is a string; does not count as asking for the key
   bool is_table(std::string_view key) const;  ///< whether the value is a table; does not count as asking for the key
+  /// Whether the value is an array of tables; does not count as asking for the key.
+  bool is_array_of_tables(std::string_view key) const;
   bool asks_for(std::string_view key) const;  ///< whether the key exists; counts as asking for the key
   const std::filesystem::path& file() const;
+
+  /// Returns the same table as if no key had been asked for. What is asked of it does not count here.
+  [[nodiscard]] TomlTable unasked() const;
 
   /// Returns the error for a value that was read but is not valid: `file:line: table.key = value: reason`.
   /// @param key may lead through tables: "ground.height_m"

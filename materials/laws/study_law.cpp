@@ -143,9 +143,7 @@ void describe_silicone(io::StudyVisitor& visitor, StudyLaw& law) {
 }
 
 void describe_in_place(io::StudyVisitor& visitor, StudyLaw& law) {
-  visitor.check(visitor.source() == nullptr || !visitor.source()->is_text("law"), "law",
-                "is called law_name now if a silicone is given");
-  visitor.table({"law", "A hyperelastic law."}, [&] { describe(visitor, law.law); });
+  visitor.table({.name = "law", .help = "A hyperelastic law.", .earlier_text = "law_name"}, [&] { describe(visitor, law.law); });
   std::optional<double> largest;
   if (std::isfinite(law.largest_stretch)) largest = law.largest_stretch;
   visitor.number(

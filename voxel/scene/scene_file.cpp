@@ -19,9 +19,7 @@ namespace {
 
 /// Describes the keys of the design. @param design_file set to the file that is named, when reading
 void describe_body(io::StudyVisitor& visitor, Scene& scene, std::optional<std::filesystem::path>& design_file) {
-  if (const io::TomlTable* table = visitor.source(); table != nullptr && table->is_text("design"))
-    throw table->error("design", "is called design.file now");
-  visitor.table({"design", "The body."}, [&] {
+  visitor.table({.name = "design", .help = "The body.", .earlier_text = "design.file"}, [&] {
     meshes::describe_design(visitor, scene.design, design_file);
     visitor.integer({.name = "level",
                      .help = "Level of the fractal: 1 is the design itself, at 2 each cell is a copy of the design.",
@@ -106,6 +104,10 @@ LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> lev
   LoadedScene loaded{.scene = {}, .files = {file}};
   Scene& scene = loaded.scene;
   std::optional<std::filesystem::path> design_file;
+  io::refuse_earlier_names(table, [](io::StudyVisitor& visitor) {
+    Scene usual;
+    describe(visitor, usual);
+  });
   io::StudyReader reader(table);
   describe_scene(reader, scene, design_file);
   table.finish();

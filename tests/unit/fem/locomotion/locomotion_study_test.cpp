@@ -153,6 +153,26 @@ TEST(LocomotionStudy, NamesFileAndKeyOfWhatDoesNotFit) {
                  {"ground.static_friction = 0.2"});
 }
 
+// Also in the list of a sweep, and also if the study says that its keys are of version 1.
+TEST(LocomotionStudy, TellsAllPresentNamesAtOnce) {
+  std::string old_drive = drive;
+  old_drive.replace(old_drive.find("frequency_Hz"), 12, "period_s");
+  const std::string sweep =
+      "[sweep]\nkeys = [\"loads.gravity_m_per_s2\", \"ground.kinetic_coefficient\", \"drive.period_s\"]\nvalues = [1]\n";
+  expect_refused("schema_version = 1\n" + cube + "[material]\nrecord = \"dragon_skin_10\"\n" +
+                     "[ground]\nkinetic_coefficient = 0.5\nstatic_coefficient = 1\n" + old_drive + time +
+                     "[dynamics]\nself_contact_kinetic_coefficient = 0.5\n" + sweep,
+                 {"material.record = \"dragon_skin_10\": is called material.silicone now\n",
+                  "ground.kinetic_coefficient = 0.5: is called ground.kinetic_friction now\n",
+                  "ground.static_coefficient = 1: is called ground.static_friction now\n",
+                  "drive.period_s = ", "is called drive.frequency_Hz now, the reciprocal of this number\n",
+                  "dynamics.self_contact_kinetic_coefficient = 0.5: is called dynamics.self_contact_kinetic_friction now\n",
+                  "sweep.keys[2] = \"ground.kinetic_coefficient\": is called ground.kinetic_friction now\n",
+                  "sweep.keys[3] = \"drive.period_s\": is called drive.frequency_Hz now"});
+  expect_refused(cube_study + "[sweep]\nkeys = [\"ground.static_coefficient\"]\nvalues = [1]\n",
+                 {"sweep.keys[1] = \"ground.static_coefficient\": is called ground.static_friction now"});
+}
+
 TEST(LocomotionStudy, ReadsWhatMovesItImplicitly) {
   const std::string implicit = cube_study + "[dynamics]\nmethod = \"implicit\"\n";
   const LocomotionStudy study = sample_study(implicit + "degree = 2\ntolerance = 1e-4\nlargest_step_s = 1e-3\n");

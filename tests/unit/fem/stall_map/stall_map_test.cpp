@@ -239,7 +239,7 @@ TEST_F(StallMapFile, BadInputIsNamed) {
   refuses("[[mark]]", walker + ", level = 4}\nparameters = 'curve.csv'\n[[mark]]", "travel.design.level = 4");
   refuses("[[mark]]", travel + "level = 2\n[[mark]]", "travel.level = 2: is called travel.design.level now");
   refuses("[[mark]]", "[travel]\ndesign = 'curve.csv'\nparameters = 'curve.csv'\n[[mark]]",
-          "travel.design = \"curve.csv\": is called design.file now");
+          "travel.design = \"curve.csv\": is called travel.design.file now");
   refuses("[[mark]]", travel + "periods = 1\n[[mark]]", "periods = 1");
   refuses("[[mark]]", travel + "static_friction = 0.3\n[[mark]]", "is less than kinetic_friction = 0.5");
   refuses("[[mark]]", "[travel]\ndesign = {file = 'none.toml'}\nparameters = 'curve.csv'\n[[mark]]", "none.toml");

@@ -210,6 +210,22 @@ TEST(TomlTable, LookingWhetherAKeyExistsDoesNotExcuseIt) {
   EXPECT_THROW(table.finish(), InputError);
 }
 
+TEST(TomlTable, IsUnaskedOnItsOwn) {
+  const TomlTable table = parsed("a = 1\n[inner]\nb = 2\n");
+  const TomlTable other = table.table("inner").unasked();
+  EXPECT_EQ(other.integer("b"), 2);
+  EXPECT_NO_THROW(other.finish());
+  EXPECT_EQ(message([&] { (void)other.text("b"); }), "folder/study.toml:3: inner.b = 2: must be a string");
+  EXPECT_EQ(table.integer("a"), 1);
+  EXPECT_NE(message([&] { table.finish(); }).find("inner.b: unknown key"), std::string::npos);
+}
+
+TEST(TomlTable, TellsArraysOfTablesFromTables) {
+  const TomlTable table = parsed("a = 1\nb = [1]\nc = [{d = 1}]\n[[e]]\n[f]\n");
+  for (const char* key : {"a", "b", "f", "none"}) EXPECT_FALSE(table.is_array_of_tables(key)) << key;
+  for (const char* key : {"c", "e"}) EXPECT_TRUE(table.is_array_of_tables(key)) << key;
+}
+
 TEST(TomlTable, OutlivesTheTableItCameFrom) {
   const TomlTable inner = parsed("[inner]\na = 1\n").table("inner");
   EXPECT_EQ(inner.integer("a"), 1);
