@@ -208,9 +208,11 @@ PresetStudy::PresetStudy() : study(study_from_text(preset_text(preset), preset +
 
 void describe(io::StudyVisitor& visitor, PresetStudy& file) {
   const io::Words<std::string> presets{{"paper", "paper"}, {"released-code", "released-code"}};
+  const std::string before = file.preset;
   visitor.word({"preset", "Preset with the values of all keys that are not given.", "\"paper\""}, file.preset, presets);
-  if (visitor.source() != nullptr) file.study = study_from_text(preset_text(file.preset), file.preset + ".toml");
-  describe(visitor, file.study);
+  if (visitor.source() != nullptr || file.preset != before)
+    file.study = study_from_text(preset_text(file.preset), file.preset + ".toml");
+  visitor.defaults_from("preset", [&] { describe(visitor, file.study); });
 }
 
 std::string resolved_text(const Study& study) { return io::described_text(study); }

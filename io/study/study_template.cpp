@@ -32,21 +32,30 @@ bool StudyTemplateWriter::takes_next(const std::string& name) {
 void StudyTemplateWriter::comment(std::string_view text) { section_->lines.append("# ").append(text).append("\n"); }
 
 void StudyTemplateWriter::visit(const StudyEntry& entry, std::optional<StudyValue>& value) {
-  if (entry.is_required()) value = example_of(entry);
+  if (entry.is_required() && !(has_defaults_ && value)) value = example_of(entry);
+  bool is_default = has_defaults_;
+  const auto take = [&](StudyValue other) {
+    value = std::move(other);
+    is_default = false;
+  };
   if (value && std::holds_alternative<std::string>(*value)) {
     const std::string usual = std::get<std::string>(*value);
     for (const std::string_view word : entry.words) {
-      if (word != usual && takes_next(std::string(entry.key.name) + " = " + toml_quoted(word))) value = std::string(word);
+      if (word != usual && takes_next(std::string(entry.key.name) + " = " + toml_quoted(word))) take(std::string(word));
     }
   }
   const bool is_left_out = !value;
-  if (is_left_out && takes_next(std::string(entry.key.name))) value = example_of(entry);
+  if (is_left_out && takes_next(std::string(entry.key.name))) take(example_of(entry));
   std::string values = extended(unit_of(entry.key.name), values_of(entry));
   if (entry.is_required()) values = extended(std::move(values), "must be given");
   if (entry.is_optional) values = extended(std::move(values), "may be left out");
   comment(std::string(entry.key.help) + (values.empty() ? "" : " (" + values + ")"));
   const std::string given = value ? study_value_text(*value) : std::string(entry.key.example);
-  section_->lines.append(is_comment_ || !value ? "#" : "").append(entry.key.name).append(" = ").append(given).append("\n");
+  section_->lines.append(is_comment_ || is_default || !value ? "#" : "")
+      .append(entry.key.name)
+      .append(" = ")
+      .append(given)
+      .append("\n");
 }
 
 void StudyTemplateWriter::inside(const Key& key, bool is_entry, const std::function<void()>& describe) {
@@ -69,14 +78,22 @@ void StudyTemplateWriter::as_comment(const std::function<void()>& describe) {
   is_comment_ = outer;
 }
 
+void StudyTemplateWriter::as_addition(const std::function<void()>& describe) {
+  const bool outer = std::exchange(has_defaults_, false);
+  describe();
+  has_defaults_ = outer;
+}
+
 void StudyTemplateWriter::visit_table(const Key& key, const std::function<void()>& describe) { inside(key, false, describe); }
 
 void StudyTemplateWriter::visit_optional_table(const Key& key, bool has, const std::function<void(bool)>& set,
                                                const std::function<void()>& describe) {
-  const bool writes = has || takes_next(std::string(key.name));
+  if (has) return inside(key, false, describe);
+  const bool writes = takes_next(std::string(key.name));
   set(true);
-  if (writes) return inside(key, false, describe);
-  as_comment([&] { inside(key, false, describe); });
+  const auto add = [&] { as_addition([&] { inside(key, false, describe); }); };
+  if (writes) return add();
+  as_comment(add);
   set(false);
 }
 
@@ -84,13 +101,15 @@ void StudyTemplateWriter::visit_tables(const Key& key, const Count& count, std::
                                        const std::function<void(std::size_t)>& resize,
                                        const std::function<void(std::size_t)>& describe) {
   const std::size_t needed = std::max(size, count.fewest);
-  const bool writes = needed > 0 || takes_next(std::string(key.name));
+  const bool is_default = has_defaults_ && size > 0;
+  const bool writes = !is_default && (needed > 0 || takes_next(std::string(key.name)));
   resize(std::max<std::size_t>(needed, 1));
   const auto write = [&] {
     for (std::size_t n = 0; n < std::max<std::size_t>(needed, 1); ++n) inside(key, true, [&] { describe(n); });
   };
-  if (writes) return write();
-  as_comment(write);
+  if (writes) return as_addition(write);
+  if (is_default) return as_comment(write);
+  as_comment([&] { as_addition(write); });
   resize(0);
 }
 
@@ -115,13 +134,22 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
   }
   if (written == nullptr) return;
   written->choose();
-  written->describe();
+  if (written == usual) return written->describe();
+  as_addition(written->describe);
 }
 
 void StudyTemplateWriter::visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) {
   if (holds) return describe();
   comment("Only with " + std::string(condition) + ":");
   as_comment(describe);
+}
+
+void StudyTemplateWriter::visit_defaults(std::string_view key, const std::function<void()>& describe) {
+  comment("The other keys have the values that this " + std::string(key) +
+          " gives them. To give one another value, remove its #.");
+  const bool outer = std::exchange(has_defaults_, true);
+  describe();
+  has_defaults_ = outer;
 }
 
 }  // namespace menger::io

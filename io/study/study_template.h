@@ -12,7 +12,8 @@ namespace menger::io {
 /// Writes a study file with explanations: every key with its meaning, its values and its default.
 ///
 /// Keys without a default have an example. Alternatives that exclude the written one, and optional parts that are not there by
-/// default, are comments. The study must have its defaults before; do not use it afterwards.
+/// default, are comments. So are keys with defaults from an earlier key (StudyVisitor::defaults_from). The study must have its
+/// defaults before; do not use it afterwards.
 class StudyTemplateWriter : public StudyVisitor {
  public:
   /// @param enabled for tests: the number of the alternative to write instead of the default, which may be a word, a table or one
@@ -34,6 +35,7 @@ class StudyTemplateWriter : public StudyVisitor {
                     const std::function<void(std::size_t)>& describe) override;
   void visit_choice(const std::vector<Alternative>& alternatives, std::string_view missing) override;
   void visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) override;
+  void visit_defaults(std::string_view key, const std::function<void()>& describe) override;
 
  private:
   /// Counts an alternative and returns whether it is the enabled one. @param name for enabled_name(), without the tables around
@@ -43,11 +45,14 @@ class StudyTemplateWriter : public StudyVisitor {
   void inside(const Key& key, bool is_entry, const std::function<void()>& describe);
   /// Describes keys that are written as comments.
   void as_comment(const std::function<void()>& describe);
+  /// Describes keys that are not there without this file, so that no earlier key gives their defaults.
+  void as_addition(const std::function<void()>& describe);
 
   std::optional<std::size_t> enabled_;
   std::string enabled_name_{};
   std::size_t alternatives_ = 0;
   bool is_comment_ = false;
+  bool has_defaults_ = false;  ///< whether an earlier key gives the defaults, so that only other values are written
   StudySection top_{};
   StudySection* section_ = &top_;
   std::string prefix_{};

@@ -151,6 +151,10 @@ class StudyVisitor {
     visit_branch(holds, condition, describe);
   }
 
+  /// Keys that get their defaults from the value of an earlier key, such as a preset. A template has them as comments: a key that
+  /// it stated would hide that value. @param key the earlier key
+  void defaults_from(std::string_view key, const std::function<void()>& describe) { visit_defaults(key, describe); }
+
   /// Checks a condition on values that were read. Only a reader checks it.
   /// @param key the key whose value the message shows; may lead through tables below this one: "ground.height_m"
   /// @param entry position in a list, counted from 0
@@ -176,6 +180,7 @@ class StudyVisitor {
                             const std::function<void(std::size_t)>& describe) = 0;
   virtual void visit_choice(const std::vector<Alternative>& alternatives, std::string_view missing) = 0;
   virtual void visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) = 0;
+  virtual void visit_defaults(std::string_view, const std::function<void()>& describe) { describe(); }
 
  private:
   template <class Value>

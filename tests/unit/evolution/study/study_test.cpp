@@ -13,6 +13,7 @@
 #include "evolution/report/study_view.h"
 #include "evolution/study/study_file.h"
 #include "io/study/study_reader.h"
+#include "io/study/study_template.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "tests/support/described_study.h"
@@ -244,6 +245,31 @@ TEST_F(StudyFile, ItsTemplateAndItsTextsAreReadBack) {
   tests::expect_template_is_read<PresetStudy>(parse, {"integration.number = \"float32\"", "surrogate"});
   tests::expect_texts_are_read_back<PresetStudy>(parse);
   tests::expect_texts_are_read_back<Study>([](const std::string& text) { return study_from_text(text, "study.toml"); });
+}
+
+// A key that the template stated would hide the value of the preset.
+TEST_F(StudyFile, ItsTemplateHasTheValuesOfWhicheverPresetItNames) {
+  io::StudyTemplateWriter writer;
+  PresetStudy told;
+  describe(writer, told);
+  const std::string text = writer.text();
+  EXPECT_EQ(read(text), read("preset = \"paper\"\n"));
+  const std::string named = "\npreset = \"paper\"\n";
+  ASSERT_NE(text.find(named), std::string::npos) << text;
+  const auto with_preset = [&](const std::string& name, std::string changed) {
+    return changed.replace(changed.find(named), named.size(), "\npreset = \"" + name + "\"\n");
+  };
+  EXPECT_EQ(read(with_preset("released-code", text)), read("preset = \"released-code\"\n"));
+
+  // Each value of the preset is there as a comment. With every # removed, nothing is left to the preset.
+  std::string stated = text;
+  for (const std::string& line : bare_lines(resolved_text(told.study))) {
+    if (line.front() == '[') continue;
+    const std::size_t at = stated.find("\n#" + line + "\n");
+    ASSERT_NE(at, std::string::npos) << line << "\nis not in\n" << stated;
+    stated.erase(at + 1, 1);
+  }
+  EXPECT_EQ(read(with_preset("released-code", stated)), read("preset = \"paper\"\n"));
 }
 
 const std::string reference_study =

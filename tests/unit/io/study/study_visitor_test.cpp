@@ -347,6 +347,79 @@ TEST(StudyTemplate, ExplainsEveryKey) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
 }
 
+/// A study whose defaults follow from a preset.
+struct Orchard {
+  std::string preset = "small";
+  double size_m = 1.0;
+  int trees = 2;
+  Method method = Method::direct;
+  std::optional<double> fence_m;
+  std::optional<Garden::Pump> pump;
+  std::vector<Garden::Bed> beds{{"first", 3.0}};
+
+  bool operator==(const Orchard&) const = default;
+};
+
+void describe(StudyVisitor& visitor, Orchard& orchard) {
+  const std::string before = orchard.preset;
+  visitor.word({"preset", "Gives the values.", "\"small\""}, orchard.preset,
+               Words<std::string>{{"small", "small"}, {"large", "large"}});
+  if (visitor.source() != nullptr || orchard.preset != before) {
+    const bool is_large = orchard.preset == "large";
+    orchard.size_m = is_large ? 10.0 : 1.0;
+    orchard.trees = is_large ? 50 : 2;
+    orchard.method = is_large ? Method::iterative : Method::direct;
+    orchard.beds.front().length_m = is_large ? 30.0 : 3.0;
+  }
+  visitor.defaults_from("preset", [&] {
+    visitor.number({"size_m", "Length of a side."}, orchard.size_m, positive());
+    visitor.table({"soil", "Below."}, [&] { visitor.integer({"trees", "How many."}, orchard.trees); });
+    visitor.word({"method", "How."}, orchard.method, method_words);
+    visitor.optional_number({"fence_m", "Its height.", "1.5"}, orchard.fence_m);
+    visitor.optional_table({"pump", "Brings water."}, orchard.pump, [&](Garden::Pump& pump) {
+      visitor.number({"flow_m3", "In an hour."}, pump.flow_m3);
+    });
+    visitor.tables({"beds", "Where plants grow."}, orchard.beds, [&](Garden::Bed& bed) {
+      visitor.text({"name", "Of the bed.", "\"roses\""}, bed.name);
+      visitor.number({"length_m", "Along the path."}, bed.length_m);
+    });
+  });
+}
+
+Orchard read_orchard(const std::string& text) {
+  Orchard orchard;
+  read_described(parse_toml(text, "orchard.toml"), orchard);
+  return orchard;
+}
+
+// A key that the template stated would hide the value of the preset.
+TEST(StudyTemplate, LeavesWhatAPresetGivesToThePreset) {
+  Orchard told;
+  StudyTemplateWriter writer;
+  describe(writer, told);
+  const std::string text = writer.text();
+  for (const char* part :
+       {"preset = \"small\"\n", "# Length of a side. (m; > 0)\n#size_m = 1\n", "[soil]\n# How many.\n#trees = 2\n",
+        "#method = \"direct\"\n", "#[[beds]]\n", "#length_m = 3\n", "remove its #"})
+    EXPECT_NE(("\n" + text).find(part), std::string::npos) << part << "\nis not in\n" << text;
+  EXPECT_EQ(read_orchard(text), read_orchard("preset = \"small\""));
+  std::string large = text;
+  large.replace(large.find("\"small\"\n"), 7, "\"large\"");
+  EXPECT_EQ(read_orchard(large), read_orchard("preset = \"large\"")) << large;
+  EXPECT_EQ(read_orchard(large).trees, 50);
+
+  const std::vector<std::string> names{"preset = \"large\"", "method = \"iterative\"", "fence_m", "pump"};
+  ASSERT_EQ(writer.alternative_count(), names.size());
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    Orchard other;
+    StudyTemplateWriter enabled(n);
+    describe(enabled, other);
+    EXPECT_EQ(enabled.enabled_name(), names[n]);
+    EXPECT_EQ(read_orchard(enabled.text()), other) << enabled.text();
+    EXPECT_NE(other, told) << names[n];
+  }
+}
+
 TEST(StudySchema, HoldsKindsRangesWordsAndWhatExcludesWhat) {
   Garden garden;
   StudySchemaWriter writer;
