@@ -73,8 +73,7 @@ std::optional<StudyValue> varied(const StudyEntry& entry, std::optional<StudyVal
   if (auto* truth = std::get_if<bool>(&*value)) *truth = !*truth;
   if (auto* number = std::get_if<double>(&*value)) *number = varied_number(entry.range);
   if (auto* numbers = std::get_if<std::vector<double>>(&*value))
-    numbers->assign(std::clamp<std::size_t>(numbers->size() + 2, entry.count.fewest, entry.count.most),
-                    varied_number(entry.range));
+    numbers->assign(std::min(std::max(numbers->size(), entry.count.fewest) + 2, entry.count.most), varied_number(entry.range));
   if (auto* text = std::get_if<std::string>(&*value)) {
     const auto other = std::ranges::find_if(entry.words, [&](std::string_view word) { return word != *text; });
     if (other != entry.words.end()) *text = *other;

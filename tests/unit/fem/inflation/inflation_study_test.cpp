@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "fem/inflation/inflation_study_file.h"
 #include "fem/inflation/inflation_study_words.h"
 #include "io/study/study_reader.h"
+#include "io/study/study_schema.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/reference_shapes.h"
@@ -115,6 +118,23 @@ TEST_F(InflationStudyFile, IdentityHasTheContentOfADesignAndOfAMesh) {
   EXPECT_EQ(with_mesh("b.msh", "mesh"), base) << "wherever it lies";
   EXPECT_NE(with_mesh("a.msh", "another mesh"), base);
   EXPECT_NE(with_mesh("a.msh", "mesh", "length_unit_m = 0.001\n"), base);
+}
+
+// The schema does not know how many knots a path has.
+TEST_F(InflationStudyFile, StationsMayLieBeyondTheSecondKnot) {
+  EXPECT_EQ(read({.path = "[path]\npressure_Pa = [0, 3000, 6000]\nstations = [1.5, 0.5]\n"}).path.stations,
+            (std::vector{0.5, 1.5}));
+  InflationStudy usual;
+  io::StudySchemaWriter writer;
+  describe(writer, usual);
+  InflationStudy other;
+  io::StudySchemaWriter varied(true);
+  describe(varied, other);
+  writer.leave_out_what_differs(varied);
+  const nlohmann::json schema = nlohmann::json::parse(writer.text("inflate"));
+  const nlohmann::json& station = schema["properties"]["path"]["properties"]["stations"]["items"];
+  EXPECT_EQ(station["minimum"], 0.0);
+  EXPECT_FALSE(station.contains("maximum")) << station;
 }
 
 InflationStudy parse(const std::string& text) {

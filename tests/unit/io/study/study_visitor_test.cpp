@@ -442,6 +442,27 @@ TEST(StudySchema, HoldsKindsRangesWordsAndWhatExcludesWhat) {
   EXPECT_EQ(schema["allOf"][0]["not"]["required"], nlohmann::json::array({"pressure_Pa", "volume_m3"}));
 }
 
+// A list that must be given is empty before it is read. What may follow depends on how many values it then has.
+TEST(StudySchema, LeavesOutWhatDependsOnTheLengthOfAList) {
+  const auto go_through = [](StudySchemaWriter& writer) {
+    StudyVisitor& visitor = writer;
+    std::vector<double> knots;
+    visitor.numbers({"knots", "Of the net.", "[0, 1]"}, knots, any_number(), {.fewest = 2});
+    const double last = knots.empty() ? 1.0 : static_cast<double>(knots.size() - 1);
+    double at = 0.0;
+    visitor.number({"at", "Where the gate is."}, at, within(0.0, last));
+  };
+  StudySchemaWriter writer;
+  go_through(writer);
+  StudySchemaWriter varied(true);
+  go_through(varied);
+  writer.leave_out_what_differs(varied);
+  const nlohmann::json schema = nlohmann::json::parse(writer.text("a fence"));
+  EXPECT_EQ(schema["properties"]["knots"]["minItems"], 2);
+  EXPECT_EQ(schema["properties"]["at"]["minimum"], 0.0);
+  EXPECT_FALSE(schema["properties"]["at"].contains("maximum")) << schema;
+}
+
 // What a height may be depends on the size, which the schema does not know.
 TEST(StudySchema, LeavesOutWhatDependsOnOtherValues) {
   struct Fence {
