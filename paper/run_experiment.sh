@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# Runs an experiment of the paper, or goes on with one: ./run paper builds the programs first.
+#   paper/run_experiment.sh                    lists the experiments and their parts, with their costs
+#   paper/run_experiment.sh NAME [PART ...]    runs all parts of paper/NAME, or those that are named
+#   paper/run_experiment.sh --check NAME [PART ...]    only checks that there are these
+#
+# An experiment is a folder with a file experiment.sh. Its first line asks the question. It names its parts with
+#   part NAME COST WHAT   or   part_on_request NAME COST WHAT, which runs only if it is named,
+# and has a function of the name of each. Such a function finds
+#   menger ...            the programs; outcomes that a status names are results, an interrupt ends the experiment
+#   $study                the folder of the experiment, with its studies and its small tables, which are in git
+#   $results              the folder of its results, build/paper/NAME, which is not; programs go on from what they find there
+#   table, gather         paper/tables.py take and gather, which make small tables of results
+#   search STUDY          runs a search and makes the table STUDY.csv of its generations
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+say() { printf '==> %s\n' "$*"; }
+
+experiments() {
+  local file
+  for file in paper/*/experiment.sh; do basename "$(dirname "$file")"; done
+}
+
+# Reads an experiment; on_part is called for each of its parts.
+read_experiment() {
+  part() { on_part "$@" ""; }
+  part_on_request() { on_part "$@" "on request: "; }
+  # shellcheck disable=SC1090  # one file for each experiment
+  source "paper/$1/experiment.sh"
+}
+
+list() {
+  local name
+  echo "Experiments and their parts, with rough costs on two idle cores of a Xeon:"
+  for name in $(experiments); do
+    printf '%s: %s\n' "$name" "$(sed -n '1s/^# //p' "paper/$name/experiment.sh")"
+    (
+      on_part() { printf '  %-24s %-28s %s%s\n' "$1" "$2" "$4" "$3"; }
+      read_experiment "$name"
+    )
+  done
+}
+
+refuse() {
+  printf 'run_experiment.sh: error: %s\n\n' "$1" >&2
+  list >&2
+  exit 2
+}
+
+menger() {
+  local code=0
+  build/release/bin/menger "$@" || code=$?
+  # 3 is an outcome such as a body that diverged; its tables say so.
+  if [ $code -ne 0 ] && [ $code -ne 3 ]; then
+    [ $code -ne 130 ] || printf '\nrun_experiment.sh: stopped; the same command goes on\n' >&2
+    exit $code
+  fi
+}
+
+# Runs the search of a study, and keeps the table of its generations.
+search() {
+  menger evolve "$study/$1.toml" --output "$results/$1.sqlite"
+  menger export "$results/$1.sqlite" --output "$results/$1" --levels 1 --no-frames --no-pictures
+  table "$results/$1/generations.csv" "$study/$1.csv"
+}
+
+table() { paper/tables.py take "$@"; }
+gather() { paper/tables.py gather "$@"; }
+
+run() {
+  local name=$1 one known=() wanted=() when_not_named=()
+  shift
+  [ -e "paper/$name/experiment.sh" ] || refuse "there is no experiment paper/$name"
+  study=paper/$name
+  results=build/paper/$name
+  on_part() {
+    known+=("$1")
+    [ -n "$4" ] || when_not_named+=("$1")
+  }
+  read_experiment "$name"
+  wanted=("$@")
+  [ $# -gt 0 ] || wanted=("${when_not_named[@]}")
+  for one in "${wanted[@]}"; do
+    [[ " ${known[*]} " == *" $one "* ]] || refuse "the experiment $name has no part $one"
+  done
+  [ -z "$only_check" ] || return 0
+  mkdir -p "$results"
+  for one in "${wanted[@]}"; do
+    say "$name: $one (results in $results)"
+    "$one"
+  done
+  paper/tables.py fill
+  say "done: small tables are in $study, and the texts say what they say (git diff shows what is new)"
+}
+
+only_check=
+if [ "${1:-}" = --check ]; then
+  only_check=yes
+  shift
+fi
+if [ $# -eq 0 ]; then
+  list
+else
+  run "$@"
+fi

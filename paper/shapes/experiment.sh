@@ -1,0 +1,17 @@
+# How close do voxels come to finite elements, where they are fitted and on bodies that no fit has seen?
+part fit "5 min of two cores" "load cases of cells, bars and joints, and the fit of the voxels to them"
+part held_out "10 min of two cores" "ten other bodies, by the voxels as they are fitted in the tree"
+
+# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
+fit() {
+  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml --output "$results/curves"
+  menger calibrate voxel/studies/dragon_skin_10_1cm.toml --curves "$results/curves" --output "$results/calibration"
+  table "$results/calibration/details.csv" "$study/details.csv"
+}
+
+held_out() {
+  menger load-cases fem/studies/load_cases/held_out.toml --output "$results/held_out_curves"
+  menger validate voxel/studies/held_out.toml --parameters voxel/parameters/dragon_skin_10_1cm.toml \
+    --curves "$results/held_out_curves" --output "$results/held_out"
+  table "$results/held_out/summary.csv" "$study/held_out.csv"
+}

@@ -1,0 +1,239 @@
+"""Tests paper/tables.py and paper/run_experiment.sh in trees of their own, with a program that stands for menger.
+
+paper_test.py SOURCES: the folder of the sources.
+"""
+
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+SOURCES = pathlib.Path(sys.argv.pop()).resolve()
+
+EXPERIMENT = """# Does it walk?
+part walk "a minute" "a short walk"
+part_on_request long "a night" "a long one"
+walk() {
+  menger locomote "$study/walk.toml" --output "$results/walk"
+  table "$results/walk/sweep.csv" "$study/walk.csv" friction way_m
+}
+long() { menger wait; }
+"""
+
+# Writes a table from the number in its study, and ends as that says: an outcome, bad input, or nothing until Ctrl-C.
+MENGER = """#!/usr/bin/env bash
+case $1 in
+  locomote)
+    mkdir -p "$4"
+    printf 'friction,way_m,seconds\\n0.2,%s,7\\n' "$(sed -n 1p "$2")" >"$4/sweep.csv"
+    exit "$(sed -n 2p "$2")" ;;
+  wait) trap 'exit 130' INT; touch waiting; while :; do sleep 0.05; done ;;
+esac
+"""
+
+TEXT = """Before.
+
+<!-- table: paper/one/walk.csv
+friction | way
+{friction} | {way_m*1000 2sig} mm
+-->
+<!-- end -->
+
+It goes <!-- value: paper/one/walk.csv {0.2/way_m .3f} -->?<!-- end --> m.
+"""
+
+FILLED = """-->
+| friction | way |
+| --- | --- |
+| 0.2 | 2.3 mm |
+<!-- end -->
+
+It goes <!-- value: paper/one/walk.csv {0.2/way_m .3f} -->0.002<!-- end --> m.
+"""
+
+
+class PaperTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.tree = pathlib.Path(self.folder.name)
+        for name in ("tables.py", "run_experiment.sh"):
+            self.put(f"paper/{name}", (SOURCES / "paper" / name).read_text(), executable=True)
+        self.put("paper/one/experiment.sh", EXPERIMENT)
+        self.put("paper/one/walk.toml", "0.00232\n0\n")
+        self.put("paper/one/walk.csv", "friction,way_m\n0.2,0.00232\n")
+        self.put("paper/results.md", TEXT)
+        self.put("build/release/bin/menger", MENGER, executable=True)
+
+    def put(self, name, text, executable=False):
+        file = self.tree / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        if executable:
+            file.chmod(0o755)
+
+    def text(self, name="paper/results.md"):
+        return (self.tree / name).read_text()
+
+    def call(self, *words):
+        return subprocess.run([str(self.tree / words[0]), *words[1:]], cwd=self.tree, capture_output=True, text=True, check=False)
+
+    def tables(self, *words):
+        return self.call("paper/tables.py", *words)
+
+    def experiment(self, *words):
+        return self.call("paper/run_experiment.sh", *words)
+
+
+class Tables(PaperTest):
+    def test_fill_what_check_misses(self):
+        before = self.tables("check")
+        self.assertEqual(before.returncode, 1)
+        self.assertIn("results.md:7: ", before.stderr)
+        self.assertEqual(self.text(), TEXT, "check changes nothing")
+        self.assertEqual(self.tables("fill").returncode, 0)
+        self.assertTrue(self.text().endswith(FILLED), self.text())
+        self.assertTrue(self.text().startswith(TEXT[: TEXT.index("-->")]))
+        self.assertEqual(self.tables("check").returncode, 0)
+
+    def test_check_sees_a_number_that_its_table_does_not_give(self):
+        self.tables("fill")
+        filled = self.text()
+        for right, wrong in (("2.3 mm", "2.4 mm"), ("-->0.002<", "-->0.003<")):
+            self.put("paper/results.md", filled.replace(right, wrong))
+            self.assertEqual(self.tables("check").returncode, 1, wrong)
+        self.put("paper/results.md", filled)
+        self.put("paper/one/walk.csv", "friction,way_m\n0.2,0.0035\n")
+        self.assertEqual(self.tables("check").returncode, 1)
+
+    def test_what_is_wrong_is_named_and_nothing_is_changed(self):
+        for right, wrong, message in (
+            ("one/walk.csv\n", "one/walks.csv\n", "walks.csv: cannot be read"),
+            ("{friction}", "{frictions}", "there is no column frictions"),
+            ("{0.2/way_m", "{0.3/way_m", "0 rows begin with 0.3"),
+            ("way_m*1000 2sig", "way_m*1000 2sigs", "cannot be shown so"),
+            ("| way", "| way | more", "has not the 3 columns of its header"),
+            ("-->\n<!-- end -->", "-->\n<!-- ends -->", "is not closed"),
+        ):
+            self.put("paper/results.md", TEXT.replace(right, wrong, 1))
+            outcome = self.tables("fill")
+            self.assertEqual(outcome.returncode, 2, wrong)
+            self.assertIn(message, outcome.stderr)
+            self.assertIn("results.md:", outcome.stderr)
+            self.assertEqual(self.text(), TEXT.replace(right, wrong, 1))
+
+    def test_numbers_of_two_digits(self):
+        for text, shown in (("9.96", "10"), ("0.299", "0.30"), ("-31.4", "-31"), ("20718", "21000"), ("0", "0"), ("0.0994", "0.099")):
+            self.put("paper/one/walk.csv", f"friction,way_m\n0.2,{text}\n")
+            self.put("paper/results.md", "<!-- value: paper/one/walk.csv {0.2/way_m 2sig} --><!-- end -->")
+            self.assertEqual(self.tables("fill").returncode, 0)
+            self.assertIn(f"-->{shown}<!--", self.text())
+
+    def test_rows_are_found_by_several_columns(self):
+        self.put("paper/one/walk.csv", "body,kind,error\nall,volume,1\nall,force,2\n")
+        self.put("paper/results.md", "<!-- value: paper/one/walk.csv {all:force/error} --><!-- end -->")
+        self.tables("fill")
+        self.assertIn("-->2<!--", self.text())
+        self.put("paper/results.md", "<!-- value: paper/one/walk.csv {all/error} --><!-- end -->")
+        self.assertIn("2 rows begin with all", self.tables("fill").stderr)
+
+    def test_tables_are_made_of_results(self):
+        self.put("result.csv", "case,seconds,cpu_seconds,way_m\na,1,2,3\n")
+        self.tables("take", "result.csv", "small.csv")
+        self.assertEqual(self.text("small.csv"), "case,way_m\na,3\n")
+        self.tables("take", "result.csv", "small.csv", "*")
+        self.assertEqual(self.text("small.csv"), self.text("result.csv"))
+        self.tables("take", "result.csv", "small.csv", "name=case", "way_m")
+        self.assertEqual(self.text("small.csv"), "name,way_m\na,3\n")
+        self.put("a.toml", 'status = "completed"\nway_m = 0.5\n')
+        self.tables("gather", "small.csv", "status,way_m", "first=a.toml")
+        self.assertEqual(self.text("small.csv"), "name,status,way_m\nfirst,completed,0.5\n")
+        missing = self.tables("gather", "small.csv", "speed", "first=a.toml")
+        self.assertEqual(missing.returncode, 2)
+        self.assertIn("a.toml: speed is missing", missing.stderr)
+        self.assertEqual(self.text("small.csv"), "name,status,way_m\nfirst,completed,0.5\n", "nothing is written over")
+
+
+class Experiments(PaperTest):
+    def test_are_listed_with_parts_and_costs(self):
+        outcome = self.experiment()
+        self.assertEqual(outcome.returncode, 0)
+        for text in ("one: Does it walk?", "a minute", "a night", "on request: a long one"):
+            self.assertIn(text, outcome.stdout)
+
+    def test_refresh_tables_and_texts(self):
+        self.put("paper/one/walk.toml", "0.00875\n0\n")
+        outcome = self.experiment("one")
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.assertEqual(self.text("paper/one/walk.csv"), "friction,way_m\n0.2,0.00875\n")
+        self.assertIn("| 0.2 | 8.8 mm |", self.text())
+        self.assertTrue((self.tree / "build/paper/one/walk/sweep.csv").exists(), "large results are outside git")
+
+    def test_take_outcomes_for_results_and_end_with_errors(self):
+        self.put("paper/one/walk.toml", "0.1\n3\n")
+        self.assertEqual(self.experiment("one").returncode, 0)
+        self.assertIn("0.1", self.text("paper/one/walk.csv"))
+        self.put("paper/one/walk.toml", "0.2\n2\n")
+        self.assertEqual(self.experiment("one").returncode, 2)
+        self.assertNotIn("0.2,0.2", self.text("paper/one/walk.csv"), "the table of a failed run is not refreshed")
+
+    def test_unknown_ones_are_refused_before_anything_runs(self):
+        for words in (["two"], ["one", "walk", "fly"], ["--check", "one", "fly"]):
+            outcome = self.experiment(*words)
+            self.assertEqual(outcome.returncode, 2, words)
+            self.assertIn("error", outcome.stderr)
+            self.assertIn("a short walk", outcome.stderr, "what there is")
+        self.assertEqual(self.experiment("--check", "one", "long").returncode, 0)
+        self.assertFalse((self.tree / "build/paper").exists())
+
+    def test_end_with_an_interrupt(self):
+        words = [str(self.tree / "paper/run_experiment.sh"), "one", "long", "walk"]
+        with subprocess.Popen(words, cwd=self.tree, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True) as run:
+            for _ in range(600):
+                if (self.tree / "waiting").exists():
+                    break
+                time.sleep(0.05)
+            os.killpg(run.pid, signal.SIGINT)
+            _, err = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 130)
+        self.assertIn("the same command goes on", err)
+        self.assertFalse((self.tree / "build/paper/one/walk").exists(), "no further part runs")
+
+
+class Tree(unittest.TestCase):
+    """The experiments of the tree itself."""
+
+    def test_every_study_that_they_name_exists(self):
+        for file in sorted(SOURCES.glob("paper/*/experiment.sh")):
+            checked = subprocess.run(["bash", "-n", str(file)], check=False)
+            self.assertEqual(checked.returncode, 0, file)
+            for word in file.read_text().replace('"', " ").split():
+                if word.endswith(".toml") and "$results" not in word and "$out" not in word and "$1" not in word:
+                    self.assertTrue((SOURCES / word.replace("$study", str(file.parent))).exists(), f"{file}: {word}")
+
+    def test_every_part_has_its_function(self):
+        listed = subprocess.run([str(SOURCES / "paper/run_experiment.sh")], capture_output=True, text=True, check=True).stdout
+        for file in sorted(SOURCES.glob("paper/*/experiment.sh")):
+            self.assertIn(f"{file.parent.name}: {file.read_text().splitlines()[0][2:]}", listed)
+            names = [line.split()[1] for line in file.read_text().splitlines() if line.startswith("part")]
+            self.assertTrue(names, file)
+            for name in names:
+                self.assertIn(f"\n{name}() {{", file.read_text(), f"{file}: {name}")
+
+    def test_run_lists_them_and_refuses_others(self):
+        listed = subprocess.run([str(SOURCES / "run"), "paper"], capture_output=True, text=True, check=False)
+        self.assertEqual(listed.returncode, 0)
+        self.assertIn("closing_the_loop", listed.stdout)
+        refused = subprocess.run([str(SOURCES / "run"), "paper", "no_such"], capture_output=True, text=True, check=False)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("there is no experiment paper/no_such", refused.stderr)
+
+
+if __name__ == "__main__":
+    shutil.which("bash") or sys.exit("bash is missing")
+    unittest.main()
