@@ -108,7 +108,7 @@ int run(int argc, const char* const* argv, bool speaks) {
   if (arguments.no_pictures) study.output.pictures = false;
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
 
-  io::catch_interrupts();
+  io::catch_interrupts(io::LateStop::leave);
   std::unique_ptr<io::Progress> progress;
   fem::InflationOptions options{.restart = arguments.restart, .strict = arguments.strict, .stop = &io::interrupted()};
   options.progress = [&](const fem::PathPoint& point, double start_s, double end_s) {

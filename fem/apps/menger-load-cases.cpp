@@ -105,7 +105,7 @@ int run(int argc, const char* const* argv) {
   if (arguments.folder.empty()) arguments.folder = arguments.set.stem();
   for (const std::string& note : study.notes) std::cout << "  " << note << '\n';
 
-  io::catch_interrupts();
+  io::catch_interrupts(io::LateStop::leave);
   io::Progress progress(arguments.set.stem().string(), static_cast<double>(study.cases.size()));
   fem::SetOptions options{.stop = &io::interrupted(), .pictures = !arguments.no_pictures, .fields = arguments.fields};
   options.progress = [&](std::size_t index, double part, const std::string& note) {

@@ -161,6 +161,7 @@ class InflationRun {
                                             study_.path, observer, options_.stop, goes_on ? &resumed : nullptr);
       outcome = {report.status, report.reason, report.limit_points, report.rejected_steps};
       result_.path.factorisations = report.factorisations;
+      is_told_to_stop_ = report.status == io::RunStatus::stopped;
     } catch (const EndOfPath& end) {
       outcome = ended_here(end.status, end.reason);
     }
@@ -254,7 +255,7 @@ class InflationRun {
   }
 
   void finish() {
-    if (!result_.path.points.empty()) {
+    if (!result_.path.points.empty() && !is_told_to_stop_) {
       const BodyState& last = progress_.restart.states.back();
       const NodalFields fields = nodal_fields(equilibrium_.assembly(), last.displacements_m);
       const PathPoint& point = result_.path.points.back();
@@ -305,6 +306,7 @@ class InflationRun {
   FieldSeries fields_;
   int rank_ = 0;
   int rank_count_ = 1;
+  bool is_told_to_stop_ = false;  ///< what is not needed to resume is then left out, since the user waits
   PathProgress progress_;
   InflationResult result_;
 };

@@ -7,6 +7,7 @@
 #include "fem/inflation/inflation_problem.h"
 #include "fem/inflation/modes_files.h"
 #include "fem/inflation/observables.h"
+#include "io/process/interrupt.h"
 #include "io/process/run_folder.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
@@ -83,6 +84,7 @@ class ModesRun {
     follow();
     for (std::size_t n = 0; n < states_.size(); ++n) {
       if (options_.stop != nullptr && options_.stop->load()) {
+        io::come_to_stop();
         fail(io::RunStatus::stopped, "stopped by the user");
         break;
       }

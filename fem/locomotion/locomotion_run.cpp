@@ -12,6 +12,7 @@
 #include "fem/locomotion/locomotion_checkpoint.h"
 #include "fem/locomotion/locomotion_frames.h"
 #include "fem/locomotion/locomotion_picture.h"
+#include "io/process/interrupt.h"
 #include "io/process/run_folder.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
@@ -111,7 +112,10 @@ class LocomotionRun {
       if (!is_last && seconds_since(last_checkpoint_) >= options_.checkpoint_interval_seconds) write_checkpoint();
     }
     conclude(outcome);
-    if (outcome.status != io::RunStatus::stopped) outcome_ = outcome;
+    if (outcome.status == io::RunStatus::stopped)
+      io::come_to_stop();
+    else
+      outcome_ = outcome;
     result_.seconds = write_checkpoint();
   }
 
@@ -166,7 +170,7 @@ class LocomotionRun {
     result_.time_s = dynamics_->time_s();
     result_.steps = dynamics_->steps();
     trajectory_table(result_).write(folder_.file("trajectory.csv"));
-    if (study_.output.pictures) draw();
+    if (study_.output.pictures && result_.status != io::RunStatus::stopped) draw();
     folder_.finish(io::TomlText().add("notes", result_.notes).lines(locomotion_text(study_)).text(), study_.inputs);
     io::write_whole(folder_.file("locomotion.toml"), result_text(result_));
   }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "io/process/interrupt.h"
+
 namespace menger::fem {
 namespace {
 
@@ -71,6 +73,7 @@ bool is_told_to_stop(const std::atomic<bool>* stop, MPI_Comm communicator) {
   if (stop == nullptr) return false;
   int stops = *stop ? 1 : 0;
   MPI_Allreduce(MPI_IN_PLACE, &stops, 1, MPI_INT, MPI_MAX, communicator);
+  if (stops != 0) io::come_to_stop();
   return stops != 0;
 }
 

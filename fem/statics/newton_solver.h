@@ -97,7 +97,8 @@ struct NewtonOutcome {
   [[nodiscard]] io::RunStatus status() const;
 };
 
-/// Returns whether any rank has been asked to stop; the same on all ranks. @param stop or nullptr, on all ranks alike
+/// Returns whether any rank has been asked to stop; the same on all ranks. If so, the program has come to a stopping point
+/// (io::come_to_stop). @param stop or nullptr, on all ranks alike
 bool is_told_to_stop(const std::atomic<bool>* stop, MPI_Comm communicator);
 
 /// Newton's method with PETSc's SNES. All nonlinear equations of the finite elements are solved by it.

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cerrno>
 #include <fstream>
+#include <mutex>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -17,6 +18,10 @@ namespace menger::io {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// The pending files of this program, as a list. It has no destructor that could run before the last file is gone.
+std::mutex pending_mutex;
+PendingFile* newest_pending = nullptr;
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
 
@@ -67,9 +72,16 @@ std::vector<fs::path> matching_files(const fs::path& pattern) {
 PendingFile::PendingFile(fs::path target) : target_(std::move(target)), temporary_(temporary_name(target_)) {
   if (fs::is_directory(target_)) throw InputError(target_.string() + ": cannot be written: it is a folder");
   require_writable_folder(folder_of(target_));
+  const std::lock_guard lock(pending_mutex);
+  older_ = newest_pending;
+  newest_pending = this;
 }
 
 PendingFile::~PendingFile() {
+  const std::lock_guard lock(pending_mutex);
+  PendingFile** link = &newest_pending;
+  while (*link != this) link = &(*link)->older_;
+  *link = older_;
   std::error_code ignored;
   if (!committed_) fs::remove(temporary_, ignored);
 }
@@ -77,10 +89,19 @@ PendingFile::~PendingFile() {
 void PendingFile::commit() {
   flush_to_disk(temporary_, O_RDWR);
   std::error_code error;
-  fs::rename(temporary_, target_, error);
+  {
+    const std::lock_guard lock(pending_mutex);
+    fs::rename(temporary_, target_, error);
+  }
   if (error) throw InputError(target_.string() + ": cannot be written: " + error.message());
   committed_ = true;
   flush_to_disk(folder_of(target_), O_RDONLY | O_DIRECTORY);
+}
+
+void remove_pending_files() {
+  pending_mutex.lock();  // never unlocked
+  std::error_code ignored;
+  for (const PendingFile* file = newest_pending; file != nullptr; file = file->older_) fs::remove(file->temporary(), ignored);
 }
 
 void write_whole(const fs::path& file, std::string_view content) {

@@ -30,7 +30,14 @@ class PendingFile {
   std::filesystem::path target_;
   std::filesystem::path temporary_;
   bool committed_ = false;
+  PendingFile* older_ = nullptr;  ///< the next one in the list of all
+
+  friend void remove_pending_files();
 };
+
+/// Removes the temporary files of all pending files, for a program that leaves at once. No file appears under its name any more:
+/// threads that try to create or to commit one wait until the program has ended.
+void remove_pending_files();
 
 /// Writes a file, whole or not at all. @throws InputError naming path and reason
 void write_whole(const std::filesystem::path& file, std::string_view content);

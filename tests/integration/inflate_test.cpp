@@ -168,6 +168,35 @@ TEST_F(InflateProgram, InterruptedRunGoesOnToTheSameBytes) {
   EXPECT_EQ(io::read_whole(folder_ / "parts/fields.pvd"), io::read_whole(folder_ / "whole/fields.pvd"));
 }
 
+// A thick cube whose first factorisation takes some seconds of processor time. The program is in it, or in the assembly before
+// it, soon after its first point.
+TEST_F(InflateProgram, LeavesALongFactorisationAndGoesOnToTheSameBytes) {
+  io::write_whole(folder_ / "thick.toml",
+                  "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.008\nelements_through_wall = 11\n"
+                  "[material]\nbulk_modulus_Pa = 2.5e6\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n"
+                  "[element]\ndegree = 1\n[path]\npressure_Pa = [0, 300]\nfirst_step = 0.5\n"
+                  "[solver]\nlinear = \"direct\"\n[output]\npictures = false\n");
+  ASSERT_EQ(run({"thick.toml", "-o", "whole"}).code, 0);
+  const ProgramRun program(folder_, MENGER_PROGRAM_DIR "/menger-inflate", {"thick.toml", "-o", "parts"});
+  while (!has("parts/path.checkpoint")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const double enough_s = program.processor_seconds() + 0.3;
+  while (program.processor_seconds() < enough_s) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const auto start = std::chrono::steady_clock::now();
+  program.send(SIGINT);
+  const Outcome stopped = program.wait();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  ASSERT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_EQ(stopped.err, "menger-inflate: stopped in the middle of a computation; finished parts are kept\n");
+  EXPECT_FALSE(has("parts/result.toml")) << "no result of an earlier run or of part of this one";
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ / "parts"))
+    EXPECT_EQ(entry.path().string().find("partial"), std::string::npos) << entry.path();
+  const Outcome resumed = run({"thick.toml", "-o", "parts"});
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_NE(resumed.out.find("1 states resumed from an earlier run"), std::string::npos) << resumed.out;
+  EXPECT_EQ(curves_without_seconds("parts"), curves_without_seconds("whole"));
+  EXPECT_EQ(io::read_whole(folder_ / "parts/fields.pvd"), io::read_whole(folder_ / "whole/fields.pvd"));
+}
+
 TEST_F(InflateProgram, RefusesTheCheckpointOfAnotherStudyUnlessToldToBeginAnew) {
   write_study("pressure_Pa = [0, 1000]", "[output]\nfields = false\npictures = false\n");
   ASSERT_EQ(run({"study.toml", "-o", "out"}).code, 0);

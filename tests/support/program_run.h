@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -53,6 +54,14 @@ class ProgramRun {
   [[nodiscard]] std::string printed() const { return io::read_whole(folder_ / "stdout.txt"); }
 
   void send(int signal) const { kill(child_, signal); }
+
+  /// Returns the processor time that it has used so far. It has not been waited for.
+  [[nodiscard]] double processor_seconds() const {
+    clockid_t clock{};
+    timespec time{};
+    if (clock_getcpuclockid(child_, &clock) == 0) clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
 
   /// Waits until the program ends.
   [[nodiscard]] Outcome wait() const {
