@@ -68,6 +68,7 @@ class InflationRun {
     for (const StudyPlate& plate : study.plates) result_.plate_names.push_back(plate.name);
     result_.elements = space_.element_count;
     result_.unknowns = 3 * static_cast<std::size_t>(space_.node_count);
+    result_.linear_solver = equilibrium_.linear_choice().text();
     result_.element_size_m = std::cbrt(problem_.solid_volume_m3 / static_cast<double>(space_.element_count));
     result_.notes = study.notes;
     result_.notes.insert(result_.notes.end(), problem_.notes.begin(), problem_.notes.end());
@@ -266,7 +267,12 @@ class InflationRun {
     result_.seconds = folder_.seconds();
     on_first_rank(options_.communicator, [&] {
       io::write_whole(folder_.file("result.toml"), result_text(result_));
-      folder_.finish(io::TomlText().add("processes", rank_count_).lines(resolved_text(study_)).text(), study_.inputs);
+      folder_.finish(io::TomlText()
+                         .add("processes", rank_count_)
+                         .add("linear_solver", result_.linear_solver)
+                         .lines(resolved_text(study_))
+                         .text(),
+                     study_.inputs);
     });
   }
 

@@ -38,6 +38,7 @@ struct InflationResult {
   /// body its rotation is removed first. Empty for bodies without faces in all planes of their bounding box.
   std::vector<std::optional<Point>> extent_changes_m;
   std::vector<std::string> notes;  ///< assumptions, doubts, and outputs that could not be made
+  std::string linear_solver;       ///< the method for linear systems, and why: "direct: ..."
   std::size_t elements = 0;
   std::size_t unknowns = 0;
   double element_size_m = 0.0;     ///< cube root of the mean volume of an element

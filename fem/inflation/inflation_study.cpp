@@ -292,9 +292,10 @@ void describe_path(io::StudyVisitor& visitor, InflationStudy& study) {
 void describe_solver(io::StudyVisitor& visitor, EquilibriumOptions& solver) {
   const io::Range tolerance{.lowest = 0.0, .highest = 1e-2, .lowest_excluded = true};
   visitor.table({"solver", "How each equilibrium is found."}, [&] {
-    visitor.word({"linear", "Linear solver. automatic: direct up to largest_direct_size unknowns."}, solver.linear.method,
-                 linear_words());
-    visitor.integer({"largest_direct_size", "Largest number of unknowns for which automatic chooses the direct solver."},
+    visitor.word(
+        {"linear", "Linear solver. automatic: direct up to largest_direct_size unknowns; above, the cheaper one by an estimate."},
+        solver.linear.method, linear_words());
+    visitor.integer({"largest_direct_size", "Number of unknowns up to which automatic means direct without an estimate."},
                     solver.linear.largest_direct_size, io::at_least(1));
     visitor.number({"linear_tolerance", "Relative residual of the iterative linear solver."}, solver.linear.relative_tolerance,
                    tolerance);

@@ -75,6 +75,7 @@ std::string result_text(const InflationResult& result) {
   if (!result.path.reason.empty()) text.add("reason", result.path.reason);
   text.add("elements", result.elements);
   text.add("unknowns", result.unknowns);
+  text.add("linear_solver", result.linear_solver);
   text.add("element_size_m", result.element_size_m);
   text.add("points", result.path.points.size());
   std::uint64_t iterations = 0;

@@ -109,6 +109,7 @@ std::string modes_result_text(const ModesResult& result) {
   if (!result.reason.empty()) text.add("reason", result.reason);
   text.add("elements", result.elements);
   text.add("unknowns", result.unknowns);
+  text.add("linear_solver", result.linear_solver);
   text.line("notes = [");
   for (const std::string& note : result.notes) text.line("  " + io::toml_quoted(note) + ",");
   text.line("]");

@@ -73,6 +73,7 @@ class ModesRun {
     result_.plenum_names = problem_.mesh.plenum_names;
     result_.elements = space_.element_count;
     result_.unknowns = 3 * static_cast<std::size_t>(space_.node_count);
+    result_.linear_solver = equilibrium_.linear_choice().text();
     result_.notes = study_.notes;
     result_.notes.insert(result_.notes.end(), problem_.notes.begin(), problem_.notes.end());
     result_.notes.emplace_back(
@@ -190,6 +191,7 @@ class ModesRun {
     result_.seconds = folder_.seconds();
     io::write_whole(folder_.file("result.toml"), modes_result_text(result_));
     io::TomlText parameters;
+    parameters.add("linear_solver", result_.linear_solver);
     parameters.add("mode_count", options_.mode_count).add("loss_factor", options_.loss_factor).lines(resolved_text(study_));
     folder_.finish(parameters.text(), study_.inputs);
   }

@@ -49,6 +49,7 @@ struct ModesResult {
   std::vector<double> frequencies_Hz{};  ///< of the response: 0.5 to 5 Hz, and on to 1.5 times the first natural frequency
   std::vector<ModesCurve> curves{};      ///< empty if the last state has no modes
   std::vector<std::string> notes{};
+  std::string linear_solver{};  ///< the method for linear systems of the path, and why: "direct: ..."
   std::size_t elements = 0;
   std::size_t unknowns = 0;
   double seconds = 0.0;

@@ -32,6 +32,7 @@ class CaseRun {
         body_(request.load_case, material, request.elements, options.communicator) {
     response_.elements = body_.element_count();
     response_.unknowns = body_.unknowns();
+    response_.linear = body_.equilibrium().linear_choice().method;
   }
 
   CaseResponse run() {

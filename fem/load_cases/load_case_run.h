@@ -41,6 +41,7 @@ struct CaseResponse {
   std::optional<double> contact_pressure_Pa;
   std::size_t elements = 0;
   std::size_t unknowns = 0;
+  LinearMethod linear = LinearMethod::direct;  ///< the method for linear systems
 };
 
 /// Computes a load case with finite elements.

@@ -220,6 +220,7 @@ class SetRun {
     provenance.shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(study_.material.law);
     provenance.density_kg_m3 = *study_.material.density_kg_per_m3;
     provenance.model = elements_text(request.elements) + ", " + std::to_string(response.unknowns) + " unknowns";
+    if (response.linear == LinearMethod::iterative) provenance.model += ", iterative solver";
     provenance.relative_uncertainty = study_.relative_uncertainty;
     provenance.status = response.status;
     provenance.reason = response.reason;

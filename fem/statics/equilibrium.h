@@ -93,6 +93,9 @@ class Equilibrium {
   /// Returns the volume of each plenum, m^3: the sum of the volumes of its chambers in `totals`.
   [[nodiscard]] std::vector<double> plenum_volumes(const BodyTotals& totals) const;
 
+  /// Returns the method for linear systems that was chosen, and why.
+  [[nodiscard]] const LinearChoice& linear_choice() const { return linear_.choice(); }
+
   [[nodiscard]] Assembly& assembly() { return assembly_; }
   [[nodiscard]] const Space& space() const { return space_; }
   [[nodiscard]] const Body& body() const { return body_; }

@@ -90,6 +90,10 @@ TEST_F(InflateProgram, WritesCurvesFieldsPicturesResultAndManifest) {
   EXPECT_GT(last(table, "rim_largest_stretch"), 1.0);
   EXPECT_EQ(table.number(0, "rim_displacement_x_m"), 0.0);
   EXPECT_EQ(io::read_toml(folder_ / "out/result.toml").text("status"), "completed");
+  const std::string solver =
+      "direct: " + std::to_string(io::read_toml(folder_ / "out/result.toml").integer("unknowns")) + " unknowns";
+  EXPECT_EQ(io::read_toml(folder_ / "out/result.toml").text("linear_solver"), solver);
+  EXPECT_NE(io::read_whole(folder_ / "out/manifest.json").find(solver), std::string::npos);
   for (const char* name : {"manifest.json", "fields.pvd", "path.checkpoint"})
     EXPECT_TRUE(has(std::string("out/") + name)) << name;
   test_support::expect_opens_in_paraview(folder_ / "out");
