@@ -203,7 +203,7 @@ io::CsvTable variant_table(const ReevaluationStudy& study, const ReevaluationFin
     add_row(findings.designs[n], "reference", "reference", findings.designs[n].elements);
     for (const VariantRun& run : findings.variants) {
       if (!is_of_design(run)) continue;
-      add_row(findings.designs[n], run.variant.name, run.variant.is_numerical ? "numerical" : "stiffness", run.run);
+      add_row(findings.designs[n], run.variant.name, std::string(to_string(run.variant.kind)), run.run);
     }
   }
   return table;

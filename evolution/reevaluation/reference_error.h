@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "evolution/reevaluation/reevaluation_comparison.h"
@@ -10,10 +11,18 @@
 
 namespace menger::evolution {
 
+/// What a variant shows.
+enum class VariantKind {
+  numerical,    ///< the numerical error: finer elements, shorter steps, other bulk modulus
+  sensitivity,  ///< how much a walk hangs on small causes: one per cent of friction or pressure
+  stiffness     ///< the uncertainty of the silicone's stiffness
+};
+std::string_view to_string(VariantKind kind);
+
 /// The reference evaluator with one thing changed.
 struct ReferenceVariant {
-  std::string name;           ///< "2 elements through the wall", ...
-  bool is_numerical = true;   ///< true: shows the numerical error; false: shows the uncertainty of the silicone's stiffness
+  std::string name;  ///< "2 elements through the wall", ...
+  VariantKind kind = VariantKind::numerical;
   LocomotionOptions options;  ///< finite elements
 };
 
@@ -36,7 +45,7 @@ ReferenceChange change_of(const ReevaluationStudy& study, const LocomotionRun& r
 
 /// The largest changes by one kind of variants, over the designs that these evaluated.
 struct ReferenceError {
-  std::string kind;  ///< "numerical" or "stiffness"
+  std::string kind;  ///< see VariantKind
   std::size_t runs = 0;
   std::size_t compared = 0;  ///< number of these with a displacement by both the variant and the reference evaluator
   std::optional<double> largest_change;

@@ -62,12 +62,14 @@ fem::LocomotionStudy locomotion_study(const ReevaluationStudy& study, const Loco
   const voxel::VoxelMaterial& material = physics.materials[0];
   fem::LocomotionStudy walk;
   walk.design = design_of(study, body);
-  walk.hollow = casting_of(study, options.elements_through_wall);
+  walk.hollow = casting_of(study, options);
+  walk.elements = options.elements;
   walk.silicone = silicone_of(study, options);
-  walk.stated_ground.friction = {.static_coefficient = material.static_friction,
-                                 .kinetic_coefficient = material.kinetic_friction};
+  walk.stated_ground.friction = {.static_coefficient = options.friction_factor * material.static_friction,
+                                 .kinetic_coefficient = options.friction_factor * material.kinetic_friction};
   walk.gravity_m_per_s2 = physics.gravity_m_s2;
   walk.drive = drive_of(physics);
+  for (double& pressure_Pa : walk.drive->pressure_Pa) pressure_Pa *= options.pressure_factor;
   walk.duration_s = study.duration_s;
   walk.record_interval_s = study.record_interval_s;
   walk.step_safety = options.step_safety;

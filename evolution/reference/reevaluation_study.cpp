@@ -156,7 +156,10 @@ void describe_times(io::StudyVisitor& visitor, bool has_search, ReevaluationStud
 }
 
 void describe_elements(io::StudyVisitor& visitor, LocomotionOptions& options) {
-  visitor.integer({"elements_through_wall", "Elements through a wall."}, options.elements_through_wall, io::within(1, 16));
+  fem::describe(visitor, options.elements, true);
+  visitor.only_if(options.elements.kind == fem::ElementKind::three_field, "kind = \"three_field\"", [&] {
+    visitor.integer({"elements_through_wall", "Elements through a wall."}, options.elements_through_wall, io::within(1, 16));
+  });
   visitor.number({"bulk_modulus_ratio", "Bulk modulus divided by shear modulus, at rest."}, options.bulk_modulus_ratio,
                  io::within(1.0, 1e6));
   visitor.number({"step_safety", "Time step as a fraction of the stable one."}, options.step_safety, part_of_one());
@@ -187,14 +190,22 @@ void describe_ground(io::StudyVisitor& visitor, bool has_search, Study& search) 
                        ": must be at most static_friction = " + io::number_text(first.static_friction));
 }
 
-void describe_variants(io::StudyVisitor& visitor, const fs::path& silicone, VariantOptions& options) {
+void describe_variants(io::StudyVisitor& visitor, const fs::path& silicone, fem::ElementKind kind, VariantOptions& options) {
   visitor.integer({"designs", "Number of best designs that are evaluated with every variant."}, options.designs, io::at_least(1));
-  visitor.integer({"elements_through_wall", "Elements through a wall in this variant."}, options.elements_through_wall,
-                  io::within(1, 16));
+  visitor.boolean({"finer_elements", "Whether finer elements are a variant: the next fidelity, or more elements through a wall."},
+                  options.finer_elements);
+  visitor.only_if(kind == fem::ElementKind::three_field, "elements.kind = \"three_field\"", [&] {
+    visitor.integer({"elements_through_wall", "Elements through a wall in this variant."}, options.elements_through_wall,
+                    io::within(1, 16));
+  });
   visitor.number({"bulk_modulus_factor", "Factor on the bulk modulus of the evaluation; 1: no such variant."},
                  options.bulk_modulus_factor, io::positive());
   visitor.number({"step_factor", "Factor on the time step of the evaluation; 1: no such variant."}, options.step_factor,
                  part_of_one());
+  visitor.number({"friction_factor", "Factor on the friction of the ground; 1: no such variant."}, options.friction_factor,
+                 io::positive());
+  visitor.number({"pressure_factor", "Factor on the pressures of the drive; 1: no such variant."}, options.pressure_factor,
+                 io::positive());
   // moduli stated for one silicone do not hold for another
   visitor.numbers({"youngs_moduli_Pa", "Young's moduli that are stated for the silicone; each is a variant.",
                    is_usual(silicone) ? "" : "[107000, 264000]"},
@@ -235,7 +246,8 @@ void describe(io::StudyVisitor& visitor, ReevaluationStudy& study) {
       {"variants",
        "Evaluates the best designs again, each time with one thing changed, to estimate the uncertainty of the finite elements.",
        "", "judge"},
-      study.variants, [&](VariantOptions& variants) { describe_variants(visitor, study.silicone_file, variants); });
+      study.variants,
+      [&](VariantOptions& variants) { describe_variants(visitor, study.silicone_file, study.elements.elements.kind, variants); });
 }
 
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const RunArchive& archive) {

@@ -11,21 +11,25 @@
 #include "evolution/archive/run_archive.h"
 #include "evolution/study/study.h"
 #include "fem/explicit/material_damping.h"
+#include "fem/thin_walls/element_choice.h"
 #include "io/study/study_visitor.h"
 
 namespace menger::evolution {
 
 /// The finite elements that evaluate robots.
 struct LocomotionOptions {
-  int elements_through_wall = 1;
+  fem::ElementChoice elements{};
+  int elements_through_wall = 1;              ///< of three_field; thin walls have one
   double bulk_modulus_ratio = 50.0;           ///< bulk modulus / shear modulus, at rest
-  double step_safety = 0.9;                   ///< time step / stable time step
+  double step_safety = 0.8;                   ///< time step / stable time step
   std::optional<double> youngs_modulus_Pa{};  ///< at rest; none: that of the silicone's record
-  /// The damping model, as studies of `menger locomote` name it. It is not their default: with a viscosity, the displacement of a
-  /// body changes by some 5 % with the time step instead of 25 % (body stand18, at 0.6 to 0.9 of the stable step), and a
-  /// reference evaluator must give repeatable results.
-  fem::DampingModel damping_model = fem::DampingModel::kelvin_voigt;
-  int threads = 1;  ///< of one run
+  /// The damping model, as studies of `menger locomote` name it. Of three_field elements a viscosity gives more repeatable
+  /// results: the displacement of a body then changes by some 5 % with the time step instead of 25 % (body stand18, at 0.6 to 0.9
+  /// of the stable step). Thin walls would need steps a sixth as long with it.
+  fem::DampingModel damping_model = fem::DampingModel::maxwell;
+  double friction_factor = 1.0;  ///< factor on the friction of the ground, of a variant
+  double pressure_factor = 1.0;  ///< factor on the pressures of the drive, of a variant
+  int threads = 1;               ///< of one run
 
   bool operator==(const LocomotionOptions&) const = default;
 };
@@ -33,10 +37,14 @@ struct LocomotionOptions {
 /// Variants that show the error of the finite elements: the best designs are evaluated again, each time with one thing changed. A
 /// variant that changes nothing is left out.
 struct VariantOptions {
-  std::size_t designs = 3;                                    ///< number of the best designs
-  int elements_through_wall = 2;                              ///< in place of LocomotionOptions::elements_through_wall
+  std::size_t designs = 3;  ///< number of the best designs
+  /// Whether finer elements are a variant: of thin walls the next fidelity, of three_field `elements_through_wall`.
+  bool finer_elements = true;
+  int elements_through_wall = 2;
   double bulk_modulus_factor = 2.0;                           ///< factor on LocomotionOptions::bulk_modulus_ratio
   double step_factor = 0.5;                                   ///< factor on LocomotionOptions::step_safety
+  double friction_factor = 1.01;                              ///< factor on the friction of the ground
+  double pressure_factor = 1.01;                              ///< factor on the pressures of the drive
   std::vector<double> youngs_moduli_Pa = {107'000, 264'000};  ///< lowest and highest value stated for the silicone
 };
 

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fem/thin_walls/thin_wall_mesh.h"
 #include "io/text/input_error.h"
 #include "io/text/joined_text.h"
 #include "meshes/design/fractal.h"
 #include "meshes/hexahedra/hollow_body_check.h"
+#include "meshes/hexahedra/hollow_polycube.h"
 #include "voxel/lanes/simulation.h"
 #include "voxel/scene/scene.h"
 
@@ -78,11 +80,12 @@ meshes::Design design_of(const ReevaluationStudy& study, const meshes::Polycube&
   return {"re-evaluated design", body, study.search.search.cell_edge_m};
 }
 
-meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, int elements_through_wall) {
+meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, const LocomotionOptions& elements) {
   const voxel::CalibratedBody& surrogate = *study.search.physics.surrogate;
   meshes::HollowBodyOptions options;
   options.wall_thickness_m = surrogate.parameters.wall_thickness_m;
-  options.elements_through_wall = elements_through_wall;
+  options.elements_through_wall = elements.elements_through_wall;
+  fem::set_elements(elements.elements, options);
   options.chambers = surrogate.chambers;
   options.level = study.level;
   return options;
@@ -91,10 +94,12 @@ meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, int element
 std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::Polycube& body) {
   try {
     const meshes::Design design = design_of(study, body);
-    const meshes::HollowBodyOptions options = casting_of(study, study.elements.elements_through_wall);
+    const meshes::HollowBodyOptions options = casting_of(study, study.elements);
     meshes::check_design(design, options);
     meshes::check_body(design, options, meshes::ModularBody(body, study.level, options.chambers));
     (void)simulation_of(study, body);
+    if (study.elements.elements.kind != fem::ElementKind::thin_wall) return "";
+    return fem::obstacle_to_thin_walls(meshes::hollow_polycube(design, options).mesh, options.wall_thickness_m);
   } catch (const io::InputError& fault) {  // it cannot be cast
     return fault.what();
   } catch (const std::invalid_argument& fault) {  // its chambers cannot follow the drive, or it is outside of the calibration

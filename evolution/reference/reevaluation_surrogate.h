@@ -18,7 +18,7 @@ namespace menger::evolution {
 meshes::Design design_of(const ReevaluationStudy& study, const meshes::Polycube& body);
 
 /// Returns how the design is made hollow for finite elements: walls, chambers and level.
-meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, int elements_through_wall);
+meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, const LocomotionOptions& elements);
 
 /// Returns why finite elements cannot evaluate a body: it cannot be cast, its chambers cannot be driven as the search drives its
 /// voxels, or it is outside of the calibration. Empty if they can. @param body basal, standing

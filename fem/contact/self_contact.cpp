@@ -41,6 +41,7 @@ void SelfContact::moved(double travel_m) {
 void SelfContact::forget() {
   allowance_ = 0.0;
   travel_ = 0.0;
+  searched_positions_.clear();
 }
 
 void SelfContact::watch() {
@@ -49,6 +50,7 @@ void SelfContact::watch() {
 }
 
 void SelfContact::find_touches(std::span<const double> positions_m, const BlockLoop& loop, const ContactPast* past) {
+  if (must_search()) look_up_travel(positions_m);
   if (must_search()) search(positions_m, loop);
   if (!is_near_ && touches_.empty()) {
     set_memories(past);
@@ -69,7 +71,26 @@ void SelfContact::find_touches(std::span<const double> positions_m, const BlockL
   set_forces();
 }
 
+/// Replaces the bound of displacements by the largest one, apart from the mean of all nodes.
+void SelfContact::look_up_travel(std::span<const double> positions_m) {
+  if (searched_positions_.size() != positions_m.size() || !(travel_ > 0.0)) return;
+  Point mean{};
+  for (std::size_t n = 0; n < positions_m.size(); ++n) mean[n % 3] += positions_m[n] - searched_positions_[n];
+  mean = scaled(3.0 / static_cast<double>(positions_m.size()), mean);
+  double largest_square = 0.0;
+  for (std::size_t n = 0; n < positions_m.size(); n += 3) {
+    double square = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double apart = positions_m[n + i] - searched_positions_[n + i] - mean[i];
+      square += apart * apart;
+    }
+    largest_square = std::max(largest_square, square);
+  }
+  travel_ = std::min(travel_, std::sqrt(largest_square));
+}
+
 void SelfContact::search(std::span<const double> positions_m, const BlockLoop& loop) {
+  searched_positions_.assign(positions_m.begin(), positions_m.end());
   points_ = surfaces_.points(positions_m);
   candidates_ = search_.near_pairs(points_, reach_m(), loop);
   // While all pairs are far apart, a new search when the nearest pair may have met is cheaper than to follow all pairs at each

@@ -18,15 +18,15 @@ namespace menger::fem {
 /// The default stiffness of self-contact: four times that of the ground. On the hollow cube of 20 mm with walls of one element of
 /// 2 mm it makes steps 9 % shorter while walls touch. A vacuum of 20 kPa that closes the chamber leads to depths up to 1/8 of an
 /// element.
-/// @param bulk_modulus_Pa the largest of the body @param edge_m the shortest edge of its elements
-constexpr double self_contact_stiffness_Pa_per_m(double bulk_modulus_Pa, double edge_m) {
-  return ground_stiffness_Pa_per_m(bulk_modulus_Pa, edge_m, 0.2);
+/// @param modulus_Pa the largest bulk modulus of a body; less for thin-wall elements, see contact_modulus_Pa
+/// @param edge_m the shortest edge of its elements
+constexpr double self_contact_stiffness_Pa_per_m(double modulus_Pa, double edge_m) {
+  return ground_stiffness_Pa_per_m(modulus_Pa, edge_m, 0.2);
 }
 
 /// The stiffness and friction with which parts of a body's surface press on each other.
 struct SelfContactLaw {
-  /// Pressure divided by depth, > 0. Nothing: self_contact_stiffness_Pa_per_m of the body's largest bulk modulus and shortest
-  /// edge.
+  /// Pressure divided by depth, > 0. Nothing: self_contact_stiffness_Pa_per_m of the body's modulus and shortest edge.
   std::optional<double> stiffness_Pa_per_m{};
   /// Nothing: the coefficients of the ground, or no friction where there is no ground.
   std::optional<SurfaceFriction> friction{};
@@ -66,7 +66,8 @@ struct SelfTouch {
 /// slipped in from beside the body is not pushed back to where it came in.
 ///
 /// While nothing can touch, the cost is one comparison: two nodes at a distance d cannot meet before the two largest
-/// displacements since then add up to d. Only then the search runs again.
+/// displacements since then add up to d. They are bounded by the lengths of paths. Where the paths are long enough, displacements
+/// are looked up, since bodies swing back; only where these are long enough, too, the search runs again.
 class SelfContact {
  public:
   /// @param with_outside false: only the walls of chambers are searched
@@ -120,6 +121,7 @@ class SelfContact {
     ContactMemory memory;
   };
   void search(std::span<const double> positions_m, const BlockLoop& loop);
+  void look_up_travel(std::span<const double> positions_m);
   void follow_candidates();
   [[nodiscard]] std::optional<Found> touch_of(std::size_t candidate, const ContactPast* past) const;
   [[nodiscard]] ContactMemory memory_behind(std::size_t node, std::size_t face, double depth_m, const ContactPast* past) const;
@@ -138,7 +140,8 @@ class SelfContact {
   std::vector<Point> normals_;  // of followed faces
   bool is_near_ = false;
   double allowance_ = 0.0;  // the sum of two nodes' travel from which on candidates may lack a pair
-  double travel_ = 0.0;     // since the last search
+  double travel_ = 0.0;     // since the last search; a bound of the largest displacement apart from a common one
+  std::vector<double> searched_positions_;
   std::size_t searches_ = 0;
   double largest_depth_ = 0.0;
   double largest_travel_ = 0.0;

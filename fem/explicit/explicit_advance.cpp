@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "fem/explicit/explicit_dynamics.h"
@@ -15,17 +16,21 @@ constexpr std::size_t least_steps_to_bound = 10;
 
 }  // namespace
 
-double ExplicitDynamics::stable_step_at(std::span<const double> displacements_m, std::span<const double> branch) const {
-  EigenvalueBounds bounds = eigenvalue_bounds(body_, displacements_m, branch, loop_);
-  if (options_.loads.ground) {
-    double largest = 0.0;
-    for (std::size_t node = 0; node < areas_.size(); ++node) largest = std::max(largest, areas_[node] / body_.masses_kg()[node]);
-    bounds.stiffness_per_s2 += options_.loads.ground->stiffness_Pa_per_m * largest;
-  }
-  if (options_.self_contact) bounds.stiffness_per_s2 += self_contact_.stiffness_per_s2(body_.masses_kg());
+double ExplicitDynamics::stable_step() {
+  press_walls();
+  LargestEigenvalues eigenvalues =
+      eigenvalues_->at(state_.displacements_m, state_.branches->numbers, *element_forces_, ground_springs_);
+  if (options_.self_contact) eigenvalues.stiffness_per_s2 += self_contact_.stiffness_per_s2(body_.masses_kg());
   if (state_.pneumatics && options_.supply->has_lines())
-    bounds.stiffness_per_s2 += gas_stiffness_per_s2(chambers_, body_, displacements_m, *options_.supply, *state_.pneumatics);
-  return stable_step_s(bounds);
+    eigenvalues.stiffness_per_s2 +=
+        gas_stiffness_per_s2(chambers_, body_, state_.displacements_m, *options_.supply, *state_.pneumatics);
+  return stable_step_s(eigenvalues);
+}
+
+/// Returns the largest step besides the stable one: that of the options, and the time between two relaxations of a branch.
+double ExplicitDynamics::longest_step_s() const {
+  const double unlimited = std::numeric_limits<double>::infinity();
+  return std::min(options_.largest_step_s.value_or(unlimited), relaxation_interval_s_.value_or(unlimited));
 }
 
 const ExplicitReport& ExplicitDynamics::advance_to(double time_s) {
@@ -42,12 +47,14 @@ const ExplicitReport& ExplicitDynamics::advance_to(double time_s) {
 void ExplicitDynamics::pass_interval(double time_s) {
   last_good_ = state_;
   const double start = state_.time_s;
-  const double stable = stable_step_;
+  const double stable = state_.stable_step_s;
   common_velocity_ = mean_velocity_m_per_s();
-  std::size_t count = std::min(state_.steps_to_bound, options_.steps_per_bound);
+  const std::size_t between_bounds = std::min(state_.steps_to_bound, options_.steps_per_bound);
+  std::size_t count = between_bounds - std::min(state_.steps_since_bound, between_bounds - 1);
   double share = state_.step_share;
+  std::optional<ExplicitReport> telling;  // of all objections that shorter steps did not remove
   for (;;) {
-    const double limit = std::min(options_.step_safety * share * stable, options_.largest_step_s.value_or(stable));
+    const double limit = std::min(options_.step_safety * share * stable, longest_step_s());
     const double wanted = std::max(1.0, std::ceil((time_s - start) / limit * (1.0 - 1e-12)));
     const double step = (time_s - start) / wanted;
     const bool is_last = wanted <= static_cast<double>(count);
@@ -55,18 +62,20 @@ void ExplicitDynamics::pass_interval(double time_s) {
     const std::optional<ExplicitReport> objection =
         take_steps(step, steps, is_last ? time_s : start + static_cast<double>(steps) * step);
     if (!objection) {
-      state_.steps_to_bound = count;
       state_.step_share = share;
-      accept(stable, steps);
+      accept(stable);
       return;
     }
     state_ = last_good_;
-    stable_step_ = stable;
     self_contact_.forget();
     share *= 0.5;
     count = std::max<std::size_t>(1, steps / 2);
+    state_.steps_to_bound = count;
+    state_.steps_since_bound = 0;
+    // An element that turned inside out says where; the last, shortest steps may end before it does.
+    if (!telling || objection->failed_element || !telling->failed_element) telling = objection;
     if (share * stable < options_.smallest_step_ratio * rest_stable_step_) {
-      report_ = *objection;
+      report_ = *telling;
       return;
     }
   }
@@ -78,6 +87,7 @@ std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::s
   for (std::size_t n = 1; n <= count; ++n) {
     if (!take_step(step_s)) return failure_in_element();
     state_.time_s = n == count ? end_s : start + static_cast<double>(n) * step_s;
+    ++state_.steps_since_bound;
     const PneumaticReport air = supply_air();
     if (air.status != io::RunStatus::completed) return failure(air.status, air.reason);
     if (walls_have_met()) break;
@@ -86,7 +96,7 @@ std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::s
 }
 
 std::optional<ExplicitReport> ExplicitDynamics::check() {
-  if (body_.failed_element(state_.displacements_m)) return failure_in_element();
+  if (body_.elements().failed_element(state_.displacements_m)) return failure_in_element();
   const MotionEnergies now = energies();
   state_.turnover_J = std::max(state_.turnover_J, now.turnover_J());
   const double imbalance = std::abs(now.imbalance_J());
@@ -95,9 +105,11 @@ std::optional<ExplicitReport> ExplicitDynamics::check() {
     return failure(io::RunStatus::diverged, "the energy balance has an error of " + io::number_text(imbalance) +
                                                 " J for a turnover of " + io::number_text(state_.turnover_J) + " J");
   if (std::optional<ExplicitReport> objection = check_contact()) return objection;
-  stable_step_ = stable_step_at(state_.displacements_m, state_.branches->tensors);
-  if (!(stable_step_ >= state_.last_step_s))
-    return failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(stable_step_) + " s");
+  if (state_.steps_since_bound < std::min(state_.steps_to_bound, options_.steps_per_bound)) return std::nullopt;
+  state_.steps_since_bound = 0;
+  state_.stable_step_s = stable_step();
+  if (!(state_.stable_step_s >= state_.last_step_s))
+    return failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(state_.stable_step_s) + " s");
   return std::nullopt;
 }
 
@@ -113,18 +125,17 @@ std::optional<ExplicitReport> ExplicitDynamics::check_contact() const {
 
 bool ExplicitDynamics::walls_have_met() const { return !options_.self_contact && !self_contact_.touches().empty(); }
 
-/// Ends the run for failures that shorter steps would not change, and sets the length of the next interval.
-void ExplicitDynamics::accept(double last_stable_step_s, std::size_t count) {
+/// Ends the run for failures that shorter steps would not change, and sets the number of steps to the next estimate of the stable
+/// step where it has just been estimated.
+void ExplicitDynamics::accept(double last_stable_step_s) {
   look_at_chambers();
-  if (stable_step_ < options_.smallest_step_ratio * rest_stable_step_)
-    report_ = failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(stable_step_) + " s");
+  if (state_.stable_step_s < options_.smallest_step_ratio * rest_stable_step_)
+    report_ = failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(state_.stable_step_s) + " s");
+  const bool has_changed = std::abs(state_.stable_step_s / last_stable_step_s - 1.0) > little_change;
+  if (!has_changed) state_.step_share = std::min(1.0, 1.1 * state_.step_share);
+  if (state_.steps_since_bound > 0) return;
   std::size_t& next = state_.steps_to_bound;
-  if (std::abs(stable_step_ / last_stable_step_s - 1.0) > little_change) {
-    next = std::min(next, std::max(least_steps_to_bound, next / 2));
-  } else {
-    if (count == next) next = std::min(2 * next, options_.steps_per_bound);
-    state_.step_share = std::min(1.0, 1.1 * state_.step_share);
-  }
+  next = has_changed ? std::min(next, std::max(least_steps_to_bound, next / 2)) : std::min(2 * next, options_.steps_per_bound);
 }
 
 void ExplicitDynamics::look_at_chambers() {

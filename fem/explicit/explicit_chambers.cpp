@@ -1,11 +1,15 @@
 #include "fem/explicit/explicit_chambers.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "fem/surfaces/point.h"
 
 namespace menger::fem {
 namespace {
+
+/// In place of the corner of a lane that repeats the face before it.
+constexpr std::uint32_t repeated = std::numeric_limits<std::uint32_t>::max();
 
 Point point_at(std::span<const double> positions, std::size_t first) {
   return {positions[first], positions[first + 1], positions[first + 2]};
@@ -35,35 +39,52 @@ std::vector<Point> rim_points(std::span<const double> positions, const std::vect
 
 }  // namespace
 
-ExplicitChambers::ExplicitChambers(const meshes::HexahedralMesh& mesh) : plenum_count_(mesh.plenum_names.size()) {
+ExplicitChambers::ExplicitChambers(const meshes::HexahedralMesh& mesh, const FacePressureKernels& kernels)
+    : plenum_count_(mesh.plenum_names.size()), kernels_(kernels) {
+  for (std::size_t chamber = 0; chamber < mesh.chambers.size(); ++chamber) {
+    plenums_.push_back(mesh.chambers[chamber].plenum);
+    add_faces(mesh, chamber);
+  }
+  // Slots of lanes that repeat a face are left out.
   std::vector<std::uint32_t> nodes;
-  for (std::size_t c = 0; c < mesh.chambers.size(); ++c) {
-    const meshes::Chamber& chamber = mesh.chambers[c];
-    plenums_.push_back(chamber.plenum);
-    for (const meshes::BoundaryFace& boundary : mesh.faces) {
-      if (std::find(chamber.labels.begin(), chamber.labels.end(), boundary.label) == chamber.labels.end()) continue;
-      Face face{{}, static_cast<std::uint32_t>(c)};
-      for (std::size_t a = 0; a < 4; ++a) {
-        face.first_components[a] = static_cast<std::uint32_t>(3 * boundary.corners[a]);
-        nodes.push_back(static_cast<std::uint32_t>(boundary.corners[a]));
-      }
-      faces_.push_back(face);
-    }
+  std::vector<std::uint32_t> slots;
+  for (std::size_t corner = 0; corner < first_components_.size(); ++corner) {
+    if (first_components_[corner] == repeated) continue;
+    nodes.push_back(first_components_[corner] / 3);
+    slots.push_back(static_cast<std::uint32_t>(corner));
   }
-  slot_count_ = 12 * faces_.size();
-  for (std::size_t c = 0; c < mesh.chambers.size(); ++c) {
-    for (const meshes::Cap& cap : mesh.chambers[c].caps) {
-      add_cap(cap, c);
+  for (std::size_t corner = 4; corner < first_components_.size(); ++corner)
+    if (first_components_[corner] == repeated) first_components_[corner] = first_components_[corner - 4];
+  number_count_ = 4 * first_components_.size();
+  for (std::size_t chamber = 0; chamber < mesh.chambers.size(); ++chamber) {
+    for (const meshes::Cap& cap : mesh.chambers[chamber].caps) {
+      const auto first_slot = static_cast<std::uint32_t>(number_count_ / 4);
+      add_cap(cap, chamber);
       nodes.insert(nodes.end(), caps_.back().nodes.begin(), caps_.back().nodes.end());
+      for (std::size_t n = 0; n < caps_.back().nodes.size(); ++n) slots.push_back(first_slot + static_cast<std::uint32_t>(n));
     }
   }
-  std::vector<std::uint32_t> first_component(nodes.size());
-  for (std::size_t s = 0; s < nodes.size(); ++s) first_component[s] = static_cast<std::uint32_t>(3 * s);
-  slots_ = sorted_by_node(nodes, first_component, mesh.points.size(), 1);
+  slots_.emplace(nodes, slots, mesh.points.size(), static_cast<std::uint32_t>(number_count_ / 4));
+  number_count_ += 4;
+}
+
+/// Adds the faces of a chamber, in whole batches.
+void ExplicitChambers::add_faces(const meshes::HexahedralMesh& mesh, std::size_t chamber) {
+  const std::vector<std::size_t>& labels = mesh.chambers[chamber].labels;
+  for (const meshes::BoundaryFace& boundary : mesh.faces) {
+    if (std::find(labels.begin(), labels.end(), boundary.label) == labels.end()) continue;
+    Face face{{}, static_cast<std::uint32_t>(chamber)};
+    for (std::size_t a = 0; a < 4; ++a) face.first_components[a] = static_cast<std::uint32_t>(3 * boundary.corners[a]);
+    faces_.push_back(face);
+    first_components_.insert(first_components_.end(), face.first_components.begin(), face.first_components.end());
+  }
+  const std::size_t per_batch = 4 * kernels_.width;
+  first_components_.resize((first_components_.size() + per_batch - 1) / per_batch * per_batch, repeated);
+  batch_chambers_.resize(first_components_.size() / per_batch, chamber);
 }
 
 void ExplicitChambers::add_cap(const meshes::Cap& cap, std::size_t chamber) {
-  RimOfCap rim{{}, {}, chamber, slot_count_};
+  RimOfCap rim{{}, {}, chamber, number_count_};
   const auto index_of = [&](std::size_t node) {
     const auto found = std::find(rim.nodes.begin(), rim.nodes.end(), static_cast<std::uint32_t>(node));
     if (found == rim.nodes.end()) {
@@ -76,21 +97,17 @@ void ExplicitChambers::add_cap(const meshes::Cap& cap, std::size_t chamber) {
     const std::size_t begin = index_of(first);
     rim.rim.segments.push_back({begin, index_of(last)});
   }
-  slot_count_ += 3 * rim.nodes.size();
+  number_count_ += 4 * rim.nodes.size();
   caps_.push_back(std::move(rim));
 }
 
-void ExplicitChambers::set_face_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa, FaceRange range,
-                                       std::span<double> slots_N) const {
-  for (std::size_t f = range.begin; f < range.end; ++f) {
-    const Face& face = faces_[f];
-    const double pressure = pressures_Pa[plenums_[face.chamber]];
-    std::array<Point, 4> x;
-    for (std::size_t a = 0; a < 4; ++a) x[a] = point_at(positions_m, face.first_components[a]);
-    const std::array<Point, 4> areas = area_vectors(x);
-    for (std::size_t a = 0; a < 4; ++a)
-      for (std::size_t i = 0; i < 3; ++i) slots_N[12 * f + 3 * a + i] = -pressure * areas[a][i];
-  }
+void ExplicitChambers::set_face_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa,
+                                       IndexRange batches, std::span<double> slots_N) const {
+  std::vector<double> pressures;
+  for (std::size_t batch = batches.begin; batch < batches.end; ++batch)
+    pressures.push_back(pressures_Pa[plenums_[batch_chambers_[batch]]]);
+  const FaceBatches faces{pressures.size(), first_components_.data() + 4 * kernels_.width * batches.begin, pressures.data()};
+  kernels_.forces(faces, positions_m.data(), slots_N.data() + slot_numbers_per_face * kernels_.width * batches.begin);
 }
 
 void ExplicitChambers::set_cap_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa,
@@ -108,7 +125,7 @@ void ExplicitChambers::set_cap_forces(std::span<const double> positions_m, std::
         gradient[3 * last + i] += term[i];
       }
     }
-    for (std::size_t n = 0; n < gradient.size(); ++n) slots_N[cap.first_slot + n] = pressure * gradient[n];
+    for (std::size_t n = 0; n < gradient.size(); ++n) slots_N[cap.first_number + n / 3 * 4 + n % 3] = pressure * gradient[n];
   }
 }
 

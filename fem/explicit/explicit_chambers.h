@@ -3,20 +3,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "fem/explicit/box_mesh.h"
+#include "fem/boxes/node_slots.h"
+#include "fem/explicit/face_pressure_kernel.h"
 #include "fem/surfaces/cap_volume.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
 
 namespace menger::fem {
-
-/// A range of faces or nodes, from begin up to, but not including, end.
-struct FaceRange {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
 
 /// The surfaces of a body's chambers, made of bilinear faces, under follower pressure.
 ///
@@ -25,22 +21,25 @@ struct FaceRange {
 /// pressure on a cap (see meshes::Cap) acts on the nodes of its rim.
 class ExplicitChambers {
  public:
-  explicit ExplicitChambers(const meshes::HexahedralMesh& mesh);
+  explicit ExplicitChambers(const meshes::HexahedralMesh& mesh,
+                            const FacePressureKernels& kernels = best_face_pressure_kernels());
 
   [[nodiscard]] std::size_t chamber_count() const { return plenums_.size(); }
   [[nodiscard]] std::size_t plenum_count() const { return plenum_count_; }
   [[nodiscard]] std::size_t plenum(std::size_t chamber) const { return plenums_[chamber]; }
-  [[nodiscard]] std::size_t face_count() const { return faces_.size(); }
+  /// Batches of faces for the kernels; those of a batch have the same chamber.
+  [[nodiscard]] std::size_t batch_count() const { return batch_chambers_.size(); }
 
-  /// Returns the slots of the nodes in the array that set_face_forces and set_cap_forces fill: 12 per face, then 3 per node of a
-  /// rim.
-  [[nodiscard]] const NodeSlots& slots() const { return slots_; }
-  [[nodiscard]] std::size_t slot_count() const { return slot_count_; }
+  /// Returns the slots of the nodes in the array that set_face_forces and set_cap_forces fill: four slots for each lane of a
+  /// batch, then one per node of a rim, then the empty one.
+  [[nodiscard]] const FourfoldSlots& slots() const { return *slots_; }
+  [[nodiscard]] std::size_t number_count() const { return number_count_; }  ///< of that array
 
-  /// Computes the forces of a range of faces, N.
-  /// @param positions_m current, 3 per node
+  /// Computes the forces of a range of batches, N.
+  /// @param positions_m current, 3 per node, and one number more
   /// @param pressures_Pa gauge, one per plenum
-  void set_face_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa, FaceRange range,
+  /// @param slots_N aligned to 64 bytes
+  void set_face_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa, IndexRange batches,
                        std::span<double> slots_N) const;
   /// Writes into slots_N the forces (N) of the pressure on all caps, on the nodes of their rims. The slots of faces stay.
   /// @param positions_m, pressures_Pa as in set_face_forces
@@ -59,16 +58,20 @@ class ExplicitChambers {
     Rim<2> rim;
     std::vector<std::uint32_t> nodes;
     std::size_t chamber;
-    std::size_t first_slot;
+    std::size_t first_number;
   };
+  void add_faces(const meshes::HexahedralMesh& mesh, std::size_t chamber);
   void add_cap(const meshes::Cap& cap, std::size_t chamber);
 
   std::size_t plenum_count_;
-  std::size_t slot_count_ = 0;
+  std::size_t number_count_ = 0;
   std::vector<std::size_t> plenums_;
+  FacePressureKernels kernels_;
   std::vector<Face> faces_;
+  std::vector<std::uint32_t> first_components_;  ///< of faces in batches, see FaceBatches
+  std::vector<std::size_t> batch_chambers_;
   std::vector<RimOfCap> caps_;
-  NodeSlots slots_;
+  std::optional<FourfoldSlots> slots_;
 };
 
 }  // namespace menger::fem

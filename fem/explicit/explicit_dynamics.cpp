@@ -14,7 +14,7 @@ namespace menger::fem {
 namespace {
 
 constexpr std::size_t batches_per_block = 8;
-constexpr std::size_t faces_per_block = 256;
+constexpr std::size_t face_batches_per_block = 64;
 constexpr std::size_t nodes_per_block = 256;
 constexpr std::size_t components_per_block = 4096;
 
@@ -22,16 +22,11 @@ constexpr std::size_t components_per_block = 4096;
 /// material where it dissipates most.
 constexpr double relaxation_share = 0.04;
 
+/// Smallest step over that without branches for which a branch that relaxes fast may shorten it.
+constexpr double least_step_share = 0.1;
+
 void demand(bool is_met, const std::string& name, double value, const std::string& demand) {
   if (!is_met) throw io::InputError("explicit dynamics: " + name + " = " + io::number_text(value) + ": " + demand);
-}
-
-double default_contact_stiffness_Pa_per_m(const meshes::HexahedralMesh& mesh, const ExplicitBody& body) {
-  double bulk_modulus = 0.0;
-  for (std::size_t region = 0; region < mesh.region_names.size(); ++region)
-    bulk_modulus = std::max(bulk_modulus,
-                            std::visit([](const auto& law) { return law.bulk_modulus_Pa; }, body.region(region).material.volume));
-  return self_contact_stiffness_Pa_per_m(bulk_modulus, shortest_edge_m(mesh));
 }
 
 SurfaceFriction self_friction(const ExplicitOptions& options) {
@@ -51,11 +46,12 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
       self_contact_(mesh,
                     options_.self_contact && options_.self_contact->stiffness_Pa_per_m
                         ? *options_.self_contact->stiffness_Pa_per_m
-                        : default_contact_stiffness_Pa_per_m(mesh, body),
+                        : self_contact_stiffness_Pa_per_m(body.elements().contact_modulus_Pa(), body.smallest_edge_m()),
                     options_.self_contact.has_value(), self_friction(options_)),
       areas_(outer_node_areas_m2(mesh)),
       nodes_(body_, chambers_, options_.loads, areas_),
-      loop_(options_.threads) {
+      loop_(options_.threads),
+      element_forces_(body.elements().make_forces()) {
   if (!options_.supply) {
     if (options_.schedules.empty()) options_.schedules.resize(chambers_.plenum_count());
     options_.supply.emplace(std::vector<PlenumSupply>(options_.schedules.begin(), options_.schedules.end()));
@@ -64,25 +60,29 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
   }
   check(mesh);
   if (options_.supply->has_lines()) air_.emplace(*options_.supply);
-  element_slots_.resize(24 * body.boxes().width() * body.boxes().batch_count());
-  chamber_slots_.resize(chambers_.slot_count());
-  outcomes_.resize(BlockLoop::block_count(body.boxes().batch_count(), batches_per_block));
+  chamber_slots_.resize(chambers_.number_count());
+  outcomes_.resize(BlockLoop::block_count(element_forces_->batch_count(), batches_per_block));
   moves_.resize(BlockLoop::block_count(body.node_count(), nodes_per_block));
-  current_positions_.resize(3 * body.node_count());
+  current_positions_.resize(3 * body.node_count() + 1);  // kernels read one number more
   first_volumes_ = chambers_.volumes_m3(body.reference_positions_m());
   energy_noise_ = 1e-10 * body.stiffness_J();
   ExplicitState start;
   start.displacements_m.assign(3 * body.node_count(), 0.0);
   start.velocities_m_per_s = start.displacements_m;
   if (const auto shortest = body.shortest_relaxation_time_s()) relaxation_interval_s_ = relaxation_share * *shortest;
-  start.branches = BranchState{body.branches_at_rest(start.displacements_m)};
-  rest_stable_step_ = stable_step_at(start.displacements_m, start.branches->tensors);
+  eigenvalues_.emplace(body_, loop_, *element_forces_);
+  if (options_.loads.ground) {
+    ground_springs_.resize(3 * body.node_count(), 0.0);
+    for (std::size_t node = 0; node < areas_.size(); ++node)
+      ground_springs_[3 * node + 2] = options_.loads.ground->stiffness_Pa_per_m * areas_[node];
+  }
   set_state(std::move(start));
-  const double step_s = std::min(options_.step_safety * rest_stable_step_, options_.largest_step_s.value_or(rest_stable_step_));
-  if (relaxation_interval_s_ && step_s > *relaxation_interval_s_) {
+  rest_stable_step_ = state_.stable_step_s;
+  const double step_s = std::min(options_.step_safety * rest_stable_step_, longest_step_s());
+  if (step_s < least_step_share * options_.step_safety * rest_stable_step_ && step_s == relaxation_interval_s_) {
     throw UnresolvedRelaxation("a Maxwell branch relaxes within " + io::number_text(*body.shortest_relaxation_time_s()) +
-                               " s, but this time must be at least " + io::number_text(1.0 / relaxation_share) + " steps of " +
-                               io::number_text(step_s) + " s");
+                               " s, which needs steps of " + io::number_text(step_s) + " s: less than a tenth of the " +
+                               io::number_text(options_.step_safety * rest_stable_step_) + " s that the body allows");
   }
   options_.supply->check_resolved(mesh.plenum_names, step_s);
 }
@@ -130,19 +130,26 @@ void ExplicitDynamics::set_state(ExplicitState state) {
   assert(state.displacements_m.size() == 3 * body_.node_count() && state.velocities_m_per_s.size() == 3 * body_.node_count());
   state_ = std::move(state);
   report_ = {};
-  if (body_.failed_element(state_.displacements_m))
+  if (body_.elements().failed_element(state_.displacements_m))
     throw io::InputError("explicit dynamics: cannot start from this state: " + failure_in_element().reason);
   for (std::size_t n = 0; n < state_.velocities_m_per_s.size(); ++n)
     if (body_.inverse_masses_per_kg()[n] == 0.0) state_.velocities_m_per_s[n] = 0.0;
   if (!state_.pneumatics || !options_.supply->has_lines())
     state_.pneumatics = options_.supply->start(state_.time_s, plenum_volumes_m3());
-  if (!state_.branches) state_.branches = BranchState{body_.branches_at_rest(state_.displacements_m)};
-  assert(state_.branches->tensors.size() == (relaxation_interval_s_ ? body_.branch_position(body_.boxes().batch_count()) : 0));
+  if (!state_.branches) state_.branches = BranchState{body_.elements().branches_at_rest(state_.displacements_m)};
   set_current_positions();
   self_contact_.forget();
+  if (state_.wall_volume_changes_m3.empty()) {
+    state_.pressures_Pa = options_.supply->pressures_Pa(*state_.pneumatics);
+    compute_forces();
+    state_.wall_volume_changes_m3 = element_forces_->wall_volume_changes_m3();
+  }
   find_touches();
   if (!state_.contact) state_.contact = self_contact_.memories();
-  stable_step_ = stable_step_at(state_.displacements_m, state_.branches->tensors);
+  if (state_.stable_step_s == 0.0) {
+    state_.stable_step_s = stable_step();
+    state_.steps_since_bound = 0;
+  }
   if (state_.at_start_J) return;
   state_.at_start_J = 0.0;
   state_.at_start_J = energies().imbalance_J();
@@ -156,47 +163,64 @@ double ExplicitDynamics::due_relaxation_s(double step_s) const {
   return relaxation_interval_s_ && age + 0.5 * step_s > *relaxation_interval_s_ ? age : 0.0;
 }
 
-double ExplicitDynamics::compute_forces(double relaxed_s) {
-  const BoxMesh& boxes = body_.boxes();
-  const NodalMotion motion{state_.displacements_m.data(), state_.velocities_m_per_s.data()};
-  const BranchTensors branch{relaxation_interval_s_ ? state_.branches->tensors.data() : nullptr, relaxed_s};
-  loop_.run(boxes.batch_count(), batches_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
-    outcomes_[block] = body_.element_forces(motion, begin, end - begin, element_slots_.data(), branch);
+/// Computes the forces of the state.
+/// @return whether no element has failed
+bool ExplicitDynamics::compute_forces(double relaxed_s) {
+  press_walls();
+  element_forces_->place({state_.displacements_m.data(), state_.velocities_m_per_s.data()}, loop_);
+  loop_.run(element_forces_->batch_count(), batches_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    outcomes_[block] = element_forces_->compute({begin, end}, state_.branches->numbers, relaxed_s);
   });
   if (chambers_.chamber_count() > 0) {
     const std::vector<double> pressures = options_.supply->pressures_Pa(*state_.pneumatics);
     set_current_positions();
-    loop_.run(chambers_.face_count(), faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    loop_.run(chambers_.batch_count(), face_batches_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
       chambers_.set_face_forces(current_positions_, pressures, {begin, end}, chamber_slots_);
     });
     chambers_.set_cap_forces(current_positions_, pressures, chamber_slots_);
   }
-  double smallest = 1.0;
-  for (const ElementsOutcome& outcome : outcomes_) smallest = std::min(smallest, outcome.smallest_ratio);
-  if (self_contact_.is_awake() && smallest > 0.0) {  // positions that are not finite have no neighbours
+  const bool has_failed =
+      std::any_of(outcomes_.begin(), outcomes_.end(), [](const ForcesOutcome& outcome) { return outcome.has_failed; });
+  if (self_contact_.is_awake() && !has_failed) {  // positions that are not finite have no neighbours
     if (chambers_.chamber_count() == 0) set_current_positions();
     find_touches();
   }
-  return smallest;
+  return !has_failed;
+}
+
+/// Tells the elements the pressures at the time of the state.
+void ExplicitDynamics::press_walls() { element_forces_->press(options_.supply->pressures_Pa(*state_.pneumatics)); }
+
+/// Returns the work of the change of pressures since the last step on walls whose volume has changed: their energy is minus
+/// pressure times change of volume, so that a change of pressure does work where nothing moves. The mean of the changes of volume
+/// at both times counts; those of the forces that were computed last stand for this one.
+double ExplicitDynamics::work_of_pressure_changes_J() const {
+  const std::vector<double> pressures = options_.supply->pressures_Pa(*state_.pneumatics);
+  const std::vector<double> volumes = element_forces_->wall_volume_changes_m3();
+  double work = 0.0;
+  for (std::size_t p = 0; p < pressures.size(); ++p)
+    work -= 0.5 * (volumes[p] + state_.wall_volume_changes_m3[p]) * (pressures[p] - state_.pressures_Pa[p]);
+  return work;
 }
 
 /// Searches the contacts of the current positions. The state does not change: its memory of contact stays that of the time before
 /// it until a step is taken.
 void ExplicitDynamics::find_touches() {
-  if (!state_.contact) return self_contact_.find_touches(current_positions_, loop_);
+  const std::span<const double> positions(current_positions_.data(), 3 * body_.node_count());
+  if (!state_.contact) return self_contact_.find_touches(positions, loop_);
   const ContactPast past{*state_.contact, state_.velocities_m_per_s, state_.last_step_s};
-  self_contact_.find_touches(current_positions_, loop_, &past);
+  self_contact_.find_touches(positions, loop_, &past);
 }
 
 void ExplicitDynamics::set_current_positions() {
-  loop_.run(current_positions_.size(), components_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+  loop_.run(3 * body_.node_count(), components_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
       current_positions_[n] = body_.reference_positions_m()[n] + state_.displacements_m[n];
   });
 }
 
 NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
-  SlotForces forces{element_slots_, chamber_slots_};
+  BodyForces forces{*element_forces_, chamber_slots_};
   if (options_.self_contact && !self_contact_.touches().empty()) {
     forces.self_contact_N = self_contact_.forces_N();
     forces.self_friction_N = self_contact_.friction_N();
@@ -207,25 +231,41 @@ NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>&
   NodesOutcome all;
   for (const NodesOutcome& part : moves_) {
     all.work += part.work;
-    all.largest_speed_square_m2_per_s2 = std::max(all.largest_speed_square_m2_per_s2, part.largest_speed_square_m2_per_s2);
+    all.speed_bound_square_m2_per_s2 = std::max(all.speed_bound_square_m2_per_s2, part.speed_bound_square_m2_per_s2);
   }
-  for (const ElementsOutcome& outcome : outcomes_) all.work.viscous_J += times.kick_s * outcome.dissipated_W + outcome.relaxed_J;
+  for (const ForcesOutcome& outcome : outcomes_) all.work.viscous_J += times.kick_s * outcome.dissipated_W + outcome.relaxed_J;
+  all.work.wall_pressure_J = work_of_pressure_changes_J();
   return all;
 }
 
 bool ExplicitDynamics::take_step(double step_s) {
   const bool has_looked = self_contact_.is_awake();
   const double relaxed_s = due_relaxation_s(step_s);
-  if (!(compute_forces(relaxed_s) > 0.0)) return false;
+  if (!compute_forces(relaxed_s)) return false;
   state_.branches->age_s = (relaxed_s > 0.0 ? 0.0 : state_.branches->age_s) + step_s;
   if (has_looked) *state_.contact = self_contact_.memories();
   const StepTimes times{0.5 * (state_.last_step_s + step_s), step_s, common_velocity_};
   const NodesOutcome outcome = move(times, state_.displacements_m, state_.velocities_m_per_s);
   state_.work += outcome.work;
-  self_contact_.moved(step_s * std::sqrt(outcome.largest_speed_square_m2_per_s2));
+  state_.pressures_Pa = options_.supply->pressures_Pa(*state_.pneumatics);
+  state_.wall_volume_changes_m3 = element_forces_->wall_volume_changes_m3();
+  double travel_m = step_s * std::sqrt(outcome.speed_bound_square_m2_per_s2);
+  if (travel_m > self_contact_.allowed_travel_m()) travel_m = step_s * largest_speed_m_per_s();
+  self_contact_.moved(travel_m);
   state_.last_step_s = step_s;
   ++state_.steps;
   return true;
+}
+
+/// Returns the largest speed of a node, relative to the common velocity.
+double ExplicitDynamics::largest_speed_m_per_s() const {
+  double largest_square = 0.0;
+  const std::vector<double>& v = state_.velocities_m_per_s;
+  for (std::size_t n = 0; n < v.size(); n += 3) {
+    const Point apart = difference({v[n], v[n + 1], v[n + 2]}, common_velocity_);
+    largest_square = std::max(largest_square, dot(apart, apart));
+  }
+  return std::sqrt(largest_square);
 }
 
 ExplicitDynamics::HalfStep ExplicitDynamics::half_step() {
@@ -241,11 +281,12 @@ ExplicitReport ExplicitDynamics::failure(io::RunStatus status, const std::string
 }
 
 ExplicitReport ExplicitDynamics::failure_in_element() const {
-  const std::optional<FailedElement> failed = body_.failed_element(state_.displacements_m);
+  const std::optional<FailedElement> failed = body_.elements().failed_element(state_.displacements_m);
   if (!failed) return failure(io::RunStatus::diverged, "forces that are not finite");
   const std::string where = "element " + std::to_string(failed->element) + " at " + meshes::millimetre_text(failed->position_m);
-  ExplicitReport report = failed->is_finite ? failure(io::RunStatus::inverted_element, where + " turned inside out")
-                                            : failure(io::RunStatus::diverged, where + " has displacements that are not finite");
+  ExplicitReport report = failed->is_finite
+                              ? failure(io::RunStatus::inverted_element, where + " was crushed or turned inside out")
+                              : failure(io::RunStatus::diverged, where + " has displacements that are not finite");
   report.failed_element = failed->element;
   return report;
 }

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,7 +14,7 @@
 #include "fem/explicit/explicit_body.h"
 #include "fem/explicit/explicit_chambers.h"
 #include "fem/explicit/explicit_nodes.h"
-#include "fem/explicit/explicit_step_bound.h"
+#include "fem/explicit/stable_step.h"
 #include "fem/motion/motion_energy.h"
 #include "fem/pneumatics/pneumatic_integrator.h"
 #include "fem/pneumatics/pneumatic_supply.h"
@@ -28,9 +29,9 @@ struct ExplicitOptions {
   NodalLoads loads;
   std::vector<PlenumSchedule> schedules;    ///< one per plenum; empty: no pressure, or the supply
   std::optional<PneumaticSupply> supply{};  ///< of all plena, instead of schedules
-  double step_safety = 0.9;                 ///< step over the stable step, in (0, 1]
+  double step_safety = 0.8;                 ///< step over the stable step, in (0, 1]
   std::optional<double> largest_step_s{};   ///< > 0; for studies of the step
-  std::size_t steps_per_bound = 500;        ///< largest number of steps in an interval, >= 1
+  std::size_t steps_per_bound = 500;        ///< largest number of steps between two estimates of the stable step, >= 1
   /// > 0: largest imbalance of the energy over the largest turnover so far. Beyond it steps are shortened, and if that does not
   /// help the run ends as `diverged`.
   double largest_imbalance = 0.2;
@@ -45,8 +46,7 @@ struct ExplicitOptions {
 
 /// The state of the Maxwell branches of a body's materials.
 struct BranchState {
-  /// Of all batches, see BranchTensors; empty without branches. The layout depends on the width of the kernels.
-  AlignedNumbers tensors;
+  BranchNumbers numbers;
   double age_s = 0.0;  ///< time since they last relaxed
 
   bool operator==(const BranchState&) const = default;
@@ -59,10 +59,13 @@ struct ExplicitState {
   std::vector<double> velocities_m_per_s;  ///< half a step before time_s
   double last_step_s = 0.0;                ///< 0 at the start, where velocities are those at time_s
   std::size_t steps = 0;
-  std::size_t steps_to_bound = 25;  ///< number of steps in the next interval
+  std::size_t steps_to_bound = 25;    ///< number of steps between two estimates of the stable step
+  std::size_t steps_since_bound = 0;  ///< number of steps since the last one
+  double stable_step_s = 0.0;         ///< the last estimate; 0: none yet
   /// Factor on the step, at most 1; reduced after steps that had to be repeated.
   double step_share = 1.0;
-  MotionWork work;  ///< up to the time of the velocities
+  /// Up to the time of the velocities. The work of pressure in the thickness of walls is here that of its changes alone.
+  MotionWork work;
   /// See MotionEnergies; empty: the energy balance begins with this state.
   std::optional<double> at_start_J{};
   double turnover_J = 0.0;  ///< largest so far, see MotionEnergies
@@ -71,6 +74,9 @@ struct ExplicitState {
   /// The memory of self-contact before the last step. Empty: every contact in this state presses with its full depth.
   std::optional<std::vector<ContactMemory>> contact{};
   std::optional<BranchState> branches{};  ///< empty: they are at rest in this state
+  /// The pressures in the plena at the last step, Pa, and ElementForces::wall_volume_changes_m3 then. Empty: those of this state.
+  std::vector<double> pressures_Pa{};
+  std::vector<double> wall_volume_changes_m3{};
 };
 
 /// How a run ended.
@@ -93,8 +99,10 @@ class UnresolvedRelaxation : public io::InputError {
 /// between two relaxations, the branches are accurate to second order in that time, because their tensors stand for its middle.
 ///
 /// Time advances in intervals of equal steps, at most `steps_per_bound`. The state is checked at the end of each interval:
-/// - The stable step there must not be below the step that was taken.
 /// - The energy balance must close.
+/// - The stable step there must not be below the step that was taken. It is estimated anew after `steps_to_bound` steps, which
+/// may
+///   be several intervals.
 /// - No part of the surface may have penetrated another one more deeply than contact detects with certainty.
 /// - No part of the surface near another one may have moved further in a step than contact detects with certainty.
 ///
@@ -114,7 +122,7 @@ class ExplicitDynamics {
   /// Starts with the body at rest in its reference configuration. Keeps a reference to the body.
   /// @throws io::InputError for options outside their ranges, for schedules beside a supply, if the number of schedules is not
   /// that of the mesh's plena, and for schedules that the first step cannot resolve
-  /// @throws UnresolvedRelaxation if a branch relaxes faster than the steps can resolve
+  /// @throws UnresolvedRelaxation if a branch relaxes so fast that it would shorten the steps to less than a tenth
   ExplicitDynamics(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, ExplicitOptions options);
 
   ExplicitDynamics(const ExplicitDynamics&) = delete;
@@ -124,8 +132,8 @@ class ExplicitDynamics {
   /// interrupted.
   ///
   /// A state that was changed must leave some members empty: `at_start_J` always, since otherwise the energy balance is off by
-  /// the change; `pneumatics` if the time or volumes of chambers changed; `contact` if displacements or velocities changed.
-  /// `branches` may be empty. Velocities of held components become zero. Sizes must fit (asserts).
+  /// the change, and `stable_step_s` zero; `pneumatics` if the time or volumes of chambers changed; `contact` if displacements or
+  /// velocities changed. `branches` may be empty. Velocities of held components become zero. Sizes must fit (asserts).
   /// @throws io::InputError naming an element that is inverted or not finite there
   void set_state(ExplicitState state);
   [[nodiscard]] const ExplicitState& state() const { return state_; }
@@ -152,24 +160,27 @@ class ExplicitDynamics {
     MotionWork work;
   };
   void check(const meshes::HexahedralMesh& mesh) const;
-  /// Returns the stable step, with the contacts found last.
-  /// @param branch tensors of all batches
-  [[nodiscard]] double stable_step_at(std::span<const double> displacements_m, std::span<const double> branch) const;
+  /// Returns the stable step of the state, with the contacts found last.
+  [[nodiscard]] double stable_step();
+  [[nodiscard]] double longest_step_s() const;
   void pass_interval(double time_s);
   std::optional<ExplicitReport> take_steps(double step_s, std::size_t count, double end_s);
   std::optional<ExplicitReport> check();
-  void accept(double last_stable_step_s, std::size_t count);
+  void accept(double last_stable_step_s);
   [[nodiscard]] std::optional<ExplicitReport> check_contact() const;
   [[nodiscard]] bool walls_have_met() const;
   void look_at_chambers();
   bool take_step(double step_s);
   [[nodiscard]] PneumaticReport supply_air();
   [[nodiscard]] double due_relaxation_s(double step_s) const;
-  double compute_forces(double relaxed_s = 0.0);
+  bool compute_forces(double relaxed_s = 0.0);
+  void press_walls();
+  [[nodiscard]] double work_of_pressure_changes_J() const;
   void find_touches();
   void set_current_positions();
   NodesOutcome move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities);
   HalfStep half_step();
+  [[nodiscard]] double largest_speed_m_per_s() const;
   [[nodiscard]] Point mean_velocity_m_per_s() const;
   [[nodiscard]] ExplicitReport failure(io::RunStatus status, const std::string& reason) const;
   [[nodiscard]] ExplicitReport failure_in_element() const;
@@ -180,6 +191,7 @@ class ExplicitDynamics {
   /// Only between walls of chambers, and without forces, if the options have no self-contact.
   SelfContact self_contact_;
   std::vector<double> areas_;
+  std::vector<double> ground_springs_;  ///< N/m per component, as if every node of the outside touched the ground
   NodeUpdate nodes_;
   BlockLoop loop_;
   std::optional<PneumaticIntegrator> air_;  ///< where there are lines
@@ -187,15 +199,15 @@ class ExplicitDynamics {
   ExplicitState last_good_;
   ExplicitReport report_;
   double rest_stable_step_ = 0.0;
-  double stable_step_ = 0.0;   ///< at the start of an interval
   double energy_noise_ = 0.0;  ///< J, negligible in the energy balance
   std::optional<double> relaxation_interval_s_;
   Point common_velocity_{};  ///< of the centre of mass at the start of an interval
   std::vector<double> first_volumes_;
   std::vector<double> current_positions_;
-  AlignedNumbers element_slots_;
-  std::vector<double> chamber_slots_;
-  std::vector<ElementsOutcome> outcomes_;
+  std::unique_ptr<ElementForces> element_forces_;
+  std::optional<EigenvalueEstimate> eigenvalues_;
+  AlignedNumbers chamber_slots_;
+  std::vector<ForcesOutcome> outcomes_;
   std::vector<NodesOutcome> moves_;
 };
 

@@ -2,33 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
+
+#include "fem/explicit/wide_loops.h"
 
 namespace menger::fem {
 namespace {
-
-/// Returns the sum of the forces in a node's slots. The forces of later nodes are prefetched, as they do not lie in the nearest
-/// caches.
-inline Point sum_of(const NodeSlots& slots, std::span<const double> forces, std::size_t node) {
-  const double* values = forces.data();
-  const std::size_t stride = slots.stride;
-  const std::uint32_t* slot = slots.slots.data() + slots.offsets[node];
-  const std::uint32_t* end = slots.slots.data() + slots.offsets[node + 1];
-  double x = 0.0;
-  double y = 0.0;
-  double z = 0.0;
-  for (; slot != end; ++slot) {
-    const double* later = values + slot[NodeSlots::padding];
-    __builtin_prefetch(later);
-    __builtin_prefetch(later + stride);
-    __builtin_prefetch(later + 2 * stride);
-    const double* value = values + *slot;
-    x += value[0];
-    y += value[stride];
-    z += value[2 * stride];
-  }
-  return {x, y, z};
-}
 
 /// The coefficients of a kick: v1 = kept v0 + time_s f / m, where time_s is dt / (1 + a dt/2).
 struct Kick {
@@ -61,10 +41,42 @@ double apply_friction(const Friction& friction, const Kick& kick, double normal_
   return lost;
 }
 
-/// Returns the sum of products. The order of summation does not depend on the width of the registers: each index modulo the
-/// number of lanes has its own sum.
-double product_sum(const double* a, const double* b, std::size_t count) {
-  constexpr std::size_t lanes = 8;
+// Loops over the components of a block. They give the same numbers for any width of registers: products are not contracted with
+// sums, and each index modulo the number of lanes has its own sum.
+constexpr std::size_t lanes = 8;
+
+/// Arrays over the components of a block, none of which overlap.
+struct BlockArrays {
+  std::size_t count;
+  const double* __restrict pressure_N;
+  const double* __restrict weight_N;
+  const double* __restrict inverse_masses_per_kg;
+  double* __restrict velocities_m_per_s;
+  double* __restrict displacements_m;
+};
+
+/// @param inner_N the elements' forces
+MENGER_WIDE_LOOPS void kick_block(const BlockArrays& block, const Kick& kick, const double* __restrict inner_N,
+                                  double* __restrict after_m_per_s) {
+  const auto [count, pressure, weight, inverse_masses, velocities, displacements] = block;
+  const auto [kept, share, time] = kick;
+  for (std::size_t n = 0; n < count; ++n)
+    after_m_per_s[n] = kept * velocities[n] + time * inverse_masses[n] * (pressure[n] - inner_N[n] + weight[n]);
+}
+
+/// Sets the mean of the velocities before and after, then moves on.
+MENGER_WIDE_LOOPS void drift_block(const BlockArrays& block, double time_s, const double* __restrict after_m_per_s,
+                                   double* __restrict mean_m_per_s) {
+  const auto [count, pressure, weight, inverse_masses, velocities, displacements] = block;
+  for (std::size_t n = 0; n < count; ++n) {
+    const double after = after_m_per_s[n];
+    mean_m_per_s[n] = 0.5 * (velocities[n] + after);
+    velocities[n] = after;
+    displacements[n] += time_s * after;
+  }
+}
+
+MENGER_WIDE_LOOPS double product_sum(const double* a, const double* b, std::size_t count) {
   std::array<double, lanes> sums{};
   const std::size_t whole = count / lanes * lanes;
   for (std::size_t n = 0; n < whole; n += lanes)
@@ -73,13 +85,23 @@ double product_sum(const double* a, const double* b, std::size_t count) {
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-double largest_speed_square(const double* velocities, std::size_t count, const Point& common_velocity) {
-  double largest = 0.0;
-  for (std::size_t n = 0; n < count; n += 3) {
-    const Point apart = difference({velocities[n], velocities[n + 1], velocities[n + 2]}, common_velocity);
-    largest = std::max(largest, dot(apart, apart));
+/// The square of a bound of the nodes' speeds: of a vector of the largest components.
+MENGER_WIDE_LOOPS double speed_bound_square(const double* velocities, std::size_t count, const Point& common_velocity) {
+  std::array<double, 3 * lanes> common{};
+  std::array<double, 3 * lanes> largest{};
+  for (std::size_t lane = 0; lane < 3 * lanes; ++lane) common[lane] = common_velocity[lane % 3];
+  const std::size_t whole = count / (3 * lanes) * (3 * lanes);
+  for (std::size_t n = 0; n < whole; n += 3 * lanes) {
+    for (std::size_t lane = 0; lane < 3 * lanes; ++lane) {
+      const double apart = std::abs(velocities[n + lane] - common[lane]);
+      largest[lane] = apart > largest[lane] ? apart : largest[lane];
+    }
   }
-  return largest;
+  for (std::size_t n = whole; n < count; ++n)
+    largest[n - whole] = std::max(largest[n - whole], std::abs(velocities[n] - common[n - whole]));
+  Point of_axis{};
+  for (std::size_t lane = 0; lane < 3 * lanes; ++lane) of_axis[lane % 3] = std::max(of_axis[lane % 3], largest[lane]);
+  return dot(of_axis, of_axis);
 }
 
 constexpr std::size_t nodes_per_block = 128;
@@ -109,7 +131,7 @@ NodeUpdate::NodeUpdate(const ExplicitBody& body, const ExplicitChambers& chamber
   }
 }
 
-NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, FaceRange nodes,
+NodesOutcome NodeUpdate::move(const BodyForces& forces, const StepTimes& times, IndexRange nodes,
                               std::span<double> displacements_m, std::span<double> velocities_m_per_s) const {
   const Kick kick = kick_of(times.kick_s, loads_.mass_damping_per_s);
   NodesOutcome outcome;
@@ -117,11 +139,24 @@ NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
   for (std::size_t begin = nodes.begin; begin < nodes.end; begin += nodes_per_block) {
     block.first = 3 * begin;
     block.count = 3 * (std::min(begin + nodes_per_block, nodes.end) - begin);
-    sum_forces(forces, displacements_m, block);
     double* v = velocities_m_per_s.data() + block.first;
     const double* inverse_masses = body_.inverse_masses_per_kg().data() + block.first;
-    for (std::size_t n = 0; n < block.count; ++n)
-      block.after_m_per_s[n] = kick.kept * v[n] + kick.time_s * inverse_masses[n] * block.load_N[n];
+    const BlockArrays arrays{block.count,
+                             block.pressure_N.data(),
+                             weights_.data() + block.first,
+                             inverse_masses,
+                             v,
+                             displacements_m.data() + block.first};
+    sum_forces(forces, block);
+    kick_block(arrays, kick, block.load_N.data(), block.after_m_per_s.data());
+    push_from_ground(displacements_m, block);
+    for (std::size_t s = 0; s < block.standing_count; ++s) {
+      const std::size_t z = block.standing[s] + 2;
+      block.after_m_per_s[z] += kick.time_s * inverse_masses[z] * block.normal_N[s];
+    }
+    for (const std::span<const double> more : {forces.self_contact_N, forces.self_friction_N})
+      for (std::size_t n = 0; n < (more.empty() ? 0 : block.count); ++n)
+        block.after_m_per_s[n] += kick.time_s * inverse_masses[n] * more[block.first + n];
     MotionWork work;
     for (std::size_t s = 0; s < block.standing_count; ++s) {
       const std::size_t n = block.standing[s];
@@ -129,54 +164,44 @@ NodesOutcome NodeUpdate::move(const SlotForces& forces, const StepTimes& times, 
       work.friction_J += apply_friction(loads_.ground->friction, kick, block.normal_N[s], masses_[block.first + n], v + n,
                                         block.after_m_per_s.data() + n);
     }
-    for (std::size_t n = 0; n < block.count; ++n) block.mean_m_per_s[n] = 0.5 * (v[n] + block.after_m_per_s[n]);
+    drift_block(arrays, times.drift_s, block.after_m_per_s.data(), block.mean_m_per_s.data());
     add_work(forces, times.kick_s, block, work);
     outcome.work += work;
-    double* u = displacements_m.data() + block.first;
-    for (std::size_t n = 0; n < block.count; ++n) {
-      v[n] = block.after_m_per_s[n];
-      u[n] += times.drift_s * block.after_m_per_s[n];
-    }
-    outcome.largest_speed_square_m2_per_s2 =
-        std::max(outcome.largest_speed_square_m2_per_s2, largest_speed_square(v, block.count, times.common_velocity_m_per_s));
+    outcome.speed_bound_square_m2_per_s2 =
+        std::max(outcome.speed_bound_square_m2_per_s2, speed_bound_square(v, block.count, times.common_velocity_m_per_s));
   }
   return outcome;
 }
 
-/// Sums all forces except friction on the ground.
-void NodeUpdate::sum_forces(const SlotForces& forces, std::span<const double> displacements_m, Block& block) const {
+/// Sums the forces of elements and chambers.
+void NodeUpdate::sum_forces(const BodyForces& forces, Block& block) const {
+  const std::size_t first_node = block.first / 3;
+  forces.elements.sum({first_node, first_node + block.count / 3}, block.load_N.data());
   for (std::size_t n = 0; n < block.count; n += 3) {
-    const std::size_t node = (block.first + n) / 3;
-    const Point inner = sum_of(body_.boxes().slots(), forces.elements_N, node);
-    const Point pressure = sum_of(chambers_.slots(), forces.chambers_N, node);
-    for (std::size_t i = 0; i < 3; ++i) {
-      block.pressure_N[n + i] = pressure[i];
-      block.load_N[n + i] = pressure[i] - inner[i];
-    }
+    const auto pressure = chambers_.slots().sum(forces.chamber_slots_N.data(), (block.first + n) / 3);
+    for (std::size_t i = 0; i < 3; ++i) block.pressure_N[n + i] = pressure[i];
   }
-  const double* weights = weights_.data() + block.first;
-  for (std::size_t n = 0; n < block.count; ++n) block.load_N[n] += weights[n];
+}
+
+/// Finds the nodes below the ground and the forces that push them up.
+void NodeUpdate::push_from_ground(std::span<const double> displacements_m, Block& block) const {
   block.standing_count = 0;
-  if (loads_.ground) {
-    const RigidGround& ground = *loads_.ground;
-    for (std::size_t n = 0; n < block.count; n += 3) {
-      const std::size_t z = block.first + n + 2;
-      const double depth = ground.height_m - (body_.reference_positions_m()[z] + displacements_m[z]);
-      if (!(depth > 0.0)) continue;
-      const double normal = ground.stiffness_Pa_per_m * areas_[z / 3] * depth;
-      block.load_N[n + 2] += normal;
-      block.normal_N[block.standing_count] = normal;
-      block.standing[block.standing_count++] = n;
-    }
+  if (!loads_.ground) return;
+  const RigidGround& ground = *loads_.ground;
+  const double* positions = body_.reference_positions_m().data() + block.first;
+  const double* displacements = displacements_m.data() + block.first;
+  for (std::size_t n = 0; n < block.count; n += 3) {
+    const double depth = ground.height_m - (positions[n + 2] + displacements[n + 2]);
+    if (!(depth > 0.0)) continue;
+    block.normal_N[block.standing_count] = ground.stiffness_Pa_per_m * areas_[(block.first + n) / 3] * depth;
+    block.standing[block.standing_count++] = n;
   }
-  for (const std::span<const double> more : {forces.self_contact_N, forces.self_friction_N})
-    for (std::size_t n = 0; n < (more.empty() ? 0 : block.count); ++n) block.load_N[n] += more[block.first + n];
 }
 
 /// Adds the work of a kick. The work of pressure, weight, ground, contact, friction and mass damping is force times the mean of
 /// both velocities, consistent with the change of kinetic energy. The work of the elements is not counted here: the energy
 /// balance has their energy and their dissipation instead.
-void NodeUpdate::add_work(const SlotForces& forces, double time_s, const Block& block, MotionWork& work) const {
+void NodeUpdate::add_work(const BodyForces& forces, double time_s, const Block& block, MotionWork& work) const {
   const double* mean = block.mean_m_per_s.data();
   const auto work_of = [&](const double* force) { return time_s * product_sum(force, mean, block.count); };
   work.pressure_J += work_of(block.pressure_N.data());

@@ -19,10 +19,10 @@ struct NodalLoads {
   std::optional<RigidGround> ground{};
 };
 
-/// The forces of elements and chambers, in their slots, and the forces of a body's contact with itself.
-struct SlotForces {
-  std::span<const double> elements_N;
-  std::span<const double> chambers_N;
+/// The forces of elements, those of chambers in their slots, and those of a body's contact with itself.
+struct BodyForces {
+  const ElementForces& elements;
+  std::span<const double> chamber_slots_N;
   std::span<const double> self_contact_N{};   ///< 3 per node; empty: none
   std::span<const double> self_friction_N{};  ///< 3 per node; empty: none
 };
@@ -35,10 +35,12 @@ struct StepTimes {
   Point common_velocity_m_per_s{};  ///< speeds are relative to it
 };
 
-/// The work and the largest speed of a step.
+/// The work of a step and a bound of speeds.
 struct NodesOutcome {
-  MotionWork work;                              ///< of the kick
-  double largest_speed_square_m2_per_s2 = 0.0;  ///< after the kick, relative to the common velocity
+  MotionWork work;  ///< of the kick
+  /// The square of a speed that no node exceeds after the kick, relative to the common velocity; at most sqrt(3) times the
+  /// largest.
+  double speed_bound_square_m2_per_s2 = 0.0;
 };
 
 /// Sums the forces on nodes and moves each node independently of the others. Nodes that are held in x or y feel no friction.
@@ -51,13 +53,14 @@ class NodeUpdate {
 
   /// Moves a range of nodes.
   /// @param displacements_m, velocities_m_per_s 3 per node, changed
-  NodesOutcome move(const SlotForces& forces, const StepTimes& times, FaceRange nodes, std::span<double> displacements_m,
+  NodesOutcome move(const BodyForces& forces, const StepTimes& times, IndexRange nodes, std::span<double> displacements_m,
                     std::span<double> velocities_m_per_s) const;
 
  private:
   struct Block;
-  void sum_forces(const SlotForces& forces, std::span<const double> displacements_m, Block& block) const;
-  void add_work(const SlotForces& forces, double time_s, const Block& block, MotionWork& work) const;
+  void sum_forces(const BodyForces& forces, Block& block) const;
+  void push_from_ground(std::span<const double> displacements_m, Block& block) const;
+  void add_work(const BodyForces& forces, double time_s, const Block& block, MotionWork& work) const;
 
   const ExplicitBody& body_;
   const ExplicitChambers& chambers_;

@@ -35,9 +35,12 @@ MotionEnergies ExplicitDynamics::energies() {
   MotionEnergies result;
   for (std::size_t n = 0; n < half.velocities.size(); ++n)
     result.kinetic_J += 0.5 * body_.masses_kg()[n / 3] * half.velocities[n] * half.velocities[n];
-  result.strain_J = body_.strain_energy_J(state_.displacements_m, state_.branches->tensors);
+  result.strain_J = body_.elements().strain_energy_J(state_.displacements_m, state_.branches->numbers);
   result.work = state_.work;
   result.work += half.work;
+  const std::vector<double> pressures = options_.supply->pressures_Pa(*state_.pneumatics);
+  const std::vector<double> wall_volumes = element_forces_->wall_volume_changes_m3();
+  for (std::size_t p = 0; p < pressures.size(); ++p) result.work.wall_pressure_J += pressures[p] * wall_volumes[p];
   result.at_start_J = state_.at_start_J.value_or(0.0);
   return result;
 }

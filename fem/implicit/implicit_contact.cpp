@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/statics/face_area.h"
+#include "fem/space/face_area.h"
 
 namespace menger::fem {
 namespace {

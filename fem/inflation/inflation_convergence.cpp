@@ -8,6 +8,7 @@
 
 #include "fem/space/rank_agreement.h"
 #include "io/text/formatted.h"
+#include "io/text/input_error.h"
 
 namespace menger::fem {
 namespace {
@@ -103,6 +104,9 @@ io::PictureOutcome draw_convergence(const std::filesystem::path& file, const std
 
 std::vector<InflationResult> run_convergence(const InflationStudy& study, int refinements, const std::filesystem::path& folder,
                                              const InflationOptions& options, const std::function<void(int)>& begun) {
+  if (study.has_thin_walls() && refinements > 0)
+    throw io::InputError(study.file.string() +
+                         ": elements.kind \"thin_wall\": walls of one element are not split; compare fidelities");
   std::vector<InflationResult> results;
   for (int n = 0; n <= refinements; ++n) {
     if (begun) begun(n);

@@ -23,8 +23,10 @@ namespace {
 
 meshes::HexahedralMesh make_mesh(const InflationStudy& study) {
   if (const auto* design = std::get_if<DesignSource>(&study.source)) {
+    meshes::HollowBodyOptions options = design->options;
+    set_elements(study.elements, options);
     try {
-      return meshes::hollow_polycube(design->design, design->options).mesh;
+      return meshes::hollow_polycube(design->design, options).mesh;
     } catch (const io::InputError& error) {
       throw io::InputError(design->file.value_or(study.file).string() + ": " + error.what());
     }
@@ -71,6 +73,7 @@ class ProblemBuilder {
 
   InflationProblem build() {
     problem_.body.formulation = study_.formulation;
+    if (study_.has_thin_walls()) problem_.body.thin_walls = {ThinWallConstants{}, thin_wall_places(problem_.mesh)};
     add_regions();
     for (const meshes::Chamber& chamber : problem_.mesh.chambers)
       problem_.body.chambers.push_back({chamber.labels, chamber.plenum});
@@ -209,7 +212,7 @@ class ProblemBuilder {
   /// Returns the positions on the surface at which the space will have nodes: the corners, and the points between them for
   /// elements of degree 2 and refined ones.
   [[nodiscard]] std::vector<Point> surface_nodes() const {
-    const bool has_middles = study_.degree > 1 || study_.refinements > 0;
+    const bool has_middles = study_.space_degree() > 1 || study_.refinements > 0;
     std::vector<Point> nodes;
     for (const meshes::BoundaryFace& face : problem_.mesh.faces) {
       Point middle{};

@@ -12,6 +12,7 @@
 #include "fem/inflation/inflation_problem.h"
 #include "fem/inflation/inflation_tables.h"
 #include "fem/inflation/path_checkpoint.h"
+#include "fem/inflation/wall_points.h"
 #include "fem/space/rank_agreement.h"
 #include "fem/statics/body_ends.h"
 #include "io/process/run_folder.h"
@@ -55,7 +56,7 @@ class InflationRun {
         folder_("menger-inflate", folder),
         options_(options),
         problem_(agreed_problem(study, options.communicator)),
-        space_(make_space(problem_.mesh, study.degree, study.refinements, options.communicator)),
+        space_(make_space(problem_.mesh, study.space_degree(), study.refinements, options.communicator)),
         points_(locate_points(space_, problem_.points)),
         ends_(space_, problem_.low, problem_.high),
         equilibrium_(space_, problem_.body, study.solver),
@@ -196,9 +197,10 @@ class InflationRun {
   }
 
   void accept(const PathPoint& point, const BodyState& state, const PathRestart& restart) {
-    const NodalFields fields = nodal_fields(equilibrium_.assembly(), state.displacements_m);
+    const NodalFields fields = nodal_fields(equilibrium_.assembly(), state.displacements_m, state.plenum_pressures_Pa);
     progress_.restart = restart;
     progress_.observations.push_back(observe(space_, points_, state.displacements_m, fields));
+    if (study_.has_thin_walls()) add_wall_rises(equilibrium_.assembly(), points_, state, progress_.observations.back());
     progress_.extent_changes_m.push_back(extent_changes_m(state));
     result_.path.points = restart.points;
     result_.observations = progress_.observations;
@@ -258,7 +260,7 @@ class InflationRun {
   void finish() {
     if (!result_.path.points.empty() && !is_told_to_stop_) {
       const BodyState& last = progress_.restart.states.back();
-      const NodalFields fields = nodal_fields(equilibrium_.assembly(), last.displacements_m);
+      const NodalFields fields = nodal_fields(equilibrium_.assembly(), last.displacements_m, last.plenum_pressures_Pa);
       const PathPoint& point = result_.path.points.back();
       if (study_.output.fields && !is_due(point.step)) fields_.add(space_, last.displacements_m, fields, field_step(point));
       write_curves();

@@ -43,7 +43,7 @@ void describe_design_table(io::StudyVisitor& visitor, InflationStudy& study) {
   visitor.table({"design", "A body from a design: its cells are hollow."}, [&] {
     auto& source = std::get<DesignSource>(study.source);
     meshes::describe_design(visitor, source.design, source.file);
-    describe(visitor, source.options);
+    describe(visitor, source.options, !study.has_thin_walls());
   });
 }
 
@@ -88,13 +88,19 @@ void describe_materials(io::StudyVisitor& visitor, InflationStudy& study) {
   for (const RegionMaterial& entry : regions) study.region_materials[entry.region] = entry.material;
 }
 
+void describe_elements(io::StudyVisitor& visitor, InflationStudy& study) {
+  visitor.table({"elements", "The kind of finite elements."}, [&] { describe(visitor, study.elements, false); });
+}
+
 void describe_element(io::StudyVisitor& visitor, InflationStudy& study) {
-  visitor.table({"element", "The finite elements."}, [&] {
-    visitor.integer({"degree", "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1."}, study.degree, io::within(1, 2));
-    visitor.word({"formulation", "three_field: pressure and dilatation are separate fields; displacement: they are not."},
-                 study.formulation, formulation_words());
-    visitor.integer({"refinements", "How many times every element is split into eight."}, study.refinements,
-                    io::within(0, largest_refinement_count));
+  visitor.table({"element", "Three-field elements."}, [&] {
+    visitor.only_if(!study.has_thin_walls(), "elements.kind = \"three_field\"", [&] {
+      visitor.integer({"degree", "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1."}, study.degree, io::within(1, 2));
+      visitor.word({"formulation", "three_field: pressure and dilatation are separate fields; displacement: they are not."},
+                   study.formulation, formulation_words());
+      visitor.integer({"refinements", "How many times every element is split into eight."}, study.refinements,
+                      io::within(0, largest_refinement_count));
+    });
   });
 }
 
@@ -331,7 +337,10 @@ void check_freedom(const io::StudyVisitor& visitor, const InflationStudy& study)
 
 /// Describes everything that the path depends on.
 void describe_states(io::StudyVisitor& visitor, InflationStudy& study) {
+  describe_elements(visitor, study);
   describe_source(visitor, study);
+  visitor.check(!study.has_thin_walls() || std::holds_alternative<DesignSource>(study.source), "elements.kind",
+                "the walls of a mesh file are not known: give a design");
   describe_materials(visitor, study);
   describe_element(visitor, study);
   describe_supports(visitor, study);

@@ -13,6 +13,7 @@
 #include "fem/statics/equilibrium.h"
 #include "fem/statics/inflation_path.h"
 #include "fem/surfaces/point.h"
+#include "fem/thin_walls/element_choice.h"
 #include "io/study/study_visitor.h"
 #include "meshes/design/design_file.h"
 #include "meshes/design/hollow_body_options.h"
@@ -105,7 +106,8 @@ struct InflationStudy {
   std::variant<DesignSource, MeshSource> source;
   StudyMaterial material;
   std::map<std::string, StudyMaterial> region_materials;  ///< by region, where the material is not `material`
-  int degree = 2;
+  ElementChoice elements{.kind = ElementKind::three_field};
+  int degree = 2;  ///< of three-field elements, as are the next two; see space_degree
   Formulation formulation = Formulation::three_field;
   int refinements = 0;
   StudySupports supports;
@@ -118,6 +120,10 @@ struct InflationStudy {
   StudyOutput output;
   std::map<std::string, std::string> inputs;  ///< content hash of every file that was read, with the study's own
   std::vector<std::string> notes;             ///< assumptions and doubts, for users
+
+  [[nodiscard]] bool has_thin_walls() const { return elements.kind == ElementKind::thin_wall; }
+  /// Degree of the displacements.
+  [[nodiscard]] int space_degree() const { return has_thin_walls() ? 1 : degree; }
 };
 
 /// Describes the keys of a study of `menger inflate`, which `menger inflate --keys` lists.

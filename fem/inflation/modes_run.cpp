@@ -65,7 +65,7 @@ class ModesRun {
         folder_("menger-modes", folder),
         options_(options),
         problem_(make_problem(study_)),
-        space_(make_space(problem_.mesh, study_.degree, study_.refinements, MPI_COMM_SELF)),
+        space_(make_space(problem_.mesh, study_.space_degree(), study_.refinements, MPI_COMM_SELF)),
         points_(locate_points(space_, problem_.points)),
         equilibrium_(space_, problem_.body, study_.solver),
         vibrating_body_(without_point_supports(problem_.body)),
@@ -146,7 +146,7 @@ class ModesRun {
     report.modes.resize(kept);
     if (is_last && has_modes) {
       write_mode_shapes(folder_.file("modes"), space_, state.displacements_m,
-                        nodal_fields(vibrating_.assembly(), state.displacements_m), step, report);
+                        nodal_fields(vibrating_.assembly(), state.displacements_m, state.plenum_pressures_Pa), step, report);
     }
     report.modes.clear();  // the shapes of all states may be large, and only the last are written
     result_.states.push_back({step.s, step.plenum_pressures_Pa, std::move(report)});

@@ -99,6 +99,7 @@ void transfer(Transfer& stream, Value& value) {
     stream(value.pressures_Pa);
     stream(value.plenum_volumes_m3);
     stream(value.chamber_volumes_m3);
+    stream(value.work_volumes_m3);
     stream(value.strain_energy_J);
     stream(value.work_J);
     stream(value.dead_load_work_J);

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view title = "menger locomotion checkpoint 4";
+constexpr std::string_view title = "menger locomotion checkpoint 5";
 
 /// Reads consecutive values, starting at a place.
 template <class... Values>
@@ -24,14 +24,14 @@ void take(const Json& json, std::size_t first, Values&... values) {
 // here, too.
 
 Json to_json(const MotionWork& work) {
-  const auto& [pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = work;
-  return {pressure, gravity, contact, self_contact, friction, viscous, mass_damping};
+  const auto& [pressure, wall_pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = work;
+  return {pressure, wall_pressure, gravity, contact, self_contact, friction, viscous, mass_damping};
 }
 
 MotionWork work_from(const Json& json) {
   MotionWork work;
-  auto& [pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = work;
-  take(json, 0, pressure, gravity, contact, self_contact, friction, viscous, mass_damping);
+  auto& [pressure, wall_pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = work;
+  take(json, 0, pressure, wall_pressure, gravity, contact, self_contact, friction, viscous, mass_damping);
   return work;
 }
 
@@ -68,49 +68,56 @@ Json to_json(const std::vector<ContactMemory>& memories) {
 }
 
 Json to_json(const BranchState& branches) {
-  const auto& [tensors, age] = branches;
-  return {tensors, age};
+  const auto& [numbers, age] = branches;
+  return {numbers.index(), std::visit([](const auto& list) { return Json(list); }, numbers), age};
 }
 
 BranchState branches_from(const Json& json) {
   BranchState branches;
-  auto& [tensors, age] = branches;
-  take(json, 0, tensors, age);
+  auto& [numbers, age] = branches;
+  if (json.at(0).get<std::size_t>() == 1) numbers.emplace<1>();
+  std::visit([&](auto& list) { json.at(1).get_to(list); }, numbers);
+  json.at(2).get_to(age);
   return branches;
 }
 
 Json to_json(const ExplicitState& state) {
-  const auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air,
-               contact, branches] = state;
+  const auto& [time, displacements, velocities, last_step, steps, steps_to_bound, steps_since_bound, stable_step, step_share,
+               work, at_start, turnover, air, contact, branches, pressures, wall_volumes] = state;
   return {time,
           displacements,
           velocities,
           last_step,
           steps,
           steps_to_bound,
+          steps_since_bound,
+          stable_step,
           step_share,
           to_json(work),
           turnover,
           at_start ? Json(*at_start) : Json(),
           air ? to_json(*air) : Json(),
           contact ? to_json(*contact) : Json(),
-          branches ? to_json(*branches) : Json()};
+          branches ? to_json(*branches) : Json(),
+          pressures,
+          wall_volumes};
 }
 
 ExplicitState explicit_state_from(const Json& json) {
   ExplicitState state;
-  auto& [time, displacements, velocities, last_step, steps, steps_to_bound, step_share, work, at_start, turnover, air, contact,
-         branches] = state;
-  take(json, 0, time, displacements, velocities, last_step, steps, steps_to_bound, step_share);
-  work = work_from(json.at(7));
-  json.at(8).get_to(turnover);
-  if (!json.at(9).is_null()) at_start = json.at(9).get<double>();
-  if (!json.at(10).is_null()) air = air_from(json.at(10));
-  if (!json.at(11).is_null()) {
+  auto& [time, displacements, velocities, last_step, steps, steps_to_bound, steps_since_bound, stable_step, step_share, work,
+         at_start, turnover, air, contact, branches, pressures, wall_volumes] = state;
+  take(json, 0, time, displacements, velocities, last_step, steps, steps_to_bound, steps_since_bound, stable_step, step_share);
+  work = work_from(json.at(9));
+  json.at(10).get_to(turnover);
+  if (!json.at(11).is_null()) at_start = json.at(11).get<double>();
+  if (!json.at(12).is_null()) air = air_from(json.at(12));
+  if (!json.at(13).is_null()) {
     contact.emplace();
-    for (const Json& memory : json.at(11)) contact->push_back(memory_from(memory));
+    for (const Json& memory : json.at(13)) contact->push_back(memory_from(memory));
   }
-  if (!json.at(12).is_null()) branches = branches_from(json.at(12));
+  if (!json.at(14).is_null()) branches = branches_from(json.at(14));
+  take(json, 15, pressures, wall_volumes);
   return state;
 }
 

@@ -21,7 +21,7 @@ class ExplicitLocomotion final : public LocomotionDynamics {
   [[nodiscard]] double time_s() const override { return dynamics_.state().time_s; }
   [[nodiscard]] std::size_t steps() const override { return dynamics_.state().steps; }
   [[nodiscard]] bool goes_on_from_any_state() const override { return true; }
-  [[nodiscard]] std::string machine_text() const override { return std::string(body_.kernels().instruction_set); }
+  [[nodiscard]] std::string machine_text() const override { return body_.elements().text(); }
 
   [[nodiscard]] LocomotionRecord record() override {
     LocomotionRecord record;

@@ -19,10 +19,10 @@ namespace {
 
 /// The works and losses in the order of their columns.
 constexpr std::pair<const char*, double MotionWork::*> work_columns[] = {
-    {"pressure_work_J", &MotionWork::pressure_J},         {"gravity_work_J", &MotionWork::gravity_J},
-    {"contact_work_J", &MotionWork::contact_J},           {"self_contact_work_J", &MotionWork::self_contact_J},
-    {"friction_loss_J", &MotionWork::friction_J},         {"viscous_loss_J", &MotionWork::viscous_J},
-    {"mass_damping_loss_J", &MotionWork::mass_damping_J},
+    {"pressure_work_J", &MotionWork::pressure_J},         {"wall_pressure_work_J", &MotionWork::wall_pressure_J},
+    {"gravity_work_J", &MotionWork::gravity_J},           {"contact_work_J", &MotionWork::contact_J},
+    {"self_contact_work_J", &MotionWork::self_contact_J}, {"friction_loss_J", &MotionWork::friction_J},
+    {"viscous_loss_J", &MotionWork::viscous_J},           {"mass_damping_loss_J", &MotionWork::mass_damping_J},
 };
 
 std::vector<std::string> columns_of(const LocomotionResult& result) {

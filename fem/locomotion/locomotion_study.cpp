@@ -24,12 +24,19 @@ std::string locomotion_text(const LocomotionStudy& study) {
   return io::described_text(std::move(deciding));
 }
 
+double contact_modulus_Pa(const LocomotionStudy& study) {
+  if (study.elements.kind == ElementKind::three_field) return study.material.bulk_modulus_Pa;
+  return contact_modulus_Pa(materials::shear_modulus_at_rest_Pa(study.material.law));
+}
+
 ExplicitBodyOptions body_options(const LocomotionStudy& study) {
   ExplicitBodyOptions options;
   const LocomotionMaterial& material = study.material;
   const ExplicitMaterial elements{material.law, materials::SimoTaylorVolume{material.bulk_modulus_Pa}, material.viscosity_Pa_s,
                                   material.branch};
   options.regions.assign(study.mesh.region_names.size(), {elements, material.density_kg_per_m3});
+  if (study.elements.kind == ElementKind::thin_wall)
+    options.elements = ThinWallOptions{.precision = study.elements.precision, .constants = ThinWallConstants{}};
   return options;
 }
 

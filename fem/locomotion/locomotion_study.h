@@ -12,6 +12,7 @@
 #include "fem/locomotion/locomotion_drive.h"
 #include "fem/locomotion/locomotion_material.h"
 #include "fem/pneumatics/pneumatic_supply_file.h"
+#include "fem/thin_walls/element_choice.h"
 #include "meshes/design/design_file.h"
 #include "meshes/design/hollow_body_options.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
@@ -44,7 +45,9 @@ struct LocomotionStudy {
   std::string text;            ///< of that file
 
   meshes::Design design;
+  /// How it is made hollow. The elements are those that `elements` asks for once the study has been read.
   meshes::HollowBodyOptions hollow;
+  ElementChoice elements;
   StudySilicone silicone;
   StudyGround stated_ground;
   double gravity_m_per_s2 = 9.81;                ///< downwards, >= 0
@@ -54,7 +57,7 @@ struct LocomotionStudy {
   double duration_s = 5.0;                       ///< > 0
   double record_interval_s = 0.01;               ///< > 0, at most the duration
   std::optional<LocomotionImplicit> implicit{};  ///< empty: explicit dynamics
-  double step_safety = 0.9;                      ///< in (0, 1]; for explicit dynamics only, like self_contact and threads
+  double step_safety = 0.8;                      ///< in (0, 1]; for explicit dynamics only, like self_contact and threads
   std::optional<double> largest_step_s{};        ///< > 0
   /// Empty: walls that touch end the run.
   std::optional<SelfContactLaw> self_contact = SelfContactLaw{};
@@ -79,7 +82,10 @@ double body_length_m(const meshes::Design& design, int level);
 /// files inserted. Equal texts give equal files.
 std::string locomotion_text(const LocomotionStudy& study);
 
-/// Returns the materials of a body of the study.
+/// Returns the modulus by which the default stiffness of the ground is chosen, Pa.
+double contact_modulus_Pa(const LocomotionStudy& study);
+
+/// Returns the materials and elements of a body of the study.
 ExplicitBodyOptions body_options(const LocomotionStudy& study);
 /// Returns the settings of explicit dynamics for a study.
 ExplicitOptions dynamics_options(const LocomotionStudy& study);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fem/contact/self_contact_surface.h"
+#include "fem/thin_walls/thin_wall_mesh.h"
 #include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
 #include "io/text/number_text.h"
@@ -42,8 +43,26 @@ void describe_body(io::StudyVisitor& visitor, LocomotionStudy& study) {
   std::optional<fs::path> file;
   meshes::describe_design(visitor, study.design, file);
   if (file) io::note_input(study.inputs, *file);
-  describe(visitor, study.hollow);
+  describe(visitor, study.hollow, study.elements.kind == ElementKind::three_field);
   visitor.check(study.hollow.level <= largest_level, "level", "must be at most " + std::to_string(largest_level));
+}
+
+/// Describes the elements. They come before the body, whose keys depend on them; so it is looked up whether dynamics, which come
+/// last, are implicit.
+void describe_elements(io::StudyVisitor& visitor, LocomotionStudy& study) {
+  const io::TomlTable* top = visitor.source();
+  bool is_implicit = study.implicit.has_value();
+  if (top != nullptr && top->has("dynamics")) {
+    const io::TomlTable dynamics = top->table("dynamics");
+    is_implicit = dynamics.has("method") && dynamics.is_text("method") && dynamics.text("method") == "implicit";
+  }
+  if (top != nullptr && is_implicit) study.elements.kind = ElementKind::three_field;
+  visitor.table(
+      {"elements", "The finite elements of the body. Implicit dynamics has only three_field, which is then the default."}, [&] {
+        describe(visitor, study.elements, true);
+        visitor.check(!is_implicit || study.elements.kind == ElementKind::three_field, "kind",
+                      "dynamics.method = \"implicit\" has only \"three_field\"");
+      });
 }
 
 void describe_silicone(io::StudyVisitor& visitor, LocomotionStudy& study) {
@@ -174,6 +193,7 @@ double lowest_m(const meshes::HexahedralMesh& mesh) {
 
 void mesh_body(const io::TomlTable& top, LocomotionStudy& study) {
   try {
+    set_elements(study.elements, study.hollow);
     study.mesh = meshes::hollow_polycube(study.design, study.hollow).mesh;
   } catch (const io::InputError& error) {
     throw io::InputError(top.file().string() + ": [design]: " + error.what());
@@ -182,10 +202,17 @@ void mesh_body(const io::TomlTable& top, LocomotionStudy& study) {
   }
 }
 
+/// Refuses bodies that thin-wall elements do not describe well.
+void require_thin_walls(const io::TomlTable& top, const LocomotionStudy& study) {
+  if (study.elements.kind != ElementKind::thin_wall) return;
+  const std::string obstacle = obstacle_to_thin_walls(study.mesh, study.hollow.wall_thickness_m);
+  if (!obstacle.empty()) throw top.error("design.chambers", obstacle);
+}
+
 void lay_ground(const io::TomlTable& top, LocomotionStudy& study) {
   const double lowest = lowest_m(study.mesh);
   study.ground =
-      study.stated_ground.ground(lowest, ground_stiffness_Pa_per_m(study.material.bulk_modulus_Pa, shortest_edge_m(study.mesh)));
+      study.stated_ground.ground(lowest, ground_stiffness_Pa_per_m(contact_modulus_Pa(study), shortest_edge_m(study.mesh)));
   // Springs that are compressed at the start would throw the body up.
   if (study.ground.height_m > lowest)
     throw top.error("ground.height_m", "is above the body's lowest point, which is at " + io::number_text(lowest));
@@ -221,6 +248,7 @@ void refuse_what_implicit_has_not(const io::TomlTable& top, const LocomotionStud
 /// Computes the members that are derived from what was read, and fills in what the study does not state.
 void complete(const io::TomlTable& top, LocomotionStudy& study) {
   mesh_body(top, study);
+  require_thin_walls(top, study);
   study.material = material_of(study.silicone, study.implicit ? DampingModel::kelvin_voigt : DampingModel::maxwell, study.notes);
   lay_ground(top, study);
   supply_air(top, study);
@@ -233,6 +261,7 @@ void complete(const io::TomlTable& top, LocomotionStudy& study) {
 
 void describe(io::StudyVisitor& visitor, LocomotionStudy& study) {
   describe_version(visitor);
+  describe_elements(visitor, study);
   visitor.table({"design", "The body and how it is hollowed out."}, [&] { describe_body(visitor, study); });
   visitor.table({"material", "The material of the body."}, [&] { describe_silicone(visitor, study); });
   visitor.table({"ground", "The ground: a plane below the body."}, [&] { describe(visitor, study.stated_ground); });

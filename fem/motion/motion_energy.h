@@ -7,7 +7,9 @@ namespace menger::fem {
 /// Work done on a body since the start, and what damping and friction have taken out of it, J. Losses are >= 0, those in the
 /// material and by friction up to errors of the step.
 struct MotionWork {
-  double pressure_J = 0.0;      ///< of the chambers' pressure
+  double pressure_J = 0.0;  ///< of the chambers' pressure
+  /// Of the chambers' pressure where it changes the thickness of walls, which thin-wall elements count apart
+  double wall_pressure_J = 0.0;
   double gravity_J = 0.0;       ///< of the weight
   double contact_J = 0.0;       ///< of the ground's springs on the body: minus what is stored in them
   double self_contact_J = 0.0;  ///< of those between parts of the surface: minus what is stored or was lost in them
@@ -17,6 +19,7 @@ struct MotionWork {
 
   MotionWork& operator+=(const MotionWork& other) {
     pressure_J += other.pressure_J;
+    wall_pressure_J += other.wall_pressure_J;
     gravity_J += other.gravity_J;
     contact_J += other.contact_J;
     self_contact_J += other.self_contact_J;
@@ -36,7 +39,7 @@ struct MotionEnergies {
 
   /// What is there minus what should be there: zero but for errors of second order in the step (first in losses by viscosity).
   [[nodiscard]] double imbalance_J() const {
-    const double put_in = work.pressure_J + work.gravity_J + work.contact_J + work.self_contact_J;
+    const double put_in = work.pressure_J + work.wall_pressure_J + work.gravity_J + work.contact_J + work.self_contact_J;
     const double lost = work.friction_J + work.viscous_J + work.mass_damping_J;
     return kinetic_J + strain_J + lost - put_in - at_start_J;
   }
@@ -44,7 +47,8 @@ struct MotionEnergies {
   /// The sizes of all works, losses and of the energy at the start, added up: what an imbalance is to be compared with.
   [[nodiscard]] double turnover_J() const {
     return std::abs(work.pressure_J) + std::abs(work.gravity_J) + std::abs(work.contact_J) + std::abs(work.friction_J) +
-           std::abs(work.viscous_J) + std::abs(work.mass_damping_J) + std::abs(at_start_J) + std::abs(work.self_contact_J);
+           std::abs(work.viscous_J) + std::abs(work.mass_damping_J) + std::abs(at_start_J) + std::abs(work.self_contact_J) +
+           std::abs(work.wall_pressure_J);
   }
 };
 

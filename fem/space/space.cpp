@@ -54,6 +54,13 @@ std::vector<Index> nodes_of(const Dofs::active_cell_iterator& cell, const std::v
   return nodes;
 }
 
+/// Returns the element of the mesh that an element is, or is a part of.
+std::size_t mesh_element_of(const Dofs::active_cell_iterator& cell) {
+  dealii::Triangulation<3>::cell_iterator coarse = cell;
+  while (coarse->level() > 0) coarse = coarse->parent();
+  return static_cast<std::size_t>(coarse->index());
+}
+
 /// Builds all of a space except the caps. Element and face nodes are still global.
 class SpaceBuilder {
  public:
@@ -96,6 +103,7 @@ class SpaceBuilder {
       const std::vector<Index> nodes = nodes_of(cell, order);
       space_.element_nodes.insert(space_.element_nodes.end(), nodes.begin(), nodes.end());
       space_.element_regions.push_back(cell->material_id());
+      space_.mesh_elements.push_back(mesh_element_of(cell));
       for (int f = 0; f < 6; ++f) {
         const auto face = cell->face(static_cast<unsigned>(f));
         if (!face->at_boundary()) continue;

@@ -48,6 +48,7 @@ struct Space {
   std::vector<std::array<double, 3>> positions;  ///< of the local nodes, reference configuration, m
   std::vector<Index> element_nodes;              ///< local, (degree + 1)^3 per owned element, lexicographic, x fastest
   std::vector<std::size_t> element_regions;      ///< index into the mesh's region names
+  std::vector<std::size_t> mesh_elements;        ///< of each owned element: the element of the mesh that it is, or is a part of
   std::vector<SpaceFace> faces;                  ///< boundary faces of owned elements
   std::vector<SpaceCap> caps;
   std::size_t element_count = 0;  ///< of all ranks

@@ -33,6 +33,7 @@ Assembly::Assembly(const Space& space, const Body& body)
     : space_(space),
       body_(body),
       elements_(space, body),
+      walls_(space, body),
       exchange_(space),
       held_(held_components(space, body, exchange_)),
       dead_load_(dead_load_of(space, body)) {
@@ -135,6 +136,7 @@ BodyTotals Assembly::assemble(std::span<const double> displacements, const Loads
 
   BodyTotals totals;
   totals.chamber_volumes_m3.assign(body_.chambers.size(), 0.0);
+  totals.work_volumes_m3.assign(body_.plenum_count, 0.0);
   std::vector<double> block;
   const ElementSums sums = elements_.evaluate(displacements, {!residual.empty(), stiffness != nullptr},
                                               [&](const ElementGroups::ElementResult& element) {
@@ -152,6 +154,7 @@ BodyTotals Assembly::assemble(std::span<const double> displacements, const Loads
     add_faces<9>(displacements, loads, residual, volume_gradients, stiffness, held_change, totals);
     add_caps<3>(displacements, loads, residual, volume_gradients, stiffness, held_change, totals);
   }
+  add_walls(displacements, loads, residual, volume_gradients, stiffness, held_change, totals);
   add_dead_loads(displacements, loads.dead_load_factor, residual, totals);
 
   if (stiffness != nullptr) {
@@ -159,10 +162,6 @@ BodyTotals Assembly::assemble(std::span<const double> displacements, const Loads
     petsc(MatAssemblyBegin(stiffness, MAT_FINAL_ASSEMBLY));
     petsc(MatAssemblyEnd(stiffness, MAT_FINAL_ASSEMBLY));
   }
-  const auto let_go = [&](std::span<double> field) {
-    for (std::size_t n = 0; n < field.size(); ++n)
-      if (held_[n] != 0) field[n] = 0.0;
-  };
   if (!residual.empty()) {
     exchange_.add_from_ghosts(residual);
     add_plates(displacements, loads, residual, totals);
@@ -225,6 +224,64 @@ void Assembly::add_faces(std::span<const double> displacements, const Loads& loa
         add_to_matrix(stiffness, nodes, block, held_change);
       }
     }
+  }
+}
+
+void Assembly::let_go(std::span<double> field) const {
+  for (std::size_t n = 0; n < field.size(); ++n)
+    if (held_[n] != 0) field[n] = 0.0;
+}
+
+/// What the pressures do to walls across their thickness, and what the faces of walls hide of a chamber's volume.
+void Assembly::add_walls(std::span<const double> displacements, const Loads& loads, std::span<double> residual,
+                         std::span<std::vector<double>> volume_gradients, Mat stiffness, const HeldChange* held_change,
+                         BodyTotals& totals) const {
+  std::vector<double> bulges_m3(body_.chambers.size(), 0.0);
+  walls_.add_bulges(displacements, loads.plenum_pressures_Pa, bulges_m3);
+  for (std::size_t c = 0; c < bulges_m3.size(); ++c) {
+    totals.chamber_volumes_m3[c] += bulges_m3[c];
+    totals.work_volumes_m3[body_.chambers[c].plenum] -= bulges_m3[c];  // no force does work on it
+  }
+  for (const PressedWall& wall : walls_.walls()) {
+    const auto nodes = std::span(space_.element_nodes).subspan(8 * wall.element, 8);
+    const BoxNumbers u = corner_displacements(space_, wall.element, displacements);
+    const double change_m3 = wall_volume_change(wall.edges_m, u);
+    const BoxNumbers gradient = wall_volume_gradient(wall.edges_m, u);
+    double pressure_Pa = 0.0;  // mean of both faces
+    for (const int side : wall.plena) {
+      if (side < 0) continue;
+      const auto plenum = static_cast<std::size_t>(side);
+      totals.work_volumes_m3[plenum] += 0.5 * change_m3;
+      if (!volume_gradients.empty()) add_nodal(volume_gradients[plenum], nodes, gradient, 0.5);
+      pressure_Pa += 0.5 * loads.plenum_pressures_Pa[plenum];
+    }
+    if (!residual.empty()) add_nodal(residual, nodes, gradient, -pressure_Pa);
+    if (stiffness == nullptr || pressure_Pa == 0.0) continue;
+    std::vector<double> hessian = wall_volume_hessian(wall.edges_m, u);
+    for (double& entry : hessian) entry *= -pressure_Pa;
+    add_to_matrix(stiffness, nodes, hessian, held_change);
+  }
+}
+
+void Assembly::read_volume_gradients(std::span<const double> displacements, std::span<std::vector<double>> gradients) const {
+  if (!body_.thin_walls) return;
+  std::vector<std::vector<double>> changes(gradients.size(), std::vector<double>(held_.size(), 0.0));
+  for (const PressedWall& wall : walls_.walls()) {
+    const auto nodes = std::span(space_.element_nodes).subspan(8 * wall.element, 8);
+    const BoxNumbers u = corner_displacements(space_, wall.element, displacements);
+    const BoxNumbers work = wall_volume_gradient(wall.edges_m, u);
+    const BoxNumbers bulge = wall_bulge_gradient(wall.edges_m, wall.normal, u);
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (wall.plena[side] < 0) continue;
+      std::vector<double>& change = changes[static_cast<std::size_t>(wall.plena[side])];
+      add_nodal(change, nodes, work, -0.5);
+      add_nodal(change, nodes, bulge, PressedWalls::sign(side));
+    }
+  }
+  for (std::size_t p = 0; p < gradients.size(); ++p) {
+    exchange_.add_from_ghosts(changes[p]);
+    let_go(changes[p]);
+    for (std::size_t n = 0; n < changes[p].size(); ++n) gradients[p][n] += changes[p][n];
   }
 }
 
@@ -323,13 +380,19 @@ void Assembly::add_plates(std::span<const double> displacements, const Loads& lo
 void Assembly::sum_over_ranks(BodyTotals& totals) const {
   std::vector<double> sums{totals.strain_energy_J, totals.ground_force_N, totals.ground_energy_J, totals.dead_load_work_J};
   sums.insert(sums.end(), totals.chamber_volumes_m3.begin(), totals.chamber_volumes_m3.end());
+  sums.insert(sums.end(), totals.work_volumes_m3.begin(), totals.work_volumes_m3.end());
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, space_.communicator);
   MPI_Allreduce(MPI_IN_PLACE, &totals.smallest_ratio, 1, MPI_DOUBLE, MPI_MIN, space_.communicator);
   totals.strain_energy_J = sums[0];
   totals.ground_force_N = sums[1];
   totals.ground_energy_J = sums[2];
   totals.dead_load_work_J = sums[3];
-  std::copy(sums.begin() + 4, sums.end(), totals.chamber_volumes_m3.begin());
+  const auto chambers = sums.begin() + 4;
+  std::copy_n(chambers, totals.chamber_volumes_m3.size(), totals.chamber_volumes_m3.begin());
+  std::copy_n(chambers + static_cast<std::ptrdiff_t>(totals.chamber_volumes_m3.size()), totals.work_volumes_m3.size(),
+              totals.work_volumes_m3.begin());
+  for (std::size_t c = 0; c < body_.chambers.size(); ++c)
+    totals.work_volumes_m3[body_.chambers[c].plenum] += totals.chamber_volumes_m3[c];
 }
 
 }  // namespace menger::fem

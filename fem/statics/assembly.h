@@ -12,6 +12,7 @@
 #include "fem/statics/body.h"
 #include "fem/statics/element_groups.h"
 #include "fem/statics/grips.h"
+#include "fem/statics/pressed_walls.h"
 
 namespace menger::fem {
 
@@ -34,7 +35,9 @@ struct BodyTotals {
   /// Smallest volume ratio at the quadrature points. Not positive: an element is inverted, or its law is not defined there.
   double smallest_ratio = 0.0;
   std::vector<double> chamber_volumes_m3;  ///< of the modelled part of the chambers
-  double ground_force_N = 0.0;             ///< force of the ground on the body, upwards
+  /// Of the plena: what pressure times its change is work. The sum of their chambers' volumes; for thin walls see PressedWalls.
+  std::vector<double> work_volumes_m3;
+  double ground_force_N = 0.0;  ///< force of the ground on the body, upwards
   double ground_energy_J = 0.0;
   double dead_load_work_J = 0.0;      ///< work of gravity and tractions at factor 1, since the reference configuration
   std::vector<PlateReaction> plates;  ///< on the body; only where the residual was asked for
@@ -43,8 +46,8 @@ struct BodyTotals {
 
 /// Sums the terms of elements, chambers and the ground of a body into global vectors and a matrix.
 ///
-/// The potential energy is E(u) + E_ground(u) - sum_plena p V(u) - f . u. The residual is its gradient, the matrix its Hessian.
-/// Held components have residual 0, and their row and column are those of the identity.
+/// The potential energy is E(u) + E_ground(u) - sum_plena p V(u) - f . u, where V is the volume that p does work on. The residual
+/// is its gradient, the matrix its Hessian. Held components have residual 0, and their row and column are those of the identity.
 class Assembly {
  public:
   Assembly(const Space& space, const Body& body);
@@ -63,11 +66,16 @@ class Assembly {
   /// Computes the totals of a state and, where wanted, the residual, the gradients of the volumes and the stiffness.
   /// @param displacements 3 per local node, ghosts up to date
   /// @param residual per local component, ghosts not up to date; empty if not wanted
-  /// @param volume_gradients dV/du of each plenum in the same layout, zero at held components; empty if not wanted
+  /// @param volume_gradients dV/du of each plenum's work volume in the same layout, zero at held components; empty if not wanted
   /// @param stiffness the matrix to fill, or nullptr
   /// @param held_change or nullptr; its forces are computed together with the stiffness
   BodyTotals assemble(std::span<const double> displacements, const Loads& loads, std::span<double> residual,
                       std::span<std::vector<double>> volume_gradients, Mat stiffness, const HeldChange* held_change = nullptr);
+
+  /// Turns gradients of work volumes, as assemble returns them, into those of the volumes of the plena's chambers. They differ
+  /// for thin walls only. Collective.
+  void read_volume_gradients(std::span<const double> displacements, std::span<std::vector<double>> gradients) const;
+  [[nodiscard]] const PressedWalls& walls() const { return walls_; }
 
   /// Adds a block of some local nodes, row by row, to a matrix from make_matrix that has not been assembled yet.
   /// @param block its rows and columns of held components are set to zero
@@ -86,6 +94,10 @@ class Assembly {
   void add_caps(std::span<const double> displacements, const Loads& loads, std::span<double> residual,
                 std::span<std::vector<double>> volume_gradients, Mat stiffness, const HeldChange* held_change,
                 BodyTotals& totals) const;
+  void add_walls(std::span<const double> displacements, const Loads& loads, std::span<double> residual,
+                 std::span<std::vector<double>> volume_gradients, Mat stiffness, const HeldChange* held_change,
+                 BodyTotals& totals) const;
+  void let_go(std::span<double> field) const;
   [[nodiscard]] std::array<bool, 3> mirrored_directions(const SpaceCap& cap) const;
   void add_dead_loads(std::span<const double> displacements, double factor, std::span<double> residual, BodyTotals& totals) const;
   void add_plates(std::span<const double> displacements, const Loads& loads, std::span<const double> residual,
@@ -97,6 +109,7 @@ class Assembly {
   const Space& space_;
   const Body& body_;
   ElementGroups elements_;
+  PressedWalls walls_;
   NodeExchange exchange_;
   std::vector<std::uint8_t> held_;
   std::vector<std::vector<Index>> plate_nodes_;  ///< owned

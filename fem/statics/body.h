@@ -10,6 +10,8 @@
 #include "fem/surfaces/ground.h"
 #include "fem/surfaces/point.h"
 #include "fem/surfaces/support.h"
+#include "fem/thin_walls/element_choice.h"
+#include "fem/thin_walls/thin_wall_mesh.h"
 
 namespace menger::fem {
 
@@ -54,10 +56,17 @@ struct Traction {
   Point traction_Pa;
 };
 
+/// What says that the elements of a body are walls and blocks. The space must have degree 1 and no refinements (asserted).
+struct ThinWallBody {
+  ThinWallConstants constants;
+  std::vector<ThinWallPlace> places;  ///< of each element of the mesh; plena as in Body::chambers
+};
+
 /// A body and everything that acts on it, except the pressures of its chambers.
 struct Body {
   Formulation formulation = Formulation::three_field;
-  std::vector<RegionMaterial> regions;  ///< by region of the mesh
+  std::optional<ThinWallBody> thin_walls{};  ///< takes the place of the formulation
+  std::vector<RegionMaterial> regions;       ///< by region of the mesh
   std::vector<ChamberSurface> chambers;
   std::size_t plenum_count = 0;
   std::vector<Support> supports;

@@ -1,7 +1,7 @@
 #include "fem/statics/dead_load.h"
 
 #include "fem/elements/element_shape_tables.h"
-#include "fem/statics/face_area.h"
+#include "fem/space/face_area.h"
 
 namespace menger::fem {
 

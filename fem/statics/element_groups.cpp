@@ -7,6 +7,10 @@
 namespace menger::fem {
 
 ElementGroups::ElementGroups(const Space& space, const Body& body, ElementKernels kernels) : space_(space), kernels_(kernels) {
+  if (body.thin_walls) {
+    thin_walls_.emplace(space, body);
+    return;
+  }
   for (const RegionMaterial& region : body.regions)
     materials_.push_back({space.degree, body.formulation, region.law, region.volume});
   const std::size_t width = kernels_.width;
@@ -57,6 +61,7 @@ void ElementGroups::gather(const Batch& batch, std::span<const double> values, P
 }
 
 ElementSums ElementGroups::evaluate(std::span<const double> displacements, const ElementWanted& wanted, const Receiver& receive) {
+  if (thin_walls_) return thin_walls_->evaluate(displacements, wanted, receive);
   ElementSums sums;
   for (const Batch& batch : batches_) {
     gather(batch, displacements, displacements_);
@@ -133,8 +138,12 @@ void ElementGroups::hand_over(const Batch& batch, const ElementWanted& wanted, c
   }
 }
 
-void ElementGroups::evaluate_points(std::span<const double> displacements,
-                                    const std::function<void(const PointResult&)>& receive) {
+void ElementGroups::evaluate_points(std::span<const double> displacements, const PointReceiver& receive,
+                                    std::span<const double> plenum_pressures_Pa) {
+  if (thin_walls_) {
+    thin_walls_->evaluate_points(displacements, plenum_pressures_Pa, receive);
+    return;
+  }
   const std::size_t width = kernels_.width;
   const std::size_t points = ElementShape{space_.degree}.points();
   PackedDoubles F(9 * points * width);

@@ -3,12 +3,15 @@
 #include <cstddef>
 #include <functional>
 #include <new>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "fem/elements/element_kernel.h"
 #include "fem/space/space.h"
 #include "fem/statics/body.h"
+#include "fem/statics/element_results.h"
+#include "fem/statics/thin_wall_groups.h"
 
 namespace menger::fem {
 
@@ -26,28 +29,12 @@ struct PackAllocator {
 };
 using PackedDoubles = std::vector<double, PackAllocator<double>>;
 
-/// The results to compute for every element.
-struct ElementWanted {
-  bool residual = false;
-  bool stiffness = false;
-};
-
-/// Energy of all elements of this rank and the smallest volume ratio at their quadrature points.
-struct ElementSums {
-  double energy_J = 0.0;
-  double smallest_ratio = 1e300;  ///< not positive or NaN: the state is invalid
-};
-
-/// The elements of a rank, in batches of one material each, as the kernels need them.
+/// The elements of a rank, in batches of one material each, as the kernels need them. Thin walls predict no pressures.
 class ElementGroups {
  public:
-  /// The result of one element of a batch, no longer interleaved.
-  struct ElementResult {
-    std::span<const Index> nodes;       ///< local
-    std::span<const double> residual;   ///< 3 nodes
-    std::span<const double> stiffness;  ///< (3 nodes)^2, row by row, both triangles
-  };
-  using Receiver = std::function<void(const ElementResult&)>;
+  using ElementResult = fem::ElementResult;
+  using Receiver = ElementReceiver;
+  using PointResult = fem::PointResult;
 
   ElementGroups(const Space& space, const Body& body, ElementKernels kernels = best_element_kernels());
 
@@ -67,16 +54,10 @@ class ElementGroups {
   /// Discards the predicted pressures: the next stiffness is the exact one.
   void forget_prediction() { has_prediction_ = false; }
 
-  /// Fields at the quadrature points of an element: deformation gradients (9 per point, row by row), Cauchy stresses (9 per
-  /// point), volume ratios, pressures. The spans are valid only during the call.
-  struct PointResult {
-    std::size_t element;  ///< local
-    std::span<const double> deformation_gradient;
-    std::span<const double> cauchy_stress;
-    std::span<const double> volume_ratio;
-    std::span<const double> pressure;
-  };
-  void evaluate_points(std::span<const double> displacements, const std::function<void(const PointResult&)>& receive);
+  /// Computes the fields at the quadrature points of every element.
+  /// @param plenum_pressures_Pa stresses of thin walls contain those on their faces; not read for other elements
+  void evaluate_points(std::span<const double> displacements, const PointReceiver& receive,
+                       std::span<const double> plenum_pressures_Pa = {});
 
  private:
   struct Batch {
@@ -93,6 +74,7 @@ class ElementGroups {
   ElementKernels kernels_;
   std::vector<ElementMaterial> materials_;
   std::vector<Batch> batches_;
+  std::optional<ThinWallGroups> thin_walls_;  ///< in place of batches
   bool has_prediction_ = false;
   PackedDoubles displacements_;
   PackedDoubles step_;

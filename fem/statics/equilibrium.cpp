@@ -280,6 +280,7 @@ bool Equilibrium::prepare_stiffness(Vec x) {
   first_pressures_ = {};
   gradients_of_factor_ = volume_gradients_;
   if (!linear_.prepare()) return false;
+  assembly_.read_volume_gradients(displacements_, gradients_of_factor_);
   for (std::size_t p = 0; p < body_.plenum_count; ++p) {
     if (!is_free(p)) continue;
     {
@@ -291,8 +292,10 @@ bool Equilibrium::prepare_stiffness(Vec x) {
   return true;
 }
 
-/// Solves K y - sum_p V_p y_p = r, V_p . y + c_p y_p = c for every free plenum p, with V_p = dV_p/du. At components that a plate
-/// holds y = r, and K y of these goes to the right-hand side. V_p leaves them out, which affects only the first step of a plate.
+/// Solves K y - sum_p W_p y_p = r, V_p . y + sum_q v_pq y_q + c_p y_p = c for every free plenum p, with the gradients W_p =
+/// dW_p/du of its work volume and V_p = dV_p/du of its chambers, and v_pq = dV_p/dp_q, which is 0 but for thin walls. At
+/// components that a plate holds y = r, and K y of these goes to the right-hand side. V_p leaves them out, which affects only the
+/// first step of a plate.
 bool Equilibrium::solve_linear(Vec right_hand_side, Vec solution) {
   {
     const VectorReader r(right_hand_side);
@@ -324,7 +327,10 @@ std::vector<double> Equilibrium::eliminate_plena() {
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::size_t p = free[static_cast<std::size_t>(i)];
     right[i] = closures_[p].residual - times_gradient(p, particular_);
-    for (Eigen::Index j = 0; j < count; ++j) schur(i, j) = times_gradient(p, influences_[free[static_cast<std::size_t>(j)]]);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const std::size_t q = free[static_cast<std::size_t>(j)];
+      schur(i, j) = times_gradient(p, influences_[q]) + assembly_.walls().volume_by_pressure(p, q);
+    }
     schur(i, i) += closures_[p].by_pressure;
   }
   const Eigen::VectorXd changes = schur.fullPivLu().solve(right);

@@ -54,10 +54,11 @@ struct EquilibriumReport {
 /// Finds equilibria of a body: states where the residual of Assembly is zero and the equation of every plenum holds.
 ///
 /// It uses Newton's method (see NewtonSolver). The unknowns are the displacements and the pressures of plena that are not given.
-/// The pressures are eliminated from the bordered system with the factorisation of the stiffness. Steps are full. They are
-/// shortened only where volume ratios would not stay positive. The norm of the residual does not control the steps, because it
-/// may grow by orders of magnitude on the way to a bent wall. A factorisation is reused as long as the residual falls fast with
-/// it.
+/// The pressures are eliminated from the bordered system with the factorisation of the stiffness. For thin walls, whose pressures
+/// do work on other volumes than those that are controlled (see PressedWalls), this system is not symmetric. Steps are full. They
+/// are shortened only where volume ratios would not stay positive. The norm of the residual does not control the steps, because
+/// it may grow by orders of magnitude on the way to a bent wall. A factorisation is reused as long as the residual falls fast
+/// with it.
 ///
 /// Plates add one linear equation per held component: the component is where its plate carries it. The first full step therefore
 /// satisfies these equations exactly, and the nodes inside the body follow by the stiffness at the start of the step. A shortened
@@ -165,14 +166,14 @@ class Equilibrium {
   std::vector<double> displacements_;
   std::vector<double> pressures_;
   std::vector<double> residual_;
-  std::vector<std::vector<double>> volume_gradients_;
+  std::vector<std::vector<double>> volume_gradients_;  ///< of the work volumes
   std::vector<PlenumClosure> closures_;
   BodyTotals totals_;
   double residual_N_ = 0.0;
   double reference_N_ = 0.0;
   double plate_distance_m_ = 0.0;  ///< largest distance of a held component from its imposed position
 
-  // Of the stiffness that is factorised.
+  // Of the stiffness that is factorised; the gradients are those of the chambers' volumes.
   std::vector<std::vector<double>> gradients_of_factor_;
   std::vector<double> plate_step_m_;        ///< per local component, minus the rest of the distance to the imposed position
   std::vector<double> plate_step_force_N_;  ///< K times plate_step_m_

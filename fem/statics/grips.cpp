@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "fem/statics/face_area.h"
+#include "fem/space/face_area.h"
 
 namespace menger::fem {
 

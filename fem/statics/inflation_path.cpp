@@ -181,6 +181,7 @@ bool PathFollower::accept(double s, const BodyState& state, const EquilibriumRep
   point.pressures_Pa = state.plenum_pressures_Pa;
   point.plenum_volumes_m3 = report.plenum_volumes_m3;
   point.chamber_volumes_m3 = report.totals.chamber_volumes_m3;
+  point.work_volumes_m3 = report.totals.work_volumes_m3;
   point.strain_energy_J = report.totals.strain_energy_J;
   point.dead_load_work_J = report.totals.dead_load_work_J;
   point.ground_force_N = report.totals.ground_force_N;
@@ -195,7 +196,7 @@ bool PathFollower::accept(double s, const BodyState& state, const EquilibriumRep
     point.work_J = before.work_J;
     for (std::size_t p = 0; p < drives_.plena.size(); ++p) {
       point.work_J +=
-          0.5 * (before.pressures_Pa[p] + point.pressures_Pa[p]) * (point.plenum_volumes_m3[p] - before.plenum_volumes_m3[p]);
+          0.5 * (before.pressures_Pa[p] + point.pressures_Pa[p]) * (point.work_volumes_m3[p] - before.work_volumes_m3[p]);
     }
   }
   point.seconds = std::chrono::duration<double>(Clock::now() - step_started_).count();

@@ -19,6 +19,7 @@ struct PathPoint {
   std::vector<double> pressures_Pa;       ///< gauge, per plenum
   std::vector<double> plenum_volumes_m3;  ///< of the modelled part
   std::vector<double> chamber_volumes_m3;
+  std::vector<double> work_volumes_m3;  ///< per plenum, see BodyTotals
   double strain_energy_J = 0.0;
   double work_J = 0.0;  ///< work of the pressures since the start, sum of integral p dV (trapezoids)
   double dead_load_work_J = 0.0;

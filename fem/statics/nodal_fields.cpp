@@ -52,12 +52,12 @@ constexpr std::array<std::size_t, 6> symmetric_places{0, 4, 8, 1, 5, 2};  // xx,
 
 }  // namespace
 
-NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacements) {
+NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacements, std::span<const double> plenum_pressures_Pa) {
   const Space& space = assembly.space();
   const std::size_t count = space.positions.size();
   // The exchange transfers three numbers per node.
   std::vector<std::vector<double>> sums(component_count / 3 + 1, std::vector<double>(3 * count, 0.0));
-  assembly.elements().evaluate_points(displacements, [&](const ElementGroups::PointResult& points) {
+  const auto add_points = [&](const PointResult& points) {
     const auto nodes =
         std::span(space.element_nodes).subspan(points.element * space.nodes_per_element(), space.nodes_per_element());
     const auto value = [&](std::size_t q, std::size_t c) {
@@ -70,7 +70,8 @@ NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacemen
     } else {
       add_element<3>(nodes, value, sums);
     }
-  });
+  };
+  assembly.elements().evaluate_points(displacements, add_points, plenum_pressures_Pa);
   for (std::vector<double>& values : sums) {
     assembly.exchange().add_from_ghosts(values);
     assembly.exchange().update_ghosts(values);

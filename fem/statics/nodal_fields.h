@@ -21,7 +21,9 @@ struct NodalFields {
 };
 
 /// Computes the fields at the nodes. Collective. @param displacements 3 per local node, ghosts up to date
-NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacements);
+/// @param plenum_pressures_Pa read for thin walls only
+NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacements,
+                         std::span<const double> plenum_pressures_Pa = {});
 
 /// Returns the principal stretches, the largest first: the square roots of the eigenvalues of F^T F.
 std::array<double, 3> principal_stretches(const std::array<double, 9>& deformation_gradient);

@@ -125,6 +125,7 @@ class BlockElement {
     return before.moved_to(after, T(0.5));
   }
 
+  [[nodiscard]] T volume_change() const { return T(0.0); }
   [[nodiscard]] T dissipation() const { return dissipation_; }
   [[nodiscard]] T relaxed() const { return relaxed_; }
 

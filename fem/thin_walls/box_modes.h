@@ -7,6 +7,8 @@
 #include <cstdint>
 
 #include "fem/thin_walls/corner_gather.h"
+#include "fem/thin_walls/corner_scatter.h"
+#include "fem/thin_walls/thin_wall_kernel.h"
 
 namespace menger::fem::detail {
 
@@ -84,16 +86,13 @@ BoxModes<T> gathered_modes(const std::uint32_t* first_components, std::size_t fi
   return modes;
 }
 
-/// Writes the forces of a batch, component i of corner c of lane l at (3 c + i) width + l.
+/// Writes the forces of a batch to their slots, see ThinWallKernels::forces.
 template <class T>
-void store_forces(const BoxModes<T>& modes, std::size_t first_axis, NumberOf<T>* forces) {
-  constexpr std::size_t width = Lanes<T>::count;
-  for (std::size_t local = 0; local < 3; ++local) {
-    const std::size_t global = (first_axis + local) % 3;
-    CornerValues<T> f;
-    add_up(modes, local, f);
-    for (std::size_t corner = 0; corner < 8; ++corner) Lanes<T>::store(f[corner], forces + (3 * corner + global) * width);
-  }
+void store_forces(const BoxModes<T>& modes, std::size_t first_axis, NumberOf<T>* slots) {
+  std::array<CornerValues<T>, 3> f;
+  for (std::size_t local = 0; local < 3; ++local) add_up(modes, local, f[(first_axis + local) % 3]);
+  for (std::size_t corner = 0; corner < 8; ++corner)
+    CornerScatter<T, slot_numbers_per_lane>::scatter({f[0][corner], f[1][corner], f[2][corner]}, slots + 4 * corner);
 }
 
 }  // namespace menger::fem::detail

@@ -13,27 +13,27 @@ namespace menger::fem::detail {
 
 /// One corner of each lane. Registers load four numbers a node, of which the last is not used, and are transposed: some twelve
 /// instructions an element in place of 24 loads and stores. @param first_components of the corner in the first lane; those of the
-/// next lanes follow eight further each
-template <class T>
+/// next lanes follow `stride` further each
+template <class T, std::size_t stride = 8>
 struct CornerGather {
   static Vector3<T> gather(const std::uint32_t* first_components, const NumberOf<T>* values) {
     constexpr std::size_t width = Lanes<T>::count;
     alignas(64) std::array<NumberOf<T>, 3 * width> buffer;
     for (std::size_t lane = 0; lane < width; ++lane)
-      for (std::size_t i = 0; i < 3; ++i) buffer[i * width + lane] = values[first_components[8 * lane] + i];
+      for (std::size_t i = 0; i < 3; ++i) buffer[i * width + lane] = values[first_components[stride * lane] + i];
     return {Lanes<T>::load(buffer.data()), Lanes<T>::load(buffer.data() + width), Lanes<T>::load(buffer.data() + 2 * width)};
   }
 };
 
 #if XSIMD_WITH_SSE2 && !defined(__AVX__)
-template <>
-struct CornerGather<LanePack<xsimd::batch<float>>> {
+template <std::size_t stride>
+struct CornerGather<LanePack<xsimd::batch<float>>, stride> {
   using T = LanePack<xsimd::batch<float>>;
   static Vector3<T> gather(const std::uint32_t* first, const float* values) {
     const __m128 a = _mm_loadu_ps(values + first[0]);
-    const __m128 b = _mm_loadu_ps(values + first[8]);
-    const __m128 c = _mm_loadu_ps(values + first[16]);
-    const __m128 d = _mm_loadu_ps(values + first[24]);
+    const __m128 b = _mm_loadu_ps(values + first[stride]);
+    const __m128 c = _mm_loadu_ps(values + first[2 * stride]);
+    const __m128 d = _mm_loadu_ps(values + first[3 * stride]);
     const __m128 ab = _mm_unpacklo_ps(a, b);  // xa xb ya yb
     const __m128 cd = _mm_unpacklo_ps(c, d);
     const __m128 ab_last = _mm_unpackhi_ps(a, b);
@@ -43,13 +43,13 @@ struct CornerGather<LanePack<xsimd::batch<float>>> {
   }
 };
 
-template <>
-struct CornerGather<LanePack<xsimd::batch<double>>> {
+template <std::size_t stride>
+struct CornerGather<LanePack<xsimd::batch<double>>, stride> {
   using T = LanePack<xsimd::batch<double>>;
   static Vector3<T> gather(const std::uint32_t* first, const double* values) {
     const __m128d a = _mm_loadu_pd(values + first[0]);
-    const __m128d b = _mm_loadu_pd(values + first[8]);
-    const __m128d z = _mm_loadh_pd(_mm_load_sd(values + first[0] + 2), values + first[8] + 2);
+    const __m128d b = _mm_loadu_pd(values + first[stride]);
+    const __m128d z = _mm_loadh_pd(_mm_load_sd(values + first[0] + 2), values + first[stride] + 2);
     return {T(xsimd::batch<double>(_mm_unpacklo_pd(a, b))), T(xsimd::batch<double>(_mm_unpackhi_pd(a, b))),
             T(xsimd::batch<double>(z))};
   }
@@ -57,14 +57,14 @@ struct CornerGather<LanePack<xsimd::batch<double>>> {
 #endif
 
 #if defined(__AVX2__) && !defined(__AVX512F__)
-template <>
-struct CornerGather<LanePack<xsimd::batch<float, xsimd::fma3<xsimd::avx2>>>> {
+template <std::size_t stride>
+struct CornerGather<LanePack<xsimd::batch<float, xsimd::fma3<xsimd::avx2>>>, stride> {
   using Batch = xsimd::batch<float, xsimd::fma3<xsimd::avx2>>;
   using T = LanePack<Batch>;
   static Vector3<T> gather(const std::uint32_t* first, const float* values) {
     const auto rows = [&](std::size_t lane) {  // of lanes n and n + 4
-      const __m256 low = _mm256_castps128_ps256(_mm_loadu_ps(values + first[8 * lane]));
-      return _mm256_insertf128_ps(low, _mm_loadu_ps(values + first[8 * (lane + 4)]), 1);
+      const __m256 low = _mm256_castps128_ps256(_mm_loadu_ps(values + first[stride * lane]));
+      return _mm256_insertf128_ps(low, _mm_loadu_ps(values + first[stride * (lane + 4)]), 1);
     };
     const __m256 a = rows(0);
     const __m256 b = rows(1);
@@ -79,15 +79,15 @@ struct CornerGather<LanePack<xsimd::batch<float, xsimd::fma3<xsimd::avx2>>>> {
   }
 };
 
-template <>
-struct CornerGather<LanePack<xsimd::batch<double, xsimd::fma3<xsimd::avx2>>>> {
+template <std::size_t stride>
+struct CornerGather<LanePack<xsimd::batch<double, xsimd::fma3<xsimd::avx2>>>, stride> {
   using Batch = xsimd::batch<double, xsimd::fma3<xsimd::avx2>>;
   using T = LanePack<Batch>;
   static Vector3<T> gather(const std::uint32_t* first, const double* values) {
     const __m256d a = _mm256_loadu_pd(values + first[0]);
-    const __m256d b = _mm256_loadu_pd(values + first[8]);
-    const __m256d c = _mm256_loadu_pd(values + first[16]);
-    const __m256d d = _mm256_loadu_pd(values + first[24]);
+    const __m256d b = _mm256_loadu_pd(values + first[stride]);
+    const __m256d c = _mm256_loadu_pd(values + first[2 * stride]);
+    const __m256d d = _mm256_loadu_pd(values + first[3 * stride]);
     const __m256d ab = _mm256_unpacklo_pd(a, b);  // xa xb za zb
     const __m256d cd = _mm256_unpacklo_pd(c, d);
     const __m256d ab_last = _mm256_unpackhi_pd(a, b);  // ya yb, two of no use
@@ -99,16 +99,16 @@ struct CornerGather<LanePack<xsimd::batch<double, xsimd::fma3<xsimd::avx2>>>> {
 #endif
 
 #if defined(__AVX512F__)
-template <>
-struct CornerGather<LanePack<xsimd::batch<float, xsimd::avx512f>>> {
+template <std::size_t stride>
+struct CornerGather<LanePack<xsimd::batch<float, xsimd::avx512f>>, stride> {
   using Batch = xsimd::batch<float, xsimd::avx512f>;
   using T = LanePack<Batch>;
   static Vector3<T> gather(const std::uint32_t* first, const float* values) {
     const auto rows = [&](std::size_t lane) {  // of lanes n, n + 4, n + 8, n + 12
-      __m512 row = _mm512_castps128_ps512(_mm_loadu_ps(values + first[8 * lane]));
-      row = _mm512_insertf32x4(row, _mm_loadu_ps(values + first[8 * (lane + 4)]), 1);
-      row = _mm512_insertf32x4(row, _mm_loadu_ps(values + first[8 * (lane + 8)]), 2);
-      return _mm512_insertf32x4(row, _mm_loadu_ps(values + first[8 * (lane + 12)]), 3);
+      __m512 row = _mm512_castps128_ps512(_mm_loadu_ps(values + first[stride * lane]));
+      row = _mm512_insertf32x4(row, _mm_loadu_ps(values + first[stride * (lane + 4)]), 1);
+      row = _mm512_insertf32x4(row, _mm_loadu_ps(values + first[stride * (lane + 8)]), 2);
+      return _mm512_insertf32x4(row, _mm_loadu_ps(values + first[stride * (lane + 12)]), 3);
     };
     const __m512 a = rows(0);
     const __m512 b = rows(1);
@@ -123,14 +123,14 @@ struct CornerGather<LanePack<xsimd::batch<float, xsimd::avx512f>>> {
   }
 };
 
-template <>
-struct CornerGather<LanePack<xsimd::batch<double, xsimd::avx512f>>> {
+template <std::size_t stride>
+struct CornerGather<LanePack<xsimd::batch<double, xsimd::avx512f>>, stride> {
   using Batch = xsimd::batch<double, xsimd::avx512f>;
   using T = LanePack<Batch>;
   static Vector3<T> gather(const std::uint32_t* first, const double* values) {
     const auto rows = [&](std::size_t lane) {  // of lanes n and n + 2
-      const __m512d low = _mm512_castpd256_pd512(_mm256_loadu_pd(values + first[8 * lane]));
-      return _mm512_insertf64x4(low, _mm256_loadu_pd(values + first[8 * (lane + 2)]), 1);
+      const __m512d low = _mm512_castpd256_pd512(_mm256_loadu_pd(values + first[stride * lane]));
+      return _mm512_insertf64x4(low, _mm256_loadu_pd(values + first[stride * (lane + 2)]), 1);
     };
     const __m512d a = rows(0);
     const __m512d b = rows(1);

@@ -93,7 +93,7 @@ class LaneSums {
 /// All of an element in one function: its many small parts pass each other more numbers than there are registers.
 template <class Element, class Law, bool is_damped>
 MENGER_ALL_IN_ONE ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typename Element::Number>& task,
-                                                        typename Element::Number* forces_N) {
+                                                        typename Element::Number* slots_N) {
   using T = typename Element::Lane;
   const Law law(task);
   T smallest(1.0);
@@ -112,8 +112,13 @@ MENGER_ALL_IN_ONE ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typen
       }
     }
     elements.template compute_forces<is_damped>(law, branch);
-    elements.store(forces_N + 24 * Element::width * batch);
+    elements.store(slots_N + slot_numbers_per_lane * Element::width * batch);
     smallest = min(smallest, elements.smallest_ratio());
+    if (task.batches.volume_changes_m3 != nullptr) {
+      LaneSums<T> change;
+      change.add(elements.volume_change());
+      task.batches.volume_changes_m3[batch] = change.total();
+    }
     if constexpr (is_damped) {
       dissipated.add(elements.dissipation());
       relaxed.add(elements.relaxed());
@@ -130,16 +135,16 @@ MENGER_ALL_IN_ONE ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typen
 }
 
 template <class Element>
-ThinWallOutcome element_forces(const ThinWallTask<typename Element::Number>& task, typename Element::Number* forces_N) {
+ThinWallOutcome element_forces(const ThinWallTask<typename Element::Number>& task, typename Element::Number* slots_N) {
   static_assert(std::is_same_v<std::variant_alternative_t<0, materials::HyperelasticLaw>, materials::NeoHookean>);
   using T = typename Element::Lane;
   const bool is_damped = task.branch != nullptr || task.viscosity_Pa_s > 0.0;
   if (task.law.index == 0) {
-    if (is_damped) return thin_wall_forces_with<Element, InlineLaw<materials::NeoHookean>, true>(task, forces_N);
-    return thin_wall_forces_with<Element, InlineLaw<materials::NeoHookean>, false>(task, forces_N);
+    if (is_damped) return thin_wall_forces_with<Element, InlineLaw<materials::NeoHookean>, true>(task, slots_N);
+    return thin_wall_forces_with<Element, InlineLaw<materials::NeoHookean>, false>(task, slots_N);
   }
-  if (is_damped) return thin_wall_forces_with<Element, AnyLaw<T>, true>(task, forces_N);
-  return thin_wall_forces_with<Element, AnyLaw<T>, false>(task, forces_N);
+  if (is_damped) return thin_wall_forces_with<Element, AnyLaw<T>, true>(task, slots_N);
+  return thin_wall_forces_with<Element, AnyLaw<T>, false>(task, slots_N);
 }
 
 template <class Element>
@@ -165,9 +170,9 @@ void rest_element_branches(const ThinWallTask<typename Element::Number>& task, t
 }
 
 template <class T>
-ThinWallOutcome thin_wall_forces(const ThinWallTask<NumberOf<T>>& task, NumberOf<T>* forces_N) {
-  if (task.batches.element == ThinWallElement::wall) return element_forces<WallElement<T>>(task, forces_N);
-  return element_forces<BlockElement<T>>(task, forces_N);
+ThinWallOutcome thin_wall_forces(const ThinWallTask<NumberOf<T>>& task, NumberOf<T>* slots_N) {
+  if (task.batches.element == ThinWallElement::wall) return element_forces<WallElement<T>>(task, slots_N);
+  return element_forces<BlockElement<T>>(task, slots_N);
 }
 
 template <class T>

@@ -71,13 +71,13 @@ ThinWallKernels<Number>::ThinWallKernels(const ThinWallTable<Number>& table)
 template <class Number>
 ThinWallOutcome ThinWallKernels<Number>::forces(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
                                                 const ThinWallMotion<Number>& motion, const ThinWallBranches<Number>& branches,
-                                                Number* forces_N) const {
+                                                Number* slots_N) const {
   ThinWallTask<Number> task = task_of<Number>(material, batches, motion, branches.values);
   if (task.branch != nullptr && branches.relaxed_s > 0.0) {
     task.share = -std::expm1(-branches.relaxed_s / material.branch.relaxation_time_s);
     task.relaxing = branches.values;
   }
-  return table_->forces(task, forces_N);
+  return table_->forces(task, slots_N);
 }
 
 template <class Number>

@@ -37,6 +37,9 @@ struct ThinWallMaterial {
 /// Numbers of the shape of one element; see shape_of.
 inline constexpr std::size_t shape_numbers_per_lane = 6;
 
+/// Numbers of the forces of one element: four for each corner, of which the last is zero.
+inline constexpr std::size_t slot_numbers_per_lane = 32;
+
 /// Numbers of the Maxwell branch of one element.
 ///
 /// Of a wall: the tensor A at two points across it (11, 22, 12, 33), the two transverse shears and nine hourglass strains at
@@ -68,8 +71,12 @@ struct ThinWallBatches {
   const std::uint32_t* first_components = nullptr;
   const Number* shapes = nullptr;         ///< shape_numbers_per_lane
   const std::uint8_t* normals = nullptr;  ///< per batch: the global axis of its third local one
-  /// Two per lane, pressures on both faces of a wall, Pa, positive towards it; nullptr: none. Not read for blocks.
-  const Number* face_pressures_Pa = nullptr;
+  /// Per batch: the mean of the pressures on both faces of its walls, Pa, positive towards them; nullptr: none. Not read for
+  /// blocks.
+  const double* mean_pressures_Pa = nullptr;
+  /// Per batch, written with the forces: the change of the volume of its walls, V (J - 1) of their centres, m^3. Minus this times
+  /// the pressure is the pressure's energy. 0 for blocks. nullptr: not wanted.
+  double* volume_changes_m3 = nullptr;
 };
 
 /// Where a body is; component i of a node at its first component plus i.
@@ -141,11 +148,13 @@ class ThinWallKernels {
   std::string_view instruction_set;  ///< "scalar", "baseline", "avx2", "avx512"
   std::size_t width;                 ///< lanes: elements computed at once
 
-  /// @param branches changed where they relax @param forces_N 24 numbers per lane: d(energy)/du plus the viscous force, component
-  /// i of corner c at 3 c + i
+  /// Computes the forces on the corners of each lane: d(energy)/du plus the viscous force.
+  /// @param branches changed where they relax
+  /// @param slots_N slot_numbers_per_lane for each lane, one lane after another, aligned to 64 bytes: component i of corner c at
+  /// 4 c + i, and a zero after the three components
   [[nodiscard]] ThinWallOutcome forces(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
                                        const ThinWallMotion<Number>& motion, const ThinWallBranches<Number>& branches,
-                                       Number* forces_N) const;
+                                       Number* slots_N) const;
 
   /// Energy of each lane, J, with that of its branch and of the pressures' term, and its smallest ratio.
   /// @param branch values, nullptr: without them

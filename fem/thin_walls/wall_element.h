@@ -39,10 +39,7 @@ class WallElement {
     for (std::size_t i = 0; i < 3; ++i) c_[i] = Lanes<T>::load(shape + i * width);
     volume_ = Lanes<T>::load(shape + 3 * width);
     for (std::size_t i = 0; i < 2; ++i) roots_[i] = Lanes<T>::load(shape + (4 + i) * width);
-    if (task.batches.face_pressures_Pa != nullptr) {
-      const Number* pressures = task.batches.face_pressures_Pa + 2 * width * batch;
-      pressure_ = T(0.5) * (Lanes<T>::load(pressures) + Lanes<T>::load(pressures + width));
-    }
+    if (task.batches.mean_pressures_Pa != nullptr) pressure_ = T(task.batches.mean_pressures_Pa[batch]);
   }
 
   void place() {
@@ -159,6 +156,7 @@ class WallElement {
   }
 
   [[nodiscard]] T dissipation() const { return dissipation_; }
+  [[nodiscard]] T volume_change() const { return volume_ * ratio_excess_; }
   [[nodiscard]] T relaxed() const { return relaxed_; }
 
  private:
@@ -295,7 +293,7 @@ class WallElement {
     return stress;
   }
 
-  /// P_j, the derivatives by f_j, and the those by q1 and q2.
+  /// P_j, the derivatives by f_j, and those by q1 and q2.
   void set_gradient_forces(const PlaneStress<T>& centre, const PlaneStress<T>& mean, const PlaneStress<T>& moment) {
     const T pressure = fms(T(task_.wall_penalty_Pa), ratio_excess_, pressure_);
     const PlaneStress<T> s{centre.s11 + branch_metric_.s11, centre.s22 + branch_metric_.s22, centre.s12 + branch_metric_.s12};

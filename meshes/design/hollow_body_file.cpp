@@ -18,6 +18,15 @@ void describe(io::StudyVisitor& visitor, TubeHole& tube) {
   visitor.number({"edge_m", "Edge of the square hole.", "0.002"}, tube.edge_m, io::positive());
 }
 
+void describe_elements(io::StudyVisitor& visitor, HollowBodyOptions& options) {
+  visitor.integer({"elements_through_wall", "Least number of elements through a wall."}, options.elements_through_wall,
+                  io::within(1, 1000));
+  visitor.optional_number({"largest_element_m", "Largest edge of elements away from walls.", "0.005"}, options.largest_element_m,
+                          io::positive());
+  visitor.number({"growth", "Largest ratio of the edges of neighbouring elements where they grow."}, options.growth,
+                 io::at_least(1.0));
+}
+
 }  // namespace
 
 const io::Words<ChamberLayout>& chamber_layout_words() {
@@ -39,14 +48,13 @@ const io::Words<Side>& side_words() {
   return words;
 }
 
-void describe(io::StudyVisitor& visitor, HollowBodyOptions& options) {
+void describe(io::StudyVisitor& visitor, HollowBodyOptions& options, std::optional<bool> are_elements_free) {
   visitor.number({"wall_thickness_m", "Thickness of every outer wall."}, options.wall_thickness_m, io::positive());
-  visitor.integer({"elements_through_wall", "Least number of elements through a wall."}, options.elements_through_wall,
-                  io::within(1, 1000));
-  visitor.optional_number({"largest_element_m", "Largest edge of elements away from walls.", "0.005"}, options.largest_element_m,
-                          io::positive());
-  visitor.number({"growth", "Largest ratio of the edges of neighbouring elements where they grow."}, options.growth,
-                 io::at_least(1.0));
+  const auto describe_own = [&] { describe_elements(visitor, options); };
+  if (are_elements_free)
+    visitor.only_if(*are_elements_free, "elements.kind = \"three_field\"", describe_own);
+  else
+    describe_own();
   visitor.word(
       {"chambers", "Cells that share one chamber: all cells of a module, or each connected region of cells of one phase."},
       options.chambers, chamber_layout_words());

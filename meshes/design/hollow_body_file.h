@@ -13,7 +13,9 @@
 namespace menger::meshes {
 
 /// Describes how a design is made hollow and meshed: keys of the table of a design.
-void describe(io::StudyVisitor& visitor, HollowBodyOptions& options);
+/// @param are_elements_free whether the keys that cut the body into elements have a meaning: they have none where the elements'
+/// fidelity decides. Empty: the study has no choice of elements, so they always have.
+void describe(io::StudyVisitor& visitor, HollowBodyOptions& options, std::optional<bool> are_elements_free = {});
 
 /// A design and the options for meshing it.
 struct MeshStudy {

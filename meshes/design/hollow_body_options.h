@@ -39,6 +39,9 @@ struct HollowBodyOptions {
   /// Largest edge of elements away from walls; none: no larger than in the wall.
   std::optional<double> largest_element_m;
   double growth = 1.5;  ///< largest ratio of neighbouring edges where they grow; >= 1
+  /// Number of equal elements into which the span between the two walls of a cell is cut; longer spans are cut into elements that
+  /// are no larger. Takes the place of largest_element_m and growth. Empty: those decide.
+  std::optional<int> elements_per_span{};
   ChamberLayout chambers = ChamberLayout::single;
   int level = 1;                      ///< level of the fractal, >= 1
   std::optional<double> hole_edge_m;  ///< edge of the square holes that join chambers of adjacent modules; none: no holes

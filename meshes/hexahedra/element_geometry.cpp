@@ -40,6 +40,20 @@ CornerPoints corner_points(const HexahedralMesh& mesh, std::size_t element) {
   return corners;
 }
 
+std::optional<Point> box_edges(const CornerPoints& corners) {
+  constexpr double same = 1e-9;  // of the shortest edge
+  const Point edges = difference(corners[7], corners[0]);
+  const double shortest = std::min({edges[0], edges[1], edges[2]});
+  if (!(shortest > 0.0)) return std::nullopt;
+  for (std::size_t c = 0; c < 8; ++c) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double wanted = corners[0][i] + ((c >> i & 1U) != 0 ? edges[i] : 0.0);
+      if (!(std::abs(corners[c][i] - wanted) <= same * shortest)) return std::nullopt;
+    }
+  }
+  return edges;
+}
+
 std::array<Point, 3> jacobian(const CornerPoints& corners, const Point& xi) {
   std::array<Point, 3> columns{};
   for (std::size_t c = 0; c < corners.size(); ++c) {

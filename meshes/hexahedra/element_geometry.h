@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -35,6 +36,9 @@ bool is_finite(const Point& place);
 std::string millimetre_text(const Point& place);
 
 CornerPoints corner_points(const HexahedralMesh& mesh, std::size_t element);
+
+/// Returns the lengths of the edges along x, y and z of an element that is a box along the axes; empty if it is none.
+std::optional<Point> box_edges(const CornerPoints& corners);
 
 /// Returns the columns dx/dxi_i of the trilinear map at a point xi of the reference cube [0, 1]^3.
 std::array<Point, 3> jacobian(const CornerPoints& corners, const Point& xi);

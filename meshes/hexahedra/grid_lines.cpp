@@ -117,11 +117,13 @@ std::vector<Span> spans(const ModularBody& body, std::size_t axis, double cell_e
 
 }  // namespace
 
+std::vector<double> equal_edges(double span, double largest) {
+  const double count = std::max(1.0, std::ceil(span / largest - same));
+  return std::vector<double>(static_cast<std::size_t>(count), span / count);
+}
+
 std::vector<double> graded_edges(double span, double first, double growth, double largest) {
-  if (growth <= 1.0 || largest <= first) {
-    const double count = std::max(1.0, std::ceil(span / std::min(first, largest) - same));
-    return std::vector<double>(static_cast<std::size_t>(count), span / count);
-  }
+  if (growth <= 1.0 || largest <= first) return equal_edges(span, std::min(first, largest));
   // Edges are added in pairs, one at each end, until the next pair or a last single edge in the middle fills the span.
   std::vector<double> half;
   double edge = first;
@@ -145,14 +147,16 @@ std::array<GridLines, 3> grid_lines(const ModularBody& body, double cell_edge_m,
                                     const std::vector<JointHole>& holes) {
   const double wall = options.wall_thickness_m;
   const double wall_edge = wall / options.elements_through_wall;
+  const auto span_edges = [&](double length) {
+    if (options.elements_per_span) return equal_edges(length, (cell_edge_m - 2.0 * wall) / *options.elements_per_span);
+    return graded_edges(length, wall_edge, options.growth, options.largest_element_m.value_or(wall_edge));
+  };
   std::array<GridLines, 3> lines;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const Span& span : spans(body, axis, cell_edge_m, options, holes)) {
       const double length = span.end - span.begin;
       if (lines[axis].empty()) lines[axis].push_back(span.begin);
-      const std::vector<double> edges =
-          span.in_wall ? graded_edges(length, wall_edge, 1.0, wall_edge)
-                       : graded_edges(length, wall_edge, options.growth, options.largest_element_m.value_or(wall_edge));
+      const std::vector<double> edges = span.in_wall ? equal_edges(length, wall_edge) : span_edges(length);
       double at = span.begin;
       for (std::size_t i = 0; i + 1 < edges.size(); ++i) lines[axis].push_back(at += edges[i]);
       lines[axis].push_back(span.end);

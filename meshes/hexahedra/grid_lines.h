@@ -12,6 +12,10 @@ namespace menger::meshes {
 /// The positions of the grid lines along one axis, in metres, increasing.
 using GridLines = std::vector<double>;
 
+/// Divides a span into the fewest equal edges that are at most `largest`; both > 0.
+/// @return the lengths, whose sum is `span`
+std::vector<double> equal_edges(double span, double largest);
+
 /// Divides a span symmetrically into the fewest edges. Edges at both ends are at most `first`, grow towards the middle by at most
 /// the factor `growth`, and are at most `largest`. Both lengths > 0, growth >= 1. If largest <= first or growth is 1, all edges
 /// are equal.

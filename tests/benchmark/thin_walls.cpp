@@ -10,8 +10,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "fem/explicit/explicit_body.h"
 #include "fem/explicit/material_damping.h"
+#include "fem/explicit/three_field_elements.h"
 #include "fem/thin_walls/thin_wall_kernel.h"
 #include "meshes/hexahedra/verification_shapes.h"
 
@@ -69,15 +69,16 @@ void count_elements(benchmark::State& state) {
 void three_field(benchmark::State& state, const fem::ExplicitKernels& kernels, const Damping& damping) {
   const fem::ExplicitMaterial material{materials::NeoHookean{50e3}, materials::SimoTaylorVolume{2.5e6}, damping.viscosity_Pa_s,
                                        damping.branch};
-  const fem::ExplicitBody body(plate(), {.regions = {{material, 1070.0}}, .supports = {}, .point_supports = {}}, kernels);
+  const fem::ThreeFieldElements elements(plate(), {{material, 1070.0}}, kernels);
   const Motion<double> motion;
-  fem::AlignedNumbers slots(24 * kernels.width * body.boxes().batch_count());
-  fem::AlignedNumbers tensors = body.branches_at_rest(std::vector<double>(motion.displacements.size() - 1, 0.0));
+  fem::AlignedNumbers slots(24 * kernels.width * elements.boxes().batch_count());
+  fem::AlignedNumbers tensors =
+      std::get<fem::AlignedNumbers>(elements.branches_at_rest(std::vector<double>(motion.displacements.size() - 1, 0.0)));
   const fem::BranchTensors branch{tensors.empty() ? nullptr : tensors.data(), damping.relaxed_s};
   for (auto unused : state) {
     (void)unused;
-    const auto outcome = body.element_forces({motion.displacements.data(), motion.velocities.data()}, 0,
-                                             body.boxes().batch_count(), slots.data(), branch);
+    const auto outcome = elements.forces({motion.displacements.data(), motion.velocities.data()},
+                                         {0, elements.boxes().batch_count()}, branch, slots.data());
     if (!(outcome.smallest_ratio > 0.0)) state.SkipWithError("an element has no value");
     benchmark::ClobberMemory();
   }
@@ -92,7 +93,7 @@ void thin_walls(benchmark::State& state, const fem::ThinWallKernels<Number>& ker
   const std::size_t batches = (element_count + width - 1) / width;
   const auto shape = fem::shape_of(edges_m);
   Numbers shapes(shape.size() * width * batches);
-  Numbers pressures(2 * width * batches, Number(1e3));
+  std::vector<double> pressures(batches, 500.0);
   std::vector<std::uint32_t> nodes;
   for (std::size_t lane = 0; lane < width * batches; ++lane) {
     for (std::size_t n = 0; n < shape.size(); ++n)
@@ -104,7 +105,7 @@ void thin_walls(benchmark::State& state, const fem::ThinWallKernels<Number>& ker
   const std::vector<std::uint8_t> normals(batches, 2);
   const fem::ThinWallBatches<Number> all{element, batches, nodes.data(), shapes.data(), normals.data(), pressures.data()};
   const Motion<Number> motion;
-  Numbers slots(24 * width * batches);
+  Numbers slots(fem::slot_numbers_per_lane * width * batches);
   Numbers branch(fem::thin_wall_branch_numbers(element) * width * batches);
   kernels.rest_branches(all, {motion.displacements.data()}, branch.data());
   const fem::ThinWallMaterial material{.law = law,

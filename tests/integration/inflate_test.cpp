@@ -238,6 +238,37 @@ TEST_F(InflateProgram, TwoRanksGiveTheSameAnswer) {
   test_support::expect_opens_in_paraview(folder_ / "two");
 }
 
+/// A study of thin walls: a cube of 20 mm with walls of 4 mm. @param more further tables
+std::string thin_wall_study(const std::string& more = "") {
+  return "[elements]\nkind = \"thin_wall\"\nfidelity = \"draft\"\n"
+         "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.004\n"
+         "[material]\nbulk_modulus_Pa = 2.5e6\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n"
+         "[path]\npressure_Pa = [0, 3000]\n" +
+         more;
+}
+
+TEST_F(InflateProgram, TwoRanksGiveTheSameAnswerWithThinWalls) {
+  io::write_whole(folder_ / "study.toml", thin_wall_study("[output]\npictures = false\n"));
+  ASSERT_EQ(run({"study.toml", "-o", "one"}).code, 0);
+  const Outcome parallel = run_parallel({"study.toml", "-o", "two"});
+  ASSERT_EQ(parallel.code, 0) << parallel.err;
+  const io::CsvContents one = curves("one");
+  const io::CsvContents two = curves("two");
+  ASSERT_EQ(one.row_count(), two.row_count());
+  EXPECT_GT(last(one, "plenum_0_volume_m3"), 1.02 * one.number(0, "plenum_0_volume_m3"));
+  for (const char* column : {"plenum_0_volume_m3", "top_centre_displacement_z_m", "side_centre_displacement_x_m",
+                             "top_centre_largest_stretch", "strain_energy_J", "work_J"})
+    EXPECT_NEAR(last(two, column), last(one, column), 1e-7 * std::abs(last(one, column))) << column;
+}
+
+TEST_F(InflateProgram, SaysThatThinWallsAreNotRefined) {
+  io::write_whole(folder_ / "study.toml", thin_wall_study());
+  const Outcome outcome = run({"study.toml", "-o", "out", "--refine", "1"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("elements.kind"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(has("out"));
+}
+
 // mpirun needs some seconds to pass Ctrl-C on, and ends with its own exit code. A path of ten thousand steps is long enough.
 TEST_F(InflateProgram, StopsOnTwoRanks) {
   write_study("pressure_Pa = [0, 3000, 0]\nlargest_step = 0.0002\nfirst_step = 0.0002",

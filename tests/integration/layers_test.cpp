@@ -108,7 +108,7 @@ const std::map<std::string, std::string>& libraries() {
 
 /// Returns the library of a header: empty for headers of C++ and of the system, "an unknown library" for all others.
 std::string library_of(const std::string& header) {
-  static const std::regex of_system(R"([a-z_]+|(sys|sanitizer)/.*|(fcntl|poll|unistd)\.h)");
+  static const std::regex of_system(R"([a-z_]+|(sys|sanitizer)/.*|(fcntl|poll|semaphore|unistd)\.h)");
   for (const auto& [prefix, library] : libraries())
     if (header.starts_with(prefix)) return library;
   return std::regex_match(header, of_system) ? "" : "an unknown library";

@@ -36,7 +36,7 @@ class LocomoteProgram : public testing::Test {
 
   void write_study(const std::string& name, const std::string& duration_s, const std::string& more) const {
     io::write_whole(folder_ / name,
-                    "[design]\nfile = \"design.toml\"\nwall_thickness_m = 0.004\nlargest_element_m = 0.006\ngrowth = 4\n"
+                    "[design]\nfile = \"design.toml\"\nwall_thickness_m = 0.004\n"
                     "[material]\nsilicone = \"dragon_skin_10\"\nbulk_modulus_ratio = 20\n"
                     "[ground]\nstatic_friction = 1\nkinetic_friction = 0.5\n"
                     "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 4000]\nfrequency_Hz = 20\n"

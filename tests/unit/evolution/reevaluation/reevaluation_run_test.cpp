@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 std::string fake_locomote(const std::string& before = "") {
   return R"(cells=$(sed -n 's/^layers = //p' study.toml | tr -cd 12 | wc -c)
 modulus=$(sed -n 's/^youngs_modulus_Pa = //p' study.toml)
-through=$(sed -n 's/^elements_through_wall = //p' study.toml)
+through=1
+grep -q '^fidelity = "fine"' study.toml && through=2
 )" + before +
          R"(
 mkdir -p result
@@ -247,26 +248,28 @@ TEST_F(ReevaluationRun, WhereNothingCompletesTheOutcomeIsNumerical) {
 
 TEST_F(ReevaluationRun, VariantsTellTheReferencesOwnError) {
   const ReevaluationResult result = run(3, 0, "[variants]\ndesigns = 2\nyoungs_moduli_Pa = [65e3, 260e3]\n");
-  EXPECT_EQ(result.repeated, 3U + 2U * 5U);
+  EXPECT_EQ(result.repeated, 3U + 2U * 7U);
   const io::CsvContents found = table("variants.csv");
-  ASSERT_EQ(found.row_count(), 12U) << "two designs by the reference evaluator and five variants";
+  ASSERT_EQ(found.row_count(), 16U) << "two designs by the reference evaluator and seven variants";
   EXPECT_EQ(found.text(0, "variant"), "reference");
   EXPECT_EQ(found.number(0, "relative_change"), 0.0);
-  EXPECT_EQ(found.text(1, "variant"), "2 elements through the wall");
+  EXPECT_EQ(found.text(1, "variant"), "fidelity fine");
   EXPECT_EQ(found.text(1, "steps"), "2000");
-  EXPECT_EQ(found.text(4, "variant"), "E 65 kPa");
-  EXPECT_EQ(found.text(4, "kind"), "stiffness");
-  EXPECT_NEAR(found.number(4, "relative_change"), 0.5, 1e-9) << "a quarter of the modulus, half the displacement";
-  EXPECT_EQ(found.text(6, "rank"), "3") << "the next that can be evaluated";
+  EXPECT_EQ(found.text(6, "variant"), "E 65 kPa");
+  EXPECT_EQ(found.text(6, "kind"), "stiffness");
+  EXPECT_NEAR(found.number(6, "relative_change"), 0.5, 1e-9) << "a quarter of the modulus, half the displacement";
+  EXPECT_EQ(found.text(8, "rank"), "3") << "the next that can be evaluated";
   const std::vector<ReferenceError> errors =
       reference_errors(read_reevaluation_study({.archive = archive_, .file = folder_ / "study.toml", .top = 3},
                                                RunArchive::open_to_read(archive_)),
                        result.findings.designs, result.findings.variants);
-  ASSERT_EQ(errors.size(), 2U);
+  ASSERT_EQ(errors.size(), 3U);
   EXPECT_EQ(errors[0].runs, 6U);
   EXPECT_NEAR(errors[0].largest_change.value(), 0.0, 1e-12);
-  EXPECT_NEAR(errors[1].largest_change.value(), 0.5, 1e-9);
-  EXPECT_EQ(RunArchive::open_to_read(archive_).reevaluations().size(), 13U);
+  EXPECT_EQ(errors[1].kind, "sensitivity");
+  EXPECT_EQ(errors[1].runs, 4U);
+  EXPECT_NEAR(errors[2].largest_change.value(), 0.5, 1e-9);
+  EXPECT_EQ(RunArchive::open_to_read(archive_).reevaluations().size(), 17U);
 }
 
 TEST_F(ReevaluationRun, TheArchiveKeepsWhatWasFound) {

@@ -65,15 +65,17 @@ TEST_F(ReevaluationStudyTest, ReadsEveryKeyAndItsTextIsReadBackTheSame) {
   const ReevaluationStudy study = read(
       "level = 1\nsilicone = \"dragon_skin_10\"\nsample_seed = 9\nleast_body_lengths = 0.01\ntime_limit_s = 60\n"
       "[time]\nduration_s = 0.6\nrecord_interval_s = 0.01\nframe_interval_s = 0.05\n"
-      "[elements]\nelements_through_wall = 2\nbulk_modulus_ratio = 100\nstep_safety = 0.8\nyoungs_modulus_Pa = 2e5\n"
-      "damping_model = \"maxwell\"\nthreads = 2\n"
+      "[elements]\nkind = \"three_field\"\nelements_through_wall = 2\nbulk_modulus_ratio = 100\nstep_safety = "
+      "0.8\nyoungs_modulus_Pa = 2e5\n"
+      "damping_model = \"kelvin_voigt\"\nthreads = 2\n"
       "[ground]\nstatic_friction = 0.7\nkinetic_friction = 0.6\n"
-      "[variants]\ndesigns = 4\nelements_through_wall = 3\nbulk_modulus_factor = 3\nstep_factor = 0.25\nyoungs_moduli_Pa = "
+      "[variants]\ndesigns = 4\nelements_through_wall = 3\nbulk_modulus_factor = 3\nstep_factor = 0.25\nfriction_factor = "
+      "2\npressure_factor = 3\nyoungs_moduli_Pa = "
       "[1e5]\n");
   EXPECT_EQ(study.duration_s, 0.6);
   EXPECT_EQ(study.elements.elements_through_wall, 2);
   EXPECT_EQ(study.elements.youngs_modulus_Pa, 2e5);
-  EXPECT_EQ(study.elements.damping_model, fem::DampingModel::maxwell);
+  EXPECT_EQ(study.elements.damping_model, fem::DampingModel::kelvin_voigt);
   for (const voxel::VoxelMaterial& material : study.search.physics.materials) {
     EXPECT_EQ(material.static_friction, 0.7);
     EXPECT_EQ(material.kinetic_friction, 0.6);
@@ -116,16 +118,26 @@ TEST_F(ReevaluationStudyTest, ATemplateWithoutASearchEvaluatesAsTheSearchDid) {
 TEST_F(ReevaluationStudyTest, VariantsDifferFromTheReferenceInOneThing) {
   const ReevaluationStudy study = read("[variants]\n");
   const std::vector<ReferenceVariant> variants = reference_variants(study);
-  ASSERT_EQ(variants.size(), 5U);
-  EXPECT_EQ(variants[0].options, (LocomotionOptions{.elements_through_wall = 2}));
+  ASSERT_EQ(variants.size(), 7U);
+  EXPECT_EQ(variants[0].options, (LocomotionOptions{.elements = {.fidelity = fem::Fidelity::fine}}));
   EXPECT_EQ(variants[1].options, (LocomotionOptions{.bulk_modulus_ratio = 100.0}));
-  EXPECT_EQ(variants[2].options, (LocomotionOptions{.step_safety = 0.45}));
-  EXPECT_EQ(variants[3].options, (LocomotionOptions{.youngs_modulus_Pa = 107e3}));
-  EXPECT_EQ(variants[4].options, (LocomotionOptions{.youngs_modulus_Pa = 264e3}));
-  EXPECT_TRUE(variants[2].is_numerical);
-  EXPECT_FALSE(variants[3].is_numerical);
+  EXPECT_EQ(variants[2].options, (LocomotionOptions{.step_safety = 0.4}));
+  EXPECT_EQ(variants[3].options, (LocomotionOptions{.friction_factor = 1.01}));
+  EXPECT_EQ(variants[4].options, (LocomotionOptions{.pressure_factor = 1.01}));
+  EXPECT_EQ(variants[5].options, (LocomotionOptions{.youngs_modulus_Pa = 107e3}));
+  EXPECT_EQ(variants[6].options, (LocomotionOptions{.youngs_modulus_Pa = 264e3}));
+  EXPECT_EQ(variants[2].kind, VariantKind::numerical);
+  EXPECT_EQ(variants[4].kind, VariantKind::sensitivity);
+  EXPECT_EQ(variants[5].kind, VariantKind::stiffness);
+  const std::vector<ReferenceVariant> of_draft = reference_variants(read("[elements]\nfidelity = \"draft\"\n[variants]\n"));
+  EXPECT_EQ(of_draft[0].options, (LocomotionOptions{.elements = {.fidelity = fem::Fidelity::standard}}));
+  const std::vector<ReferenceVariant> of_layers = reference_variants(read("[elements]\nkind = \"three_field\"\n[variants]\n"));
+  EXPECT_EQ(of_layers[0].options,
+            (LocomotionOptions{.elements = {.kind = fem::ElementKind::three_field}, .elements_through_wall = 2}));
   const ReevaluationStudy none = read(
-      "[elements]\nelements_through_wall = 2\n[variants]\nbulk_modulus_factor = 1\nstep_factor = 1\nyoungs_moduli_Pa = []\n");
+      "[elements]\nfidelity = \"fine\"\n[variants]\nbulk_modulus_factor = 1\nstep_factor = 1\nfriction_factor = "
+      "1\npressure_factor = 1\n"
+      "youngs_moduli_Pa = []\n");
   EXPECT_TRUE(reference_variants(none).empty()) << "what is the reference evaluator itself is no variant";
 }
 
@@ -136,7 +148,7 @@ TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheS
   const io::TomlTable table = io::parse_toml(job.study, "study.toml");
   EXPECT_EQ(table.table("design").number("wall_thickness_m"), 0.002);
   EXPECT_EQ(table.table("design").text("chambers"), "single");
-  EXPECT_EQ(table.table("material").text("damping_model"), "kelvin_voigt");
+  EXPECT_EQ(table.table("material").text("damping_model"), "maxwell");
   EXPECT_EQ(table.table("ground").number("static_friction"), 1.0);
   EXPECT_EQ(table.table("ground").number("kinetic_friction"), 0.25);
   EXPECT_EQ(table.table("drive").numbers("pressure_Pa"), (std::vector<double>{0.0, 6000.0}));
@@ -158,7 +170,7 @@ TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheS
   other.step_safety = 0.45;
   EXPECT_NE(protocol_text(study, other), protocol_text(study, study.elements));
   other.step_safety = study.elements.step_safety;
-  other.damping_model = fem::DampingModel::maxwell;
+  other.damping_model = fem::DampingModel::kelvin_voigt;
   EXPECT_NE(protocol_text(study, other), protocol_text(study, study.elements));
 }
 

@@ -240,10 +240,31 @@ TEST(SelfContact, LooksAgainWhenAGapMayHaveClosed) {
   EXPECT_FALSE(contact.is_awake());
   contact.moved(0.01 * edge);
   EXPECT_TRUE(contact.is_awake());
-  contact.find_touches(rest, alone);
+  std::vector<double> apart = rest;
+  apart[0] += 0.38 * edge;
+  contact.find_touches(apart, alone);
   EXPECT_EQ(contact.search_count(), 2U);
   EXPECT_FALSE(contact.is_awake());
   contact.forget();
+  EXPECT_TRUE(contact.is_awake());
+}
+
+// Paths bound displacements. Where bodies have swung back, or fly as a whole, displacements tell that nothing can have met.
+TEST(SelfContact, DoesNotSearchWhereNodesHaveComeBack) {
+  const meshes::HexahedralMesh mesh = two_blocks();
+  SelfContact contact(mesh, stiffness);
+  contact.find_touches(mapped(mesh, same), alone);
+  std::vector<double> positions = mapped(mesh, same);
+  for (double& x : positions) x += 10.0 * edge;
+  positions[0] += 0.1 * edge;
+  contact.moved(0.5 * edge);
+  EXPECT_TRUE(contact.is_awake());
+  contact.find_touches(positions, alone);
+  EXPECT_EQ(contact.search_count(), 1U);
+  EXPECT_FALSE(contact.is_awake());
+  contact.moved(0.25 * edge);
+  EXPECT_FALSE(contact.is_awake()) << "0.1 of the displacement and 0.25 of the path since";
+  contact.moved(0.05 * edge);
   EXPECT_TRUE(contact.is_awake());
 }
 

@@ -18,15 +18,19 @@ std::vector<double> moved_positions(const meshes::HexahedralMesh& mesh) {
   return positions;
 }
 
-std::vector<double> nodal_forces(const ExplicitChambers& chambers, const std::vector<double>& positions, double pressure_Pa) {
-  std::vector<double> slots(chambers.slot_count());
+std::vector<double> nodal_forces(const ExplicitChambers& chambers, std::vector<double> positions, double pressure_Pa) {
+  AlignedNumbers slots(chambers.number_count());
   const std::vector<double> pressures(chambers.plenum_count(), pressure_Pa);
-  chambers.set_face_forces(positions, pressures, {0, chambers.face_count()}, slots);
+  const std::size_t node_count = positions.size() / 3;
+  positions.push_back(0.0);
+  chambers.set_face_forces(positions, pressures, {0, chambers.batch_count()}, slots);
   chambers.set_cap_forces(positions, pressures, slots);
-  std::vector<double> forces(positions.size(), 0.0);
-  for (std::size_t node = 0; node < positions.size() / 3; ++node)
-    for (const std::uint32_t slot : chambers.slots().of(node))
-      for (std::size_t i = 0; i < 3; ++i) forces[3 * node + i] += slots[slot + i];
+  std::vector<double> forces;
+  for (std::size_t node = 0; node < node_count; ++node) {
+    const std::array<double, 4> sum = chambers.slots().sum(slots.data(), node);
+    forces.insert(forces.end(), sum.begin(), sum.begin() + 3);
+    EXPECT_EQ(sum[3], 0.0);
+  }
   return forces;
 }
 
@@ -73,6 +77,18 @@ TEST(ExplicitChambers, ForceIsPressureTimesTheGradientOfTheVolume) {
     }
     const double difference = (chambers.volumes_m3(ahead)[0] - chambers.volumes_m3(behind)[0]) / (2.0 * step);
     EXPECT_NEAR(power, pressure * difference, 1e-6 * std::abs(power));
+  }
+}
+
+TEST(ExplicitChambers, InstructionSetsAgree) {
+  const meshes::HexahedralMesh mesh = cube_with_tube();
+  const std::vector<double> positions = moved_positions(mesh);
+  const std::vector<double> best = nodal_forces(ExplicitChambers(mesh), positions, 1e3);
+  double largest = 0.0;
+  for (const double force : best) largest = std::max(largest, std::abs(force));
+  for (const FacePressureKernels& kernels : available_face_pressure_kernels()) {
+    const std::vector<double> forces = nodal_forces(ExplicitChambers(mesh, kernels), positions, 1e3);
+    for (std::size_t n = 0; n < best.size(); ++n) EXPECT_NEAR(forces[n], best[n], 1e-13 * largest) << kernels.instruction_set;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "fem/explicit/explicit_kernel.h"
+#include "fem/boxes/explicit_kernel.h"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,8 @@ TEST(ExplicitKernels, ForcesAndEnergyAreThoseOfTheImplicitElements) {
   for (const ExplicitKernels& kernels : available_explicit_kernels()) {
     for (const ExplicitMaterial& material : all_materials()) {
       SCOPED_TRACE(description(kernels, material));
-      const ExplicitBody body(mesh, {.regions = {{material, 1.0}}, .supports = {}, .point_supports = {}}, kernels);
+      const ExplicitBody body(
+          mesh, {.regions = {{material, 1.0}}, .supports = {}, .point_supports = {}, .elements = ThreeFieldOptions{kernels}});
       std::vector<double> expected(displacements.size(), 0.0);
       double energy = 0.0;
       for (const meshes::ElementCorners& corners : mesh.elements) {
@@ -82,7 +83,7 @@ TEST(ExplicitKernels, ForcesAndEnergyAreThoseOfTheImplicitElements) {
       }
       const std::vector<double> forces = internal_forces(body, {displacements.data()});
       for (std::size_t n = 0; n < forces.size(); ++n) ASSERT_NEAR(forces[n], expected[n], 1e-12 * largest(expected)) << n;
-      EXPECT_NEAR(body.strain_energy_J(displacements), energy, 1e-12 * energy);
+      EXPECT_NEAR(strain_energy_J(body, displacements), energy, 1e-12 * energy);
     }
   }
 }
@@ -96,10 +97,12 @@ TEST(ExplicitKernels, ViscousForceOfSimpleShearIsThatOfAFluid) {
   for (std::size_t n = 0; n < mesh.points.size(); ++n) velocities[3 * n] = rate * mesh.points[n][1];
   for (const ExplicitKernels& kernels : available_explicit_kernels()) {
     ExplicitMaterial material{materials::NeoHookean{50e3}, materials::SimoTaylorVolume{1e6}, viscosity};
-    const ExplicitBody body(mesh, {.regions = {{material, 1.0}}, .supports = {}, .point_supports = {}}, kernels);
+    const ExplicitBody body(
+        mesh, {.regions = {{material, 1.0}}, .supports = {}, .point_supports = {}, .elements = ThreeFieldOptions{kernels}});
     const NodalMotion motion{rest.data(), velocities.data()};
-    AlignedNumbers slots(24 * kernels.width * body.boxes().batch_count());
-    const ElementsOutcome outcome = body.element_forces(motion, 0, body.boxes().batch_count(), slots.data());
+    AlignedNumbers slots(24 * kernels.width * three_field(body).boxes().batch_count());
+    const ElementsOutcome outcome =
+        three_field(body).forces(motion, {0, three_field(body).boxes().batch_count()}, {}, slots.data());
     const double volume = 1.0 * 1.1 * 0.9;
     EXPECT_NEAR(outcome.dissipated_W, viscosity * rate * rate * volume, 1e-12 * viscosity * rate * rate);
     const std::vector<double> forces = internal_forces(body, motion);
@@ -128,7 +131,8 @@ TEST(ExplicitKernels, ViscousForceIgnoresRotationAndDilation) {
   }
   const ExplicitMaterial viscous{materials::NeoHookean{50e3}, materials::SimoTaylorVolume{1e6}, 100.0};
   for (const ExplicitKernels& kernels : available_explicit_kernels()) {
-    const ExplicitBody body(mesh, {.regions = {{viscous, 1.0}}, .supports = {}, .point_supports = {}}, kernels);
+    const ExplicitBody body(
+        mesh, {.regions = {{viscous, 1.0}}, .supports = {}, .point_supports = {}, .elements = ThreeFieldOptions{kernels}});
     const std::vector<double> with = internal_forces(body, {displacements.data(), velocities.data()});
     const std::vector<double> without = internal_forces(body, {displacements.data()});
     for (std::size_t n = 0; n < with.size(); ++n) EXPECT_NEAR(with[n], without[n], 1e-12 * largest(without));
@@ -144,10 +148,12 @@ TEST(ExplicitKernels, DissipationIsThePowerOfTheViscousForce) {
                                                 materials::HyperelasticLaw{materials::Yeoh{21e3, 2.5e3, 0.1e3}}}) {
     for (const ExplicitKernels& kernels : available_explicit_kernels()) {
       const ExplicitMaterial material{law, materials::SimoTaylorVolume{1e6}, 50.0};
-      const ExplicitBody body(mesh, {.regions = {{material, 1.0}}, .supports = {}, .point_supports = {}}, kernels);
-      AlignedNumbers slots(24 * kernels.width * body.boxes().batch_count());
+      const ExplicitBody body(
+          mesh, {.regions = {{material, 1.0}}, .supports = {}, .point_supports = {}, .elements = ThreeFieldOptions{kernels}});
+      AlignedNumbers slots(24 * kernels.width * three_field(body).boxes().batch_count());
       const NodalMotion motion{displacements.data(), velocities.data()};
-      const double dissipated = body.element_forces(motion, 0, body.boxes().batch_count(), slots.data()).dissipated_W;
+      const double dissipated =
+          three_field(body).forces(motion, {0, three_field(body).boxes().batch_count()}, {}, slots.data()).dissipated_W;
       const std::vector<double> with = internal_forces(body, motion);
       const std::vector<double> without = internal_forces(body, {displacements.data()});
       double power = 0.0;
@@ -162,10 +168,13 @@ TEST(ExplicitKernels, AnswersThatDoNotExistAreReported) {
   const meshes::HexahedralMesh mesh = blocks();
   for (const ExplicitKernels& kernels : available_explicit_kernels()) {
     const ExplicitMaterial gent{materials::Gent{46e3, 20.0}, materials::SimoTaylorVolume{1e6}, 0.0};
-    const ExplicitBody body(mesh, {.regions = {{gent, 1.0}}, .supports = {}, .point_supports = {}}, kernels);
-    AlignedNumbers slots(24 * kernels.width * body.boxes().batch_count());
+    const ExplicitBody body(
+        mesh, {.regions = {{gent, 1.0}}, .supports = {}, .point_supports = {}, .elements = ThreeFieldOptions{kernels}});
+    AlignedNumbers slots(24 * kernels.width * three_field(body).boxes().batch_count());
     const auto ratio_of = [&](const std::vector<double>& displacements) {
-      return body.element_forces({displacements.data()}, 0, body.boxes().batch_count(), slots.data()).smallest_ratio;
+      return three_field(body)
+          .forces({displacements.data()}, {0, three_field(body).boxes().batch_count()}, {}, slots.data())
+          .smallest_ratio;
     };
     const auto stretched = [&](double stretch, double across) {
       std::vector<double> u;
@@ -182,8 +191,8 @@ TEST(ExplicitKernels, AnswersThatDoNotExistAreReported) {
     std::vector<double> none = stretched(1.0, 1.0);
     none[41] = std::nan("");
     EXPECT_LE(ratio_of(none), 0.0);
-    ASSERT_TRUE(body.failed_element(none));
-    EXPECT_FALSE(body.failed_element(none)->is_finite);
+    ASSERT_TRUE(body.elements().failed_element(none));
+    EXPECT_FALSE(body.elements().failed_element(none)->is_finite);
   }
 }
 

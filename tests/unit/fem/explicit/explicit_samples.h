@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fem/explicit/explicit_dynamics.h"
+#include "fem/explicit/three_field_elements.h"
 #include "meshes/hexahedra/boundary_labels.h"
 #include "meshes/hexahedra/hollow_polycube.h"
 #include "meshes/hexahedra/verification_shapes.h"
@@ -41,13 +42,28 @@ inline std::vector<double> random_numbers(std::size_t count, double amplitude, u
   return values;
 }
 
+/// The elements of a body with mean dilatation.
+inline const ThreeFieldElements& three_field(const ExplicitBody& body) {
+  return dynamic_cast<const ThreeFieldElements&>(body.elements());
+}
+
+/// Branches of such a body at rest at these displacements.
+inline AlignedNumbers branches_at_rest(const ExplicitBody& body, const std::vector<double>& displacements) {
+  return std::get<AlignedNumbers>(body.elements().branches_at_rest(displacements));
+}
+
+inline double strain_energy_J(const ExplicitBody& body, const std::vector<double>& displacements,
+                              const AlignedNumbers& branch = {}) {
+  return body.elements().strain_energy_J(displacements, branch);
+}
+
 /// Internal force on each component of each node, N.
 inline std::vector<double> internal_forces(const ExplicitBody& body, const NodalMotion& motion,
                                            const BranchTensors& branch = {}) {
-  AlignedNumbers slots(24 * body.boxes().width() * body.boxes().batch_count());
-  body.element_forces(motion, 0, body.boxes().batch_count(), slots.data(), branch);
+  AlignedNumbers slots(24 * three_field(body).boxes().width() * three_field(body).boxes().batch_count());
+  three_field(body).forces(motion, {0, three_field(body).boxes().batch_count()}, branch, slots.data());
   std::vector<double> forces(3 * body.node_count(), 0.0);
-  const NodeSlots& of_nodes = body.boxes().slots();
+  const NodeSlots& of_nodes = three_field(body).boxes().slots();
   for (std::size_t node = 0; node < body.node_count(); ++node)
     for (const std::uint32_t slot : of_nodes.of(node))
       for (std::size_t i = 0; i < 3; ++i) forces[3 * node + i] += slots[slot + i * of_nodes.stride];

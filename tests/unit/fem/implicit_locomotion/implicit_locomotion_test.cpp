@@ -43,7 +43,7 @@ double largest_volume_m3(const LocomotionResult& result) {
 // The breathing cube by both methods: the same elements, and steps whose errors are far below what is compared. The ground force
 // is that of a body that bounces, whose phase differs.
 TEST_F(ImplicitLocomotion, MovesAsExplicitDynamicsDoes) {
-  const LocomotionResult by_explicit = run(cube_study, "explicit");
+  const LocomotionResult by_explicit = run(cube_study + "[elements]\nkind = \"three_field\"\n", "explicit");
   const LocomotionResult result = run(cube_study + implicit, "implicit");
   ASSERT_EQ(result.status, io::RunStatus::completed) << result.reason;
   ASSERT_EQ(result.records.size(), by_explicit.records.size());

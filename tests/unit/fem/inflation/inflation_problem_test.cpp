@@ -69,6 +69,24 @@ TEST(InflationProblem, HoldsImagesOfOneAnotherWhereNoNodeLiesInTheMiddle) {
   EXPECT_NEAR(norm(difference(make_problem(study).body.point_supports[0].position, {0.01, 0.01, 0.0})), 0.0, 1e-12);
 }
 
+TEST(InflationProblem, CutsTheWallsAsTheFidelityOfThinWallsSays) {
+  InflationStudy study = cube_study();
+  EXPECT_FALSE(make_problem(study).body.thin_walls);
+  study.elements.kind = ElementKind::thin_wall;
+  for (const Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::fine}) {
+    study.elements.fidelity = fidelity;
+    const InflationProblem problem = make_problem(study);
+    const std::size_t span = 2 + static_cast<std::size_t>(fidelity);
+    ASSERT_TRUE(problem.body.thin_walls);
+    const std::vector<ThinWallPlace>& places = problem.body.thin_walls->places;
+    EXPECT_EQ(places.size(), problem.mesh.elements.size());
+    const auto walls = std::count_if(places.begin(), places.end(),
+                                     [](const ThinWallPlace& place) { return place.element == ThinWallElement::wall; });
+    EXPECT_EQ(walls, static_cast<std::ptrdiff_t>(6 * span * span)) << "one layer on each side of the chamber";
+    EXPECT_EQ(problem.body.thin_walls->constants.wall_penalty_ratio, ThinWallConstants{}.wall_penalty_ratio);
+  }
+}
+
 /// A study of a cube of 1 cm as a mesh file, its side "x min" under another label and at another x.
 /// @param file where the mesh is written
 InflationStudy block_study(const std::filesystem::path& file, const std::string& label, double shift_m = 0.0) {

@@ -97,6 +97,19 @@ TEST_F(InflationStudyFile, GivesEachPlenumItsDrive) {
   EXPECT_EQ(study.drives.at("plenum 1").gas_exponent, 1.4);
 }
 
+TEST_F(InflationStudyFile, ThinWallsAreChosenByKindAndFidelity) {
+  const InflationStudy standard = read({.rest = "[elements]\nkind = \"thin_wall\"\n"});
+  EXPECT_TRUE(standard.has_thin_walls());
+  EXPECT_EQ(standard.elements.fidelity, Fidelity::standard);
+  EXPECT_EQ(standard.space_degree(), 1);
+  const InflationStudy fine = read({.rest = "[elements]\nkind = \"thin_wall\"\nfidelity = \"fine\"\n"});
+  EXPECT_EQ(fine.elements.fidelity, Fidelity::fine);
+  EXPECT_NE(path_text(fine), path_text(standard));
+  const InflationStudy other = read({});
+  EXPECT_FALSE(other.has_thin_walls());
+  EXPECT_EQ(other.space_degree(), 2);
+}
+
 TEST_F(InflationStudyFile, IdentityFollowsThePathAndNotItsOutput) {
   const std::string base = path_text(read({}));
   EXPECT_EQ(path_text(read({.rest = "[output]\npictures = false\nfields_every = 3\n"})), base);
@@ -244,6 +257,22 @@ TEST_F(InflationStudyFile, RefusesEachFaultNamingFileKeyAndValue) {
       {{.body = "[mesh]\nfile = \"body.vtu\"\nlength_unit_m = 1\n"}, "mesh.length_unit_m", "a .vtu file is in metres"},
       {{.rest = "[supports]\nground_stiffness_Pa_per_m = 1e6\n"}, "supports.ground_stiffness_Pa_per_m", "kind = \"resting\""},
       {{.rest = "[extra]\n"}, "extra", ""},
+      {{.rest = "[elements]\nkind = \"shell\"\n"}, "elements.kind", "shell"},
+      {{.rest = "[elements]\nfidelity = \"fine\"\n"}, "elements.fidelity", "kind = \"thin_wall\""},
+      {{.rest = "[elements]\nkind = \"thin_wall\"\nfidelity = \"best\"\n"}, "elements.fidelity", "best"},
+      {{.rest = "[elements]\nkind = \"thin_wall\"\nprecision = \"single\"\n"}, "elements.precision", "unknown key"},
+      {{.rest = "[elements]\nkind = \"thin_wall\"\n[element]\ndegree = 2\n"}, "element.degree", "three_field"},
+      {{.rest = "[elements]\nkind = \"thin_wall\"\n[element]\nformulation = \"three_field\"\n"},
+       "element.formulation",
+       "elements.kind"},
+      {{.rest = "[elements]\nkind = \"thin_wall\"\n[element]\nrefinements = 1\n"}, "element.refinements", "elements.kind"},
+      {{.body = StudyText{}.body + "elements_through_wall = 2\n", .rest = "[elements]\nkind = \"thin_wall\"\n"},
+       "design.elements_through_wall",
+       "elements.kind"},
+      {{.body = StudyText{}.body + "largest_element_m = 0.005\n", .rest = "[elements]\nkind = \"thin_wall\"\n"},
+       "design.largest_element_m",
+       "elements.kind"},
+      {{.body = "[mesh]\nfile = \"body.vtu\"\n", .rest = "[elements]\nkind = \"thin_wall\"\n"}, "elements.kind", "give a design"},
   };
   for (const Fault& fault : faults) {
     const std::string message = refusal(fault.text);

@@ -28,7 +28,11 @@ LocomotionProgress awkward_progress() {
   state.steps = (std::size_t{1} << 40U) + 1;
   state.steps_to_bound = 200;
   state.step_share = 0.1;
-  state.work = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  state.steps_since_bound = 17;
+  state.stable_step_s = 1e-4 / 3.0;
+  state.pressures_Pa = {1e3 / 3.0, -0.0};
+  state.wall_volume_changes_m3 = {1e-9 / 3.0, -1e-9 / 7.0};
+  state.work = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
   state.at_start_J = 1e-17;
   state.turnover_J = 2.0 / 7.0;
   state.pneumatics = PneumaticState{.time_s = 0.3,
@@ -40,7 +44,7 @@ LocomotionProgress awkward_progress() {
   state.contact = std::vector<ContactMemory>{
       {.node = 7, .face = 9, .depth_m = 1e-5 / 3.0, .pressed_m = 1e-6 / 3.0, .paid_m2 = 1e-12 / 7.0, .slip_m = {-0.0, 1e-9, 0.1}},
       {.node = 8, .is_sliding = true}};
-  state.branches = BranchState{.tensors = {1.0 / 3.0, -0.0, 1.0 + 1e-16, 5e-324}, .age_s = 1e-5 / 3.0};
+  state.branches = BranchState{.numbers = AlignedNumbers{1.0 / 3.0, -0.0, 1.0 + 1e-16, 5e-324}, .age_s = 1e-5 / 3.0};
   LocomotionRecord record{
       .time_s = 0.1, .centre_of_mass_m = {0.1, 0.2, 0.3}, .plenum_pressures_Pa = {5.0}, .ground_force_N = 1.1};
   record.chamber_volumes_m3 = {1e-6};
@@ -69,14 +73,19 @@ TEST(LocomotionCheckpoint, GivesEveryBitBack) {
   EXPECT_EQ(found.steps, state.steps);
   EXPECT_EQ(found.steps_to_bound, state.steps_to_bound);
   EXPECT_EQ(found.step_share, state.step_share);
-  EXPECT_EQ(found.work.mass_damping_J, state.work.mass_damping_J);
-  EXPECT_EQ(found.work.pressure_J, state.work.pressure_J);
+  EXPECT_EQ(found.steps_since_bound, state.steps_since_bound);
+  EXPECT_EQ(found.stable_step_s, state.stable_step_s);
+  EXPECT_EQ(found.pressures_Pa, state.pressures_Pa);
+  EXPECT_EQ(found.wall_volume_changes_m3, state.wall_volume_changes_m3);
+  const auto& [pressure, wall_pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = found.work;
+  EXPECT_EQ((std::array{pressure, wall_pressure, gravity, contact, self_contact, friction, viscous, mass_damping}),
+            (std::array{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}));
   EXPECT_EQ(found.at_start_J, state.at_start_J);
   EXPECT_EQ(found.turnover_J, state.turnover_J);
   ASSERT_TRUE(found.contact);
   EXPECT_EQ(*found.contact, *state.contact);
   EXPECT_EQ(found.branches, state.branches);
-  EXPECT_TRUE(std::signbit(found.branches->tensors[1]));
+  EXPECT_TRUE(std::signbit(std::get<AlignedNumbers>(found.branches->numbers)[1]));
   ASSERT_TRUE(found.pneumatics);
   EXPECT_EQ(found.pneumatics->source_air_m3, state.pneumatics->source_air_m3);
   EXPECT_EQ(found.pneumatics->work.line_J, 0.4);
@@ -87,6 +96,21 @@ TEST(LocomotionCheckpoint, GivesEveryBitBack) {
   EXPECT_EQ(read->records[1].ground_force_N, 1.1);
   EXPECT_FALSE(read->outcome);
   EXPECT_EQ(read->seconds, 12.5);
+}
+
+// Elements in single precision have branches of that type.
+TEST(LocomotionCheckpoint, GivesNumbersOfSinglePrecisionBack) {
+  LocomotionProgress written = awkward_progress();
+  std::get<ExplicitState>(written.state).branches = BranchState{
+      .numbers = AlignedVector<float>{1.0F / 3.0F, -0.0F, std::numeric_limits<float>::denorm_min(), 3e38F}, .age_s = 0.5};
+  const tests::TestFolder folder;
+  const fs::path file = folder / "run.checkpoint";
+  write_locomotion_checkpoint(file, "study", written);
+  const auto read = read_locomotion_checkpoint(file, "study");
+  ASSERT_TRUE(read);
+  const auto& found = std::get<ExplicitState>(read->state);
+  EXPECT_EQ(found.branches, std::get<ExplicitState>(written.state).branches);
+  EXPECT_TRUE(std::signbit(std::get<AlignedVector<float>>(found.branches->numbers)[1]));
 }
 
 TEST(LocomotionCheckpoint, KeepsHowARunEndedAndWhatIsNotThere) {

@@ -11,14 +11,12 @@ namespace menger::fem {
 /// The lines of studies of small bodies, to be put together.
 namespace locomotion_samples {
 
-/// A hollow cube of 20 mm with walls of 4 mm, 98 elements.
+/// A hollow cube of 20 mm with walls of 4 mm.
 inline const std::string cube =
-    "[design]\nname = \"cube\"\ncells = [1, 1, 1]\ndigits = \"1\"\ncell_edge_m = 0.02\nwall_thickness_m = 0.004\n"
-    "largest_element_m = 0.006\ngrowth = 4\n";
+    "[design]\nname = \"cube\"\ncells = [1, 1, 1]\ndigits = \"1\"\ncell_edge_m = 0.02\nwall_thickness_m = 0.004\n";
 /// An L of three cells, which no mirror turns into itself along x.
 inline const std::string hook =
-    "[design]\nname = \"hook\"\ncells = [2, 1, 2]\ndigits = \"1110\"\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n"
-    "largest_element_m = 0.006\ngrowth = 4\n";
+    "[design]\nname = \"hook\"\ncells = [2, 1, 2]\ndigits = \"1110\"\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n";
 inline const std::string rubber =
     "[material]\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\ndensity_kg_per_m3 = 1070\nbulk_modulus_ratio = 20\n"
     "loss_factor = 0.1\nloss_frequency_Hz = 30\n";

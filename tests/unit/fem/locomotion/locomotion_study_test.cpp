@@ -64,6 +64,38 @@ TEST(LocomotionStudy, SurfacesRubAsOnTheGroundUnlessStated) {
                  {"belongs to self_contact = true"});
 }
 
+TEST(LocomotionStudy, ElementsAreThinWallsUnlessStated) {
+  const auto elements = [](const std::string& lines) { return hook_study + "[elements]\n" + lines; };
+  const LocomotionStudy standard = sample_study(hook_study);
+  EXPECT_EQ(standard.elements, ElementChoice{});
+  EXPECT_TRUE(std::holds_alternative<ThinWallOptions>(body_options(standard).elements));
+  EXPECT_EQ(locomotion_text(sample_study(elements("fidelity = \"standard\"\n"))), locomotion_text(standard));
+  std::size_t last_count = 0;
+  for (const std::string fidelity : {"draft", "standard", "fine"}) {
+    const std::size_t count = sample_study(elements("fidelity = \"" + fidelity + "\"\n")).mesh.elements.size();
+    EXPECT_GT(count, last_count) << fidelity;
+    last_count = count;
+  }
+  const LocomotionStudy layers = sample_study(elements("kind = \"three_field\"\n"));
+  EXPECT_TRUE(std::holds_alternative<ThreeFieldOptions>(body_options(layers).elements));
+  EXPECT_DOUBLE_EQ(standard.ground.stiffness_Pa_per_m, ground_stiffness_Pa_per_m(20.0 * 5e4, 2e-3)) << "by the shear modulus";
+  EXPECT_DOUBLE_EQ(layers.ground.stiffness_Pa_per_m, ground_stiffness_Pa_per_m(20.0 * 5e4, 2e-3)) << "by this bulk modulus";
+  for (const std::string& other : {elements("precision = \"double\"\n"), elements("kind = \"three_field\"\n")})
+    EXPECT_NE(locomotion_text(sample_study(other)), locomotion_text(standard));
+}
+
+TEST(LocomotionStudy, RefusesElementsThatDoNotFit) {
+  const std::string layers = "[design]\ncells = [1, 1, 1]\ndigits = \"1\"\ncell_edge_m = 0.01\nelements_through_wall = 2\n";
+  const std::string rest = silicone + ground + drive + time;
+  expect_refused(layers + rest, {"design.elements_through_wall = 2", "belongs to elements.kind = \"three_field\""});
+  EXPECT_NO_THROW((void)sample_study(layers + rest + "[elements]\nkind = \"three_field\"\n"));
+  expect_refused(hook_study + "[elements]\nkind = \"three_field\"\nfidelity = \"fine\"\n", {"elements.fidelity", "thin_wall"});
+  const std::string mixed =
+      "[design]\ncells = [2, 2, 1]\ndigits = \"1210\"\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\nchambers = \"per-phase\"\n";
+  expect_refused(mixed + rest, {"design.chambers = \"per-phase\"", "two layers", "\"three_field\""});
+  EXPECT_NO_THROW((void)sample_study(mixed + rest + "[elements]\nkind = \"three_field\"\n"));
+}
+
 TEST(LocomotionStudy, MeasuresLengthByTheLongestSideOfTheGrid) {
   const LocomotionStudy study = sample_study(hook_study);
   EXPECT_DOUBLE_EQ(body_length_m(study.design, 1), 0.02);
@@ -227,11 +259,13 @@ void describe(io::StudyVisitor& visitor, PossibleStudy& possible) {
   if (!study.silicone.density_kg_per_m3) study.silicone.density_kg_per_m3 = 1000.0;
   if (!study.drive) study.drive.emplace();  // supplies have a test of their own
   std::ranges::sort(study.drive->pressure_Pa);
+  if (study.implicit) study.elements.kind = ElementKind::three_field;
 }
 
 TEST(LocomotionStudy, TemplateAndTextsAreRead) {
   const auto adopt = [](LocomotionStudy& told, const LocomotionStudy& read) { told.silicone.law = read.silicone.law; };
-  tests::expect_template_is_read<LocomotionStudy>(parse_keys, {"design.file", "material.law"}, adopt);  // no file, no density
+  tests::expect_template_is_read<LocomotionStudy>(parse_keys, {"design.file", "material.law", "dynamics.method = \"implicit\""},
+                                                  adopt);  // no file, no density, other elements
   tests::expect_texts_are_read_back<PossibleStudy>([](const std::string& text) { return PossibleStudy{parse_keys(text)}; }, 100);
 }
 

@@ -50,6 +50,24 @@ TEST(Space, NumbersTheNodesOfElementsLexicographically) {
   }
 }
 
+TEST(Space, KnowsTheElementOfTheMeshThatAnElementIsAPartOf) {
+  const meshes::HexahedralMesh mesh = hollow_cube();
+  for (const int refinements : {0, 1}) {
+    const Space space = make_space(mesh, 1, refinements, MPI_COMM_SELF);
+    ASSERT_EQ(space.mesh_elements.size(), space.local_element_count());
+    for (std::size_t e = 0; e < space.local_element_count(); ++e) {
+      Point middle{};
+      for (std::size_t a = 0; a < 8; ++a)
+        middle = sum(middle, scaled(0.125, space.positions[static_cast<std::size_t>(space.element_nodes[8 * e + a])]));
+      const meshes::ElementCorners& corners = mesh.elements[space.mesh_elements[e]];
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_GT(middle[i], mesh.points[corners[0]][i]);
+        EXPECT_LT(middle[i], mesh.points[corners[7]][i]);
+      }
+    }
+  }
+}
+
 template <std::size_t n>
 FaceNodes<n> positions_of(const Space& space, const SpaceFace& face) {
   FaceNodes<n> nodes;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -130,7 +131,8 @@ class Patch {
     const std::size_t width = kernels.width;
     const std::size_t batches = (count_ + width - 1) / width;
     shapes_.resize(shape_numbers_per_lane * width * batches);
-    pressures_.resize(2 * width * batches, Number(0));
+    pressures_.resize(batches, 0.0);
+    volume_changes_.resize(batches, 0.0);
     normals_.assign(batches, static_cast<std::uint8_t>(grid.normal));
     for (std::size_t lane = 0; lane < width * batches; ++lane) {
       const std::array<std::size_t, 3>& box = boxes[std::min(lane, count_ - 1)];
@@ -152,18 +154,16 @@ class Patch {
 
   [[nodiscard]] std::size_t count() const { return count_; }
 
-  /// Pressures on both faces of all walls.
-  void press(double first_Pa, double second_Pa) {
-    for (std::size_t lane = 0; lane < lanes(); ++lane) {
-      pressures_[at(lane, 2, 0)] = static_cast<Number>(first_Pa);
-      pressures_[at(lane, 2, 1)] = static_cast<Number>(second_Pa);
-    }
-  }
+  /// Sets the pressures on both faces of all walls.
+  void press(double first_Pa, double second_Pa) { pressures_.assign(pressures_.size(), 0.5 * (first_Pa + second_Pa)); }
+
+  /// The change of the walls' volume at the last forces.
+  [[nodiscard]] double volume_change_m3() const { return std::accumulate(volume_changes_.begin(), volume_changes_.end(), 0.0); }
 
   /// Forces of the elements on the nodes; the outcome is kept.
   [[nodiscard]] std::vector<double> forces(const ThinWallMaterial& material, const std::vector<double>& displacements,
                                            const std::vector<double>& velocities = {}, double relaxed_s = 0.0) {
-    Numbers slots(24 * lanes());
+    Numbers slots(slot_numbers_per_lane * lanes());
     const Numbers u = converted(displacements);
     const Numbers v = converted(velocities);
     outcome = kernels_.forces(material, batches(), {u.data(), velocities.empty() ? nullptr : v.data()},
@@ -171,7 +171,7 @@ class Patch {
     std::vector<double> result(displacements.size(), 0.0);
     for (std::size_t lane = 0; lane < count_; ++lane)
       for (std::size_t n = 0; n < 24; ++n)
-        result[nodes_[8 * lane + n / 3] + n % 3] += static_cast<double>(slots[at(lane, 24, n)]);
+        result[nodes_[8 * lane + n / 3] + n % 3] += static_cast<double>(slots[slot_numbers_per_lane * lane + n / 3 * 4 + n % 3]);
     return result;
   }
 
@@ -209,7 +209,7 @@ class Patch {
     return (lane / kernels_.width * numbers + n) * kernels_.width + lane % kernels_.width;
   }
   [[nodiscard]] ThinWallBatches<Number> batches() const {
-    return {element_, normals_.size(), nodes_.data(), shapes_.data(), normals_.data(), pressures_.data()};
+    return {element_, normals_.size(), nodes_.data(), shapes_.data(), normals_.data(), pressures_.data(), volume_changes_.data()};
   }
   [[nodiscard]] Numbers converted(const std::vector<double>& values) const {
     Numbers result(3 * node_count_ + 1, Number(0));
@@ -224,7 +224,8 @@ class Patch {
   std::vector<std::uint32_t> nodes_;
   std::vector<std::uint8_t> normals_;
   Numbers shapes_;
-  Numbers pressures_;
+  std::vector<double> pressures_;
+  mutable std::vector<double> volume_changes_;
 };
 
 /// A strain of a few tenths that differs from corner to corner.

@@ -79,5 +79,19 @@ TEST(GridLines, WallsBetweenPhasesHaveTheAskedNumberOfElements) {
   }
 }
 
+// The 6 mm between the walls of a cell in three parts; the 16 mm between those of two cells in the fewest that are no longer.
+TEST(GridLines, CutSpansIntoEqualElements) {
+  HollowBodyOptions options;
+  options.wall_thickness_m = 2e-3;
+  options.elements_per_span = 3;
+  const ModularBody body(Polycube::from_digits(2, 1, 1, "11"), 1, ChamberLayout::single);
+  const std::array<GridLines, 3> lines = grid_lines(body, 10e-3, options, {});
+  const GridLines across{0.0, 2e-3, 4e-3, 6e-3, 8e-3, 10e-3};
+  ASSERT_EQ(lines[1].size(), across.size());
+  for (std::size_t n = 0; n < across.size(); ++n) EXPECT_NEAR(lines[1][n], across[n], 1e-15);
+  ASSERT_EQ(lines[0].size(), 11U);
+  for (std::size_t n = 0; n < 11; ++n) EXPECT_NEAR(lines[0][n], 2e-3 * static_cast<double>(n), 1e-15);
+}
+
 }  // namespace
 }  // namespace menger::meshes

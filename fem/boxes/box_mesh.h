@@ -4,35 +4,13 @@
 #include <cstdint>
 #include <span>
 #include <vector>
-#include <xsimd/xsimd.hpp>
 
-#include "fem/explicit/explicit_kernel.h"
+#include "fem/boxes/aligned_numbers.h"
+#include "fem/boxes/explicit_kernel.h"
+#include "fem/boxes/node_slots.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
 
 namespace menger::fem {
-
-/// Numbers aligned for SIMD packs.
-using AlignedNumbers = std::vector<double, xsimd::aligned_allocator<double, 64>>;
-
-/// The slots of each node in an array of forces per element or face. The three components of slot s are `stride` apart.
-struct NodeSlots {
-  static constexpr std::size_t padding = 32;
-  std::vector<std::uint32_t> offsets;  ///< node_count + 1 positions in slots
-  /// Index of the first component of each slot, in the order of elements or faces. `padding` further entries, all 0, follow at
-  /// the end, so that a loop may read ahead.
-  std::vector<std::uint32_t> slots;
-  std::size_t stride = 1;
-
-  [[nodiscard]] std::span<const std::uint32_t> of(std::size_t node) const {
-    return std::span(slots).subspan(offsets[node], offsets[node + 1] - offsets[node]);
-  }
-};
-
-/// Sorts slots by node.
-/// @param nodes node of each slot
-/// @param first_component index of the first component of each slot
-NodeSlots sorted_by_node(std::span<const std::uint32_t> nodes, std::span<const std::uint32_t> first_component,
-                         std::size_t node_count, std::size_t stride);
 
 /// Consecutive batches of elements of one region.
 struct BoxGroup {
@@ -61,7 +39,6 @@ class BoxMesh {
   /// Returns the element of the mesh in a lane; lanes are counted over all batches.
   [[nodiscard]] std::size_t element(std::size_t lane) const { return elements_[lane]; }
   [[nodiscard]] double volume_m3(std::size_t lane) const { return volumes_[lane]; }  ///< 0 where an element is repeated
-  [[nodiscard]] double shortest_edge_m(std::size_t lane) const;
   [[nodiscard]] std::span<const std::uint32_t> first_components(std::size_t lane) const {
     return std::span(first_components_).subspan(8 * lane, 8);
   }

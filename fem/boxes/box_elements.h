@@ -2,9 +2,9 @@
 
 // One batch of boxes for one type of packs. Included only by the kernels of an instruction set.
 
-#include "fem/explicit/box_gradient.h"
-#include "fem/explicit/explicit_kernel_table.h"
-#include "fem/explicit/explicit_stress.h"
+#include "fem/boxes/box_gradient.h"
+#include "fem/boxes/explicit_kernel_table.h"
+#include "fem/boxes/explicit_stress.h"
 
 namespace menger::fem::detail {
 
@@ -135,24 +135,6 @@ class BoxElements {
     return volume_ * xsimd::fma(sum, Pack(0.125), volume_laws[task.volume.index](task.volume.parameters, dilatation_).energy);
   }
 
-  void store_bounds(const ExplicitTask& task, const double* tensors, const ElementBounds& bounds, std::size_t batch) {
-    static constexpr auto volume_laws = PackTables<VolumetricLaw>::template volumetric<Pack>();
-    Pack largest(0.0);
-    Pack largest_of_branch(0.0);
-    for (std::size_t q = 0; q < 8; ++q) {
-      add_stress(points_[q].cofactor, q);
-      largest = xsimd::max(largest, largest_deviatoric_square(q));
-      if (tensors == nullptr) continue;
-      const Pack of_branch = branch_square(tensor_at(gradient_, q), points_[q], tensors + 6 * Pack::size * q);
-      largest_of_branch = xsimd::max(largest_of_branch, of_branch);
-    }
-    store_forces(bounds.volume_gradients_m2 + 24 * Pack::size * batch);
-    const auto response = volume_laws[task.volume.index](task.volume.parameters, dilatation_);
-    response.second_derivative.store_aligned(bounds.bulk_moduli_Pa + Pack::size * batch);
-    largest.store_aligned(bounds.deviatoric_squares + Pack::size * batch);
-    largest_of_branch.store_aligned(bounds.branch_squares + Pack::size * batch);
-  }
-
   [[nodiscard]] const Pack& smallest_ratio() const { return smallest_ratio_; }
   [[nodiscard]] const Pack& dissipation() const { return dissipation_; }
   [[nodiscard]] const Pack& relaxed() const { return relaxed_; }
@@ -163,26 +145,6 @@ class BoxElements {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) result[3 * i + j] = gradient.at(i, j, q);
     return result;
-  }
-
-  /// Returns the largest |dev sym(G F^-1)|^2 over all G with |G| = 1. Let s be the eigenvalues of C^-1. In the axes of F the
-  /// off-diagonal entries contribute (s_i + s_j) / 2. The diagonal ones contribute the largest eigenvalue of diag(s) - d d^T / 3
-  /// with d_i^2 = s_i, which is never less. It is I1 / 3 + sqrt(I1^2 / 9 - I2 / 3) with the invariants I1 = |cof F|^2 / J^2 and
-  /// I2 = |F|^2 / J^2 of C^-1.
-  [[nodiscard]] Pack largest_deviatoric_square(std::size_t q) const {
-    const PointVolume<Pack>& point = points_[q];
-    Pack first(0.0);
-    Pack second(0.0);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        first = xsimd::fma(point.cofactor[3 * i + j], point.cofactor[3 * i + j], first);
-        second = xsimd::fma(gradient_.at(i, j, q), gradient_.at(i, j, q), second);
-      }
-    }
-    const Pack inverse_square = Pack(1.0) / (point.ratio * point.ratio);
-    const Pack third = first * inverse_square * Pack(1.0 / 3.0);
-    const Pack root = xsimd::fms(third, third, second * inverse_square * Pack(1.0 / 3.0));
-    return third + xsimd::sqrt(xsimd::max(root, Pack(0.0)));
   }
 
   /// Adds the stress of point q. Two points share each place of a column; the one with the smaller number must come first.

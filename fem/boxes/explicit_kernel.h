@@ -61,16 +61,6 @@ struct ElementsOutcome {
   double relaxed_J = 0.0;
 };
 
-/// The values of elements that bounds of the eigenvalues need. Arrays hold numbers per batch and are aligned to 64 bytes.
-struct ElementBounds {
-  double* volume_gradients_m2;  ///< 24 width: d(volume)/du, in the order of the forces
-  double* bulk_moduli_Pa;       ///< width: U'' at the mean dilatation
-  double* deviatoric_squares;   ///< width: largest |dev sym(G F^-1)|^2 over |G| = 1 and the points; 1 at rest
-  /// width: an upper bound of half the second derivative of the branch's energy over its modulus, for all |G| = 1 and all points;
-  /// 1 at rest, 0 without a branch
-  double* branch_squares;
-};
-
 namespace detail {
 struct ExplicitKernelTable;
 }
@@ -98,11 +88,6 @@ class ExplicitKernels {
   /// @param branch values as in BranchTensors; nullptr: without branches
   void energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion, const double* branch,
                 double* energies_J, double* smallest_ratios) const;
-
-  /// Computes the values that bounds of the eigenvalues need.
-  /// @param branch as above
-  void bounds(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion, const double* branch,
-              const ElementBounds& bounds) const;
 
  private:
   const detail::ExplicitKernelTable* table_;

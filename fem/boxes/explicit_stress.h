@@ -8,8 +8,8 @@
 
 #include "fem/elements/inverse_cube_root.h"
 #include "fem/elements/pack_laws.h"
-#include "fem/explicit/explicit_branch.h"
-#include "fem/explicit/explicit_kernel_table.h"
+#include "fem/boxes/explicit_branch.h"
+#include "fem/boxes/explicit_kernel_table.h"
 
 namespace menger::fem::detail {
 

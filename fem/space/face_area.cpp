@@ -1,4 +1,4 @@
-#include "fem/statics/face_area.h"
+#include "fem/space/face_area.h"
 
 #include "fem/surfaces/face.h"
 

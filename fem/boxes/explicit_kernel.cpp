@@ -1,9 +1,9 @@
-#include "fem/explicit/explicit_kernel.h"
+#include "fem/boxes/explicit_kernel.h"
 
 #include <cmath>
 #include <vector>
 
-#include "fem/explicit/explicit_kernel_table.h"
+#include "fem/boxes/explicit_kernel_table.h"
 
 namespace menger::fem {
 
@@ -61,11 +61,6 @@ ElementsOutcome ExplicitKernels::forces(const ExplicitMaterial& material, const 
 void ExplicitKernels::energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
                                const double* branch, double* energies_J, double* smallest_ratios) const {
   table_->energies(task_of(material, resting(material.branch, branch), batches, motion), energies_J, smallest_ratios);
-}
-
-void ExplicitKernels::bounds(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
-                             const double* branch, const ElementBounds& bounds) const {
-  table_->bounds(task_of(material, resting(material.branch, branch), batches, motion), bounds);
 }
 
 std::vector<ExplicitKernels> available_explicit_kernels() {

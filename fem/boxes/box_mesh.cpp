@@ -1,7 +1,5 @@
-#include "fem/explicit/box_mesh.h"
+#include "fem/boxes/box_mesh.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "io/text/input_error.h"
@@ -10,38 +8,14 @@
 namespace menger::fem {
 namespace {
 
-/// Returns the edges of an element that is a box along the axes. @throws io::InputError if it is none
 meshes::Point box_edges(const meshes::HexahedralMesh& mesh, std::size_t element) {
   const meshes::CornerPoints corners = meshes::corner_points(mesh, element);
-  const meshes::Point edges = meshes::difference(corners[7], corners[0]);
-  const double shortest = std::min({edges[0], edges[1], edges[2]});
-  bool is_box = shortest > 0.0;
-  for (std::size_t c = 0; c < 8; ++c) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double wanted = corners[0][i] + ((c >> i & 1U) != 0 ? edges[i] : 0.0);
-      if (!(std::abs(corners[c][i] - wanted) <= 1e-9 * shortest)) is_box = false;
-    }
-  }
-  if (!is_box)
-    throw io::InputError("explicit dynamics: element " + std::to_string(element) + " at " + meshes::millimetre_text(corners[0]) +
-                         " is not a box along the axes");
-  return edges;
+  if (const auto edges = meshes::box_edges(corners)) return *edges;
+  throw io::InputError("explicit dynamics: element " + std::to_string(element) + " at " + meshes::millimetre_text(corners[0]) +
+                       " is not a box along the axes");
 }
 
 }  // namespace
-
-NodeSlots sorted_by_node(std::span<const std::uint32_t> nodes, std::span<const std::uint32_t> first_component,
-                         std::size_t node_count, std::size_t stride) {
-  NodeSlots sorted;
-  sorted.stride = stride;
-  sorted.offsets.assign(node_count + 1, 0);
-  for (const std::uint32_t node : nodes) ++sorted.offsets[node + 1];
-  for (std::size_t n = 0; n < node_count; ++n) sorted.offsets[n + 1] += sorted.offsets[n];
-  sorted.slots.assign(nodes.size() + NodeSlots::padding, 0);
-  std::vector<std::uint32_t> next(sorted.offsets.begin(), sorted.offsets.end() - 1);
-  for (std::size_t s = 0; s < nodes.size(); ++s) sorted.slots[next[nodes[s]]++] = first_component[s];
-  return sorted;
-}
 
 BoxMesh::BoxMesh(const meshes::HexahedralMesh& mesh, std::size_t width) : width_(width), element_count_(mesh.elements.size()) {
   for (std::size_t region = 0; region < mesh.region_names.size(); ++region) add_group(mesh, region);
@@ -87,11 +61,6 @@ void BoxMesh::add_lane(const meshes::HexahedralMesh& mesh, std::size_t element, 
 BoxBatches BoxMesh::batches(std::size_t first, std::size_t count) const {
   return {count, first_components_.data() + 8 * width_ * first, inverse_edges_.data() + 3 * width_ * first,
           volumes_.data() + width_ * first};
-}
-
-double BoxMesh::shortest_edge_m(std::size_t lane) const {
-  const double* inverse = inverse_edges_.data() + 3 * width_ * (lane / width_) + lane % width_;
-  return 1.0 / std::max({inverse[0], inverse[width_], inverse[2 * width_]});
 }
 
 }  // namespace menger::fem

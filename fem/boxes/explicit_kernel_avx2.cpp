@@ -1,4 +1,4 @@
-#include "fem/explicit/explicit_evaluation.h"
+#include "fem/boxes/explicit_evaluation.h"
 
 namespace menger::fem::detail {
 

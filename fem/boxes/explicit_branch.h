@@ -131,45 +131,4 @@ void add_branch_point(const std::array<Pack, 9>& F, const PointVolume<Pack>& poi
   sums.determinants = sums.determinants * determinant(A);
 }
 
-/// Returns an upper bound of the largest eigenvalue of a symmetric tensor: a third of its trace plus sqrt(2/3) times the norm of
-/// its deviator.
-template <class Pack>
-Pack eigenvalue_bound(const Symmetric<Pack>& A) {
-  const Pack third = (A[0] + A[1] + A[2]) * Pack(1.0 / 3.0);
-  const Pack square = xsimd::max(xsimd::fnma(third * third, Pack(3.0), contraction(A, A)), Pack(0.0));
-  return third + xsimd::sqrt(square * Pack(2.0 / 3.0));
-}
-
-/// Returns an upper bound of half the second derivative of the branch's energy, over its modulus, along any G with |G| = 1, for a
-/// given A.
-///
-/// Let h = G F^-1, t = tr h, and b = J^(-2/3) F A F^T with the mean k and the deviator b'. The quantity is half of
-///   tr(h b h^T) + k tr(h^2) - 2/3 k t^2 - 4/3 t (h : b').
-/// The first term is J^(-2/3) tr(G A G^T), at most J^(-2/3) times the largest eigenvalue of A. |h|^2 is at most the largest
-/// eigenvalue s of C^-1. The last two terms are largest at t = -(h : b') / k, where they are 2/3 (h : b')^2 / k, at most 2/3
-/// |b'|^2 s / k. At rest both sides are 1.
-template <class Pack>
-Pack branch_square(const std::array<Pack, 9>& F, const PointVolume<Pack>& point, const double* tensor) {
-  const Pack root = inverse_cube_root(point.ratio);
-  const Pack root_square = root * root;
-  const Symmetric<Pack> A = load_symmetric<Pack>(tensor);
-  const std::array<Pack, 9> product = times_symmetric(F, A);
-  Pack trace(0.0);
-  Pack square(0.0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Pack b = root_square * xsimd::fma(product[3 * i], F[3 * j],
-                                              xsimd::fma(product[3 * i + 1], F[3 * j + 1], product[3 * i + 2] * F[3 * j + 2]));
-      square = xsimd::fma(b, b, square);
-      if (i == j) trace = trace + b;
-    }
-  }
-  const Pack mean = trace * Pack(1.0 / 3.0);
-  const Pack deviator_square = xsimd::max(xsimd::fnma(mean * mean, Pack(3.0), square), Pack(0.0));
-  const Pack inverse_square = Pack(1.0) / (point.ratio * point.ratio);
-  const Pack s = inverse_square * eigenvalue_bound(gram(point.cofactor));
-  const Pack by_rotation = s * (mean + Pack(2.0 / 3.0) * deviator_square / mean);
-  return Pack(0.5) * xsimd::fma(root_square, eigenvalue_bound(A), by_rotation);
-}
-
 }  // namespace menger::fem::detail

@@ -3,7 +3,7 @@
 // The kernels of explicit dynamics for one type of packs. Included only by the files explicit_kernel_<instruction set>.cpp, each
 // compiled for its own, and instantiated with pack types of that instruction set only.
 
-#include "fem/explicit/box_elements.h"
+#include "fem/boxes/box_elements.h"
 
 namespace menger::fem::detail {
 
@@ -69,18 +69,8 @@ void explicit_energies(const ExplicitTask& task, double* energies_J, double* sma
 }
 
 template <class Pack>
-void explicit_bounds(const ExplicitTask& task, const ElementBounds& bounds) {
-  for (std::size_t batch = 0; batch < task.batches.count; ++batch) {
-    BoxElements<Pack> elements(task.batches, batch);
-    elements.place(task.motion.displacements_m);
-    elements.store_bounds(task, tensors_of<Pack>(task.branch.tensors, batch), bounds, batch);
-  }
-}
-
-template <class Pack>
 const ExplicitKernelTable& explicit_kernel_table(const char* instruction_set) {
-  static const ExplicitKernelTable table{instruction_set, Pack::size, explicit_forces<Pack>, explicit_energies<Pack>,
-                                         explicit_bounds<Pack>};
+  static const ExplicitKernelTable table{instruction_set, Pack::size, explicit_forces<Pack>, explicit_energies<Pack>};
   return table;
 }
 

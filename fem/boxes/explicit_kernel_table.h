@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/elements/pack_laws.h"
-#include "fem/explicit/explicit_kernel.h"
+#include "fem/boxes/explicit_kernel.h"
 
 namespace menger::fem::detail {
 
@@ -30,7 +30,6 @@ struct ExplicitKernelTable {
   std::size_t width;
   ElementsOutcome (*forces)(const ExplicitTask& task, double* forces_N);
   void (*energies)(const ExplicitTask& task, double* energies_J, double* smallest_ratios);
-  void (*bounds)(const ExplicitTask& task, const ElementBounds& bounds);
 };
 
 const ExplicitKernelTable& baseline_explicit_kernels();

@@ -1,0 +1,9 @@
+#include "fem/explicit/face_pressure_evaluation.h"
+
+namespace menger::fem::detail {
+
+const FacePressureTable& avx512_face_pressure() {
+  return face_pressure_table<LanePack<xsimd::batch<double, xsimd::avx512f>>>("avx512");
+}
+
+}  // namespace menger::fem::detail

@@ -1,0 +1,291 @@
+#include "fem/explicit/thin_wall_elements.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "fem/explicit/wide_loops.h"
+#include "fem/thin_walls/thin_wall_mesh.h"
+#include "io/text/input_error.h"
+
+namespace menger::fem {
+namespace {
+
+constexpr std::size_t components_per_block = 6144;  // whole nodes
+
+/// Converts nodal vectors relative to the first node's: forces do not change with a common displacement, and single precision
+/// would otherwise round the more the further a body has gone.
+/// @param first the first node's vector
+template <class Number>
+[[gnu::always_inline]] inline void convert_relative(const double* from, std::size_t count, const double* first, Number* to) {
+  constexpr std::size_t pattern = 24;
+  std::array<double, pattern> origin;
+  for (std::size_t n = 0; n < pattern; ++n) origin[n] = first[n % 3];
+  const std::size_t whole = count / pattern * pattern;
+  for (std::size_t n = 0; n < whole; n += pattern)
+    for (std::size_t k = 0; k < pattern; ++k) to[n + k] = static_cast<Number>(from[n + k] - origin[k]);
+  for (std::size_t n = whole; n < count; ++n) to[n] = static_cast<Number>(from[n] - origin[n - whole]);
+}
+
+MENGER_WIDE_LOOPS void convert(const double* from, std::size_t count, const double* first, float* to) {
+  convert_relative(from, count, first, to);
+}
+
+MENGER_WIDE_LOOPS void convert(const double* from, std::size_t count, const double* first, double* to) {
+  convert_relative(from, count, first, to);
+}
+
+template <class Number>
+class ThinWallElements final : public ExplicitElements {
+ public:
+  ThinWallElements(const meshes::HexahedralMesh& mesh, const std::vector<ExplicitRegion>& regions, const ThinWallOptions& options,
+                   const ThinWallKernels<Number>& kernels)
+      : kernels_(kernels),
+        walls_(mesh, kernels.width),
+        points_(mesh.points),
+        plenum_count_(mesh.plenum_names.size()),
+        slots_(sorted_slots()) {
+    for (const ExplicitRegion& region : regions) {
+      const ExplicitMaterial& given = region.material;
+      materials_.push_back({.law = given.law,
+                            .bulk_modulus_Pa = std::visit([](const auto& law) { return law.bulk_modulus_Pa; }, given.volume),
+                            .wall_penalty_ratio = options.constants.wall_penalty_ratio,
+                            .block_stiffness_ratio = options.constants.block_stiffness_ratio,
+                            .viscosity_Pa_s = given.viscosity_Pa_s,
+                            .branch = given.branch});
+    }
+    set_shapes();
+    std::size_t position = 0;
+    for (const ThinWallGroup& group : walls_.groups()) {
+      branch_positions_.push_back(position);
+      position += thin_wall_branch_numbers(group.element) * walls_.width() * group.batch_count;
+    }
+    branch_count_ = position;
+  }
+
+  [[nodiscard]] std::string text() const override {
+    return "thin walls, " + std::string(sizeof(Number) == 4 ? "single" : "double") + " precision, " +
+           std::string(kernels_.instruction_set);
+  }
+
+  [[nodiscard]] double contact_modulus_Pa() const override {
+    double largest = 0.0;
+    for (const ThinWallMaterial& material : materials_)
+      largest = std::max(largest, fem::contact_modulus_Pa(materials::shear_modulus_at_rest_Pa(material.law)));
+    return largest;
+  }
+
+  [[nodiscard]] std::unique_ptr<ElementForces> make_forces() const override { return std::make_unique<Forces>(*this); }
+
+  [[nodiscard]] BranchNumbers branches_at_rest(std::span<const double> displacements_m) const override {
+    const auto has_branch = [](const ThinWallMaterial& material) { return material.branch.is_there(); };
+    if (std::none_of(materials_.begin(), materials_.end(), has_branch)) return AlignedVector<Number>{};
+    AlignedVector<Number> branches(branch_count_, Number(0));
+    const AlignedVector<Number> u = converted(displacements_m);
+    for (std::size_t g = 0; g < walls_.groups().size(); ++g) {
+      const ThinWallGroup& group = walls_.groups()[g];
+      kernels_.rest_branches(batches(group, {group.first_batch, group.first_batch + group.batch_count}), {u.data()},
+                             branches.data() + branch_positions_[g]);
+    }
+    return branches;
+  }
+
+  [[nodiscard]] double strain_energy_J(std::span<const double> displacements_m, const BranchNumbers& branches) const override {
+    const auto energies = lane_energies(displacements_m, std::get<AlignedVector<Number>>(branches)).energies_J;
+    return std::accumulate(energies.begin(), energies.end(), 0.0,
+                           [](double sum, Number energy) { return sum + static_cast<double>(energy); });
+  }
+
+  [[nodiscard]] std::optional<FailedElement> failed_element(std::span<const double> displacements_m) const override {
+    const AlignedVector<Number> ratios = lane_energies(displacements_m, {}).smallest_ratios;
+    for (std::size_t lane = 0; lane < ratios.size(); ++lane) {
+      if (!ThinWallOutcome{.smallest_ratio = static_cast<double>(ratios[lane])}.is_inverted()) continue;
+      FailedElement failed{walls_.element(lane), points_[walls_.first_components(lane)[0] / 3], true};
+      for (const std::uint32_t component : walls_.first_components(lane))
+        for (std::size_t i = 0; i < 3; ++i) failed.is_finite = failed.is_finite && std::isfinite(displacements_m[component + i]);
+      return failed;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  class Forces;
+
+  struct LaneEnergies {
+    AlignedVector<Number> energies_J;  ///< per lane
+    AlignedVector<Number> smallest_ratios;
+  };
+
+  void set_shapes() {
+    const std::size_t width = walls_.width();
+    shapes_.resize(shape_numbers_per_lane * walls_.lane_count());
+    for (std::size_t lane = 0; lane < walls_.lane_count(); ++lane) {
+      const auto shape = walls_.shape(lane);
+      for (std::size_t n = 0; n < shape.size(); ++n)
+        shapes_[(lane / width * shape.size() + n) * width + lane % width] = static_cast<Number>(shape[n]);
+    }
+  }
+
+  /// Slots are counted by lane and corner; the empty one follows them all.
+  [[nodiscard]] FourfoldSlots sorted_slots() const {
+    std::vector<std::uint32_t> nodes;
+    std::vector<std::uint32_t> slots;
+    for (std::size_t lane = 0; lane < walls_.lane_count(); ++lane) {
+      if (walls_.is_repeated(lane)) continue;
+      for (std::size_t c = 0; c < 8; ++c) {
+        nodes.push_back(walls_.first_components(lane)[c] / 3);
+        slots.push_back(static_cast<std::uint32_t>(8 * lane + c));
+      }
+    }
+    return {nodes, slots, points_.size(), static_cast<std::uint32_t>(8 * walls_.lane_count())};
+  }
+
+  [[nodiscard]] ThinWallBatches<Number> batches(const ThinWallGroup& group, IndexRange range) const {
+    auto result = walls_.template batches<Number>(group.element, range.begin, range.end - range.begin);
+    result.shapes = shapes_.data() + shape_numbers_per_lane * walls_.width() * range.begin;
+    return result;
+  }
+
+  /// Kernels read one number beyond the last component.
+  [[nodiscard]] AlignedVector<Number> converted(std::span<const double> values) const {
+    AlignedVector<Number> result(values.size() + 1, Number(0));
+    convert(values.data(), values.size(), values.data(), result.data());
+    return result;
+  }
+
+  [[nodiscard]] double mean_pressure_Pa(std::size_t batch, std::span<const double> pressures_Pa) const {
+    double sum = 0.0;
+    for (const int plenum : walls_.plena(batch))
+      if (plenum >= 0) sum += pressures_Pa[static_cast<std::size_t>(plenum)];
+    return 0.5 * sum;
+  }
+
+  [[nodiscard]] LaneEnergies lane_energies(std::span<const double> displacements_m, const AlignedVector<Number>& branches) const {
+    const std::size_t width = walls_.width();
+    LaneEnergies result{AlignedVector<Number>(walls_.lane_count()), AlignedVector<Number>(walls_.lane_count())};
+    const AlignedVector<Number> u = converted(displacements_m);
+    for (std::size_t g = 0; g < walls_.groups().size(); ++g) {
+      const ThinWallGroup& group = walls_.groups()[g];
+      kernels_.energies(materials_[group.region], batches(group, {group.first_batch, group.first_batch + group.batch_count}),
+                        {u.data()}, branches.empty() ? nullptr : branches.data() + branch_positions_[g],
+                        result.energies_J.data() + width * group.first_batch,
+                        result.smallest_ratios.data() + width * group.first_batch);
+    }
+    return result;
+  }
+
+  ThinWallKernels<Number> kernels_;
+  ThinWallMesh walls_;
+  std::vector<meshes::Point> points_;
+  std::size_t plenum_count_;
+  std::vector<ThinWallMaterial> materials_;  ///< per region
+  AlignedVector<Number> shapes_;
+  FourfoldSlots slots_;
+  std::vector<std::size_t> branch_positions_;  ///< of each group's first batch
+  std::size_t branch_count_ = 0;
+};
+
+template <class Number>
+class ThinWallElements<Number>::Forces final : public ElementForces {
+ public:
+  explicit Forces(const ThinWallElements& elements)
+      : elements_(elements),
+        displacements_(3 * elements.points_.size() + 1, Number(0)),
+        slots_N_(slot_numbers_per_lane * elements.walls_.lane_count() + 4, Number(0)),
+        pressures_Pa_(elements.walls_.batch_count(), 0.0),
+        volume_changes_m3_(elements.walls_.batch_count(), 0.0) {
+    const auto is_viscous = [](const ThinWallMaterial& material) { return material.viscosity_Pa_s > 0.0; };
+    if (std::any_of(elements.materials_.begin(), elements.materials_.end(), is_viscous)) velocities_ = displacements_;
+  }
+
+  void place(const NodalMotion& motion, const BlockLoop& loop) override {
+    has_velocities_ = !velocities_.empty() && motion.velocities_m_per_s != nullptr;
+    loop.run(displacements_.size() - 1, components_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+      convert(motion.displacements_m + begin, end - begin, motion.displacements_m, displacements_.data() + begin);
+      if (has_velocities_)
+        convert(motion.velocities_m_per_s + begin, end - begin, motion.velocities_m_per_s, velocities_.data() + begin);
+    });
+  }
+
+  void press(std::span<const double> pressures_Pa) override {
+    for (std::size_t batch = 0; batch < pressures_Pa_.size(); ++batch)
+      pressures_Pa_[batch] = elements_.mean_pressure_Pa(batch, pressures_Pa);
+  }
+
+  [[nodiscard]] std::size_t batch_count() const override { return elements_.walls_.batch_count(); }
+
+  ForcesOutcome compute(IndexRange range, BranchNumbers& branches, double relaxed_s) override {
+    AlignedVector<Number>& numbers = std::get<AlignedVector<Number>>(branches);
+    const std::size_t width = elements_.walls_.width();
+    ForcesOutcome outcome;
+    for (std::size_t g = 0; g < elements_.walls_.groups().size(); ++g) {
+      const ThinWallGroup& group = elements_.walls_.groups()[g];
+      const std::size_t first = std::max(range.begin, group.first_batch);
+      const std::size_t end = std::min(range.end, group.first_batch + group.batch_count);
+      if (first >= end) continue;
+      ThinWallBatches<Number> batches = elements_.batches(group, {first, end});
+      batches.mean_pressures_Pa = pressures_Pa_.data() + first;
+      batches.volume_changes_m3 = volume_changes_m3_.data() + first;
+      ThinWallBranches<Number> own{nullptr, relaxed_s};
+      if (!numbers.empty())
+        own.values = numbers.data() + elements_.branch_positions_[g] +
+                     thin_wall_branch_numbers(group.element) * width * (first - group.first_batch);
+      const ThinWallOutcome part = elements_.kernels_.forces(
+          elements_.materials_[group.region], batches, {displacements_.data(), has_velocities_ ? velocities_.data() : nullptr},
+          own, slots_N_.data() + slot_numbers_per_lane * width * first);
+      outcome.has_failed = outcome.has_failed || part.is_inverted();
+      outcome.dissipated_W += part.dissipated_W;
+      outcome.relaxed_J += part.relaxed_J;
+    }
+    return outcome;
+  }
+
+  void sum(IndexRange nodes, double* forces_N) const override {
+    for (std::size_t node = nodes.begin; node < nodes.end; ++node) {
+      const std::array<Number, 4> force = elements_.slots_.sum(slots_N_.data(), node);
+      for (std::size_t i = 0; i < 3; ++i) *forces_N++ = static_cast<double>(force[i]);
+    }
+  }
+
+  [[nodiscard]] std::vector<double> wall_volume_changes_m3() const override {
+    std::vector<double> changes(elements_.plenum_count_, 0.0);
+    for (std::size_t batch = 0; batch < volume_changes_m3_.size(); ++batch)
+      for (const int plenum : elements_.walls_.plena(batch))
+        if (plenum >= 0) changes[static_cast<std::size_t>(plenum)] += 0.5 * volume_changes_m3_[batch];
+    return changes;
+  }
+
+ private:
+  const ThinWallElements& elements_;
+  bool has_velocities_ = false;
+  AlignedVector<Number> displacements_;
+  AlignedVector<Number> velocities_;  ///< empty without a viscosity
+  AlignedVector<Number> slots_N_;
+  std::vector<double> pressures_Pa_;       ///< means of both faces, per batch
+  std::vector<double> volume_changes_m3_;  ///< per batch
+};
+
+template <class Number>
+std::unique_ptr<ExplicitElements> make(const meshes::HexahedralMesh& mesh, const std::vector<ExplicitRegion>& regions,
+                                       const ThinWallOptions& options) {
+  if (options.instruction_set.empty())
+    return std::make_unique<ThinWallElements<Number>>(mesh, regions, options, best_thin_wall_kernels<Number>());
+  for (const ThinWallKernels<Number>& kernels : available_thin_wall_kernels<Number>())
+    if (kernels.instruction_set == options.instruction_set)
+      return std::make_unique<ThinWallElements<Number>>(mesh, regions, options, kernels);
+  throw io::InputError("thin walls: this machine has no instruction set " + std::string(options.instruction_set));
+}
+
+}  // namespace
+
+std::unique_ptr<ExplicitElements> thin_wall_elements(const meshes::HexahedralMesh& mesh,
+                                                     const std::vector<ExplicitRegion>& regions, const ThinWallOptions& options) {
+  if (options.precision == Precision::double_precision) return make<double>(mesh, regions, options);
+  return make<float>(mesh, regions, options);
+}
+
+}  // namespace menger::fem

@@ -1,0 +1,147 @@
+#include "fem/thin_walls/thin_wall_mesh.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "io/text/input_error.h"
+#include "meshes/hexahedra/element_geometry.h"
+
+namespace menger::fem {
+namespace {
+
+using FaceNodes = std::array<std::size_t, 4>;
+
+FaceNodes sorted(FaceNodes nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+FaceNodes face_of(const meshes::ElementCorners& corners, std::size_t side) {
+  FaceNodes nodes{};
+  for (std::size_t c = 0; c < 4; ++c) nodes[c] = corners[meshes::face_corners[side][c]];
+  return sorted(nodes);
+}
+
+/// The free faces of a mesh: those that bound the body and are no plane of symmetry. Each with the plenum behind it, or -1.
+class FreeFaces {
+ public:
+  explicit FreeFaces(const meshes::HexahedralMesh& mesh) {
+    std::vector<std::optional<int>> plenum_of_label;
+    for (const std::string& label : mesh.label_names)
+      plenum_of_label.push_back(label.starts_with("symmetry") ? std::optional<int>{} : std::optional(-1));
+    for (const meshes::Chamber& chamber : mesh.chambers)
+      for (const std::size_t label : chamber.labels) plenum_of_label[label] = static_cast<int>(chamber.plenum);
+    for (const meshes::BoundaryFace& face : mesh.faces)
+      if (const auto plenum = plenum_of_label[face.label]) plena_[sorted(face.corners)] = *plenum;
+  }
+
+  /// Returns the plenum behind a face of an element, -1 for the outside; empty if the face is not free.
+  [[nodiscard]] std::optional<int> plenum(const meshes::ElementCorners& corners, std::size_t side) const {
+    const auto found = plena_.find(face_of(corners, side));
+    return found == plena_.end() ? std::optional<int>{} : std::optional(found->second);
+  }
+
+ private:
+  std::map<FaceNodes, int> plena_;
+};
+
+}  // namespace
+
+std::vector<ThinWallPlace> thin_wall_places(const meshes::HexahedralMesh& mesh) {
+  const FreeFaces faces(mesh);
+  std::vector<ThinWallPlace> places;
+  places.reserve(mesh.elements.size());
+  for (const meshes::ElementCorners& corners : mesh.elements) {
+    ThinWallPlace place;
+    std::size_t free_axes = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::optional<int> low = faces.plenum(corners, 2 * axis);
+      const std::optional<int> high = faces.plenum(corners, 2 * axis + 1);
+      if (!low || !high) continue;
+      ++free_axes;
+      place = {ThinWallElement::wall, axis, {std::max(*low, *high), std::min(*low, *high)}};
+    }
+    places.push_back(free_axes == 1 ? place : ThinWallPlace{});
+  }
+  return places;
+}
+
+std::optional<std::size_t> layered_wall(const meshes::HexahedralMesh& mesh, double wall_thickness_m) {
+  constexpr double rounding = 1e-6;
+  const FreeFaces faces(mesh);
+  // Elements with one free face across an axis, by the face on the other side.
+  std::map<FaceNodes, std::size_t> behind;
+  for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
+    const meshes::ElementCorners& corners = mesh.elements[element];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool low = faces.plenum(corners, 2 * axis).has_value();
+      const bool high = faces.plenum(corners, 2 * axis + 1).has_value();
+      if (low == high) continue;
+      const auto [found, is_new] = behind.try_emplace(face_of(corners, 2 * axis + (low ? 1 : 0)), element);
+      if (is_new) continue;
+      const auto thickness = [&](std::size_t one) {
+        const meshes::CornerPoints points = meshes::corner_points(mesh, one);
+        return points[7][axis] - points[0][axis];
+      };
+      if (thickness(element) + thickness(found->second) <= wall_thickness_m * (1.0 + rounding)) return element;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string obstacle_to_thin_walls(const meshes::HexahedralMesh& mesh, double wall_thickness_m) {
+  const std::optional<std::size_t> element = layered_wall(mesh, wall_thickness_m);
+  if (!element) return "";
+  return "the wall at " + meshes::millimetre_text(meshes::corner_points(mesh, *element)[0]) +
+         " is cut into two layers, as walls between phases and outer walls lie in one plane: thin walls need one layer; choose "
+         "elements.kind = \"three_field\"";
+}
+
+ThinWallMesh::ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width) : width_(width) {
+  const std::vector<ThinWallPlace> places = thin_wall_places(mesh);
+  using Key = std::tuple<ThinWallElement, std::size_t, ThinWallPlace>;  // kind, region, place
+  std::map<Key, std::vector<std::size_t>> sets;
+  for (std::size_t element = 0; element < places.size(); ++element)
+    sets[{places[element].element, mesh.regions[element], places[element]}].push_back(element);
+  for (const auto& [key, elements] : sets) {
+    const auto& [kind, region, place] = key;
+    if (groups_.empty() || groups_.back().element != kind || groups_.back().region != region)
+      groups_.push_back({kind, region, batch_count(), 0});
+    for (const std::size_t element : elements) add_lane(mesh, element, place.normal);
+    while (elements_.size() % width_ != 0) {
+      add_lane(mesh, elements.back(), place.normal);
+      edges_m_.back()[0] = 0.0;
+    }
+    const std::size_t count = (elements.size() + width_ - 1) / width_;
+    normals_.insert(normals_.end(), count, static_cast<std::uint8_t>(place.normal));
+    plena_.insert(plena_.end(), count, place.plena);
+    groups_.back().batch_count += count;
+  }
+}
+
+void ThinWallMesh::add_lane(const meshes::HexahedralMesh& mesh, std::size_t element, std::size_t normal) {
+  const meshes::CornerPoints corners = meshes::corner_points(mesh, element);
+  const std::optional<meshes::Point> edges = meshes::box_edges(corners);
+  if (!edges)
+    throw io::InputError("thin walls: element " + std::to_string(element) + " at " + meshes::millimetre_text(corners[0]) +
+                         " is not a box along the axes");
+  elements_.push_back(element);
+  edges_m_.push_back({(*edges)[(normal + 1) % 3], (*edges)[(normal + 2) % 3], (*edges)[normal]});
+  for (std::size_t c = 0; c < 8; ++c)
+    first_components_.push_back(static_cast<std::uint32_t>(3 * mesh.elements[element][global_corner(normal, c)]));
+}
+
+std::array<double, shape_numbers_per_lane> ThinWallMesh::shape(std::size_t lane) const {
+  if (!is_repeated(lane)) return shape_of(edges_m_[lane]);
+  // The repeated element precedes the first repeated lane.
+  std::size_t original = lane;
+  while (is_repeated(original)) --original;
+  std::array<double, shape_numbers_per_lane> result = shape_of(edges_m_[original]);
+  result[3] = 0.0;
+  return result;
+}
+
+}  // namespace menger::fem

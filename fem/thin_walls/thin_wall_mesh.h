@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fem/thin_walls/thin_wall_kernel.h"
+#include "meshes/hexahedra/hexahedral_mesh.h"
+
+namespace menger::fem {
+
+/// The place of an element in a body of thin walls.
+struct ThinWallPlace {
+  ThinWallElement element = ThinWallElement::block;
+  std::size_t normal = 2;  ///< axis of the thickness of a wall: 0, 1, 2 for x, y, z; of no meaning for blocks
+  /// The plena behind the two faces of a wall, the larger one first; -1: the outside. -1 for blocks.
+  std::array<int, 2> plena{-1, -1};
+
+  bool operator==(const ThinWallPlace&) const = default;
+  auto operator<=>(const ThinWallPlace&) const = default;
+};
+
+/// Returns the place of every element. An element is a wall if both of its faces across exactly one axis are free: they bound the
+/// body and are no plane of symmetry. All others are blocks: edges and corners, where walls meet; solid parts, and walls of
+/// several layers, which have elements behind a face; thin bars, which are free across two axes.
+std::vector<ThinWallPlace> thin_wall_places(const meshes::HexahedralMesh& mesh);
+
+/// Returns an element of a wall that the mesh cuts into two layers, if there is one: a wall no thicker than `wall_thickness_m` of
+/// two elements, each with one free face. Such a wall is made of blocks, which bend too little. It comes about where walls
+/// between phases and outer walls lie in one plane between cells, as their grid lines go through the whole body. Joints of
+/// modules are thicker.
+std::optional<std::size_t> layered_wall(const meshes::HexahedralMesh& mesh, double wall_thickness_m);
+
+/// Returns why thin-wall elements do not describe a body well, for users; empty if they do.
+std::string obstacle_to_thin_walls(const meshes::HexahedralMesh& mesh, double wall_thickness_m);
+
+/// Consecutive batches of elements of one kind and region.
+struct ThinWallGroup {
+  ThinWallElement element = ThinWallElement::wall;
+  std::size_t region = 0;
+  std::size_t first_batch = 0;
+  std::size_t batch_count = 0;
+};
+
+/// A mesh of boxes along the axes as walls and blocks, in batches for kernels of `width` lanes. The elements of a batch have the
+/// same region, kind, normal and plena. The lanes at the end of a batch that have no element repeat its last one with a volume of
+/// zero; their forces are never read.
+class ThinWallMesh {
+ public:
+  /// Sorts the elements of a mesh into batches.
+  /// @throws io::InputError naming the first element that is no box along the axes
+  ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width);
+
+  [[nodiscard]] std::size_t width() const { return width_; }
+  [[nodiscard]] std::size_t batch_count() const { return normals_.size(); }
+  [[nodiscard]] std::size_t lane_count() const { return elements_.size(); }
+  [[nodiscard]] const std::vector<ThinWallGroup>& groups() const { return groups_; }
+
+  /// Returns the element of the mesh in a lane; lanes are counted over all batches.
+  [[nodiscard]] std::size_t element(std::size_t lane) const { return elements_[lane]; }
+  [[nodiscard]] bool is_repeated(std::size_t lane) const { return edges_m_[lane][0] == 0.0; }
+  /// The shape of the element in a lane, see shape_of; its volume is 0 where it is repeated.
+  [[nodiscard]] std::array<double, shape_numbers_per_lane> shape(std::size_t lane) const;
+  /// Three times the nodes of the eight corners of a lane, in the order that kernels take.
+  [[nodiscard]] std::span<const std::uint32_t> first_components(std::size_t lane) const {
+    return std::span(first_components_).subspan(8 * lane, 8);
+  }
+  [[nodiscard]] std::size_t normal(std::size_t batch) const { return normals_[batch]; }
+  /// See ThinWallPlace::plena.
+  [[nodiscard]] const std::array<int, 2>& plena(std::size_t batch) const { return plena_[batch]; }
+
+  /// Returns batches without shapes and pressures, which depend on the number type.
+  template <class Number>
+  [[nodiscard]] ThinWallBatches<Number> batches(ThinWallElement element, std::size_t first, std::size_t count) const {
+    ThinWallBatches<Number> result;
+    result.element = element;
+    result.count = count;
+    result.first_components = first_components_.data() + 8 * width_ * first;
+    result.normals = normals_.data() + first;
+    return result;
+  }
+
+ private:
+  void add_lane(const meshes::HexahedralMesh& mesh, std::size_t element, std::size_t normal);
+
+  std::size_t width_;
+  std::vector<ThinWallGroup> groups_;
+  std::vector<std::size_t> elements_;
+  std::vector<std::array<double, 3>> edges_m_;  ///< l1, l2, l3 per lane; l1 is 0 where an element is repeated
+  std::vector<std::uint32_t> first_components_;
+  std::vector<std::uint8_t> normals_;
+  std::vector<std::array<int, 2>> plena_;
+};
+
+}  // namespace menger::fem
