@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/elements/pack_laws.h"
 #include "fem/boxes/explicit_kernel.h"
+#include "fem/elements/pack_laws.h"
 
 namespace menger::fem::detail {
 

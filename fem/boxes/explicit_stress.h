@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
-#include "fem/elements/inverse_cube_root.h"
-#include "fem/elements/pack_laws.h"
 #include "fem/boxes/explicit_branch.h"
 #include "fem/boxes/explicit_kernel_table.h"
+#include "fem/elements/inverse_cube_root.h"
+#include "fem/elements/pack_laws.h"
 
 namespace menger::fem::detail {
 

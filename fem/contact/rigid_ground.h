@@ -37,9 +37,9 @@ struct RigidGround {
 };
 
 /// The default stiffness of a ground: `fraction` of M / h, the stiffness of a layer of elements against a change of its
-/// thickness. With 0.05 and the bulk modulus, steps become 2 % shorter on walls of one element of 2 mm, and the mean depth under the weight of a robot
-/// of 18 cells of 1 cm with such walls is 1.4e-3 h. Nodes on the edges and corners of the contact area also carry springs for
-/// their side faces, so they lie less deep under the same pressure.
+/// thickness. With 0.05 and the bulk modulus, steps become 2 % shorter on walls of one element of 2 mm, and the mean depth under
+/// the weight of a robot of 18 cells of 1 cm with such walls is 1.4e-3 h. Nodes on the edges and corners of the contact area also
+/// carry springs for their side faces, so they lie less deep under the same pressure.
 /// @param modulus_Pa M: the largest bulk modulus of a body; less for thin-wall elements, see contact_modulus_Pa
 /// @param edge_m h, the shortest edge of its elements
 constexpr double ground_stiffness_Pa_per_m(double modulus_Pa, double edge_m, double fraction = 0.05) {

@@ -58,7 +58,7 @@ std::unique_ptr<ExplicitElements> elements_of(const meshes::HexahedralMesh& mesh
 
 }  // namespace
 
-ExplicitBody::ExplicitBody(const meshes::HexahedralMesh& mesh, ExplicitBodyOptions options) {
+ExplicitBody::ExplicitBody(const meshes::HexahedralMesh& mesh, const ExplicitBodyOptions& options) {
   check(mesh, options);
   elements_ = elements_of(mesh, options);
   regions_ = options.regions;

@@ -38,7 +38,7 @@ class ExplicitBody {
   /// @throws io::InputError for elements that are no boxes along the axes, elements of a region that the mesh does not have, a
   /// number of materials that is not that of the mesh's regions, nodes without an element, densities that are not positive,
   /// negative viscosities and branch moduli, and branches that never relax
-  ExplicitBody(const meshes::HexahedralMesh& mesh, ExplicitBodyOptions options);
+  ExplicitBody(const meshes::HexahedralMesh& mesh, const ExplicitBodyOptions& options);
 
   [[nodiscard]] std::size_t node_count() const { return masses_.size(); }
   [[nodiscard]] const ExplicitElements& elements() const { return *elements_; }

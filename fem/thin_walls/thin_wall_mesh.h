@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "fem/thin_walls/thin_wall_kernel.h"
@@ -21,7 +22,9 @@ struct ThinWallPlace {
   std::array<int, 2> plena{-1, -1};
 
   bool operator==(const ThinWallPlace&) const = default;
-  auto operator<=>(const ThinWallPlace&) const = default;
+  bool operator<(const ThinWallPlace& other) const {
+    return std::tie(element, normal, plena) < std::tie(other.element, other.normal, other.plena);
+  }
 };
 
 /// Returns the place of every element. An element is a wall if both of its faces across exactly one axis are free: they bound the
