@@ -28,7 +28,6 @@ class BoxMesh {
   BoxMesh(const meshes::HexahedralMesh& mesh, std::size_t width);
 
   [[nodiscard]] std::size_t width() const { return width_; }
-  [[nodiscard]] std::size_t node_count() const { return slots_.offsets.size() - 1; }
   [[nodiscard]] std::size_t element_count() const { return element_count_; }
   [[nodiscard]] std::size_t batch_count() const { return elements_.size() / width_; }
   [[nodiscard]] const std::vector<BoxGroup>& groups() const { return groups_; }
@@ -38,7 +37,6 @@ class BoxMesh {
 
   /// Returns the element of the mesh in a lane; lanes are counted over all batches.
   [[nodiscard]] std::size_t element(std::size_t lane) const { return elements_[lane]; }
-  [[nodiscard]] double volume_m3(std::size_t lane) const { return volumes_[lane]; }  ///< 0 where an element is repeated
   [[nodiscard]] std::span<const std::uint32_t> first_components(std::size_t lane) const {
     return std::span(first_components_).subspan(8 * lane, 8);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fem/boxes/explicit_kernel_table.h"
+#include "fem/elements/instruction_sets.h"
 
 namespace menger::fem {
 
@@ -37,11 +38,8 @@ const std::vector<const ExplicitKernelTable*>& available_tables() {
   static const std::vector<const ExplicitKernelTable*> tables = [] {
     std::vector<const ExplicitKernelTable*> result{&detail::baseline_explicit_kernels()};
 #ifdef MENGER_X86_KERNELS
-    // The compiler's builtin also checks whether the operating system saves the wide registers.
-    if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0)
-      result.push_back(&detail::avx2_explicit_kernels());
-    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
-      result.push_back(&detail::avx512_explicit_kernels());
+    if (detail::has_avx2()) result.push_back(&detail::avx2_explicit_kernels());
+    if (detail::has_avx512()) result.push_back(&detail::avx512_explicit_kernels());
 #endif
     return result;
   }();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fem/elements/element_kernel_table.h"
+#include "fem/elements/instruction_sets.h"
 
 namespace menger::fem {
 
@@ -18,9 +19,8 @@ const std::vector<const KernelTable*>& available_tables() {
     std::vector<const KernelTable*> result{&detail::baseline_kernels()};
 #ifdef MENGER_X86_KERNELS
     // This test of the compiler also checks whether the operating system saves the wide registers.
-    if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) result.push_back(&detail::avx2_kernels());
-    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
-      result.push_back(&detail::avx512_kernels());
+    if (detail::has_avx2()) result.push_back(&detail::avx2_kernels());
+    if (detail::has_avx512()) result.push_back(&detail::avx512_kernels());
 #endif
     return result;
   }();

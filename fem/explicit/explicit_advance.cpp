@@ -17,7 +17,7 @@ constexpr std::size_t least_steps_to_bound = 10;
 }  // namespace
 
 double ExplicitDynamics::stable_step() {
-  press_walls();
+  set_pressures();
   LargestEigenvalues eigenvalues =
       eigenvalues_->at(state_.displacements_m, state_.branches->numbers, *element_forces_, ground_springs_);
   if (options_.self_contact) eigenvalues.stiffness_per_s2 += self_contact_.stiffness_per_s2(body_.masses_kg());

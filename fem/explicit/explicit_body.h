@@ -42,7 +42,6 @@ class ExplicitBody {
 
   [[nodiscard]] std::size_t node_count() const { return masses_.size(); }
   [[nodiscard]] const ExplicitElements& elements() const { return *elements_; }
-  [[nodiscard]] const ExplicitRegion& region(std::size_t region) const { return regions_[region]; }
   [[nodiscard]] const std::vector<double>& reference_positions_m() const { return positions_; }
   [[nodiscard]] const std::vector<double>& masses_kg() const { return masses_; }  ///< per node
   /// Inverse masses per component; 0 where the component is held.

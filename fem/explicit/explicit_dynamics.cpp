@@ -140,9 +140,9 @@ void ExplicitDynamics::set_state(ExplicitState state) {
   set_current_positions();
   self_contact_.forget();
   if (state_.wall_volume_changes_m3.empty()) {
-    state_.pressures_Pa = options_.supply->pressures_Pa(*state_.pneumatics);
     compute_forces();
-    state_.wall_volume_changes_m3 = element_forces_->wall_volume_changes_m3();
+    state_.pressures_Pa = pressures_Pa_;
+    state_.wall_volume_changes_m3 = wall_volume_changes_m3_;
   }
   find_touches();
   if (!state_.contact) state_.contact = self_contact_.memories();
@@ -166,18 +166,18 @@ double ExplicitDynamics::due_relaxation_s(double step_s) const {
 /// Computes the forces of the state.
 /// @return whether no element has failed
 bool ExplicitDynamics::compute_forces(double relaxed_s) {
-  press_walls();
+  set_pressures();
   element_forces_->place({state_.displacements_m.data(), state_.velocities_m_per_s.data()}, loop_);
   loop_.run(element_forces_->batch_count(), batches_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
     outcomes_[block] = element_forces_->compute({begin, end}, state_.branches->numbers, relaxed_s);
   });
+  wall_volume_changes_m3_ = element_forces_->wall_volume_changes_m3();
   if (chambers_.chamber_count() > 0) {
-    const std::vector<double> pressures = options_.supply->pressures_Pa(*state_.pneumatics);
     set_current_positions();
     loop_.run(chambers_.batch_count(), face_batches_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
-      chambers_.set_face_forces(current_positions_, pressures, {begin, end}, chamber_slots_);
+      chambers_.set_face_forces(current_positions_, pressures_Pa_, {begin, end}, chamber_slots_);
     });
-    chambers_.set_cap_forces(current_positions_, pressures, chamber_slots_);
+    chambers_.set_cap_forces(current_positions_, pressures_Pa_, chamber_slots_);
   }
   const bool has_failed =
       std::any_of(outcomes_.begin(), outcomes_.end(), [](const ForcesOutcome& outcome) { return outcome.has_failed; });
@@ -188,18 +188,21 @@ bool ExplicitDynamics::compute_forces(double relaxed_s) {
   return !has_failed;
 }
 
-/// Tells the elements the pressures at the time of the state.
-void ExplicitDynamics::press_walls() { element_forces_->press(options_.supply->pressures_Pa(*state_.pneumatics)); }
+/// Sets the pressures to those at the time of the state, and tells them to the elements.
+void ExplicitDynamics::set_pressures() {
+  pressures_Pa_ = options_.supply->pressures_Pa(*state_.pneumatics);
+  element_forces_->press(pressures_Pa_);
+}
 
 /// Returns the work of the change of pressures since the last step on walls whose volume has changed: their energy is minus
 /// pressure times change of volume, so that a change of pressure does work where nothing moves. The mean of the changes of volume
 /// at both times counts; those of the forces that were computed last stand for this one.
 double ExplicitDynamics::work_of_pressure_changes_J() const {
-  const std::vector<double> pressures = options_.supply->pressures_Pa(*state_.pneumatics);
-  const std::vector<double> volumes = element_forces_->wall_volume_changes_m3();
   double work = 0.0;
-  for (std::size_t p = 0; p < pressures.size(); ++p)
-    work -= 0.5 * (volumes[p] + state_.wall_volume_changes_m3[p]) * (pressures[p] - state_.pressures_Pa[p]);
+  for (std::size_t p = 0; p < pressures_Pa_.size(); ++p) {
+    const double volumes = wall_volume_changes_m3_[p] + state_.wall_volume_changes_m3[p];
+    work -= 0.5 * volumes * (pressures_Pa_[p] - state_.pressures_Pa[p]);
+  }
   return work;
 }
 
@@ -247,8 +250,8 @@ bool ExplicitDynamics::take_step(double step_s) {
   const StepTimes times{0.5 * (state_.last_step_s + step_s), step_s, common_velocity_};
   const NodesOutcome outcome = move(times, state_.displacements_m, state_.velocities_m_per_s);
   state_.work += outcome.work;
-  state_.pressures_Pa = options_.supply->pressures_Pa(*state_.pneumatics);
-  state_.wall_volume_changes_m3 = element_forces_->wall_volume_changes_m3();
+  state_.pressures_Pa = pressures_Pa_;
+  state_.wall_volume_changes_m3 = wall_volume_changes_m3_;
   double travel_m = step_s * std::sqrt(outcome.speed_bound_square_m2_per_s2);
   if (travel_m > self_contact_.allowed_travel_m()) travel_m = step_s * largest_speed_m_per_s();
   self_contact_.moved(travel_m);

@@ -174,7 +174,7 @@ class ExplicitDynamics {
   [[nodiscard]] PneumaticReport supply_air();
   [[nodiscard]] double due_relaxation_s(double step_s) const;
   bool compute_forces(double relaxed_s = 0.0);
-  void press_walls();
+  void set_pressures();
   [[nodiscard]] double work_of_pressure_changes_J() const;
   void find_touches();
   void set_current_positions();
@@ -203,6 +203,8 @@ class ExplicitDynamics {
   std::optional<double> relaxation_interval_s_;
   Point common_velocity_{};  ///< of the centre of mass at the start of an interval
   std::vector<double> first_volumes_;
+  std::vector<double> pressures_Pa_;            ///< in the plena, at the time of the last forces
+  std::vector<double> wall_volume_changes_m3_;  ///< of the last forces, see ElementForces
   std::vector<double> current_positions_;
   std::unique_ptr<ElementForces> element_forces_;
   std::optional<EigenvalueEstimate> eigenvalues_;

@@ -38,9 +38,8 @@ MotionEnergies ExplicitDynamics::energies() {
   result.strain_J = body_.elements().strain_energy_J(state_.displacements_m, state_.branches->numbers);
   result.work = state_.work;
   result.work += half.work;
-  const std::vector<double> pressures = options_.supply->pressures_Pa(*state_.pneumatics);
-  const std::vector<double> wall_volumes = element_forces_->wall_volume_changes_m3();
-  for (std::size_t p = 0; p < pressures.size(); ++p) result.work.wall_pressure_J += pressures[p] * wall_volumes[p];
+  for (std::size_t p = 0; p < pressures_Pa_.size(); ++p)
+    result.work.wall_pressure_J += pressures_Pa_[p] * wall_volume_changes_m3_[p];
   result.at_start_J = state_.at_start_J.value_or(0.0);
   return result;
 }

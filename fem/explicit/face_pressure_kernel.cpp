@@ -1,5 +1,6 @@
 #include "fem/explicit/face_pressure_kernel.h"
 
+#include "fem/elements/instruction_sets.h"
 #include "fem/explicit/face_pressure_table.h"
 
 namespace menger::fem {
@@ -16,11 +17,8 @@ void FacePressureKernels::forces(const FaceBatches& batches, const double* posit
 std::vector<FacePressureKernels> available_face_pressure_kernels() {
   std::vector<FacePressureKernels> kernels{FacePressureKernels(detail::baseline_face_pressure())};
 #ifdef MENGER_X86_KERNELS
-  // The compiler's builtin also checks whether the operating system saves the wide registers.
-  if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0)
-    kernels.emplace_back(detail::avx2_face_pressure());
-  if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
-    kernels.emplace_back(detail::avx512_face_pressure());
+  if (detail::has_avx2()) kernels.emplace_back(detail::avx2_face_pressure());
+  if (detail::has_avx512()) kernels.emplace_back(detail::avx512_face_pressure());
 #endif
   return kernels;
 }

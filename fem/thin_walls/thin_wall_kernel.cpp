@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "fem/elements/instruction_sets.h"
 #include "fem/thin_walls/thin_wall_kernel_table.h"
 
 namespace menger::fem {
@@ -37,11 +38,8 @@ const std::vector<const ThinWallTable<Number>*>& available_tables() {
     std::vector<const ThinWallTable<Number>*> result{&detail::scalar_thin_walls<Number>(),
                                                      &detail::baseline_thin_walls<Number>()};
 #ifdef MENGER_X86_KERNELS
-    // The compiler's test, which also asks whether the operating system saves the wide registers.
-    if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0)
-      result.push_back(&detail::avx2_thin_walls<Number>());
-    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
-      result.push_back(&detail::avx512_thin_walls<Number>());
+    if (detail::has_avx2()) result.push_back(&detail::avx2_thin_walls<Number>());
+    if (detail::has_avx512()) result.push_back(&detail::avx512_thin_walls<Number>());
 #endif
     return result;
   }();
