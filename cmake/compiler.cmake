@@ -8,7 +8,9 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 option(MENGER_WERROR "Treat warnings as errors" OFF)
 
 add_library(menger_warnings INTERFACE)
-target_compile_options(menger_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+# In a unity build names hide those of other sources, which means nothing.
+target_compile_options(menger_warnings INTERFACE -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
+                                                 -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
                                                  $<$<BOOL:${MENGER_WERROR}>:-Werror>)
 
 # GCC 12 sees overlapping copies in "literal" + std::to_string(x) where there are none.

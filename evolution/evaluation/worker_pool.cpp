@@ -52,8 +52,10 @@ WorkerPool::WorkerPool(const DesignEvaluator& evaluator, int threads) : evaluato
   assert(threads >= 1);
 }
 
-io::RunStatus WorkerPool::run(std::span<const EvaluationTask> tasks, const std::atomic<bool>& stop,
+io::RunStatus WorkerPool::run(std::span<const EvaluationTask> tasks, const std::atomic<bool>* stop_flag,
                               const Finished& finished) const {
+  const std::atomic<bool> never{false};
+  const std::atomic<bool>& stop = stop_flag != nullptr ? *stop_flag : never;
   const std::vector<Group> groups = costliest_first(tasks, *evaluator_, threads_);
   std::atomic<std::size_t> next{0};
   std::atomic<std::size_t> done{0};

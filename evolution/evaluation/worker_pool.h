@@ -29,8 +29,9 @@ class WorkerPool {
   /// Evaluates all tasks in the evaluator's groups, the costliest group first. Calls `finished` with every result that is not
   /// `stopped`, one call at a time, in the order in which results arrive. An exception of an evaluation or of `finished` ends the
   /// rest and is thrown again.
+  /// @param stop may be null: then nothing stops it
   /// @return completed, or stopped if `stop` was set before all were done
-  [[nodiscard]] io::RunStatus run(std::span<const EvaluationTask> tasks, const std::atomic<bool>& stop,
+  [[nodiscard]] io::RunStatus run(std::span<const EvaluationTask> tasks, const std::atomic<bool>* stop,
                                   const Finished& finished) const;
 
  private:

@@ -9,11 +9,7 @@
 
 namespace menger::evolution {
 
-namespace {
-
-const std::atomic<bool> never{false};
-
-}  // namespace
+namespace {}  // namespace
 
 PoolEvaluation::PoolEvaluation(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
                                const SearchOptions& options, int generation, std::size_t* commits,
@@ -101,15 +97,14 @@ io::RunStatus PoolEvaluation::evaluate(const std::vector<Request>& requests) {
     if (options_->progress) options_->progress({generation_, finished, evaluations_});
   };
   report();
-  const io::RunStatus status =
-      workers_.run(tasks, options_->stop != nullptr ? *options_->stop : never, [&](std::size_t task, const Evaluation& result) {
-        archive_->add_evaluation(missing[task], {generation_, result});
-        results_[missing[task]] = result;
-        ++finished;
-        ++*commits_;
-        if (options_->after_commit) options_->after_commit(*commits_);
-        report();
-      });
+  const io::RunStatus status = workers_.run(tasks, options_->stop, [&](std::size_t task, const Evaluation& result) {
+    archive_->add_evaluation(missing[task], {generation_, result});
+    results_[missing[task]] = result;
+    ++finished;
+    ++*commits_;
+    if (options_->after_commit) options_->after_commit(*commits_);
+    report();
+  });
   if (status != io::RunStatus::completed) return status;
   for (const auto& [position, level] : requests) {
     Entry& entry = entries_[position];

@@ -13,8 +13,6 @@
 namespace menger::evolution {
 namespace {
 
-const std::atomic<bool> never{false};
-
 std::optional<double> least_score(const SearchPlan& plan, const CheckedDesign& design, Evaluation CheckedLevel::*which) {
   std::optional<double> least;
   for (const CheckedLevel& level : design.levels) {
@@ -83,14 +81,13 @@ bool StepChecking::check(int generation, std::span<const Survivor> survivors, co
   };
   report();
   const WorkerPool workers(*half_, options.threads);
-  const io::RunStatus status =
-      workers.run(tasks, options.stop != nullptr ? *options.stop : never, [&](std::size_t task, const Evaluation& result) {
-        archive_->add_step_check(missing[task], {generation, result});
-        ++finished;
-        ++*commits;
-        if (options.after_commit) options.after_commit(*commits);
-        report();
-      });
+  const io::RunStatus status = workers.run(tasks, options.stop, [&](std::size_t task, const Evaluation& result) {
+    archive_->add_step_check(missing[task], {generation, result});
+    ++finished;
+    ++*commits;
+    if (options.after_commit) options.after_commit(*commits);
+    report();
+  });
   return status == io::RunStatus::completed;
 }
 

@@ -104,7 +104,7 @@ MENGER_WIDE_LOOPS double speed_bound_square(const double* velocities, std::size_
   return dot(of_axis, of_axis);
 }
 
-constexpr std::size_t nodes_per_block = 128;
+constexpr std::size_t nodes_at_once = 128;
 
 }  // namespace
 
@@ -113,13 +113,13 @@ constexpr std::size_t nodes_per_block = 128;
 struct NodeUpdate::Block {
   std::size_t first = 0;  ///< first component in the body
   std::size_t count = 0;  ///< of components
-  std::array<double, 3 * nodes_per_block> pressure_N;
-  std::array<double, 3 * nodes_per_block> load_N;
-  std::array<double, 3 * nodes_per_block> after_m_per_s;
-  std::array<double, 3 * nodes_per_block> mean_m_per_s;
-  std::size_t standing_count = 0;                     ///< number of nodes that the ground pushes
-  std::array<std::size_t, nodes_per_block> standing;  ///< the first component of each
-  std::array<double, nodes_per_block> normal_N;
+  std::array<double, 3 * nodes_at_once> pressure_N;
+  std::array<double, 3 * nodes_at_once> load_N;
+  std::array<double, 3 * nodes_at_once> after_m_per_s;
+  std::array<double, 3 * nodes_at_once> mean_m_per_s;
+  std::size_t standing_count = 0;                   ///< number of nodes that the ground pushes
+  std::array<std::size_t, nodes_at_once> standing;  ///< the first component of each
+  std::array<double, nodes_at_once> normal_N;
 };
 
 NodeUpdate::NodeUpdate(const ExplicitBody& body, const ExplicitChambers& chambers, const NodalLoads& loads,
@@ -136,9 +136,9 @@ NodesOutcome NodeUpdate::move(const BodyForces& forces, const StepTimes& times, 
   const Kick kick = kick_of(times.kick_s, loads_.mass_damping_per_s);
   NodesOutcome outcome;
   Block block;
-  for (std::size_t begin = nodes.begin; begin < nodes.end; begin += nodes_per_block) {
+  for (std::size_t begin = nodes.begin; begin < nodes.end; begin += nodes_at_once) {
     block.first = 3 * begin;
-    block.count = 3 * (std::min(begin + nodes_per_block, nodes.end) - begin);
+    block.count = 3 * (std::min(begin + nodes_at_once, nodes.end) - begin);
     double* v = velocities_m_per_s.data() + block.first;
     const double* inverse_masses = body_.inverse_masses_per_kg().data() + block.first;
     const BlockArrays arrays{block.count,
@@ -212,7 +212,7 @@ void NodeUpdate::add_work(const BodyForces& forces, double time_s, const Block& 
   if (!forces.self_contact_N.empty()) work.self_contact_J += work_of(forces.self_contact_N.data() + block.first);
   if (!forces.self_friction_N.empty()) work.friction_J -= work_of(forces.self_friction_N.data() + block.first);
   if (loads_.mass_damping_per_s == 0.0) return;
-  std::array<double, 3 * nodes_per_block> momentum;
+  std::array<double, 3 * nodes_at_once> momentum;
   for (std::size_t n = 0; n < block.count; ++n) momentum[n] = masses_[block.first + n] * mean[n];
   work.mass_damping_J += loads_.mass_damping_per_s * work_of(momentum.data());
 }

@@ -11,9 +11,9 @@
 namespace menger::fem {
 namespace {
 
-constexpr std::size_t components_per_block = 3072;
-constexpr std::size_t nodes_per_block = components_per_block / 3;
-constexpr std::size_t batches_per_block = 16;
+constexpr std::size_t nodes_per_part = 1024;  ///< parts are shared among threads
+constexpr std::size_t components_per_part = 3 * nodes_per_part;
+constexpr std::size_t batches_per_part = 16;
 
 /// Largest residual of an estimate over its value.
 constexpr double tolerance = 0.01;
@@ -147,19 +147,19 @@ void EigenvalueEstimate::apply(Matrix matrix, const State& state, const std::vec
 bool EigenvalueEstimate::set_forces(const State& state, const NodalMotion& motion, std::vector<double>& forces_N) const {
   state.forces.place(motion, loop_);
   const std::size_t batches = state.forces.batch_count();
-  std::vector<char> failed(BlockLoop::block_count(batches, batches_per_block), 0);
-  loop_.run(batches, batches_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+  std::vector<char> failed(BlockLoop::block_count(batches, batches_per_part), 0);
+  loop_.run(batches, batches_per_part, [&](std::size_t block, std::size_t begin, std::size_t end) {
     failed[block] = state.forces.compute({begin, end}, state.branches, 0.0).has_failed ? 1 : 0;
   });
-  loop_.run(body_.node_count(), nodes_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+  loop_.run(body_.node_count(), nodes_per_part, [&](std::size_t, std::size_t begin, std::size_t end) {
     state.forces.sum({begin, end}, forces_N.data() + 3 * begin);
   });
   return std::none_of(failed.begin(), failed.end(), [](char one) { return one != 0; });
 }
 
 double EigenvalueEstimate::product_sum(const std::vector<double>& a, const std::vector<double>& b) const {
-  std::vector<double> sums(BlockLoop::block_count(a.size(), components_per_block), 0.0);
-  loop_.run(a.size(), components_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+  std::vector<double> sums(BlockLoop::block_count(a.size(), components_per_part), 0.0);
+  loop_.run(a.size(), components_per_part, [&](std::size_t block, std::size_t begin, std::size_t end) {
     double sum = 0.0;
     for (std::size_t n = begin; n < end; ++n) sum += a[n] * b[n];
     sums[block] = sum;

@@ -26,9 +26,6 @@
 namespace menger::fem {
 namespace {
 
-/// Axes cover at least this many body lengths, so that the tremor of a body that stays in place does not fill the plot.
-constexpr double least_span = 0.02;
-
 constexpr std::size_t most_plena_in_chart = 12;
 
 /// Returns the outside of the body, without the walls of its chambers.
@@ -182,10 +179,10 @@ io::PictureOutcome plot_locomotion(const std::filesystem::path& file, const Loco
     from_above.y.push_back(displacement[1] / result.body_length_m);
   }
   const io::ChartPanel displacement{.x = {.title = "time (s)"},
-                                    .y = {.title = "displacement of the centre (body lengths)", .least_span = least_span},
+                                    .y = {.title = "displacement of the centre (body lengths)", .least_span = least_chart_span},
                                     .series = {over_time.begin(), over_time.end()}};
-  const io::ChartPanel path{.x = {.title = "path from above: x (body lengths)", .least_span = least_span},
-                            .y = {.title = "y (body lengths)", .least_span = least_span},
+  const io::ChartPanel path{.x = {.title = "path from above: x (body lengths)", .least_span = least_chart_span},
+                            .y = {.title = "y (body lengths)", .least_span = least_chart_span},
                             .series = {from_above},
                             .equal_scale = true};
   return io::write_chart(file, {.panels = {displacement, path, pressure_panel(result)}}, style);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "fem/locomotion/locomotion_picture.h"
 #include "fem/locomotion/locomotion_study_file.h"
 #include "io/picture/chart.h"
 #include "io/text/formatted.h"
@@ -15,14 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double least_span = 0.02;  ///< body lengths
-
 fs::path case_folder(std::size_t number) { return "case_" + io::padded(number, 2); }
 
 /// Returns the panel of the paths from above.
 io::ChartPanel paths_panel(const std::vector<SweepCase>& cases) {
-  io::ChartPanel panel{.x = {.title = "path from above: x (body lengths)", .least_span = least_span},
-                       .y = {.title = "y (body lengths)", .least_span = least_span},
+  io::ChartPanel panel{.x = {.title = "path from above: x (body lengths)", .least_span = least_chart_span},
+                       .y = {.title = "y (body lengths)", .least_span = least_chart_span},
                        .equal_scale = true};
   for (const SweepCase& one : cases) {
     io::ChartSeries path{.name = io::number_text(one.value)};
@@ -50,7 +49,7 @@ io::ChartPanel speeds_panel(const LocomotionSweep& sweep, const std::vector<Swee
     along_y.y.push_back(per_minute * travel->displacement_m[1]);
   }
   return {.x = {.title = sweep.keys.front()},
-          .y = {.title = "speed (body lengths per minute)", .least_span = least_span},
+          .y = {.title = "speed (body lengths per minute)", .least_span = least_chart_span},
           .series = {along_x, along_y},
           .markers = {}};
 }

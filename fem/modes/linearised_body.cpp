@@ -33,7 +33,7 @@ LinearOptions always_direct() {
   return options;
 }
 
-double dot(Vec a, Vec b) {
+double inner_product(Vec a, Vec b) {
   double value = 0.0;
   petsc(VecDot(a, b, &value));
   return value;
@@ -133,8 +133,8 @@ std::vector<VectorHandle> LinearisedBody::free_rigid_motions() const {
     const VectorHandle force = product(stiffness_, motions[static_cast<std::size_t>(i)]);
     const VectorHandle momentum = product(mass_, motions[static_cast<std::size_t>(i)]);
     for (Eigen::Index j = 0; j < count; ++j) {
-      energies(j, i) = dot(force, motions[static_cast<std::size_t>(j)]);
-      masses(j, i) = dot(momentum, motions[static_cast<std::size_t>(j)]);
+      energies(j, i) = inner_product(force, motions[static_cast<std::size_t>(j)]);
+      masses(j, i) = inner_product(momentum, motions[static_cast<std::size_t>(j)]);
     }
   }
   std::vector<VectorHandle> free;

@@ -12,17 +12,8 @@
 namespace menger::fem {
 namespace {
 
-using FaceNodes = std::array<std::size_t, 4>;
-
-FaceNodes sorted(FaceNodes nodes) {
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
-}
-
-FaceNodes face_of(const meshes::ElementCorners& corners, std::size_t side) {
-  FaceNodes nodes{};
-  for (std::size_t c = 0; c < 4; ++c) nodes[c] = corners[meshes::face_corners[side][c]];
-  return sorted(nodes);
+meshes::FaceCorners face_of(const meshes::ElementCorners& corners, std::size_t side) {
+  return meshes::sorted(meshes::face_of_element(corners, side));
 }
 
 /// The free faces of a mesh: those that bound the body and are no plane of symmetry. Each with the plenum behind it, or -1.
@@ -35,7 +26,7 @@ class FreeFaces {
     for (const meshes::Chamber& chamber : mesh.chambers)
       for (const std::size_t label : chamber.labels) plenum_of_label[label] = static_cast<int>(chamber.plenum);
     for (const meshes::BoundaryFace& face : mesh.faces)
-      if (const auto plenum = plenum_of_label[face.label]) plena_[sorted(face.corners)] = *plenum;
+      if (const auto plenum = plenum_of_label[face.label]) plena_[meshes::sorted(face.corners)] = *plenum;
   }
 
   /// Returns the plenum behind a face of an element, -1 for the outside; empty if the face is not free.
@@ -45,7 +36,7 @@ class FreeFaces {
   }
 
  private:
-  std::map<FaceNodes, int> plena_;
+  std::map<meshes::FaceCorners, int> plena_;
 };
 
 }  // namespace
@@ -73,7 +64,7 @@ std::optional<std::size_t> layered_wall(const meshes::HexahedralMesh& mesh, doub
   constexpr double rounding = 1e-6;
   const FreeFaces faces(mesh);
   // Elements with one free face across an axis, by the face on the other side.
-  std::map<FaceNodes, std::size_t> behind;
+  std::map<meshes::FaceCorners, std::size_t> behind;
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
     const meshes::ElementCorners& corners = mesh.elements[element];
     for (std::size_t axis = 0; axis < 3; ++axis) {

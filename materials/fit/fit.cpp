@@ -52,17 +52,14 @@ Rows rows_in(const TensileTest& test, const StrainRange& range) {
   return rows;
 }
 
-double uniaxial_Pa(const HyperelasticLaw& law, double stretch) {
-  return nominal_stress(law, LoadingMode::uniaxial, stretch).stress_Pa;
-}
-
 void assess_residuals(LawFit& fit, const Rows& rows) {
   const auto n = static_cast<double>(rows.stretch.size());
   const double mean = std::accumulate(rows.stress_Pa.begin(), rows.stress_Pa.end(), 0.0) / n;
   double square = 0.0;
   double variation = 0.0;
   for (std::size_t i = 0; i < rows.stretch.size(); ++i) {
-    square += std::pow(uniaxial_Pa(fit.law, rows.stretch[i]) - rows.stress_Pa[i], 2);
+    const double stress_Pa = nominal_stress(fit.law, LoadingMode::uniaxial, rows.stretch[i]).stress_Pa;
+    square += std::pow(stress_Pa - rows.stress_Pa[i], 2);
     variation += std::pow(rows.stress_Pa[i] - mean, 2);
   }
   // Residuals below rounding error, such as those of a curve computed from a law, would make the logarithm diverge.

@@ -11,8 +11,6 @@
 namespace menger::meshes {
 namespace {
 
-using FaceCorners = std::array<std::size_t, 4>;
-
 /// A side of one or more elements, with the number of elements and of boundary faces there.
 struct ElementSide {
   FaceCorners corners{};  ///< in the order of the first element
@@ -23,18 +21,13 @@ struct ElementSide {
 /// The sides of all elements, keyed by their corners in increasing order.
 using ElementSides = std::map<FaceCorners, ElementSide>;
 
-FaceCorners sorted(FaceCorners corners) {
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
 ElementSides sides_of_elements(const HexahedralMesh& mesh) {
   ElementSides sides;
   for (const ElementCorners& element : mesh.elements) {
-    for (const auto& around : face_corners) {
-      const FaceCorners corners{element[around[0]], element[around[1]], element[around[2]], element[around[3]]};
-      ElementSide& side = sides[sorted(corners)];
-      if (side.elements++ == 0) side.corners = corners;
+    for (std::size_t side = 0; side < face_corners.size(); ++side) {
+      const FaceCorners corners = face_of_element(element, side);
+      ElementSide& here = sides[sorted(corners)];
+      if (here.elements++ == 0) here.corners = corners;
     }
   }
   return sides;

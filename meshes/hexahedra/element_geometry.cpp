@@ -26,6 +26,17 @@ double scaled_determinant(const std::array<Point, 3>& columns) {
 
 }  // namespace
 
+FaceCorners face_of_element(const ElementCorners& element, std::size_t side) {
+  FaceCorners corners{};
+  for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = element[face_corners[side][i]];
+  return corners;
+}
+
+FaceCorners sorted(FaceCorners corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
 double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 bool is_finite(const Point& place) { return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]); }

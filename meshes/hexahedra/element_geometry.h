@@ -18,6 +18,15 @@ using CornerPoints = std::array<Point, 8>;
 inline constexpr std::array<std::array<std::size_t, 4>, 6> face_corners{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
+/// The corners of a face, as indices of points.
+using FaceCorners = std::array<std::size_t, 4>;
+
+/// Returns the corners of a face of an element. @param side index into face_corners, < 6
+FaceCorners face_of_element(const ElementCorners& element, std::size_t side);
+
+/// Returns the corners in increasing order, by which the faces of two elements are found to be the same.
+FaceCorners sorted(FaceCorners corners);
+
 /// The corners at the ends of the twelve edges of an element: those along x, then y, then z.
 inline constexpr std::array<std::array<std::size_t, 2>, 12> edge_corners{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};

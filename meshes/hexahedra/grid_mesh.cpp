@@ -100,9 +100,7 @@ class GridMesher {
           if (content.is_solid()) continue;
           label = content.label();
         }
-        BoundaryFace face{{}, label};
-        for (std::size_t i = 0; i < 4; ++i) face.corners[i] = mesh_.elements[element][face_corners[s][i]];
-        mesh_.faces.push_back(face);
+        mesh_.faces.push_back({face_of_element(mesh_.elements[element], s), label});
       }
     });
   }

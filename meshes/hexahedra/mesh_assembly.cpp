@@ -15,7 +15,6 @@
 namespace menger::meshes {
 namespace {
 
-using FaceCorners = std::array<std::size_t, 4>;
 using Edge = std::array<std::size_t, 2>;
 
 struct ElementFace {
@@ -26,22 +25,11 @@ struct ElementFace {
 /// The one or two elements at each face. A face is named by its corners in increasing order.
 using FaceElements = std::map<FaceCorners, std::vector<ElementFace>>;
 
-FaceCorners corners_around(const ElementCorners& element, std::size_t side) {
-  FaceCorners corners{};
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = element[face_corners[side][i]];
-  return corners;
-}
-
-FaceCorners sorted(FaceCorners corners) {
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
 FaceElements elements_at_faces(const NamedHexahedra& input, const std::string& source) {
   FaceElements elements;
   for (std::size_t element = 0; element < input.elements.size(); ++element) {
     for (std::size_t side = 0; side < face_corners.size(); ++side) {
-      auto& here = elements[sorted(corners_around(input.elements[element], side))];
+      auto& here = elements[sorted(face_of_element(input.elements[element], side))];
       here.push_back({element, side});
       if (here.size() <= 2) continue;
       throw io::InputError(source + ": elements " + std::to_string(here[0].element) + ", " + std::to_string(here[1].element) +
@@ -71,7 +59,8 @@ Neighbours neighbours_of(const NamedHexahedra& input, const FaceElements& at_fac
     if (elements.size() < 2) continue;
     const ElementFace& a = elements[0];
     const ElementFace& b = elements[1];
-    const bool same = agree(corners_around(input.elements[a.element], a.side), corners_around(input.elements[b.element], b.side));
+    const bool same =
+        agree(face_of_element(input.elements[a.element], a.side), face_of_element(input.elements[b.element], b.side));
     neighbours[a.element].emplace_back(b.element, same);
     neighbours[b.element].emplace_back(a.element, same);
   }
@@ -145,7 +134,7 @@ void add_faces(HexahedralMesh& mesh, const FaceElements& at_faces, const std::ma
     const auto label = labels.find(face);
     // The numbering may have been mirrored in the meantime, so the face is found by its corners.
     for (std::size_t side = 0; side < face_corners.size(); ++side) {
-      const FaceCorners corners = corners_around(mesh.elements[elements[0].element], side);
+      const FaceCorners corners = face_of_element(mesh.elements[elements[0].element], side);
       if (sorted(corners) == face) mesh.faces.push_back({corners, label == labels.end() ? outer_label : label->second});
     }
   }

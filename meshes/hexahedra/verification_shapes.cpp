@@ -81,8 +81,7 @@ class SphereOctant {
   }
 
   void add_face(const ElementCorners& corners, Side side, std::size_t label) {
-    const auto& around = face_corners[static_cast<std::size_t>(side)];
-    mesh_.faces.push_back({{corners[around[0]], corners[around[1]], corners[around[2]], corners[around[3]]}, label});
+    mesh_.faces.push_back({face_of_element(corners, static_cast<std::size_t>(side)), label});
   }
 
   /// Returns the innermost point in a direction; the other points of that direction follow it.

@@ -29,8 +29,6 @@ void halve_slopes(SurrogateParameters& parameters) {
   for (PressureLaw& law : parameters.bulge) law.slope_per_Pa *= 0.5;
 }
 
-bool is_stopped(const CalibrationFitOptions& options) { return options.stop != nullptr && *options.stop; }
-
 /// Unknowns at the start, and the parameters without influence there, which are dropped from the evaluation.
 struct Beginning {
   std::vector<double> unknowns;
@@ -44,7 +42,7 @@ std::optional<Beginning> beginning_of(CalibrationEvaluation& evaluation, Surroga
   for (int halving = 0; halving <= most_halvings; ++halving) {
     const std::vector<double> at_start = unknowns_of(evaluation.parameters(), start);
     for (const double margin : inside_margins) {
-      if (is_stopped(options)) return std::nullopt;
+      if (options.is_stopped()) return std::nullopt;
       Beginning beginning{moved_inside(at_start, evaluation.parameters(), margin), {}};
       if (auto dropped = evaluation.drop_without_influence(beginning.unknowns)) {
         beginning.dropped = std::move(*dropped);
@@ -124,7 +122,7 @@ CalibrationFit fit_parameters(const std::vector<FittedCurve>& curves, const std:
   fit.parameters = start;
   CalibrationEvaluation evaluation(curves, parameters, start, responder, options.loss_scale, options.stop);
   std::optional<Beginning> beginning = beginning_of(evaluation, start, options);
-  if (is_stopped(options)) {
+  if (options.is_stopped()) {
     set_status(fit, io::RunStatus::stopped, "before the first iteration");
   } else if (!beginning) {
     set_status(fit, io::RunStatus::not_converged, "the surrogate has no equilibrium at the start of the fit");

@@ -38,6 +38,8 @@ struct CalibrationFitOptions {
   const std::atomic<bool>* stop = nullptr;
   /// Called with the present value of what is minimised, weights and loss included. May be empty.
   std::function<void(int iteration, double chi2)> progress{};
+
+  [[nodiscard]] bool is_stopped() const { return stop != nullptr && *stop; }
 };
 
 /// The result of a fit: parameters and how well the curves determine them.

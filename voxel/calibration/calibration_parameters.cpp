@@ -11,7 +11,7 @@ namespace menger::voxel {
 namespace {
 
 using Classes = std::vector<std::size_t>;
-const Classes all_classes{0, 1, 2, 3, 4, 5, 6};
+const Classes every_class{0, 1, 2, 3, 4, 5, 6};
 const Classes closed_first{6, 0, 1, 2, 3, 4, 5};  // for a value common to all, the closed cell is the best known
 
 /// The determined class that represents a class: the one with the nearest number of walls, the first of equally near ones.
@@ -27,7 +27,7 @@ std::size_t nearest(const Classes& determined, std::size_t wall_class) {
 /// A determined class, followed by those that it represents.
 Classes shared_by(const Classes& determined, std::size_t owner) {
   Classes classes{owner};
-  for (const std::size_t other : all_classes) {
+  for (const std::size_t other : every_class) {
     if (other != owner && nearest(determined, other) == owner) classes.push_back(other);
   }
   return classes;

@@ -55,8 +55,6 @@ class Watch : public ceres::IterationCallback {
   double chi2_ = 0.0;  ///< after the last accepted step
 };
 
-bool is_stopped(const CalibrationFitOptions& options) { return options.stop != nullptr && *options.stop; }
-
 ceres::Solver::Options solver_options(const CalibrationFitOptions& fit_options) {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
@@ -79,7 +77,7 @@ std::optional<SearchEnd> search_from_inside(const CalibrationEvaluation& evaluat
   for (const double margin : inside_margins) {
     unknowns = moved_inside(ended, evaluation.parameters(), margin);
     if (auto end = search_once(evaluation, unknowns, options)) return end;
-    if (is_stopped(options)) break;
+    if (options.is_stopped()) break;
   }
   return std::nullopt;
 }
@@ -129,9 +127,9 @@ std::optional<SearchEnd> search_once(const CalibrationEvaluation& evaluation, st
 SearchEnd search_repeatedly(const CalibrationEvaluation& evaluation, std::vector<double>& unknowns,
                             const CalibrationFitOptions& options) {
   std::optional<SearchEnd> best = search_once(evaluation, unknowns, options);
-  if (!best && !is_stopped(options))
+  if (!best && !options.is_stopped())
     return {.status = io::RunStatus::not_converged, .reason = "the surrogate has no equilibrium at the start of the search"};
-  for (int again = 0; best && again < most_repetitions && !is_stopped(options); ++again) {
+  for (int again = 0; best && again < most_repetitions && !options.is_stopped(); ++again) {
     std::vector<double> repeated = unknowns;
     const std::optional<SearchEnd> next = search_from_inside(evaluation, repeated, options);
     constexpr double worth = 1e-3;
@@ -142,7 +140,7 @@ SearchEnd search_repeatedly(const CalibrationEvaluation& evaluation, std::vector
     if (ends) break;
   }
   SearchEnd end = best.value_or(SearchEnd{});
-  if (is_stopped(options)) {
+  if (options.is_stopped()) {
     end.status = io::RunStatus::stopped;
     end.reason = "after " + std::to_string(end.iterations) + " iterations";
   }

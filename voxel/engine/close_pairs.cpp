@@ -7,8 +7,6 @@ namespace menger::voxel {
 
 namespace {
 
-constexpr auto line_size = static_cast<std::size_t>(line_length);
-
 /// Skin of the Verlet list, in voxel edges: the flat optimum between long lists and frequent rebuilds.
 constexpr double list_skin_edges = 0.4;
 

@@ -130,7 +130,7 @@ bool EnergyBalance::add_beam_loads() {
   // Contacts are added next, directly to the load lines. Their present values are kept so that the contacts can be separated from
   // them.
   for (std::size_t i = 0; i < data_->voxels; ++i) {
-    const double* load = data_->load + i * static_cast<std::size_t>(line_length);
+    const double* load = data_->load + i * line_size;
     balance_[i].load[collision].force = -Vector3<double>{load[slot::fx], load[slot::fy], load[slot::fz]};
   }
   return out_of_range;
@@ -142,7 +142,7 @@ VoxelSweep EnergyBalance::move(VoxelSweep (*sweep)(const StepData<double>&)) {
   double kinetic = 0.0;
   double height_weight = 0.0;
   for (std::size_t i = 0; i < d.voxels; ++i) {
-    const std::size_t at = i * static_cast<std::size_t>(line_length);
+    const std::size_t at = i * line_size;
     const VoxelCoefficients<double> c =
         variety_ == BeamVariety::uniform ? d.voxel : voxel_coefficients<double>(d.voxel_table, d.voxel_class + i);
     const Lines<double> pose = load_lines<double>(d.pose + at);

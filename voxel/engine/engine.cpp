@@ -8,12 +8,6 @@
 
 namespace menger::voxel {
 
-namespace {
-
-constexpr auto line_size = static_cast<std::size_t>(line_length);
-
-}  // namespace
-
 std::uint64_t steps_until(double time_s, double time_step_s) {
   // Rounding may leave the quotient one off in either direction.
   const double quotient = time_s / time_step_s;

@@ -7,8 +7,6 @@ namespace menger::voxel {
 
 namespace {
 
-constexpr auto line_size = static_cast<std::size_t>(line_length);
-
 template <class Real>
 Vector3<double> vector_at(const Real* values) {
   return {static_cast<double>(values[0]), static_cast<double>(values[1]), static_cast<double>(values[2])};

@@ -103,8 +103,7 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     }
   }
   for (std::size_t i = 0; i < voxel_responses_.size(); ++i) {
-    d.pose[static_cast<std::size_t>(line_length) * i + slot::size] =
-        static_cast<Real>(2.0 * responses_[voxel_responses_[i][2]].half_length_m);
+    d.pose[line_size * i + slot::size] = static_cast<Real>(2.0 * responses_[voxel_responses_[i][2]].half_length_m);
   }
 }
 

@@ -5,12 +5,6 @@
 
 namespace menger::voxel {
 
-namespace {
-
-constexpr auto line_size = static_cast<std::size_t>(line_length);
-
-}  // namespace
-
 template <class Real>
 LateralCoupling<Real>::LateralCoupling(const Lattice& lattice, double coupling, const std::array<std::vector<double>, 3>& axial_N)
     : half_coupling_(static_cast<Real>(0.5 * coupling)), sums_(lattice.voxel_count()) {

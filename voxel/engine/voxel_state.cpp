@@ -11,8 +11,6 @@ namespace menger::voxel {
 
 namespace {
 
-constexpr std::size_t line_size = static_cast<std::size_t>(line_length);
-
 /// Bodies up to this many edges away from their origin keep it.
 constexpr double farthest_edges = 8.0;
 
@@ -267,9 +265,8 @@ void VoxelState<Real>::fill_beams(const VoxelBody& body) {
     beam_class_[axis].assign(count, 0);
     for (std::size_t i = 0; i < beams.lower.size(); ++i)
       beam_class_[axis][i] = static_cast<std::int32_t>(2 * body.classes.beam_class[axis][i]);
-    constexpr auto values = static_cast<std::size_t>(history_values);
-    history_[axis].assign(values * count, Real(0));
-    for (std::size_t i = 0; i < count; ++i) history_[axis][(values - 1) * count + i] = Real(1);
+    history_[axis].assign(history_size * count, Real(0));
+    for (std::size_t i = 0; i < count; ++i) history_[axis][(history_size - 1) * count + i] = Real(1);
     if (own_lengths) {
       rest_length_[axis].assign(count, static_cast<Real>(edge_));
       rest_length_rate_[axis].assign(count, Real(0));

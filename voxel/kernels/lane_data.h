@@ -13,6 +13,7 @@ inline constexpr int most_lanes = 16;
 inline constexpr int voxel_values = 9;  ///< numbers of VoxelCoefficients
 inline constexpr int beam_values = 14;  ///< numbers of BeamCoefficients
 inline constexpr int drive_values = 3;  ///< size base, sine part, cosine part
+inline constexpr std::size_t drive_size = drive_values;
 
 /// Beams along one axis of robots in lanes. A pack holds the same beam of all robots. `present` is 1 in the lanes of the robots
 /// that have the beam and 0 in the others.

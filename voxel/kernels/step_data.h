@@ -12,6 +12,7 @@ namespace menger::voxel {
 /// numbers each: for double one cache line. A pack kernel reads a line per lane and turns them into eight packs in registers.
 /// That is faster than gathering component by component.
 inline constexpr int line_length = 8;
+inline constexpr std::size_t line_size = line_length;  ///< line_length for indices of arrays
 
 /// Positions of values in the lines of a voxel.
 namespace slot {
@@ -38,7 +39,8 @@ struct VoxelCoefficients {
 };
 
 inline constexpr int history_values = 9;  ///< numbers of a BeamHistory
-inline constexpr int class_values = 16;   ///< numbers of a voxel or beam class in the tables, two lines
+inline constexpr std::size_t history_size = history_values;
+inline constexpr int class_values = 16;  ///< numbers of a voxel or beam class in the tables, two lines
 
 /// Count of numbers in the widest register. Beams and voxels are padded to a multiple of it.
 template <class Real>
@@ -127,7 +129,7 @@ inline Spheres<Real> spheres_of(const StepData<Real>& d) {
 /// Returns the size (m) of a voxel in this step.
 template <class Real>
 inline Real size_m(const StepData<Real>& d, std::size_t voxel) {
-  return d.pose[static_cast<std::size_t>(line_length) * voxel + slot::size];
+  return d.pose[line_size * voxel + slot::size];
 }
 
 /// How the beams of a body differ. A kernel reads no more than that.

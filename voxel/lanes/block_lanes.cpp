@@ -9,9 +9,6 @@ namespace menger::voxel {
 
 namespace {
 
-constexpr auto line_size = static_cast<std::size_t>(line_length);
-constexpr auto history_size = static_cast<std::size_t>(history_values);
-constexpr auto drive_size = static_cast<std::size_t>(drive_values);
 constexpr auto end_size = static_cast<std::size_t>(end_loads);
 
 /// Builds a pack from lanes of other packs. @param origins per lane: pack * lanes + lane of its origin, ascending; negative for a

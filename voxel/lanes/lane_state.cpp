@@ -7,11 +7,8 @@ namespace menger::voxel {
 
 namespace {
 
-constexpr auto line_size = static_cast<std::size_t>(line_length);
 constexpr auto voxel_size = static_cast<std::size_t>(voxel_values);
 constexpr auto beam_size = static_cast<std::size_t>(beam_values);
-constexpr auto history_size = static_cast<std::size_t>(history_values);
-constexpr auto drive_size = static_cast<std::size_t>(drive_values);
 
 }  // namespace
 

@@ -9,12 +9,11 @@ namespace menger::voxel {
 namespace {
 
 using meshes::Side;
-using Vector = Vector3<double>;
 
 /// Vectors from the centre of a voxel to its low and high side along each axis.
-using Arms = std::array<std::array<Vector, 2>, 3>;
+using Arms = std::array<std::array<Vector3<double>, 2>, 3>;
 
-Arms arms_of(const BodyShape& shape, std::size_t voxel, const Vector& centre) {
+Arms arms_of(const BodyShape& shape, std::size_t voxel, const Vector3<double>& centre) {
   constexpr std::array<std::array<Side, 2>, 3> sides{
       {{Side::x_min, Side::x_max}, {Side::y_min, Side::y_max}, {Side::z_min, Side::z_max}}};
   Arms arms{};
@@ -32,7 +31,7 @@ constexpr std::array<std::array<std::size_t, 3>, 8> corner_ends{
 double volume_of(const Arms& arms) {
   double volume = 1.0;
   for (const auto& [low, high] : arms) {
-    const Vector span = high - low;
+    const Vector3<double> span = high - low;
     volume *= std::sqrt(span.x * span.x + span.y * span.y + span.z * span.z);
   }
   return volume;
@@ -46,12 +45,12 @@ BodyBoxes body_boxes(const Equilibrium& equilibrium) {
   const double volume_at_rest = std::pow(body.edge_m, 3);
   BodyBoxes boxes;
   for (std::size_t voxel = 0; voxel < body.voxel_count(); ++voxel) {
-    const Vector centre = equilibrium.pose(voxel).position;
+    const Vector3<double> centre = equilibrium.pose(voxel).position;
     const Arms arms = arms_of(shape, voxel, centre);
     std::array<BodyBoxes::Point, 8> corners{};
     for (std::size_t corner = 0; corner < corners.size(); ++corner) {
       const auto& [x, y, z] = corner_ends.at(corner);
-      const Vector at = centre + arms[0].at(x) + arms[1].at(y) + arms[2].at(z);
+      const Vector3<double> at = centre + arms[0].at(x) + arms[1].at(y) + arms[2].at(z);
       corners.at(corner) = {at.x, at.y, at.z};
     }
     boxes.corners_m.push_back(corners);

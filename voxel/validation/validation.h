@@ -23,6 +23,10 @@ enum class ObservableKind {
   higher_frequency  ///< second and third natural frequency: modes that lie close together may change places
 };
 inline constexpr std::size_t observable_kind_count = 6;
+
+/// Returns whether the errors of a kind decide how good the surrogate is: those of displacement and volume do.
+constexpr bool is_aimed_at(ObservableKind kind) { return kind == ObservableKind::displacement || kind == ObservableKind::volume; }
+
 std::string_view to_string(ObservableKind kind);
 
 /// The error of one compared number.

@@ -126,8 +126,6 @@ CalibrationFit fit_own(const Curves& curves, OwnPart part, const SurrogateParame
 /// Whether a number counts, in a report on the numbers inside the range of validity or on all, see CauseReport::inside.
 bool counts(Validity validity, bool inside) { return !inside || validity == Validity::inside; }
 
-bool is_aimed_at(ObservableKind kind) { return kind == ObservableKind::displacement || kind == ObservableKind::volume; }
-
 /// Whether any number in displacement and volume is inside the range of validity.
 bool has_inside(const std::vector<CurveComparison>& comparisons) {
   const auto is_inside = [](const auto& number) { return is_aimed_at(number.kind) && number.validity == Validity::inside; };

@@ -42,10 +42,8 @@ struct Sample {
 /// 0 inside the range of validity, 1 outside.
 std::size_t side_of(Validity validity) { return validity == Validity::inside ? 0 : 1; }
 
-bool is_aimed_at(ObservableKind kind) { return kind == ObservableKind::displacement || kind == ObservableKind::volume; }
-
-std::optional<ErrorPlace> largest(const std::vector<CurveComparison>& comparisons,
-                                  const std::function<bool(const ObservableError&)>& counts) {
+std::optional<ErrorPlace> largest_error(const std::vector<CurveComparison>& comparisons,
+                                        const std::function<bool(const ObservableError&)>& counts) {
   std::optional<ErrorPlace> place;
   double magnitude = -1.0;
   for (std::size_t c = 0; c < comparisons.size(); ++c) {
@@ -117,10 +115,10 @@ std::vector<std::string> bodies_of(const std::vector<CurveComparison>& compariso
 }
 
 std::optional<ErrorPlace> worst_error(const std::vector<CurveComparison>& comparisons) {
-  auto place = largest(
+  auto place = largest_error(
       comparisons, [](const ObservableError& error) { return is_aimed_at(error.kind) && error.validity == Validity::inside; });
-  if (!place) place = largest(comparisons, [](const ObservableError& error) { return is_aimed_at(error.kind); });
-  if (!place) place = largest(comparisons, [](const ObservableError&) { return true; });
+  if (!place) place = largest_error(comparisons, [](const ObservableError& error) { return is_aimed_at(error.kind); });
+  if (!place) place = largest_error(comparisons, [](const ObservableError&) { return true; });
   return place;
 }
 

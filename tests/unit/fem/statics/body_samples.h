@@ -50,9 +50,7 @@ inline meshes::HexahedralMesh box_of_cells(const std::array<std::vector<double>,
             neighbour[axis] = is_last ? cell[axis] + 1 : cell[axis] - 1;
             if (!is_air(neighbour)) continue;
           }
-          meshes::BoundaryFace face{{}, is_outside ? side : static_cast<std::size_t>(chamber)};
-          for (std::size_t n = 0; n < 4; ++n) face.corners[n] = corners[meshes::face_corners[side][n]];
-          mesh.faces.push_back(face);
+          mesh.faces.push_back({meshes::face_of_element(corners, side), is_outside ? side : static_cast<std::size_t>(chamber)});
         }
       }
     }
