@@ -13,6 +13,9 @@
 
 namespace menger::evolution {
 
+/// Updates of voxels in a second of a core, for estimates of the time that is left.
+inline constexpr double usual_voxel_steps_per_s = 1e7;
+
 /// Options that decide how a trade-off study is run. Apart from the times they do not change its results.
 struct TradeOptions {
   std::filesystem::path programs;  ///< folder of menger-inflate and the other programs

@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* archive_name = "run.sqlite";
-constexpr double usual_voxel_steps_per_s = 1e7;
 
 class SearchTrader {
  public:

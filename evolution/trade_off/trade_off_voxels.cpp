@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr double records_of_settling = 10.0;  ///< few, but enough to see whether it came to rest
 constexpr double usual_step_s = 5e-5;         ///< recommended step of the paper's physics for cells of 1 cm
-constexpr double usual_voxel_steps_per_s = 1e7;
 
 /// Returns how coarse an exclusion depth is: a larger depth checks fewer pairs for collisions.
 double coarseness(const std::string& exclusion_depth) {

@@ -59,12 +59,13 @@ std::optional<double> crossing(const std::vector<Point>& points, double value, s
 }
 
 std::string kilopascals(double pressure_Pa) { return io::shown(1e-3 * pressure_Pa, 3) + " kPa"; }
-std::string percent(double change) { return io::formatted("%+.3g %%", 100.0 * change); }
+std::string signed_percent(double change) { return io::formatted("%+.3g %%", 100.0 * change); }
 
 std::string swelling_sentence(const VolumeActuation& a, const ActuationAim& aim) {
   if (a.pressure_for_largest_Pa)
-    return percent(aim.largest_change) + " of the outer volume needs " + kilopascals(*a.pressure_for_largest_Pa);
-  std::string text = percent(aim.largest_change) + " of the outer volume is not reached: " + percent(a.change_at_highest) +
+    return signed_percent(aim.largest_change) + " of the outer volume needs " + kilopascals(*a.pressure_for_largest_Pa);
+  std::string text = signed_percent(aim.largest_change) +
+                     " of the outer volume is not reached: " + signed_percent(a.change_at_highest) +
                      " at the end of the curve, at " + kilopascals(a.highest_pressure_Pa);
   if (a.limit_pressure_Pa)
     text += " (" + io::formatted("%.2g", a.highest_pressure_Pa / *a.limit_pressure_Pa) + " of the limit pressure)";
@@ -73,9 +74,10 @@ std::string swelling_sentence(const VolumeActuation& a, const ActuationAim& aim)
 
 std::string shrinking_sentence(const VolumeActuation& a, const ActuationAim& aim) {
   if (a.pressure_for_smallest_Pa)
-    return percent(aim.smallest_change) + " of the outer volume needs " + kilopascals(*a.pressure_for_smallest_Pa);
+    return signed_percent(aim.smallest_change) + " of the outer volume needs " + kilopascals(*a.pressure_for_smallest_Pa);
   if (a.lowest_pressure_Pa == 0.0) return "the curve contains no vacuum";
-  std::string text = percent(aim.smallest_change) + " of the outer volume is not reached: " + percent(a.change_at_lowest) +
+  std::string text = signed_percent(aim.smallest_change) +
+                     " of the outer volume is not reached: " + signed_percent(a.change_at_lowest) +
                      " at the end of the curve, at " + kilopascals(a.lowest_pressure_Pa);
   if (a.contact_pressure_Pa) text += " (walls touch at " + kilopascals(*a.contact_pressure_Pa) + ")";
   return text;
@@ -113,9 +115,9 @@ VolumeActuation volume_actuation(const meshes::ResponseCurve& curve, const std::
 std::vector<std::string> actuation_sentences(const VolumeActuation& actuation, const ActuationAim& aim) {
   std::string at_pressure;
   if (actuation.change_at_pressure) {
-    at_pressure = kilopascals(aim.pressure_Pa) + " changes its outer volume by " + percent(*actuation.change_at_pressure) + ", " +
-                  io::formatted("%.2g", *actuation.change_at_pressure / aim.largest_change) + " of the " +
-                  percent(aim.largest_change) + " aimed at";
+    at_pressure = kilopascals(aim.pressure_Pa) + " changes its outer volume by " + signed_percent(*actuation.change_at_pressure) +
+                  ", " + io::formatted("%.2g", *actuation.change_at_pressure / aim.largest_change) + " of the " +
+                  signed_percent(aim.largest_change) + " aimed at";
   } else {
     at_pressure =
         kilopascals(aim.pressure_Pa) + " lies beyond the curve, which ends at " + kilopascals(actuation.highest_pressure_Pa);
