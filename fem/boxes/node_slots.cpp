@@ -20,7 +20,7 @@ FourfoldSlots::FourfoldSlots(std::span<const std::uint32_t> nodes, std::span<con
   std::vector<std::uint32_t> counts(node_count, 0);
   for (const std::uint32_t node : nodes) ++counts[node];
   offsets_.push_back(0);
-  for (const std::uint32_t count : counts) offsets_.push_back(offsets_.back() + (count + 3) / 4 * 4);
+  for (const std::uint32_t count : counts) offsets_.push_back(offsets_.back() + (count + group - 1U) / group * group);
   slots_.assign(offsets_.back(), empty_slot);
   std::vector<std::uint32_t> next(offsets_.begin(), offsets_.end() - 1);
   for (std::size_t s = 0; s < nodes.size(); ++s) slots_[next[nodes[s]]++] = slots[s];

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -57,18 +58,24 @@ class FourfoldSlots {
   /// Returns the sum of the forces in a node's slots; the last number is zero.
   template <class Number>
   [[nodiscard]] std::array<Number, 4> sum(const Number* forces, std::size_t node) const {
-    std::array<Number, 4> total{};
-    for (std::size_t n = offsets_[node]; n < offsets_[node + 1]; n += 4) {
-      const Number* a = forces + 4 * std::size_t{slots_[n]};
-      const Number* b = forces + 4 * std::size_t{slots_[n + 1]};
-      const Number* c = forces + 4 * std::size_t{slots_[n + 2]};
-      const Number* d = forces + 4 * std::size_t{slots_[n + 3]};
-      for (std::size_t i = 0; i < 4; ++i) total[i] += (a[i] + b[i]) + (c[i] + d[i]);
+    // In one register: compilers would add the third of three numbers apart. `using` would lose the attribute.
+    typedef Number Four __attribute__((vector_size(4 * sizeof(Number))));  // NOLINT(modernize-use-using)
+    Four total{};
+    for (std::size_t n = offsets_[node]; n < offsets_[node + 1]; n += group) {
+      Four parts[group];  // std::array would lose it, too
+      for (std::size_t k = 0; k < group; ++k) std::memcpy(&parts[k], forces + 4 * std::size_t{slots_[n + k]}, sizeof(Four));
+      for (std::size_t half = group / 2; half > 0; half /= 2)
+        for (std::size_t k = 0; k < half; ++k) parts[k] += parts[k + half];
+      total += parts[0];
     }
-    return total;
+    std::array<Number, 4> result;
+    std::memcpy(result.data(), &total, sizeof(Four));
+    return result;
   }
 
  private:
+  static constexpr std::uint32_t group = 4;
+
   std::vector<std::uint32_t> offsets_;
   std::vector<std::uint32_t> slots_;
 };

@@ -1,15 +1,11 @@
 #include "fem/explicit/explicit_chambers.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "fem/surfaces/point.h"
 
 namespace menger::fem {
 namespace {
-
-/// In place of the corner of a lane that repeats the face before it.
-constexpr std::uint32_t repeated = std::numeric_limits<std::uint32_t>::max();
 
 Point point_at(std::span<const double> positions, std::size_t first) {
   return {positions[first], positions[first + 1], positions[first + 2]};
@@ -39,23 +35,16 @@ std::vector<Point> rim_points(std::span<const double> positions, const std::vect
 
 }  // namespace
 
-ExplicitChambers::ExplicitChambers(const meshes::HexahedralMesh& mesh, const FacePressureKernels& kernels)
-    : plenum_count_(mesh.plenum_names.size()), kernels_(kernels) {
+ExplicitChambers::ExplicitChambers(const meshes::HexahedralMesh& mesh, const FacePressureKernels<double>& kernels)
+    : plenum_count_(mesh.plenum_names.size()), batches_(mesh, FaceValues::positions, kernels) {
   for (std::size_t chamber = 0; chamber < mesh.chambers.size(); ++chamber) {
     plenums_.push_back(mesh.chambers[chamber].plenum);
     add_faces(mesh, chamber);
   }
-  // Slots of lanes that repeat a face are left out.
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint32_t> slots;
-  for (std::size_t corner = 0; corner < first_components_.size(); ++corner) {
-    if (first_components_[corner] == repeated) continue;
-    nodes.push_back(first_components_[corner] / 3);
-    slots.push_back(static_cast<std::uint32_t>(corner));
-  }
-  for (std::size_t corner = 4; corner < first_components_.size(); ++corner)
-    if (first_components_[corner] == repeated) first_components_[corner] = first_components_[corner - 4];
-  number_count_ = 4 * first_components_.size();
+  batches_.add_slots(0, nodes, slots);
+  number_count_ = batches_.number_count();
   for (std::size_t chamber = 0; chamber < mesh.chambers.size(); ++chamber) {
     for (const meshes::Cap& cap : mesh.chambers[chamber].caps) {
       const auto first_slot = static_cast<std::uint32_t>(number_count_ / 4);
@@ -68,7 +57,6 @@ ExplicitChambers::ExplicitChambers(const meshes::HexahedralMesh& mesh, const Fac
   number_count_ += 4;
 }
 
-/// Adds the faces of a chamber, in whole batches.
 void ExplicitChambers::add_faces(const meshes::HexahedralMesh& mesh, std::size_t chamber) {
   const std::vector<std::size_t>& labels = mesh.chambers[chamber].labels;
   for (const meshes::BoundaryFace& boundary : mesh.faces) {
@@ -76,11 +64,7 @@ void ExplicitChambers::add_faces(const meshes::HexahedralMesh& mesh, std::size_t
     Face face{{}, static_cast<std::uint32_t>(chamber)};
     for (std::size_t a = 0; a < 4; ++a) face.first_components[a] = static_cast<std::uint32_t>(3 * boundary.corners[a]);
     faces_.push_back(face);
-    first_components_.insert(first_components_.end(), face.first_components.begin(), face.first_components.end());
   }
-  const std::size_t per_batch = 4 * kernels_.width;
-  first_components_.resize((first_components_.size() + per_batch - 1) / per_batch * per_batch, repeated);
-  batch_chambers_.resize(first_components_.size() / per_batch, chamber);
 }
 
 void ExplicitChambers::add_cap(const meshes::Cap& cap, std::size_t chamber) {
@@ -102,12 +86,10 @@ void ExplicitChambers::add_cap(const meshes::Cap& cap, std::size_t chamber) {
 }
 
 void ExplicitChambers::set_face_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa,
-                                       IndexRange batches, std::span<double> slots_N) const {
-  std::vector<double> pressures;
-  for (std::size_t batch = batches.begin; batch < batches.end; ++batch)
-    pressures.push_back(pressures_Pa[plenums_[batch_chambers_[batch]]]);
-  const FaceBatches faces{pressures.size(), first_components_.data() + 4 * kernels_.width * batches.begin, pressures.data()};
-  kernels_.forces(faces, positions_m.data(), slots_N.data() + slot_numbers_per_face * kernels_.width * batches.begin);
+                                       IndexRange batches, std::span<double> slots_N, std::span<double> volumes_m3) const {
+  std::vector<double> by_chamber;
+  for (const std::size_t plenum : plenums_) by_chamber.push_back(pressures_Pa[plenum]);
+  batches_.compute(batches, positions_m.data(), by_chamber, slots_N.data(), volumes_m3.empty() ? nullptr : volumes_m3.data());
 }
 
 void ExplicitChambers::set_cap_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa,
@@ -127,6 +109,14 @@ void ExplicitChambers::set_cap_forces(std::span<const double> positions_m, std::
     }
     for (std::size_t n = 0; n < gradient.size(); ++n) slots_N[cap.first_number + n / 3 * 4 + n % 3] = pressure * gradient[n];
   }
+}
+
+std::vector<double> ExplicitChambers::plenum_volumes_m3(std::span<const double> positions_m,
+                                                        std::span<const double> volumes_m3) const {
+  std::vector<double> volumes(plenum_count_, 0.0);
+  for (std::size_t batch = 0; batch < volumes_m3.size(); ++batch) volumes[plenums_[batches_.chamber(batch)]] += volumes_m3[batch];
+  for (const RimOfCap& cap : caps_) volumes[plenums_[cap.chamber]] += cap_volume<2>(cap.rim, rim_points(positions_m, cap.nodes));
+  return volumes;
 }
 
 std::vector<double> ExplicitChambers::volumes_m3(std::span<const double> positions_m) const {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fem/boxes/node_slots.h"
-#include "fem/explicit/face_pressure_kernel.h"
+#include "fem/explicit/chamber_faces.h"
 #include "fem/surfaces/cap_volume.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
 
@@ -22,13 +22,13 @@ namespace menger::fem {
 class ExplicitChambers {
  public:
   explicit ExplicitChambers(const meshes::HexahedralMesh& mesh,
-                            const FacePressureKernels& kernels = best_face_pressure_kernels());
+                            const FacePressureKernels<double>& kernels = best_face_pressure_kernels<double>());
 
   [[nodiscard]] std::size_t chamber_count() const { return plenums_.size(); }
   [[nodiscard]] std::size_t plenum_count() const { return plenum_count_; }
   [[nodiscard]] std::size_t plenum(std::size_t chamber) const { return plenums_[chamber]; }
   /// Batches of faces for the kernels; those of a batch have the same chamber.
-  [[nodiscard]] std::size_t batch_count() const { return batch_chambers_.size(); }
+  [[nodiscard]] std::size_t batch_count() const { return batches_.batch_count(); }
 
   /// Returns the slots of the nodes in the array that set_face_forces and set_cap_forces fill: four slots for each lane of a
   /// batch, then one per node of a rim, then the empty one.
@@ -39,11 +39,16 @@ class ExplicitChambers {
   /// @param positions_m current, 3 per node, and one number more
   /// @param pressures_Pa gauge, one per plenum
   /// @param slots_N aligned to 64 bytes
+  /// @param volumes_m3 per batch, for plenum_volumes_m3; empty: not wanted
   void set_face_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa, IndexRange batches,
-                       std::span<double> slots_N) const;
+                       std::span<double> slots_N, std::span<double> volumes_m3 = {}) const;
   /// Writes into slots_N the forces (N) of the pressure on all caps, on the nodes of their rims. The slots of faces stay.
   /// @param positions_m, pressures_Pa as in set_face_forces
   void set_cap_forces(std::span<const double> positions_m, std::span<const double> pressures_Pa, std::span<double> slots_N) const;
+
+  /// Returns the volumes of the plena, m^3. @param volumes_m3 of set_face_forces with these positions
+  [[nodiscard]] std::vector<double> plenum_volumes_m3(std::span<const double> positions_m,
+                                                      std::span<const double> volumes_m3) const;
 
   /// Returns the volumes of the chambers, m^3.
   /// @param positions_m current, 3 per node
@@ -66,10 +71,8 @@ class ExplicitChambers {
   std::size_t plenum_count_;
   std::size_t number_count_ = 0;
   std::vector<std::size_t> plenums_;
-  FacePressureKernels kernels_;
   std::vector<Face> faces_;
-  std::vector<std::uint32_t> first_components_;  ///< of faces in batches, see FaceBatches
-  std::vector<std::size_t> batch_chambers_;
+  ChamberFaces<double> batches_;
   std::vector<RimOfCap> caps_;
   std::optional<FourfoldSlots> slots_;
 };

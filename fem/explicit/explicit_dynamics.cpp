@@ -60,11 +60,15 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
   }
   check(mesh);
   if (options_.supply->has_lines()) air_.emplace(*options_.supply);
-  chamber_slots_.resize(chambers_.number_count());
+  if (!body.elements().take_pressure()) chamber_slots_.resize(chambers_.number_count());
+  face_volumes_m3_.resize(chambers_.batch_count());
   outcomes_.resize(BlockLoop::block_count(element_forces_->batch_count(), batches_per_block));
   moves_.resize(BlockLoop::block_count(body.node_count(), nodes_per_block));
   current_positions_.resize(3 * body.node_count() + 1);  // kernels read one number more
   first_volumes_ = chambers_.volumes_m3(body.reference_positions_m());
+  first_plenum_volumes_m3_.resize(chambers_.plenum_count(), 0.0);
+  for (std::size_t c = 0; c < first_volumes_.size(); ++c) first_plenum_volumes_m3_[chambers_.plenum(c)] += first_volumes_[c];
+  clearances_m_.resize(NodeUpdate::clearance_count(body.node_count()));
   energy_noise_ = 1e-10 * body.stiffness_J();
   ExplicitState start;
   start.displacements_m.assign(3 * body.node_count(), 0.0);
@@ -137,13 +141,14 @@ void ExplicitDynamics::set_state(ExplicitState state) {
   if (!state_.pneumatics || !options_.supply->has_lines())
     state_.pneumatics = options_.supply->start(state_.time_s, plenum_volumes_m3());
   if (!state_.branches) state_.branches = BranchState{body_.elements().branches_at_rest(state_.displacements_m)};
-  set_current_positions();
   self_contact_.forget();
-  if (state_.wall_volume_changes_m3.empty()) {
+  clearances_m_.assign(clearances_m_.size(), 0.0);
+  if (state_.pressures_Pa.empty()) {
     compute_forces();
     state_.pressures_Pa = pressures_Pa_;
-    state_.wall_volume_changes_m3 = wall_volume_changes_m3_;
+    state_.pressed_volumes = pressed_volumes_;
   }
+  set_current_positions();
   find_touches();
   if (!state_.contact) state_.contact = self_contact_.memories();
   if (state_.stable_step_s == 0.0) {
@@ -171,20 +176,21 @@ bool ExplicitDynamics::compute_forces(double relaxed_s) {
   loop_.run(element_forces_->batch_count(), batches_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
     outcomes_[block] = element_forces_->compute({begin, end}, state_.branches->numbers, relaxed_s);
   });
-  wall_volume_changes_m3_ = element_forces_->wall_volume_changes_m3();
-  if (chambers_.chamber_count() > 0) {
-    set_current_positions();
+  pressed_volumes_ = element_forces_->pressed_volumes();
+  const bool push_chambers = chambers_.chamber_count() > 0 && !body_.elements().take_pressure();
+  if (push_chambers || self_contact_.is_awake()) set_current_positions();
+  if (push_chambers) {
     loop_.run(chambers_.batch_count(), face_batches_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
-      chambers_.set_face_forces(current_positions_, pressures_Pa_, {begin, end}, chamber_slots_);
+      chambers_.set_face_forces(current_positions_, pressures_Pa_, {begin, end}, chamber_slots_, face_volumes_m3_);
     });
     chambers_.set_cap_forces(current_positions_, pressures_Pa_, chamber_slots_);
+    pressed_volumes_.chambers_m3 = chambers_.plenum_volumes_m3(current_positions_, face_volumes_m3_);
+    for (std::size_t p = 0; p < first_plenum_volumes_m3_.size(); ++p)
+      pressed_volumes_.chambers_m3[p] -= first_plenum_volumes_m3_[p];
   }
   const bool has_failed =
       std::any_of(outcomes_.begin(), outcomes_.end(), [](const ForcesOutcome& outcome) { return outcome.has_failed; });
-  if (self_contact_.is_awake() && !has_failed) {  // positions that are not finite have no neighbours
-    if (chambers_.chamber_count() == 0) set_current_positions();
-    find_touches();
-  }
+  if (self_contact_.is_awake() && !has_failed) find_touches();  // positions that are not finite have no neighbours
   return !has_failed;
 }
 
@@ -194,16 +200,18 @@ void ExplicitDynamics::set_pressures() {
   element_forces_->press(pressures_Pa_);
 }
 
-/// Returns the work of the change of pressures since the last step on walls whose volume has changed: their energy is minus
-/// pressure times change of volume, so that a change of pressure does work where nothing moves. The mean of the changes of volume
-/// at both times counts; those of the forces that were computed last stand for this one.
-double ExplicitDynamics::work_of_pressure_changes_J() const {
-  double work = 0.0;
-  for (std::size_t p = 0; p < pressures_Pa_.size(); ++p) {
-    const double volumes = wall_volume_changes_m3_[p] + state_.wall_volume_changes_m3[p];
-    work -= 0.5 * volumes * (pressures_Pa_[p] - state_.pressures_Pa[p]);
-  }
-  return work;
+/// Adds the work of the change of pressures since the last step: the energy of a pressure is minus pressure times change of
+/// volume, so that a change of pressure does work where nothing moves. The mean of the changes of volume at both times counts;
+/// those of the forces that were computed last stand for this one.
+void ExplicitDynamics::add_work_of_pressure_changes(MotionWork& work) const {
+  const auto work_on = [&](const std::vector<double>& now_m3, const std::vector<double>& before_m3) {
+    double sum = 0.0;
+    for (std::size_t p = 0; p < pressures_Pa_.size(); ++p)
+      sum -= 0.5 * (now_m3[p] + before_m3[p]) * (pressures_Pa_[p] - state_.pressures_Pa[p]);
+    return sum;
+  };
+  work.wall_pressure_J += work_on(pressed_volumes_.walls_m3, state_.pressed_volumes.walls_m3);
+  work.pressure_J += work_on(pressed_volumes_.chambers_m3, state_.pressed_volumes.chambers_m3);
 }
 
 /// Searches the contacts of the current positions. The state does not change: its memory of contact stays that of the time before
@@ -223,13 +231,14 @@ void ExplicitDynamics::set_current_positions() {
 }
 
 NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
-  BodyForces forces{*element_forces_, chamber_slots_};
+  BodyForces forces{*element_forces_};
+  if (!body_.elements().take_pressure()) forces.chamber_slots_N = chamber_slots_;
   if (options_.self_contact && !self_contact_.touches().empty()) {
     forces.self_contact_N = self_contact_.forces_N();
     forces.self_friction_N = self_contact_.friction_N();
   }
   loop_.run(body_.node_count(), nodes_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
-    moves_[block] = nodes_.move(forces, times, {begin, end}, displacements, velocities);
+    moves_[block] = nodes_.move(forces, times, {begin, end}, displacements, velocities, clearances_m_);
   });
   NodesOutcome all;
   for (const NodesOutcome& part : moves_) {
@@ -237,7 +246,7 @@ NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>&
     all.speed_bound_square_m2_per_s2 = std::max(all.speed_bound_square_m2_per_s2, part.speed_bound_square_m2_per_s2);
   }
   for (const ForcesOutcome& outcome : outcomes_) all.work.viscous_J += times.kick_s * outcome.dissipated_W + outcome.relaxed_J;
-  all.work.wall_pressure_J = work_of_pressure_changes_J();
+  add_work_of_pressure_changes(all.work);
   return all;
 }
 
@@ -251,7 +260,7 @@ bool ExplicitDynamics::take_step(double step_s) {
   const NodesOutcome outcome = move(times, state_.displacements_m, state_.velocities_m_per_s);
   state_.work += outcome.work;
   state_.pressures_Pa = pressures_Pa_;
-  state_.wall_volume_changes_m3 = wall_volume_changes_m3_;
+  state_.pressed_volumes = pressed_volumes_;
   double travel_m = step_s * std::sqrt(outcome.speed_bound_square_m2_per_s2);
   if (travel_m > self_contact_.allowed_travel_m()) travel_m = step_s * largest_speed_m_per_s();
   self_contact_.moved(travel_m);

@@ -64,7 +64,8 @@ struct ExplicitState {
   double stable_step_s = 0.0;         ///< the last estimate; 0: none yet
   /// Factor on the step, at most 1; reduced after steps that had to be repeated.
   double step_share = 1.0;
-  /// Up to the time of the velocities. The work of pressure in the thickness of walls is here that of its changes alone.
+  /// Up to the time of the velocities. The work of pressure is here that of its changes alone, and that of the weight is left
+  /// out: their energies are known at every time.
   MotionWork work;
   /// See MotionEnergies; empty: the energy balance begins with this state.
   std::optional<double> at_start_J{};
@@ -74,9 +75,9 @@ struct ExplicitState {
   /// The memory of self-contact before the last step. Empty: every contact in this state presses with its full depth.
   std::optional<std::vector<ContactMemory>> contact{};
   std::optional<BranchState> branches{};  ///< empty: they are at rest in this state
-  /// The pressures in the plena at the last step, Pa, and ElementForces::wall_volume_changes_m3 then. Empty: those of this state.
+  /// The pressures in the plena at the last step, Pa, and the changes of volume then. Empty: those of this state.
   std::vector<double> pressures_Pa{};
-  std::vector<double> wall_volume_changes_m3{};
+  PressedVolumes pressed_volumes{};
 };
 
 /// How a run ended.
@@ -175,7 +176,7 @@ class ExplicitDynamics {
   [[nodiscard]] double due_relaxation_s(double step_s) const;
   bool compute_forces(double relaxed_s = 0.0);
   void set_pressures();
-  [[nodiscard]] double work_of_pressure_changes_J() const;
+  void add_work_of_pressure_changes(MotionWork& work) const;
   void find_touches();
   void set_current_positions();
   NodesOutcome move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities);
@@ -203,8 +204,11 @@ class ExplicitDynamics {
   std::optional<double> relaxation_interval_s_;
   Point common_velocity_{};  ///< of the centre of mass at the start of an interval
   std::vector<double> first_volumes_;
-  std::vector<double> pressures_Pa_;            ///< in the plena, at the time of the last forces
-  std::vector<double> wall_volume_changes_m3_;  ///< of the last forces, see ElementForces
+  std::vector<double> pressures_Pa_;  ///< in the plena, at the time of the last forces
+  PressedVolumes pressed_volumes_;    ///< at the time of the last forces
+  std::vector<double> first_plenum_volumes_m3_;
+  std::vector<double> face_volumes_m3_;  ///< see ExplicitChambers::set_face_forces
+  std::vector<double> clearances_m_;     ///< see NodeUpdate
   std::vector<double> current_positions_;
   std::unique_ptr<ElementForces> element_forces_;
   std::optional<EigenvalueEstimate> eigenvalues_;

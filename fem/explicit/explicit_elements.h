@@ -33,6 +33,12 @@ struct FailedElement {
   bool is_finite = true;  ///< whether its displacements are finite
 };
 
+/// Changes of volume by which the pressures in the plena do work, m^3, per plenum.
+struct PressedVolumes {
+  std::vector<double> walls_m3;     ///< of the walls, half of it for each face towards the plenum
+  std::vector<double> chambers_m3;  ///< of the chambers
+};
+
 /// Results of elements other than their forces.
 struct ForcesOutcome {
   bool has_failed = false;    ///< an element is inverted, or its law gives no stress
@@ -51,8 +57,7 @@ class ElementForces {
   /// Sets where the nodes are and how they move. The arrays must stay as they are until the forces are computed.
   virtual void place(const NodalMotion& motion, const BlockLoop& loop) = 0;
 
-  /// Sets the pressure in the plena, Pa, which acts through the thickness of walls. Elements that resolve the thickness do not
-  /// need it.
+  /// Sets the pressure in the plena, Pa. See ExplicitElements::take_pressure.
   virtual void press(std::span<const double> pressures_Pa) = 0;
 
   [[nodiscard]] virtual std::size_t batch_count() const = 0;
@@ -67,9 +72,9 @@ class ElementForces {
   /// @param forces_N three per node of the range
   virtual void sum(IndexRange nodes, double* forces_N) const = 0;
 
-  /// Returns the change of volume of the walls of each plenum, m^3, half of it for each face towards the plenum, at the time of
-  /// the forces that were computed last. Minus this times the pressure is the pressure's energy in the thickness of the walls.
-  [[nodiscard]] virtual std::vector<double> wall_volume_changes_m3() const = 0;
+  /// Returns the changes of volume since the reference configuration, at the time of the forces that were computed last. Minus
+  /// this times the pressure is the pressure's energy in the elements. Zeros where they take no pressure.
+  [[nodiscard]] virtual PressedVolumes pressed_volumes() const = 0;
 };
 
 /// The elements of a body for explicit dynamics: of one kind, with lumped masses at the nodes of a mesh of boxes. Arrays of nodal
@@ -88,6 +93,10 @@ class ExplicitElements {
   /// Returns the modulus by which the default stiffness of contact is chosen, Pa: the bulk modulus, or for thin walls, which are
   /// softer across, fem::contact_modulus_Pa.
   [[nodiscard]] virtual double contact_modulus_Pa() const = 0;
+
+  /// Returns whether the pressure in the chambers is among the forces of the elements. Thin walls take it on their faces if all
+  /// chambers are closed, and always through their thickness.
+  [[nodiscard]] virtual bool take_pressure() const = 0;
 
   [[nodiscard]] virtual std::unique_ptr<ElementForces> make_forces() const = 0;
 

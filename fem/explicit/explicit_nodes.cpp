@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "fem/explicit/wide_loops.h"
@@ -45,35 +46,52 @@ double apply_friction(const Friction& friction, const Kick& kick, double normal_
 // sums, and each index modulo the number of lanes has its own sum.
 constexpr std::size_t lanes = 8;
 
-/// Arrays over the components of a block, none of which overlap.
-struct BlockArrays {
-  std::size_t count;
-  const double* __restrict pressure_N;
-  const double* __restrict weight_N;
-  const double* __restrict inverse_masses_per_kg;
-  double* __restrict velocities_m_per_s;
-  double* __restrict displacements_m;
-};
+// Loops run over patterns of eight nodes.
+constexpr std::size_t pattern = 3 * lanes;
 
-/// @param inner_N the elements' forces
-MENGER_WIDE_LOOPS void kick_block(const BlockArrays& block, const Kick& kick, const double* __restrict inner_N,
-                                  double* __restrict after_m_per_s) {
-  const auto [count, pressure, weight, inverse_masses, velocities, displacements] = block;
-  const auto [kept, share, time] = kick;
-  for (std::size_t n = 0; n < count; ++n)
-    after_m_per_s[n] = kept * velocities[n] + time * inverse_masses[n] * (pressure[n] - inner_N[n] + weight[n]);
+/// A vector of every node of a pattern.
+std::array<double, pattern> repeated(const Point& vector) {
+  std::array<double, pattern> result;
+  for (std::size_t n = 0; n < pattern; ++n) result[n] = vector[n % 3];
+  return result;
 }
 
-/// Sets the mean of the velocities before and after, then moves on.
-MENGER_WIDE_LOOPS void drift_block(const BlockArrays& block, double time_s, const double* __restrict after_m_per_s,
-                                   double* __restrict mean_m_per_s) {
-  const auto [count, pressure, weight, inverse_masses, velocities, displacements] = block;
-  for (std::size_t n = 0; n < count; ++n) {
-    const double after = after_m_per_s[n];
-    mean_m_per_s[n] = 0.5 * (velocities[n] + after);
-    velocities[n] = after;
-    displacements[n] += time_s * after;
-  }
+/// Velocities after the kick. Components that are held have an inverse mass of 0, and no weight.
+/// @param inner_N what resists: the elements' forces
+MENGER_WIDE_LOOPS void kick_block(std::size_t count, const Kick& kick, const Point& gravity, const double* __restrict inner_N,
+                                  const double* __restrict inverse_masses, const double* __restrict velocities,
+                                  double* __restrict after) {
+  const auto [kept, share, time] = kick;
+  const std::array<double, pattern> weight = repeated(scaled(time, gravity));
+  const auto kicked = [&](std::size_t n, double fall) {
+    return kept * velocities[n] - time * inverse_masses[n] * inner_N[n] + (inverse_masses[n] > 0.0 ? fall : 0.0);
+  };
+  const std::size_t whole = count / pattern * pattern;
+  for (std::size_t n = 0; n < whole; n += pattern)
+    for (std::size_t lane = 0; lane < pattern; ++lane) after[n + lane] = kicked(n + lane, weight[lane]);
+  for (std::size_t n = whole; n < count; ++n) after[n] = kicked(n, weight[n - whole]);
+}
+
+/// Moves on with the velocities after the kick.
+/// @return the square of a bound of the nodes' speeds: of a vector of the largest components
+MENGER_WIDE_LOOPS double drift_block(std::size_t count, double time_s, const Point& common_velocity,
+                                     const double* __restrict after, double* __restrict velocities,
+                                     double* __restrict displacements) {
+  const std::array<double, pattern> common = repeated(common_velocity);
+  std::array<double, pattern> largest{};
+  const auto drift = [&](std::size_t n, std::size_t lane) {
+    velocities[n] = after[n];
+    displacements[n] += time_s * after[n];
+    const double apart = std::abs(after[n] - common[lane]);
+    largest[lane] = apart > largest[lane] ? apart : largest[lane];
+  };
+  const std::size_t whole = count / pattern * pattern;
+  for (std::size_t n = 0; n < whole; n += pattern)
+    for (std::size_t lane = 0; lane < pattern; ++lane) drift(n + lane, lane);
+  for (std::size_t n = whole; n < count; ++n) drift(n, n - whole);
+  Point of_axis{};
+  for (std::size_t lane = 0; lane < pattern; ++lane) of_axis[lane % 3] = std::max(of_axis[lane % 3], largest[lane]);
+  return dot(of_axis, of_axis);
 }
 
 MENGER_WIDE_LOOPS double product_sum(const double* a, const double* b, std::size_t count) {
@@ -85,26 +103,8 @@ MENGER_WIDE_LOOPS double product_sum(const double* a, const double* b, std::size
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// The square of a bound of the nodes' speeds: of a vector of the largest components.
-MENGER_WIDE_LOOPS double speed_bound_square(const double* velocities, std::size_t count, const Point& common_velocity) {
-  std::array<double, 3 * lanes> common{};
-  std::array<double, 3 * lanes> largest{};
-  for (std::size_t lane = 0; lane < 3 * lanes; ++lane) common[lane] = common_velocity[lane % 3];
-  const std::size_t whole = count / (3 * lanes) * (3 * lanes);
-  for (std::size_t n = 0; n < whole; n += 3 * lanes) {
-    for (std::size_t lane = 0; lane < 3 * lanes; ++lane) {
-      const double apart = std::abs(velocities[n + lane] - common[lane]);
-      largest[lane] = apart > largest[lane] ? apart : largest[lane];
-    }
-  }
-  for (std::size_t n = whole; n < count; ++n)
-    largest[n - whole] = std::max(largest[n - whole], std::abs(velocities[n] - common[n - whole]));
-  Point of_axis{};
-  for (std::size_t lane = 0; lane < 3 * lanes; ++lane) of_axis[lane % 3] = std::max(of_axis[lane % 3], largest[lane]);
-  return dot(of_axis, of_axis);
-}
-
-constexpr std::size_t nodes_at_once = 128;
+/// A clearance below this is measured again: rounding of many steps is far smaller.
+constexpr double least_clearance_m = 1e-9;
 
 }  // namespace
 
@@ -113,27 +113,22 @@ constexpr std::size_t nodes_at_once = 128;
 struct NodeUpdate::Block {
   std::size_t first = 0;  ///< first component in the body
   std::size_t count = 0;  ///< of components
-  std::array<double, 3 * nodes_at_once> pressure_N;
   std::array<double, 3 * nodes_at_once> load_N;
   std::array<double, 3 * nodes_at_once> after_m_per_s;
-  std::array<double, 3 * nodes_at_once> mean_m_per_s;
-  std::size_t standing_count = 0;                   ///< number of nodes that the ground pushes
-  std::array<std::size_t, nodes_at_once> standing;  ///< the first component of each
-  std::array<double, nodes_at_once> normal_N;
+  std::size_t standing_count = 0;                     ///< number of nodes that the ground pushes
+  std::array<std::size_t, nodes_at_once> standing{};  ///< the first component of each
+  std::array<double, nodes_at_once> normal_N{};
 };
 
 NodeUpdate::NodeUpdate(const ExplicitBody& body, const ExplicitChambers& chambers, const NodalLoads& loads,
                        const std::vector<double>& outer_areas_m2)
-    : body_(body), chambers_(chambers), loads_(loads), areas_(outer_areas_m2) {
-  for (const double mass : body.masses_kg()) {
-    masses_.insert(masses_.end(), 3, mass);
-    for (std::size_t i = 0; i < 3; ++i) weights_.push_back(mass * loads.gravity_m_per_s2[i]);
-  }
-}
+    : body_(body), chambers_(chambers), loads_(loads), areas_(outer_areas_m2) {}
 
 NodesOutcome NodeUpdate::move(const BodyForces& forces, const StepTimes& times, IndexRange nodes,
-                              std::span<double> displacements_m, std::span<double> velocities_m_per_s) const {
+                              std::span<double> displacements_m, std::span<double> velocities_m_per_s,
+                              std::span<double> clearances_m) const {
   const Kick kick = kick_of(times.kick_s, loads_.mass_damping_per_s);
+  const double common_m_per_s = norm(times.common_velocity_m_per_s);
   NodesOutcome outcome;
   Block block;
   for (std::size_t begin = nodes.begin; begin < nodes.end; begin += nodes_at_once) {
@@ -141,34 +136,32 @@ NodesOutcome NodeUpdate::move(const BodyForces& forces, const StepTimes& times, 
     block.count = 3 * (std::min(begin + nodes_at_once, nodes.end) - begin);
     double* v = velocities_m_per_s.data() + block.first;
     const double* inverse_masses = body_.inverse_masses_per_kg().data() + block.first;
-    const BlockArrays arrays{block.count,
-                             block.pressure_N.data(),
-                             weights_.data() + block.first,
-                             inverse_masses,
-                             v,
-                             displacements_m.data() + block.first};
+    double* after = block.after_m_per_s.data();
     sum_forces(forces, block);
-    kick_block(arrays, kick, block.load_N.data(), block.after_m_per_s.data());
-    push_from_ground(displacements_m, block);
+    kick_block(block.count, kick, loads_.gravity_m_per_s2, block.load_N.data(), inverse_masses, v, after);
+    double& clearance_m = clearances_m[begin / nodes_at_once];
+    block.standing_count = 0;
+    if (loads_.ground && clearance_m < least_clearance_m) clearance_m = push_from_ground(displacements_m, block);
     for (std::size_t s = 0; s < block.standing_count; ++s) {
       const std::size_t z = block.standing[s] + 2;
-      block.after_m_per_s[z] += kick.time_s * inverse_masses[z] * block.normal_N[s];
+      after[z] += kick.time_s * inverse_masses[z] * block.normal_N[s];
     }
     for (const std::span<const double> more : {forces.self_contact_N, forces.self_friction_N})
       for (std::size_t n = 0; n < (more.empty() ? 0 : block.count); ++n)
-        block.after_m_per_s[n] += kick.time_s * inverse_masses[n] * more[block.first + n];
+        after[n] += kick.time_s * inverse_masses[n] * more[block.first + n];
     MotionWork work;
     for (std::size_t s = 0; s < block.standing_count; ++s) {
       const std::size_t n = block.standing[s];
       if (!(inverse_masses[n] > 0.0 && inverse_masses[n + 1] > 0.0)) continue;
-      work.friction_J += apply_friction(loads_.ground->friction, kick, block.normal_N[s], masses_[block.first + n], v + n,
-                                        block.after_m_per_s.data() + n);
+      const double mass = body_.masses_kg()[(block.first + n) / 3];
+      work.friction_J += apply_friction(loads_.ground->friction, kick, block.normal_N[s], mass, v + n, after + n);
     }
-    drift_block(arrays, times.drift_s, block.after_m_per_s.data(), block.mean_m_per_s.data());
-    add_work(forces, times.kick_s, block, work);
+    add_work(forces, times.kick_s, v, block, work);
     outcome.work += work;
-    outcome.speed_bound_square_m2_per_s2 =
-        std::max(outcome.speed_bound_square_m2_per_s2, speed_bound_square(v, block.count, times.common_velocity_m_per_s));
+    const double bound_square =
+        drift_block(block.count, times.drift_s, times.common_velocity_m_per_s, after, v, displacements_m.data() + block.first);
+    outcome.speed_bound_square_m2_per_s2 = std::max(outcome.speed_bound_square_m2_per_s2, bound_square);
+    clearance_m -= times.drift_s * (std::sqrt(bound_square) + common_m_per_s);
   }
   return outcome;
 }
@@ -177,43 +170,48 @@ NodesOutcome NodeUpdate::move(const BodyForces& forces, const StepTimes& times, 
 void NodeUpdate::sum_forces(const BodyForces& forces, Block& block) const {
   const std::size_t first_node = block.first / 3;
   forces.elements.sum({first_node, first_node + block.count / 3}, block.load_N.data());
+  if (forces.chamber_slots_N.empty()) return;
   for (std::size_t n = 0; n < block.count; n += 3) {
     const auto pressure = chambers_.slots().sum(forces.chamber_slots_N.data(), (block.first + n) / 3);
-    for (std::size_t i = 0; i < 3; ++i) block.pressure_N[n + i] = pressure[i];
+    for (std::size_t i = 0; i < 3; ++i) block.load_N[n + i] -= pressure[i];
   }
 }
 
 /// Finds the nodes below the ground and the forces that push them up.
-void NodeUpdate::push_from_ground(std::span<const double> displacements_m, Block& block) const {
-  block.standing_count = 0;
-  if (!loads_.ground) return;
+/// @return the height of the lowest node of the block above the ground, m
+double NodeUpdate::push_from_ground(std::span<const double> displacements_m, Block& block) const {
   const RigidGround& ground = *loads_.ground;
   const double* positions = body_.reference_positions_m().data() + block.first;
   const double* displacements = displacements_m.data() + block.first;
+  double lowest_m = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n < block.count; n += 3) {
     const double depth = ground.height_m - (positions[n + 2] + displacements[n + 2]);
+    lowest_m = std::min(lowest_m, -depth);
     if (!(depth > 0.0)) continue;
     block.normal_N[block.standing_count] = ground.stiffness_Pa_per_m * areas_[(block.first + n) / 3] * depth;
     block.standing[block.standing_count++] = n;
   }
+  return lowest_m;
 }
 
-/// Adds the work of a kick. The work of pressure, weight, ground, contact, friction and mass damping is force times the mean of
-/// both velocities, consistent with the change of kinetic energy. The work of the elements is not counted here: the energy
-/// balance has their energy and their dissipation instead.
-void NodeUpdate::add_work(const BodyForces& forces, double time_s, const Block& block, MotionWork& work) const {
-  const double* mean = block.mean_m_per_s.data();
-  const auto work_of = [&](const double* force) { return time_s * product_sum(force, mean, block.count); };
-  work.pressure_J += work_of(block.pressure_N.data());
-  work.gravity_J += work_of(weights_.data() + block.first);
+/// Adds the work of a kick. The work of ground, contact, friction and mass damping is force times the mean of both velocities,
+/// consistent with the change of kinetic energy. The work of elements, pressure and weight is not counted here: the energy
+/// balance has their energies.
+void NodeUpdate::add_work(const BodyForces& forces, double time_s, const double* before_m_per_s, const Block& block,
+                          MotionWork& work) const {
+  const auto mean = [&](std::size_t n) { return 0.5 * (before_m_per_s[n] + block.after_m_per_s[n]); };
   double contact_power = 0.0;
-  for (std::size_t s = 0; s < block.standing_count; ++s) contact_power += block.normal_N[s] * mean[block.standing[s] + 2];
+  for (std::size_t s = 0; s < block.standing_count; ++s) contact_power += block.normal_N[s] * mean(block.standing[s] + 2);
   work.contact_J += time_s * contact_power;
+  if (forces.self_contact_N.empty() && forces.self_friction_N.empty() && loads_.mass_damping_per_s == 0.0) return;
+  std::array<double, 3 * nodes_at_once> means;
+  for (std::size_t n = 0; n < block.count; ++n) means[n] = mean(n);
+  const auto work_of = [&](const double* force) { return time_s * product_sum(force, means.data(), block.count); };
   if (!forces.self_contact_N.empty()) work.self_contact_J += work_of(forces.self_contact_N.data() + block.first);
   if (!forces.self_friction_N.empty()) work.friction_J -= work_of(forces.self_friction_N.data() + block.first);
   if (loads_.mass_damping_per_s == 0.0) return;
   std::array<double, 3 * nodes_at_once> momentum;
-  for (std::size_t n = 0; n < block.count; ++n) momentum[n] = masses_[block.first + n] * mean[n];
+  for (std::size_t n = 0; n < block.count; ++n) momentum[n] = body_.masses_kg()[(block.first + n) / 3] * means[n];
   work.mass_damping_J += loads_.mass_damping_per_s * work_of(momentum.data());
 }
 

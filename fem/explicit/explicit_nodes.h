@@ -12,7 +12,7 @@
 
 namespace menger::fem {
 
-/// The loads on nodes besides the forces of their elements and chambers.
+/// Gravity, mass damping and the ground. Forces of elements, chambers and self-contact come in with BodyForces.
 struct NodalLoads {
   Point gravity_m_per_s2{};
   double mass_damping_per_s = 0.0;  ///< alpha >= 0: a force -alpha m v
@@ -22,13 +22,13 @@ struct NodalLoads {
 /// The forces of elements, those of chambers in their slots, and those of a body's contact with itself.
 struct BodyForces {
   const ElementForces& elements;
-  std::span<const double> chamber_slots_N;
+  std::span<const double> chamber_slots_N{};  ///< empty: the elements take the pressure
   std::span<const double> self_contact_N{};   ///< 3 per node; empty: none
   std::span<const double> self_friction_N{};  ///< 3 per node; empty: none
 };
 
-/// The durations of the two halves of a step: the kick, over which forces change velocities, and the drift, over which velocities
-/// change displacements.
+/// The two parts of a step: the kick (forces change velocities) lasts the mean of the last step and this one, the drift
+/// (velocities change displacements) lasts this step.
 struct StepTimes {
   double kick_s = 0.0;
   double drift_s = 0.0;
@@ -37,9 +37,9 @@ struct StepTimes {
 
 /// The work of a step and a bound of speeds.
 struct NodesOutcome {
-  MotionWork work;  ///< of the kick
-  /// The square of a speed that no node exceeds after the kick, relative to the common velocity; at most sqrt(3) times the
-  /// largest.
+  MotionWork work;  ///< of the kick, without that of pressure and weight
+  /// The square of a bound of the nodes' speeds after the kick, relative to the common velocity. The bound is at least the
+  /// largest speed, and at most sqrt(3) times it.
   double speed_bound_square_m2_per_s2 = 0.0;
 };
 
@@ -52,22 +52,29 @@ class NodeUpdate {
              const std::vector<double>& outer_areas_m2);
 
   /// Moves a range of nodes.
+  /// @param nodes begins at a multiple of nodes_at_once
   /// @param displacements_m, velocities_m_per_s 3 per node, changed
+  /// @param clearances_m clearance_count of them, changed: each block of nodes is at least so far above the ground, and is not
+  /// looked at before it can have come down. To be set to 0 where nodes are moved in another way.
   NodesOutcome move(const BodyForces& forces, const StepTimes& times, IndexRange nodes, std::span<double> displacements_m,
-                    std::span<double> velocities_m_per_s) const;
+                    std::span<double> velocities_m_per_s, std::span<double> clearances_m) const;
+
+  static constexpr std::size_t nodes_at_once = 128;
+  static constexpr std::size_t clearance_count(std::size_t node_count) {
+    return (node_count + nodes_at_once - 1) / nodes_at_once;
+  }
 
  private:
   struct Block;
   void sum_forces(const BodyForces& forces, Block& block) const;
-  void push_from_ground(std::span<const double> displacements_m, Block& block) const;
-  void add_work(const BodyForces& forces, double time_s, const Block& block, MotionWork& work) const;
+  double push_from_ground(std::span<const double> displacements_m, Block& block) const;
+  void add_work(const BodyForces& forces, double time_s, const double* before_m_per_s, const Block& block,
+                MotionWork& work) const;
 
   const ExplicitBody& body_;
   const ExplicitChambers& chambers_;
   const NodalLoads& loads_;
   const std::vector<double>& areas_;
-  std::vector<double> masses_;   ///< per component
-  std::vector<double> weights_;  ///< per component
 };
 
 }  // namespace menger::fem

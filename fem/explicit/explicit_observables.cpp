@@ -38,8 +38,12 @@ MotionEnergies ExplicitDynamics::energies() {
   result.strain_J = body_.elements().strain_energy_J(state_.displacements_m, state_.branches->numbers);
   result.work = state_.work;
   result.work += half.work;
-  for (std::size_t p = 0; p < pressures_Pa_.size(); ++p)
-    result.work.wall_pressure_J += pressures_Pa_[p] * wall_volume_changes_m3_[p];
+  for (std::size_t p = 0; p < pressures_Pa_.size(); ++p) {
+    result.work.wall_pressure_J += pressures_Pa_[p] * pressed_volumes_.walls_m3[p];
+    result.work.pressure_J += pressures_Pa_[p] * pressed_volumes_.chambers_m3[p];
+  }
+  for (std::size_t n = 0; n < state_.displacements_m.size(); ++n)
+    result.work.gravity_J += body_.masses_kg()[n / 3] * options_.loads.gravity_m_per_s2[n % 3] * state_.displacements_m[n];
   result.at_start_J = state_.at_start_J.value_or(0.0);
   return result;
 }

@@ -9,47 +9,105 @@
 
 namespace menger::fem::detail {
 
+/// A field u = middle + xi first + eta second + xi eta twist on a face, -1 <= xi, eta <= 1.
 template <class T>
-Vector3<T> sum(const Vector3<T>& a, const Vector3<T>& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+struct FaceField {
+  Vector3<T> middle;
+  Vector3<T> first;
+  Vector3<T> second;
+  Vector3<T> twist;
+};
+
+/// @param values at the corners, which run around the face
+template <class T>
+FaceField<T> face_field(const std::array<Vector3<T>, 4>& values) {
+  FaceField<T> field;
+  const T quarter(0.25);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const T low = values[0][i] + values[1][i];
+    const T high = values[3][i] + values[2][i];
+    const T low_change = values[1][i] - values[0][i];
+    const T high_change = values[2][i] - values[3][i];
+    field.middle[i] = quarter * (low + high);
+    field.first[i] = quarter * (low_change + high_change);
+    field.second[i] = quarter * (high - low);
+    field.twist[i] = quarter * (high_change - low_change);
+  }
+  return field;
 }
 
+/// The sum of the lanes, in double precision.
 template <class T>
-Vector3<T> edge(const Vector3<T>& from, const Vector3<T>& to) {
-  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+double lane_sum(const T& values) {
+  alignas(64) std::array<NumberOf<T>, Lanes<T>::count> lanes;
+  Lanes<T>::store(values, lanes.data());
+  std::array<double, Lanes<T>::count> sums;
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane) sums[lane] = static_cast<double>(lanes[lane]);
+  for (std::size_t half = lanes.size() / 2; half > 0; half /= 2)
+    for (std::size_t lane = 0; lane < half; ++lane) sums[lane] += sums[lane + half];
+  return sums[0];
 }
 
-/// int N_a x_u x x_v du dv over the bilinear face: with edges e along u (at v = 0 and 1) and along v, the integrand is
-/// (e_u0 (1 - v) + e_u1 v) x (e_v0 (1 - u) + e_v1 u), and N_a is a product of 1 - u or u and 1 - v or v.
+/// The volume that a face has swept along the normal of its corners' order: int_0^1 int u . n dA dtau over the faces between the
+/// one at rest, tau = 0, and the present one. With A = A0 + first, C = C0 + second and twist = k, the area vector on the way is
+/// (A0 + tau (first + eta k)) x (C0 + tau (second + xi k)), and the integral
+/// 4 middle . (A0 x C0 + (A0 x second + first x C0)/2 + first x second/3) + 2/3 (first . (A0 x k) + second . (k x C0)).
 template <class T>
-void face_pressure_forces(const FaceBatches& batches, const double* positions_m, double* slots_N) {
+[[gnu::always_inline]] inline T swept_volume(const FaceField<T>& u, const Vector3<T>& A0, const Vector3<T>& C0) {
+  Vector3<T> area = cross(A0, C0);
+  add(area, T(0.5), cross(A0, u.second));
+  add(area, T(0.5), cross(u.first, C0));
+  add(area, T(1.0 / 3.0), cross(u.first, u.second));
+  const T of_twist = dot(u.first, cross(A0, u.twist)) + dot(u.second, cross(u.twist, C0));
+  return fma(T(4.0), dot(u.middle, area), T(2.0 / 3.0) * of_twist);
+}
+
+/// int N_a x_xi x x_eta dxi deta over the bilinear face: with the tangents A and C in the middle and the twist k, the integrand
+/// is (A + eta k) x (C + xi k) = A x C + xi A x k + eta k x C, and N_a = (1 +- xi)(1 +- eta)/4, which gives A x C +- A x k/3 +- k
+/// x C/3.
+template <class T>
+void face_pressure_forces(const FaceBatches<NumberOf<T>>& batches, const NumberOf<T>* values_m, NumberOf<T>* slots_N) {
   constexpr std::size_t width = Lanes<T>::count;
+  const T none(0.0);
   for (std::size_t batch = 0; batch < batches.count; ++batch) {
     const std::uint32_t* nodes = batches.first_components + 4 * width * batch;
-    std::array<Vector3<T>, 4> x;
-    for (std::size_t c = 0; c < 4; ++c) x[c] = CornerGather<T, 4>::gather(nodes + c, positions_m);
-    const T share(-batches.pressures_Pa[batch] / 36.0);
-    const Vector3<T> u0 = edge(x[0], x[1]);
-    const Vector3<T> u1 = edge(x[3], x[2]);
-    const Vector3<T> v0 = scaled(share, edge(x[0], x[3]));
-    const Vector3<T> v1 = scaled(share, edge(x[1], x[2]));
-    const Vector3<T> u = sum(u0, u1);
-    const Vector3<T> v = sum(v0, v1);
-    const Vector3<T> u_low = sum(u, u0);
-    const Vector3<T> u_high = sum(u, u1);
-    const Vector3<T> v_low = sum(v, v0);
-    const Vector3<T> v_high = sum(v, v1);
-    double* slots = slots_N + slot_numbers_per_face * width * batch;
-    CornerScatter<T, slot_numbers_per_face>::scatter(cross(u_low, v_low), slots);
-    CornerScatter<T, slot_numbers_per_face>::scatter(cross(u_low, v_high), slots + 4);
-    CornerScatter<T, slot_numbers_per_face>::scatter(cross(u_high, v_high), slots + 8);
-    CornerScatter<T, slot_numbers_per_face>::scatter(cross(u_high, v_low), slots + 12);
+    std::array<Vector3<T>, 4> values;
+    for (std::size_t c = 0; c < 4; ++c) values[c] = CornerGather<T, 4>::gather(nodes + c, values_m);
+    const FaceField<T> u = face_field(values);
+    Vector3<T> A0{none, none, none};
+    Vector3<T> C0{none, none, none};
+    if (batches.half_edges_m != nullptr) {
+      const NumberOf<T>* edges = batches.half_edges_m + half_edge_numbers_per_face * width * batch;
+      for (std::size_t i = 0; i < 3; ++i) {
+        A0[i] = Lanes<T>::load(edges + i * width);
+        C0[i] = Lanes<T>::load(edges + (3 + i) * width);
+      }
+    }
+    Vector3<T> A = A0;
+    Vector3<T> C = C0;
+    add(A, T(1.0), u.first);
+    add(C, T(1.0), u.second);
+    const Vector3<T> total = scaled(T(-batches.pressure_Pa), cross(A, C));
+    const Vector3<T> along_first = scaled(T(-batches.pressure_Pa / 3.0), cross(A, u.twist));
+    const Vector3<T> along_second = scaled(T(-batches.pressure_Pa / 3.0), cross(u.twist, C));
+    NumberOf<T>* slots = slots_N + slot_numbers_per_face * width * batch;
+    const auto store = [&](std::size_t corner, double xi, double eta) {
+      Vector3<T> force = total;
+      add(force, T(xi), along_first);
+      add(force, T(eta), along_second);
+      CornerScatter<T, slot_numbers_per_face>::scatter(force, slots + 4 * corner);
+    };
+    store(0, -1.0, -1.0);
+    store(1, 1.0, -1.0);
+    store(2, 1.0, 1.0);
+    store(3, -1.0, 1.0);
+    if (batches.volumes_m3 != nullptr) batches.volumes_m3[batch] = -lane_sum(swept_volume(u, A0, C0));
   }
 }
 
 template <class T>
-const FacePressureTable& face_pressure_table(const char* instruction_set) {
-  static const FacePressureTable table{instruction_set, Lanes<T>::count, face_pressure_forces<T>};
+const FacePressureTable<NumberOf<T>>& face_pressure_table(const char* instruction_set) {
+  static const FacePressureTable<NumberOf<T>> table{instruction_set, Lanes<T>::count, face_pressure_forces<T>};
   return table;
 }
 

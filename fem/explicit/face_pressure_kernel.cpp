@@ -7,22 +7,37 @@ namespace menger::fem {
 
 using detail::FacePressureTable;
 
-FacePressureKernels::FacePressureKernels(const FacePressureTable& table)
+template <class Number>
+FacePressureKernels<Number>::FacePressureKernels(const FacePressureTable<Number>& table)
     : instruction_set(table.instruction_set), width(table.width), table_(&table) {}
 
-void FacePressureKernels::forces(const FaceBatches& batches, const double* positions_m, double* slots_N) const {
-  table_->forces(batches, positions_m, slots_N);
+template <class Number>
+void FacePressureKernels<Number>::forces(const FaceBatches<Number>& batches, const Number* values_m, Number* slots_N) const {
+  table_->forces(batches, values_m, slots_N);
 }
 
-std::vector<FacePressureKernels> available_face_pressure_kernels() {
-  std::vector<FacePressureKernels> kernels{FacePressureKernels(detail::baseline_face_pressure())};
+template class FacePressureKernels<double>;
+template class FacePressureKernels<float>;
+
+template <class Number>
+std::vector<FacePressureKernels<Number>> available_face_pressure_kernels() {
+  std::vector<FacePressureKernels<Number>> kernels{FacePressureKernels<Number>(detail::baseline_face_pressure<Number>())};
 #ifdef MENGER_X86_KERNELS
-  if (detail::has_avx2()) kernels.emplace_back(detail::avx2_face_pressure());
-  if (detail::has_avx512()) kernels.emplace_back(detail::avx512_face_pressure());
+  if (detail::has_avx2()) kernels.emplace_back(detail::avx2_face_pressure<Number>());
+  if (detail::has_avx512()) kernels.emplace_back(detail::avx512_face_pressure<Number>());
 #endif
   return kernels;
 }
 
-FacePressureKernels best_face_pressure_kernels() { return available_face_pressure_kernels().back(); }
+template std::vector<FacePressureKernels<double>> available_face_pressure_kernels();
+template std::vector<FacePressureKernels<float>> available_face_pressure_kernels();
+
+template <class Number>
+FacePressureKernels<Number> best_face_pressure_kernels() {
+  return available_face_pressure_kernels<Number>().back();
+}
+
+template FacePressureKernels<double> best_face_pressure_kernels();
+template FacePressureKernels<float> best_face_pressure_kernels();
 
 }  // namespace menger::fem

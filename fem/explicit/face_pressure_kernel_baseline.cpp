@@ -2,6 +2,14 @@
 
 namespace menger::fem::detail {
 
-const FacePressureTable& baseline_face_pressure() { return face_pressure_table<LanePack<xsimd::batch<double>>>("baseline"); }
+template <>
+const FacePressureTable<double>& baseline_face_pressure() {
+  return face_pressure_table<LanePack<xsimd::batch<double>>>("baseline");
+}
+
+template <>
+const FacePressureTable<float>& baseline_face_pressure() {
+  return face_pressure_table<LanePack<xsimd::batch<float>>>("baseline");
+}
 
 }  // namespace menger::fem::detail

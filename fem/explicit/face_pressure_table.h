@@ -5,14 +5,18 @@
 namespace menger::fem::detail {
 
 /// The function of one instruction set.
+template <class Number>
 struct FacePressureTable {
   std::string_view instruction_set;
   std::size_t width;
-  void (*forces)(const FaceBatches& batches, const double* positions_m, double* slots_N);
+  void (*forces)(const FaceBatches<Number>& batches, const Number* values_m, Number* slots_N);
 };
 
-const FacePressureTable& baseline_face_pressure();
-const FacePressureTable& avx2_face_pressure();
-const FacePressureTable& avx512_face_pressure();
+template <class Number>
+const FacePressureTable<Number>& baseline_face_pressure();
+template <class Number>
+const FacePressureTable<Number>& avx2_face_pressure();
+template <class Number>
+const FacePressureTable<Number>& avx512_face_pressure();
 
 }  // namespace menger::fem::detail

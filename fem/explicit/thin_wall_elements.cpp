@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "fem/explicit/chamber_faces.h"
 #include "fem/explicit/wide_loops.h"
 #include "fem/thin_walls/thin_wall_mesh.h"
 #include "io/text/input_error.h"
@@ -15,7 +16,7 @@
 namespace menger::fem {
 namespace {
 
-constexpr std::size_t components_per_block = 6144;  // whole nodes
+constexpr std::size_t components_at_once = 6144;  // whole nodes
 
 /// Converts nodal vectors relative to the first node's: forces do not change with a common displacement, and single precision
 /// would otherwise round the more the further a body has gone.
@@ -46,9 +47,12 @@ class ThinWallElements final : public ExplicitElements {
                    const ThinWallKernels<Number>& kernels)
       : kernels_(kernels),
         walls_(mesh, kernels.width),
+        faces_(mesh, FaceValues::displacements, face_kernels(options)),
+        take_pressure_(has_closed_chambers(mesh)),
         points_(mesh.points),
         plenum_count_(mesh.plenum_names.size()),
         slots_(sorted_slots()) {
+    for (const meshes::Chamber& chamber : mesh.chambers) chamber_plena_.push_back(chamber.plenum);
     for (const ExplicitRegion& region : regions) {
       const ExplicitMaterial& given = region.material;
       materials_.push_back({.law = given.law,
@@ -78,6 +82,8 @@ class ThinWallElements final : public ExplicitElements {
       largest = std::max(largest, fem::contact_modulus_Pa(materials::shear_modulus_at_rest_Pa(material.law)));
     return largest;
   }
+
+  [[nodiscard]] bool take_pressure() const override { return take_pressure_; }
 
   [[nodiscard]] std::unique_ptr<ElementForces> make_forces() const override { return std::make_unique<Forces>(*this); }
 
@@ -130,7 +136,19 @@ class ThinWallElements final : public ExplicitElements {
     }
   }
 
-  /// Slots are counted by lane and corner; the empty one follows them all.
+  static FacePressureKernels<Number> face_kernels(const ThinWallOptions& options) {
+    for (const FacePressureKernels<Number>& kernels : available_face_pressure_kernels<Number>())
+      if (kernels.instruction_set == options.instruction_set) return kernels;
+    if (options.instruction_set == "scalar") return available_face_pressure_kernels<Number>().front();
+    return best_face_pressure_kernels<Number>();
+  }
+
+  [[nodiscard]] std::size_t face_batch_count() const { return take_pressure_ ? faces_.batch_count() : 0; }
+  /// Numbers of the forces of all elements, which precede those of the faces.
+  [[nodiscard]] std::size_t element_number_count() const { return slot_numbers_per_lane * walls_.lane_count(); }
+  [[nodiscard]] std::size_t number_count() const { return element_number_count() + (take_pressure_ ? faces_.number_count() : 0); }
+
+  /// Slots are counted by lane and corner, first of elements, then of faces; the empty one follows them all.
   [[nodiscard]] FourfoldSlots sorted_slots() const {
     std::vector<std::uint32_t> nodes;
     std::vector<std::uint32_t> slots;
@@ -141,7 +159,8 @@ class ThinWallElements final : public ExplicitElements {
         slots.push_back(static_cast<std::uint32_t>(8 * lane + c));
       }
     }
-    return {nodes, slots, points_.size(), static_cast<std::uint32_t>(8 * walls_.lane_count())};
+    if (take_pressure_) faces_.add_slots(static_cast<std::uint32_t>(element_number_count() / 4), nodes, slots);
+    return {nodes, slots, points_.size(), static_cast<std::uint32_t>(number_count() / 4)};
   }
 
   [[nodiscard]] ThinWallBatches<Number> batches(const ThinWallGroup& group, IndexRange range) const {
@@ -180,6 +199,9 @@ class ThinWallElements final : public ExplicitElements {
 
   ThinWallKernels<Number> kernels_;
   ThinWallMesh walls_;
+  ChamberFaces<Number> faces_;
+  bool take_pressure_;
+  std::vector<std::size_t> chamber_plena_;
   std::vector<meshes::Point> points_;
   std::size_t plenum_count_;
   std::vector<ThinWallMaterial> materials_;  ///< per region
@@ -195,16 +217,18 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
   explicit Forces(const ThinWallElements& elements)
       : elements_(elements),
         displacements_(3 * elements.points_.size() + 1, Number(0)),
-        slots_N_(slot_numbers_per_lane * elements.walls_.lane_count() + 4, Number(0)),
-        pressures_Pa_(elements.walls_.batch_count(), 0.0),
-        volume_changes_m3_(elements.walls_.batch_count(), 0.0) {
+        slots_N_(elements.number_count() + 4, Number(0)),
+        mean_pressures_Pa_(elements.walls_.batch_count(), 0.0),
+        face_pressures_Pa_(elements.chamber_plena_.size(), 0.0),
+        wall_volumes_m3_(elements.walls_.batch_count(), 0.0),
+        face_volumes_m3_(elements.face_batch_count(), 0.0) {
     const auto is_viscous = [](const ThinWallMaterial& material) { return material.viscosity_Pa_s > 0.0; };
     if (std::any_of(elements.materials_.begin(), elements.materials_.end(), is_viscous)) velocities_ = displacements_;
   }
 
   void place(const NodalMotion& motion, const BlockLoop& loop) override {
     has_velocities_ = !velocities_.empty() && motion.velocities_m_per_s != nullptr;
-    loop.run(displacements_.size() - 1, components_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    loop.run(displacements_.size() - 1, components_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
       convert(motion.displacements_m + begin, end - begin, motion.displacements_m, displacements_.data() + begin);
       if (has_velocities_)
         convert(motion.velocities_m_per_s + begin, end - begin, motion.velocities_m_per_s, velocities_.data() + begin);
@@ -212,11 +236,15 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
   }
 
   void press(std::span<const double> pressures_Pa) override {
-    for (std::size_t batch = 0; batch < pressures_Pa_.size(); ++batch)
-      pressures_Pa_[batch] = elements_.mean_pressure_Pa(batch, pressures_Pa);
+    for (std::size_t batch = 0; batch < mean_pressures_Pa_.size(); ++batch)
+      mean_pressures_Pa_[batch] = elements_.mean_pressure_Pa(batch, pressures_Pa);
+    // The forces of elements are subtracted from what accelerates the nodes.
+    for (std::size_t chamber = 0; chamber < face_pressures_Pa_.size(); ++chamber)
+      face_pressures_Pa_[chamber] = -pressures_Pa[elements_.chamber_plena_[chamber]];
   }
 
-  [[nodiscard]] std::size_t batch_count() const override { return elements_.walls_.batch_count(); }
+  /// Faces follow the elements.
+  [[nodiscard]] std::size_t batch_count() const override { return elements_.walls_.batch_count() + elements_.face_batch_count(); }
 
   ForcesOutcome compute(IndexRange range, BranchNumbers& branches, double relaxed_s) override {
     AlignedVector<Number>& numbers = std::get<AlignedVector<Number>>(branches);
@@ -228,8 +256,8 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
       const std::size_t end = std::min(range.end, group.first_batch + group.batch_count);
       if (first >= end) continue;
       ThinWallBatches<Number> batches = elements_.batches(group, {first, end});
-      batches.mean_pressures_Pa = pressures_Pa_.data() + first;
-      batches.volume_changes_m3 = volume_changes_m3_.data() + first;
+      batches.mean_pressures_Pa = mean_pressures_Pa_.data() + first;
+      batches.volume_changes_m3 = wall_volumes_m3_.data() + first;
       ThinWallBranches<Number> own{nullptr, relaxed_s};
       if (!numbers.empty())
         own.values = numbers.data() + elements_.branch_positions_[g] +
@@ -241,6 +269,10 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
       outcome.dissipated_W += part.dissipated_W;
       outcome.relaxed_J += part.relaxed_J;
     }
+    const std::size_t before = elements_.walls_.batch_count();
+    if (range.end > before)
+      elements_.faces_.compute({std::max(range.begin, before) - before, range.end - before}, displacements_.data(),
+                               face_pressures_Pa_, slots_N_.data() + elements_.element_number_count(), face_volumes_m3_.data());
     return outcome;
   }
 
@@ -251,11 +283,14 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
     }
   }
 
-  [[nodiscard]] std::vector<double> wall_volume_changes_m3() const override {
-    std::vector<double> changes(elements_.plenum_count_, 0.0);
-    for (std::size_t batch = 0; batch < volume_changes_m3_.size(); ++batch)
+  [[nodiscard]] PressedVolumes pressed_volumes() const override {
+    const std::vector<double> none(elements_.plenum_count_, 0.0);
+    PressedVolumes changes{none, none};
+    for (std::size_t batch = 0; batch < wall_volumes_m3_.size(); ++batch)
       for (const int plenum : elements_.walls_.plena(batch))
-        if (plenum >= 0) changes[static_cast<std::size_t>(plenum)] += 0.5 * volume_changes_m3_[batch];
+        if (plenum >= 0) changes.walls_m3[static_cast<std::size_t>(plenum)] += 0.5 * wall_volumes_m3_[batch];
+    for (std::size_t batch = 0; batch < face_volumes_m3_.size(); ++batch)
+      changes.chambers_m3[elements_.chamber_plena_[elements_.faces_.chamber(batch)]] += face_volumes_m3_[batch];
     return changes;
   }
 
@@ -265,8 +300,10 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
   AlignedVector<Number> displacements_;
   AlignedVector<Number> velocities_;  ///< empty without a viscosity
   AlignedVector<Number> slots_N_;
-  std::vector<double> pressures_Pa_;       ///< means of both faces, per batch
-  std::vector<double> volume_changes_m3_;  ///< per batch
+  std::vector<double> mean_pressures_Pa_;  ///< of both faces, per batch
+  std::vector<double> face_pressures_Pa_;  ///< minus the gauge pressure, per chamber
+  std::vector<double> wall_volumes_m3_;    ///< changes, per batch
+  std::vector<double> face_volumes_m3_;    ///< changes of chambers, per batch of faces; empty where chambers are not closed
 };
 
 template <class Number>

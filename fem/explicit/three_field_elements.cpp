@@ -30,8 +30,9 @@ class ThreeFieldForces final : public ElementForces {
       for (const double force : elements_.boxes().slots().sum(slots_.data(), node)) *forces_N++ = force;
   }
 
-  [[nodiscard]] std::vector<double> wall_volume_changes_m3() const override {
-    return std::vector<double>(elements_.plenum_count(), 0.0);
+  [[nodiscard]] PressedVolumes pressed_volumes() const override {
+    const std::vector<double> none(elements_.plenum_count(), 0.0);
+    return {none, none};
   }
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view title = "menger locomotion checkpoint 5";
+constexpr std::string_view title = "menger locomotion checkpoint 6";
 
 /// Reads consecutive values, starting at a place.
 template <class... Values>
@@ -83,7 +83,7 @@ BranchState branches_from(const Json& json) {
 
 Json to_json(const ExplicitState& state) {
   const auto& [time, displacements, velocities, last_step, steps, steps_to_bound, steps_since_bound, stable_step, step_share,
-               work, at_start, turnover, air, contact, branches, pressures, wall_volumes] = state;
+               work, at_start, turnover, air, contact, branches, pressures, volumes] = state;
   return {time,
           displacements,
           velocities,
@@ -100,13 +100,14 @@ Json to_json(const ExplicitState& state) {
           contact ? to_json(*contact) : Json(),
           branches ? to_json(*branches) : Json(),
           pressures,
-          wall_volumes};
+          volumes.walls_m3,
+          volumes.chambers_m3};
 }
 
 ExplicitState explicit_state_from(const Json& json) {
   ExplicitState state;
   auto& [time, displacements, velocities, last_step, steps, steps_to_bound, steps_since_bound, stable_step, step_share, work,
-         at_start, turnover, air, contact, branches, pressures, wall_volumes] = state;
+         at_start, turnover, air, contact, branches, pressures, volumes] = state;
   take(json, 0, time, displacements, velocities, last_step, steps, steps_to_bound, steps_since_bound, stable_step, step_share);
   work = work_from(json.at(9));
   json.at(10).get_to(turnover);
@@ -117,7 +118,7 @@ ExplicitState explicit_state_from(const Json& json) {
     for (const Json& memory : json.at(13)) contact->push_back(memory_from(memory));
   }
   if (!json.at(14).is_null()) branches = branches_from(json.at(14));
-  take(json, 15, pressures, wall_volumes);
+  take(json, 15, pressures, volumes.walls_m3, volumes.chambers_m3);
   return state;
 }
 

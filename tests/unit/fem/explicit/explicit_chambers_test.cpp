@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fem/surfaces/chamber_volume.h"
 #include "tests/unit/fem/explicit/explicit_samples.h"
@@ -86,10 +87,50 @@ TEST(ExplicitChambers, InstructionSetsAgree) {
   const std::vector<double> best = nodal_forces(ExplicitChambers(mesh), positions, 1e3);
   double largest = 0.0;
   for (const double force : best) largest = std::max(largest, std::abs(force));
-  for (const FacePressureKernels& kernels : available_face_pressure_kernels()) {
+  for (const FacePressureKernels<double>& kernels : available_face_pressure_kernels<double>()) {
     const std::vector<double> forces = nodal_forces(ExplicitChambers(mesh, kernels), positions, 1e3);
     for (std::size_t n = 0; n < best.size(); ++n) EXPECT_NEAR(forces[n], best[n], 1e-13 * largest) << kernels.instruction_set;
   }
+}
+
+// Faces placed by displacements, in either precision, have the forces and the change of volume of faces placed by positions.
+template <class Number>
+void expect_as_by_positions(double way, double tolerance) {
+  const meshes::HexahedralMesh mesh = hollow_cube();
+  const ExplicitChambers chambers(mesh);
+  const std::vector<double> moved = moved_positions(mesh);
+  std::vector<double> at_rest(moved.size());
+  for (std::size_t n = 0; n < at_rest.size(); ++n) at_rest[n] = mesh.points[n / 3][n % 3];
+  const std::vector<double> expected = nodal_forces(chambers, moved, 1e3);
+  const double change = chambers.volumes_m3(moved)[0] - chambers.volumes_m3(at_rest)[0];
+  double largest = 0.0;
+  for (const double force : expected) largest = std::max(largest, std::abs(force));
+  for (const FacePressureKernels<Number>& kernels : available_face_pressure_kernels<Number>()) {
+    const ChamberFaces<Number> faces(mesh, FaceValues::displacements, kernels);
+    AlignedVector<Number> slots(faces.number_count() + 4, Number(0));
+    std::vector<std::uint32_t> nodes;
+    std::vector<std::uint32_t> own;
+    faces.add_slots(0, nodes, own);
+    const FourfoldSlots sums(nodes, own, mesh.points.size(), static_cast<std::uint32_t>(faces.number_count() / 4));
+    AlignedVector<Number> displacements(moved.size() + 1, Number(0));
+    for (std::size_t n = 0; n < moved.size(); ++n) displacements[n] = static_cast<Number>(moved[n] - at_rest[n] + way);
+    std::vector<double> volumes(faces.batch_count());
+    faces.compute({0, faces.batch_count()}, displacements.data(), std::vector(1, 1e3), slots.data(), volumes.data());
+    for (std::size_t n = 0; n < expected.size(); ++n)
+      EXPECT_NEAR(sums.sum(slots.data(), n / 3)[n % 3], expected[n], tolerance * largest) << kernels.instruction_set;
+    EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), change, tolerance * std::abs(change));
+  }
+}
+
+TEST(ExplicitChambers, PressureOnFacesPlacedByDisplacements) {
+  expect_as_by_positions<double>(0.1, 1e-11);
+  expect_as_by_positions<float>(1e-3,
+                                1e-5);  // steps of single precision at the common 1 mm are 1e-10 m, 1e-6 of the displacements
+}
+
+TEST(ExplicitChambers, ChambersWithACapAreNotClosed) {
+  EXPECT_TRUE(has_closed_chambers(hollow_cube()));
+  EXPECT_FALSE(has_closed_chambers(cube_with_tube()));
 }
 
 TEST(ExplicitChambers, PressureHasNoNetForceOnAClosedChamber) {

@@ -68,8 +68,10 @@ TEST(ThinWallElements, ForcesAreTheDerivativeOfTheEnergies) {
     for (std::size_t n = 0; n < u.size(); ++n) moved[n] += step * direction[n];
     forces->place({moved.data()}, BlockLoop(1));
     forces->compute({0, forces->batch_count()}, branches, 0.0);
-    const std::vector<double> volumes = forces->wall_volume_changes_m3();
-    return body.elements().strain_energy_J(moved, branches) - pressures[0] * volumes[0] - pressures[1] * volumes[1];
+    const PressedVolumes volumes = forces->pressed_volumes();
+    double sum = body.elements().strain_energy_J(moved, branches);
+    for (std::size_t p = 0; p < 2; ++p) sum -= pressures[p] * (volumes.walls_m3[p] + volumes.chambers_m3[p]);
+    return sum;
   };
   constexpr double step = 1e-8;  // 1e-5 of an edge
   EXPECT_NEAR(power, (energy(step) - energy(-step)) / (2.0 * step), 1e-6 * std::abs(power));
@@ -157,8 +159,8 @@ TEST(ThinWallElements, InstructionSetsAgree) {
     ForcesOutcome outcome = forces->compute({0, forces->batch_count()}, branches, 1e-3);
     std::vector<double> result(u.size());
     forces->sum({0, mesh.points.size()}, result.data());
-    const std::vector<double> volumes = forces->wall_volume_changes_m3();
-    result.insert(result.end(), {outcome.dissipated_W, outcome.relaxed_J, volumes[0], volumes[1]});
+    const PressedVolumes volumes = forces->pressed_volumes();
+    result.insert(result.end(), {outcome.dissipated_W, outcome.relaxed_J, volumes.walls_m3[0], volumes.walls_m3[1]});
     return result;
   };
   const std::vector<double> scalar = forces_by("scalar");

@@ -31,7 +31,7 @@ LocomotionProgress awkward_progress() {
   state.steps_since_bound = 17;
   state.stable_step_s = 1e-4 / 3.0;
   state.pressures_Pa = {1e3 / 3.0, -0.0};
-  state.wall_volume_changes_m3 = {1e-9 / 3.0, -1e-9 / 7.0};
+  state.pressed_volumes = {{1e-9 / 3.0, -1e-9 / 7.0}, {1e-9 / 11.0, -1e-9 / 13.0}};
   state.work = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
   state.at_start_J = 1e-17;
   state.turnover_J = 2.0 / 7.0;
@@ -76,7 +76,8 @@ TEST(LocomotionCheckpoint, GivesEveryBitBack) {
   EXPECT_EQ(found.steps_since_bound, state.steps_since_bound);
   EXPECT_EQ(found.stable_step_s, state.stable_step_s);
   EXPECT_EQ(found.pressures_Pa, state.pressures_Pa);
-  EXPECT_EQ(found.wall_volume_changes_m3, state.wall_volume_changes_m3);
+  EXPECT_EQ(found.pressed_volumes.walls_m3, state.pressed_volumes.walls_m3);
+  EXPECT_EQ(found.pressed_volumes.chambers_m3, state.pressed_volumes.chambers_m3);
   const auto& [pressure, wall_pressure, gravity, contact, self_contact, friction, viscous, mass_damping] = found.work;
   EXPECT_EQ((std::array{pressure, wall_pressure, gravity, contact, self_contact, friction, viscous, mass_damping}),
             (std::array{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}));
