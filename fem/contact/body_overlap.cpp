@@ -180,17 +180,21 @@ meshes::CornerPoints current_corners(const meshes::HexahedralMesh& mesh, std::si
 
 std::optional<BodyOverlap> BodyOverlapSearch::find(std::span<const double> displacements_m, double share) const {
   assert(displacements_m.size() == 3 * mesh_.points.size());
-  std::vector<Hull> hulls(mesh_.elements.size());
-  std::vector<Box> boxes(hulls.size());
-  for (std::size_t e = 0; e < hulls.size(); ++e) {
-    hulls[e] = hull_of(current_corners(mesh_, e, displacements_m));
-    for (const Point& corner : hulls[e].corners) boxes[e].add(corner);
-  }
+  std::vector<Box> boxes(mesh_.elements.size());
+  for (std::size_t e = 0; e < boxes.size(); ++e)
+    for (const Point& corner : current_corners(mesh_, e, displacements_m)) boxes[e].add(corner);
+  std::vector<std::optional<Hull>> hulls(boxes.size());  // of the few elements that need one
+  const auto hull = [&](std::size_t e) -> const Hull& {
+    if (!hulls[e]) hulls[e] = hull_of(current_corners(mesh_, e, displacements_m));
+    return *hulls[e];
+  };
   BodyOverlap found;
   BoxBins(boxes).visit_pairs(boxes, [&](std::size_t first, std::size_t second) {
     if (!meet(boxes[first], boxes[second]) || share_a_node(mesh_.elements[first], mesh_.elements[second])) return;
-    const double thinner = std::min(hulls[first].thickness, hulls[second].thickness);
-    const double depth = depth_between(hulls[first], hulls[second], share * thinner);
+    const Hull& a = hull(first);
+    const Hull& b = hull(second);
+    const double thinner = std::min(a.thickness, b.thickness);
+    const double depth = depth_between(a, b, share * thinner);
     if (!(depth > share * thinner)) return;
     ++found.pairs;
     if (depth <= found.share * thinner) return;

@@ -25,7 +25,7 @@ FaceTree tree_of(const ContactSurfaces& surfaces, std::size_t surface, std::span
 template <class Consider>
 void visit(const FaceTree& tree, std::size_t root, const Point& point, double squared_reach, const Consider& consider) {
   const FaceTree::Node& node = tree.nodes[root];
-  if (squared_distance(Box{point, point}, node.box) >= squared_reach) return;
+  if (squared_distance(point, node.box) >= squared_reach) return;
   if (node.is_leaf()) {
     consider(node.face);
     return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -23,6 +24,16 @@ struct Box {
 
 /// Returns the square of the distance between two boxes, m^2; 0 if they meet.
 double squared_distance(const Box& a, const Box& b);
+
+/// Returns the square of the distance of a point from a box, m^2; 0 inside.
+inline double squared_distance(const Point& point, const Box& box) {
+  double result = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double apart = std::max({0.0, point[i] - box.high[i], box.low[i] - point[i]});
+    result += apart * apart;
+  }
+  return result;
+}
 
 /// A cone that contains directions.
 struct NormalCone {
