@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
+#include <tuple>
 
 namespace menger::fem {
 namespace {
@@ -76,19 +76,19 @@ void ChamberFaces<Number>::compute(IndexRange batches, const Number* values_m, s
 template class ChamberFaces<double>;
 template class ChamberFaces<float>;
 
-bool has_closed_chambers(const meshes::HexahedralMesh& mesh) {
+bool has_closed_plena(const meshes::HexahedralMesh& mesh) {
+  // Of each edge: how often it is run along in one direction minus how often in the other.
+  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, int> turns;
   for (std::size_t chamber = 0; chamber < mesh.chambers.size(); ++chamber) {
-    std::map<std::pair<std::size_t, std::size_t>, int> turns;  // of each edge: in one direction minus in the other
     for_each_face(mesh, chamber, [&](const meshes::BoundaryFace& face) {
       for (std::size_t c = 0; c < 4; ++c) {
         const std::size_t from = face.corners[c];
         const std::size_t to = face.corners[(c + 1) % 4];
-        turns[std::minmax(from, to)] += from < to ? 1 : -1;
+        turns[{mesh.chambers[chamber].plenum, std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
       }
     });
-    if (std::any_of(turns.begin(), turns.end(), [](const auto& edge) { return edge.second != 0; })) return false;
   }
-  return true;
+  return std::all_of(turns.begin(), turns.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
 }  // namespace menger::fem

@@ -35,7 +35,7 @@ class ChamberFaces {
   /// @param pressures_Pa per chamber
   /// @param slots_N of all batches, aligned to 64 bytes
   /// @param volumes_m3 per batch, the part of its faces in the volume of the chamber, with displacements in the change of it,
-  /// which is right in sum over a closed chamber; nullptr: not wanted
+  /// which is right in sum over a closed plenum; nullptr: not wanted
   void compute(IndexRange batches, const Number* values_m, std::span<const double> pressures_Pa, Number* slots_N,
                double* volumes_m3) const;
 
@@ -50,7 +50,8 @@ class ChamberFaces {
 extern template class ChamberFaces<double>;
 extern template class ChamberFaces<float>;
 
-/// Returns whether the faces of each chamber make a closed surface: no chamber has a cap or ends at a plane of symmetry.
-bool has_closed_chambers(const meshes::HexahedralMesh& mesh);
+/// Returns whether the faces of the chambers of each plenum make a closed surface together: none has a tube hole or ends at a
+/// plane of symmetry. Holes between chambers of one plenum leave it closed: the pressures on both of their caps cancel.
+bool has_closed_plena(const meshes::HexahedralMesh& mesh);
 
 }  // namespace menger::fem

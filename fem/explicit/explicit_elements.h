@@ -95,7 +95,7 @@ class ExplicitElements {
   [[nodiscard]] virtual double contact_modulus_Pa() const = 0;
 
   /// Returns whether the pressure in the chambers is among the forces of the elements. Thin walls take it on their faces if all
-  /// chambers are closed, and always through their thickness.
+  /// plena are closed (see has_closed_plena), and always through their thickness.
   [[nodiscard]] virtual bool take_pressure() const = 0;
 
   [[nodiscard]] virtual std::unique_ptr<ElementForces> make_forces() const = 0;

@@ -48,7 +48,7 @@ class ThinWallElements final : public ExplicitElements {
       : kernels_(kernels),
         walls_(mesh, kernels.width),
         faces_(mesh, FaceValues::displacements, face_kernels(options)),
-        take_pressure_(has_closed_chambers(mesh)),
+        take_pressure_(has_closed_plena(mesh)),
         points_(mesh.points),
         plenum_count_(mesh.plenum_names.size()),
         slots_(sorted_slots()) {
@@ -303,7 +303,7 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
   std::vector<double> mean_pressures_Pa_;  ///< of both faces, per batch
   std::vector<double> face_pressures_Pa_;  ///< minus the gauge pressure, per chamber
   std::vector<double> wall_volumes_m3_;    ///< changes, per batch
-  std::vector<double> face_volumes_m3_;    ///< changes of chambers, per batch of faces; empty where chambers are not closed
+  std::vector<double> face_volumes_m3_;    ///< changes of chambers, per batch of faces; empty where plena are not closed
 };
 
 template <class Number>
