@@ -29,16 +29,20 @@ struct Arguments {
 
 constexpr const char* description =
     "Compares searches by their best robot on finite elements and by their cost in steps: searches that reference evaluations\n"
-    "correct, and searches on the surrogate alone whose best robots were re-evaluated afterwards.\n\n"
+    "correct, and searches on the surrogate alone whose best robots were re-evaluated afterwards.";
+
+constexpr const char* example =
     "Example:\n"
     "  menger export corrected.sqlite -o corrected --levels 1\n"
     "  menger export plain.sqlite -o plain --levels 1\n"
     "  menger reevaluate plain.sqlite --top 16 -o plain\n"
     "  menger compare-searches corrected plain -o comparison\n"
-    "writes comparison.csv, comparison.png and summary.txt.";
+    "writes comparison.csv, comparison.png and summary.txt.\n"
+    "Exit codes: 0 done, 2 wrong input.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   CLI::App app(description, "menger compare-searches");
+  app.footer(example);
   app.add_option("searches", arguments.searches, "Folders of results, one per search")->required();
   app.add_option("-o,--output", arguments.folder, "Folder of the comparison")->capture_default_str();
   app.add_option("--budget-element-steps", arguments.options.budget_element_steps,

@@ -48,13 +48,17 @@ struct Arguments {
 constexpr const char* description =
     "Evolves fractal robots. The archive keeps all results. Run the same command again to resume a search that was stopped,\n"
     "or to show the result of a finished one. With a table [reference] in the study, finite elements evaluate some survivors\n"
-    "during the search and correct the fitness of all; their runs are in a folder named after the archive.\n\n"
+    "during the search and correct the fitness of all; their runs are in a folder named after the archive.";
+
+constexpr const char* example =
     "Example:\n"
     "  menger evolve paper/demo/study.toml -o demo/run.sqlite --threads 4\n"
-    "  menger export demo/run.sqlite -o demo/champion";
+    "  menger export demo/run.sqlite -o demo/champion\n"
+    "Exit codes: 0 done, 2 wrong input, 130 interrupted.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   CLI::App app(description, "menger evolve");
+  app.footer(example);
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     PresetStudy study;
     describe(visitor, study);

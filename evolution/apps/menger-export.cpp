@@ -31,14 +31,18 @@ struct Arguments {
 
 constexpr const char* description =
     "Writes the generations, the champion's lineage, its design file and its simulations at all scales (VTK, PNG)\n"
-    "from the archive of a run. The run may still be in progress.\n\n"
+    "from the archive of a run. The run may still be in progress.";
+
+constexpr const char* example =
     "Example:\n"
-    "  menger export demo/run.sqlite -o demo/champion";
+    "  menger export demo/run.sqlite -o demo/champion\n"
+    "Exit codes: 0 done, 2 wrong input, 3 no design has a fitness, or a simulation ended early, 130 interrupted.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   bool no_frames = false;
   bool no_pictures = false;
   CLI::App app(description, "menger export");
+  app.footer(example);
   app.add_option("archive", arguments.archive, "Archive of a run")->required();
   app.add_option("-o,--output", arguments.folder, "Folder to write to")->capture_default_str();
   app.add_option("--levels", arguments.options.levels, "Levels at which the champion is simulated")

@@ -35,13 +35,16 @@ struct Arguments {
 
 constexpr const char* description =
     "Runs one design at many fidelities of finite elements and voxels, and shows the cost of each accuracy.\n"
-    "Finished runs are kept: run the same command again to resume, or to show the results.\n\n"
+    "Finished runs are kept: run the same command again to resume, or to show the results.";
+
+constexpr const char* example =
     "Example:\n"
     "  menger tradeoff meshes/designs/quadruped.toml -o quadruped\n"
     "  menger tradeoff paper/trade_off/study.toml -o trade\n"
     "  menger tradeoff --search paper/trade_off/search.toml -o searches\n"
     "writes tradeoff.csv, gait.csv, tradeoff.png and recommendation.txt; with searches search.csv, search.png and search.txt.\n"
-    "Memory is the largest resident memory of a run's process, with its code and libraries.";
+    "Memory is the largest resident memory of a run's process, with its code and libraries.\n"
+    "Exit codes: 0 done, 2 wrong input, 3 no run can be the reference, or no search found a champion, 130 interrupted.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   CLI::App app(description, "menger tradeoff");
@@ -50,9 +53,7 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
     study.gait = GaitChoice{};  // something to run
     describe(visitor, study);
   });
-  app.footer(
-      "Exit codes: 0 done, 2 wrong input, 3 no run can be the reference, or no search found a champion, 130 "
-      "interrupted.");
+  app.footer(example);
   app.add_option("study", arguments.study, "Design file, or study file with a design and what to run (TOML)");
   app.add_option("--search", arguments.search, "Study file; only its searches are run");
   app.add_option("-o,--output", arguments.folder, "Folder of the results (default: the name of the study)");

@@ -38,7 +38,7 @@ struct Arguments {
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
   CLI::App app("Inflates the chambers of a silicone body: computes equilibrium states along a path with finite elements.",
-               "menger-inflate");
+               "menger inflate");
   app.footer(
       "Example:\n  menger inflate fem/studies/cube.toml -o cube\n"
       "writes cube/curves.csv, fields.pvd (open it in ParaView), chamber.png, pv_curve.png, result.toml and manifest.json.\n"

@@ -38,7 +38,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   CLI::App app(
       "Computes the responses of hollow silicone bodies to load cases, by finite elements: the curves that `menger calibrate` "
       "fits.",
-      "menger-load-cases");
+      "menger load-cases");
   app.footer(
       "Example:\n  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml -o curves\n"
       "writes NAME.csv, NAME.toml (its origin) and NAME.png for every case, and manifest.json.\n"

@@ -35,7 +35,7 @@ struct Arguments {
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
   CLI::App app(
       "Computes natural frequencies and modes of an inflated silicone body, and its response to harmonic chamber pressure.",
-      "menger-modes");
+      "menger modes");
   app.footer(
       "Example:\n  menger modes fem/studies/cube.toml -o cube_modes\n"
       "reads a study of menger inflate and writes cube_modes/modes.csv (frequencies at the knots and stations of its path),\n"

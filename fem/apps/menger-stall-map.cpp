@@ -35,7 +35,7 @@ struct Arguments {
 };
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
-  CLI::App app("Computes which pressure a soft body reaches for each piston stroke and line resistance.", "menger-stall-map");
+  CLI::App app("Computes which pressure a soft body reaches for each piston stroke and line resistance.", "menger stall-map");
   app.footer(
       "Example:\n  menger stall-map paper/pneumatics/stall_map.toml -o stall_map\n"
       "moves a piston that pushes closed air through a line into plena whose volume follows their pressure (a curve of\n"

@@ -35,13 +35,13 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   CLI::App app(
       "Moves a hollow silicone robot over the ground by the pressure in its chambers: finite elements, explicit or implicit "
       "dynamics.",
-      "menger-locomote");
+      "menger locomote");
   app.footer(
       "Example:\n  menger locomote fem/studies/locomotion.toml -o walk\n"
       "writes walk/locomotion.toml, trajectory.csv, frames.pvd (open it in ParaView), robot.png, trajectory.png and "
       "manifest.json;\na study with a table [sweep] writes one such folder for each value, sweep.csv and sweep.png.\n"
-      "Ctrl-C keeps finished steps. Run the same command again to resume. For large bodies use implicit dynamics on several\n"
-      "cores: mpirun -n 2 menger-locomote ...\n"
+      "Ctrl-C keeps finished steps. Run the same command again to resume. A body too large for the memory of one process can\n"
+      "be shared by two, with implicit dynamics: mpirun -n 2 menger-locomote ...\n"
       "Exit codes: 0 completed, 2 wrong input, 3 the run ended early (locomotion.toml contains the reason), 130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     LocomotionStudy study;

@@ -68,12 +68,15 @@ std::vector<Command> present_commands() {
 void print_help(std::ostream& out) {
   out << "menger " << io::version() << ": evolve, simulate and evaluate pneumatic soft robots\n\n"
       << "usage: menger <command> [arguments]   (menger <command> --help explains a command, --template prints its "
-         "input)\n\ncommands:\n";
+         "study, if it reads one)\n\ncommands:\n";
   const std::vector<Command> present = present_commands();
   if (present.empty()) out << "  none found in " << program_folder().string() << '\n';
+  std::size_t width = 0;
+  for (const Command& command : present) width = std::max(width, command.name.size());
+  const int column = static_cast<int>(width) + 2;
   for (const Command& command : present) {
-    out << "  " << std::left << std::setw(12) << command.name << command.purpose << '\n'
-        << "  " << std::setw(12) << ""
+    out << "  " << std::left << std::setw(column) << command.name << command.purpose << '\n'
+        << "  " << std::setw(column) << ""
         << "e.g. " << command.example << '\n';
   }
 }

@@ -78,6 +78,16 @@ void StudyTemplateWriter::as_comment(const std::function<void()>& describe) {
   is_comment_ = outer;
 }
 
+void StudyTemplateWriter::as_comment_with_title(const std::string& title, const std::function<void()>& describe) {
+  const std::size_t line_start = section_->lines.size();
+  const std::size_t section_count = section_->sections.size();
+  as_comment(describe);
+  const std::string line = "# " + title + "\n";
+  if (section_->lines.size() > line_start) section_->lines.insert(line_start, line);
+  // Tables come after all lines, so they need a title of their own.
+  if (section_->sections.size() > section_count) section_->sections[section_count].header.insert(0, line);
+}
+
 void StudyTemplateWriter::as_addition(const std::function<void()>& describe) {
   const bool outer = std::exchange(has_defaults_, false);
   describe();
@@ -126,11 +136,15 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
   // The written alternative comes last, so that the study has this form afterwards.
   for (const Alternative& alternative : alternatives) {
     if (&alternative == written || alternative.is_for_programs) continue;
-    if (written != nullptr) comment("In place of " + std::string(written->key) + ":");
-    as_comment([&] {
+    const auto describe = [&alternative] {
       alternative.choose();
       alternative.describe();
-    });
+    };
+    if (written == nullptr) {
+      as_comment(describe);
+    } else {
+      as_comment_with_title("In place of " + std::string(written->key) + ":", describe);
+    }
   }
   if (written == nullptr) return;
   written->choose();
@@ -140,8 +154,7 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
 
 void StudyTemplateWriter::visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) {
   if (holds) return describe();
-  comment("Only with " + std::string(condition) + ":");
-  as_comment(describe);
+  as_comment_with_title("Only with " + std::string(condition) + ":", describe);
 }
 
 void StudyTemplateWriter::visit_defaults(std::string_view key, const std::function<void()>& describe) {

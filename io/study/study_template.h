@@ -45,6 +45,8 @@ class StudyTemplateWriter : public StudyVisitor {
   void inside(const Key& key, bool is_entry, const std::function<void()>& describe);
   /// Describes keys that are written as comments.
   void as_comment(const std::function<void()>& describe);
+  /// The same, with a line of its own before the keys, and before the first of the tables.
+  void as_comment_with_title(const std::string& title, const std::function<void()>& describe);
   /// Describes keys that are not there without this file, so that no earlier key gives their defaults.
   void as_addition(const std::function<void()>& describe);
 

@@ -31,7 +31,7 @@ struct Arguments {
 };
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
-  CLI::App app("Fits hyperelastic laws to a uniaxial tensile test and ranks them.", "menger-fit");
+  CLI::App app("Fits hyperelastic laws to a uniaxial tensile test and ranks them.", "menger fit");
   app.footer(
       "Example:\n  menger fit 'Dragon Skin 10 MEDIUM.csv' --range 0 1 -o fits\n"
       "writes fits/fits.toml, curves.csv, fits.png and manifest.json.\n"

@@ -45,12 +45,12 @@ std::map<std::string, Value> word_map(const io::Words<Value>& words) {
 }
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
-  CLI::App app("Meshes a design as a hollow silicone body, or checks and converts a mesh of Gmsh.", "menger-mesh");
+  CLI::App app("Meshes a design as a hollow silicone body, or checks and converts a mesh of Gmsh.", "menger mesh");
   app.footer(
       "Example:\n  menger mesh meshes/designs/stand18.toml --elements-through-wall 2 --largest-element-m 0.002 -o stand18.vtu\n"
       "writes stand18.vtu (open it in ParaView), stand18_quality.csv and stand18_manifest.json.\n"
       "The input is a design, or a study with a table [design]. This table names a design file or contains the design. It can\n"
-      "also have the options below, with underscores (wall_thickness_m = 0.002), and tube holes. --template prints a study.\n"
+      "also have the options above, with underscores (wall_thickness_m = 0.002), and tube holes. --template prints a study.\n"
       "A mesh of Gmsh (.msh) is read with its physical names: surfaces called chamber... are chambers, surfaces called\n"
       "symmetry... are planes of symmetry. Exit codes: 0 done, 2 wrong input.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {

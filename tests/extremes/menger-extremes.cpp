@@ -71,8 +71,8 @@ int run_part_program(const std::string& part, const Arguments& arguments, io::Pr
 }
 
 int run(int argc, const char* const* argv) {
-  CLI::App app("Runs the cases at the edge of what the models claim to bear, each with its outcome stated beforehand.",
-               "menger-extremes");
+  CLI::App app("Runs cases at which the models should stop being valid. Each case states its expected outcome before it runs.",
+               "menger extremes");
   app.footer(
       "Example:\n  menger extremes --part voxel --full -o extremes\n"
       "writes extremes/extremes.csv and extremes.md.\n"

@@ -32,7 +32,7 @@ struct Arguments {
 };
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
-  CLI::App app("Fits the parameters of the voxel surrogate to response curves of finite elements.", "menger-calibrate");
+  CLI::App app("Fits the parameters of the voxel surrogate to response curves of finite elements.", "menger calibrate");
   app.footer(
       "Example:\n  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml -o curves\n"
       "  menger calibrate voxel/studies/dragon_skin_10_1cm.toml --curves curves -o calibration\n"

@@ -49,7 +49,7 @@ const std::map<std::string, voxel::InstructionSet>& instruction_sets() {
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
   CLI::App app("Simulates a voxel robot in a scene and writes its trajectory, its frames for ParaView and pictures.",
-               "menger-simulate");
+               "menger simulate");
   app.footer(
       "Example:\n  menger simulate voxel/scenes/menger.toml -o walk\n"
       "writes walk/result.toml, trajectory.csv, frames.pvd (open it in ParaView), robot.png, trajectory.png and "

@@ -36,7 +36,7 @@ struct Arguments {
 };
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
-  CLI::App app("Compares voxel parameters with response curves of finite elements that no fit has seen.", "menger-validate");
+  CLI::App app("Compares voxel parameters with response curves of finite elements that no fit has seen.", "menger validate");
   app.footer(
       "Example:\n  menger validate voxel/studies/held_out.toml --parameters calibration/parameters.toml -o validation\n"
       "uses the parameters of menger calibrate. The study names the held-out load cases, or folders of curves. menger "

@@ -61,6 +61,14 @@ TEST_F(MengerProgram, HelpListsOnlyTheProgramsThatExist) {
   EXPECT_EQ(outcome.out.find("simulate scene"), std::string::npos);
 }
 
+TEST_F(MengerProgram, HelpHasPurposesInOneColumnBesideTheLongestName) {
+  add_program("menger-fit", "");
+  add_program("menger-compare-searches", "");
+  const Outcome outcome = run("--help");
+  EXPECT_NE(outcome.out.find("\n  fit               fit a hyperelastic law"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n  compare-searches  compare results"), std::string::npos) << outcome.out;
+}
+
 TEST_F(MengerProgram, TellsItsVersion) {
   const Outcome outcome = run("--version");
   EXPECT_EQ(outcome.code, 0);

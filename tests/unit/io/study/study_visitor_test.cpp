@@ -420,6 +420,44 @@ TEST(StudyTemplate, LeavesWhatAPresetGivesToThePreset) {
   }
 }
 
+/// A study whose forms and parts are tables, which a file has after all keys.
+struct Pond {
+  enum class Source { spring, pipe, rain };
+  Source source = Source::spring;
+  bool has_fish = false;
+  double flow_m3 = 1.0;
+  double length_m = 2.0;
+  int fish = 3;
+};
+
+void describe(StudyVisitor& visitor, Pond& pond) {
+  const auto choose = [&](Pond::Source source) { return [&pond, source] { pond.source = source; }; };
+  const auto in_table = [&](std::string_view name) {
+    visitor.table({name, "Brings water."}, [&] { visitor.number({"flow_m3", "In an hour."}, pond.flow_m3); });
+  };
+  visitor.one_of({{"spring", pond.source == Pond::Source::spring, choose(Pond::Source::spring), [&] { in_table("spring"); }},
+                  {"pipe", pond.source == Pond::Source::pipe, choose(Pond::Source::pipe), [&] { in_table("pipe"); }},
+                  {"rain_m", pond.source == Pond::Source::rain, choose(Pond::Source::rain), [&] {
+                     visitor.number({"rain_m", "In a year."}, pond.length_m);
+                     in_table("gutter");
+                   }}});
+  visitor.only_if(pond.has_fish, "fish", [&] {
+    visitor.table({"fish", "What swims."}, [&] { visitor.integer({"count", "How many."}, pond.fish); });
+  });
+}
+
+TEST(StudyTemplate, SaysBeforeATableWhatItStandsFor) {
+  Pond pond;
+  StudyTemplateWriter writer;
+  describe(writer, pond);
+  EXPECT_EQ(writer.text(),
+            "# In place of spring:\n# In a year. (m)\n#rain_m = 2\n"
+            "\n# In place of spring:\n# Brings water.\n#[pipe]\n# In an hour. (m3)\n#flow_m3 = 1\n"
+            "\n# In place of spring:\n# Brings water.\n#[gutter]\n# In an hour. (m3)\n#flow_m3 = 1\n"
+            "\n# Brings water.\n[spring]\n# In an hour. (m3)\nflow_m3 = 1\n"
+            "\n# Only with fish:\n# What swims.\n#[fish]\n# How many.\n#count = 3\n");
+}
+
 TEST(StudySchema, HoldsKindsRangesWordsAndWhatExcludesWhat) {
   Garden garden;
   StudySchemaWriter writer;

@@ -70,7 +70,7 @@ TEST_F(MeshProgram, MeshesItsOwnTemplate) {
   ASSERT_EQ(run("--keys"), 0);
   EXPECT_NE(text("out").find("design.wall_thickness_m"), std::string::npos);
   ASSERT_EQ(run("--schema"), 0);
-  EXPECT_NE(text("out").find("study of menger-mesh"), std::string::npos);
+  EXPECT_NE(text("out").find("study of menger mesh"), std::string::npos);
 }
 
 TEST_F(MeshProgram, CountsModulesHolesAndEdgeContacts) {
