@@ -24,6 +24,8 @@ enum class ThinWallElement {
 /// a wall shears across itself and how strain varies inside an element, is small beside the membrane's stretch and bending, which
 /// follow the law; at stretches of 1.5 laws of silicones stiffen by a few to twenty per cent.
 ///
+/// The defaults of the two ratios are not those of menger's programs, which take ThinWallConstants.
+///
 /// @cite belytschko1993assumed @cite macneal1978simple @cite schwarze2009reduced @cite schwarze2011reduced
 struct ThinWallMaterial {
   materials::HyperelasticLaw law;
@@ -123,12 +125,10 @@ struct ThinWallTable;
 ///       + mu/3 (k1^2 + k2^2) + 4 mu/9 k3^2]
 ///
 /// - w: the law's energy in plane stress.
-/// - p_i = sqrt(G_i / (k mu)) f_i.f3 is the transverse shear, C the metric in the plane, 1/G_i = 1/(k mu) + l_i^2 / (4 mu t^2):
-/// the
-///   bending inside of an element that its corners cannot show @cite macneal1978simple.
-/// - The pressures on both faces, p_a and p_b, press the wall together; the term moves the rest of the penalty to where the law
-/// alone
-///   would have it, so that the wall keeps its volume.
+/// - p_i = sqrt(G_i / (k mu)) f_i.f3 is the transverse shear, C the metric in the plane, 1/G_i = 1/(k mu) + l_i^2 / (4 mu t^2).
+///   The second part of this is the bending inside an element that its corners cannot show @cite macneal1978simple.
+/// - The pressures on both faces, p_a and p_b, press the wall together. The term moves the rest of the penalty to where the law
+///   alone would have it, so that the wall keeps its volume.
 /// - Hourglass strains: e11 = c1 f1.H3, e22 = c2 f2.H3, s13 = c3 f1.H1 + c1 f3.H3, s23 = c3 f2.H2 + c2 f3.H3, t_i = c3 f3.H_i,
 ///   k_i = c_i f_i.H4.
 ///

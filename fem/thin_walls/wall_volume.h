@@ -15,7 +15,7 @@ std::array<GradientColumn, 3> centre_gradient(const std::array<double, 3>& edges
 
 /// Returns the change of volume of a wall as its penalty sees it, V (J - 1) with J at the centre, m^3.
 ///
-/// The pressures p_a and p_b on its faces press a wall together. What that does to it is -(p_a + p_b)/2 V (J - 1) (see
+/// The pressures p_a and p_b on its faces press a wall together. The energy -(p_a + p_b)/2 V (J - 1) cancels this (see
 /// ThinWallKernels), as if half of this volume belonged to each of the chambers.
 double wall_volume_change(const std::array<double, 3>& edges_m, const BoxNumbers& displacements_m);
 

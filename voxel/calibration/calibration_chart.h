@@ -7,8 +7,9 @@
 
 namespace menger::voxel {
 
-/// Draws one load case: the reference as points, the surrogate as lines. There is one panel per unit of the ordinates, and one
-/// colour per ordinate and run of equal outer abscissae. @param residuals of the curve, see CalibrationFit
+/// Draws one load case: the reference as points, the surrogate as lines. There is one panel per unit of the ordinates. A curve
+/// over pressure has one colour per ordinate; a curve over an imposed value has one per ordinate and pressure.
+/// @param residuals of the curve, see CalibrationFit
 io::PictureOutcome draw_curve(const std::filesystem::path& file, const FittedCurve& curve, const std::vector<double>& residuals);
 
 /// Draws how closely the calibrated voxels follow finite elements. The first panel has the value of one over that of the other,

@@ -16,9 +16,9 @@ namespace menger::voxel {
 ///
 /// which is (J^T J)^-1 for equal weights. Difference quotients cannot distinguish smaller singular values from zero. Along such a
 /// combination of values, the variance is counted as the least that it can be. A value with at least half of its variance from
-/// such combinations is not separable and gets no interval. The intervals of the other values are not narrowed by this. If the
-/// stated uncertainties do not explain the residuals, the covariance is multiplied by chi2 per degree of freedom, and Student's
-/// quantile replaces the normal one.
+/// such combinations is not separable and gets no interval. The other values keep what such combinations add to their variance,
+/// at its least, so that their intervals are lower bounds. If the stated uncertainties do not explain the residuals, the
+/// covariance is multiplied by chi2 per degree of freedom, and Student's quantile replaces the normal one.
 /// @param fit with values, chi2, residual_count and parameter_count set
 /// @param jacobian of the weighted residuals, W^(1/2) J: one column per fitted value, with respect to its unknown
 /// @param weights of the squares of the residuals, the diagonal of W, > 0

@@ -8,7 +8,8 @@
 
 namespace menger::voxel {
 
-/// Returns all sweeps for one number or pack type.
+/// Returns the table of functions that step robots, or the blocks of one robot, in SIMD lanes. Most are sweeps: loops over all
+/// beams, voxels or pairs. T is a number (one lane) or a pack of numbers (one lane each).
 template <class T>
 const LaneKernels<RealOf<T>>& lane_kernels_of() {
   static constexpr LaneKernels<RealOf<T>> kernels = {
