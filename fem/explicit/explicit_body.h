@@ -14,12 +14,12 @@
 
 namespace menger::fem {
 
-/// Elements with mean dilatation, see ThreeFieldElements.
+/// Options of elements with mean dilatation: the SIMD kernels that compute them. See ThreeFieldElements.
 struct ThreeFieldOptions {
   ExplicitKernels kernels = best_explicit_kernels();
 };
 
-/// The elements of a body.
+/// Which elements a body has, with their options.
 using ElementOptions = std::variant<ThreeFieldOptions, ThinWallOptions>;
 
 /// The materials, supports and elements of a body.
