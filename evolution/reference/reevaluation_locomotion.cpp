@@ -31,8 +31,8 @@ fem::DriveMode drive_mode(voxel::ActuationMode mode) {
   return fem::DriveMode::none;
 }
 
-fem::StudySilicone silicone_of(const ReevaluationStudy& study, const LocomotionOptions& options) {
-  fem::StudySilicone silicone;
+fem::WalkSilicone silicone_of(const ReevaluationStudy& study, const LocomotionOptions& options) {
+  fem::WalkSilicone silicone;
   silicone.law = materials::recommended_law(study.silicone_file);
   silicone.youngs_modulus_Pa = options.youngs_modulus_Pa;
   silicone.bulk_modulus_ratio = options.bulk_modulus_ratio;

@@ -59,7 +59,7 @@ void take(const fem::LocomotionResult& result, LocomotionRun& run) {
   run.steps = result.steps;
   run.elements = result.elements;
   run.seconds = result.seconds;
-  for (const fem::LocomotionRecord& record : result.records)
+  for (const fem::WalkRecord& record : result.records)
     run.trajectory.push_back({.time_s = record.time_s, .centre_of_mass_m = record.centre_of_mass_m, .energy = {}});
   if (const auto travel = fem::travel_of(result)) run.displacement_m = travel->displacement_m;
 }

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
                          " cannot be started: " + std::generic_category().message(errno));
   };
   return io::run_program("menger-locomote", [&] {
-    fem::LocomotionMethod method{.is_implicit = false, .make = fem::make_explicit_locomotion, .pass_on = become_implicit};
+    fem::LocomotionMethod method{.is_implicit = false, .make = fem::explicit_walk_dynamics, .pass_on = become_implicit};
     method.process_count = processes_started_together();
     return fem::locomotion_program(argc, argv, method);
   });

@@ -21,7 +21,7 @@ namespace {
 
 Body body_of(const LocomotionStudy& study) {
   Body body;
-  const LocomotionMaterial& material = study.material;
+  const WalkMaterial& material = study.material;
   body.regions.assign(study.mesh.region_names.size(),
                       {material.law, materials::SimoTaylorVolume{material.bulk_modulus_Pa}, material.density_kg_per_m3});
   for (const meshes::Chamber& chamber : study.mesh.chambers) body.chambers.push_back({chamber.labels, chamber.plenum});
@@ -75,7 +75,7 @@ std::vector<std::size_t> nodes_at_points(const std::vector<double>& places, cons
 enum class Task : int { end, advance, set_state, state, record, displacements, velocities };
 
 /// The body of a study on all ranks of a communicator. The first rank is asked and tells the others, which listen.
-class ImplicitLocomotion final : public LocomotionDynamics {
+class ImplicitLocomotion final : public WalkDynamics {
  public:
   ImplicitLocomotion(const LocomotionStudy& study, const std::atomic<bool>* stop)
       : body_(body_of(study)),
@@ -125,15 +125,15 @@ class ImplicitLocomotion final : public LocomotionDynamics {
     }
   }
 
-  LocomotionOutcome advance_to(double time_s) override {
+  WalkOutcome advance_to(double time_s) override {
     tell(Task::advance);
     return advance_together(time_s);
   }
-  void set_state(LocomotionState state) override {
+  void set_state(WalkState state) override {
     tell(Task::set_state);
     set_state_together(std::get<ImplicitState>(state));
   }
-  [[nodiscard]] LocomotionState state() const override {
+  [[nodiscard]] WalkState state() const override {
     tell(Task::state);
     return state_of_all_ranks(space_, dynamics_.state());
   }
@@ -145,7 +145,7 @@ class ImplicitLocomotion final : public LocomotionDynamics {
     const std::string instruction_set(best_element_kernels().instruction_set);
     return rank_count_ == 1 ? instruction_set : instruction_set + ", " + std::to_string(rank_count_) + " processes";
   }
-  [[nodiscard]] LocomotionRecord record() override {
+  [[nodiscard]] WalkRecord record() override {
     tell(Task::record);
     return record_together();
   }
@@ -169,7 +169,7 @@ class ImplicitLocomotion final : public LocomotionDynamics {
   }
 
   /// @param time_s counts on the first rank alone, as do all arguments below
-  LocomotionOutcome advance_together(double time_s) {
+  WalkOutcome advance_together(double time_s) {
     MPI_Bcast(&time_s, 1, MPI_DOUBLE, 0, space_.communicator);
     const ImplicitReport& report = dynamics_.advance_to(time_s);
     return {report.status, report.reason};
@@ -177,8 +177,8 @@ class ImplicitLocomotion final : public LocomotionDynamics {
   void set_state_together(const ImplicitState& state) {
     dynamics_.set_state(state_of_this_rank(space_, dynamics_.assembly().exchange(), state, ground_node_count_));
   }
-  LocomotionRecord record_together() {
-    LocomotionRecord record;
+  WalkRecord record_together() {
+    WalkRecord record;
     record.time_s = dynamics_.state().time_s;
     record.centre_of_mass_m = dynamics_.centre_of_mass_m();
     for (std::size_t p = 0; p < body_.plenum_count; ++p) record.plenum_pressures_Pa.push_back(dynamics_.plenum_pressure_Pa(p));
@@ -206,7 +206,7 @@ class ImplicitLocomotion final : public LocomotionDynamics {
 
 }  // namespace
 
-std::unique_ptr<LocomotionDynamics> make_implicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop) {
+std::unique_ptr<WalkDynamics> make_implicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop) {
   return std::make_unique<ImplicitLocomotion>(study, stop);
 }
 

@@ -3,7 +3,8 @@
 #include <atomic>
 #include <memory>
 
-#include "fem/locomotion/locomotion_dynamics.h"
+#include "fem/locomotion/locomotion_study.h"
+#include "fem/walk/walk_dynamics.h"
 
 namespace menger::fem {
 
@@ -15,7 +16,7 @@ namespace menger::fem {
 /// the order in which they come to it: two runs of an L of 258 elements over 68 steps differ by 3e-18 m in places, stopped or
 /// not, and from a run of one process by 2e-16 m. Two processes hold 0.47 and 0.50 GB where one holds 0.67 (20,718 elements).
 /// @throws io::InputError if the dynamics refuse the study
-std::unique_ptr<LocomotionDynamics> make_implicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop);
+std::unique_ptr<WalkDynamics> make_implicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop);
 
 /// Returns when the body of the first process is gone. @throws io::InputError as that process does
 void help_implicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/text/checkpoint_file.h"
+#include "io/text/version.h"
 
 namespace menger::fem {
 namespace {
@@ -165,23 +166,23 @@ ImplicitState implicit_state_from(const Json& json) {
 }
 
 /// Writes a state with the index of its method in the variant.
-Json to_json(const LocomotionState& state) {
+Json to_json(const WalkState& state) {
   return {state.index(), std::visit([](const auto& kind) { return to_json(kind); }, state)};
 }
 
-LocomotionState state_from(const Json& json) {
+WalkState state_from(const Json& json) {
   if (json.at(0).get<std::size_t>() == 0) return explicit_state_from(json.at(1));
   return implicit_state_from(json.at(1));
 }
 
-Json to_json(const LocomotionRecord& record) {
+Json to_json(const WalkRecord& record) {
   const auto& [time, centre, pressures, volumes, energies, ground_force] = record;
   const auto& [kinetic, strain, work, at_start] = energies;
   return {time, centre, pressures, volumes, kinetic, strain, to_json(work), at_start, ground_force};
 }
 
-LocomotionRecord record_from(const Json& json) {
-  LocomotionRecord record;
+WalkRecord record_from(const Json& json) {
+  WalkRecord record;
   auto& [time, centre, pressures, volumes, energies, ground_force] = record;
   auto& [kinetic, strain, work, at_start] = energies;
   take(json, 0, time, centre, pressures, volumes, kinetic, strain);
@@ -191,10 +192,10 @@ LocomotionRecord record_from(const Json& json) {
 }
 
 /// Returns the progress as CBOR, which holds numbers exactly.
-std::string content_of(const LocomotionProgress& progress) {
+std::string content_of(const WalkProgress& progress) {
   const auto& [state, records, outcome, seconds] = progress;
   Json list = Json::array();
-  for (const LocomotionRecord& record : records) list.push_back(to_json(record));
+  for (const WalkRecord& record : records) list.push_back(to_json(record));
   Json end;
   if (outcome) end = {static_cast<int>(outcome->status), outcome->reason};
   std::string bytes;
@@ -202,9 +203,9 @@ std::string content_of(const LocomotionProgress& progress) {
   return bytes;
 }
 
-LocomotionProgress progress_from(std::string_view bytes) {
+WalkProgress progress_from(std::string_view bytes) {
   const Json json = Json::from_cbor(bytes);
-  LocomotionProgress progress{.state = state_from(json.at(0)), .records = {}, .outcome = {}, .seconds = json.at(3).get<double>()};
+  WalkProgress progress{.state = state_from(json.at(0)), .records = {}, .outcome = {}, .seconds = json.at(3).get<double>()};
   for (const Json& record : json.at(1)) progress.records.push_back(record_from(record));
   if (const Json& end = json.at(2); !end.is_null())
     progress.outcome = {static_cast<io::RunStatus>(end.at(0).get<int>()), end.at(1).get<std::string>()};
@@ -213,12 +214,16 @@ LocomotionProgress progress_from(std::string_view bytes) {
 
 }  // namespace
 
-void write_locomotion_checkpoint(const std::filesystem::path& file, const std::string& identity,
-                                 const LocomotionProgress& progress) {
+std::string locomotion_identity(const LocomotionStudy& study, const WalkDynamics& dynamics) {
+  return locomotion_text(study) + "version = " + std::string(io::version()) + "\ninstruction_set = " + dynamics.machine_text() +
+         "\n";
+}
+
+void write_locomotion_checkpoint(const std::filesystem::path& file, const std::string& identity, const WalkProgress& progress) {
   io::CheckpointFile(file, title, identity).write(content_of(progress));
 }
 
-std::optional<LocomotionProgress> read_locomotion_checkpoint(const std::filesystem::path& file, const std::string& identity) {
+std::optional<WalkProgress> read_locomotion_checkpoint(const std::filesystem::path& file, const std::string& identity) {
   const io::CheckpointFile checkpoint(file, title, identity);
   const std::optional<std::string> content = checkpoint.read();
   if (!content) return std::nullopt;

@@ -86,7 +86,7 @@ void add_path(vtkRenderer& renderer, const LocomotionResult& result) {
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell(static_cast<int>(result.records.size()));
-  for (const LocomotionRecord& record : result.records) {
+  for (const WalkRecord& record : result.records) {
     const Point& centre = record.centre_of_mass_m;
     lines->InsertCellPoint(points->InsertNextPoint(centre[0], centre[1], result.ground_height_m + 1e-3 * result.body_length_m));
   }
@@ -124,7 +124,7 @@ io::ChartPanel pressure_panel(const LocomotionResult& result) {
   io::ChartPanel panel{.x = {.title = "time (s)"}, .y = {.title = "pressure (kPa)", .least_span = 0.1}};
   for (std::size_t p = 0; p < std::min(result.plenum_names.size(), most_plena_in_chart); ++p) {
     io::ChartSeries series{.name = result.plenum_names.size() > 1 ? result.plenum_names[p] : ""};
-    for (const LocomotionRecord& record : result.records) {
+    for (const WalkRecord& record : result.records) {
       series.x.push_back(record.time_s);
       series.y.push_back(1e-3 * record.plenum_pressures_Pa[p]);
     }
@@ -169,7 +169,7 @@ io::PictureOutcome plot_locomotion(const std::filesystem::path& file, const Loco
   if (result.records.size() < 2) return {.missing = "a trajectory of at least two records"};
   std::array<io::ChartSeries, 3> over_time{{{.name = "x"}, {.name = "y"}, {.name = "z"}}};
   io::ChartSeries from_above;
-  for (const LocomotionRecord& record : result.records) {
+  for (const WalkRecord& record : result.records) {
     const Point displacement = difference(record.centre_of_mass_m, result.records.front().centre_of_mass_m);
     for (std::size_t i = 0; i < 3; ++i) {
       over_time.at(i).x.push_back(record.time_s);

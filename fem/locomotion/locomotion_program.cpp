@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "fem/locomotion/locomotion_run.h"
 #include "fem/locomotion/locomotion_study_file.h"
 #include "fem/locomotion/locomotion_sweep.h"
 #include "io/process/exit_code.h"

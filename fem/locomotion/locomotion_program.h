@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "fem/locomotion/locomotion_dynamics.h"
+#include "fem/locomotion/locomotion_run.h"
 
 namespace menger::fem {
 

@@ -1,8 +1,5 @@
 #include "fem/locomotion/locomotion_result.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -37,28 +34,17 @@ std::vector<std::string> columns_of(const LocomotionResult& result) {
 
 }  // namespace
 
-std::optional<Travel> travel_of(const LocomotionResult& result) {
-  if (result.status != io::RunStatus::completed || result.records.empty()) return std::nullopt;
-  Travel travel;
-  travel.displacement_m = difference(result.records.back().centre_of_mass_m, result.records.front().centre_of_mass_m);
-  travel.horizontal_displacement_m = meshes::horizontal_displacement(travel.displacement_m);
-  travel.horizontal_displacement_body_lengths = travel.horizontal_displacement_m / result.body_length_m;
-  const double duration_s = result.records.back().time_s - result.records.front().time_s;
-  travel.body_lengths_per_minute = 60.0 * travel.horizontal_displacement_body_lengths / duration_s;
-  if (travel.horizontal_displacement_m > 0.0)
-    travel.direction_deg = 180.0 / std::numbers::pi * std::atan2(travel.displacement_m[1], travel.displacement_m[0]);
-  return travel;
-}
-
-double peak_height_m(const LocomotionResult& result) {
-  double highest = result.records.front().centre_of_mass_m[2];
-  for (const LocomotionRecord& record : result.records) highest = std::max(highest, record.centre_of_mass_m[2]);
-  return highest - result.ground_height_m;
+LocomotionResult named_result(const PreparedWalk& walk, WalkResult result) {
+  LocomotionResult named;
+  static_cast<WalkResult&>(named) = std::move(result);
+  named.plenum_names = walk.mesh.plenum_names;
+  for (const meshes::Chamber& chamber : walk.mesh.chambers) named.chamber_names.push_back(chamber.name);
+  return named;
 }
 
 io::CsvTable trajectory_table(const LocomotionResult& result) {
   io::CsvTable table(columns_of(result));
-  for (const LocomotionRecord& record : result.records) {
+  for (const WalkRecord& record : result.records) {
     const Point& centre = record.centre_of_mass_m;
     const double displacement = meshes::horizontal_displacement(difference(centre, result.records.front().centre_of_mass_m));
     std::vector<io::CsvCell> cells{record.time_s, centre[0],    centre[1],

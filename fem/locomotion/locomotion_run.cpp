@@ -8,17 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "fem/contact/body_overlap.h"
 #include "fem/locomotion/locomotion_checkpoint.h"
 #include "fem/locomotion/locomotion_frames.h"
 #include "fem/locomotion/locomotion_picture.h"
+#include "fem/walk/walk.h"
 #include "io/process/interrupt.h"
 #include "io/process/run_folder.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_text.h"
-#include "io/text/version.h"
 #include "io/text/whole_file.h"
 
 namespace menger::fem {
@@ -26,10 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-/// Records between two restart points, for methods that can be resumed only from some states: each restart point costs a
-/// factorisation.
-constexpr std::size_t records_per_restart = 10;
 
 constexpr std::string_view checkpoint_name = "locomotion.checkpoint";
 
@@ -43,51 +38,35 @@ class LocomotionRun {
         folder_("menger-locomote", folder),
         options_(options),
         dynamics_(options.make(study, options.stop)),
-        overlaps_(study.mesh),
-        times_s_(record_times_s(study)),
+        walk_(study, *dynamics_),
         frames_(folder) {
-    result_.elements = study.mesh.elements.size();
-    result_.nodes = study.mesh.points.size();
-    result_.body_length_m = body_length_m(study.design, study.hollow.level);
-    result_.ground_height_m = study.ground.height_m;
-    result_.plenum_names = study.mesh.plenum_names;
-    for (const meshes::Chamber& chamber : study.mesh.chambers) result_.chamber_names.push_back(chamber.name);
-    result_.notes = study.notes;
-    identity_ = locomotion_text(study) + "version = " + std::string(io::version()) +
-                "\ninstruction_set = " + dynamics_->machine_text() + "\n";
+    identity_ = locomotion_identity(study, *dynamics_);
     if (!options.restart) earlier_ = read_locomotion_checkpoint(folder / checkpoint_name, identity_);
   }
 
   LocomotionResult run() {
     begin_or_resume();
-    if (result_.records.empty()) record();
-    if (outcome_)
-      conclude(*outcome_);
-    else
-      follow();
+    if (walk_.start() && study_.output.frames) add_frame();
+    if (walk_.is_under_way()) follow();
     finish();
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] bool is_due(std::size_t record) const {
-    return study_.output.frames && record % study_.output.records_per_frame == 0;
-  }
+  [[nodiscard]] std::size_t last_record() const { return walk_.records().size() - 1; }
+  [[nodiscard]] bool is_due(std::size_t record) const { return record % study_.output.records_per_frame == 0; }
 
   void begin_or_resume() {
     // From here on no file of an earlier run may pass for one of this run, also if this one is killed.
     folder_.begin({"locomotion.toml", "trajectory.csv", "robot.png", "trajectory.png"});
     std::vector<double> frame_times_s;
     if (earlier_) {
-      dynamics_->set_state(std::move(earlier_->state));
-      result_.records = std::move(earlier_->records);
       folder_.add_seconds(earlier_->seconds);
-      result_.seconds = earlier_->seconds;
-      if (earlier_->outcome) outcome_ = checked(std::move(*earlier_->outcome));
-      for (std::size_t r = 0; r < result_.records.size(); ++r) {
+      seconds_ = earlier_->seconds;
+      walk_.resume(std::move(*earlier_));
+      for (std::size_t r = 0; study_.output.frames && r < walk_.records().size(); ++r) {
         // The end of a run always has a frame.
-        if (is_due(r) || (study_.output.frames && outcome_ && r + 1 == result_.records.size()))
-          frame_times_s.push_back(result_.records[r].time_s);
+        if (is_due(r) || (walk_.outcome() && r == last_record())) frame_times_s.push_back(walk_.records()[r].time_s);
       }
     } else {
       folder_.remove({checkpoint_name});
@@ -97,78 +76,39 @@ class LocomotionRun {
 
   void follow() {
     if (options_.started) options_.started(dynamics_->time_s());
-    LocomotionOutcome outcome;
-    while (outcome.status == io::RunStatus::completed && result_.records.size() <= times_s_.size()) {
-      make_restart_point();
-      outcome = checked(dynamics_->advance_to(times_s_[result_.records.size() - 1]));
-      if (outcome.status == io::RunStatus::stopped) break;
-      const bool is_last = outcome.status != io::RunStatus::completed || result_.records.size() == times_s_.size();
-      // The time reached by a failed run may have a record already, but not the frame of an end.
-      if (dynamics_->time_s() > result_.records.back().time_s)
-        record(is_last);
-      else if (is_last && study_.output.frames && !is_due(result_.records.size() - 1))
-        add_frame();
+    while (walk_.is_under_way()) {
+      const bool is_new = walk_.go_on();
+      if (walk_.is_stopped()) break;
+      // The end always has a frame, also where its record was there before.
+      if (study_.output.frames && (is_due(last_record()) ? is_new : !walk_.is_under_way())) add_frame();
       if (options_.progress) options_.progress(dynamics_->time_s());
-      if (!is_last && seconds_since(last_checkpoint_) >= options_.checkpoint_interval_seconds) write_checkpoint();
+      if (walk_.is_under_way() && seconds_since(last_checkpoint_) >= options_.checkpoint_interval_seconds) write_checkpoint();
     }
-    conclude(outcome);
-    if (outcome.status == io::RunStatus::stopped)
-      io::come_to_stop();
-    else
-      outcome_ = outcome;
-    result_.seconds = write_checkpoint();
-  }
-
-  /// Changes the outcome to `diverged` if the body has passed through itself.
-  [[nodiscard]] LocomotionOutcome checked(LocomotionOutcome outcome) const {
-    if (outcome.status != io::RunStatus::completed) return outcome;
-    const std::optional<BodyOverlap> overlap = overlaps_.find(dynamics_->displacements_m());
-    if (!overlap) return outcome;
-    return {io::RunStatus::diverged, overlaps_.text_of(*overlap) + " at " + io::number_text(dynamics_->time_s()) + " s"};
-  }
-
-  void record(bool is_last = false) {
-    result_.records.push_back(dynamics_->record());
-    if (is_due(result_.records.size() - 1) || (is_last && study_.output.frames)) add_frame();
+    if (walk_.is_stopped()) io::come_to_stop();
+    seconds_ = write_checkpoint();
   }
 
   void add_frame() {
     const std::vector<double> displacements = dynamics_->displacements_m();
     const std::vector<double> velocities = dynamics_->velocities_m_per_s();
-    const LocomotionRecord& record = result_.records.back();
+    const WalkRecord& record = walk_.records().back();
     frames_.add(study_.mesh, {record.time_s, displacements, velocities, record.plenum_pressures_Pa});
-  }
-
-  /// Keeps a state from which the run can be resumed, and continues from it as a resumed run would.
-  void make_restart_point() {
-    if (dynamics_->goes_on_from_any_state() || (result_.records.size() - 1) % records_per_restart != 0) return;
-    restart_.emplace(dynamics_->state());
-    dynamics_->set_state(*restart_);
-    restart_records_ = result_.records.size();
   }
 
   /// Writes the checkpoint.
   /// @return the wall time written in it
   double write_checkpoint() {
-    const double seconds = folder_.seconds();
-    LocomotionProgress progress{dynamics_->state(), result_.records, outcome_, seconds};
-    if (restart_ && !outcome_) {
-      progress.state = *restart_;
-      progress.records.resize(restart_records_);
-    }
+    WalkProgress progress = walk_.progress();
+    progress.seconds = folder_.seconds();
     write_locomotion_checkpoint(folder_.file(checkpoint_name), identity_, progress);
     last_checkpoint_ = Clock::now();
-    return seconds;
-  }
-
-  void conclude(const LocomotionOutcome& outcome) {
-    result_.status = outcome.status;
-    result_.reason = outcome.reason;
+    return progress.seconds;
   }
 
   void finish() {
-    result_.time_s = dynamics_->time_s();
-    result_.steps = dynamics_->steps();
+    result_ = named_result(study_, walk_.result());
+    result_.notes = study_.notes;
+    result_.seconds = seconds_;
     trajectory_table(result_).write(folder_.file("trajectory.csv"));
     if (study_.output.pictures && result_.status != io::RunStatus::stopped) draw();
     folder_.finish(io::TomlText().add("notes", result_.notes).lines(locomotion_text(study_)).text(), study_.inputs);
@@ -176,7 +116,7 @@ class LocomotionRun {
   }
 
   void draw() {
-    const LocomotionRecord& last = result_.records.back();
+    const WalkRecord& last = result_.records.back();
     const Point moved = difference(last.centre_of_mass_m, result_.records.front().centre_of_mass_m);
     const std::string caption = study_.design.name + " after " + io::shown(result_.time_s, 3) + " s: its centre moved by (" +
                                 io::formatted("%.2f", 1e3 * moved[0]) + ", " + io::formatted("%.2f", 1e3 * moved[1]) + ") mm";
@@ -197,15 +137,12 @@ class LocomotionRun {
   io::RunFolder folder_;
   const LocomotionRunOptions& options_;
   Clock::time_point last_checkpoint_ = Clock::now();
-  std::unique_ptr<LocomotionDynamics> dynamics_;
-  std::optional<LocomotionState> restart_;  ///< of the last restart point, if the method needs them
-  std::size_t restart_records_ = 0;         ///< records up to it
-  BodyOverlapSearch overlaps_;
-  std::vector<double> times_s_;
+  std::unique_ptr<WalkDynamics> dynamics_;
+  Walk walk_;
   LocomotionFrames frames_;
   std::string identity_;
-  std::optional<LocomotionProgress> earlier_;
-  std::optional<LocomotionOutcome> outcome_;
+  std::optional<WalkProgress> earlier_;
+  double seconds_ = 0.0;  ///< wall time when the last checkpoint was written
   LocomotionResult result_;
 };
 

@@ -3,12 +3,18 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
 
-#include "fem/locomotion/locomotion_dynamics.h"
 #include "fem/locomotion/locomotion_result.h"
 #include "fem/locomotion/locomotion_study.h"
+#include "fem/walk/walk_dynamics.h"
 
 namespace menger::fem {
+
+/// Makes the dynamics of a study, with the body at rest.
+/// @param stop as in ExplicitOptions
+/// @throws io::InputError if the dynamics reject the study
+using LocomotionMaker = std::function<std::unique_ptr<WalkDynamics>(const LocomotionStudy& study, const std::atomic<bool>* stop)>;
 
 /// Options of a run that do not change its results.
 struct LocomotionRunOptions {
@@ -19,7 +25,7 @@ struct LocomotionRunOptions {
   std::function<void(double time_s)> started{};
   /// Called after every record with its time.
   std::function<void(double time_s)> progress{};
-  LocomotionMaker make = make_explicit_locomotion;  ///< makes the dynamics of the study
+  LocomotionMaker make = explicit_walk_dynamics;  ///< makes the dynamics of the study
 };
 
 /// Runs a study and writes its results into `folder`: trajectory.csv, frames.pvd with frames/frame_0000.vtu ..., robot.png,

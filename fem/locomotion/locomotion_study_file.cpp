@@ -1,21 +1,17 @@
 #include "fem/locomotion/locomotion_study_file.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "fem/contact/self_contact_surface.h"
-#include "fem/thin_walls/thin_wall_mesh.h"
+#include "fem/locomotion/locomotion_drive.h"
+#include "fem/locomotion/locomotion_material.h"
+#include "fem/walk/walk_input_error.h"
 #include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
-#include "io/text/number_text.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/hollow_body_file.h"
-#include "meshes/hexahedra/hollow_polycube.h"
 
 namespace menger::fem {
 namespace {
@@ -184,54 +180,10 @@ void describe_sweep(io::StudyVisitor& visitor, LocomotionSweep& sweep) {
                   io::any_number(), {.fewest = 1});
 }
 
-/// Returns the height of the body's lowest point.
-double lowest_m(const meshes::HexahedralMesh& mesh) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const meshes::Point& point : mesh.points) lowest = std::min(lowest, point[2]);
-  return lowest;
-}
-
-void mesh_body(const io::TomlTable& top, LocomotionStudy& study) {
-  try {
-    set_elements(study.elements, study.hollow);
-    study.mesh = meshes::hollow_polycube(study.design, study.hollow).mesh;
-  } catch (const io::InputError& error) {
-    throw io::InputError(top.file().string() + ": [design]: " + error.what());
-  } catch (const std::length_error& error) {
-    throw io::InputError(top.file().string() + ": [design]: " + error.what());
-  }
-}
-
-/// Refuses bodies that thin-wall elements do not describe well.
-void require_thin_walls(const io::TomlTable& top, const LocomotionStudy& study) {
-  if (study.elements.kind != ElementKind::thin_wall) return;
-  const std::string obstacle = obstacle_to_thin_walls(study.mesh, study.hollow.wall_thickness_m);
-  if (!obstacle.empty()) throw top.error("design.chambers", obstacle);
-}
-
-void lay_ground(const io::TomlTable& top, LocomotionStudy& study) {
-  const double lowest = lowest_m(study.mesh);
-  study.ground =
-      study.stated_ground.ground(lowest, ground_stiffness_Pa_per_m(contact_modulus_Pa(study), shortest_edge_m(study.mesh)));
-  // Springs that are compressed at the start would throw the body up.
-  if (study.ground.height_m > lowest)
-    throw top.error("ground.height_m", "is above the body's lowest point, which is at " + io::number_text(lowest));
-  study.stated_ground.height_m = study.ground.height_m;
-  study.stated_ground.stiffness_Pa_per_m = study.ground.stiffness_Pa_per_m;
-  const Friction& friction = study.ground.friction;
-  if (study.self_contact && !study.self_contact->friction)
-    study.self_contact->friction = {friction.static_coefficient, friction.kinetic_coefficient};
-}
-
-void supply_air(const io::TomlTable& top, LocomotionStudy& study) {
-  if (!study.drive) {
-    study.supply = supply_of(study.stated_supply, study.mesh.plenum_names, top);
-    return;
-  }
-  if (!study.drive->ramp_s) study.drive->ramp_s = 1.0 / study.drive->frequency_Hz;
-  const std::vector<PlenumSchedule> schedules =
-      plenum_schedules(*study.drive, study.design, study.hollow, study.mesh, top.table("drive"));
-  study.supply.emplace(std::vector<PlenumSupply>(schedules.begin(), schedules.end()));
+/// Returns the error for a walk that cannot be made, with the place of its key.
+io::InputError located(const io::TomlTable& top, const WalkInputError& error) {
+  if (error.key() == "design") return io::InputError(top.file().string() + ": [design]: " + error.reason());
+  return top.error(error.key(), error.reason());
 }
 
 /// Refuses branches and supplies through lines, which only explicit dynamics has.
@@ -247,11 +199,12 @@ void refuse_what_implicit_has_not(const io::TomlTable& top, const LocomotionStud
 
 /// Computes the members that are derived from what was read, and fills in what the study does not state.
 void complete(const io::TomlTable& top, LocomotionStudy& study) {
-  mesh_body(top, study);
-  require_thin_walls(top, study);
-  study.material = material_of(study.silicone, study.implicit ? DampingModel::kelvin_voigt : DampingModel::maxwell, study.notes);
-  lay_ground(top, study);
-  supply_air(top, study);
+  try {
+    prepare(study, study.implicit ? DampingModel::kelvin_voigt : DampingModel::maxwell);
+  } catch (const WalkInputError& error) {
+    throw located(top, error);
+  }
+  if (!study.drive) study.supply = supply_of(study.stated_supply, study.mesh.plenum_names, top);
   if (!study.implicit) return;
   refuse_what_implicit_has_not(top, study);
   study.notes.push_back("dynamics: there is no self-contact: the run ends when walls touch or other parts go through each other");

@@ -26,7 +26,7 @@ io::ChartPanel paths_panel(const std::vector<SweepCase>& cases) {
   for (const SweepCase& one : cases) {
     io::ChartSeries path{.name = io::number_text(one.value)};
     const LocomotionResult& result = one.result;
-    for (const LocomotionRecord& record : result.records) {
+    for (const WalkRecord& record : result.records) {
       const Point moved = difference(record.centre_of_mass_m, result.records.front().centre_of_mass_m);
       path.x.push_back(moved[0] / result.body_length_m);
       path.y.push_back(moved[1] / result.body_length_m);

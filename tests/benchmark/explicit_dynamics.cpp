@@ -1,18 +1,21 @@
 // Explicit dynamics of finite elements: forces of elements alone for each instruction set, whole steps, half a second of the
-// driven module, and an aggregate on one and two threads. Process CPU time and, beside it, wall time; one thread where nothing
-// else is said.
+// driven module, an aggregate on one and two threads, and two robots side by side, each on a thread of its own. Process CPU time
+// and, beside it, wall time; one thread where nothing else is said.
 
 #include "fem/explicit/explicit_dynamics.h"
 
 #include <benchmark/benchmark.h>
 
+#include <atomic>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "fem/explicit/material_damping.h"
 #include "fem/explicit/three_field_elements.h"
+#include "fem/walk/walk.h"
 #include "meshes/hexahedra/hollow_polycube.h"
 
 namespace fem = menger::fem;
@@ -187,6 +190,43 @@ void add_walk(const std::string& name, std::optional<fem::Fidelity> fidelity) {
       ->ReportAggregatesOnly();
 }
 
+/// Robots side by side, each walking on a thread of its own as a search lets them: the quadruped of 13 cells, `draft`, for half a
+/// second. Two robots on two quiet cores should give nearly twice the robots per second of one: they share no lock.
+void walk_side_by_side(benchmark::State& state, std::size_t robots) {
+  fem::WalkInput input;
+  input.design = meshes::read_design(std::string(MENGER_SOURCE_DIR) + "/meshes/designs/quadruped.toml");
+  input.hollow.wall_thickness_m = 2e-3;
+  input.elements.fidelity = fem::Fidelity::draft;
+  input.silicone.law.law = materials::NeoHookean{86.7e3};
+  input.silicone.density_kg_per_m3 = 1070.0;
+  input.stated_ground.friction = {.static_coefficient = 0.6, .kinetic_coefficient = 0.5};
+  input.drive = fem::SurrogateDrive{.pressure_Pa = {0.0, 6e3}, .frequency_Hz = 3.0};
+  input.duration_s = 0.5;
+  std::atomic<std::size_t> completed{0};
+  for (auto unused : state) {
+    (void)unused;
+    std::vector<std::jthread> walkers;
+    for (std::size_t n = 0; n < robots; ++n)
+      walkers.emplace_back([&] {
+        if (fem::walk(input).status == io::RunStatus::completed) ++completed;
+      });
+  }
+  const std::size_t wanted = robots * static_cast<std::size_t>(state.iterations());
+  if (completed != wanted) state.SkipWithError("a walk did not complete");
+  state.counters["robots_per_s"] = benchmark::Counter(static_cast<double>(wanted), benchmark::Counter::kIsRate);
+}
+
+void add_side_by_side(const std::string& name, std::size_t robots) {
+  benchmark::RegisterBenchmark(("SideBySide/quadruped/draft/" + name).c_str(),
+                               [robots](benchmark::State& state) { walk_side_by_side(state, robots); })
+      ->Unit(benchmark::kSecond)
+      ->MeasureProcessCPUTime()
+      ->UseRealTime()
+      ->Iterations(4)
+      ->Repetitions(3)
+      ->ReportAggregatesOnly();
+}
+
 void add_run(const std::string& name, const Subject& subject, const Run& how) {
   benchmark::RegisterBenchmark(name.c_str(), [&subject, how](benchmark::State& state) { run(state, subject, how); })
       ->Unit(benchmark::kSecond)
@@ -227,6 +267,8 @@ int main(int argc, char** argv) {
     for (const int threads : {1, 2})
       add_run(std::string("OnGround/aggregate18/") + damping.name + "/threads" + std::to_string(threads), aggregate,
               {2e-3, damping, true, threads});
+  add_side_by_side("one robot", 1);
+  add_side_by_side("two robots side by side", 2);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

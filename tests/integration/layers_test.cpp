@@ -231,6 +231,29 @@ TEST(Rooms, StandOnWhatTheyInclude) {
   }
 }
 
+TEST(Rooms, WalksNeedNoMeshLibraryPicturesOrFiles) {
+  const Rooms rooms = rooms_of_menger();
+  Words closure = rooms.at("fem/walk").below;
+  closure.insert("fem/walk");
+  for (const std::string& name : closure) {
+    for (const char* library : {"deal.II", "PETSc", "SLEPc", "MPI", "VTK", "Gmsh", "SQLiteCpp", "CLI11"})
+      EXPECT_FALSE(rooms.at(name).libraries.contains(library)) << "fem/walk stands on " << name << ", which includes " << library;
+  }
+  for (const char* name : {"fem/space", "io/process", "io/picture", "io/vtk", "meshes/files", "fem/locomotion"})
+    EXPECT_FALSE(closure.contains(name)) << "fem/walk stands on " << name;
+  std::size_t looked_at = 0;
+  for (const auto& [file, name] : sources(MENGER_SOURCE_DIR)) {
+    if (name != "fem/walk") continue;
+    ++looked_at;
+    Words there = includes(file, true);
+    there.merge(includes(file, false));
+    for (const char* of_files : {"filesystem", "fstream", "io/text/whole_file.h", "io/text/checkpoint_file.h",
+                                 "io/text/toml_document.h", "io/text/csv_table.h"})
+      EXPECT_FALSE(there.contains(of_files)) << file << " includes " << of_files;
+  }
+  EXPECT_GT(looked_at, 10U);
+}
+
 TEST(Rooms, AreOfOneConceptEach) {
   constexpr int most_files = 38;  // as CONTRIBUTING.md says
   std::map<std::string, int> files;

@@ -36,7 +36,7 @@ class ImplicitLocomotion : public testing::Test {
 /// Largest volume of the only chamber over the records.
 double largest_volume_m3(const LocomotionResult& result) {
   double largest = 0.0;
-  for (const LocomotionRecord& record : result.records) largest = std::max(largest, record.chamber_volumes_m3[0]);
+  for (const WalkRecord& record : result.records) largest = std::max(largest, record.chamber_volumes_m3[0]);
   return largest;
 }
 

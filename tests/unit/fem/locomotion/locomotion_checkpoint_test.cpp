@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 using tests::message_of;
 
 /// Numbers that shorter representations would lose.
-LocomotionProgress awkward_progress() {
-  LocomotionProgress progress;
+WalkProgress awkward_progress() {
+  WalkProgress progress;
   ExplicitState& state = progress.state.emplace<ExplicitState>();
   state.time_s = 0.1 + 0.2;
   state.displacements_m = {-0.0, 1.0 / 3.0, std::numeric_limits<double>::denorm_min()};
@@ -45,8 +45,7 @@ LocomotionProgress awkward_progress() {
       {.node = 7, .face = 9, .depth_m = 1e-5 / 3.0, .pressed_m = 1e-6 / 3.0, .paid_m2 = 1e-12 / 7.0, .slip_m = {-0.0, 1e-9, 0.1}},
       {.node = 8, .is_sliding = true}};
   state.branches = BranchState{.numbers = AlignedNumbers{1.0 / 3.0, -0.0, 1.0 + 1e-16, 5e-324}, .age_s = 1e-5 / 3.0};
-  LocomotionRecord record{
-      .time_s = 0.1, .centre_of_mass_m = {0.1, 0.2, 0.3}, .plenum_pressures_Pa = {5.0}, .ground_force_N = 1.1};
+  WalkRecord record{.time_s = 0.1, .centre_of_mass_m = {0.1, 0.2, 0.3}, .plenum_pressures_Pa = {5.0}, .ground_force_N = 1.1};
   record.chamber_volumes_m3 = {1e-6};
   record.energies.kinetic_J = 1.0 / 3.0;
   record.energies.at_start_J = 1e-17;
@@ -57,7 +56,7 @@ LocomotionProgress awkward_progress() {
 }
 
 TEST(LocomotionCheckpoint, GivesEveryBitBack) {
-  const LocomotionProgress written = awkward_progress();
+  const WalkProgress written = awkward_progress();
   const tests::TestFolder folder;
   const fs::path file = folder / "run.checkpoint";
   write_locomotion_checkpoint(file, "study", written);
@@ -101,7 +100,7 @@ TEST(LocomotionCheckpoint, GivesEveryBitBack) {
 
 // Elements in single precision have branches of that type.
 TEST(LocomotionCheckpoint, GivesNumbersOfSinglePrecisionBack) {
-  LocomotionProgress written = awkward_progress();
+  WalkProgress written = awkward_progress();
   std::get<ExplicitState>(written.state).branches = BranchState{
       .numbers = AlignedVector<float>{1.0F / 3.0F, -0.0F, std::numeric_limits<float>::denorm_min(), 3e38F}, .age_s = 0.5};
   const tests::TestFolder folder;
@@ -115,7 +114,7 @@ TEST(LocomotionCheckpoint, GivesNumbersOfSinglePrecisionBack) {
 }
 
 TEST(LocomotionCheckpoint, KeepsHowARunEndedAndWhatIsNotThere) {
-  LocomotionProgress written = awkward_progress();
+  WalkProgress written = awkward_progress();
   auto& state = std::get<ExplicitState>(written.state);
   state.at_start_J.reset();
   state.pneumatics.reset();
@@ -134,7 +133,7 @@ TEST(LocomotionCheckpoint, KeepsHowARunEndedAndWhatIsNotThere) {
 }
 
 TEST(LocomotionCheckpoint, KeepsStatesOfImplicitDynamics) {
-  LocomotionProgress written;
+  WalkProgress written;
   ImplicitState state;
   state.time_s = 0.1 + 0.2;
   state.displacements_m = {-0.0, 1.0 / 3.0, 1e-300};

@@ -18,13 +18,13 @@ namespace {
 using tests::message_of;
 
 struct Read {
-  StudySilicone given;
-  LocomotionMaterial material;
+  WalkSilicone given;
+  WalkMaterial material;
   std::vector<std::string> notes;
 };
 
-StudySilicone parse(const std::string& text) {
-  StudySilicone silicone;
+WalkSilicone parse(const std::string& text) {
+  WalkSilicone silicone;
   io::read_described(io::parse_toml(text, "material.toml"), silicone);
   return silicone;
 }
@@ -40,7 +40,7 @@ double shear_modulus_Pa(const Read& read) { return materials::shear_modulus_at_r
 
 // Every law is linear in its moduli, so that stiffness at rest is a fair witness for all its coefficients but of laws whose other
 // terms vanish there: the record's Yeoh law has three.
-TEST(LocomotionMaterial, StiffensEveryModulusOfALaw) {
+TEST(WalkMaterial, StiffensEveryModulusOfALaw) {
   const materials::HyperelasticLaw yeoh = materials::Yeoh{3e4, -1e2, 4e1};
   const auto stiff = std::get<materials::Yeoh>(stiffened(yeoh, 2.5));
   EXPECT_EQ(stiff.c10_Pa, 7.5e4);
@@ -50,7 +50,7 @@ TEST(LocomotionMaterial, StiffensEveryModulusOfALaw) {
   EXPECT_EQ(std::get<materials::Gent>(stiffened(gent, 0.5)).locking_excess, 12.0) << "a stretch is no modulus";
 }
 
-TEST(LocomotionMaterial, TakesTheRecordsLawAndGivesItAYoungsModulus) {
+TEST(WalkMaterial, TakesTheRecordsLawAndGivesItAYoungsModulus) {
   const Read plain = read("silicone = \"dragon_skin_10\"\n");
   EXPECT_EQ(plain.given.law.file.filename(), "dragon_skin_10.toml");
   EXPECT_NEAR(plain.material.bulk_modulus_Pa, 50.0 * shear_modulus_Pa(plain), 1e-6);
@@ -61,7 +61,7 @@ TEST(LocomotionMaterial, TakesTheRecordsLawAndGivesItAYoungsModulus) {
   EXPECT_NEAR(shear_modulus_Pa(twice), 2.0 * shear_modulus_Pa(plain), 1e-6);
 }
 
-TEST(LocomotionMaterial, SaysThatDampingIsNotMeasured) {
+TEST(WalkMaterial, SaysThatDampingIsNotMeasured) {
   const Read assumed = read("silicone = \"dragon_skin_10\"\nbulk_modulus_ratio = 50\n");
   ASSERT_FALSE(assumed.material.is_damping_measured) << "the record has got a measurement: this test needs another one";
   ASSERT_EQ(assumed.notes.size(), 1U);
@@ -69,7 +69,7 @@ TEST(LocomotionMaterial, SaysThatDampingIsNotMeasured) {
   EXPECT_EQ(assumed.material.loss.tan_delta, assumed_silicone_loss().tan_delta);
 }
 
-TEST(LocomotionMaterial, DampsAsTheStudyStates) {
+TEST(WalkMaterial, DampsAsTheStudyStates) {
   const std::string keys =
       "law = {name = \"neo_hookean\", shear_modulus_Pa = 6e4}\ndensity_kg_per_m3 = 1000\n"
       "loss_factor = 0.2\nloss_frequency_Hz = 5\n";
@@ -88,7 +88,7 @@ TEST(LocomotionMaterial, DampsAsTheStudyStates) {
   EXPECT_FALSE(elastic.material.branch.is_there());
 }
 
-TEST(LocomotionMaterial, RefusesWhatIsNoSilicone) {
+TEST(WalkMaterial, RefusesWhatIsNoSilicone) {
   const auto message = [](const std::string& keys) { return message_of([&] { (void)read(keys); }); };
   const std::string record = "silicone = \"dragon_skin_10\"\n";
   EXPECT_NE(message("silicone = \"cheese\"\n").find("silicone = \"cheese\""), std::string::npos);
@@ -108,7 +108,7 @@ TEST(LocomotionMaterial, RefusesWhatIsNoSilicone) {
 }
 
 // What a study leaves open, the record's law among it, stands in the text of what a material was made of.
-TEST(LocomotionMaterial, IsTheSameByItsText) {
+TEST(WalkMaterial, IsTheSameByItsText) {
   const std::string stated = "modulus_factor = 2\nloss_factor = 0.2\nloss_frequency_Hz = 5\n";
   for (const std::string& keys : {std::string(), std::string("youngs_modulus_Pa = 107e3\n"), stated}) {
     const Read first = read("silicone = \"dragon_skin_10\"\n" + keys);
@@ -123,10 +123,10 @@ TEST(LocomotionMaterial, IsTheSameByItsText) {
   }
 }
 
-TEST(LocomotionMaterial, TemplateAndTextsAreRead) {
-  const auto adopt = [](StudySilicone& told, const StudySilicone& read) { told.law = read.law; };
-  tests::expect_template_is_read<StudySilicone>(parse, {"law"}, adopt);  // a law needs a density
-  tests::expect_texts_are_read_back<StudySilicone>(parse, 20);
+TEST(WalkMaterial, TemplateAndTextsAreRead) {
+  const auto adopt = [](WalkSilicone& told, const WalkSilicone& read) { told.law = read.law; };
+  tests::expect_template_is_read<WalkSilicone>(parse, {"law"}, adopt);  // a law needs a density
+  tests::expect_texts_are_read_back<WalkSilicone>(parse, 20);
 }
 
 }  // namespace

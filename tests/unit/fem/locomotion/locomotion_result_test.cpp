@@ -12,16 +12,17 @@ namespace {
 
 /// A body of 30 mm on a ground at -5 mm whose centre goes from (0, 0, 10) mm by (-3, 3, 1) mm in half a second, over a bump.
 LocomotionResult walk() {
-  LocomotionResult result{.status = io::RunStatus::completed,
-                          .time_s = 0.5,
-                          .body_length_m = 0.03,
-                          .ground_height_m = -0.005,
-                          .plenum_names = {"plenum 0"},
-                          .chamber_names = {"chamber 0"}};
+  LocomotionResult result;
+  result.status = io::RunStatus::completed;
+  result.time_s = 0.5;
+  result.body_length_m = 0.03;
+  result.ground_height_m = -0.005;
+  result.plenum_names = {"plenum 0"};
+  result.chamber_names = {"chamber 0"};
   result.records = {{.time_s = 0.0, .centre_of_mass_m = {0.0, 0.0, 0.010}},
                     {.time_s = 0.25, .centre_of_mass_m = {-0.001, 0.0, 0.013}},
                     {.time_s = 0.5, .centre_of_mass_m = {-0.003, 0.003, 0.011}}};
-  for (LocomotionRecord& record : result.records) {
+  for (WalkRecord& record : result.records) {
     record.plenum_pressures_Pa = {1000.0 * record.time_s};
     record.chamber_volumes_m3 = {1e-6};
   }

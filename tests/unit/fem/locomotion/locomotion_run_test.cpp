@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "fem/walk/walk.h"
 #include "io/text/csv_table.h"
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
@@ -60,6 +61,23 @@ TEST_F(LocomotionRun, ASymmetricBodyStaysWhereItIs) {
   EXPECT_EQ(result.records.back().time_s, 0.1);
 }
 
+TEST_F(LocomotionRun, IsTheWalkOfItsInputInMemory) {
+  const LocomotionStudy study = sample_study(hook_study);
+  const LocomotionResult by_files = run_locomotion(study, folder_ / "out");
+  ASSERT_EQ(by_files.status, io::RunStatus::completed) << by_files.reason;
+  WalkInput input = study;
+  input.supply.reset();  // follows from the drive
+  const WalkResult in_memory = walk(input);
+  EXPECT_EQ(in_memory.status, by_files.status);
+  EXPECT_EQ(in_memory.steps, by_files.steps);
+  ASSERT_EQ(in_memory.records.size(), by_files.records.size());
+  for (std::size_t n = 0; n < in_memory.records.size(); ++n) {
+    EXPECT_EQ(in_memory.records[n].centre_of_mass_m, by_files.records[n].centre_of_mass_m) << n;
+    EXPECT_EQ(in_memory.records[n].chamber_volumes_m3, by_files.records[n].chamber_volumes_m3) << n;
+    EXPECT_EQ(in_memory.records[n].energies.imbalance_J(), by_files.records[n].energies.imbalance_J()) << n;
+  }
+}
+
 // Left to itself a body settles: the ground carries its weight (silicone's volume times density times g). 0.3 s are four times
 // longer than the decay time that its slowest motion, the sway on the springs of the ground, leaves.
 TEST_F(LocomotionRun, ABodyAtRestWeighsWhatItWeighs) {
@@ -98,12 +116,12 @@ TEST_F(LocomotionRun, RecordsPressureAndVolumeOfOneTime) {
   const LocomotionResult result = run(study, "out");
   ASSERT_EQ(result.status, io::RunStatus::completed) << result.reason;
   double largest_J = 0.0;
-  for (const LocomotionRecord& record : result.records) largest_J = std::max(largest_J, record.energies.work.pressure_J);
+  for (const WalkRecord& record : result.records) largest_J = std::max(largest_J, record.energies.work.pressure_J);
   double work_J = 0.0;
   double worst_J = 0.0;
   for (std::size_t r = 1; r < result.records.size(); ++r) {
-    const LocomotionRecord& before = result.records[r - 1];
-    const LocomotionRecord& now = result.records[r];
+    const WalkRecord& before = result.records[r - 1];
+    const WalkRecord& now = result.records[r];
     work_J += 0.5 * (before.plenum_pressures_Pa[0] + now.plenum_pressures_Pa[0]) *
               (now.chamber_volumes_m3[0] - before.chamber_volumes_m3[0]);
     worst_J = std::max(worst_J, std::abs(work_J - now.energies.work.pressure_J));

@@ -169,6 +169,9 @@ TEST(LocomotionStudy, NamesFileAndKeyOfWhatDoesNotFit) {
   expect_refused(cube_study + "colour = 1\n", {"study.toml:", "output.colour"});
   expect_refused(cube_study + "[floor]\nheight = 1\n", {"study.toml", "floor"});
   expect_refused(cube + silicone + drive + time, {"study.toml", "ground.kinetic_friction is missing"});
+  expect_refused("[design]\ncells = [2, 1, 1]\ndigits = \"12\"\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n" + silicone +
+                     ground + "[drive]\nmode = \"antiphase\"\npressure_Pa = [0, 4000]\nfrequency_Hz = 20\n" + time,
+                 {"study.toml:17: drive.mode = \"antiphase\": cells (0, 0, 0) and (1, 0, 0) share the air of \"plenum 0\""});
   expect_refused(cube + silicone + ground + time,
                  {"study.toml", "drive or pressure is missing: give a table [drive] or [[pressure]]"});
   expect_refused(cube + silicone + ground + drive, {"study.toml", "time.duration_s is missing"});

@@ -1,30 +1,30 @@
-#include "fem/locomotion/locomotion_dynamics.h"
+#include "fem/walk/walk_dynamics.h"
 
 #include <utility>
 
 namespace menger::fem {
 namespace {
 
-class ExplicitLocomotion final : public LocomotionDynamics {
+class ExplicitWalk final : public WalkDynamics {
  public:
-  ExplicitLocomotion(const LocomotionStudy& study, ExplicitOptions options)
-      : body_(study.mesh, body_options(study)),
-        dynamics_(study.mesh, body_, std::move(options)),
-        plenum_count_(study.mesh.plenum_names.size()) {}
+  ExplicitWalk(const PreparedWalk& walk, ExplicitOptions options)
+      : body_(walk.mesh, body_options(walk)),
+        dynamics_(walk.mesh, body_, std::move(options)),
+        plenum_count_(walk.mesh.plenum_names.size()) {}
 
-  LocomotionOutcome advance_to(double time_s) override {
+  WalkOutcome advance_to(double time_s) override {
     const ExplicitReport& report = dynamics_.advance_to(time_s);
     return {report.status, report.reason};
   }
-  void set_state(LocomotionState state) override { dynamics_.set_state(std::get<ExplicitState>(std::move(state))); }
-  [[nodiscard]] LocomotionState state() const override { return dynamics_.state(); }
+  void set_state(WalkState state) override { dynamics_.set_state(std::get<ExplicitState>(std::move(state))); }
+  [[nodiscard]] WalkState state() const override { return dynamics_.state(); }
   [[nodiscard]] double time_s() const override { return dynamics_.state().time_s; }
   [[nodiscard]] std::size_t steps() const override { return dynamics_.state().steps; }
   [[nodiscard]] bool goes_on_from_any_state() const override { return true; }
   [[nodiscard]] std::string machine_text() const override { return body_.elements().text(); }
 
-  [[nodiscard]] LocomotionRecord record() override {
-    LocomotionRecord record;
+  [[nodiscard]] WalkRecord record() override {
+    WalkRecord record;
     record.time_s = dynamics_.state().time_s;
     record.centre_of_mass_m = dynamics_.centre_of_mass_m();
     for (std::size_t p = 0; p < plenum_count_; ++p) record.plenum_pressures_Pa.push_back(dynamics_.plenum_pressure_Pa(p));
@@ -44,10 +44,10 @@ class ExplicitLocomotion final : public LocomotionDynamics {
 
 }  // namespace
 
-std::unique_ptr<LocomotionDynamics> make_explicit_locomotion(const LocomotionStudy& study, const std::atomic<bool>* stop) {
-  ExplicitOptions options = dynamics_options(study);
+std::unique_ptr<WalkDynamics> explicit_walk_dynamics(const PreparedWalk& walk, const std::atomic<bool>* stop) {
+  ExplicitOptions options = dynamics_options(walk);
   options.stop = stop;
-  return std::make_unique<ExplicitLocomotion>(study, std::move(options));
+  return std::make_unique<ExplicitWalk>(walk, std::move(options));
 }
 
 }  // namespace menger::fem

@@ -1,0 +1,56 @@
+#include "fem/walk/walk_result.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "meshes/load_cases/observables.h"
+
+namespace menger::fem {
+
+std::optional<Travel> travel_of(const WalkResult& result) {
+  if (result.status != io::RunStatus::completed || result.records.empty()) return std::nullopt;
+  Travel travel;
+  travel.displacement_m = difference(result.records.back().centre_of_mass_m, result.records.front().centre_of_mass_m);
+  travel.horizontal_displacement_m = meshes::horizontal_displacement(travel.displacement_m);
+  travel.horizontal_displacement_body_lengths = travel.horizontal_displacement_m / result.body_length_m;
+  const double duration_s = result.records.back().time_s - result.records.front().time_s;
+  travel.body_lengths_per_minute = 60.0 * travel.horizontal_displacement_body_lengths / duration_s;
+  if (travel.horizontal_displacement_m > 0.0)
+    travel.direction_deg = 180.0 / std::numbers::pi * std::atan2(travel.displacement_m[1], travel.displacement_m[0]);
+  return travel;
+}
+
+double peak_height_m(const WalkResult& result) {
+  double highest = result.records.front().centre_of_mass_m[2];
+  for (const WalkRecord& record : result.records) highest = std::max(highest, record.centre_of_mass_m[2]);
+  return highest - result.ground_height_m;
+}
+
+Point centre_of_mass_at(const WalkResult& result, double time_s) {
+  assert(!result.records.empty());
+  const auto after = std::ranges::upper_bound(result.records, time_s, {}, &WalkRecord::time_s);
+  if (after == result.records.begin()) return after->centre_of_mass_m;
+  const WalkRecord& before = *(after - 1);
+  if (after == result.records.end()) return before.centre_of_mass_m;
+  const double share = (time_s - before.time_s) / (after->time_s - before.time_s);
+  return sum(before.centre_of_mass_m, scaled(share, difference(after->centre_of_mass_m, before.centre_of_mass_m)));
+}
+
+std::vector<Point> period_displacements_m(const WalkResult& result, double period_s) {
+  constexpr double rounding = 1e-9;  // of a count of periods
+  if (result.records.empty()) return {};
+  const double start_s = result.records.front().time_s;
+  const auto count = static_cast<std::size_t>((result.records.back().time_s - start_s) / period_s + rounding);
+  std::vector<Point> displacements;
+  Point before = result.records.front().centre_of_mass_m;
+  for (std::size_t n = 1; n <= count; ++n) {
+    const Point now = centre_of_mass_at(result, start_s + static_cast<double>(n) * period_s);
+    displacements.push_back(difference(now, before));
+    before = now;
+  }
+  return displacements;
+}
+
+}  // namespace menger::fem
