@@ -19,7 +19,6 @@
 #include "evolution/report/study_view.h"
 #include "evolution/search/search.h"
 #include "evolution/study/study_file.h"
-#include "io/process/child_program.h"
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
@@ -40,7 +39,6 @@ using Clock = std::chrono::steady_clock;
 struct Arguments {
   fs::path study;
   fs::path archive = "run.sqlite";
-  fs::path programs = io::own_program_folder();
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   StudyOverrides overrides;
 };
@@ -71,8 +69,6 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("-g,--generations", arguments.overrides.generations, "Number of generations, instead of the study's");
   app.add_option("--levels", arguments.overrides.levels, "Levels, instead of the study's, e.g. --levels 1 2");
   app.add_option("--duration", arguments.overrides.duration_s, "Simulated seconds per evaluation, instead of the study's");
-  app.add_option("--programs", arguments.programs, "Folder of the other programs of menger, for a table [reference]")
-      ->capture_default_str();
   app.add_option("--seed", arguments.overrides.seed, "Seed, instead of the study's");
   return io::parse_arguments(app, argc, argv);
 }
@@ -179,8 +175,7 @@ int evolve(const Arguments& arguments) {
   const VoxelEvaluator evaluator = evaluator_of(study);
   const VoxelEvaluator half_step = half_step_evaluator_of(study);
   Log* listener = nullptr;
-  FiniteElementEvaluatorOptions reference_options{.programs = arguments.programs,
-                                                  .runs = fs::path(arguments.archive).replace_extension(".reference")};
+  FiniteElementEvaluatorOptions reference_options{.runs = fs::path(arguments.archive).replace_extension(".reference")};
   reference_options.progress = [&](std::size_t done, std::size_t total, const std::string& name) {
     if (listener != nullptr) listener->reference(done, total, name);
   };

@@ -15,7 +15,6 @@
 #include "evolution/reevaluation/reevaluation_run.h"
 #include "evolution/reference/reevaluation_study.h"
 #include "evolution/study/study_file.h"
-#include "io/process/child_program.h"
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
@@ -35,7 +34,6 @@ using namespace menger::evolution;
 struct Arguments {
   ReevaluationRequest request;
   fs::path folder = "reevaluation";
-  fs::path programs = io::own_program_folder();
   int jobs = 0;
   bool no_pictures = false;
 };
@@ -71,7 +69,6 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("-o,--output", arguments.folder, "Folder of the results")->capture_default_str();
   app.add_option("-j,--jobs", arguments.jobs, "Number of runs at the same time (default: cores / threads of a run)")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--programs", arguments.programs, "Folder of the other programs of menger")->capture_default_str();
   app.add_flag("--no-pictures", arguments.no_pictures, "No PNG files");
   return io::parse_arguments(app, argc, argv);
 }
@@ -95,8 +92,7 @@ int reevaluate_archive(const Arguments& arguments) {
   io::note_input(inputs, arguments.request.archive.string() + " (study)", archive.study());
   io::catch_interrupts();
   std::unique_ptr<io::Progress> bar;
-  ReevaluationOptions options{.programs = arguments.programs,
-                              .jobs = arguments.jobs > 0 ? arguments.jobs : usual_jobs(study),
+  ReevaluationOptions options{.jobs = arguments.jobs > 0 ? arguments.jobs : usual_jobs(study),
                               .stop = &io::interrupted(),
                               .pictures = !arguments.no_pictures};
   options.progress = [&](std::size_t done, std::size_t total, const std::string& name) {

@@ -7,7 +7,8 @@
 #include "evolution/genome/balance.h"
 #include "evolution/reevaluation/reevaluation_chart.h"
 #include "evolution/reevaluation/reevaluation_scene.h"
-#include "io/process/child_program.h"
+#include "evolution/reference/kept_walk.h"
+#include "fem/locomotion/locomotion_run.h"
 #include "io/process/file_lock.h"
 #include "io/process/run_folder.h"
 #include "io/process/side_by_side.h"
@@ -74,11 +75,10 @@ class Reevaluator {
       : study_(study), archive_file_(std::move(archive_file)), designs_(std::move(designs)), folder_(folder), options_(options) {}
 
   ReevaluationResult run() {
-    const fs::path program = io::program_in(options_.programs, "menger-locomote");
     { const io::FileLock lock(archive_file_); }  // throws before the work begins if another process writes to the archive
     choose();
     io::require_writable_folder(folder_);
-    if (!walk_surrogates() || !walk_elements(program)) {
+    if (!walk_surrogates() || !walk_elements()) {
       result_.status = io::RunStatus::stopped;
       return std::move(result_);
     }
@@ -137,7 +137,7 @@ class Reevaluator {
   }
 
   /// Evaluates all designs and variants on finite elements. @return false if the user stopped it
-  bool walk_elements(const fs::path& program) {
+  bool walk_elements() {
     std::vector<LocomotionJob> jobs;
     std::vector<ReevaluatedDesign>& designs = findings().designs;
     for (std::size_t n = 0; n < designs.size(); ++n) {
@@ -153,7 +153,7 @@ class Reevaluator {
         findings().variants.push_back({.design = n, .variant = variant, .run = {}});
       }
     }
-    const LocomotionRunOptions run_options{.program = program,
+    const LocomotionRunOptions run_options{.walker = options_.walker,
                                            .runs = folder_ / "runs",
                                            .time_limit_s = study_.time_limit_s,
                                            .jobs = options_.jobs,
@@ -204,6 +204,21 @@ class Reevaluator {
 };
 
 }  // namespace
+
+fem::LocomotionResult walk_with_frames(const LocomotionJob& job, const fs::path& folder, const std::atomic<bool>& stop) {
+  if (!job.study.output.frames) return kept_walk(job, folder, stop);
+  fem::LocomotionStudy study = job.study;
+  study.file = job.name;
+  fem::prepare(study);
+  const fs::path results = folder / "result";
+  try {
+    return fem::run_locomotion(study, results, {.stop = &stop});
+  } catch (const io::InputError&) {
+    // A checkpoint that is damaged, or was made by another version or instruction set, must not prevent the run.
+    if (!fs::exists(results / "locomotion.checkpoint")) throw;
+    return fem::run_locomotion(study, results, {.restart = true, .stop = &stop});
+  }
+}
 
 ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive, const fs::path& folder,
                               const ReevaluationOptions& options) {

@@ -9,17 +9,22 @@
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/reevaluation/reevaluation_table.h"
+#include "evolution/reference/reevaluation_runner.h"
 #include "evolution/reference/reevaluation_study.h"
 #include "io/text/run_status.h"
 
 namespace menger::evolution {
 
+/// Makes the walk of a job as kept_walk does, with frames if its study has them. @param folder not empty if it has them
+fem::LocomotionResult walk_with_frames(const LocomotionJob& job, const std::filesystem::path& folder,
+                                       const std::atomic<bool>& stop);
+
 /// Options that decide how designs are evaluated again. They do not change the results.
 struct ReevaluationOptions {
-  std::filesystem::path programs;  ///< folder of menger-locomote
-  int jobs = 1;                    ///< number of designs at the same time
+  int jobs = 1;  ///< number of designs at the same time
   const std::atomic<bool>* stop = nullptr;
   bool pictures = true;
+  Walker walker = walk_with_frames;  ///< makes the walks on finite elements
 
   /// Called during the runs. @param done, total numbers of runs of finite elements @param name a run that is being made
   std::function<void(std::size_t done, std::size_t total, const std::string& name)> progress{};
@@ -46,7 +51,7 @@ struct ReevaluationResult {
 /// hash of the body that the search simulated.
 /// @param archive that of the study; it is closed before its file is written to, so that in the end the file has everything,
 /// without a log beside it
-/// @throws io::InputError if no design can be evaluated (with the first reason), the program is missing or refuses every design,
+/// @throws io::InputError if no design can be evaluated (with the first reason), finite elements refuse every design,
 /// another process writes to the archive, or a file cannot be written
 ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive, const std::filesystem::path& folder,
                               const ReevaluationOptions& options);

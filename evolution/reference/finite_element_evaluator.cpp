@@ -7,9 +7,7 @@
 #include "evolution/reference/reevaluation_locomotion.h"
 #include "evolution/reference/reevaluation_runner.h"
 #include "evolution/reference/reevaluation_surrogate.h"
-#include "io/process/child_program.h"
 #include "io/text/content_hash.h"
-#include "io/text/input_error.h"
 
 namespace menger::evolution {
 
@@ -25,7 +23,7 @@ std::unique_ptr<FiniteElementEvaluator> reference_evaluator_of(Study& study, con
 }
 
 FiniteElementEvaluator::FiniteElementEvaluator(ReevaluationStudy study, FiniteElementEvaluatorOptions options)
-    : study_(std::move(study)), options_(std::move(options)), program_(io::program_in(options_.programs, "menger-locomote")) {}
+    : study_(std::move(study)), options_(std::move(options)) {}
 
 Distinction FiniteElementEvaluator::distinction() const { return distinction_of(study_.search); }
 
@@ -42,8 +40,7 @@ std::optional<std::vector<ReferenceResult>> FiniteElementEvaluator::evaluate(std
     const std::string name = std::to_string(jobs.size() + 1) + " of " + std::to_string(bodies.size());
     jobs.push_back(locomotion_job(study_, study_.elements, body, name, false));
   }
-  const LocomotionRunOptions run_options{.program = program_,
-                                         .runs = options_.runs,
+  const LocomotionRunOptions run_options{.runs = options_.runs,
                                          .time_limit_s = study_.time_limit_s,
                                          .jobs = options_.jobs,
                                          .stop = stop,

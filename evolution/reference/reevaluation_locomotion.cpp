@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "evolution/reference/reevaluation_surrogate.h"
-#include "fem/locomotion/locomotion_study_file.h"
-#include "io/study/study_text.h"
 #include "io/text/toml_text.h"
 #include "materials/laws/study_law.h"
 
@@ -92,7 +90,7 @@ std::string protocol_text(const ReevaluationStudy& study, const LocomotionOption
 
 LocomotionJob locomotion_job(const ReevaluationStudy& study, const LocomotionOptions& options, const meshes::Polycube& body,
                              const std::string& name, bool with_frames) {
-  return {.name = name, .study = io::described_text(locomotion_study(study, options, body, with_frames))};
+  return {.name = name, .study = locomotion_study(study, options, body, with_frames)};
 }
 
 }  // namespace menger::evolution

@@ -8,14 +8,14 @@
 
 namespace menger::evolution {
 
-/// A run of `menger locomote`.
+/// A walk on finite elements that is to be made.
 struct LocomotionJob {
-  std::string name;   ///< for people
-  std::string study;  ///< content of its study file, which needs no other file
+  std::string name;            ///< for people
+  fem::LocomotionStudy study;  ///< as stated, see locomotion_study
 };
 
-/// The walk of a body on finite elements: body, drive, ground and times as the search has them. What follows from a study that
-/// was read (mesh, ground of that mesh, supply) is left out.
+/// The walk of a body on finite elements: body, drive, ground and times as the search has them. What follows from these (mesh,
+/// ground of that mesh, supply; see fem::prepare) is left out.
 /// @param options finite elements, which may differ from those of the study
 fem::LocomotionStudy locomotion_study(const ReevaluationStudy& study, const LocomotionOptions& options,
                                       const meshes::Polycube& body, bool with_frames);
@@ -23,7 +23,7 @@ fem::LocomotionStudy locomotion_study(const ReevaluationStudy& study, const Loco
 /// All that decides a result beside the body, as text: equal texts mean that results of one body are equal.
 std::string protocol_text(const ReevaluationStudy& study, const LocomotionOptions& options);
 
-/// The run that computes such a walk. @param name for people
+/// Such a walk as a job. @param name for people
 LocomotionJob locomotion_job(const ReevaluationStudy& study, const LocomotionOptions& options, const meshes::Polycube& body,
                              const std::string& name, bool with_frames);
 

@@ -1,16 +1,18 @@
 #include "evolution/reference/reevaluation_runner.h"
 
 #include <algorithm>
+#include <chrono>
+#include <exception>
+#include <future>
 #include <map>
 #include <mutex>
 #include <system_error>
 #include <utility>
 
 #include "fem/locomotion/locomotion_result.h"
-#include "io/process/exit_code.h"
 #include "io/process/file_lock.h"
-#include "io/process/program_job.h"
 #include "io/process/side_by_side.h"
+#include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
@@ -23,7 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* record_name = "calls.toml";
 constexpr const char* result_folder = "result";
-constexpr const char* checkpoint_name = "locomotion.checkpoint";
 
 /// The state of a run after all calls so far.
 struct Calls {
@@ -74,68 +75,106 @@ void read_or_fail(LocomotionRun& run) {
   }
 }
 
-/// Ends a run that exceeded its time limit. Its result counts if it ended by itself just then.
-void end_by_limit(LocomotionRun& run, double time_limit_s, double seconds) {
-  read_or_fail(run);
-  if (run.status && *run.status != io::RunStatus::stopped) return;
+/// Ends a run that exceeded its time limit.
+void mark_limit(LocomotionRun& run, double time_limit_s, double seconds) {
   run.status = io::RunStatus::stopped;
   run.displacement_m.reset();
   run.seconds = seconds;
   run.reason = "time limit of " + io::number_text(time_limit_s) + " s";
 }
 
-io::ProgramJob child_of(const LocomotionJob& job, const LocomotionRunOptions& options) {
-  io::ProgramJob child;
-  child.name = job.name;
-  child.program = options.program;
-  child.arguments = {"study.toml", "-o", result_folder, "--quiet", "--no-pictures"};
-  child.inputs = {{"study.toml", job.study}};
-  child.kept_folder = fs::absolute(options.runs / io::job_hash(child));
-  return child;
+/// Does the same for a run of an earlier call.
+void end_by_limit(LocomotionRun& run, double time_limit_s, double seconds) {
+  read_or_fail(run);
+  mark_limit(run, time_limit_s, seconds);
+}
+
+/// Returns the hash of this program, because another build may give another result.
+const std::string& program_hash() {
+  static const std::string hash = io::file_hash("/proc/self/exe");
+  return hash;
+}
+
+/// Returns a text that is the same for equal jobs only.
+std::string key_of(const LocomotionJob& job) { return fem::locomotion_text(job.study); }
+
+/// Returns the folder of a job; empty if nothing is kept.
+fs::path folder_of(const LocomotionJob& job, const fs::path& runs) {
+  constexpr std::size_t digits = 16;
+  if (runs.empty()) return {};
+  return fs::absolute(runs / io::content_hash(program_hash() + "\n" + key_of(job)).substr(0, digits));
+}
+
+/// How a call of a walker ended.
+struct Call {
+  LocomotionRun run;
+  bool is_timed_out = false;
+  bool is_stopped = false;  ///< by the user
+  double seconds = 0.0;
+};
+
+/// Lets a walker walk in a thread of its own, and watches the time meanwhile.
+Call call_walker(const LocomotionJob& job, const fs::path& folder, double time_limit_s, const LocomotionRunOptions& options,
+                 const std::function<void()>& waiting) {
+  const auto start = std::chrono::steady_clock::now();
+  Call call;
+  std::atomic<bool> ends{false};
+  auto walked = std::async(std::launch::async, [&] { return options.walker(job, folder, ends); });
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const std::chrono::duration<double> pause(std::min(0.1, 0.5 * time_limit_s));
+  while (walked.wait_for(pause) != std::future_status::ready) {
+    waiting();
+    call.is_stopped = options.stop != nullptr && *options.stop;
+    call.is_timed_out = !call.is_stopped && seconds() >= time_limit_s;
+    if (call.is_stopped || call.is_timed_out) ends = true;
+  }
+  try {
+    const fem::LocomotionResult result = walked.get();
+    take(result, call.run);
+    if (!folder.empty()) {
+      fem::trajectory_table(result).write(folder / result_folder / "trajectory.csv");
+      io::write_whole(folder / result_folder / "locomotion.toml", fem::result_text(result));
+    }
+  } catch (const io::InputError& error) {
+    call.run.is_refused = true;
+    call.run.reason = error.what();
+  } catch (const std::exception& error) {  // such as lack of memory, which need not end the others
+    call.run.reason = error.what();
+  }
+  // A walk that ended by itself just then counts.
+  if (call.run.status != io::RunStatus::stopped) call.is_stopped = call.is_timed_out = false;
+  call.seconds = seconds();
+  return call;
 }
 
 /// Runs one job, or finds its result from an earlier call. @return nothing if the user stopped it
 std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const LocomotionRunOptions& options,
                                             const std::function<void()>& waiting) {
-  io::ProgramJob child = child_of(job, options);
-  LocomotionRun run;
-  run.folder = child.kept_folder / result_folder;
-  Calls calls = read_calls(child.kept_folder);
+  const fs::path folder = folder_of(job, options.runs);
+  LocomotionRun found;
+  if (!folder.empty()) found.folder = folder / result_folder;
+  Calls calls = folder.empty() ? Calls{} : read_calls(folder);
   if (calls.is_finished) {
-    read_or_fail(run);
-    if (run.status) return run;
+    read_or_fail(found);
+    if (found.status) return found;
     calls = {};  // its files are damaged or missing
   }
   if (calls.time_limit_s >= options.time_limit_s) {
-    end_by_limit(run, calls.time_limit_s, calls.seconds);
-    return run;
+    end_by_limit(found, calls.time_limit_s, calls.seconds);
+    return found;
   }
-  child.time_limit_s = std::max(1e-3, options.time_limit_s - calls.seconds);
-  const io::ProgramJobOptions job_options{.runs = options.runs, .stop = options.stop, .waiting = [&](double) { waiting(); }};
-  io::ProgramJobResult result = io::run_job(child, job_options);
-  std::error_code ignored;
-  if (result.is_refused() && fs::exists(run.folder / checkpoint_name, ignored)) {
-    // A checkpoint that is damaged, or was made by another program or instruction set, must not prevent the run.
-    child.arguments.emplace_back("--restart");
-    result = io::run_job(child, job_options);
-  }
-  calls.seconds += result.outcome.wall_s;
-  calls.is_finished = result.has_result();
-  const bool is_timed_out = result.outcome.end == io::ChildEnd::timed_out;
-  calls.time_limit_s = is_timed_out ? options.time_limit_s : 0.0;  // a run that the user stopped may be resumed under any limit
-  write_calls(child.kept_folder, calls);
-  if (result.is_stopped()) return std::nullopt;
-  run.is_repeated = true;
-  run.is_refused = result.is_refused();
-  run.seconds = calls.seconds;
-  if (result.has_result()) {
-    read_or_fail(run);
-  } else if (is_timed_out) {
-    end_by_limit(run, options.time_limit_s, calls.seconds);
-  } else {
-    run.reason = result.failure();
-  }
-  return run;
+  Call call = call_walker(job, folder, std::max(1e-3, options.time_limit_s - calls.seconds), options, waiting);
+  calls.seconds += call.seconds;
+  calls.is_finished = call.run.status && *call.run.status != io::RunStatus::stopped;
+  calls.time_limit_s =
+      call.is_timed_out ? options.time_limit_s : 0.0;  // a run that the user stopped may be resumed under any limit
+  if (!folder.empty()) write_calls(folder, calls);
+  if (call.is_stopped) return std::nullopt;
+  call.run.folder = found.folder;
+  call.run.is_repeated = true;
+  if (call.is_timed_out) mark_limit(call.run, options.time_limit_s, calls.seconds);
+  if (!call.run.status) call.run.seconds = calls.seconds;
+  return call.run;
 }
 
 }  // namespace
@@ -166,13 +205,16 @@ void require_accepted(std::span<const LocomotionRun> runs) {
 
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
                                                           const LocomotionRunOptions& options) {
-  io::require_writable_folder(options.runs);
-  const io::FileLock lock(options.runs);
-  // Equal jobs share a folder: the first of them is run.
-  std::map<fs::path, std::size_t> place_of;
+  std::optional<io::FileLock> lock;
+  if (!options.runs.empty()) {
+    io::require_writable_folder(options.runs);
+    lock.emplace(options.runs);
+  }
+  // The first of equal jobs is run.
+  std::map<std::string, std::size_t> place_of;
   std::vector<std::size_t> first;
   for (std::size_t n = 0; n < jobs.size(); ++n) {
-    if (place_of.emplace(child_of(jobs[n], options).kept_folder, first.size()).second) first.push_back(n);
+    if (place_of.emplace(key_of(jobs[n]), first.size()).second) first.push_back(n);
   }
   std::vector<LocomotionRun> made(first.size());
   std::mutex mutex;
@@ -193,7 +235,7 @@ std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const Locomo
   if (!is_whole) return std::nullopt;
   std::vector<LocomotionRun> runs;
   for (std::size_t n = 0; n < jobs.size(); ++n) {
-    const std::size_t place = place_of.at(child_of(jobs[n], options).kept_folder);
+    const std::size_t place = place_of.at(key_of(jobs[n]));
     runs.push_back(made[place]);
     if (first[place] != n) runs.back().is_repeated = false;
   }

@@ -13,15 +13,17 @@
 #include <vector>
 
 #include "evolution/evaluation/evaluator.h"
+#include "evolution/reference/kept_walk.h"
 #include "evolution/reference/reevaluation_locomotion.h"
+#include "fem/locomotion/locomotion_result.h"
 #include "io/text/run_status.h"
 #include "voxel/scene/trajectory.h"
 
 namespace menger::evolution {
 
-/// The result of a run of `menger locomote`.
+/// The result of a job.
 struct LocomotionRun {
-  std::optional<io::RunStatus> status;  ///< none if the program gave no result
+  std::optional<io::RunStatus> status;  ///< none if the walk gave no result
   std::string reason;
   std::optional<std::array<double, 3>> displacement_m;  ///< exists exactly if completed
   std::optional<std::array<double, 3>> left_out_m{};    ///< displacement before that, see leave_out
@@ -29,9 +31,9 @@ struct LocomotionRun {
   std::uint64_t steps = 0;
   std::uint64_t elements = 0;
   double seconds = 0.0;            ///< wall time over all calls
-  std::filesystem::path folder{};  ///< of the results
+  std::filesystem::path folder{};  ///< of the results; empty if nothing is kept
   voxel::Trajectory trajectory;
-  bool is_refused = false;   ///< the program refused its input
+  bool is_refused = false;   ///< finite elements refused its study
   bool is_repeated = false;  ///< computed in this call, not found from an earlier one
 };
 
@@ -45,16 +47,24 @@ void leave_out(LocomotionRun& run, double until_s);
 /// Returns a run as the archive keeps it. A run without a result has the status `stopped`, too.
 Evaluation evaluation_of(const LocomotionRun& run);
 
-/// Checks that the program accepted the input of at least one run.
-/// @throws io::InputError if it refused every run: then the study is wrong, not a design
+/// Checks that finite elements accepted the study of at least one run.
+/// @throws io::InputError if they refused every run: then the study is wrong, not a design
 void require_accepted(std::span<const LocomotionRun> runs);
+
+/// Makes the walk of a job. Thread-safe.
+/// @param folder of its own, for what it keeps; empty: it keeps nothing
+/// @param stop when it becomes true, the walk returns soon as `stopped`
+/// @throws io::InputError if finite elements refuse the study
+using Walker = std::function<fem::LocomotionResult(const LocomotionJob& job, const std::filesystem::path& folder,
+                                                   const std::atomic<bool>& stop)>;
 
 /// Options that decide how runs are made. Apart from the time limit they do not change the results.
 struct LocomotionRunOptions {
-  std::filesystem::path program;  ///< menger-locomote
-  std::filesystem::path runs;     ///< folder with a folder per job, whose name is the hash of program and input
-  double time_limit_s = 3600.0;   ///< wall time of a run, over all calls
-  int jobs = 1;                   ///< number of runs at the same time
+  Walker walker = kept_walk;
+  /// Folder with a folder per job, whose name is the hash of this program and the study. Empty: nothing is kept.
+  std::filesystem::path runs{};
+  double time_limit_s = 3600.0;  ///< wall time of a run, over all calls
+  int jobs = 1;                  ///< number of runs at the same time
   const std::atomic<bool>* stop = nullptr;
 
   /// Called after every run and ten times a second in between, never twice at the same time.
@@ -65,10 +75,9 @@ struct LocomotionRunOptions {
 /// Runs jobs in parallel. Equal jobs are run once. A failure of one does not end the others.
 ///
 /// A run that finished in an earlier call is found again. A run that was stopped is resumed from its checkpoint. A run that
-/// exceeded its time limit is resumed only if the limit is larger now. If the program refuses the checkpoint, the run starts
-/// again.
+/// exceeded its time limit is resumed only if the limit is larger now.
 /// @return results in the order of the jobs; nothing if the user stopped it, and finished runs are kept
-/// @throws io::InputError if the program cannot be started, the folder cannot be written or another process runs jobs in it
+/// @throws io::InputError if the folder cannot be written or another process runs jobs in it
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
                                                           const LocomotionRunOptions& options);
 

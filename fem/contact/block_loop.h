@@ -1,6 +1,7 @@
 #pragma once
 
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -17,9 +18,11 @@ class BlockLoop {
   /// @param threads number of threads; up to 1: no thread is started
   explicit BlockLoop(int threads) {
     if (threads <= 1) return;
-    // Without this, tbb would not start more threads than there are cores.
-    allowed_ =
-        std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    // Without this, tbb would not start more threads than there are cores. It holds for all loops of the process, so that it is
+    // not set where it would only take threads from the others.
+    if (threads > tbb::info::default_concurrency())
+      allowed_ =
+          std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     arena_ = std::make_unique<tbb::task_arena>(threads);
   }
 

@@ -1,4 +1,4 @@
-// The archive of a search, menger-reevaluate and menger-locomote together.
+// The archive of a search, and menger-reevaluate.
 
 #include <gtest/gtest.h>
 

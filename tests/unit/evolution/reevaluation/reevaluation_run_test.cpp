@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <stdexcept>
+#include <thread>
 
 #include "io/process/file_lock.h"
 #include "io/text/csv_table.h"
@@ -18,25 +23,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A script in place of finite elements: n cells move n mm along x in 0.1 s and a hundredth of that along y, times the square
-/// root of E / 260 kPa. It runs `before` first.
-std::string fake_locomote(const std::string& before = "") {
-  return R"(cells=$(sed -n 's/^layers = //p' study.toml | tr -cd 12 | wc -c)
-modulus=$(sed -n 's/^youngs_modulus_Pa = //p' study.toml)
-through=1
-grep -q '^fidelity = "fine"' study.toml && through=2
-)" + before +
-         R"(
-mkdir -p result
-awk -v n=$cells -v e=${modulus:-260000} -v t=$through 'BEGIN {
-  f = sqrt(e / 260000); x = n * 1e-3 * f
-  out = "result/trajectory.csv"
-  print "time_s,centre_of_mass_x_m,centre_of_mass_y_m,centre_of_mass_z_m" > out
-  for (i = 0; i <= 5; ++i) printf "%.12g,%.12g,%.12g,%.12g\n", i * 0.02, 0.015 + x * i / 5, 0.015 + x * i / 500, 0.005 > out
-  printf "status = \"completed\"\nreason = \"\"\ntime_s = 0.1\nsteps = %d\nelements = %d\n", 1000 * t, 10 * t > "result/locomotion.toml"
-  printf "body_length_m = 0.03\nseconds = 0.5\n" > "result/locomotion.toml"
-}'
-)";
+std::size_t cells_of(const LocomotionJob& job) { return job.study.design.body.occupied().size(); }
+
+/// A law in place of finite elements: n cells move n mm along x in 0.1 s and a hundredth of that along y, times the square root
+/// of E / 260 kPa.
+fem::LocomotionResult fake_walk(const LocomotionJob& job) {
+  const double modulus_Pa = job.study.silicone.youngs_modulus_Pa.value_or(260e3);
+  const std::size_t through = job.study.elements.fidelity == fem::Fidelity::fine ? 2 : 1;
+  const double x_m = static_cast<double>(cells_of(job)) * 1e-3 * std::sqrt(modulus_Pa / 260e3);
+  fem::LocomotionResult result;
+  result.status = io::RunStatus::completed;
+  result.time_s = 0.1;
+  result.steps = 1000 * through;
+  result.elements = 10 * through;
+  result.body_length_m = 0.03;
+  result.seconds = 0.5;
+  for (int i = 0; i <= 5; ++i)
+    result.records.push_back({.time_s = 0.02 * i, .centre_of_mass_m = {0.015 + x_m * i / 5.0, 0.015 + x_m * i / 500.0, 0.005}});
+  return result;
+}
+
+/// A walk that ends early, with a record of its start.
+fem::LocomotionResult early_end(io::RunStatus status, const std::string& reason) {
+  fem::LocomotionResult result;
+  result.status = status;
+  result.reason = reason;
+  result.time_s = 0.01;
+  result.steps = 7;
+  result.elements = 3;
+  result.body_length_m = 0.03;
+  result.seconds = 0.1;
+  result.records.push_back({});
+  return result;
+}
+
+/// A walk that goes on until it is stopped.
+fem::LocomotionResult endless_walk(const std::atomic<bool>& stop) {
+  while (!stop) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return early_end(io::RunStatus::stopped, "interrupted");
 }
 
 const std::string cell = "100000000000000000000000000";
@@ -46,21 +70,21 @@ const std::string plate_4 = "110110000000000000000000000";
 const std::string plate_6 = "111111000000000000000000000";
 const std::string weak = "100010000000000000000000000";
 
-/// An archive of silicone robots, and a script in place of the program, which writes its calls into the file `calls`.
+/// An archive of silicone robots, and a law in place of finite elements, whose calls are counted.
 class ReevaluationRun : public testing::Test {
  protected:
   ReevaluationRun() {
-    fs::create_directories(folder_ / "bin");
-    add_program(fake_locomote());
+    walk_as([](const LocomotionJob& job, const std::atomic<bool>&) { return fake_walk(job); });
     tests::make_archive(archive_, tests::silicone_study(), {bar_3, weak, bar_2, plate_4, cell, plate_6});
-    options_.programs = folder_ / "bin";
     options_.pictures = false;
   }
 
-  void add_program(const std::string& lines) const {
-    const fs::path file = folder_ / "bin/menger-locomote";
-    io::write_whole(file, "#!/bin/sh\nset -e\necho call >>'" + (folder_ / "calls").string() + "'\n" + lines);
-    fs::permissions(file, fs::perms::owner_all);
+  /// Lets designs walk in another way from now on.
+  void walk_as(const std::function<fem::LocomotionResult(const LocomotionJob&, const std::atomic<bool>&)>& walk) {
+    options_.walker = [this, walk](const LocomotionJob& job, const fs::path&, const std::atomic<bool>& stop) {
+      ++calls_;
+      return walk(job, stop);
+    };
   }
 
   /// @param top_keys of the study @param more keys of [time] or tables
@@ -75,13 +99,12 @@ class ReevaluationRun : public testing::Test {
     return reevaluate(study, std::move(archive), folder_ / "out", options_);
   }
 
-  [[nodiscard]] std::size_t calls() const {
-    return fs::exists(folder_ / "calls") ? io::read_whole(folder_ / "calls").size() / 5 : 0;
-  }
+  [[nodiscard]] std::size_t calls() const { return calls_; }
   [[nodiscard]] io::CsvContents table(const char* name) const { return io::read_csv(folder_ / "out" / name); }
 
   const tests::TestFolder folder_;
   fs::path archive_ = folder_ / "run.sqlite";
+  std::atomic<std::size_t> calls_{0};
   ReevaluationOptions options_;
   std::string least_ = "0.001";  ///< least displacement with a direction, in body lengths
 };
@@ -155,7 +178,12 @@ TEST_F(ReevaluationRun, TheNumbersOfATableFollowFromItsDisplacements) {
 }
 
 TEST_F(ReevaluationRun, AFallShowsInTheLowestHeight) {
-  add_program(fake_locomote() + "printf '0.12,0.018,0.015,0.003\\n0.14,0.018,0.015,0.006\\n' >>result/trajectory.csv\n");
+  walk_as([](const LocomotionJob& job, const std::atomic<bool>&) {
+    fem::LocomotionResult result = fake_walk(job);
+    result.records.push_back({.time_s = 0.12, .centre_of_mass_m = {0.018, 0.015, 0.003}});
+    result.records.push_back({.time_s = 0.14, .centre_of_mass_m = {0.018, 0.015, 0.006}});
+    return result;
+  });
   (void)run(1);
   EXPECT_NEAR(table("reevaluation.csv").number(0, "elements_least_dz_m"), -0.002, 1e-12);
 }
@@ -212,12 +240,12 @@ TEST_F(ReevaluationRun, ASecondCallRepeatsNothing) {
 }
 
 TEST_F(ReevaluationRun, AFailedDesignDoesNotEndTheOthers) {
-  add_program(fake_locomote(R"(case $cells in
-2) mkdir -p result; printf 'status = "diverged"\nreason = "too fast"\ntime_s = 0.01\nsteps = 7\nelements = 3\nbody_length_m = 0.03\nseconds = 0.1\n' >result/locomotion.toml
-   printf 'time_s,centre_of_mass_x_m,centre_of_mass_y_m,centre_of_mass_z_m\n0,0,0,0\n' >result/trajectory.csv; exit 3;;
-4) echo broken >&2; exit 1;;
-1) exit 0;;
-esac)"));
+  walk_as([](const LocomotionJob& job, const std::atomic<bool>&) {
+    if (cells_of(job) == 2) return early_end(io::RunStatus::diverged, "too fast");
+    if (cells_of(job) == 4) throw std::runtime_error("broken");
+    if (cells_of(job) == 1) throw io::InputError("too small");
+    return fake_walk(job);
+  });
   const ReevaluationResult result = run(5);
   EXPECT_EQ(result.status, io::RunStatus::completed);
   const io::CsvContents found = table("reevaluation.csv");
@@ -228,8 +256,9 @@ esac)"));
   EXPECT_EQ(found.text(row_of_cells.at("2"), "elements_reason"), "too fast");
   EXPECT_EQ(found.text(row_of_cells.at("2"), "elements_dx_m"), "");
   EXPECT_EQ(found.text(row_of_cells.at("4"), "elements_status"), "failed");
-  EXPECT_EQ(found.text(row_of_cells.at("4"), "elements_reason"), "exit code 1: broken");
-  EXPECT_EQ(found.text(row_of_cells.at("1"), "elements_status"), "failed") << "no result was written";
+  EXPECT_EQ(found.text(row_of_cells.at("4"), "elements_reason"), "broken");
+  EXPECT_EQ(found.text(row_of_cells.at("1"), "elements_status"), "failed") << "it was refused";
+  EXPECT_EQ(found.text(row_of_cells.at("1"), "elements_reason"), "too small");
   EXPECT_EQ(found.text(row_of_cells.at("6"), "elements_status"), "completed");
   EXPECT_EQ(table("ranking.csv").text(0, "count"), "2") << "those that completed in both models";
   std::size_t with_result = 0;
@@ -239,7 +268,7 @@ esac)"));
 }
 
 TEST_F(ReevaluationRun, WhereNothingCompletesTheOutcomeIsNumerical) {
-  add_program("exit 1\n");
+  walk_as([](const LocomotionJob&, const std::atomic<bool>&) -> fem::LocomotionResult { throw std::runtime_error("broken"); });
   const ReevaluationResult result = run(2);
   EXPECT_EQ(result.status, io::RunStatus::not_converged);
   EXPECT_EQ(table("reevaluation.csv").row_count(), 2U);
@@ -299,20 +328,11 @@ TEST_F(ReevaluationRun, TheFileOfTheArchiveHoldsEverything) {
 TEST_F(ReevaluationRun, ALimitedRunDoesNotReplaceWhatIsKnown) {
   (void)run(1);
   fs::remove_all(folder_ / "out");
-  add_program("exec sleep 60\n");
+  walk_as([](const LocomotionJob&, const std::atomic<bool>& stop) { return endless_walk(stop); });
   EXPECT_EQ(run(1, 0, "", "time_limit_s = 0.2\n").status, io::RunStatus::not_converged);
   const std::vector<Reevaluation> rows = RunArchive::open_to_read(archive_).reevaluations();
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_TRUE(rows[0].result.displacement_m) << "of the first call";
-}
-
-TEST_F(ReevaluationRun, ACheckpointThatIsRefusedIsLeftAside) {
-  add_program(
-      "case \"$*\" in *--restart*) ;; *) mkdir -p result; touch result/locomotion.checkpoint; echo 'no checkpoint' >&2; exit 2;; "
-      "esac\n" +
-      fake_locomote());
-  EXPECT_EQ(run(1).status, io::RunStatus::completed);
-  EXPECT_EQ(calls(), 2U);
 }
 
 TEST_F(ReevaluationRun, EqualVariantsAndASecondProcessAreRefused) {
@@ -326,19 +346,30 @@ TEST_F(ReevaluationRun, EqualVariantsAndASecondProcessAreRefused) {
 
 TEST(Locomotions, EqualJobsAreRunOnceForAll) {
   const tests::TestFolder folder;
-  io::write_whole(folder / "program", "#!/bin/sh\nset -e\necho call >>'" + (folder / "calls").string() + "'\n" + fake_locomote());
-  fs::permissions(folder / "program", fs::perms::owner_all);
-  const LocomotionJob job{.name = "one", .study = "elements_through_wall = 1\nlayers = 111\n"};
+  LocomotionJob job{.name = "one", .study = {}};
+  job.study.drive.emplace();
+  job.study.design = {"bar", meshes::Polycube::from_digits(3, 1, 1, "111"), 0.01};
   LocomotionJob other = job;
-  other.study = "elements_through_wall = 1\nlayers = 11\n";
+  other.study.design.body = meshes::Polycube::from_digits(2, 1, 1, "11");
   const std::vector<LocomotionJob> jobs{job, other, job};
-  const auto runs = run_locomotions(jobs, {.program = folder / "program", .runs = folder / "runs", .jobs = 3});
-  ASSERT_TRUE(runs);
-  EXPECT_EQ(io::read_whole(folder / "calls").size(), 10U) << "two calls";
-  EXPECT_EQ((*runs)[0].displacement_m, (*runs)[2].displacement_m);
-  EXPECT_TRUE((*runs)[0].displacement_m);
-  EXPECT_NE((*runs)[1].displacement_m, (*runs)[0].displacement_m);
-  EXPECT_FALSE((*runs)[2].is_repeated);
+  std::atomic<int> calls{0};
+  const Walker walker = [&](const LocomotionJob& one, const fs::path&, const std::atomic<bool>&) {
+    ++calls;
+    return fake_walk(one);
+  };
+  for (const bool is_kept : {false, true}) {
+    calls = 0;
+    const auto runs = run_locomotions(jobs, {.walker = walker, .runs = is_kept ? folder / "runs" : fs::path(), .jobs = 3});
+    ASSERT_TRUE(runs);
+    EXPECT_EQ(calls, 2);
+    EXPECT_EQ((*runs)[0].displacement_m, (*runs)[2].displacement_m);
+    EXPECT_TRUE((*runs)[0].displacement_m);
+    EXPECT_NE((*runs)[1].displacement_m, (*runs)[0].displacement_m);
+    EXPECT_FALSE((*runs)[2].is_repeated);
+    EXPECT_EQ((*runs)[0].folder.empty(), !is_kept);
+  }
+  EXPECT_EQ(run_locomotions(jobs, {.walker = walker, .runs = folder / "runs"})->front().steps, 1000U);
+  EXPECT_EQ(calls, 2) << "the files hold the results";
 }
 
 TEST_F(ReevaluationRun, StopsAndGoesOn) {
@@ -356,7 +387,9 @@ TEST_F(ReevaluationRun, StopsAndGoesOn) {
 }
 
 TEST_F(ReevaluationRun, ARunWhoseTimeIsUpGoesOnUnderALargerLimit) {
-  add_program(fake_locomote("if [ ! -f began ]; then touch began; exec sleep 60; fi"));
+  walk_as([this](const LocomotionJob& job, const std::atomic<bool>& stop) {
+    return calls() == 1 ? endless_walk(stop) : fake_walk(job);
+  });
   const ReevaluationResult limited = run(1, 0, "", "time_limit_s = 0.2\n");
   EXPECT_EQ(limited.status, io::RunStatus::not_converged);
   EXPECT_EQ(table("reevaluation.csv").text(0, "elements_status"), "stopped");
@@ -374,8 +407,10 @@ TEST_F(ReevaluationRun, DamagedResultsAreMadeAgain) {
   EXPECT_EQ(table("reevaluation.csv").text(0, "elements_status"), "completed");
 }
 
-TEST_F(ReevaluationRun, InputThatTheProgramRefusesOfEveryDesignIsWrongInput) {
-  add_program("echo 'study.toml: ground.height_m = 7: too high' >&2\nexit 2\n");
+TEST_F(ReevaluationRun, InputThatFiniteElementsRefuseOfEveryDesignIsWrongInput) {
+  walk_as([](const LocomotionJob&, const std::atomic<bool>&) -> fem::LocomotionResult {
+    throw io::InputError("ground.height_m = 7: too high");
+  });
   const std::string message = tests::message_of([&] { (void)run(2); });
   EXPECT_NE(message.find("ground.height_m = 7: too high"), std::string::npos) << message;
   EXPECT_FALSE(fs::exists(folder_ / "out/reevaluation.csv"));
@@ -392,12 +427,8 @@ TEST_F(ReevaluationRun, DesignsThatCannotBeCastAreWrongInput) {
   EXPECT_EQ(calls(), 0U);
 }
 
-TEST_F(ReevaluationRun, AMissingProgramOrAnArchiveInUseIsFoundBeforeAnythingRuns) {
-  {
-    const io::FileLock lock(archive_);
-    EXPECT_THROW((void)run(1), io::InputError);
-  }
-  fs::remove(folder_ / "bin/menger-locomote");
+TEST_F(ReevaluationRun, AnArchiveInUseIsFoundBeforeAnythingRuns) {
+  const io::FileLock lock(archive_);
   EXPECT_THROW((void)run(1), io::InputError);
   EXPECT_EQ(calls(), 0U);
   EXPECT_FALSE(fs::exists(folder_ / "out"));

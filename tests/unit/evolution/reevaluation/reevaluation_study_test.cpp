@@ -13,6 +13,7 @@
 #include "fem/locomotion/locomotion_study_file.h"
 #include "io/study/study_reader.h"
 #include "io/study/study_template.h"
+#include "io/study/study_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "materials/laws/law_file.h"
@@ -145,7 +146,7 @@ TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheS
   const ReevaluationStudy study = read("[time]\nduration_s = 0.6\nrecord_interval_s = 0.01\n[ground]\nkinetic_friction = 0.25\n");
   const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, bar);
   const LocomotionJob job = locomotion_job(study, study.elements, body, "winner", true);
-  const io::TomlTable table = io::parse_toml(job.study, "study.toml");
+  const io::TomlTable table = io::parse_toml(io::described_text(job.study), "study.toml");
   EXPECT_EQ(table.table("design").number("wall_thickness_m"), 0.002);
   EXPECT_EQ(table.table("design").text("chambers"), "single");
   EXPECT_EQ(table.table("material").text("damping_model"), "maxwell");
@@ -158,7 +159,10 @@ TEST_F(ReevaluationStudyTest, FiniteElementsGetTheBodyTheDriveAndTheGroundOfTheS
   EXPECT_EQ(table.table("loads").number("gravity_m_per_s2"), 9.81);
   EXPECT_EQ(table.table("time").number("duration_s"), 0.6);
   EXPECT_EQ(table.table("output").integer("records_per_frame"), 10) << "a tenth of a second";
-  const fem::LocomotionStudy walk = fem::parse_locomotion_study(job.study, "study.toml");
+  fem::LocomotionStudy walk = job.study;
+  fem::prepare(walk);
+  const fem::LocomotionStudy read_back = fem::parse_locomotion_study(io::described_text(job.study), "study.toml");
+  EXPECT_EQ(fem::locomotion_text(walk), fem::locomotion_text(read_back)) << "in memory as by a file";
   EXPECT_EQ(walk.design.body, body);
   EXPECT_EQ(walk.material.density_kg_per_m3, materials::read_silicone(study.silicone_file).data_sheet.density_kg_per_m3);
   EXPECT_EQ(materials::law_line(walk.material.law),
