@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/inflation/wall_points.h"
 #include "fem/statics/free_supports.h"
 #include "io/text/input_error.h"
 #include "materials/laws/hyperelastic_law.h"
@@ -29,16 +30,28 @@ meshes::HexahedralMesh make_mesh(const LoadCase& load_case, const LoadCaseElemen
   design.cell_edge_m = load_case.cell_edge_m;
   meshes::HollowBodyOptions options;
   options.wall_thickness_m = load_case.wall_thickness_m;
-  options.elements_through_wall = elements.through_wall;
-  options.largest_element_m = elements.largest_element_m;
-  options.growth = elements.growth;
+  if (elements.has_thin_walls()) {
+    set_elements(elements.choice, options);
+  } else {
+    options.elements_through_wall = elements.through_wall;
+    options.largest_element_m = elements.largest_element_m;
+    options.growth = elements.growth;
+  }
   options.chambers = load_case.per_phase ? meshes::ChamberLayout::per_phase : meshes::ChamberLayout::single;
   options.level = load_case.level;
+  const std::string name = "load case \"" + load_case.name + "\": ";
+  meshes::HexahedralMesh mesh;
   try {
-    return meshes::hollow_polycube(design, options).mesh;
+    mesh = meshes::hollow_polycube(design, options).mesh;
   } catch (const io::InputError& error) {
-    throw io::InputError("load case \"" + load_case.name + "\": " + error.what());
+    throw io::InputError(name + error.what());
   }
+  if (elements.has_thin_walls()) {
+    const std::string obstacle = obstacle_to_thin_walls(mesh, options.wall_thickness_m);
+    if (!obstacle.empty()) throw io::InputError(name + obstacle);
+  }
+  for (meshes::Chamber& chamber : mesh.chambers) chamber.plenum = 0;  // one pressure in all of them
+  return mesh;
 }
 
 /// Returns the corner of the mesh nearest to a point.
@@ -62,13 +75,14 @@ LoadCaseBody::LoadCaseBody(const LoadCase& load_case, const StudyMaterial& mater
     }
   }
   body_.regions.assign(mesh.region_names.size(), {material.law, material.volume, material.density_kg_per_m3.value_or(0.0)});
-  for (const meshes::Chamber& chamber : mesh.chambers) body_.chambers.push_back({chamber.labels, 0});
+  for (const meshes::Chamber& chamber : mesh.chambers) body_.chambers.push_back({chamber.labels, chamber.plenum});
   body_.plenum_count = 1;
+  if (elements.has_thin_walls()) body_.thin_walls = {ThinWallConstants{}, thin_wall_places(mesh)};
   add_grips(mesh);
   if (body_.ground)
     body_.ground->stiffness_Pa_per_m =
         ground_stiffness_factor * materials::shear_modulus_at_rest_Pa(material.law) / load_case.wall_thickness_m;
-  space_ = make_space(mesh, elements.degree, 0, communicator);
+  space_ = make_space(mesh, elements.space_degree(), 0, communicator);
   equilibrium_ = std::make_unique<Equilibrium>(space_, body_, EquilibriumOptions{});
   ends_ = std::make_unique<BodyEnds>(space_, low_, high_);
   const Point top{0.5 * (low_[0] + high_[0]), 0.5 * (low_[1] + high_[1]), high_[2]};
@@ -165,7 +179,9 @@ Point LoadCaseBody::top_displacement_m(const BodyState& state) const {
       displacement_m[i] += point.weights[n] * state.displacements_m[3 * static_cast<std::size_t>(point.nodes[n]) + i];
   }
   MPI_Bcast(displacement_m.data(), 3, MPI_DOUBLE, point.rank, space_.communicator);
-  return displacement_m;
+  std::vector<PointObservation> top{{.displacement_m = displacement_m}};
+  if (body_.thin_walls) add_wall_rises(equilibrium_->assembly(), top_, state, top);
+  return top.front().displacement_m;
 }
 
 double LoadCaseBody::top_rise_m(const BodyState& state) const {

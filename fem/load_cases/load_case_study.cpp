@@ -9,6 +9,7 @@
 namespace menger::fem {
 
 std::string elements_text(const LoadCaseElements& elements) {
+  if (elements.has_thin_walls()) return "finite elements, thin walls, " + std::string(to_string(elements.choice.fidelity));
   std::string text = std::string("finite elements, ") + (elements.degree == 1 ? "Q1/P0" : "Q2/P1") + ", " +
                      std::to_string(elements.through_wall) + " through the wall";
   if (elements.largest_element_m) text += ", largest " + io::number_text(*elements.largest_element_m) + " m";
@@ -25,7 +26,9 @@ std::string case_text(const CaseRequest& request, const StudyMaterial& material)
     text.add("states", request.state_count);
     if (request.largest_pressure_Pa) text.add("largest_pressure_Pa", *request.largest_pressure_Pa);
   }
-  text.line(elements_text(request.elements) + ", growth " + io::number_text(request.elements.growth));
+  std::string elements = elements_text(request.elements);
+  if (!request.elements.has_thin_walls()) elements += ", growth " + io::number_text(request.elements.growth);
+  text.line(elements);
   text.line(materials::law_line(material.law));
   text.line(std::string(volumetric_word(material.volume)) + " " + io::number_text(bulk_modulus_of(material.volume)));
   text.add("density_kg_m3", material.density_kg_per_m3.value_or(0.0));

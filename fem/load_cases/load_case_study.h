@@ -11,13 +11,18 @@
 
 namespace menger::fem {
 
-/// How finely the walls of a body are meshed.
+/// The elements of a body, and how finely three-field elements cut its walls.
 struct LoadCaseElements {
-  int degree = 2;        ///< 1: Q1/P0, 2: Q2/P1
+  ElementChoice choice{.kind = ElementKind::three_field};
+  int degree = 2;        ///< 1: Q1/P0, 2: Q2/P1; of three-field elements, as are the next three; see space_degree
   int through_wall = 1;  ///< elements, at least
   /// Edge up to which elements grow away from walls; empty: as in the wall.
-  std::optional<double> largest_element_m;
+  std::optional<double> largest_element_m{};
   double growth = 1.5;  ///< largest ratio of neighbouring edges
+
+  [[nodiscard]] bool has_thin_walls() const { return choice.kind == ElementKind::thin_wall; }
+  /// Degree of the displacements.
+  [[nodiscard]] int space_degree() const { return has_thin_walls() ? 1 : degree; }
 };
 
 /// The dimensions that the bodies of a set have in common where they state no others; 0: not given.
@@ -28,7 +33,8 @@ struct CaseBody {
   bool per_phase = false;
 };
 
-/// Returns a text on the elements, for users and provenance: "finite elements, Q2/P1, 1 through the wall, largest 0.003 m".
+/// Returns a text on the elements, for users and provenance: "finite elements, Q2/P1, 1 through the wall, largest 0.003 m" or
+/// "finite elements, thin walls, standard".
 std::string elements_text(const LoadCaseElements& elements);
 
 /// A requested load case, whose pressures may still have to be found.

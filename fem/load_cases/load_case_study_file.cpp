@@ -34,12 +34,17 @@ void describe(io::StudyVisitor& visitor, CaseBody& body) {
                meshes::case_chamber_words());
 }
 
-void describe(io::StudyVisitor& visitor, LoadCaseElements& elements) {
-  visitor.integer({"degree", "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1."}, elements.degree, io::within(1, 2));
-  visitor.integer({"through_wall", "Least number of elements through a wall."}, elements.through_wall, io::within(1, 100));
-  visitor.optional_number({"largest_element_m", "Edge that elements may grow to away from walls.", "0.005"},
-                          elements.largest_element_m, io::positive());
-  visitor.number({"growth", "Largest ratio of neighbouring edges while they grow."}, elements.growth, io::at_least(1.0));
+/// Describes the keys of elements. @param kind_key name of the key of their kind: that of a case is the kind of its load
+/// @param condition for people: what says that the elements are three-field elements
+void describe(io::StudyVisitor& visitor, LoadCaseElements& elements, std::string_view kind_key, std::string_view condition) {
+  describe(visitor, elements.choice, false, kind_key);
+  visitor.only_if(!elements.has_thin_walls(), condition, [&] {
+    visitor.integer({"degree", "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1."}, elements.degree, io::within(1, 2));
+    visitor.integer({"through_wall", "Least number of elements through a wall."}, elements.through_wall, io::within(1, 100));
+    visitor.optional_number({"largest_element_m", "Edge that elements may grow to away from walls.", "0.005"},
+                            elements.largest_element_m, io::positive());
+    visitor.number({"growth", "Largest ratio of neighbouring edges while they grow."}, elements.growth, io::at_least(1.0));
+  });
 }
 
 /// Describes a list of values in any order, without repetitions. The values are sorted.
@@ -137,7 +142,7 @@ void describe(io::StudyVisitor& visitor, CaseRequest& request, const LoadCaseStu
   visitor.check(std::count_if(study.cases.begin(), study.cases.end(), same) <= 1, "name", "is given twice");
   visitor.word({"kind", "What is done to the body.", "\"inflation\""}, load_case.kind, meshes::load_case_kind_words());
   describe_body(visitor, request, !is_new);
-  describe(visitor, request.elements);
+  describe(visitor, request.elements, "element_kind", "element_kind = \"three_field\"");
   describe_pressures(visitor, request);
   meshes::describe_imposed(visitor, load_case);
   std::sort(load_case.imposed.begin(), load_case.imposed.end());
@@ -160,7 +165,7 @@ void describe(io::StudyVisitor& visitor, LoadCaseStudy& study) {
   visitor.optional_table({"body", "The body of cases that give none of their own."}, study.body,
                          [&](CaseBody& body) { describe(visitor, body); });
   visitor.table({"elements", "The finite elements of cases that give none of their own."},
-                [&] { describe(visitor, study.elements); });
+                [&] { describe(visitor, study.elements, "kind", "elements.kind = \"three_field\""); });
   visitor.tables({"case", "The load cases."}, study.cases, [&](CaseRequest& request) { describe(visitor, request, study); },
                  {.fewest = 1});
 }

@@ -1,5 +1,8 @@
 #include "fem/thin_walls/element_choice.h"
 
+#include <algorithm>
+#include <string>
+
 namespace menger::fem {
 namespace {
 
@@ -13,12 +16,16 @@ int elements_per_span(Fidelity fidelity) { return 2 + static_cast<int>(fidelity)
 
 }  // namespace
 
-void describe(io::StudyVisitor& visitor, ElementChoice& choice, bool has_precision) {
-  visitor.word({"kind",
+std::string_view to_string(Fidelity fidelity) {
+  return std::ranges::find(fidelity_words(), fidelity, [](const auto& word) { return word.second; })->first;
+}
+
+void describe(io::StudyVisitor& visitor, ElementChoice& choice, bool has_precision, std::string_view kind_key) {
+  visitor.word({kind_key,
                 "thin_wall: one layer through every wall, for hollow bodies; three_field: elements with mean dilatation, in any "
                 "number of layers. Slower, and with one layer less accurate where walls bend."},
                choice.kind, {{"thin_wall", ElementKind::thin_wall}, {"three_field", ElementKind::three_field}});
-  visitor.only_if(choice.kind == ElementKind::thin_wall, "kind = \"thin_wall\"", [&] {
+  visitor.only_if(choice.kind == ElementKind::thin_wall, std::string(kind_key) + " = \"thin_wall\"", [&] {
     visitor.word(
         {"fidelity",
          "How finely walls are cut: the span between the walls of a cell into 2 (draft), 3 (standard) or 4 (fine) elements."},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "io/study/study_visitor.h"
 #include "meshes/design/hollow_body_options.h"
 
@@ -43,8 +45,11 @@ struct ThinWallConstants {
 constexpr double contact_modulus_Pa(double shear_modulus_Pa) { return 20.0 * shear_modulus_Pa; }
 
 /// Describes the keys of the table [elements]. @param has_precision false: the method always computes in double precision, and
-/// the key is not offered
-void describe(io::StudyVisitor& visitor, ElementChoice& choice, bool has_precision);
+/// the key is not offered @param kind_key name of the key of the kind, where the table has another "kind"
+void describe(io::StudyVisitor& visitor, ElementChoice& choice, bool has_precision, std::string_view kind_key = "kind");
+
+/// The word of a fidelity in files.
+std::string_view to_string(Fidelity fidelity);
 
 /// Cuts a hollow body as the fidelity of thin walls says: one layer through every wall, and 2, 3 or 4 elements for the span
 /// between the walls of a cell. Does nothing for other elements.

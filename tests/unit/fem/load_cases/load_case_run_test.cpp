@@ -7,11 +7,15 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <set>
+#include <utility>
 
 #include "fem/inflation/inflation_run.h"
+#include "fem/load_cases/load_case_body.h"
 #include "fem/load_cases/load_case_set.h"
 #include "fem/load_cases/pressure_range.h"
 #include "io/text/content_hash.h"
+#include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/reference_shapes.h"
 #include "tests/support/test_folder.h"
@@ -43,6 +47,12 @@ CaseRequest row_of_cells(LoadCaseKind kind, int count, std::vector<double> press
   request.load_case.pressures_Pa = std::move(pressures_Pa);
   request.load_case.imposed = std::move(imposed);
   request.elements = {.degree = 1, .through_wall = 1, .largest_element_m = 0.006, .growth = 4.0};
+  return request;
+}
+
+/// The same on thin walls.
+CaseRequest on_thin_walls(CaseRequest request, Fidelity fidelity = Fidelity::draft) {
+  request.elements = {.choice = {.kind = ElementKind::thin_wall, .fidelity = fidelity}};
   return request;
 }
 
@@ -96,11 +106,10 @@ TEST(LoadCaseRun, ExtentsOfAnUnsymmetricBodyDoNotDependOnWhereItIsHeld) {
   EXPECT_NEAR(body.rows[0][3] / body.rows[0][2], 1.0, 1e-5);
 }
 
-// Both follow a path of their own to the same equilibrium, to the force tolerance.
-TEST(LoadCaseRun, AFreeStudyOfInflateGivesTheVolumeAndExtentsOfALoadCase) {
-  CaseRequest request = row_of_cells(LoadCaseKind::inflation, 1, {4000.0});
+/// Expects that `menger inflate` gives the numbers of a load case. Both follow a path of their own to the same equilibrium, to
+/// the force tolerance.
+void expect_as_inflate(const CaseRequest& request, InflationStudy study) {
   const CaseResponse response = completed(request);
-  InflationStudy study;
   study.file = "study.toml";
   DesignSource source;
   source.design = {"cell", meshes::full_cube(1), 0.01};
@@ -108,7 +117,6 @@ TEST(LoadCaseRun, AFreeStudyOfInflateGivesTheVolumeAndExtentsOfALoadCase) {
   source.options.largest_element_m = 0.006;
   source.options.growth = 4.0;
   study.source = source;
-  study.degree = 1;
   study.material = silicone();
   study.supports.kind = SupportKind::free;
   study.drives[""] = {.kind = DriveKind::pressure, .values = {0.0, 4000.0}};
@@ -122,6 +130,18 @@ TEST(LoadCaseRun, AFreeStudyOfInflateGivesTheVolumeAndExtentsOfALoadCase) {
   ASSERT_TRUE(result.extent_changes_m.back().has_value());
   for (std::size_t axis = 0; axis < 3; ++axis)
     EXPECT_NEAR((*result.extent_changes_m.back())[axis] / response.rows[0][2 + axis], 1.0, 1e-6);
+}
+
+TEST(LoadCaseRun, AFreeStudyOfInflateGivesTheVolumeAndExtentsOfALoadCase) {
+  InflationStudy study;
+  study.degree = 1;
+  expect_as_inflate(row_of_cells(LoadCaseKind::inflation, 1, {4000.0}), study);
+}
+
+TEST(LoadCaseRun, AFreeStudyOfInflateGivesTheSameOnThinWalls) {
+  InflationStudy study;
+  study.elements = {.kind = ElementKind::thin_wall, .fidelity = Fidelity::standard};
+  expect_as_inflate(on_thin_walls(row_of_cells(LoadCaseKind::inflation, 1, {4000.0}), Fidelity::standard), study);
 }
 
 TEST(LoadCaseRun, BlockedForceIsThatOfAStretchByNothing) {
@@ -220,6 +240,55 @@ TEST(LoadCaseRun, KeepsWhatWasReachedBeforeAPathEnds) {
   EXPECT_EQ(response.rows[0][1], -0.0005);
 }
 
+// Answers of the coarsest thin walls to every kind of load are near to those of one quadratic element through the wall: within
+// 15 % each, of which `verification_fem_thin_walls` says more.
+TEST(LoadCaseRun, ThinWallsAnswerEveryKindOfLoad) {
+  struct Load {
+    LoadCaseKind kind;
+    std::vector<double> imposed;
+  };
+  const std::vector<Load> loads{{LoadCaseKind::inflation, {}},   {LoadCaseKind::blocked, {}},    {LoadCaseKind::stretch, {0.001}},
+                                {LoadCaseKind::shear, {0.001}},  {LoadCaseKind::bending, {0.2}}, {LoadCaseKind::torsion, {0.2}},
+                                {LoadCaseKind::press, {0.0003}}, {LoadCaseKind::sag, {1.0}},     {LoadCaseKind::modes, {}}};
+  for (const Load& load : loads) {
+    CaseRequest request = row_of_cells(load.kind, 2, {2000.0}, load.imposed);
+    request.elements = {.largest_element_m = 0.003, .growth = 4.0};
+    const CaseResponse solid = completed(request);
+    const CaseResponse thin = completed(on_thin_walls(request));
+    const std::size_t first = meshes::abscissa_count(load.kind);
+    EXPECT_NEAR(thin.rows[0][first] / solid.rows[0][first], 1.0, 0.15) << meshes::to_string(load.kind);
+  }
+}
+
+// Phases have chambers of their own, which share one pressure: walls between them have it on both sides.
+TEST(LoadCaseRun, ThinWallsBetweenChambersOfPhasesAreNotBulged) {
+  CaseRequest request = on_thin_walls(row_of_cells(LoadCaseKind::inflation, 2, {3000.0}));
+  request.load_case.per_phase = true;
+  request.load_case.digits = "12";
+  const CaseResponse two = completed(request);
+  const CaseResponse one = completed(on_thin_walls(row_of_cells(LoadCaseKind::inflation, 2, {3000.0})));
+  EXPECT_GT(two.rows[0][1], 0.5 * one.rows[0][1]);
+  EXPECT_LT(two.rows[0][1], one.rows[0][1]) << "the wall in the middle holds the others";
+  EXPECT_NEAR(two.rows[0][3], two.rows[0][4], 1e-6 * two.rows[0][3]) << "extents in y and z";
+}
+
+TEST(LoadCaseRun, RefusesThinWallsOfTwoLayersAndNamesOtherElements) {
+  CaseRequest request = on_thin_walls(row_of_cells(LoadCaseKind::inflation, 2, {1000.0}));
+  request.load_case.cells = {2, 2, 1};
+  request.load_case.digits = "1210";
+  request.load_case.per_phase = true;
+  try {
+    require_meshable(request.load_case, request.elements);
+    FAIL() << "accepted";
+  } catch (const io::InputError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("load case \"case\""), std::string::npos) << message;
+    EXPECT_NE(message.find("three_field"), std::string::npos) << message;
+  }
+  request.elements = row_of_cells(LoadCaseKind::inflation, 2, {}).elements;
+  EXPECT_NO_THROW(require_meshable(request.load_case, request.elements));
+}
+
 TEST(PressureRange, SidesWithoutRangeGiveNoPressureTwice) {
   EXPECT_EQ(pressures_between(-600.0, 3000.0, 6), (std::vector<double>{-600.0, -300.0, 0.0, 1000.0, 2000.0, 3000.0}));
   EXPECT_EQ(pressures_between(0.0, 3000.0, 6), (std::vector<double>{0.0, 1000.0, 2000.0, 3000.0}));
@@ -259,6 +328,26 @@ TEST_F(LoadCaseSet, AnswersAnUnchangedCaseFromTheCache) {
   const meshes::ResponseCurve curve = meshes::read_response_curve(folder_ / "renamed.toml");
   EXPECT_EQ(curve.provenance.load_case, study_.cases.front().load_case);
   EXPECT_EQ(curve.provenance.relative_uncertainty, 0.1);
+}
+
+TEST_F(LoadCaseSet, UsesNoCurveOfOtherElements) {
+  std::set<std::string> tables;
+  const auto compute = [&](const LoadCaseElements& elements) {
+    study_.cases.front().elements = elements;
+    EXPECT_FALSE(run().from_cache);
+    EXPECT_TRUE(run().from_cache);
+    tables.insert(io::read_whole(folder_ / "case.csv"));
+    return meshes::read_response_curve(folder_ / "case.toml").provenance.model;
+  };
+  EXPECT_NE(compute(study_.cases.front().elements).find("Q1/P0"), std::string::npos);
+  for (const auto& [fidelity, word] : {std::pair{Fidelity::draft, "draft"}, {Fidelity::standard, "standard"}}) {
+    const std::string model = compute({.choice = {.kind = ElementKind::thin_wall, .fidelity = fidelity}});
+    EXPECT_NE(model.find(std::string("thin walls, ") + word), std::string::npos) << model;
+    const std::string manifest = io::read_whole(folder_ / "manifest.json");
+    EXPECT_NE(manifest.find("thin_wall"), std::string::npos);
+    EXPECT_NE(manifest.find(word), std::string::npos);
+  }
+  EXPECT_EQ(tables.size(), 3U);
 }
 
 TEST_F(LoadCaseSet, ComputesAgainWhatChangedOrWasDamaged) {

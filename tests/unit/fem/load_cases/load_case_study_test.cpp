@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "fem/inflation/inflation_study_words.h"
 #include "fem/load_cases/load_case_study_file.h"
 #include "io/study/study_reader.h"
+#include "io/study/study_text.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "materials/laws/law_file.h"
@@ -81,6 +83,59 @@ TEST_F(LoadCaseStudyFile, TakesABodyFromADesign) {
   EXPECT_EQ(study.inputs.size(), 3U) << "set, record and design";
 }
 
+const std::string thin_head =
+    "silicone = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n[elements]\nkind = \"thin_wall\"\n";
+
+TEST_F(LoadCaseStudyFile, ThinWallsAreChosenByKindAndFidelityForAllCasesOrOne) {
+  const auto one = [&](const std::string& name, const std::string& lines) {
+    return "[[case]]\nname = \"" + name + "\"\nkind = \"inflation\"\n" + bar + "pressures_Pa = [1000]\n" + lines;
+  };
+  const LoadCaseStudy study = read(thin_head + "fidelity = \"fine\"\n" + one("a", "") + one("b", "fidelity = \"draft\"\n") +
+                                   one("c", "element_kind = \"three_field\"\ndegree = 1\n"));
+  ASSERT_EQ(study.cases.size(), 3U);
+  EXPECT_EQ(study.cases[0].load_case.kind, LoadCaseKind::inflation) << "the kind of the load is another key";
+  EXPECT_EQ(study.cases[0].elements.choice, (ElementChoice{.kind = ElementKind::thin_wall, .fidelity = Fidelity::fine}));
+  EXPECT_EQ(study.cases[0].elements.space_degree(), 1);
+  EXPECT_EQ(study.cases[1].elements.choice.fidelity, Fidelity::draft);
+  EXPECT_FALSE(study.cases[2].elements.has_thin_walls());
+  EXPECT_EQ(study.cases[2].elements.degree, 1);
+  const LoadCaseStudy mixed = read(head + one("a", "") + one("b", "element_kind = \"thin_wall\"\n"));
+  EXPECT_FALSE(mixed.cases[0].elements.has_thin_walls()) << "the default";
+  EXPECT_EQ(mixed.cases[1].elements.choice.fidelity, Fidelity::standard);
+  const std::string text = io::described_text(mixed);
+  EXPECT_NE(text.find("element_kind = \"thin_wall\""), std::string::npos) << text;
+  EXPECT_NE(text.find("fidelity = \"standard\""), std::string::npos) << text;
+}
+
+TEST_F(LoadCaseStudyFile, RefusesToCutThinWallsInAnotherWay) {
+  const std::string searching = "[[case]]\nname = \"a\"\nkind = \"inflation\"\n" + bar;
+  const std::string free = searching + "pressures_Pa = [1000]\n";
+  struct Fault {
+    std::string text;
+    std::string key;
+    std::string reason;
+  };
+  std::vector<Fault> faults{
+      {head + "kind = \"shell\"\n" + free, "elements.kind", "shell"},
+      {head + "fidelity = \"fine\"\n" + free, "elements.fidelity", "kind = \"thin_wall\""},
+      {thin_head + "fidelity = \"best\"\n" + free, "elements.fidelity", "best"},
+      {thin_head + "precision = \"single\"\n" + free, "elements.precision", "unknown key"},
+      {head + free + "fidelity = \"fine\"\n", "fidelity", "element_kind = \"thin_wall\""},
+      {head + free + "element_kind = \"shell\"\n", "element_kind", "shell"},
+  };
+  for (const std::string key : {"degree = 2", "through_wall = 2", "largest_element_m = 0.005", "growth = 2"}) {
+    faults.push_back(
+        {thin_head + key + "\n" + free, "elements." + key.substr(0, key.find(' ')), "elements.kind = \"three_field\""});
+    faults.push_back({thin_head + free + key + "\n", key.substr(0, key.find(' ')), "element_kind = \"three_field\""});
+  }
+  for (const Fault& fault : faults) {
+    const std::string message = refusal(fault.text);
+    EXPECT_NE(message.find("set.toml"), std::string::npos) << message;
+    EXPECT_NE(message.find(fault.key), std::string::npos) << fault.key << ": " << message;
+    EXPECT_NE(message.find(fault.reason), std::string::npos) << fault.reason << ": " << message;
+  }
+}
+
 LoadCaseStudy parse(const std::string& text) {
   LoadCaseStudy study;
   io::read_described(io::parse_toml(text, "set.toml"), study);
@@ -118,8 +173,9 @@ void describe(io::StudyVisitor& visitor, PossibleSet& possible) {
 }
 
 TEST(LoadCaseKeys, TextsAreReadBack) {
+  // lists of values are sorted: of a few random ones, none may be given in order
   tests::expect_texts_are_read_back<PossibleSet>([](const std::string& text) { return PossibleSet{parse(text)}; }, 30, {},
-                                                 {"name", "cells", "digits"});
+                                                 {"name", "cells", "digits", "gravity_factor"});
 }
 
 TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
@@ -178,6 +234,16 @@ TEST(CaseText, TellsApartWhatAnswersDifferentlyAndNothingElse) {
   others[5].elements.through_wall = 2;
   others[6].elements.largest_element_m = 0.003;
   for (std::size_t n = 0; n < others.size(); ++n) EXPECT_NE(case_text(others[n], material), text) << n;
+  CaseRequest thin = request;
+  thin.elements.choice.kind = ElementKind::thin_wall;
+  CaseRequest fine = thin;
+  fine.elements.choice.fidelity = Fidelity::fine;
+  CaseRequest draft = thin;
+  draft.elements.choice.fidelity = Fidelity::draft;
+  const std::set<std::string> texts{text, case_text(thin, material), case_text(fine, material), case_text(draft, material)};
+  EXPECT_EQ(texts.size(), 4U);
+  fine.elements.degree = 1;  // of three-field elements
+  EXPECT_TRUE(texts.contains(case_text(fine, material)));
   StudyMaterial stiffer = material;
   stiffer.law = materials::NeoHookean{6e4};
   EXPECT_NE(case_text(request, stiffer), text);
