@@ -23,20 +23,21 @@ import wrong_studies
 
 # Which program reads which studies. Every .toml below these folders is named here or in OTHERS.
 STUDIES = {
-    "evolve": ["paper/demo/study.toml", "paper/fractal/*.toml", "paper/non_fractal/*.toml", "paper/phase_wave/*.toml",
-               "paper/silicone/closing_the_loop.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
+    "evolve": ["paper/demo/study.toml", "paper/fractal/*.toml", "paper/known_walks/search.toml", "paper/non_fractal/*.toml",
+               "paper/phase_wave/*.toml", "paper/silicone/closing_the_loop.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
                "paper/trade_off/evolve.toml"],
     "simulate": ["voxel/scenes/*.toml"],
     "inflate": ["fem/studies/cube.toml", "fem/studies/quadruped.toml", "fem/studies/reference_cube.toml",
                 "paper/pneumatics/module.toml"],
     "modes": ["fem/studies/*_modes.toml"],
-    "locomote": ["fem/studies/locomotion.toml", "paper/locomotion/*.toml", "paper/pneumatics/level2.toml",
-                 "paper/pneumatics/module_cam.toml"],
+    "locomote": ["fem/studies/locomotion.toml", "paper/known_walks/walk.toml", "paper/locomotion/*.toml",
+                 "paper/pneumatics/level2.toml", "paper/pneumatics/module_cam.toml"],
     "stall-map": ["paper/pneumatics/stall_map.toml"],
     "load-cases": ["fem/studies/load_cases/*.toml", "paper/silicone/check.toml"],
     "calibrate": ["voxel/studies/dragon_skin_*.toml"],
     "validate": ["voxel/studies/held_out.toml", "paper/silicone/check_validation.toml"],
-    "reevaluate": ["paper/silicone/reevaluation*.toml", "paper/silicone/closing_the_loop_reference.toml"],
+    "reevaluate": ["paper/known_walks/screening.toml", "paper/silicone/reevaluation*.toml",
+                   "paper/silicone/closing_the_loop_reference.toml"],
     "tradeoff": ["paper/trade_off/study.toml", "paper/trade_off/search.toml"],
 }
 # Designs, the presets of evolve, and what programs wrote.

@@ -1,0 +1,50 @@
+# How far can a walk on finite elements be known, and how well do coarse elements and short walks rank robots?
+part searches "10 min" "three short searches, and 20 robots of every rank of each on the coarsest elements"
+part walks "40 min of one core" "the robots that move, each with one thing changed"
+part two_layers "30 min of one core" "some of them with two elements through the wall, for 2 s"
+part tables "1 min" "the tables and the picture of all walks that there are"
+
+# Which robots walk with two elements through the wall: every fourth.
+every_with_two_layers=4
+
+# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
+searches() {
+  local seed
+  for seed in 1 2 3; do
+    menger evolve "$study/search.toml" --seed $seed --output "$results/search_$seed.sqlite"
+    menger reevaluate "$results/search_$seed.sqlite" --top 6 --sample 14 --study "$study/screening.toml" --no-pictures \
+      --output "$results/screened_$seed"
+  done
+  "$study/walks.py" choose "$results" "$study/robots.csv"
+}
+
+# One walk of a robot, of the name of the change.
+walk() {
+  local file
+  file=$("$study/walks.py" study "$1" "$2" "$results")
+  menger locomote "$file" --no-pictures --quiet --output "$results/$1/$2"
+}
+
+# Change by change, so that a table of fewer changes can be made before all are done.
+walks() {
+  local robot change
+  for change in standard draft fine half_step stiff_ground friction pressure fine_same_ground; do
+    for robot in $("$study/walks.py" names "$study/robots.csv"); do
+      walk "$robot" $change
+    done
+  done
+  tables
+}
+
+two_layers() {
+  local robot
+  for robot in $("$study/walks.py" names "$study/robots.csv" | sed -n "1~${every_with_two_layers}p"); do
+    walk "$robot" two_layers
+  done
+  tables
+}
+
+tables() {
+  "$study/walks.py" gather "$results" "$study/walks.csv"
+  "$study/known_walks.py" "$study"
+}

@@ -1,0 +1,223 @@
+#!/usr/bin/python3
+"""Which robots walk how in this experiment, and where they get.
+
+walks.py choose RESULTS ROBOTS.csv        chooses robots that move, of every rank, from the searches that were screened in RESULTS
+walks.py names ROBOTS.csv                 prints the names of the robots
+walks.py study ROBOT CHANGE RESULTS       writes RESULTS/ROBOT/CHANGE.toml, a study of menger locomote
+walks.py gather RESULTS WALKS.csv         makes the table of all walks that are in RESULTS: one row per robot and change
+
+CHANGE is one of those below. Exit codes: 0 done, 2 wrong input.
+"""
+
+import copy
+import csv
+import json
+import math
+import pathlib
+import sys
+import tomllib
+
+HERE = pathlib.Path(__file__).resolve().parent
+TREE = HERE.parent.parent
+
+PERIOD_S = 1.0 / 3.0
+LEAST_M = 0.001  # a robot that gets no further in five seconds nearly stands still: nobody asks how well its walk is known
+SHIPPED = ("stand18", "uneven_quadruped")  # the others of meshes/designs are symmetric, or flat
+TWO_LAYERS_S = 2.0  # two elements through the wall cost minutes a second
+
+# What each change does to the study of a walk. A function, where the change follows from the walk on standard elements.
+CHANGES = {
+    "standard": {},
+    "draft": {"elements.fidelity": "draft"},
+    "fine": {"elements.fidelity": "fine"},
+    "half_step": {"dynamics.step_safety": 0.4},
+    "stiff_ground": lambda ground_Pa_per_m: {"ground.stiffness_Pa_per_m": 2.0 * ground_Pa_per_m},
+    "friction": {"ground.static_friction": 1.01, "ground.kinetic_friction": 0.505},
+    "pressure": {"drive.pressure_Pa": [0, 6060]},
+    "two_layers": {
+        "elements": {"kind": "three_field"},
+        "design.elements_through_wall": 2,
+        "time.duration_s": TWO_LAYERS_S,
+    },
+    # The default stiffness of the ground follows from the shortest edge of an element, so that fine elements stand on harder ground.
+    "fine_same_ground": lambda ground_Pa_per_m: {"elements.fidelity": "fine", "ground.stiffness_Pa_per_m": ground_Pa_per_m},
+    "double": {"elements.precision": "double"},
+}
+
+
+class InputError(Exception):
+    pass
+
+
+def toml_value(value):
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(toml_value(one) for one in value) + "]"
+    return json.dumps(value) if isinstance(value, str) else repr(value)
+
+
+def toml_text(study):
+    lines = []
+    for name, table in study.items():
+        lines += ["", f"[{name}]", *(f"{key} = {toml_value(value)}" for key, value in table.items())]
+    return "\n".join(lines[1:]) + "\n"
+
+
+def changed(study, change):
+    """The study with the values of a change: {"table.key": value, "table": a whole table}."""
+    result = copy.deepcopy(study)
+    for place, value in change.items():
+        table, _, key = place.partition(".")
+        if key:
+            result.setdefault(table, {})[key] = value
+        else:
+            result[table] = value
+    return result
+
+
+def rows_of(file):
+    try:
+        with open(file, newline="", encoding="utf-8") as text:
+            return list(csv.DictReader(text))
+    except OSError as error:
+        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
+
+
+def toml_of(file):
+    try:
+        return tomllib.loads(file.read_text(encoding="utf-8"))
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{file}: cannot be read: {error}") from error
+
+
+def write_table(file, columns, rows):
+    partial = pathlib.Path(f"{file}.partial")
+    with open(partial, "w", newline="", encoding="utf-8") as text:
+        out = csv.writer(text, lineterminator="\n")
+        out.writerow(columns)
+        out.writerows(rows)
+    partial.replace(file)
+
+
+def layers_text(layers):
+    return "/".join(",".join(layer) for layer in layers)
+
+
+def layers_of(text):
+    return [layer.split(",") for layer in text.split("/")]
+
+
+def cells_of(layers):
+    return sum(digit != "0" for layer in layers for row in layer for digit in row)
+
+
+def screened(folder):
+    """The robots that a search gave, with their walks: of each the row of its table and its layers."""
+    rows = {}
+    for row in rows_of(folder / "reevaluation.csv"):
+        if row["elements_status"] == "completed":
+            rows[(float(row["elements_dx_m"]), float(row["elements_dy_m"]))] = row
+    for study in sorted(folder.glob("runs/*/study.toml")):
+        result = study.parent / "result" / "locomotion.toml"
+        if not result.exists():
+            continue
+        points = rows_of(study.parent / "result" / "trajectory.csv")
+        first = next(p for p in points if float(p["time_s"]) >= PERIOD_S - 1e-6)
+        way = [float(points[-1][f"centre_of_mass_{axis}_m"]) - float(first[f"centre_of_mass_{axis}_m"]) for axis in "xy"]
+        found = [row for place, row in rows.items() if math.dist(place, way) < 1e-9]
+        if len(found) == 1:
+            yield found[0], toml_of(study)["design"]["layers"]
+
+
+def choose(results, table):
+    robots = []
+    seen = set()
+    for folder in sorted(pathlib.Path(results).glob("screened_*")):
+        search = folder.name.removeprefix("screened_")
+        for row, layers in sorted(screened(folder), key=lambda pair: int(pair[0]["rank"])):
+            form = layers_text(layers).replace("2", "1")  # cells of both materials are driven alike
+            if float(row["elements_distance_m"]) < LEAST_M or form in seen:
+                continue
+            seen.add(form)
+            robots.append([f"search_{search}_rank_{int(row['rank']):02d}", search, row["rank"], row["cells"], layers_text(layers),
+                           row["surrogate_dx_m"], row["surrogate_dy_m"]])
+    for name in SHIPPED:
+        layers = toml_of(TREE / "meshes" / "designs" / f"{name}.toml")["layers"]
+        robots.append([name, "shipped", "", cells_of(layers), layers_text(layers), "", ""])
+    write_table(table, ["robot", "search", "rank", "cells", "layers", "surrogate_dx_m", "surrogate_dy_m"], robots)
+
+
+def study_of(robot, change, results):
+    found = [row for row in rows_of(HERE / "robots.csv") if row["robot"] == robot]
+    if len(found) != 1 or change not in CHANGES:
+        raise InputError(f"there is no robot {robot} in robots.csv, or no change {change}")
+    study = toml_of(HERE / "walk.toml")
+    study["design"].update(layers=layers_of(found[0]["layers"]), name=robot)
+    values = CHANGES[change]
+    if callable(values):
+        manifest = json.loads((results / robot / "standard" / "manifest.json").read_text(encoding="utf-8"))
+        values = values(manifest["parameters"]["ground"]["stiffness_Pa_per_m"])
+    file = results / robot / f"{change}.toml"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(toml_text(changed(study, values)), encoding="utf-8")
+    print(file)
+
+
+def at(points, time_s):
+    """The place at a time, between two records."""
+    for before, after in zip(points, points[1:]):
+        if before[0] <= time_s <= after[0]:
+            share = (time_s - before[0]) / (after[0] - before[0])
+            return [a + share * (b - a) for a, b in zip(before[1:], after[1:])]
+    if abs(points[-1][0] - time_s) < 1e-6:  # the last step may end a rounding before the time
+        return list(points[-1][1:])
+    raise InputError(f"no record at {time_s} s")
+
+
+def gather(results, table):
+    """Places at the ends of the periods, from the start, in micrometres; a walk that failed has none."""
+    periods = range(1, 16)
+    rows = []
+    for robot in rows_of(HERE / "robots.csv"):
+        for change in CHANGES:
+            folder = results / robot["robot"] / change
+            if not (folder / "locomotion.toml").exists():
+                continue
+            result = toml_of(folder / "locomotion.toml")
+            if result["status"] == "stopped":
+                continue
+            points = [[float(row["time_s"])] + [float(row[f"centre_of_mass_{axis}_m"]) for axis in "xy"]
+                      for row in rows_of(folder / "trajectory.csv")]
+            places = []
+            for n in periods:
+                if result["status"] == "completed" and n * PERIOD_S <= points[-1][0] + 1e-6:
+                    places += [f"{1e6 * (here - start):.1f}" for here, start in zip(at(points, n * PERIOD_S), points[0][1:])]
+                else:
+                    places += ["", ""]
+            rows.append([robot["robot"], change, result["status"], result["elements"], result["steps"], *places])
+    write_table(table, ["robot", "change", "status", "elements", "steps", *(f"{axis}_{n}_um" for n in periods for axis in "xy")], rows)
+
+
+def main(words):
+    forms = {"choose": 2, "names": 1, "study": 3, "gather": 2}
+    if not words or forms.get(words[0]) != len(words) - 1:
+        print(__doc__, file=sys.stderr)
+        return 2
+    try:
+        if words[0] == "choose":
+            choose(pathlib.Path(words[1]), words[2])
+        elif words[0] == "names":
+            print("\n".join(row["robot"] for row in rows_of(words[1])))
+        elif words[0] == "study":
+            study_of(words[1], words[2], pathlib.Path(words[3]))
+        else:
+            gather(pathlib.Path(words[1]), words[2])
+    except InputError as error:
+        print(f"walks.py: error: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

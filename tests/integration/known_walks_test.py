@@ -1,0 +1,317 @@
+"""Tests the scripts of paper/known_walks on walks that are made up, so that what they must find is known.
+
+known_walks_test.py SOURCES: the folder of the sources.
+"""
+
+import csv
+import math
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+import xml.dom.minidom
+
+SOURCES = pathlib.Path(sys.argv.pop()).resolve()
+EXPERIMENT = SOURCES / "paper" / "known_walks"
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(EXPERIMENT))
+
+import known_walks  # noqa: E402
+import statistics_of_walks as statistics  # noqa: E402
+import walks  # noqa: E402
+
+SMALL = ("half_step", "stiff_ground", "friction", "pressure")
+
+
+def table_of(file):
+    with open(file, newline="", encoding="utf-8") as text:
+        return list(csv.DictReader(text))
+
+
+def straight(step_m, angle=0.0, periods=15, ramp_m=0.0):
+    """A walk with equal steps, after a first period that goes elsewhere."""
+    return [(n * step_m * math.cos(angle), ramp_m + n * step_m * math.sin(angle)) for n in range(1, periods + 1)]
+
+
+class Statistics(unittest.TestCase):
+    def test_spearman_of_known_ranks(self):
+        self.assertEqual(statistics.spearman([(1, 10), (2, 20), (3, 1000)]), 1.0)
+        self.assertEqual(statistics.spearman([(1, 3), (2, 2), (3, 1)]), -1.0)
+        # 1 - 6 (1 + 1) / (4 (16 - 1)): two neighbours have changed places
+        self.assertAlmostEqual(statistics.spearman([(1, 1), (2, 3), (3, 2), (4, 4)]), 0.8)
+        self.assertIsNone(statistics.spearman([(1, 1), (1, 2), (1, 3)]))
+
+    def test_equal_values_share_their_rank(self):
+        self.assertEqual(statistics.mid_ranks([5, 1, 5, 0]), [3.5, 2, 3.5, 1])
+
+    def test_quantiles(self):
+        self.assertEqual(statistics.median([3, 1, 2]), 2)
+        self.assertEqual(statistics.median([4, 1, 2, 3]), 2.5)
+        self.assertAlmostEqual(statistics.quantile(list(range(11)), 0.9), 9.0)
+
+    def test_angles(self):
+        self.assertAlmostEqual(statistics.angle_deg((1, 0), (0, -2)), 90.0)
+        self.assertAlmostEqual(statistics.angle_deg((1, 0), (-1, 0)), 180.0)
+        self.assertIsNone(statistics.angle_deg((0, 0), (1, 0)))
+
+    def test_bootstrap_covers_the_mean_as_often_as_it_says(self):
+        draw = random.Random(5)
+        covered = 0
+        for _ in range(200):
+            low, high = statistics.interval([draw.gauss(2.0, 1.0) for _ in range(40)], lambda x: sum(x) / len(x), 200)
+            covered += low <= 2.0 <= high
+        self.assertTrue(0.88 * 200 <= covered <= 0.99 * 200, covered)
+
+    def test_wilson(self):
+        low, high = statistics.share_interval(0, 10)
+        self.assertAlmostEqual(low, 0.0)
+        self.assertAlmostEqual(high, 0.2775, 3)
+
+
+class Analysis(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.addCleanup(setattr, statistics, "RESAMPLES", statistics.RESAMPLES)
+        statistics.RESAMPLES = 10  # no claim below is about an interval
+        self.addCleanup(setattr, known_walks, "ENOUGH", known_walks.ENOUGH)
+        known_walks.ENOUGH = 6
+
+    def write(self, robots):
+        """robots: {robot: {change: places}}"""
+        rows = []
+        for robot, changes in robots.items():
+            for change, places in changes.items():
+                cells = [f"{1e6 * value:.1f}" for place in places for value in place]
+                rows.append([robot, change, "completed" if places else "diverged", 1, 1, *cells, *[""] * (30 - len(cells))])
+        columns = ["robot", "change", "status", "elements", "steps", *(f"{axis}_{n}_um" for n in range(1, 16) for axis in "xy")]
+        known_walks.write_table(self.folder / "walks.csv", columns, rows)
+        known_walks.write_table(self.folder / "robots.csv", ["robot", "layers"], [[robot, "111,100,110"] for robot in robots])
+
+    def run_it(self):
+        return known_walks.main([str(self.folder)])
+
+    def value(self, table, row, column):
+        return float(next(one for one in table_of(self.folder / table) if list(one.values())[0] == row)[column])
+
+    def robots(self, shift_m=0.0001):
+        """Eight robots that go 14 to 112 mm, with changes that push the end of each walk aside by shift_m."""
+        made = {}
+        for n in range(1, 9):
+            walk = straight(0.001 * n, ramp_m=0.5)
+            aside = [*walk[:-1], (walk[-1][0], walk[-1][1] + shift_m)]
+            made[f"r{n}"] = {"standard": walk, "draft": straight(0.001 * (9 - n)), "fine": straight(0.001 * n, math.pi / 2),
+                             **{change: aside for change in SMALL}}
+        return made
+
+    def test_floor_is_what_small_changes_do(self):
+        self.write(self.robots())
+        self.assertEqual(self.run_it(), 0)
+        self.assertAlmostEqual(self.value("floor.csv", "floor_m", "value"), 0.0001, 7)
+        self.assertEqual(self.value("floor.csv", "robots_beyond", "value"), 8)
+        self.assertEqual(self.value("floor.csv", "failed_walks", "value"), 0)
+
+    def test_robots_below_the_floor_are_left_out(self):
+        robots = self.robots()
+        robots["still"] = {change: straight(1e-9) for change in ("standard", "draft", "fine", *SMALL)}
+        robots["still"]["half_step"] = straight(0.0, periods=14) + [(1.0, 0.0)]
+        self.write(robots)
+        self.run_it()
+        self.assertEqual(self.value("floor.csv", "robots_of_all_walks", "value"), 9)
+        self.assertEqual(self.value("floor.csv", "robots_beyond", "value"), 8)
+        self.assertEqual(self.value("changes.csv", "half_step", "robots"), 8)
+
+    def test_first_period_does_not_count(self):
+        self.write(self.robots())
+        self.run_it()
+        self.assertAlmostEqual(self.value("agreement.csv", "standard", "spearman"), 1.0)
+        self.assertAlmostEqual(known_walks.MEASURES["net displacement"](straight(0.002, ramp_m=7.0)), 0.028)
+
+    def test_ranks_and_directions_of_fidelities(self):
+        self.write(self.robots())
+        self.run_it()
+        self.assertEqual(self.value("agreement.csv", "draft", "spearman"), -1.0)
+        self.assertEqual([row["with"] for row in table_of(self.folder / "agreement.csv")][0], "fine")
+        self.assertEqual(self.value("agreement.csv", "standard", "within_45_deg"), 0)
+        self.assertEqual(self.value("changes.csv", "half_step", "within_45_deg"), 8)
+        self.assertAlmostEqual(self.value("changes.csv", "fine", "median_share"), math.sqrt(2.0), 3)
+
+    def test_mirrors_of_bodies(self):
+        self.assertEqual(known_walks.mirrors_of("111,100,110"), [])
+        self.assertEqual(known_walks.mirrors_of("220,200,120/110,000,110"), ["y"])
+        self.assertEqual(known_walks.mirrors_of("111,010,010"), ["x"])
+        self.assertEqual(known_walks.mirrors_of("111,100,100"), ["diagonal"])
+        self.assertEqual(known_walks.mirrors_of("111,001,001"), ["other diagonal"])
+        self.assertEqual(known_walks.mirrors_of("000,110,000/000,100,000"), ["y"])
+        self.assertEqual(known_walks.mirrors_of("000,110,000"), ["x", "y"], "free rows and columns around a body do not count")
+
+    def test_symmetric_bodies_may_turn_to_either_side(self):
+        robots = self.robots()
+        for n in range(1, 9):
+            robots[f"r{n}"].update(dict.fromkeys(("standard", *SMALL), straight(0.001 * n, -math.pi / 3)))
+            robots[f"r{n}"]["fine"] = straight(0.001 * n, math.pi / 3)
+        self.write(robots)
+        known_walks.write_table(self.folder / "robots.csv", ["robot", "layers"],
+                                [[f"r{n}", "110,100,110" if n < 4 else "111,100,110"] for n in range(1, 9)])
+        self.run_it()
+        found = {row["bodies"]: row for row in table_of(self.folder / "symmetry.csv") if (row["walk"], row["with"]) == ("standard", "fine")}
+        self.assertEqual(list(found["with a mirror"].values())[3:], ["0", "3", "3"])
+        self.assertEqual(list(found["without a mirror"].values())[3:], ["0", "0", "5"])
+
+    def test_standard_is_the_reference_until_enough_robots_walked_on_fine(self):
+        robots = self.robots()
+        for n in range(4, 9):
+            del robots[f"r{n}"]["fine"]
+        robots["r1"]["standard"] = straight(0.5)
+        self.write(robots)
+        self.run_it()
+        self.assertEqual(self.value("floor.csv", "robots_beyond", "value"), 8)
+        self.assertEqual({row["with"] for row in table_of(self.folder / "agreement.csv")}, {"standard"})
+        self.assertIn("distance on standard elements", (self.folder / "known_walks.svg").read_text())
+
+    def test_failed_walks_are_counted_and_left_out(self):
+        robots = self.robots()
+        robots["r1"]["draft"] = []
+        robots["r2"]["fine"] = []
+        self.write(robots)
+        self.run_it()
+        self.assertEqual(self.value("floor.csv", "failed_walks", "value"), 2)
+        self.assertEqual((self.value("progress.csv", "draft", "done"), self.value("progress.csv", "draft", "failed")), (8, 1))
+        self.assertEqual(self.value("agreement.csv", "draft", "robots"), 6)
+        self.assertEqual(self.value("agreement.csv", "standard", "robots"), 7)
+
+    def test_median_of_periods_is_blind_to_one_slip(self):
+        walk = straight(0.001)
+        slipped = [*walk[:9], *((x + 0.02, y) for x, y in walk[9:])]
+        for name, measure in known_walks.MEASURES.items():
+            if name.startswith("median"):
+                self.assertAlmostEqual(measure(walk), measure(slipped), msg=name)
+        self.assertAlmostEqual(known_walks.MEASURES["net displacement"](slipped), 0.034)
+        self.assertAlmostEqual(known_walks.MEASURES["slope of the straight line of least squares"](walk), 0.001)
+
+    def test_shortest_duration_is_where_ranks_settle(self):
+        robots = self.robots()
+        for n in range(1, 9):  # all go alike for ten periods; then they go on as they should
+            start = straight(0.001 * (9 - n), periods=10)
+            end = 0.001 * n * 14 + start[0][0]
+            robots[f"r{n}"]["standard"] = [*start, *((end, 0.0) for _ in range(5))]
+        self.write(robots)
+        self.run_it()
+        self.assertAlmostEqual(self.value("floor.csv", "shortest_standard_s", "value"), 11 / 3, 3)
+
+    def test_a_duration_does_not_count_if_a_longer_one_ranks_worse(self):
+        durations = [["fine", 0, time, 0, 0, 0, 0, loss] for time, loss in (("1", "0.2"), ("2", "0.01"), ("3", "0.05"), ("4", "0.03"), ("5", "0"))]
+        self.assertEqual(known_walks.shortest_s(durations, "fine"), "4")
+        self.assertEqual(known_walks.shortest_s(durations, "draft"), "")
+
+    def test_two_layers_are_compared_over_their_own_time(self):
+        robots = self.robots()
+        for n in range(1, 9):
+            robots[f"r{n}"]["two_layers"] = straight(0.001 * n, periods=6)
+        self.write(robots)
+        self.run_it()
+        self.assertEqual(self.value("changes.csv", "two_layers", "median_m"), 0.0)
+
+    def test_same_walks_give_the_same_bytes_and_the_picture_is_xml(self):
+        self.write(self.robots())
+        self.run_it()
+        before = {file.name: file.read_bytes() for file in self.folder.iterdir()}
+        self.run_it()
+        self.assertEqual(before, {file.name: file.read_bytes() for file in self.folder.iterdir()})
+        xml.dom.minidom.parseString(before["known_walks.svg"])
+
+    def test_a_missing_table_is_named(self):
+        outcome = subprocess.run([str(EXPERIMENT / "known_walks.py"), str(self.folder)], capture_output=True, text=True, check=False)
+        self.assertEqual(outcome.returncode, 2)
+        self.assertIn("walks.csv", outcome.stderr)
+
+
+class Studies(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def study(self, change):
+        outcome = subprocess.run([str(EXPERIMENT / "walks.py"), "study", "stand18", change, str(self.folder)], capture_output=True, text=True, check=False)
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        return tomllib.loads(pathlib.Path(outcome.stdout.strip()).read_text())
+
+    def test_each_changes_one_thing(self):
+        manifest = self.folder / "stand18" / "standard" / "manifest.json"
+        manifest.parent.mkdir(parents=True)
+        manifest.write_text('{"parameters": {"ground": {"stiffness_Pa_per_m": 4e7}}}')
+        asked = self.study("standard")
+        self.assertEqual(asked["design"]["layers"][0], ["101", "000", "101"])
+        for change, places in {
+            "fine": {("elements", "fidelity"): "fine"},
+            "half_step": {("dynamics", "step_safety"): 0.4},
+            "stiff_ground": {("ground", "stiffness_Pa_per_m"): 8e7},
+            "friction": {("ground", "static_friction"): 1.01, ("ground", "kinetic_friction"): 0.505},
+            "pressure": {("drive", "pressure_Pa"): [0, 6060]},
+        }.items():
+            expected = {name: dict(table) for name, table in asked.items()}
+            for (table, key), value in places.items():
+                expected.setdefault(table, {})[key] = value
+            self.assertEqual(self.study(change), expected, change)
+        self.assertEqual(self.study("two_layers")["elements"], {"kind": "three_field"})
+
+    def test_places_are_those_at_the_ends_of_periods(self):
+        robot = self.folder / "results" / "stand18" / "standard"
+        robot.mkdir(parents=True)
+        (robot / "locomotion.toml").write_text('status = "completed"\nelements = 7\nsteps = 9\n')
+        lines = ["time_s,centre_of_mass_x_m,centre_of_mass_y_m"]
+        lines += [f"{n / 100:.2f},{1.0 + 0.003 * n / 100},{2.0 - 0.006 * n / 100}" for n in range(501)]
+        (robot / "trajectory.csv").write_text("\n".join(lines) + "\n")
+        walks.gather(self.folder / "results", self.folder / "walks.csv")
+        row, = table_of(self.folder / "walks.csv")
+        self.assertEqual((row["robot"], row["change"], row["elements"]), ("stand18", "standard", "7"))
+        self.assertEqual([float(row[key]) for key in ("x_1_um", "y_1_um", "x_15_um", "y_15_um")], [1000.0, -2000.0, 15000.0, -30000.0])
+
+    def screen(self, search, robots):
+        """robots: {(rank, layers): (dx in mm, status)}"""
+        folder = self.folder / f"screened_{search}"
+        lines = ["rank,cells,elements_status,elements_dx_m,elements_dy_m,elements_distance_m,surrogate_dx_m,surrogate_dy_m"]
+        for number, ((rank, layers), (way_mm, status)) in enumerate(robots.items()):
+            lines.append(f"{rank},5,{status},{1e-3 * way_mm},0,{1e-3 * abs(way_mm)},0.5,0.25")
+            run = folder / "runs" / f"{number}"
+            (run / "result").mkdir(parents=True)
+            (run / "study.toml").write_text(f'[design]\nlayers = [["{layers}"]]\n')
+            (run / "result" / "locomotion.toml").write_text(f'status = "{status}"\n')
+            ways_mm = [0.0, 7.0, 7.0 + way_mm]  # the first period is left out
+            trajectory = [f"{time},{1e-3 * way},0" for time, way in zip((0, 1 / 3, 5), ways_mm)]
+            (run / "result" / "trajectory.csv").write_text("time_s,centre_of_mass_x_m,centre_of_mass_y_m\n" + "\n".join(trajectory) + "\n")
+        (folder / "reevaluation.csv").write_text("\n".join(lines) + "\n")
+
+    def test_robots_that_move_are_chosen_once_from_every_search(self):
+        self.screen("1", {(9, "111"): (2.0, "completed"), (3, "110"): (-1.5, "completed"), (1, "101"): (0.9, "completed"),
+                          (2, "011"): (4.0, "diverged")})
+        self.screen("2", {(1, "112"): (3.0, "completed"), (2, "100"): (5.0, "completed")})
+        walks.choose(self.folder, self.folder / "robots.csv")
+        chosen = table_of(self.folder / "robots.csv")
+        self.assertEqual([row["robot"] for row in chosen], ["search_1_rank_03", "search_1_rank_09", "search_2_rank_02", *walks.SHIPPED])
+        self.assertEqual((chosen[1]["layers"], chosen[1]["surrogate_dx_m"]), ("111", "0.5"))
+
+    def test_unknown_ones_are_refused(self):
+        for words in (["study", "stand18", "twice", "."], ["study", "nobody", "fine", "."], ["jump"]):
+            self.assertEqual(subprocess.run([str(EXPERIMENT / "walks.py"), *words], capture_output=True, check=False).returncode, 2, words)
+
+
+class Tree(unittest.TestCase):
+    """The tables and the picture in the tree are those of its walks."""
+
+    def test_tables_follow_from_the_walks(self):
+        folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        shutil.copy(EXPERIMENT / "walks.csv", folder)
+        shutil.copy(EXPERIMENT / "robots.csv", folder)
+        self.assertEqual(known_walks.main([str(folder)]), 0)
+        for file in sorted(folder.iterdir()):
+            self.assertEqual(file.read_bytes(), (EXPERIMENT / file.name).read_bytes(), file.name)
+
+
+if __name__ == "__main__":
+    unittest.main()
