@@ -22,9 +22,9 @@ voxel::Simulation simulation_of(const ReevaluationStudy& study, const meshes::Po
           study.search.physics};
 }
 
-class Walker {
+class VoxelWalker {
  public:
-  Walker(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames)
+  VoxelWalker(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames)
       : study_(study), with_frames_(with_frames), simulation_(simulation_of(study, body)) {}
 
   SurrogateWalk walk(const std::atomic<bool>* stop) {
@@ -112,7 +112,7 @@ std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::
 
 SurrogateWalk surrogate_walk(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames,
                              const std::atomic<bool>* stop) {
-  return Walker(study, body, with_frames).walk(stop);
+  return VoxelWalker(study, body, with_frames).walk(stop);
 }
 
 }  // namespace menger::evolution

@@ -61,7 +61,8 @@ std::array<double, pattern> repeated(const Point& vector) {
 MENGER_WIDE_LOOPS void kick_block(std::size_t count, const Kick& kick, const Point& gravity, const double* __restrict inner_N,
                                   const double* __restrict inverse_masses, const double* __restrict velocities,
                                   double* __restrict after) {
-  const auto [kept, share, time] = kick;
+  const double kept = kick.kept;
+  const double time = kick.time_s;
   const std::array<double, pattern> weight = repeated(scaled(time, gravity));
   const auto kicked = [&](std::size_t n, double fall) {
     return kept * velocities[n] - time * inverse_masses[n] * inner_N[n] + (inverse_masses[n] > 0.0 ? fall : 0.0);

@@ -19,4 +19,17 @@ const FacePressureTable<Number>& avx2_face_pressure();
 template <class Number>
 const FacePressureTable<Number>& avx512_face_pressure();
 
+template <>
+const FacePressureTable<double>& baseline_face_pressure();
+template <>
+const FacePressureTable<float>& baseline_face_pressure();
+template <>
+const FacePressureTable<double>& avx2_face_pressure();
+template <>
+const FacePressureTable<float>& avx2_face_pressure();
+template <>
+const FacePressureTable<double>& avx512_face_pressure();
+template <>
+const FacePressureTable<float>& avx512_face_pressure();
+
 }  // namespace menger::fem::detail
