@@ -5,16 +5,14 @@
 #include <tuple>
 
 namespace menger::fem {
-namespace {
 
-template <class Use>
-void for_each_face(const meshes::HexahedralMesh& mesh, std::size_t chamber, const Use& use) {
+std::vector<meshes::BoundaryFace> faces_of_chamber(const meshes::HexahedralMesh& mesh, std::size_t chamber) {
   const std::vector<std::size_t>& labels = mesh.chambers[chamber].labels;
+  std::vector<meshes::BoundaryFace> faces;
   for (const meshes::BoundaryFace& face : mesh.faces)
-    if (std::find(labels.begin(), labels.end(), face.label) != labels.end()) use(face);
+    if (std::find(labels.begin(), labels.end(), face.label) != labels.end()) faces.push_back(face);
+  return faces;
 }
-
-}  // namespace
 
 template <class Number>
 ChamberFaces<Number>::ChamberFaces(const meshes::HexahedralMesh& mesh, FaceValues values,
@@ -23,16 +21,16 @@ ChamberFaces<Number>::ChamberFaces(const meshes::HexahedralMesh& mesh, FaceValue
   const std::size_t width = kernels_.width;
   std::vector<std::array<Number, half_edge_numbers_per_face>> edges;  // per lane
   for (std::size_t chamber = 0; chamber < mesh.chambers.size(); ++chamber) {
-    for_each_face(mesh, chamber, [&](const meshes::BoundaryFace& face) {
+    for (const meshes::BoundaryFace& face : faces_of_chamber(mesh, chamber)) {
       for (const std::size_t corner : face.corners) first_components_.push_back(static_cast<std::uint32_t>(3 * corner));
       has_face_.push_back(true);
-      const auto& at = [&](std::size_t corner) -> const meshes::Point& { return mesh.points[face.corners[corner]]; };
+      const auto at = [&](std::size_t corner) -> const meshes::Point& { return mesh.points[face.corners[corner]]; };
       edges.emplace_back();
       for (std::size_t i = 0; i < 3; ++i) {
         edges.back()[i] = static_cast<Number>(0.5 * (at(1)[i] - at(0)[i]));
         edges.back()[3 + i] = static_cast<Number>(0.5 * (at(3)[i] - at(0)[i]));
       }
-    });
+    }
     while (has_face_.size() % width != 0) {
       first_components_.resize(first_components_.size() + 4, first_components_.back());
       has_face_.push_back(false);
@@ -80,13 +78,13 @@ bool has_closed_plena(const meshes::HexahedralMesh& mesh) {
   // Of each edge: how often it is run along in one direction minus how often in the other.
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, int> turns;
   for (std::size_t chamber = 0; chamber < mesh.chambers.size(); ++chamber) {
-    for_each_face(mesh, chamber, [&](const meshes::BoundaryFace& face) {
+    for (const meshes::BoundaryFace& face : faces_of_chamber(mesh, chamber)) {
       for (std::size_t c = 0; c < 4; ++c) {
         const std::size_t from = face.corners[c];
         const std::size_t to = face.corners[(c + 1) % 4];
         turns[{mesh.chambers[chamber].plenum, std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
       }
-    });
+    }
   }
   return std::all_of(turns.begin(), turns.end(), [](const auto& edge) { return edge.second == 0; });
 }

@@ -13,6 +13,9 @@
 
 namespace menger::fem {
 
+/// Returns the boundary faces of a chamber. @param chamber index into the chambers of the mesh
+std::vector<meshes::BoundaryFace> faces_of_chamber(const meshes::HexahedralMesh& mesh, std::size_t chamber);
+
 /// What the places of faces are computed from.
 enum class FaceValues { positions, displacements };
 

@@ -58,9 +58,7 @@ ExplicitChambers::ExplicitChambers(const meshes::HexahedralMesh& mesh, const Fac
 }
 
 void ExplicitChambers::add_faces(const meshes::HexahedralMesh& mesh, std::size_t chamber) {
-  const std::vector<std::size_t>& labels = mesh.chambers[chamber].labels;
-  for (const meshes::BoundaryFace& boundary : mesh.faces) {
-    if (std::find(labels.begin(), labels.end(), boundary.label) == labels.end()) continue;
+  for (const meshes::BoundaryFace& boundary : faces_of_chamber(mesh, chamber)) {
     Face face{{}, static_cast<std::uint32_t>(chamber)};
     for (std::size_t a = 0; a < 4; ++a) face.first_components[a] = static_cast<std::uint32_t>(3 * boundary.corners[a]);
     faces_.push_back(face);
@@ -117,6 +115,12 @@ std::vector<double> ExplicitChambers::plenum_volumes_m3(std::span<const double> 
   for (std::size_t batch = 0; batch < volumes_m3.size(); ++batch) volumes[plenums_[batches_.chamber(batch)]] += volumes_m3[batch];
   for (const RimOfCap& cap : caps_) volumes[plenums_[cap.chamber]] += cap_volume<2>(cap.rim, rim_points(positions_m, cap.nodes));
   return volumes;
+}
+
+std::vector<double> ExplicitChambers::plenum_sums(const std::vector<double>& of_chambers) const {
+  std::vector<double> sums(plenum_count_, 0.0);
+  for (std::size_t c = 0; c < of_chambers.size(); ++c) sums[plenums_[c]] += of_chambers[c];
+  return sums;
 }
 
 std::vector<double> ExplicitChambers::volumes_m3(std::span<const double> positions_m) const {

@@ -26,7 +26,6 @@ class ExplicitChambers {
 
   [[nodiscard]] std::size_t chamber_count() const { return plenums_.size(); }
   [[nodiscard]] std::size_t plenum_count() const { return plenum_count_; }
-  [[nodiscard]] std::size_t plenum(std::size_t chamber) const { return plenums_[chamber]; }
   /// Batches of faces for the kernels; those of a batch have the same chamber.
   [[nodiscard]] std::size_t batch_count() const { return batches_.batch_count(); }
 
@@ -49,6 +48,9 @@ class ExplicitChambers {
   /// Returns the volumes of the plena, m^3. @param volumes_m3 of set_face_forces with these positions
   [[nodiscard]] std::vector<double> plenum_volumes_m3(std::span<const double> positions_m,
                                                       std::span<const double> volumes_m3) const;
+
+  /// Returns the sums of numbers of chambers over the chambers of each plenum.
+  [[nodiscard]] std::vector<double> plenum_sums(const std::vector<double>& of_chambers) const;
 
   /// Returns the volumes of the chambers, m^3.
   /// @param positions_m current, 3 per node

@@ -66,8 +66,7 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
   moves_.resize(BlockLoop::block_count(body.node_count(), nodes_per_block));
   current_positions_.resize(3 * body.node_count() + 1);  // kernels read one number more
   first_volumes_ = chambers_.volumes_m3(body.reference_positions_m());
-  first_plenum_volumes_m3_.resize(chambers_.plenum_count(), 0.0);
-  for (std::size_t c = 0; c < first_volumes_.size(); ++c) first_plenum_volumes_m3_[chambers_.plenum(c)] += first_volumes_[c];
+  first_plenum_volumes_m3_ = chambers_.plenum_sums(first_volumes_);
   clearances_m_.resize(NodeUpdate::clearance_count(body.node_count()));
   energy_noise_ = 1e-10 * body.stiffness_J();
   ExplicitState start;

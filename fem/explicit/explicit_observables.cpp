@@ -12,12 +12,7 @@ std::vector<double> ExplicitDynamics::positions_m() const {
 
 std::vector<double> ExplicitDynamics::velocities_m_per_s() { return half_step().velocities; }
 
-std::vector<double> ExplicitDynamics::plenum_volumes_m3() const {
-  const std::vector<double> chambers = chamber_volumes_m3();
-  std::vector<double> volumes(chambers_.plenum_count(), 0.0);
-  for (std::size_t c = 0; c < chambers.size(); ++c) volumes[chambers_.plenum(c)] += chambers[c];
-  return volumes;
-}
+std::vector<double> ExplicitDynamics::plenum_volumes_m3() const { return chambers_.plenum_sums(chamber_volumes_m3()); }
 
 double ExplicitDynamics::plenum_pressure_Pa(std::size_t plenum) const {
   return options_.supply->pressure_Pa(*state_.pneumatics, plenum);
