@@ -17,6 +17,12 @@ namespace {
 constexpr std::size_t most_bins = 64;  // along an axis
 constexpr double least_sine = 1e-3;    // smallest sine of the angle between two edges that count as not parallel
 
+bool meet(const Box& a, const Box& b) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(a.high[i] > b.low[i] && b.high[i] > a.low[i])) return false;
+  return true;
+}
+
 /// Sorts boxes by their lower corners into bins of equal size. No box is larger than a bin, so boxes that meet are in the same
 /// bin or in neighbouring bins.
 class BoxBins {
@@ -37,19 +43,27 @@ class BoxBins {
     fill(boxes);
   }
 
-  /// Calls consider(first, second) for pairs of boxes that may meet, first < second.
+  /// Calls consider(first, second) once for each pair of boxes that meet, first < second.
   template <class Consider>
-  void visit_pairs(std::span<const Box> boxes, const Consider& consider) const {
-    for (std::size_t first = 0; first < boxes.size(); ++first) {
-      const auto [x, y, z] = place_of(boxes[first]);
-      const std::size_t begin_x = x > 0 ? x - 1 : 0;
-      const std::size_t end_x = std::min(x + 2, count_[0]);
-      for (std::size_t k = z > 0 ? z - 1 : 0; k < std::min(z + 2, count_[2]); ++k) {
-        for (std::size_t j = y > 0 ? y - 1 : 0; j < std::min(y + 2, count_[1]); ++j) {
-          const std::size_t row = (k * count_[1] + j) * count_[0];
-          for (std::size_t n = offsets_[row + begin_x]; n < offsets_[row + end_x]; ++n)
-            if (boxes_[n] > first) consider(first, boxes_[n]);
-        }
+  void visit_pairs(const Consider& consider) const {
+    for (std::size_t bin = 0; bin + 1 < offsets_.size(); ++bin) {
+      const std::size_t x = bin % count_[0];
+      const std::size_t y = bin / count_[0] % count_[1];
+      const std::size_t z = bin / count_[0] / count_[1];
+      const std::size_t before = x > 0 ? 1 : 0;
+      const std::size_t after = x + 1 < count_[0] ? 1 : 0;
+      for (std::size_t n = offsets_[bin]; n < offsets_[bin + 1]; ++n) {
+        const auto visit = [&](std::size_t begin, std::size_t end) {
+          for (std::size_t m = begin; m < end; ++m)
+            if (meet(boxes_[n], boxes_[m])) consider(std::min(elements_[n], elements_[m]), std::max(elements_[n], elements_[m]));
+        };
+        const auto visit_row = [&](std::size_t of_row) { visit(offsets_[of_row - before], offsets_[of_row + after + 1]); };
+        // Of two neighbouring bins, only the first looks at the other one.
+        visit(n + 1, offsets_[bin + after + 1]);
+        if (y + 1 < count_[1]) visit_row(bin + count_[0]);
+        if (z + 1 == count_[2]) continue;
+        for (std::size_t j = y > 0 ? y - 1 : 0; j < std::min(y + 2, count_[1]); ++j)
+          visit_row(((z + 1) * count_[1] + j) * count_[0] + x);
       }
     }
   }
@@ -70,15 +84,21 @@ class BoxBins {
     for (const Box& box : boxes) ++offsets_[bin_of(box) + 1];
     for (std::size_t bin = 1; bin < offsets_.size(); ++bin) offsets_[bin] += offsets_[bin - 1];
     std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
+    elements_.resize(boxes.size());
     boxes_.resize(boxes.size());
-    for (std::size_t n = 0; n < boxes.size(); ++n) boxes_[next[bin_of(boxes[n])]++] = n;
+    for (std::size_t element = 0; element < boxes.size(); ++element) {
+      const std::size_t n = next[bin_of(boxes[element])]++;
+      elements_[n] = element;
+      boxes_[n] = boxes[element];
+    }
   }
 
   Point low_{};
   std::array<std::size_t, 3> count_{};
   Point per_m_{};
-  std::vector<std::size_t> offsets_;  // of bins, x fastest
-  std::vector<std::size_t> boxes_;    // bin by bin
+  std::vector<std::size_t> offsets_;   // of bins, x fastest
+  std::vector<std::size_t> elements_;  // bin by bin
+  std::vector<Box> boxes_;             // of these
 };
 
 /// An element at its present position.
@@ -160,12 +180,6 @@ bool share_a_node(const meshes::ElementCorners& a, const meshes::ElementCorners&
   return std::any_of(a.begin(), a.end(), [&](std::size_t node) { return std::find(b.begin(), b.end(), node) != b.end(); });
 }
 
-bool meet(const Box& a, const Box& b) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!(a.high[i] > b.low[i] && b.high[i] > a.low[i])) return false;
-  return true;
-}
-
 meshes::CornerPoints current_corners(const meshes::HexahedralMesh& mesh, std::size_t element,
                                      std::span<const double> displacements_m) {
   meshes::CornerPoints corners;
@@ -189,18 +203,20 @@ std::optional<BodyOverlap> BodyOverlapSearch::find(std::span<const double> displ
     return *hulls[e];
   };
   BodyOverlap found;
-  BoxBins(boxes).visit_pairs(boxes, [&](std::size_t first, std::size_t second) {
-    if (!meet(boxes[first], boxes[second]) || share_a_node(mesh_.elements[first], mesh_.elements[second])) return;
+  BoxBins(boxes).visit_pairs([&](std::size_t first, std::size_t second) {
+    if (share_a_node(mesh_.elements[first], mesh_.elements[second])) return;
     const Hull& a = hull(first);
     const Hull& b = hull(second);
     const double thinner = std::min(a.thickness, b.thickness);
     const double depth = depth_between(a, b, share * thinner);
     if (!(depth > share * thinner)) return;
     ++found.pairs;
-    if (depth <= found.share * thinner) return;
-    found.share = depth / thinner;
+    const double of_thinner = depth / thinner;
+    const std::array pair{first, second};
+    if (of_thinner < found.share || (of_thinner == found.share && found.elements < pair)) return;
+    found.share = of_thinner;
     found.depth_m = depth;
-    found.elements = {first, second};
+    found.elements = pair;
   });
   if (found.pairs == 0) return std::nullopt;
   return found;

@@ -238,18 +238,4 @@ double SelfContact::energy_J() const {
   return energy;
 }
 
-double SelfContact::stiffness_per_s2(std::span<const double> masses_kg) const {
-  // The stiffness of one touch is spring times g g^T. |g| is 1 at the node and the weight at each corner of the face. The norms
-  // of a row's blocks add up to 2 times its own |g|.
-  if (touches_.empty()) return 0.0;
-  std::vector<double> rows(forces_.size() / 3, 0.0);
-  for (const SelfTouch& touch : touches_) {
-    rows[touch.node] += 2.0 * touch.spring_N_per_m;
-    for (std::size_t c = 0; c < 4; ++c) rows[touch.face_nodes[c]] += 2.0 * touch.weights[c] * touch.spring_N_per_m;
-  }
-  double largest = 0.0;
-  for (std::size_t node = 0; node < rows.size(); ++node) largest = std::max(largest, rows[node] / masses_kg[node]);
-  return largest;
-}
-
 }  // namespace menger::fem

@@ -97,11 +97,6 @@ class SelfContact {
   [[nodiscard]] std::span<const double> friction_N() const;
   [[nodiscard]] double energy_J() const;
 
-  /// An upper bound of the largest eigenvalue of M^-1 K of the springs, 1/s^2: the largest sum of the norms of the blocks in a
-  /// row. It leaves out the rotation of faces, whose part is smaller by the ratio of depth to edge. @param masses_kg per node of
-  /// the mesh
-  [[nodiscard]] double stiffness_per_s2(std::span<const double> masses_kg) const;
-
   /// Resets the largest depth and the largest travel to zero.
   void watch();
   [[nodiscard]] double largest_depth_m() const { return largest_depth_; }

@@ -19,6 +19,16 @@ struct ContactCandidates {
   double smallest_m = 0.0;             ///< smallest distance between a node and a face; the reach if all are further apart
 };
 
+/// A tree of boxes over the faces of a surface, in one list: a node of the tree comes before all that is below it.
+struct FaceBoxes {
+  struct Node {
+    Box box;
+    std::uint32_t end = 0;   ///< the node that follows all below this one
+    std::uint32_t face = 0;  ///< of a leaf, which has nothing below it
+  };
+  std::vector<Node> nodes;
+};
+
 /// Finds nodes and faces of one surface that are near each other, with a tree of boxes over the faces of each surface. The trees
 /// are built for the first positions. Later positions only change their boxes.
 class ContactSearch {
@@ -31,10 +41,10 @@ class ContactSearch {
   [[nodiscard]] ContactCandidates near_pairs(std::span<const Point> points, double reach_m, const BlockLoop& loop);
 
  private:
-  void fit_boxes(std::span<const Point> points);
+  void fit_boxes(std::span<const Point> points, const BlockLoop& loop);
 
   const ContactSurfaces& surfaces_;
-  std::vector<FaceTree> trees_;  // one per surface; faces counted from its first one
+  std::vector<FaceBoxes> trees_;  // one per surface
 };
 
 }  // namespace menger::fem

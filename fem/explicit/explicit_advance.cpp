@@ -11,16 +11,19 @@
 namespace menger::fem {
 namespace {
 
-constexpr double little_change = 0.02;  // change of the stable step in an interval
+/// Change of the stable step from one estimate to the next up to which estimates get rarer. It lies well within the distance
+/// that steps keep from the stable one.
+constexpr double little_change = 0.05;
 constexpr std::size_t least_steps_to_bound = 10;
 
 }  // namespace
 
 double ExplicitDynamics::stable_step() {
   set_pressures();
+  std::span<const SelfTouch> touches;
+  if (options_.self_contact) touches = self_contact_.touches();
   LargestEigenvalues eigenvalues =
-      eigenvalues_->at(state_.displacements_m, state_.branches->numbers, *element_forces_, ground_springs_);
-  if (options_.self_contact) eigenvalues.stiffness_per_s2 += self_contact_.stiffness_per_s2(body_.masses_kg());
+      eigenvalues_->at(state_.displacements_m, state_.branches->numbers, *element_forces_, ground_springs_, touches);
   if (state_.pneumatics && options_.supply->has_lines())
     eigenvalues.stiffness_per_s2 +=
         gas_stiffness_per_s2(chambers_, body_, state_.displacements_m, *options_.supply, *state_.pneumatics);
@@ -67,6 +70,7 @@ void ExplicitDynamics::pass_interval(double time_s) {
       return;
     }
     state_ = last_good_;
+    energies_.reset();
     self_contact_.forget();
     share *= 0.5;
     count = std::max<std::size_t>(1, steps / 2);
@@ -96,8 +100,8 @@ std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::s
 }
 
 std::optional<ExplicitReport> ExplicitDynamics::check() {
-  if (body_.elements().failed_element(state_.displacements_m)) return failure_in_element();
   const MotionEnergies now = energies();
+  if (has_failed_element_) return failure_in_element();
   state_.turnover_J = std::max(state_.turnover_J, now.turnover_J());
   const double imbalance = std::abs(now.imbalance_J());
   // Written so that NaN fails, too.

@@ -18,9 +18,9 @@ constexpr std::size_t face_batches_per_block = 64;
 constexpr std::size_t nodes_per_block = 256;
 constexpr std::size_t components_per_block = 4096;
 
-/// Time between relaxations over the shortest relaxation time. The branch's dynamic modulus is then within 2e-4 of that of the
-/// material where it dissipates most.
-constexpr double relaxation_share = 0.04;
+/// Time between relaxations over the shortest relaxation time. The branch's dynamic modulus is then within 8e-4 of that of the
+/// material where it dissipates most; a longer time would show in motion more than the branch's data are known.
+constexpr double relaxation_share = 0.08;
 
 /// Smallest step over that without branches for which a branch that relaxes fast may shorten it.
 constexpr double least_step_share = 0.1;
@@ -67,7 +67,8 @@ ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const Exp
   current_positions_.resize(3 * body.node_count() + 1);  // kernels read one number more
   first_volumes_ = chambers_.volumes_m3(body.reference_positions_m());
   first_plenum_volumes_m3_ = chambers_.plenum_sums(first_volumes_);
-  clearances_m_.resize(NodeUpdate::clearance_count(body.node_count()));
+  clearances_m_.resize(NodeUpdate::block_count(body.node_count()));
+  touched_blocks_.resize(clearances_m_.size());
   energy_noise_ = 1e-10 * body.stiffness_J();
   ExplicitState start;
   start.displacements_m.assign(3 * body.node_count(), 0.0);
@@ -132,6 +133,7 @@ void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
 void ExplicitDynamics::set_state(ExplicitState state) {
   assert(state.displacements_m.size() == 3 * body_.node_count() && state.velocities_m_per_s.size() == 3 * body_.node_count());
   state_ = std::move(state);
+  energies_.reset();
   report_ = {};
   if (body_.elements().failed_element(state_.displacements_m))
     throw io::InputError("explicit dynamics: cannot start from this state: " + failure_in_element().reason);
@@ -190,6 +192,7 @@ bool ExplicitDynamics::compute_forces(double relaxed_s) {
   const bool has_failed =
       std::any_of(outcomes_.begin(), outcomes_.end(), [](const ForcesOutcome& outcome) { return outcome.has_failed; });
   if (self_contact_.is_awake() && !has_failed) find_touches();  // positions that are not finite have no neighbours
+  has_failed_element_ = has_failed;
   return !has_failed;
 }
 
@@ -229,12 +232,22 @@ void ExplicitDynamics::set_current_positions() {
   });
 }
 
+void ExplicitDynamics::set_touched_blocks() {
+  std::fill(touched_blocks_.begin(), touched_blocks_.end(), '\0');
+  for (const SelfTouch& touch : self_contact_.touches()) {
+    touched_blocks_[touch.node / NodeUpdate::nodes_at_once] = 1;
+    for (const std::uint32_t node : touch.face_nodes) touched_blocks_[node / NodeUpdate::nodes_at_once] = 1;
+  }
+}
+
 NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
   BodyForces forces{*element_forces_};
   if (!body_.elements().take_pressure()) forces.chamber_slots_N = chamber_slots_;
   if (options_.self_contact && !self_contact_.touches().empty()) {
     forces.self_contact_N = self_contact_.forces_N();
     forces.self_friction_N = self_contact_.friction_N();
+    set_touched_blocks();
+    forces.touched_blocks = touched_blocks_;
   }
   loop_.run(body_.node_count(), nodes_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
     moves_[block] = nodes_.move(forces, times, {begin, end}, displacements, velocities, clearances_m_);
@@ -250,6 +263,7 @@ NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>&
 }
 
 bool ExplicitDynamics::take_step(double step_s) {
+  energies_.reset();
   const bool has_looked = self_contact_.is_awake();
   const double relaxed_s = due_relaxation_s(step_s);
   if (!compute_forces(relaxed_s)) return false;

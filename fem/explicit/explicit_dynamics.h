@@ -94,8 +94,8 @@ class UnresolvedRelaxation : public io::InputError {
 
 /// Moves a body in time by central differences with lumped masses. All results are the same bytes for any number of threads.
 ///
-/// Maxwell branches relax separately from the steps: by the exact exponential at fixed deformation, whenever a twenty-fifth of
-/// the shortest relaxation time has passed. In between they act as springs. Their loss is the decrease of their energy and is
+/// Maxwell branches relax separately from the steps: by the exact exponential at fixed deformation, whenever 0.08 of the shortest
+/// relaxation time has passed. In between they act as springs. Their loss is the decrease of their energy and is
 /// never negative, so that the energy balance closes as well as that of an elastic body. For motion that is slow against the time
 /// between two relaxations, the branches are accurate to second order in that time, because their tensors stand for its middle.
 ///
@@ -179,8 +179,10 @@ class ExplicitDynamics {
   void add_work_of_pressure_changes(MotionWork& work) const;
   void find_touches();
   void set_current_positions();
+  void set_touched_blocks();
   NodesOutcome move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities);
   HalfStep half_step();
+  [[nodiscard]] MotionEnergies energies_since_start();
   [[nodiscard]] double largest_speed_m_per_s() const;
   [[nodiscard]] Point mean_velocity_m_per_s() const;
   [[nodiscard]] ExplicitReport failure(io::RunStatus status, const std::string& reason) const;
@@ -209,12 +211,15 @@ class ExplicitDynamics {
   std::vector<double> first_plenum_volumes_m3_;
   std::vector<double> face_volumes_m3_;  ///< see ExplicitChambers::set_face_forces
   std::vector<double> clearances_m_;     ///< see NodeUpdate
+  std::vector<char> touched_blocks_;     ///< see BodyForces
   std::vector<double> current_positions_;
   std::unique_ptr<ElementForces> element_forces_;
   std::optional<EigenvalueEstimate> eigenvalues_;
   AlignedNumbers chamber_slots_;
   std::vector<ForcesOutcome> outcomes_;
+  bool has_failed_element_ = false;  ///< at the time of the forces that were computed last
   std::vector<NodesOutcome> moves_;
+  std::optional<MotionEnergies> energies_;  ///< of the state, if they are known; with at_start_J = 0
 };
 
 /// Advances to each of the times (increasing) and calls `observe` at the start and at each of them. Ends where a run does not

@@ -112,8 +112,9 @@ constexpr double least_clearance_m = 1e-9;
 /// A block of nodes during a step; component i of its nth node at 3 n + i. Loops over whole arrays use vector registers, and give
 /// the same numbers for any register width.
 struct NodeUpdate::Block {
-  std::size_t first = 0;  ///< first component in the body
-  std::size_t count = 0;  ///< of components
+  std::size_t first = 0;    ///< first component in the body
+  std::size_t count = 0;    ///< of components
+  bool is_touched = false;  ///< whether self-contact has forces here
   std::array<double, 3 * nodes_at_once> load_N;
   std::array<double, 3 * nodes_at_once> after_m_per_s;
   std::size_t standing_count = 0;                     ///< number of nodes that the ground pushes
@@ -147,9 +148,11 @@ NodesOutcome NodeUpdate::move(const BodyForces& forces, const StepTimes& times, 
       const std::size_t z = block.standing[s] + 2;
       after[z] += kick.time_s * inverse_masses[z] * block.normal_N[s];
     }
-    for (const std::span<const double> more : {forces.self_contact_N, forces.self_friction_N})
-      for (std::size_t n = 0; n < (more.empty() ? 0 : block.count); ++n)
-        after[n] += kick.time_s * inverse_masses[n] * more[block.first + n];
+    block.is_touched = !forces.self_contact_N.empty() && forces.touched_blocks[begin / nodes_at_once] != 0;
+    if (block.is_touched)
+      for (const std::span<const double> more : {forces.self_contact_N, forces.self_friction_N})
+        for (std::size_t n = 0; n < (more.empty() ? 0 : block.count); ++n)
+          after[n] += kick.time_s * inverse_masses[n] * more[block.first + n];
     MotionWork work;
     for (std::size_t s = 0; s < block.standing_count; ++s) {
       const std::size_t n = block.standing[s];
@@ -204,12 +207,13 @@ void NodeUpdate::add_work(const BodyForces& forces, double time_s, const double*
   double contact_power = 0.0;
   for (std::size_t s = 0; s < block.standing_count; ++s) contact_power += block.normal_N[s] * mean(block.standing[s] + 2);
   work.contact_J += time_s * contact_power;
-  if (forces.self_contact_N.empty() && forces.self_friction_N.empty() && loads_.mass_damping_per_s == 0.0) return;
+  if (!block.is_touched && loads_.mass_damping_per_s == 0.0) return;
   std::array<double, 3 * nodes_at_once> means;
   for (std::size_t n = 0; n < block.count; ++n) means[n] = mean(n);
   const auto work_of = [&](const double* force) { return time_s * product_sum(force, means.data(), block.count); };
-  if (!forces.self_contact_N.empty()) work.self_contact_J += work_of(forces.self_contact_N.data() + block.first);
-  if (!forces.self_friction_N.empty()) work.friction_J -= work_of(forces.self_friction_N.data() + block.first);
+  if (block.is_touched) work.self_contact_J += work_of(forces.self_contact_N.data() + block.first);
+  if (block.is_touched && !forces.self_friction_N.empty())
+    work.friction_J -= work_of(forces.self_friction_N.data() + block.first);
   if (loads_.mass_damping_per_s == 0.0) return;
   std::array<double, 3 * nodes_at_once> momentum;
   for (std::size_t n = 0; n < block.count; ++n) momentum[n] = body_.masses_kg()[(block.first + n) / 3] * means[n];

@@ -25,6 +25,8 @@ struct BodyForces {
   std::span<const double> chamber_slots_N{};  ///< empty: the elements take the pressure
   std::span<const double> self_contact_N{};   ///< 3 per node; empty: none
   std::span<const double> self_friction_N{};  ///< 3 per node; empty: none
+  /// Whether self-contact has forces on a node of each block of NodeUpdate::nodes_at_once nodes.
+  std::span<const char> touched_blocks{};
 };
 
 /// The two parts of a step: the kick (forces change velocities) lasts the mean of the last step and this one, the drift
@@ -54,15 +56,13 @@ class NodeUpdate {
   /// Moves a range of nodes.
   /// @param nodes begins at a multiple of nodes_at_once
   /// @param displacements_m, velocities_m_per_s 3 per node, changed
-  /// @param clearances_m clearance_count of them, changed: each block of nodes is at least so far above the ground, and is not
+  /// @param clearances_m block_count of them, changed: each block of nodes is at least so far above the ground, and is not
   /// looked at before it can have come down. To be set to 0 where nodes are moved in another way.
   NodesOutcome move(const BodyForces& forces, const StepTimes& times, IndexRange nodes, std::span<double> displacements_m,
                     std::span<double> velocities_m_per_s, std::span<double> clearances_m) const;
 
   static constexpr std::size_t nodes_at_once = 128;
-  static constexpr std::size_t clearance_count(std::size_t node_count) {
-    return (node_count + nodes_at_once - 1) / nodes_at_once;
-  }
+  static constexpr std::size_t block_count(std::size_t node_count) { return (node_count + nodes_at_once - 1) / nodes_at_once; }
 
  private:
   struct Block;

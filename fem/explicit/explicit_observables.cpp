@@ -26,6 +26,14 @@ PneumaticReport ExplicitDynamics::supply_air() {
 }
 
 MotionEnergies ExplicitDynamics::energies() {
+  if (!energies_) energies_ = energies_since_start();
+  MotionEnergies result = *energies_;
+  result.at_start_J = state_.at_start_J.value_or(0.0);
+  return result;
+}
+
+/// Returns the energies of the state, as if the energy balance had begun at zero. Computes the forces of the state.
+MotionEnergies ExplicitDynamics::energies_since_start() {
   const HalfStep half = half_step();
   MotionEnergies result;
   for (std::size_t n = 0; n < half.velocities.size(); ++n)
@@ -39,7 +47,6 @@ MotionEnergies ExplicitDynamics::energies() {
   }
   for (std::size_t n = 0; n < state_.displacements_m.size(); ++n)
     result.work.gravity_J += body_.masses_kg()[n / 3] * options_.loads.gravity_m_per_s2[n % 3] * state_.displacements_m[n];
-  result.at_start_J = state_.at_start_J.value_or(0.0);
   return result;
 }
 

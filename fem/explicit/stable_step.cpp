@@ -21,6 +21,9 @@ constexpr double tolerance = 0.01;
 /// A start that is near one mode has a small residual at once, whatever other modes there are.
 constexpr std::size_t least_iterations = 10;
 
+/// Iterations between two looks at the residual: the eigenvalues of the tridiagonal matrix cost as much as an iteration.
+constexpr std::size_t iterations_per_look = 4;
+
 /// Size of the numbers without a pattern in the start of an iteration, over that of the mode at rest.
 constexpr double unpatterned_share = 1.0;
 
@@ -43,7 +46,7 @@ std::vector<double> numbers_without_pattern(const std::vector<double>& roots) {
 /// The largest eigenvalue of a symmetric tridiagonal matrix and its eigenvector.
 struct RitzPair {
   double value = 0.0;
-  Eigen::VectorXd vector;
+  std::vector<double> vector;
 };
 
 RitzPair largest_ritz_pair(const std::vector<double>& diagonal, const std::vector<double>& off_diagonal) {
@@ -52,7 +55,8 @@ RitzPair largest_ritz_pair(const std::vector<double>& diagonal, const std::vecto
   const Eigen::VectorXd beta = Eigen::Map<const Eigen::VectorXd>(off_diagonal.data(), size - 1);
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   solver.computeFromTridiagonal(alpha, beta);
-  return {solver.eigenvalues()[size - 1], solver.eigenvectors().col(size - 1)};
+  const auto vector = solver.eigenvectors().col(size - 1);
+  return {solver.eigenvalues()[size - 1], {vector.begin(), vector.end()}};
 }
 
 void scale(double factor, std::vector<double>& values) {
@@ -60,6 +64,13 @@ void scale(double factor, std::vector<double>& values) {
 }
 
 }  // namespace
+
+template <class Change>
+void EigenvalueEstimate::for_components(const Change& change) const {
+  loop_.run(moved_.size(), components_per_part, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) change(n);
+  });
+}
 
 EigenvalueEstimate::EigenvalueEstimate(const ExplicitBody& body, const BlockLoop& loop, ElementForces& forces)
     : body_(body),
@@ -74,14 +85,14 @@ EigenvalueEstimate::EigenvalueEstimate(const ExplicitBody& body, const BlockLoop
   if (size > 0.0) scale(1.0 / size, unpatterned_);
   const std::vector<double> rest(3 * body.node_count(), 0.0);
   BranchNumbers branches = body.elements().branches_at_rest(rest);
-  const State state{rest, branches, forces, {}};
-  stiffness_mode_ = largest(Matrix::stiffness, state, unpatterned_).mode;
-  if (is_viscous_) damping_mode_ = largest(Matrix::damping, state, unpatterned_).mode;
+  const State state{rest, branches, forces};
+  stiffness_mode_ = mode_of(largest(Matrix::stiffness, state, unpatterned_));
+  if (is_viscous_) damping_mode_ = mode_of(largest(Matrix::damping, state, unpatterned_));
 }
 
 LargestEigenvalues EigenvalueEstimate::at(std::span<const double> displacements_m, BranchNumbers& branches, ElementForces& forces,
-                                          std::span<const double> springs_N_per_m) {
-  const State state{displacements_m, branches, forces, springs_N_per_m};
+                                          std::span<const double> springs_N_per_m, std::span<const SelfTouch> touches) {
+  const State state{displacements_m, branches, forces, springs_N_per_m, touches};
   const auto start_at = [&](const std::vector<double>& mode) {
     std::vector<double> start(mode.size());
     for (std::size_t n = 0; n < start.size(); ++n) start[n] = mode[n] + unpatterned_share * unpatterned_[n];
@@ -96,52 +107,91 @@ LargestEigenvalues EigenvalueEstimate::at(std::span<const double> displacements_
 EigenvalueEstimate::Estimate EigenvalueEstimate::largest(Matrix matrix, const State& state, std::vector<double> start) {
   set_forces(state, {state.displacements_m.data()}, forces_at_state_);
   const double size = std::sqrt(product_sum(start, start));
-  if (!(size > 0.0)) return {0.0, std::move(start)};  // every component is held
+  if (!(size > 0.0)) return {};  // every component is held
   scale(1.0 / size, start);
-  std::vector<std::vector<double>> basis{std::move(start)};
+  Estimate estimate;
+  estimate.basis.push_back(std::move(start));
   std::vector<double> diagonal;
   std::vector<double> off_diagonal;
   std::vector<double> product(moved_.size());
-  RitzPair ritz;
-  double residual = 0.0;
-  while (diagonal.size() < most_iterations) {
-    const std::vector<double>& now = basis.back();
+  double largest_diagonal = 0.0;
+  for (;;) {
+    const std::vector<double>& now = estimate.basis.back();
     apply(matrix, state, now, product);
     diagonal.push_back(product_sum(now, product));
-    if (!std::isfinite(diagonal.back())) return {std::numeric_limits<double>::infinity(), {}};
-    for (std::size_t n = 0; n < product.size(); ++n) product[n] -= diagonal.back() * now[n];
-    if (basis.size() > 1) {
-      const std::vector<double>& before = basis[basis.size() - 2];
-      for (std::size_t n = 0; n < product.size(); ++n) product[n] -= off_diagonal.back() * before[n];
-    }
-    ritz = largest_ritz_pair(diagonal, off_diagonal);
+    if (!std::isfinite(diagonal.back())) return {std::numeric_limits<double>::infinity(), {}, {}};
+    largest_diagonal = std::max(largest_diagonal, std::abs(diagonal.back()));
+    const std::vector<double>& before = off_diagonal.empty() ? now : estimate.basis[estimate.basis.size() - 2];
+    const double beta = off_diagonal.empty() ? 0.0 : off_diagonal.back();
+    for_components([&](std::size_t n) { product[n] -= diagonal.back() * now[n] + beta * before[n]; });
     const double next = std::sqrt(product_sum(product, product));
-    residual = next * std::abs(ritz.vector[ritz.vector.size() - 1]);
-    if ((diagonal.size() >= least_iterations && residual <= tolerance * ritz.value) || !(next > 1e-9 * std::abs(ritz.value)))
-      break;
+    const bool is_complete = !(next > 1e-9 * largest_diagonal);  // the basis spans all that the start can reach
+    const bool is_last = is_complete || diagonal.size() == most_iterations;
+    if (is_last || (diagonal.size() >= least_iterations && (diagonal.size() - least_iterations) % iterations_per_look == 0)) {
+      RitzPair ritz = largest_ritz_pair(diagonal, off_diagonal);
+      const double residual = next * std::abs(ritz.vector.back());
+      if (is_last || residual <= tolerance * ritz.value) {
+        estimate.value = std::max(ritz.value, 0.0) + residual;
+        estimate.weights = std::move(ritz.vector);
+        return estimate;
+      }
+    }
     off_diagonal.push_back(next);
-    basis.push_back(product);
-    scale(1.0 / next, basis.back());
+    std::vector<double> following(product.size());
+    for_components([&](std::size_t n) { following[n] = product[n] / next; });
+    estimate.basis.push_back(std::move(following));
   }
-  Estimate estimate{std::max(ritz.value, 0.0) + residual, std::vector<double>(moved_.size(), 0.0)};
-  for (std::size_t k = 0; k < diagonal.size(); ++k)
-    for (std::size_t n = 0; n < estimate.mode.size(); ++n)
-      estimate.mode[n] += ritz.vector[static_cast<Eigen::Index>(k)] * basis[k][n];
-  return estimate;
+}
+
+/// Returns the mode of an estimate, of length 1.
+std::vector<double> EigenvalueEstimate::mode_of(const Estimate& estimate) const {
+  std::vector<double> mode(moved_.size(), 0.0);
+  for (std::size_t k = 0; k < estimate.basis.size(); ++k)
+    for_components([&](std::size_t n) { mode[n] += estimate.weights[k] * estimate.basis[k][n]; });
+  return mode;
 }
 
 void EigenvalueEstimate::apply(Matrix matrix, const State& state, const std::vector<double>& mode, std::vector<double>& product) {
-  double largest = 0.0;
-  for (std::size_t n = 0; n < mode.size(); ++n) largest = std::max(largest, std::abs(roots_[n] * mode[n]));
+  const double largest = largest_change(mode);
   const bool of_stiffness = matrix == Matrix::stiffness;
   const double step = (of_stiffness ? displacement_share * smallest_edge_m_ : speed_m_per_s) / largest;
-  for (std::size_t n = 0; n < mode.size(); ++n)
-    moved_[n] = step * roots_[n] * mode[n] + (of_stiffness ? state.displacements_m[n] : 0.0);
-  const NodalMotion motion = of_stiffness ? NodalMotion{moved_.data()} : NodalMotion{state.displacements_m.data(), moved_.data()};
+  const std::span<const double> state_m = state.displacements_m;
+  for_components([&](std::size_t n) { moved_[n] = step * roots_[n] * mode[n] + (of_stiffness ? state_m[n] : 0.0); });
+  const NodalMotion motion = of_stiffness ? NodalMotion{moved_.data()} : NodalMotion{state_m.data(), moved_.data()};
   const double changed = set_forces(state, motion, product) ? 1.0 / step : std::numeric_limits<double>::infinity();
-  for (std::size_t n = 0; n < product.size(); ++n) product[n] = changed * roots_[n] * (product[n] - forces_at_state_[n]);
-  if (!of_stiffness || state.springs_N_per_m.empty()) return;
-  for (std::size_t n = 0; n < product.size(); ++n) product[n] += state.springs_N_per_m[n] * roots_[n] * roots_[n] * mode[n];
+  const std::span<const double> springs = of_stiffness ? state.springs_N_per_m : std::span<const double>{};
+  for_components([&](std::size_t n) {
+    product[n] = changed * roots_[n] * (product[n] - forces_at_state_[n]);
+    if (!springs.empty()) product[n] += springs[n] * roots_[n] * roots_[n] * mode[n];
+  });
+  if (of_stiffness) add_touches(state.touches, mode, product);
+}
+
+void EigenvalueEstimate::add_touches(std::span<const SelfTouch> touches, const std::vector<double>& mode,
+                                     std::vector<double>& product) const {
+  for (const SelfTouch& touch : touches) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = [&](std::uint32_t node) { return 3 * std::size_t{node} + i; };
+      double apart = roots_[at(touch.node)] * mode[at(touch.node)];
+      for (std::size_t c = 0; c < 4; ++c)
+        apart -= touch.weights[c] * roots_[at(touch.face_nodes[c])] * mode[at(touch.face_nodes[c])];
+      const double force = touch.spring_N_per_m * apart;
+      product[at(touch.node)] += roots_[at(touch.node)] * force;
+      for (std::size_t c = 0; c < 4; ++c)
+        product[at(touch.face_nodes[c])] -= roots_[at(touch.face_nodes[c])] * touch.weights[c] * force;
+    }
+  }
+}
+
+/// Returns the largest change of a component where the body moves along a mode.
+double EigenvalueEstimate::largest_change(const std::vector<double>& mode) const {
+  std::vector<double> parts(BlockLoop::block_count(mode.size(), components_per_part), 0.0);
+  loop_.run(mode.size(), components_per_part, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    double largest = 0.0;
+    for (std::size_t n = begin; n < end; ++n) largest = std::max(largest, std::abs(roots_[n] * mode[n]));
+    parts[block] = largest;
+  });
+  return *std::max_element(parts.begin(), parts.end());
 }
 
 bool EigenvalueEstimate::set_forces(const State& state, const NodalMotion& motion, std::vector<double>& forces_N) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fem/contact/block_loop.h"
+#include "fem/contact/self_contact.h"
 #include "fem/explicit/explicit_body.h"
 #include "fem/explicit/explicit_elements.h"
 
@@ -36,27 +37,37 @@ class EigenvalueEstimate {
   /// Returns the largest eigenvalues at a state: with the given branches as springs, and the pressures that `forces` was given.
   /// Infinite if an element fails near the state.
   /// @param springs_N_per_m further springs, one per component: those of the ground; empty: none
+  /// @param touches of the body with itself: each is a spring between its node and the point of its face, as stiff along the face
+  /// as across it, as friction is while it holds
   [[nodiscard]] LargestEigenvalues at(std::span<const double> displacements_m, BranchNumbers& branches, ElementForces& forces,
-                                      std::span<const double> springs_N_per_m = {});
+                                      std::span<const double> springs_N_per_m = {}, std::span<const SelfTouch> touches = {});
 
  private:
   enum class Matrix { stiffness, damping };
   struct Estimate {
     double value = 0.0;
-    std::vector<double> mode;  ///< of M^-1/2 A M^-1/2, of length 1
+    std::vector<std::vector<double>> basis{};  ///< of M^-1/2 A M^-1/2; empty where there is no mode
+    std::vector<double> weights{};             ///< of the basis in the mode
   };
   struct State {
     std::span<const double> displacements_m;
     BranchNumbers& branches;
     ElementForces& forces;
-    std::span<const double> springs_N_per_m;
+    std::span<const double> springs_N_per_m{};
+    std::span<const SelfTouch> touches{};
   };
   [[nodiscard]] Estimate largest(Matrix matrix, const State& state, std::vector<double> start);
+  [[nodiscard]] std::vector<double> mode_of(const Estimate& estimate) const;
   /// Computes the change of the forces, over sqrt(m), along a mode.
   void apply(Matrix matrix, const State& state, const std::vector<double>& mode, std::vector<double>& product);
+  void add_touches(std::span<const SelfTouch> touches, const std::vector<double>& mode, std::vector<double>& product) const;
   /// Returns whether no element has failed.
   bool set_forces(const State& state, const NodalMotion& motion, std::vector<double>& forces_N) const;
   [[nodiscard]] double product_sum(const std::vector<double>& a, const std::vector<double>& b) const;
+  [[nodiscard]] double largest_change(const std::vector<double>& mode) const;
+  /// Calls change(n) for every component, in several threads.
+  template <class Change>
+  void for_components(const Change& change) const;
 
   const ExplicitBody& body_;
   const BlockLoop& loop_;

@@ -77,7 +77,7 @@ class FreeDecay {
 };
 
 // Simple shear is linear in both laws, so that the motion is that of three exponentials at any amplitude. Branches that response
-// faster than, as fast as, and slower than the mode, over five of its periods at 171 Hz. Tensors that relax every twenty-fifth of
+// faster than, as fast as, and slower than the mode, over five of its periods at 171 Hz. Tensors that relax every 0.08 of
 // their time, for the middle of it, are wrong by the square of that, as far as the branch has a say: below 1e-3 of the amplitude.
 TEST(MaxwellBranch, ShearModeDecaysAsTheStandardLinearSolid) {
   const double angular_frequency = std::sqrt(Column::wave_number_square() * modulus / density);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "fem/explicit/thin_wall_elements.h"
 #include "tests/unit/fem/explicit/explicit_samples.h"
@@ -12,9 +14,9 @@ namespace {
 
 /// Largest eigenvalue of M^-1 K (or, with a viscosity, of M^-1 C for the rate of forces by velocities) by power iteration: from
 /// below, and within 1e-3 after the iterations. Forces are differentiated along the iterate; noise of single precision is far
-/// below that. @param branches of the body
+/// below that. @param branches of the body @param touch a touch of the body with itself; null: none
 double largest_eigenvalue(const ExplicitBody& body, const std::vector<double>& displacements, bool of_damping,
-                          BranchNumbers& branches) {
+                          BranchNumbers& branches, const SelfTouch* touch = nullptr) {
   const std::unique_ptr<ElementForces> elements = body.elements().make_forces();
   const auto force = [&](const std::vector<double>& at) {
     std::vector<double> forces(at.size());
@@ -22,6 +24,12 @@ double largest_eigenvalue(const ExplicitBody& body, const std::vector<double>& d
     elements->place(motion, BlockLoop(1));
     elements->compute({0, elements->batch_count()}, branches, 0.0);
     elements->sum({0, body.node_count()}, forces.data());
+    for (std::size_t i = 0; i < (touch != nullptr ? 3 : 0); ++i) {
+      double gap = at[3 * touch->node + i];
+      for (std::size_t c = 0; c < 4; ++c) gap -= touch->weights[c] * at[3 * touch->face_nodes[c] + i];
+      forces[3 * touch->node + i] += touch->spring_N_per_m * gap;
+      for (std::size_t c = 0; c < 4; ++c) forces[3 * touch->face_nodes[c] + i] -= touch->weights[c] * touch->spring_N_per_m * gap;
+    }
     return forces;
   };
   std::vector<double> mode = random_numbers(displacements.size(), 1.0, 7);
@@ -151,6 +159,37 @@ TEST(StableStep, CountsBranches) {
                         largest_eigenvalue(body, displacements, false, branches));
       }
     }
+  }
+}
+
+// A spring between a node at one end and a face at the other, as stiff as the elements, and ten and a hundred times as stiff.
+TEST(StableStep, CountsTouches) {
+  const meshes::HexahedralMesh mesh = meshes::box({8e-3, 4e-3, 4e-3}, {4, 2, 2});
+  ExplicitBodyOptions options = silicone_options(mesh);
+  options.elements = ThinWallOptions{.precision = Precision::double_precision};
+  const ExplicitBody body(mesh, options);
+  const std::vector<double> rest(3 * mesh.points.size(), 0.0);
+  const auto node_at = [&](const Point& place) {
+    const auto found = std::ranges::find_if(mesh.points, [&](const Point& X) { return norm(difference(X, place)) < 1e-9; });
+    return static_cast<std::uint32_t>(found - mesh.points.begin());
+  };
+  SelfTouch touch{.node = node_at({0.0, 0.0, 0.0}),
+                  .surface = 0,
+                  .face_nodes = {node_at({8e-3, 0.0, 0.0}), node_at({8e-3, 2e-3, 0.0}), node_at({8e-3, 2e-3, 2e-3}),
+                                 node_at({8e-3, 0.0, 2e-3})},
+                  .weights = {0.4, 0.3, 0.2, 0.1},
+                  .behind_m = {},
+                  .spring_N_per_m = 0.0};
+  const double alone = estimate(body, rest).stiffness_per_s2;
+  for (const double stiffness : {1.0, 10.0, 100.0}) {
+    touch.spring_N_per_m = stiffness * alone * body.masses_kg()[touch.node];
+    BranchNumbers branches = body.elements().branches_at_rest(rest);
+    const std::unique_ptr<ElementForces> forces = body.elements().make_forces();
+    const BlockLoop loop(1);
+    const double found =
+        EigenvalueEstimate(body, loop, *forces).at(rest, branches, *forces, {}, std::span(&touch, 1)).stiffness_per_s2;
+    EXPECT_GT(found, 1.2 * alone);
+    expect_estimate(found, largest_eigenvalue(body, rest, false, branches, &touch));
   }
 }
 
