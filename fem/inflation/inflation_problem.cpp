@@ -73,7 +73,7 @@ class ProblemBuilder {
 
   InflationProblem build() {
     problem_.body.formulation = study_.formulation;
-    if (study_.has_thin_walls()) problem_.body.thin_walls = {ThinWallConstants{}, thin_wall_places(problem_.mesh)};
+    if (study_.has_thin_walls()) problem_.body.thin_walls = ThinWallBody{.places = thin_wall_places(problem_.mesh)};
     add_regions();
     for (const meshes::Chamber& chamber : problem_.mesh.chambers)
       problem_.body.chambers.push_back({chamber.labels, chamber.plenum});

@@ -378,7 +378,7 @@ std::string path_text(const InflationStudy& study) {
   }
   io::StudyTextWriter writer;
   describe_states(writer, identified);
-  return writer.text();
+  return writer.text() + (study.has_thin_walls() ? text_of(constants_of_equilibria) + "\n" : "");
 }
 
 std::string resolved_text(const InflationStudy& study) { return io::described_text(study); }

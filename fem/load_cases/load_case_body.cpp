@@ -77,7 +77,7 @@ LoadCaseBody::LoadCaseBody(const LoadCase& load_case, const StudyMaterial& mater
   body_.regions.assign(mesh.region_names.size(), {material.law, material.volume, material.density_kg_per_m3.value_or(0.0)});
   for (const meshes::Chamber& chamber : mesh.chambers) body_.chambers.push_back({chamber.labels, chamber.plenum});
   body_.plenum_count = 1;
-  if (elements.has_thin_walls()) body_.thin_walls = {ThinWallConstants{}, thin_wall_places(mesh)};
+  if (elements.has_thin_walls()) body_.thin_walls = ThinWallBody{.places = thin_wall_places(mesh)};
   add_grips(mesh);
   if (body_.ground)
     body_.ground->stiffness_Pa_per_m =

@@ -26,9 +26,9 @@ std::string case_text(const CaseRequest& request, const StudyMaterial& material)
     text.add("states", request.state_count);
     if (request.largest_pressure_Pa) text.add("largest_pressure_Pa", *request.largest_pressure_Pa);
   }
-  std::string elements = elements_text(request.elements);
-  if (!request.elements.has_thin_walls()) elements += ", growth " + io::number_text(request.elements.growth);
-  text.line(elements);
+  const std::string more =
+      request.elements.has_thin_walls() ? text_of(constants_of_equilibria) : "growth " + io::number_text(request.elements.growth);
+  text.line(elements_text(request.elements) + ", " + more);
   text.line(materials::law_line(material.law));
   text.line(std::string(volumetric_word(material.volume)) + " " + io::number_text(bulk_modulus_of(material.volume)));
   text.add("density_kg_m3", material.density_kg_per_m3.value_or(0.0));

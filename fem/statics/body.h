@@ -58,7 +58,7 @@ struct Traction {
 
 /// What says that the elements of a body are walls and blocks. The space must have degree 1 and no refinements (asserted).
 struct ThinWallBody {
-  ThinWallConstants constants;
+  ThinWallConstants constants = constants_of_equilibria;
   std::vector<ThinWallPlace> places;  ///< of each element of the mesh; plena as in Body::chambers
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "io/text/number_text.h"
+
 namespace menger::fem {
 namespace {
 
@@ -18,6 +20,11 @@ int elements_per_span(Fidelity fidelity) { return 2 + static_cast<int>(fidelity)
 
 std::string_view to_string(Fidelity fidelity) {
   return std::ranges::find(fidelity_words(), fidelity, [](const auto& word) { return word.second; })->first;
+}
+
+std::string text_of(const ThinWallConstants& constants) {
+  return "wall_penalty_ratio = " + io::number_text(constants.wall_penalty_ratio) +
+         ", block_stiffness_ratio = " + io::number_text(constants.block_stiffness_ratio);
 }
 
 void describe(io::StudyVisitor& visitor, ElementChoice& choice, bool has_precision, std::string_view kind_key) {

@@ -83,7 +83,7 @@ TEST(InflationProblem, CutsTheWallsAsTheFidelityOfThinWallsSays) {
     const auto walls = std::count_if(places.begin(), places.end(),
                                      [](const ThinWallPlace& place) { return place.element == ThinWallElement::wall; });
     EXPECT_EQ(walls, static_cast<std::ptrdiff_t>(6 * span * span)) << "one layer on each side of the chamber";
-    EXPECT_EQ(problem.body.thin_walls->constants.wall_penalty_ratio, ThinWallConstants{}.wall_penalty_ratio);
+    EXPECT_EQ(problem.body.thin_walls->constants.block_stiffness_ratio, constants_of_equilibria.block_stiffness_ratio);
   }
 }
 

@@ -105,6 +105,8 @@ TEST_F(InflationStudyFile, ThinWallsAreChosenByKindAndFidelity) {
   const InflationStudy fine = read({.rest = "[elements]\nkind = \"thin_wall\"\nfidelity = \"fine\"\n"});
   EXPECT_EQ(fine.elements.fidelity, Fidelity::fine);
   EXPECT_NE(path_text(fine), path_text(standard));
+  const std::string constants = text_of(constants_of_equilibria);
+  EXPECT_NE(path_text(fine).find(constants), std::string::npos) << "checkpoints with other constants are not resumed";
   const InflationStudy other = read({});
   EXPECT_FALSE(other.has_thin_walls());
   EXPECT_EQ(other.space_degree(), 2);

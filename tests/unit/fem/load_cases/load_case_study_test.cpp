@@ -247,6 +247,7 @@ TEST(CaseText, TellsApartWhatAnswersDifferentlyAndNothingElse) {
   StudyMaterial stiffer = material;
   stiffer.law = materials::NeoHookean{6e4};
   EXPECT_NE(case_text(request, stiffer), text);
+  EXPECT_NE(case_text(thin, material).find(text_of(constants_of_equilibria)), std::string::npos);
   StudyMaterial softer = material;
   softer.volume = materials::SimoTaylorVolume{2e6};
   EXPECT_NE(case_text(request, softer), text);

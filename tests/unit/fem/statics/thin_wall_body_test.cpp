@@ -26,7 +26,7 @@ struct Row {
     options.chambers = is_split ? meshes::ChamberLayout::per_phase : meshes::ChamberLayout::single;
     set_elements({.fidelity = fidelity}, options);
     mesh = meshes::hollow_polycube({"row", cells, 0.01}, options).mesh;
-    body.thin_walls = {ThinWallConstants{}, thin_wall_places(mesh)};
+    body.thin_walls = ThinWallBody{.places = thin_wall_places(mesh)};
     body.regions = {{materials::NeoHookean{shear_modulus_Pa}, materials::SimoTaylorVolume{bulk_modulus_Pa}, 1000.0}};
     for (const meshes::Chamber& chamber : mesh.chambers) body.chambers.push_back({chamber.labels, chamber.plenum});
     body.plenum_count = mesh.plenum_names.size();
