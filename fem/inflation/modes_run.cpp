@@ -7,6 +7,7 @@
 #include "fem/inflation/inflation_problem.h"
 #include "fem/inflation/modes_files.h"
 #include "fem/inflation/observables.h"
+#include "fem/inflation/wall_points.h"
 #include "io/process/interrupt.h"
 #include "io/process/run_folder.h"
 #include "io/text/input_error.h"
@@ -49,6 +50,14 @@ std::vector<double> response_frequencies_Hz(double first_Hz) {
   const double last_Hz = 1.5 * first_Hz;
   for (int n = 1; n <= steps_beyond && last_Hz > 5.0; ++n) frequencies.push_back(5.0 + (last_Hz - 5.0) * n / steps_beyond);
   return frequencies;
+}
+
+/// Returns the sum of fields. @param fields at least one
+std::vector<double> sum_of(const std::vector<std::vector<double>>& fields) {
+  std::vector<double> sum(fields.front().size(), 0.0);
+  for (const std::vector<double>& field : fields)
+    std::transform(sum.begin(), sum.end(), field.begin(), sum.begin(), std::plus<>());
+  return sum;
 }
 
 /// Returns the body without its point supports. Nodes that are held only against drifting carry no force in equilibrium. Under
@@ -140,7 +149,7 @@ class ModesRun {
     if (report.status != io::RunStatus::completed)
       fail(report.status, "at s = " + io::number_text(step.s) + ": " + report.reason);
     const bool has_modes = report.status == io::RunStatus::completed;
-    if (is_last && has_modes) respond(body, report);
+    if (is_last && has_modes) respond(body, report, state);
     const auto kept = std::min(report.modes.size(), static_cast<std::size_t>(options_.mode_count));
     report.frequencies_Hz.resize(kept);
     report.modes.resize(kept);
@@ -153,30 +162,56 @@ class ModesRun {
     tell(0.5 + 0.5 * static_cast<double>(n + 1) / static_cast<double>(states_.size()), "modes");
   }
 
-  void respond(LinearisedBody& body, const VibrationReport& modes) {
-    std::vector<double> load(3 * space_.positions.size(), 0.0);
-    for (std::size_t p = 0; p < problem_.body.plenum_count; ++p)
-      std::transform(load.begin(), load.end(), body.volume_gradient(p).begin(), load.begin(), std::plus<>());
+  void respond(LinearisedBody& body, const VibrationReport& modes, const BodyState& state) {
+    std::vector<std::vector<double>> gradients;
+    for (std::size_t p = 0; p < problem_.body.plenum_count; ++p) gradients.push_back(body.volume_gradient(p));
+    const std::vector<double> load = sum_of(gradients);
+    body.assembly().read_volume_gradients(state.displacements_m, gradients);
     std::vector<std::string> names{"chamber volume"};
-    std::vector<std::vector<double>> observables{load};
+    std::vector<std::vector<double>> observables{sum_of(gradients)};
+    std::vector<double> at_once{volume_by_pressure(body.assembly().walls())};
     for (const LocatedPoint& point : points_) {
+      const WallRiseSlopes slopes = wall_rise_slopes(body.assembly(), point, state);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         names.push_back(point.point.name + " " + "xyz"[axis]);
-        auto& weights = observables.emplace_back(load.size(), 0.0);
-        for (std::size_t a = 0; a < point.nodes.size(); ++a)
-          weights[3 * static_cast<std::size_t>(point.nodes[a]) + axis] = point.weights[a];
+        observables.push_back(weights_of(point, slopes, axis));
+        at_once.push_back(slopes.by_pressure_m_per_Pa[axis]);
       }
     }
     const std::vector<double> frequencies_Hz = response_frequencies_Hz(modes.frequencies_Hz.front());
-    const FrequencyResponse response = frequency_response(
-        body, modes, load, observables, {.frequencies_Hz = frequencies_Hz, .loss_factor = options_.loss_factor});
+    FrequencyResponse response = frequency_response(body, modes, load, observables,
+                                                    {.frequencies_Hz = frequencies_Hz, .loss_factor = options_.loss_factor});
     if (response.status != io::RunStatus::completed) {
       fail(response.status, response.reason);
       return;
     }
     result_.frequencies_Hz = frequencies_Hz;
-    for (std::size_t w = 0; w < names.size(); ++w)
-      result_.curves.push_back({names[w], w == 0 ? "m3" : "m", response.amplitudes[w]});
+    for (std::size_t w = 0; w < names.size(); ++w) {
+      // What pressure does to walls between their nodes follows it as a spring does.
+      for (std::optional<std::complex<double>>& amplitude : response.amplitudes[w])
+        if (amplitude) *amplitude += at_once[w] / std::complex(1.0, options_.loss_factor);
+      result_.curves.push_back({names[w], w == 0 ? "m3" : "m", std::move(response.amplitudes[w])});
+    }
+  }
+
+  /// Returns how much volume 1 Pa in all plena gives to walls that bulge between their nodes, m^3/Pa.
+  [[nodiscard]] double volume_by_pressure(const PressedWalls& walls) const {
+    double volume_by_pressure = 0.0;
+    for (std::size_t p = 0; p < problem_.body.plenum_count; ++p)
+      for (std::size_t q = 0; q < problem_.body.plenum_count; ++q) volume_by_pressure += walls.volume_by_pressure(p, q);
+    return volume_by_pressure;
+  }
+
+  /// Returns the weights of all components in the displacement of a point along an axis.
+  [[nodiscard]] std::vector<double> weights_of(const LocatedPoint& point, const WallRiseSlopes& slopes, std::size_t axis) const {
+    std::vector<double> weights(3 * space_.positions.size(), 0.0);
+    for (std::size_t a = 0; a < point.nodes.size(); ++a) {
+      const std::size_t first = 3 * static_cast<std::size_t>(point.nodes[a]);
+      weights[first + axis] += point.weights[a];
+      if (!study_.has_thin_walls()) continue;
+      for (std::size_t i = 0; i < 3; ++i) weights[first + i] += slopes.by_displacement[axis][3 * a + i];
+    }
+    return weights;
   }
 
   void finish() {

@@ -13,7 +13,7 @@ namespace menger::fem {
 /// A body linearised about a state, for small motions u: K u + M u'' = f.
 ///
 /// K is the tangent of Assembly at the state. It includes the follower load of its pressures. The pressures keep their values
-/// while the body moves, as if every plenum were open to a large reservoir. M is the consistent mass (see assemble_mass). Held
+/// while the body moves, as if every plenum were open to a large reservoir. M is the mass of assemble_mass. Held
 /// components have the identity in K and zero in M. They respond to no force and take part in no motion.
 ///
 /// It holds a factorisation (MUMPS, LDL^T) of K - shift M. The shift is negative, so that the factorisation also exists for a

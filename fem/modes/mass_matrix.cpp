@@ -1,6 +1,9 @@
 #include "fem/modes/mass_matrix.h"
 
+#include <array>
 #include <cstddef>
+#include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +39,26 @@ void add_isotropic(std::vector<double>& block, std::size_t columns, std::size_t 
   }
 }
 
+/// Returns the axis across a thin wall; nothing for other elements.
+std::optional<std::size_t> normal_of_wall(const Space& space, const Body& body, std::size_t element) {
+  if (!body.thin_walls) return std::nullopt;
+  const ThinWallPlace& place = body.thin_walls->places[space.mesh_elements[element]];
+  return place.element == ThinWallElement::wall ? std::optional(place.normal) : std::nullopt;
+}
+
+/// Gives the mass of a wall to its corners in its plane, as walks do. Across the wall it stays spread as its shape functions are,
+/// so that a wall that turns has its inertia. Blocks keep the mass of their shape functions.
+void lump_in_plane(std::size_t normal, double mass_kg, std::array<double, 64>& masses) {
+  for (std::size_t a = 0; a < 8; ++a) {
+    for (std::size_t b = 0; b < 8; ++b) {
+      double share = 0.0;
+      if (a == b) share = 1.0 / 12.0;
+      if ((a ^ b) == std::size_t{1} << normal) share = 1.0 / 24.0;
+      masses[8 * a + b] = share * mass_kg;
+    }
+  }
+}
+
 template <int degree>
 void add_elements(const Assembly& assembly, const Body& body, double factor, Mat matrix) {
   static constexpr auto shape = element_shape_tables<degree>();
@@ -44,6 +67,7 @@ void add_elements(const Assembly& assembly, const Body& body, double factor, Mat
   const std::span<const std::uint8_t> held = assembly.held();
   std::vector<double> block;
   std::vector<PetscInt> global(shape.nodes);
+  std::array<double, shape.nodes * shape.nodes> nodal{};
   for (std::size_t e = 0; e < space.local_element_count(); ++e) {
     const Index* nodes = space.element_nodes.data() + e * shape.nodes;
     const auto masses = point_masses<degree>(space, body, e);
@@ -54,9 +78,16 @@ void add_elements(const Assembly& assembly, const Body& body, double factor, Mat
       for (std::size_t b = 0; b < shape.nodes; ++b) {
         double m = 0.0;
         for (std::size_t q = 0; q < shape.points; ++q) m += masses[q] * (shape.value[q][a] * shape.value[q][b]);
-        add_isotropic(block, columns, a, b, factor * m, held_of(a), held_of(b));
+        nodal[shape.nodes * a + b] = m;
       }
     }
+    if constexpr (degree == 1) {
+      const std::optional<std::size_t> normal = normal_of_wall(space, body, e);
+      if (normal) lump_in_plane(*normal, std::accumulate(masses.begin(), masses.end(), 0.0), nodal);
+    }
+    for (std::size_t a = 0; a < shape.nodes; ++a)
+      for (std::size_t b = 0; b < shape.nodes; ++b)
+        add_isotropic(block, columns, a, b, factor * nodal[shape.nodes * a + b], held_of(a), held_of(b));
     const auto count = static_cast<PetscInt>(shape.nodes);
     petsc(MatSetValuesBlocked(matrix, count, global.data(), count, global.data(), block.data(), ADD_VALUES));
   }

@@ -49,6 +49,40 @@ TEST_F(ModesProgram, WritesFrequenciesAtTheKnotsOfThePathAndTheResponse) {
   test_support::expect_opens_in_paraview(folder_ / "out");
 }
 
+// At 0.5 Hz, a hundredth of the first natural frequency, the response is the slope of the volume and of points over the pressure
+// to 1e-4. The difference of volumes at pressures 2 % apart errs by the curvature of the curve, some 1e-4, too.
+TEST_F(ModesProgram, RespondsOnThinWallsAsReportedVolumesAndPointsDo) {
+  const auto study = [&](const std::string& pressures_Pa) {
+    return "[elements]\nkind = \"thin_wall\"\n"
+           "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.004\n"
+           "[material]\nbulk_modulus_Pa = 2.5e6\ndensity_kg_per_m3 = 1070\n"
+           "law = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n"
+           "[supports]\nkind = \"ground_held\"\n[path]\npressure_Pa = " +
+           pressures_Pa + "\n[output]\nfields = false\npictures = false\n";
+  };
+  io::write_whole(folder_ / "modes.toml", study("[0, 2000]"));
+  io::write_whole(folder_ / "inflate.toml", study("[0, 1980, 2020]"));
+  const Outcome outcome = run({"modes.toml", "-o", "out", "--count", "2"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(io::read_whole(folder_ / "out/manifest.json").find("thin_wall"), std::string::npos);
+  EXPECT_NE(io::read_whole(folder_ / "out/manifest.json").find("standard"), std::string::npos);
+  ASSERT_EQ(ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-inflate", {"inflate.toml", "-o", "inflated"}).wait().code, 0);
+  const io::CsvContents curve = io::read_csv(folder_ / "inflated/curves.csv");
+  const auto value_at = [&](double pressure_Pa, const std::string& column) {
+    for (std::size_t row = 0; row < curve.row_count(); ++row)
+      if (curve.number(row, "plenum_0_pressure_Pa") == pressure_Pa) return curve.number(row, column);
+    return 0.0;
+  };
+  const io::CsvContents response = io::read_csv(folder_ / "out/frequency_response.csv");
+  const auto expect_slope = [&](const std::string& column, const std::string& of) {
+    const double slope = (value_at(2020.0, of) - value_at(1980.0, of)) / 40.0;
+    EXPECT_GT(slope, 0.0);
+    EXPECT_NEAR(response.number(0, column), slope, 1e-3 * slope) << column;
+  };
+  expect_slope("chamber_volume_real_m3_per_Pa", "plenum_0_volume_m3");
+  expect_slope("top_centre_z_real_m_per_Pa", "top_centre_displacement_z_m");
+}
+
 // A comparison with nan is false, so a range alone would accept it.
 TEST_F(ModesProgram, RefusesNumbersThatAreNone) {
   for (const char* option : {"--loss-factor", "--pressure"}) {

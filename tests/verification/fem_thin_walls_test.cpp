@@ -1,5 +1,5 @@
-// Thin walls at rest against quadratic elements (Q2/P1) with two or three layers through the wall: inflated bodies, and
-// responses to load cases. Quadratic elements take minutes for what thin walls take tenths of a second: their
+// Thin walls at rest against quadratic elements (Q2/P1) with two or three layers through the wall: inflated bodies, natural
+// frequencies, and responses to load cases. Quadratic elements take minutes for what thin walls take tenths of a second: their
 // numbers stand here as they were computed, with what computed them.
 
 #include <gtest/gtest.h>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fem/inflation/inflation_problem.h"
+#include "fem/inflation/modes_run.h"
 #include "fem/inflation/observables.h"
 #include "fem/inflation/wall_points.h"
 #include "fem/load_cases/load_case_run.h"
@@ -176,8 +177,72 @@ struct Shape {
 
 const Shape cube{{1, 1, 1}, "1"};
 const Shape bar{{3, 1, 1}, "111"};
+const Shape angle{{3, 3, 1}, "100100111"};
 
 constexpr double dragon_skin_10_Pa = 86677.0;
+
+/// Natural frequencies of a free body at rest and at 4 kPa, Hz.
+using Frequencies = std::array<std::array<double, 5>, 2>;
+
+/// @param study its elements
+Frequencies frequencies_of(const Shape& shape, InflationStudy study) {
+  auto& source = std::get<DesignSource>(study.source);
+  const auto& [nx, ny, nz] = shape.cells;
+  source.design = {"body", meshes::Polycube::from_digits(nx, ny, nz, shape.digits), cell_edge_m};
+  study.material = silicone(dragon_skin_10_Pa);
+  study.supports.kind = SupportKind::free;
+  study.drives[""] = {.kind = DriveKind::pressure, .values = {0.0, 4e3}};
+  const tests::TestFolder folder;
+  const ModesResult result = run_modes(study, folder / "new", {.mode_count = 5});
+  EXPECT_EQ(result.status, io::RunStatus::completed) << result.reason;
+  Frequencies frequencies{};
+  for (std::size_t state = 0; state < 2; ++state) {
+    const VibrationReport& report = result.states.at(state).vibrations;
+    EXPECT_EQ(report.rigid_modes, 6);
+    EXPECT_EQ(report.frequencies_Hz.size(), 5U);
+    std::copy_n(report.frequencies_Hz.begin(), std::min<std::size_t>(report.frequencies_Hz.size(), 5),
+                frequencies[state].begin());
+  }
+  return frequencies;
+}
+
+/// Expects the first five frequencies at rest and under pressure, each with its own number in the order of size, within relative
+/// tolerances. @param tolerances by fidelity
+void expect_frequencies(const Shape& shape, const Frequencies& expected_Hz, const std::array<double, 3>& tolerances) {
+  for (const Fidelity fidelity : fidelities) {
+    const Frequencies computed_Hz = frequencies_of(shape, on_thin_walls({}, fidelity));
+    for (std::size_t state = 0; state < 2; ++state) {
+      std::printf("| %s | %d kPa |", std::string(to_string(fidelity)).c_str(), state == 0 ? 0 : 4);
+      for (std::size_t mode = 0; mode < 5; ++mode) {
+        const double error = computed_Hz[state][mode] / expected_Hz[state][mode] - 1.0;
+        std::printf(" %.1f Hz %+.2f %% |", expected_Hz[state][mode], 100.0 * error);
+        EXPECT_LT(std::abs(error), tolerances.at(static_cast<std::size_t>(fidelity))) << "mode " << mode;
+      }
+      std::printf("\n");
+    }
+  }
+}
+
+// Frequencies by `menger modes` with two layers of Q2/P1 and edges up to 3 mm (growth = 4). Tolerances: a frequency goes with the
+// square root of a stiffness, and stiffness errs as in the table of statics, by 2 to 5 %; the mass of a wall, which moves with
+// its corners in the plane, errs by the square of the edge over the length of the wave, 1 % with two elements for half a wave.
+TEST(ThinWallModes, OfAHollowCubeAreThoseOfQuadraticElements) {
+  const Frequencies expected_Hz{
+      {{360.0268, 360.0268, 360.0268, 384.4919, 384.4919}, {371.5012, 371.5012, 371.5012, 390.1613, 390.1613}}};
+  expect_frequencies(cube, expected_Hz, {0.03, 0.03, 0.03});
+}
+
+TEST(ThinWallModes, OfABarAreThoseOfQuadraticElements) {
+  const Frequencies expected_Hz{
+      {{129.4151, 129.4151, 132.7963, 165.0500, 229.9061}, {132.5530, 132.5530, 136.7992, 209.1229, 230.1900}}};
+  expect_frequencies(bar, expected_Hz, {0.03, 0.03, 0.03});
+}
+
+TEST(ThinWallModes, OfAnAngleAreThoseOfQuadraticElements) {
+  const Frequencies expected_Hz{
+      {{46.46870, 72.72667, 77.28315, 129.53893, 133.97522}, {47.80733, 78.22872, 79.60605, 136.56076, 136.87809}}};
+  expect_frequencies(angle, expected_Hz, {0.03, 0.03, 0.03});
+}
 
 /// A load case with the numbers of its curve by `menger load-cases` with two layers of Q2/P1 and edges up to 3 mm.
 struct Response {
