@@ -295,7 +295,8 @@ void describe_path(io::StudyVisitor& visitor, InflationStudy& study) {
                  });
 }
 
-void describe_solver(io::StudyVisitor& visitor, EquilibriumOptions& solver) {
+void describe_solver(io::StudyVisitor& visitor, InflationStudy& study) {
+  EquilibriumOptions& solver = study.solver;
   const io::Range tolerance{.lowest = 0.0, .highest = 1e-2, .lowest_excluded = true};
   visitor.table({"solver", "How each equilibrium is found."}, [&] {
     visitor.word(
@@ -311,8 +312,10 @@ void describe_solver(io::StudyVisitor& visitor, EquilibriumOptions& solver) {
                    solver.relative_volume_tolerance, tolerance);
     visitor.integer({"largest_iteration_count", "Largest number of Newton iterations of a step."}, solver.largest_iteration_count,
                     io::within(1, 1000));
-    visitor.boolean({"predict_pressure", "true: Newton's method in the three fields; false: in the displacements only."},
-                    solver.predict_pressure);
+    visitor.only_if(!study.has_thin_walls(), "elements.kind = \"three_field\"", [&] {
+      visitor.boolean({"predict_pressure", "true: Newton's method in the three fields; false: in the displacements only."},
+                      solver.predict_pressure);
+    });
   });
 }
 
@@ -345,7 +348,7 @@ void describe_states(io::StudyVisitor& visitor, InflationStudy& study) {
   describe_element(visitor, study);
   describe_supports(visitor, study);
   describe_path(visitor, study);
-  describe_solver(visitor, study.solver);
+  describe_solver(visitor, study);
   check_gravity(visitor, study);
   check_freedom(visitor, study);
 }

@@ -122,6 +122,8 @@ TEST_F(LoadCaseStudyFile, RefusesToCutThinWallsInAnotherWay) {
       {thin_head + "precision = \"single\"\n" + free, "elements.precision", "unknown key"},
       {head + free + "fidelity = \"fine\"\n", "fidelity", "element_kind = \"thin_wall\""},
       {head + free + "element_kind = \"shell\"\n", "element_kind", "shell"},
+      {thin_head + searching, "states", "element_kind = \"three_field\""},
+      {thin_head + searching + "pressure_fractions = [0.5]\n", "pressure_fractions", "element_kind = \"three_field\""},
   };
   for (const std::string key : {"degree = 2", "through_wall = 2", "largest_element_m = 0.005", "growth = 2"}) {
     faults.push_back(
@@ -143,9 +145,11 @@ LoadCaseStudy parse(const std::string& text) {
 }
 
 TEST(LoadCaseKeys, TemplateIsReadWithEachAlternative) {
-  tests::expect_template_is_read<LoadCaseStudy>(parse,
-                                                {"case.design",  // names a file that is not there
-                                                 "law"});        // needs a density
+  tests::expect_template_is_read<LoadCaseStudy>(
+      parse,
+      {"case.design",  // names a file that is not there
+                       // the inflation of the template looks for its pressures
+       "case.element_kind = \"thin_wall\"", "elements.kind = \"thin_wall\"", "law"});  // needs a density
 }
 
 /// A set whose values fit to each other, whatever they are one by one.
@@ -167,6 +171,7 @@ void describe(io::StudyVisitor& visitor, PossibleSet& possible) {
     load_case.cells = {static_cast<int>(load_case.digits.size()), 1, 1};
     for (char& digit : load_case.digits) digit = static_cast<char>('1' + digit % 2);
     load_case.wall_thickness_m = std::min(load_case.wall_thickness_m, 0.4 * load_case.cell_edge_m);
+    if (load_case.pressures_Pa.empty()) request.elements.choice.kind = ElementKind::three_field;  // that look for their range
     // what the set gives no case can take away
     if (!request.elements.largest_element_m) request.elements.largest_element_m = study.elements.largest_element_m;
   }
@@ -242,12 +247,12 @@ TEST(CaseText, TellsApartWhatAnswersDifferentlyAndNothingElse) {
   draft.elements.choice.fidelity = Fidelity::draft;
   const std::set<std::string> texts{text, case_text(thin, material), case_text(fine, material), case_text(draft, material)};
   EXPECT_EQ(texts.size(), 4U);
+  EXPECT_NE(case_text(thin, material).find(text_of(constants_of_equilibria)), std::string::npos);
   fine.elements.degree = 1;  // of three-field elements
   EXPECT_TRUE(texts.contains(case_text(fine, material)));
   StudyMaterial stiffer = material;
   stiffer.law = materials::NeoHookean{6e4};
   EXPECT_NE(case_text(request, stiffer), text);
-  EXPECT_NE(case_text(thin, material).find(text_of(constants_of_equilibria)), std::string::npos);
   StudyMaterial softer = material;
   softer.volume = materials::SimoTaylorVolume{2e6};
   EXPECT_NE(case_text(request, softer), text);
