@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,8 +67,14 @@ std::string millimetres(double length_m) {
   return io::shown(std::abs(length_m) < noise_m ? 0.0 : 1e3 * length_m);
 }
 
-void print(const fem::InflationResult& result, const std::filesystem::path& folder) {
-  for (const std::string& note : result.notes) std::cout << "  " << note << '\n';
+void print_notes(std::span<const std::string> notes) {
+  for (const std::string& note : notes) std::cout << "  " << note << '\n';
+  std::cout << std::flush;
+}
+
+/// @param told number of notes that were printed when the run began
+void print(const fem::InflationResult& result, std::size_t told, const std::filesystem::path& folder) {
+  print_notes(std::span(result.notes).subspan(told));
   std::cout << io::to_string(result.path.status) << ": " << result.path.points.size() << " states, " << result.elements
             << " elements, " << result.unknowns << " unknowns, " << io::duration_text(result.seconds);
   if (result.resumed_points > 0) std::cout << " (" << result.resumed_points << " states resumed from an earlier run)";
@@ -115,6 +122,11 @@ int run(int argc, const char* const* argv, bool speaks) {
     if (!progress) progress = std::make_unique<io::Progress>(arguments.study.stem().string(), end_s - start_s);
     progress->update(point.s - start_s, io::shown(1e-3 * point.pressures_Pa.front(), 3) + " kPa");
   };
+  std::vector<std::size_t> told;  // notes of each run that are printed before its path is followed
+  options.begun = [&](const std::vector<std::string>& notes) {
+    print_notes(notes);
+    told.push_back(notes.size());
+  };
   const auto begin = [&](int) { progress.reset(); };
   const bool compares = arguments.refinements > 0;
   const std::vector<fem::InflationResult> results =
@@ -123,7 +135,7 @@ int run(int argc, const char* const* argv, bool speaks) {
   progress.reset();
   if (speaks) {
     for (std::size_t n = 0; n < results.size(); ++n)
-      print(results[n], compares ? arguments.folder / ("refinement_" + std::to_string(n)) : arguments.folder);
+      print(results[n], told[n], compares ? arguments.folder / ("refinement_" + std::to_string(n)) : arguments.folder);
   }
   return code_of(results.back().path.status);
 }

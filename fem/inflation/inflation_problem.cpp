@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "fem/inflation/coarse_walls.h"
 #include "fem/statics/free_supports.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
@@ -89,6 +90,7 @@ class ProblemBuilder {
     add_drives();
     add_plates();
     add_points();
+    if (std::string note = note_on_coarse_walls(study_); !note.empty()) problem_.notes.push_back(std::move(note));
     return std::move(problem_);
   }
 

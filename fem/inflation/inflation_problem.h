@@ -44,6 +44,8 @@ struct InflationProblem {
 /// A free body is held at three points (see free_supports). It must have no planes of symmetry, which would hold it, too.
 ///
 /// A resting body starts where the ground's pressure on faces labelled "ground" carries its weight.
+///
+/// The last note may state how far coarse walls are off (see note_on_coarse_walls).
 /// @throws io::InputError naming file and value: for everything that the meshing rejects, thin walls that the mesh cuts into two
 /// layers, an unknown label, region or plenum, plena without a drive, a body without ground, labels that begin with "symmetry"
 /// and are none of the three or lie elsewhere, a free body with planes of symmetry, and plates without a face or with a corner in

@@ -78,6 +78,7 @@ class InflationRun {
 
   InflationResult run() {
     resume_or_begin();
+    if (rank_ == 0 && options_.begun) options_.begun(result_.notes);
     if (const auto refusal = strict_refusal())
       conclude(*refusal);
     else if (progress_.outcome)

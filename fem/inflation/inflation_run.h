@@ -21,6 +21,9 @@ struct InflationOptions {
   /// Reject the study or end the run in cases that otherwise give only a warning note, also for points of earlier runs.
   bool strict = false;
   const std::atomic<bool>* stop = nullptr;  ///< ends the run with status `stopped`; results so far are kept
+  /// Called on the first rank before the path is followed, with the notes that are known by then. Those of the result begin with
+  /// them.
+  std::function<void(const std::vector<std::string>& notes)> begun{};
   /// Called on the first rank after every point of the path, with the parameters of its start and end.
   std::function<void(const PathPoint& point, double start_s, double end_s)> progress{};
   MPI_Comm communicator = MPI_COMM_WORLD;

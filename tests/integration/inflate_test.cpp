@@ -103,6 +103,16 @@ TEST_F(InflateProgram, WritesCurvesFieldsPicturesResultAndManifest) {
   }
 }
 
+TEST_F(InflateProgram, SaysOnceHowFarOneElementThroughTheWallIsOff) {
+  write_study("pressure_Pa = [0, 1000]", "[output]\nfields = false\npictures = false\n");
+  const Outcome outcome = run({"study.toml", "-o", "out"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto first = outcome.out.find("design.elements_through_wall = 2");
+  ASSERT_NE(first, std::string::npos) << outcome.out;
+  EXPECT_LT(first, outcome.out.find("completed")) << outcome.out;
+  EXPECT_EQ(outcome.out.find("design.elements_through_wall = 2", first + 1), std::string::npos) << outcome.out;
+}
+
 TEST_F(InflateProgram, WorkOfThePressureIsTheEnergyStored) {
   write_study("pressure_Pa = [0, 3000]\nlargest_step = 0.02\nfirst_step = 0.02", "[output]\nfields = false\npictures = false\n");
   ASSERT_EQ(run({"study.toml", "-o", "out"}).code, 0);

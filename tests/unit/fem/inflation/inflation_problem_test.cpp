@@ -178,7 +178,7 @@ TEST(InflationProblem, MovesAutomaticPointsOntoABodyWithoutMiddleAndSaysSo) {
   auto& source = std::get<DesignSource>(study.source);
   source.design = {"l", meshes::Polycube::from_digits(3, 3, 1, "111100100"), 0.01};
   const InflationProblem problem = make_problem(study);
-  ASSERT_EQ(problem.notes.size(), 2U) << "neither the middle of the top nor of the side is there";
+  ASSERT_EQ(problem.notes.size(), 3U) << "neither the middle of the top nor of the side is there, and walls are coarse";
   for (const NamedPoint& point : problem.points) {
     EXPECT_NE(std::find(problem.mesh.points.begin(), problem.mesh.points.end(), point.position), problem.mesh.points.end());
   }
