@@ -45,8 +45,10 @@ struct Arguments {
 
 constexpr const char* description =
     "Evolves fractal robots. The archive keeps all results. Run the same command again to resume a search that was stopped,\n"
-    "or to show the result of a finished one. With a table [reference] in the study, finite elements evaluate some survivors\n"
-    "during the search and correct the fitness of all; their runs are in a folder named after the archive.";
+    "or to show the result of a finished one. Robots move as voxels, or with evaluation.model = \"finite_elements\" as hollow\n"
+    "bodies of silicone on finite elements. With a table [reference] in the study, robots move as voxels, and finite elements\n"
+    "evaluate some survivors during the search and correct the fitness of all; their runs are in a folder named after the\n"
+    "archive.";
 
 constexpr const char* example =
     "Example:\n"
@@ -172,8 +174,8 @@ void require_memory(const Study& study, int threads) {
 int evolve(const Arguments& arguments) {
   Study study = read_study(arguments.study, arguments.overrides);
   require_memory(study, arguments.threads);
-  const VoxelEvaluator evaluator = evaluator_of(study);
-  const VoxelEvaluator half_step = half_step_evaluator_of(study);
+  const std::unique_ptr<DesignEvaluator> evaluator = evaluator_of(study);
+  const std::unique_ptr<DesignEvaluator> half_step = half_step_evaluator_of(study);
   Log* listener = nullptr;
   FiniteElementEvaluatorOptions reference_options{.runs = fs::path(arguments.archive).replace_extension(".reference")};
   reference_options.progress = [&](std::size_t done, std::size_t total, const std::string& name) {
@@ -184,6 +186,7 @@ int evolve(const Arguments& arguments) {
   io::Manifest manifest{
       .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
+  if (const fs::path& silicone = study.silicone.silicone.law.file; !silicone.empty()) io::note_input(manifest.inputs, silicone);
   if (reference) manifest.inputs.insert(reference->study().inputs.begin(), reference->study().inputs.end());
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
   const RunView run = view_of(archive, study);
@@ -213,8 +216,8 @@ int evolve(const Arguments& arguments) {
     options.progress = [&](const SearchProgress& progress) { log.progress(progress); };
     options.round_done = [&](const ReferenceRound& round, const Discrepancy& learnt) { log.evaluated(round, learnt); };
     const auto start = Clock::now();
-    status =
-        run_search(study.search, evaluator, archive, options, reference.get(), study.search.step_checks ? &half_step : nullptr);
+    status = run_search(study.search, *evaluator, archive, options, reference.get(),
+                        study.search.step_checks ? half_step.get() : nullptr);
     log.close();
     listener = nullptr;
     manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -229,6 +232,8 @@ int evolve(const Arguments& arguments) {
   print_validity(archive, *archive.last_generation());
   if (reference) std::cout << reference_summary(run);
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";
+  if (uses_elements(study))
+    std::cout << "      menger reevaluate " << arguments.archive.string() << " --top 5, on finer elements\n";
   return io::exit_code::done;
 }
 

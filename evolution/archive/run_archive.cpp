@@ -116,7 +116,46 @@ std::optional<std::array<double, 3>> find_left_out_m(const SQLite::Database& con
   return row.executeStep() ? vector_in(row) : std::nullopt;
 }
 
-/// Finds an evaluation in a table with the columns of `evaluation`. Does not set left_out_m.
+/// Adds the displacements in every period and the elements of an evaluation, if it has any.
+void insert_walk(SQLite::Database& connection, const EvaluationKey& key, const Evaluation& result) {
+  if (result.period_displacements_m.empty() && result.fidelity.empty() && result.elements == 0) return;
+  add_walk_tables(connection);
+  SQLite::Statement period(
+      connection,
+      "INSERT INTO period_displacement VALUES (:design_hash, :level, :decided_by_hash, :period, :dx_m, :dy_m, :dz_m)");
+  for (std::size_t n = 0; n < result.period_displacements_m.size(); ++n) {
+    period.reset();
+    bind_key(period, key);
+    period.bind(":period", static_cast<std::int64_t>(n));
+    bind_vector(period, result.period_displacements_m[n]);
+    period.exec();
+  }
+  if (result.fidelity.empty() && result.elements == 0) return;
+  SQLite::Statement elements(connection,
+                             "INSERT INTO element_count VALUES (:design_hash, :level, :decided_by_hash, :fidelity, :elements)");
+  bind_key(elements, key);
+  elements.bind(":fidelity", result.fidelity);
+  elements.bind(":elements", signed_number(result.elements));
+  elements.exec();
+}
+
+/// Reads what insert_walk added.
+void read_walk(const SQLite::Database& connection, const EvaluationKey& key, Evaluation& result) {
+  if (!connection.tableExists("period_displacement")) return;
+  const std::string with_key = " WHERE design_hash = :design_hash AND level = :level AND decided_by_hash = :decided_by_hash";
+  SQLite::Statement period(connection, "SELECT dx_m, dy_m, dz_m FROM period_displacement" + with_key + " ORDER BY period");
+  bind_key(period, key);
+  while (period.executeStep()) {
+    if (const auto displacement_m = vector_in(period)) result.period_displacements_m.push_back(*displacement_m);
+  }
+  SQLite::Statement elements(connection, "SELECT fidelity, elements FROM element_count" + with_key);
+  bind_key(elements, key);
+  if (!elements.executeStep()) return;
+  result.fidelity = elements.getColumn("fidelity").getString();
+  result.elements = count_in(elements.getColumn("elements"));
+}
+
+/// Finds an evaluation in a table with the columns of `evaluation`. Sets only what has a column there.
 std::optional<ArchivedEvaluation> find_evaluation(const SQLite::Database& connection, const std::string& table,
                                                   const EvaluationKey& key) {
   SQLite::Statement row(connection,
@@ -525,7 +564,9 @@ std::optional<ArchivedEvaluation> RunArchive::evaluation(const EvaluationKey& as
   return database_->read([&](const SQLite::Database& connection) {
     const EvaluationKey key = database_->key_in("evaluation", asked);
     std::optional<ArchivedEvaluation> found = find_evaluation(connection, "evaluation", key);
-    if (found) found->result.left_out_m = find_left_out_m(connection, key);
+    if (!found) return found;
+    found->result.left_out_m = find_left_out_m(connection, key);
+    read_walk(connection, key, found->result);
     return found;
   });
 }
@@ -534,6 +575,7 @@ void RunArchive::add_evaluation(const EvaluationKey& key, const ArchivedEvaluati
   database_->write([&](SQLite::Database& connection) {
     insert_evaluation(connection, "evaluation", key, evaluation);
     insert_left_out(connection, key, evaluation.result);
+    insert_walk(connection, key, evaluation.result);
   });
 }
 

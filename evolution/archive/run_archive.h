@@ -102,8 +102,9 @@ struct GenerationRecord {
 /// The archive of one search: an SQLite database with everything that is needed to continue the search, to show its history and
 /// to evaluate its designs again.
 ///
-/// Displacements before the part that counts (Evaluation::left_out_m), reference evaluations and checks of the time step have
-/// tables of their own. Only the archives of searches with such data have these tables.
+/// Displacements that do not count (Evaluation::left_out_m), displacements in every period, finite elements of bodies, reference
+/// evaluations and checks of the time step have tables of their own. Only the archives of searches with such data have these
+/// tables.
 ///
 /// Every change is one transaction. Once the call returns, it survives the end of the process (write-ahead log). Rows have
 /// natural keys only, so that two runs of a study have the same content, apart from the columns named `seconds`. One process
@@ -111,9 +112,10 @@ struct GenerationRecord {
 class RunArchive {
  public:
   /// The version of the tables and of the keys of studies. The studies of archives of earlier versions have earlier names of
-  /// keys: such an archive can be read, and re-evaluations can be added to it, but no search continues with it. Version 2 had no
-  /// re-evaluations; the first one turns it into version 3.
-  static constexpr int schema_version = 5;
+  /// keys, or lack keys: such an archive can be read, and re-evaluations can be added to it, but no search continues with it.
+  /// Version 2 had no re-evaluations; the first one turns it into version 3. Version 5 had no model of evaluation, and no
+  /// displacements by period.
+  static constexpr int schema_version = 6;
 
   /// Opens the archive of a study for writing. Makes it if there is none.
   /// @param study identity_text of the study

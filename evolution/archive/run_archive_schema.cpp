@@ -94,7 +94,7 @@ CREATE TABLE reevaluation (
 )sql";
 constexpr int version_without_reevaluations = 2;
 constexpr int first_version_with_reevaluations = 3;
-constexpr int last_version_of_earlier_keys = 4;
+constexpr int last_version_of_earlier_keys = 5;
 
 int version_of(const SQLite::Database& connection) {
   SQLite::Statement row(connection, "PRAGMA user_version");
@@ -167,6 +167,27 @@ CREATE TABLE IF NOT EXISTS left_out (
 )sql");
 }
 
+void add_walk_tables(SQLite::Database& connection) {
+  connection.exec(R"sql(
+CREATE TABLE IF NOT EXISTS period_displacement (
+  design_hash TEXT NOT NULL,
+  level INTEGER NOT NULL,
+  decided_by_hash TEXT NOT NULL,
+  period INTEGER NOT NULL,
+  dx_m REAL NOT NULL, dy_m REAL NOT NULL, dz_m REAL NOT NULL,
+  PRIMARY KEY (design_hash, level, decided_by_hash, period)
+) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS element_count (
+  design_hash TEXT NOT NULL,
+  level INTEGER NOT NULL,
+  decided_by_hash TEXT NOT NULL,
+  fidelity TEXT NOT NULL,
+  elements INTEGER NOT NULL,
+  PRIMARY KEY (design_hash, level, decided_by_hash)
+) WITHOUT ROWID;
+)sql");
+}
+
 void add_reference_table(SQLite::Database& connection) {
   connection.exec(R"sql(
 CREATE TABLE IF NOT EXISTS judgement (
@@ -202,7 +223,7 @@ bool has_earlier_keys(const SQLite::Database& connection) { return version_of(co
 void require_present_keys(const fs::path& file, const SQLite::Database& connection) {
   if (!has_earlier_keys(connection)) return;
   refuse_archive(file, "is an archive of schema version " + std::to_string(version_of(connection)) +
-                           ", with earlier names of study keys: menger export and menger reevaluate can read it, but no search "
+                           ", with earlier keys of studies: menger export and menger reevaluate can read it, but no search "
                            "can be resumed from it; choose another archive");
 }
 

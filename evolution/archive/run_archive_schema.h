@@ -25,6 +25,10 @@ void create_schema(SQLite::Database& connection, std::string_view study, int gen
 /// the archives of others stay as they are.
 void add_left_out_table(SQLite::Database& connection);
 
+/// Makes the tables of displacements in every period and of the elements of bodies, if they are missing. Only some searches need
+/// them.
+void add_walk_tables(SQLite::Database& connection);
+
 /// Makes the table of reference evaluations, if it is missing. Only some searches need it.
 void add_reference_table(SQLite::Database& connection);
 

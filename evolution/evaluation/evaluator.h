@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "evolution/evaluation/steady_displacement.h"
 #include "io/text/run_status.h"
 #include "meshes/design/polycube.h"
 
@@ -19,21 +20,28 @@ namespace menger::evolution {
 struct Evaluation {
   io::RunStatus status = io::RunStatus::stopped;
 
-  /// Net displacement of the centre of mass (x, y, z) in metres, over the evaluation or the part of it that counts. It exists
-  /// exactly when the status is `completed`.
+  /// Net displacement of the centre of mass (x, y, z) in metres, over the evaluation or the part of it that counts; of an
+  /// evaluator that measures the last periods, the displacement in one of them (see steady_displacement_m). It exists exactly
+  /// when the status is `completed`.
   std::optional<std::array<double, 3>> displacement_m;
 
-  /// Displacement before the part of the evaluation that counts, in metres. It exists only if that part does not begin at the
-  /// start and the status is `completed`.
+  /// Net displacement over the evaluation that is not in displacement_m, in metres. It exists only if not all of the evaluation
+  /// counts and the status is `completed`.
   std::optional<std::array<double, 3>> left_out_m{};
+
+  /// Displacement in each whole period of the drive. Empty if the evaluator does not measure them, or the status is not
+  /// `completed`.
+  PeriodDisplacements period_displacements_m{};
 
   /// Where the evaluator's model left its range of validity: sentences joined by "; ", empty if nowhere. A result outside of the
   /// range stands, but it is an extrapolation.
   std::string outside_validity;
 
-  std::string reason;       ///< empty when completed, otherwise what went wrong, where and when
-  std::uint64_t steps = 0;  ///< time steps done
-  double seconds = 0.0;     ///< wall time; bodies evaluated together have equal shares of it; never compared
+  std::string reason;          ///< empty when completed, otherwise what went wrong, where and when
+  std::uint64_t steps = 0;     ///< time steps done
+  std::uint64_t elements = 0;  ///< finite elements of the body; 0 if it moves as voxels, or was refused
+  std::string fidelity;        ///< how finely the body is divided, in the words of its model; empty for voxels
+  double seconds = 0.0;        ///< wall time; bodies evaluated together have equal shares of it; never compared
 };
 
 /// One evaluation to make: a body and its level.

@@ -68,12 +68,13 @@ io::Chart scatter_chart(const ReevaluationStudy& study, const ReevaluationFindin
     }
   }
   io::ChartPanel speed{.title = "speed",
-                       .x = {.title = "surrogate (body lengths per minute)"},
+                       .x = {.title = model_of_search(study) + " (body lengths per minute)"},
                        .y = {.title = "finite elements (body lengths per minute)"},
                        .equal_scale = true};
-  io::ChartPanel angle{.title = "angle between both directions",
-                       .x = {.title = "surrogate (body lengths per minute)", .lowest = 0.0, .highest = 1.1 * largest + 1e-9},
-                       .y = {.title = "angle (degrees)", .lowest = 0.0, .highest = 190.0}};
+  io::ChartPanel angle{
+      .title = "angle between both directions",
+      .x = {.title = model_of_search(study) + " (body lengths per minute)", .lowest = 0.0, .highest = 1.1 * largest + 1e-9},
+      .y = {.title = "angle (degrees)", .lowest = 0.0, .highest = 190.0}};
   for (const auto& series : speeds) {
     if (!series.x.empty()) speed.series.push_back(series);
   }
@@ -99,7 +100,7 @@ io::Chart trajectories_chart(const ReevaluationStudy& study, const ReevaluatedDe
   const double body_length_m = meshes::body_length_m(study.level, study.search.search.cell_edge_m);
   if (!design.elements.trajectory.empty())
     add_path(chart, path_of(design.elements.trajectory), "finite elements", 1, body_length_m);
-  add_path(chart, path_of(design.surrogate.trajectory), "surrogate", 0, body_length_m);
+  add_path(chart, path_of(design.surrogate.trajectory), model_of_search(study), 0, body_length_m);
   return chart;
 }
 

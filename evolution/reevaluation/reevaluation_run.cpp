@@ -166,7 +166,7 @@ class Reevaluator {
     require_accepted(*runs);
     result_.repeated = static_cast<std::size_t>(std::ranges::count(*runs, true, &LocomotionRun::is_repeated));
     for (std::size_t n = 0; n < runs->size(); ++n) {
-      leave_out((*runs)[n], study_.measure_from_s);
+      measure_as_search(study_, (*runs)[n]);
       LocomotionRun& place = n < designs.size() ? designs[n].elements : findings().variants[n - designs.size()].run;
       place = std::move((*runs)[n]);
     }

@@ -74,7 +74,7 @@ std::string design_line(const ReevaluationStudy& study, const ReevaluatedDesign&
   if (!evaluated.elements.reason.empty()) line += ": " + evaluated.elements.reason;
   const Evaluation& surrogate = evaluated.surrogate.result;
   if (surrogate.status != io::RunStatus::completed)
-    line += "; surrogate " + std::string(io::to_string(surrogate.status)) + ": " + surrogate.reason;
+    line += "; " + model_of_search(study) + " " + std::string(io::to_string(surrogate.status)) + ": " + surrogate.reason;
   if (!evaluated.is_balanced) line += "; falls over by itself";
   return line + "\n";
 }
@@ -95,9 +95,9 @@ std::string direction_text(const char* angle, const std::optional<Share>& found)
          std::to_string(found->of) + " (" + interval_text(found->interval) + ")\n";
 }
 
-std::string regret_text(std::size_t k, const std::optional<TopRegret>& found) {
+std::string regret_text(const std::string& model, std::size_t k, const std::optional<TopRegret>& found) {
   if (!found) return "";
-  std::string text = "  evaluating only the surrogate's best" + (k > 1 ? " " + std::to_string(k) : std::string()) +
+  std::string text = "  evaluating only the " + model + "'s best" + (k > 1 ? " " + std::to_string(k) : std::string()) +
                      " on finite elements loses " + io::formatted("%.3f", found->regret) + " of " +
                      io::formatted("%.3f body lengths per minute, the speed of the best design", found->best);
   if (k > 1)
@@ -105,13 +105,13 @@ std::string regret_text(std::size_t k, const std::optional<TopRegret>& found) {
   return text + "\n";
 }
 
-std::string ranking_text(const Ranking& ranking) {
+std::string ranking_text(const std::string& model, const Ranking& ranking) {
   std::string text = ranking.name + ": " + std::to_string(ranking.compared) + " of " + std::to_string(ranking.evaluated) +
                      " designs completed in both models\n  rank correlation of the distances: " +
                      correlation_text("Spearman", ranking.spearman) + ", " + correlation_text("Kendall", ranking.kendall) + "\n";
   text += direction_text("45", ranking.within_45_deg) + direction_text("90", ranking.within_90_deg);
-  text += regret_text(1, ranking.best);
-  if (ranking.k > 1) text += regret_text(ranking.k, ranking.best_of_k);
+  text += regret_text(model, 1, ranking.best);
+  if (ranking.k > 1) text += regret_text(model, ranking.k, ranking.best_of_k);
   return text;
 }
 
@@ -130,7 +130,7 @@ std::string variant_text(const ReevaluationStudy& study, const ReevaluationFindi
   }
   if (text.empty() || gaps.empty()) return text;
   std::ranges::sort(gaps);
-  return text + "the surrogate's displacement is off by " +
+  return text + "the " + model_of_search(study) + "'s displacement is off by " +
          io::formatted("%.0f", 100.0 * 0.5 * (gaps[(gaps.size() - 1) / 2] + gaps[gaps.size() / 2])) + " % (median of " +
          std::to_string(gaps.size()) + " designs)\n";
 }
@@ -267,15 +267,15 @@ std::string findings_text(const ReevaluationStudy& study, const ReevaluationFind
       io::formatted("%.4g", study.duration_s) + " s" +
       (study.measure_from_s > 0.0 ? " (displacement measured from " + io::formatted("%.4g", study.measure_from_s) + " s on)"
                                   : "") +
-      ", body lengths per minute:\n" + padded("rank", 5) + padded("set", 8) + padded("individual", 11) + padded("surrogate", 13) +
-      padded("elements", 13) + padded("ratio", 9) + padded("angle", 8) + "  status\n";
+      ", body lengths per minute:\n" + padded("rank", 5) + padded("set", 8) + padded("individual", 11) +
+      padded(model_of_search(study), 13) + padded("elements", 13) + padded("ratio", 9) + padded("angle", 8) + "  status\n";
   for (const ReevaluatedDesign& evaluated : findings.designs) text += design_line(study, evaluated);
   if (!findings.refused.empty()) {
     text += std::to_string(findings.refused.size()) +
             " designs that would have been chosen cannot be evaluated; the first (rank " +
             std::to_string(findings.refused.front().rank) + "): " + findings.refused.front().reason + "\n";
   }
-  for (const Ranking& ranking : findings.rankings) text += ranking_text(ranking);
+  for (const Ranking& ranking : findings.rankings) text += ranking_text(model_of_search(study), ranking);
   return text + variant_text(study, findings);
 }
 

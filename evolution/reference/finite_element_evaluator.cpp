@@ -52,7 +52,7 @@ std::optional<std::vector<ReferenceResult>> FiniteElementEvaluator::evaluate(std
   require_accepted(*runs);
   std::vector<ReferenceResult> results;
   for (LocomotionRun& run : *runs) {
-    leave_out(run, study_.measure_from_s);
+    measure_as_search(study_, run);
     results.push_back(
         {.result = evaluation_of(run), .has_result = run.status.has_value(), .element_steps = run.steps * run.elements});
   }
@@ -62,6 +62,7 @@ std::optional<std::vector<ReferenceResult>> FiniteElementEvaluator::evaluate(std
 std::string FiniteElementEvaluator::protocol() const { return protocol_text(study_, study_.elements); }
 
 double FiniteElementEvaluator::time_factor() const {
+  if (measured_periods(study_.search)) return 1.0;
   return (study_.search.duration_s - study_.search.measure_from_s) / study_.measured_s();
 }
 

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "evolution/reference/reevaluation_surrogate.h"
 #include "fem/locomotion/locomotion_result.h"
 #include "io/process/file_lock.h"
 #include "io/process/side_by_side.h"
@@ -185,6 +186,16 @@ void leave_out(LocomotionRun& run, double until_s) {
   if (until_s <= 0.0 || !run.displacement_m || until_s <= run.trajectory.front().time_s) return;
   run.left_out_m = voxel::displacement_m(run.trajectory, voxel::point_at(run.trajectory, until_s));
   for (std::size_t axis = 0; axis < 3; ++axis) run.displacement_m->at(axis) -= run.left_out_m->at(axis);
+}
+
+void measure_as_search(const ReevaluationStudy& study, LocomotionRun& run) {
+  const auto last = measured_periods(study.search);
+  if (!last) return leave_out(run, study.measure_from_s);
+  if (!run.displacement_m) return;
+  const std::array<double, 3> whole_m = *run.displacement_m;
+  run.displacement_m = steady_displacement_m(period_displacements_m(run.trajectory, last->period_s, study.duration_s), *last);
+  run.left_out_m = whole_m;
+  for (std::size_t axis = 0; axis < 3; ++axis) run.left_out_m->at(axis) -= run.displacement_m.value().at(axis);
 }
 
 Evaluation evaluation_of(const LocomotionRun& run) {

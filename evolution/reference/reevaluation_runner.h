@@ -44,6 +44,9 @@ std::string_view status_word(const LocomotionRun& run);
 /// is interpolated linearly between records, so it is exact at a record. Does nothing for time 0.
 void leave_out(LocomotionRun& run, double until_s);
 
+/// Makes the displacement of a completed run that which the search measures: that of the last periods, or from a time on.
+void measure_as_search(const ReevaluationStudy& study, LocomotionRun& run);
+
 /// Returns a run as the archive keeps it. A run without a result has the status `stopped`, too.
 Evaluation evaluation_of(const LocomotionRun& run);
 

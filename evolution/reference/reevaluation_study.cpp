@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "evolution/study/study_file.h"
+#include "evolution/study/walk_evaluator.h"
 #include "io/study/study_reader.h"
 #include "io/study/study_text.h"
 #include "io/text/content_hash.h"
@@ -29,12 +30,12 @@ void require_calibrated_search(const Study& search, const fs::path& archive) {
   const auto refuse = [&](const std::string& why) {
     throw io::InputError(archive.string() + ": its search cannot be evaluated by finite elements: " + why);
   };
-  if (!search.physics.surrogate) {
+  if (!is_of_silicone(search)) {
     refuse(
         "it drove solid voxels by changing their size; a search with a table [surrogate] with calibrated parameters and "
-        "pressures is needed");
+        "pressures is needed, or one on finite elements");
   }
-  const auto& [low_Pa, high_Pa] = search.physics.surrogate->pressure_Pa;
+  const auto [low_Pa, high_Pa] = module_of(search).pressure_Pa;
   if (low_Pa == 0.0 && high_Pa == 0.0) refuse("its pressure_Pa is [0, 0]");
   if (!search.physics.floor) refuse("it had no floor");
 }
@@ -62,7 +63,9 @@ void describe_level(io::StudyVisitor& visitor, bool has_search, ReevaluationStud
                 "the search evaluated no design at this level");
 }
 
-bool is_usual(const fs::path& silicone) { return silicone.empty() || silicone.stem() == usual_silicone; }
+bool has_usual_silicone(const ReevaluationStudy& study) {
+  return study.silicone_file.empty() ? !uses_elements(study.search) : study.silicone_file.stem() == usual_silicone;
+}
 
 /// The silicone that the surrogate of the search was calibrated for.
 fs::path silicone_of_search(const io::TomlTable& table, const ReevaluationStudy& study) {
@@ -79,8 +82,10 @@ void describe_silicone(io::StudyVisitor& visitor, ReevaluationStudy& study) {
       {"silicone", "Name of a silicone of menger, or a silicone file; default: that of the search.", "\"dragon_skin_10\""},
       silicone);
   if (const io::TomlTable* table = visitor.source()) {
-    study.silicone_file =
-        table->has("silicone") ? materials::silicone_file(*table, "silicone") : silicone_of_search(*table, study);
+    if (table->has("silicone"))
+      study.silicone_file = materials::silicone_file(*table, "silicone");
+    else if (!uses_elements(study.search))
+      study.silicone_file = silicone_of_search(*table, study);
   }
 }
 
@@ -101,6 +106,8 @@ io::InputError fault(const io::TomlTable& table, std::string_view key, double va
 /// records only.
 double usual_record_interval_s(const ReevaluationStudy& study) {
   double interval_s = ReevaluationStudy{}.record_interval_s;
+  if (uses_elements(study.search) && is_multiple(study.measure_from_s, record_interval_s(study.search)))
+    return std::min(record_interval_s(study.search), study.duration_s);
   if (study.measure_from_s > 0.0) interval_s = study.measure_from_s / std::ceil(study.measure_from_s / interval_s);
   return std::min(interval_s, study.duration_s);
 }
@@ -156,13 +163,10 @@ void describe_times(io::StudyVisitor& visitor, bool has_search, ReevaluationStud
 }
 
 void describe_elements(io::StudyVisitor& visitor, LocomotionOptions& options) {
-  fem::describe(visitor, options.elements, true);
-  visitor.only_if(options.elements.kind == fem::ElementKind::three_field, "kind = \"three_field\"", [&] {
-    visitor.integer({"elements_through_wall", "Elements through a wall."}, options.elements_through_wall, io::within(1, 16));
-  });
+  evolution::describe_elements(visitor, options.elements, options.elements_through_wall);
   visitor.number({"bulk_modulus_ratio", "Bulk modulus divided by shear modulus, at rest."}, options.bulk_modulus_ratio,
                  io::within(1.0, 1e6));
-  visitor.number({"step_safety", "Time step as a fraction of the stable one."}, options.step_safety, part_of_one());
+  describe_step_safety(visitor, options.step_safety);
   visitor.optional_number({"youngs_modulus_Pa", "Young's modulus at rest; default: that of the silicone.", "150000"},
                           options.youngs_modulus_Pa, io::positive());
   visitor.word({"damping_model", "Damping model of the silicone."}, options.damping_model,
@@ -190,7 +194,7 @@ void describe_ground(io::StudyVisitor& visitor, bool has_search, Study& search) 
                        ": must be at most static_friction = " + io::number_text(first.static_friction));
 }
 
-void describe_variants(io::StudyVisitor& visitor, const fs::path& silicone, fem::ElementKind kind, VariantOptions& options) {
+void describe_variants(io::StudyVisitor& visitor, bool is_usual_silicone, fem::ElementKind kind, VariantOptions& options) {
   visitor.integer({"designs", "Number of best designs that are evaluated with every variant."}, options.designs, io::at_least(1));
   visitor.boolean({"finer_elements", "Whether finer elements are a variant: the next fidelity, or more elements through a wall."},
                   options.finer_elements);
@@ -208,11 +212,36 @@ void describe_variants(io::StudyVisitor& visitor, const fs::path& silicone, fem:
                  io::positive());
   // moduli stated for one silicone do not hold for another
   visitor.numbers({"youngs_moduli_Pa", "Young's moduli that are stated for the silicone; each is a variant.",
-                   is_usual(silicone) ? "" : "[107000, 264000]"},
+                   is_usual_silicone ? "" : "[107000, 264000]"},
                   options.youngs_moduli_Pa, io::positive());
   std::vector<double> sorted = options.youngs_moduli_Pa;
   std::ranges::sort(sorted);
   visitor.check(std::ranges::adjacent_find(sorted) == sorted.end(), "youngs_moduli_Pa", "must be different");
+}
+
+/// Returns the finite elements of the search, on which its robots are evaluated again more finely.
+LocomotionOptions elements_of_search(const Study& search) {
+  const SiliconePhysics& physics = search.silicone;
+  LocomotionOptions options{.elements = physics.elements,
+                            .elements_through_wall = physics.elements_through_wall,
+                            .bulk_modulus_ratio = physics.silicone.bulk_modulus_ratio,
+                            .step_safety = physics.step_safety,
+                            .youngs_modulus_Pa = physics.silicone.youngs_modulus_Pa,
+                            .damping_model = physics.silicone.damping_model.value_or(fem::DampingModel::maxwell)};
+  options.elements.fidelity = fem::ElementChoice{}.fidelity;
+  return options;
+}
+
+void require_silicone_of_search(ReevaluationStudy& study) {
+  if (study.silicone_file.empty()) return;
+  const materials::SiliconeRecord record = materials::read_silicone(study.silicone_file);
+  const std::string here = materials::law_line(record.recommended.law);
+  const std::string wanted = materials::law_line(study.search.silicone.silicone.law.law);
+  if (here != wanted) {
+    throw io::InputError(study.silicone_file.string() + ": its recommended law is " + io::toml_quoted(here) +
+                         ", the search had " + io::toml_quoted(wanted));
+  }
+  io::note_input(study.inputs, study.silicone_file);
 }
 
 void require_calibrated_silicone(ReevaluationStudy& study) {
@@ -228,11 +257,19 @@ void require_calibrated_silicone(ReevaluationStudy& study) {
   io::note_input(study.inputs, study.silicone_file);
 }
 
+void require_enough_periods(const ReevaluationStudy& study) {
+  const auto last = measured_periods(study.search);
+  if (!last || whole_periods(study.duration_s, last->period_s) >= last->count) return;
+  throw io::InputError((study.file.empty() ? study.archive : study.file).string() +
+                       ": time.duration_s = " + io::number_text(study.duration_s) + ": the search measures the last " +
+                       std::to_string(last->count) + " periods of " + io::number_text(last->period_s) + " s");
+}
+
 }  // namespace
 
 void describe(io::StudyVisitor& visitor, ReevaluationStudy& study) {
   // without a search there are no values to use: keys are shown as ones that may be left out
-  const bool has_search = study.search.physics.surrogate.has_value();
+  const bool has_search = is_of_silicone(study.search);
   describe_level(visitor, has_search, study);
   describe_silicone(visitor, study);
   visitor.integer({"sample_seed", "Seed of the sample."}, study.sample_seed, io::at_least(0));
@@ -246,8 +283,9 @@ void describe(io::StudyVisitor& visitor, ReevaluationStudy& study) {
       {"variants",
        "Evaluates the best designs again, each time with one thing changed, to estimate the uncertainty of the finite elements.",
        "", "judge"},
-      study.variants,
-      [&](VariantOptions& variants) { describe_variants(visitor, study.silicone_file, study.elements.elements.kind, variants); });
+      study.variants, [&](VariantOptions& variants) {
+        describe_variants(visitor, has_usual_silicone(study), study.elements.elements.kind, variants);
+      });
 }
 
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const RunArchive& archive) {
@@ -273,9 +311,11 @@ ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, co
   study.level = levels.size() == 1 ? levels.front() : 0;
   study.duration_s = study.search.duration_s;
   study.measure_from_s = study.search.measure_from_s;
+  if (uses_elements(search)) study.elements = elements_of_search(search);
   io::read_described(table, study);
-  study.search.physics.surrogate->level = study.level;
-  require_calibrated_silicone(study);
+  if (study.search.physics.surrogate) study.search.physics.surrogate->level = study.level;
+  uses_elements(search) ? require_silicone_of_search(study) : require_calibrated_silicone(study);
+  require_enough_periods(study);
   return study;
 }
 

@@ -61,15 +61,19 @@ struct ReevaluationStudy {
   double duration_s = 0.0;
   double measure_from_s = 0.0;  ///< time from which displacement counts in both models, a multiple of record_interval_s
   double record_interval_s = 0.02;
-  double frame_interval_s = 0.1;     ///< of the design that is shown, a multiple of record_interval_s
-  double least_body_lengths = 0.01;  ///< a design that moves less, in either model, has no direction
-  double time_limit_s = 3600.0;      ///< wall time of a run of finite elements, over all calls
-  std::filesystem::path silicone_file;
+  double frame_interval_s = 0.1;        ///< of the design that is shown, a multiple of record_interval_s
+  double least_body_lengths = 0.01;     ///< a design that moves less, in either model, has no direction
+  double time_limit_s = 3600.0;         ///< wall time of a run of finite elements, over all calls
+  std::filesystem::path silicone_file;  ///< may be empty for a search on finite elements, which has its silicone
   LocomotionOptions elements;
   std::optional<VariantOptions> variants;
   std::map<std::string, std::string> inputs;  ///< content hash of every file that was read
 
-  [[nodiscard]] double measured_s() const { return duration_s - measure_from_s; }
+  /// Returns the time in which a measured displacement is made.
+  [[nodiscard]] double measured_s() const {
+    const auto last = measured_periods(search);
+    return last ? last->period_s : duration_s - measure_from_s;
+  }
 };
 
 /// What a caller gives to read a study of re-evaluation.
@@ -85,9 +89,12 @@ struct ReevaluationRequest {
 void describe(io::StudyVisitor& visitor, ReevaluationStudy& study);
 
 /// Reads a study of re-evaluation.
-/// @throws io::InputError with file, key and value; also if the search has no calibrated surrogate that is driven by pressure,
-/// has no such level, has two materials of different friction, or if its surrogate was calibrated for another silicone than that
-/// of the study
+///
+/// Of a search on finite elements the re-evaluation takes silicone, elements and step, but the fidelity is `standard` if the file
+/// does not give another.
+/// @throws io::InputError with file, key and value; also if the search has neither finite elements nor a calibrated surrogate
+/// that is driven by pressure, has no such level, has two materials of different friction, or is of another silicone than the
+/// study
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const RunArchive& archive);
 
 /// Reads a study of re-evaluation for a search that has no archive yet. @param request its `archive` is the study file of the

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "evolution/study/walk_evaluator.h"
 #include "fem/thin_walls/thin_wall_mesh.h"
 #include "io/text/input_error.h"
 #include "io/text/joined_text.h"
@@ -20,6 +21,43 @@ namespace {
 voxel::Simulation simulation_of(const ReevaluationStudy& study, const meshes::Polycube& body) {
   return {meshes::fractal(body, study.level, voxel::machine_memory_bytes()), study.search.search.cell_edge_m,
           study.search.physics};
+}
+
+std::array<double, 3> minus(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// Replaces the displacement by that of the last periods, if the search measures them.
+void measure_last_periods(const ReevaluationStudy& study, SurrogateWalk& walk) {
+  const auto last = measured_periods(study.search);
+  if (!last) return;
+  const voxel::Trajectory& trajectory = walk.trajectory;
+  walk.result.displacement_m = steady_displacement_m(period_displacements_m(trajectory, last->period_s, study.duration_s), *last);
+  walk.result.left_out_m = minus(voxel::displacement_m(trajectory, trajectory.back()), walk.result.displacement_m.value());
+}
+
+/// Moves a body as a search on finite elements does.
+SurrogateWalk walk_on_elements(const ReevaluationStudy& study, const meshes::Polycube& body, const std::atomic<bool>* stop) {
+  Study search = study.search;
+  search.duration_s = study.duration_s;
+  search.measure_from_s = study.measure_from_s;
+  const auto start = std::chrono::steady_clock::now();
+  const fem::WalkResult walked = fem::walk(walk_of(search, body), stop);
+  SurrogateWalk walk;
+  for (const fem::WalkRecord& record : walked.records) walk.trajectory.push_back({record.time_s, record.centre_of_mass_m, {}});
+  walk.result.status = walked.status;
+  walk.result.reason = walked.reason;
+  walk.result.steps = walked.steps;
+  if (walked.status == io::RunStatus::completed) {
+    walk.result.displacement_m = voxel::displacement_m(walk.trajectory, walk.trajectory.back());
+    if (study.measure_from_s > 0.0) {
+      walk.result.left_out_m = voxel::displacement_m(walk.trajectory, voxel::point_at(walk.trajectory, study.measure_from_s));
+      walk.result.displacement_m = minus(*walk.result.displacement_m, *walk.result.left_out_m);
+    }
+    measure_last_periods(study, walk);
+  }
+  walk.result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return walk;
 }
 
 class VoxelWalker {
@@ -42,6 +80,7 @@ class VoxelWalker {
       if (result.status == io::RunStatus::completed) record(n % per_frame == 0);
     }
     if (result.status == io::RunStatus::completed) measure(left_out);
+    if (result.status == io::RunStatus::completed) measure_last_periods(study_, walk_);
     if (const auto& divergence = simulation_.divergence()) result.reason = voxel::divergence_text(*divergence);
     result.outside_validity = io::joined(simulation_.outside_validity(), "; ");
     result.steps = simulation_.steps();
@@ -53,14 +92,11 @@ class VoxelWalker {
   /// Sets both displacements from the trajectory. @param left_out number of records before the first that counts
   void measure(std::size_t left_out) {
     const voxel::Trajectory& trajectory = walk_.trajectory;
+    const auto difference = [](const voxel::TrajectoryPoint& to, const voxel::TrajectoryPoint& from) {
+      return minus(to.centre_of_mass_m, from.centre_of_mass_m);
+    };
     walk_.result.displacement_m = difference(trajectory.back(), trajectory.at(left_out));
     if (left_out > 0) walk_.result.left_out_m = difference(trajectory[left_out], trajectory.front());
-  }
-
-  static std::array<double, 3> difference(const voxel::TrajectoryPoint& to, const voxel::TrajectoryPoint& from) {
-    const auto& a = to.centre_of_mass_m;
-    const auto& b = from.centre_of_mass_m;
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
 
   void record(bool is_frame) {
@@ -76,17 +112,29 @@ class VoxelWalker {
 
 }  // namespace
 
+PeriodDisplacements period_displacements_m(const voxel::Trajectory& trajectory, double period_s, double duration_s) {
+  PeriodDisplacements periods;
+  const std::size_t count = whole_periods(duration_s, period_s);
+  std::array<double, 3> before_m = trajectory.front().centre_of_mass_m;
+  for (std::size_t n = 1; n <= count; ++n) {
+    const std::array<double, 3> now_m = voxel::point_at(trajectory, static_cast<double>(n) * period_s).centre_of_mass_m;
+    periods.push_back(minus(now_m, before_m));
+    before_m = now_m;
+  }
+  return periods;
+}
+
 meshes::Design design_of(const ReevaluationStudy& study, const meshes::Polycube& body) {
   return {"re-evaluated design", body, study.search.search.cell_edge_m};
 }
 
 meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, const LocomotionOptions& elements) {
-  const voxel::CalibratedBody& surrogate = *study.search.physics.surrogate;
+  const HollowModule module = module_of(study.search);
   meshes::HollowBodyOptions options;
-  options.wall_thickness_m = surrogate.parameters.wall_thickness_m;
+  options.wall_thickness_m = module.wall_thickness_m;
   options.elements_through_wall = elements.elements_through_wall;
   fem::set_elements(elements.elements, options);
-  options.chambers = surrogate.chambers;
+  options.chambers = module.chambers;
   options.level = study.level;
   return options;
 }
@@ -97,6 +145,11 @@ std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::
     const meshes::HollowBodyOptions options = casting_of(study, study.elements);
     meshes::check_design(design, options);
     meshes::check_body(design, options, meshes::ModularBody(body, study.level, options.chambers));
+    if (uses_elements(study.search)) {
+      fem::PreparedWalk walk{walk_of(study.search, body)};
+      fem::prepare(walk);
+      return "";
+    }
     (void)simulation_of(study, body);
     if (study.elements.elements.kind != fem::ElementKind::thin_wall) return "";
     return fem::obstacle_to_thin_walls(meshes::hollow_polycube(design, options).mesh, options.wall_thickness_m);
@@ -112,6 +165,7 @@ std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::
 
 SurrogateWalk surrogate_walk(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames,
                              const std::atomic<bool>* stop) {
+  if (uses_elements(study.search)) return walk_on_elements(study, body, stop);
   return VoxelWalker(study, body, with_frames).walk(stop);
 }
 

@@ -24,14 +24,19 @@ meshes::HollowBodyOptions casting_of(const ReevaluationStudy& study, const Locom
 /// voxels, or it is outside of the calibration. Empty if they can. @param body basal, standing
 std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::Polycube& body);
 
-/// The motion of a body on the surrogate, computed as the search does it.
+/// Returns the displacements in the whole periods of a trajectory that begins at time 0, linear between its points.
+PeriodDisplacements period_displacements_m(const voxel::Trajectory& trajectory, double period_s, double duration_s);
+
+/// The motion of a body in the model of the search, computed as the search does it: on the surrogate, or on its finite elements.
 struct SurrogateWalk {
   Evaluation result;
-  voxel::Trajectory trajectory;      ///< at every multiple of the record interval, and at the end
-  std::vector<voxel::Frame> frames;  ///< at every multiple of the frame interval, if asked for
+  voxel::Trajectory trajectory;  ///< at every multiple of the record interval, and at the end
+  /// At every multiple of the frame interval, if asked for; finite elements give none.
+  std::vector<voxel::Frame> frames;
 };
 
-/// Moves a body on the surrogate. Deterministic and thread-safe. Precondition: obstacle_to_reference returns an empty text.
+/// Moves a body in the model of the search. Deterministic and thread-safe. Precondition: obstacle_to_reference returns an empty
+/// text.
 SurrogateWalk surrogate_walk(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames,
                              const std::atomic<bool>* stop);
 

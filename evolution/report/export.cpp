@@ -14,6 +14,10 @@
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
 #include "evolution/study/study_file.h"
+#include "evolution/study/walk_evaluator.h"
+#include "fem/locomotion/locomotion_run.h"
+#include "fem/locomotion/locomotion_study_file.h"
+#include "io/study/study_text.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
@@ -82,6 +86,7 @@ class Exporter {
   [[nodiscard]] Phenotype simulated() const { return as_simulated(study_.search, champion().phenotype); }
 
   void require_levels() const {
+    if (uses_elements(study_)) return;
     for (const int level : options_.levels) {
       const std::string name = "level " + std::to_string(level);
       if (arranged() && level > largest_arranged_level) {
@@ -97,6 +102,7 @@ class Exporter {
   void write_champion() {
     lineage_table(run_, champion().id).write(folder_ / "lineage.csv");
     write_design(folder_ / "champion.toml", design(1));
+    if (uses_elements(study_)) return walk_champion();
     if (std::vector<LevelResult> there = finished_levels(); there.size() == options_.levels.size()) {
       result_.levels = std::move(there);
       add_note("the simulations in " + folder_.string() + " are already those of this champion");
@@ -108,6 +114,36 @@ class Exporter {
       if (result_.status == io::RunStatus::stopped) return;
     }
     if (options_.pictures) draw();
+  }
+
+  /// Writes the walk of the champion on the finite elements of the search, and its study for menger locomote.
+  void walk_champion() {
+    fem::LocomotionStudy walk;
+    static_cast<fem::WalkInput&>(walk) = walk_of(study_, simulated().body);
+    walk.design = design(1);
+    walk.file = folder_ / "champion_walk.toml";
+    walk.output.frames = options_.frames;
+    walk.output.pictures = options_.pictures;
+    const double records = std::round(options_.record_interval_s / walk.record_interval_s);
+    walk.output.records_per_frame = static_cast<std::size_t>(std::max(1.0, records));
+    io::write_whole(walk.file, io::described_text(walk));
+    fem::prepare(walk);
+    fem::LocomotionRunOptions run{.restart = true, .stop = options_.stop};
+    if (options_.progress)
+      run.progress = [&](double time_s) { options_.progress(1, {.time_s = time_s, .duration_s = walk.duration_s}); };
+    const fem::LocomotionResult walked = fem::run_locomotion(walk, place_of(1), run);
+    LevelResult done{1, aggregate_cell_count(champion().phenotype, 1), {}};
+    done.scene.status = walked.status;
+    done.scene.reason = walked.reason;
+    if (const auto travel = fem::travel_of(walked)) done.scene.displacement_m = travel->displacement_m;
+    if (walked.status != io::RunStatus::completed) result_.status = walked.status;
+    for (const std::string& note : walked.notes) add_note(note);
+    compare_with_archive(done);
+    result_.levels.push_back(std::move(done));
+    add_note(
+        "the search has single modules on finite elements: only level 1 is written; menger reevaluate lets its robots walk on "
+        "finer elements, and menger locomote " +
+        walk.file.string() + " this one as you change its study");
   }
 
   /// Returns the champion as a design: a fractal by its basal body, whatever the level; any other body by all its cells.

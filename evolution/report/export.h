@@ -29,7 +29,7 @@ struct ExportOptions {
 struct LevelResult {
   int level = 1;
   std::size_t cells = 0;
-  voxel::SceneResult scene;
+  voxel::SceneResult scene;  ///< of a walk on finite elements its status, reason and displacement
 };
 
 /// The result of an export.
@@ -46,6 +46,8 @@ struct ExportResult {
 /// - if the time step was checked, check_dt.csv (step_check_table);
 /// - champion.toml, the basal body; if arrangements are evolved too, champion_level_<n>.toml with the whole bodies;
 /// - level_<n>/ with scene.toml and the files of voxel::run_scene, and champion.png with all levels side by side;
+/// - of a search on finite elements instead: level_1/ with the files of fem::run_locomotion, and champion_walk.toml, a study of
+///   menger locomote for the same walk;
 /// - with ExportOptions::timings, timings.csv and schedule.csv (timing_table, schedule_table).
 ///
 /// Everything except the manifest, pictures and timings depends on the content of the archive alone.

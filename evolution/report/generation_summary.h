@@ -47,6 +47,7 @@ struct RunView {
   std::string half_step_physics{};  ///< the same of the evaluator with half the time step
   Distinction distinction{};        ///< what makes two robots different, for reference evaluations
   std::size_t voxels_per_cell = 1;  ///< voxels of a whole cell, for costs
+  bool has_elements = false;        ///< whether finite elements evaluate the bodies instead of voxels
 };
 
 /// Collects the results of an individual. @param member its entry in the pool of a generation

@@ -78,7 +78,10 @@ GenerationCost generation_cost(const RunView& run, int generation) {
       const EvaluationKey key{design_hash(phenotype, level), level, physics_hash};
       const auto found = run.archive->evaluation(key);
       if (!found || found->generation != generation || !counted.insert(key).second) continue;
-      cost.voxel_steps += found->result.steps * aggregate_cell_count(phenotype, level) * run.voxels_per_cell;
+      if (run.has_elements)
+        cost.element_steps += found->result.steps * found->result.elements;
+      else
+        cost.voxel_steps += found->result.steps * aggregate_cell_count(phenotype, level) * run.voxels_per_cell;
     }
   }
   for (const ReferenceEvaluation& one : run.archive->reference_evaluations())
@@ -88,7 +91,7 @@ GenerationCost generation_cost(const RunView& run, int generation) {
 
 io::CsvTable cost_table(const RunView& run) {
   io::CsvTable table({"generation", "voxel_steps", "element_steps", "total_voxel_steps_so_far"});
-  const double rate = run.plan.reference ? run.plan.reference->voxel_steps_per_element_step : 0.0;
+  const double rate = run.plan.reference.value_or(ReferencePlan{}).voxel_steps_per_element_step;
   double total = 0.0;
   const int last = run.archive->last_generation().value_or(-1);
   for (int generation = 0; generation <= last; ++generation) {

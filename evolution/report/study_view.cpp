@@ -1,24 +1,31 @@
 #include "evolution/report/study_view.h"
 
+#include "evolution/study/voxel_evaluator.h"
+#include "evolution/study/walk_evaluator.h"
+
 namespace menger::evolution {
 
-VoxelEvaluator evaluator_of(const Study& study) {
-  return {study.physics, study.search.cell_edge_m, study.duration_s, study.measure_from_s};
+std::unique_ptr<DesignEvaluator> evaluator_of(const Study& study) {
+  if (uses_elements(study)) return std::make_unique<WalkEvaluator>(study);
+  return std::make_unique<VoxelEvaluator>(study.physics, study.search.cell_edge_m, study.duration_s, study.measure_from_s,
+                                          measured_periods(study));
 }
 
-VoxelEvaluator half_step_evaluator_of(const Study& study) {
+std::unique_ptr<DesignEvaluator> half_step_evaluator_of(const Study& study) {
   Study finer = study;
   finer.physics.integration.time_step_fraction *= 0.5;
+  finer.silicone.step_safety *= 0.5;
   return evaluator_of(finer);
 }
 
 RunView view_of(const RunArchive& archive, const Study& study) {
   return {.archive = &archive,
           .plan = study.search,
-          .physics = evaluator_of(study).physics(),
-          .half_step_physics = half_step_evaluator_of(study).physics(),
+          .physics = evaluator_of(study)->physics(),
+          .half_step_physics = half_step_evaluator_of(study)->physics(),
           .distinction = distinction_of(study),
-          .voxels_per_cell = voxels_in_cell(study)};
+          .voxels_per_cell = voxels_in_cell(study),
+          .has_elements = uses_elements(study)};
 }
 
 }  // namespace menger::evolution

@@ -51,12 +51,59 @@ std::vector<std::string> drive_beyond_every_wall(const voxel::CalibratedBody& bo
       io::number_text(lowest_Pa) + " to " + io::number_text(highest_Pa) + " Pa" + (body.level > 1 ? " (walls with joints)" : "")};
 }
 
+void add_notes_of_silicone(const Study& study, std::vector<std::string>& notes) {
+  const fem::WalkSilicone& silicone = study.silicone.silicone;
+  const std::string name = silicone.law.record ? silicone.law.record->name : "this silicone";
+  if (!silicone.law.record || !silicone.law.record->loss) {
+    notes.push_back("the damping of " + name + " is not measured; its loss factor is taken as " +
+                    io::number_text(silicone.loss_factor.value_or(0.0)) + " at " + io::number_text(silicone.loss_frequency_Hz) +
+                    " Hz");
+  }
+  if (silicone.is_ratio_assumed)
+    notes.push_back("material.bulk_modulus_ratio = " + io::number_text(silicone.bulk_modulus_ratio) + " is assumed");
+  const voxel::VoxelMaterial& ground = study.physics.materials[0];
+  notes.push_back("friction of " + name +
+                  " on a ground is not measured; static_friction = " + io::number_text(ground.static_friction) +
+                  " and kinetic_friction = " + io::number_text(ground.kinetic_friction) + " are assumptions");
+  if (!study.search.offspring.constraints.castable)
+    notes.emplace_back("bodies that cannot be cast get no result; with body.castable = true there are none");
+}
+
+std::vector<std::string> notes_of_model(const Study& study) {
+  std::vector<std::string> notes;
+  if (uses_elements(study)) {
+    add_notes_of_silicone(study, notes);
+  } else if (voxel::effective_coupling(study.physics) == 0.0) {
+    notes.emplace_back(
+        "Poisson's ratio is 0. The paper states 0.5, but its released files switch volume effects off and so simulate 0");
+  }
+  return notes;
+}
+
 }  // namespace
+
+std::string_view to_string(EvaluationModel model) { return model == EvaluationModel::voxels ? "voxels" : "finite_elements"; }
+
+std::string_view to_string(Measure measure) { return measure == Measure::net_displacement ? "net_displacement" : "last_periods"; }
+
+bool uses_elements(const Study& study) { return study.model != EvaluationModel::voxels; }
+
+HollowModule module_of(const Study& study) {
+  if (!study.physics.surrogate) return study.silicone.module;
+  const voxel::CalibratedBody& body = *study.physics.surrogate;
+  return {.wall_thickness_m = body.parameters.wall_thickness_m, .chambers = body.chambers, .pressure_Pa = body.pressure_Pa};
+}
+
+bool is_of_silicone(const Study& study) { return uses_elements(study) || study.physics.surrogate.has_value(); }
+
+std::optional<LastPeriods> measured_periods(const Study& study) {
+  if (study.measure == Measure::net_displacement) return std::nullopt;
+  return LastPeriods{.period_s = study.physics.actuation.period_s(), .count = study.measure_periods};
+}
 
 Distinction distinction_of(const Study& study) {
   const voxel::ActuationMode mode = study.physics.actuation.mode;
-  const auto& surrogate = study.physics.surrogate;
-  const bool is_single = surrogate && surrogate->chambers == meshes::ChamberLayout::single;
+  const bool is_single = is_of_silicone(study) && module_of(study).chambers == meshes::ChamberLayout::single;
   const bool materials = mode == voxel::ActuationMode::antiphase || !is_single;
   return {.materials = materials, .place = mode == voxel::ActuationMode::wave};
 }
@@ -67,17 +114,18 @@ std::size_t voxels_in_cell(const Study& study) {
 }
 
 std::vector<std::string> study_notes(const Study& study) {
-  std::vector<std::string> notes;
-  if (voxel::effective_coupling(study.physics) == 0.0) {
-    notes.emplace_back(
-        "Poisson's ratio is 0. The paper states 0.5, but its released files switch volume effects off and so simulate 0");
+  std::vector<std::string> notes = notes_of_model(study);
+  if (const auto last = measured_periods(study)) {
+    notes.push_back("the fitness is the displacement in one period, from the last " + std::to_string(last->count) +
+                    " periods of an evaluation");
   }
-  for (const std::string& fault : outside_validity_of_some(study)) {
+  const bool has_surrogate = !uses_elements(study) && study.physics.surrogate;
+  for (const std::string& fault : has_surrogate ? outside_validity_of_some(study) : std::vector<std::string>{}) {
     const bool refuses = study.physics.surrogate->outside_range == voxel::OutsideRange::refuse;
     notes.push_back("bodies with every kind of wall would be outside the range of validity of the calibrated parameters: " +
                     fault + (refuses ? "; bodies outside get no result" : "; bodies outside are marked"));
   }
-  if (study.physics.surrogate) {
+  if (has_surrogate) {
     for (const std::string& fault : voxel::sizeless_walls(*study.physics.surrogate))
       notes.push_back(fault + ": bodies with such walls get no result");
   }

@@ -2,21 +2,42 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "evolution/evaluation/steady_displacement.h"
 #include "evolution/genome/robot_form.h"
 #include "evolution/search/search_plan.h"
+#include "evolution/study/silicone_physics.h"
 #include "voxel/model/parameters.h"
 
 namespace menger::evolution {
 
-/// Everything that decides the result of a search on the voxel engine.
+/// The model that moves the bodies of a search.
+enum class EvaluationModel { voxels, finite_elements };
+std::string_view to_string(EvaluationModel model);  ///< "voxels" or "finite_elements"
+
+/// What an evaluation measures of a motion.
+enum class Measure {
+  net_displacement,  ///< from the time at which displacement counts to the end
+  last_periods       ///< in one of the last periods of the drive, see steady_displacement_m
+};
+std::string_view to_string(Measure measure);  ///< "net_displacement" or "last_periods"
+
+/// Everything that decides the result of a search.
 struct Study {
   SearchPlan search;
   double duration_s = 5.0;      ///< simulated time of an evaluation, > 0
   double measure_from_s = 0.0;  ///< time from which displacement counts, >= 0 and < duration_s
+  EvaluationModel model = EvaluationModel::voxels;
+  Measure measure = Measure::net_displacement;
+  std::size_t measure_periods = 5;  ///< how many periods count if the last ones are measured
+
+  /// Loads, ground, drive and voxels. Finite elements take no values of voxels from it; see VoxelEvaluator, WalkEvaluator.
   voxel::Physics physics;
+  SiliconePhysics silicone;  ///< of finite elements
 
   /// The study of re-evaluation that says how the reference evaluator of the search evaluates. Empty in a study that was read
   /// from its text: the text has search.reference->protocol instead.
@@ -28,6 +49,18 @@ struct Study {
 /// Returns what makes two robots of a study different. The materials do not matter if the drive is the same for all cells. The
 /// place of a body matters only if the drive is a wave.
 Distinction distinction_of(const Study& study);
+
+/// Returns whether finite elements decide the fitness in a study.
+bool uses_elements(const Study& study);
+
+/// Returns how the bodies of a study of silicone are hollow: as the calibrated parameters say, or without any as the study does.
+HollowModule module_of(const Study& study);
+
+/// Returns whether the bodies of a study are of silicone, driven by the pressure in them.
+bool is_of_silicone(const Study& study);
+
+/// Returns the periods that the evaluator measures; nothing if it measures the net displacement.
+std::optional<LastPeriods> measured_periods(const Study& study);
 
 /// Returns the number of voxels of a whole cell.
 std::size_t voxels_in_cell(const Study& study);

@@ -4,12 +4,16 @@
 #include <string>
 #include <utility>
 
+#include "evolution/study/walk_evaluator.h"
+#include "fem/walk/walk_silicone_file.h"
 #include "io/study/study_reader.h"
 #include "io/study/study_text.h"
 #include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/toml_text.h"
+#include "materials/laws/law_file.h"
+#include "materials/laws/silicone_library.h"
 #include "voxel/engine/scale_check.h"
 #include "voxel/scene/calibrated_body_file.h"
 #include "voxel/scene/physics_file.h"
@@ -21,6 +25,7 @@ namespace {
 
 constexpr double largest_population = 1e6;
 constexpr double basal_cell_count = 27;
+constexpr double fewest_measured_periods = 5;
 
 void describe_population(io::StudyVisitor& visitor, SearchPlan& plan) {
   visitor.integer({"survivors", "Number of survivors of each generation, and of individuals in the first."}, plan.survivors,
@@ -47,7 +52,13 @@ void describe_genome(io::StudyVisitor& visitor, OffspringOptions& options) {
   visitor.integer({"largest_tries", "Mutations that are tried until a body is valid."}, options.largest_tries, io::at_least(1));
 }
 
-void describe_body(io::StudyVisitor& visitor, SearchPlan& plan) {
+/// Returns whether a study has calibrated parameters, also if they are still to be read. @param visitor at the top of the study
+bool has_parameters(const io::StudyVisitor& visitor, const Study& study) {
+  return study.physics.surrogate || (visitor.source() != nullptr && visitor.source()->has("surrogate"));
+}
+
+void describe_body(io::StudyVisitor& visitor, bool is_calibrated, Study& study) {
+  SearchPlan& plan = study.search;
   ConstraintOptions& constraints = plan.offspring.constraints;
   visitor.number({"cell_edge_m", "Edge of a cell."}, plan.cell_edge_m, io::positive());
   visitor.integers({"levels", "Levels at which each body is evaluated, ascending: 1, 2, 3 are 3, 9, 27 cells per side."},
@@ -65,6 +76,8 @@ void describe_body(io::StudyVisitor& visitor, SearchPlan& plan) {
                    "Whether only bodies are valid that can be cast: in one piece, with no cells that touch only along an edge or "
                    "at a corner."},
                   constraints.castable);
+  visitor.only_if(uses_elements(study) && !is_calibrated, "evaluation.model = \"finite_elements\" without [surrogate]",
+                  [&] { describe_module(visitor, study.silicone.module); });
 }
 
 void describe_time(io::StudyVisitor& visitor, Study& study) {
@@ -74,7 +87,21 @@ void describe_time(io::StudyVisitor& visitor, Study& study) {
                  study.measure_from_s, io::non_negative());
 }
 
-void describe_evaluation(io::StudyVisitor& visitor, SearchPlan& plan) {
+void describe_evaluation(io::StudyVisitor& visitor, Study& study) {
+  using enum EvaluationModel;
+  SearchPlan& plan = study.search;
+  visitor.word({"model",
+                "What moves bodies. voxels: point masses and beams; finite_elements: elements of hollow bodies of silicone, for "
+                "single modules."},
+               study.model, io::words_of(voxels, finite_elements));
+  visitor.word({"measure",
+                "What is measured of a motion. net_displacement: from time.measure_from_s to the end; last_periods: the "
+                "displacement in one period of the drive, from the last ones, so that neither the start nor a fall counts."},
+               study.measure, io::words_of(Measure::net_displacement, Measure::last_periods));
+  visitor.only_if(study.measure == Measure::last_periods, "measure = \"last_periods\"", [&] {
+    visitor.integer({"measure_periods", "Number of the last whole periods that count. With fewer than 5, a fall would count."},
+                    study.measure_periods, io::at_least(fewest_measured_periods));
+  });
   visitor.boolean({"stand", "Whether bodies stand on the ground from the start."}, plan.stand);
   visitor.word({"objective", "How a displacement becomes a fitness."}, plan.objective,
                io::words_of(Objective::body_lengths, Objective::squared_metres_per_scale));
@@ -111,15 +138,66 @@ void describe_step_checks(io::StudyVisitor& visitor, StepCheckPlan& checks) {
   visitor.integer({"designs", "Best survivors that are checked each time."}, checks.designs, io::within(1, largest_population));
 }
 
+/// Returns the silicone that the calibrated parameters of a study are of.
+materials::StudyLaw silicone_of_parameters(const io::TomlTable& table, const Study& study) {
+  const voxel::SurrogateParameters& parameters = study.physics.surrogate->parameters;
+  const std::string of = "the parameters of [surrogate] are of " + io::toml_quoted(parameters.silicone);
+  const auto file = materials::silicone_with_record_name(parameters.silicone);
+  if (!file) throw table.missing("material", of + ", which is not a silicone of menger: give it in [material]");
+  materials::StudyLaw law = materials::recommended_law(*file);
+  if (materials::law_line(law.law) != parameters.law)
+    throw table.missing("material", of + " with another law than its record recommends: give the silicone in [material]");
+  return law;
+}
+
+/// Describes the silicone. Beside calibrated parameters a study need not state it.
+void describe_silicone(io::StudyVisitor& visitor, Study& study) {
+  fem::WalkSilicone& silicone = study.silicone.silicone;
+  const io::TomlTable* table = visitor.source();
+  const bool is_stated = table == nullptr || table->has("material");
+  const bool has_law = materials::shear_modulus_at_rest_Pa(silicone.law.law) > 0.0;
+  if (!is_stated && has_law) return;  // overrides of the command line
+  if (!is_stated && study.physics.surrogate) {
+    silicone.law = silicone_of_parameters(*table, study);
+    silicone.is_ratio_assumed = true;
+  } else {
+    visitor.table({"material", "The silicone of the bodies. Default: that of the parameters of [surrogate]."},
+                  [&] { fem::describe(visitor, silicone); });
+  }
+}
+
+/// Returns whether the table that is read states the model. Then the drive may be that of another model.
+bool states_model(const io::StudyVisitor& visitor) {
+  return visitor.source() != nullptr && visitor.source()->table_or_empty("evaluation").has("model");
+}
+
+/// Describes what moves the bodies.
+void describe_physics(io::StudyVisitor& visitor, Study& study) {
+  const bool has_elements = uses_elements(study);
+  voxel::describe(visitor, study.physics,
+                  {.has_voxels = !has_elements,
+                   .pressure_Pa = has_elements ? &study.silicone.module.pressure_Pa : nullptr,
+                   .pressure_condition = "[surrogate], or evaluation.model = \"finite_elements\"",
+                   .brings_pressure = has_elements && states_model(visitor)});
+  visitor.only_if(has_elements, "evaluation.model = \"finite_elements\"", [&] {
+    visitor.table({"elements", "The finite elements."}, [&] {
+      describe_elements(visitor, study.silicone.elements, study.silicone.elements_through_wall);
+      describe_step_safety(visitor, study.silicone.step_safety);
+    });
+    describe_silicone(visitor, study);
+  });
+}
+
 /// Describes all keys but the number of generations.
 void describe_identity(io::StudyVisitor& visitor, Study& study) {
   SearchPlan& plan = study.search;
   visitor.integer({"seed", "Seed of the random numbers."}, plan.seed, io::at_least(0));
   visitor.table({"population", "Size of the population."}, [&] { describe_population(visitor, plan); });
   visitor.table({"genome", "Genomes and how they vary."}, [&] { describe_genome(visitor, plan.offspring); });
-  visitor.table({"body", "Which bodies are valid."}, [&] { describe_body(visitor, plan); });
+  visitor.table({"evaluation", "How bodies are evaluated and scored."}, [&] { describe_evaluation(visitor, study); });
+  const bool is_calibrated = has_parameters(visitor, study);
+  visitor.table({"body", "Which bodies are valid."}, [&] { describe_body(visitor, is_calibrated, study); });
   visitor.table({"time", "Simulated time."}, [&] { describe_time(visitor, study); });
-  visitor.table({"evaluation", "How bodies are evaluated and scored."}, [&] { describe_evaluation(visitor, plan); });
   visitor.optional_table({"reference",
                           "Rounds of reference evaluations: finite elements evaluate some survivors and correct the fitness of "
                           "all. Needs a single level.",
@@ -129,7 +207,7 @@ void describe_identity(io::StudyVisitor& visitor, Study& study) {
       {"check_dt",
        "Checks of the time step: the best survivors are evaluated again with half of it. The search does not change."},
       plan.step_checks, [&](StepCheckPlan& checks) { describe_step_checks(visitor, checks); });
-  voxel::describe(visitor, study.physics);
+  describe_physics(visitor, study);
 }
 
 /// Refuses a key of earlier versions, which could have one value only.
@@ -175,18 +253,13 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
   }
 }
 
-/// Returns why a study cannot use its calibrated parameters, or an empty text.
-std::string unusable_surrogate(const Study& study) {
-  const voxel::CalibratedBody& body = *study.physics.surrogate;
+/// Returns why hollow modules cannot be driven as a study says, or an empty text.
+std::string undrivable_modules(const Study& study) {
   const SearchPlan& plan = study.search;
-  if (std::string problem = voxel::unusable_parameters(body, plan.cell_edge_m); !problem.empty()) return problem;
-  if (body.outside_range == voxel::OutsideRange::refuse) {
-    if (const std::vector<std::string> faults = outside_validity_of_all(study); !faults.empty()) return faults.front();
-  }
   const voxel::ActuationMode mode = study.physics.actuation.mode;
   const std::string given = "drive.mode = \"" + std::string(to_string(mode)) + "\": ";
   if (mode == voxel::ActuationMode::wave) return given + "one chamber cannot have cells of different phases";
-  if (mode == voxel::ActuationMode::antiphase && body.chambers == meshes::ChamberLayout::single) {
+  if (mode == voxel::ActuationMode::antiphase && module_of(study).chambers == meshes::ChamberLayout::single) {
     return given +
            "with chambers = \"single\" all voxels of a module share a phase; use \"in_phase\" or chambers = \"per-phase\"";
   }
@@ -194,6 +267,58 @@ std::string unusable_surrogate(const Study& study) {
     return "body.disconnected = \"allow\": a body in pieces has no chambers that could be driven together";
   if (plan.offspring.decoder.plan == BodyPlan::nonfractal && plan.levels().back() > 1)
     return "genome.encoding = \"nonfractal\": only a fractal has modules that are hollow bodies of one kind";
+  return "";
+}
+
+/// Returns why a study cannot use its calibrated parameters, or an empty text.
+std::string unusable_surrogate(const Study& study) {
+  const voxel::CalibratedBody& body = *study.physics.surrogate;
+  if (std::string problem = voxel::unusable_parameters(body, study.search.cell_edge_m); !problem.empty()) return problem;
+  if (body.outside_range == voxel::OutsideRange::refuse && !uses_elements(study)) {
+    if (const std::vector<std::string> faults = outside_validity_of_all(study); !faults.empty()) return faults.front();
+  }
+  return undrivable_modules(study);
+}
+
+/// Returns why finite elements cannot evaluate the bodies of a study, or an empty text.
+std::string unusable_elements(const Study& study) {
+  const SearchPlan& plan = study.search;
+  if (plan.levels() != std::vector{1}) return "body.levels: must be [1]: single modules";
+  if (plan.reference) return "[reference]: finite elements need no correction by finite elements";
+  if (!plan.stand) return "evaluation.stand = false: must be true: finite elements put every body on the ground";
+  if (!study.physics.floor) return "ground.present = false: must be true";
+  const auto& [first, second] = study.physics.materials;
+  if (first.static_friction != second.static_friction || first.kinetic_friction != second.kinetic_friction)
+    return "materials: a cast body is of one silicone: both materials must have the same friction";
+  if (first.kinetic_friction > first.static_friction) {
+    return "ground.kinetic_friction = " + io::number_text(first.kinetic_friction) +
+           ": must be at most static_friction = " + io::number_text(first.static_friction);
+  }
+  const double thickness_m = module_of(study).wall_thickness_m;
+  if (2.0 * thickness_m >= plan.cell_edge_m) {
+    return "body.wall_thickness_m = " + io::number_text(thickness_m) +
+           ": must be less than half of cell_edge_m = " + io::number_text(plan.cell_edge_m);
+  }
+  if (study.duration_s / record_interval_s(study) > voxel::largest_record_count) {
+    return "time.duration_s = " + io::number_text(study.duration_s) + ": makes more than a million records of " +
+           io::number_text(record_interval_s(study)) + " s, thirty of them in a period of the drive";
+  }
+  return undrivable_modules(study);
+}
+
+/// Returns why the last periods cannot be measured, or an empty text.
+std::string unmeasurable_periods(const Study& study) {
+  const auto last = measured_periods(study);
+  if (!last) return "";
+  const double counted_from_s =
+      static_cast<double>(whole_periods(study.duration_s, last->period_s)) - static_cast<double>(last->count);
+  const std::string given = "evaluation.measure_periods = " + std::to_string(last->count) + ": ";
+  if (counted_from_s < 1.0) {
+    return given + "time.duration_s = " + io::number_text(study.duration_s) + " must hold one whole period more, of " +
+           io::number_text(last->period_s) + " s, so that the first one does not count";
+  }
+  if (counted_from_s * last->period_s < study.measure_from_s * (1.0 - 1e-9))
+    return given + "they begin before time.measure_from_s = " + io::number_text(study.measure_from_s);
   return "";
 }
 
@@ -241,12 +366,21 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   io::read_described(table, over_preset);
   Study study = std::move(over_preset.study);
   apply(overrides, study);
+  if (uses_elements(study)) state_what_the_record_has(study.silicone.silicone);
   check_whole(table, study, memory_bytes);
   if (study.search.reference && study.reference_file.empty())
     throw io::InputError(file.string() + ": reference.protocol: is for archives only; in a study file, give reference.study");
+  const auto require_none = [&](const std::string& problem) {
+    if (!problem.empty()) throw io::InputError(file.string() + ": " + problem);
+  };
+  require_none(unmeasurable_periods(study));
   if (study.physics.surrogate) {
     if (const std::string problem = unusable_surrogate(study); !problem.empty())
       throw io::InputError(file.string() + ": surrogate: " + problem);
+  }
+  if (uses_elements(study)) {
+    require_none(unusable_elements(study));
+    return study;
   }
   if (const std::string problem = voxel::unusable_scales(study.physics, study.search.cell_edge_m, study.duration_s);
       !problem.empty()) {
@@ -269,6 +403,8 @@ std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& fil
   std::vector<std::filesystem::path> files{file};
   const io::TomlTable table = io::read_toml(file);
   if (const auto parameters = voxel::parameters_file(table)) files.push_back(*parameters);
+  if (const auto material = table.optional_table("material"); material && material->has("silicone"))
+    files.push_back(materials::silicone_file(*material, "silicone"));
   if (const auto reference = table.optional_table("reference")) files.push_back(reference->path("study"));
   return files;
 }

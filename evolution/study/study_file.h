@@ -23,8 +23,9 @@ struct StudyOverrides {
 };
 
 /// Describes the keys of a study, without its preset. With `[surrogate]`, bodies are hollow cells with calibrated parameters, and
-/// their chambers must be able to follow the drive. Texts identify the reference evaluator by the hash of its protocol, if that
-/// is known, and otherwise by its study.
+/// their chambers must be able to follow the drive. On finite elements bodies are hollow, too, and a study can state silicone,
+/// walls, chambers and pressure without parameters; the texts of such a study hold the law itself. Texts identify the reference
+/// evaluator by the hash of its protocol, if that is known, and otherwise by its study.
 void describe(io::StudyVisitor& visitor, Study& study);
 
 /// The content of a study file: a preset, and a study whose values replace those of the preset.
@@ -47,8 +48,8 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
 /// Does the same for a given amount of memory. @param memory_bytes the study is refused if one evaluation may need more
 Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides, std::size_t memory_bytes);
 
-/// Returns the files that decide a study: its own, the parameters that `[surrogate]` names, and the study that `[reference]`
-/// names.
+/// Returns the files that decide a study: its own, the parameters that `[surrogate]` names, the silicone that `[material]` names,
+/// and the study that `[reference]` names.
 /// @throws io::InputError if the study cannot be read
 std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& file);
 

@@ -68,8 +68,9 @@ std::vector<io::RunStatus> advance(std::span<voxel::Simulation> simulations, dou
 
 }  // namespace
 
-VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s)
-    : physics_(physics), cell_edge_m_(cell_edge_m), duration_s_(duration_s), measure_from_s_(measure_from_s) {
+VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s,
+                               std::optional<LastPeriods> last)
+    : physics_(physics), cell_edge_m_(cell_edge_m), duration_s_(duration_s), measure_from_s_(measure_from_s), last_(last) {
   assert(measure_from_s >= 0.0 && measure_from_s < duration_s);
 }
 
@@ -104,12 +105,30 @@ std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const Evalua
   return evaluations;
 }
 
+/// Advances the simulations period by period and writes the displacement in each into the results.
+void VoxelEvaluator::walk_periods(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results,
+                                  const std::atomic<bool>& stop, const ThreadsNow& threads) const {
+  std::vector<std::array<double, 3>> before_m = centres_of_mass_m(simulations);
+  const std::size_t count = whole_periods(duration_s_, last_->period_s);
+  for (std::size_t n = 1; n <= count; ++n) {
+    // Simulations that have diverged or stopped here stay so.
+    static_cast<void>(advance(simulations, std::min(static_cast<double>(n) * last_->period_s, duration_s_), stop, threads));
+    const std::vector<std::array<double, 3>> now_m = centres_of_mass_m(simulations);
+    for (std::size_t i = 0; i < simulations.size(); ++i)
+      results[i]->period_displacements_m.push_back(difference(now_m[i], before_m[i]));
+    before_m = now_m;
+  }
+}
+
 /// Advances the simulations to the end and writes the outcomes into the results.
 void VoxelEvaluator::walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results,
                           const std::atomic<bool>& stop, const ThreadsNow& threads) const {
   const std::vector<std::array<double, 3>> start_m = centres_of_mass_m(simulations);
   // Simulations that have diverged or stopped here stay so.
-  static_cast<void>(advance(simulations, measure_from_s_, stop, threads));
+  if (last_)
+    walk_periods(simulations, results, stop, threads);
+  else
+    static_cast<void>(advance(simulations, measure_from_s_, stop, threads));
   const std::vector<std::array<double, 3>> from_m = centres_of_mass_m(simulations);
   const std::vector<io::RunStatus> statuses = advance(simulations, duration_s_, stop, threads);
   for (std::size_t i = 0; i < simulations.size(); ++i) {
@@ -117,8 +136,14 @@ void VoxelEvaluator::walk(std::span<voxel::Simulation> simulations, std::span<Ev
     Evaluation& result = *results[i];
     result.status = statuses[i];
     if (result.status == io::RunStatus::completed) {
-      result.displacement_m = difference(simulation.centre_of_mass_m(), from_m[i]);
-      if (measure_from_s_ > 0.0) result.left_out_m = difference(from_m[i], start_m[i]);
+      result.displacement_m = last_ ? steady_displacement_m(result.period_displacements_m, *last_)
+                                    : difference(simulation.centre_of_mass_m(), from_m[i]);
+      if (last_)
+        result.left_out_m = difference(difference(simulation.centre_of_mass_m(), start_m[i]), result.displacement_m.value());
+      else if (measure_from_s_ > 0.0)
+        result.left_out_m = difference(from_m[i], start_m[i]);
+    } else {
+      result.period_displacements_m.clear();
     }
     if (const auto& divergence = simulation.divergence()) result.reason = voxel::divergence_text(*divergence);
     result.outside_validity = io::joined(simulation.outside_validity(), "; ");
@@ -148,6 +173,7 @@ std::vector<std::vector<std::size_t>> VoxelEvaluator::groups(std::span<const Eva
 std::string VoxelEvaluator::physics() const {
   std::string text = "duration_s = " + io::number_text(duration_s_) + "\n";
   if (measure_from_s_ > 0.0) text += "measure_from_s = " + io::number_text(measure_from_s_) + "\n";
+  if (last_) text += "measure_periods = " + std::to_string(last_->count) + "\n";
   return text + "cell_edge_m = " + io::number_text(cell_edge_m_) + "\n" + voxel::physics_text(physics_);
 }
 

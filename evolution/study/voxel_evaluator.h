@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,7 +25,9 @@ class VoxelEvaluator final : public DesignEvaluator {
   /// @param duration_s simulated time of an evaluation, > 0
   /// @param measure_from_s time from which displacement counts, 0 <= measure_from_s < duration_s; it leaves out the displacement
   /// while the drive begins
-  VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s = 0.0);
+  /// @param last periods that are measured instead of the net displacement
+  VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s = 0.0,
+                 std::optional<LastPeriods> last = {});
 
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
   [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
@@ -37,6 +40,8 @@ class VoxelEvaluator final : public DesignEvaluator {
   [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
 
  private:
+  void walk_periods(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results, const std::atomic<bool>& stop,
+                    const ThreadsNow& threads) const;
   void walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results, const std::atomic<bool>& stop,
             const ThreadsNow& threads) const;
 
@@ -44,6 +49,7 @@ class VoxelEvaluator final : public DesignEvaluator {
   double cell_edge_m_;
   double duration_s_;
   double measure_from_s_;
+  std::optional<LastPeriods> last_;
 };
 
 }  // namespace menger::evolution

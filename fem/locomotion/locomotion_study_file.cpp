@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fem/locomotion/locomotion_drive.h"
-#include "fem/locomotion/locomotion_material.h"
 #include "fem/walk/walk_input_error.h"
+#include "fem/walk/walk_silicone_file.h"
 #include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
 #include "io/text/whole_file.h"

@@ -25,7 +25,7 @@ import wrong_studies
 STUDIES = {
     "evolve": ["paper/demo/study.toml", "paper/fractal/*.toml", "paper/known_walks/search.toml", "paper/non_fractal/*.toml",
                "paper/phase_wave/*.toml", "paper/silicone/closing_the_loop.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
-               "paper/trade_off/evolve.toml"],
+               "paper/trade_off/evolve.toml", "paper/walkers/study.toml"],
     "simulate": ["voxel/scenes/*.toml"],
     "inflate": ["fem/studies/cube.toml", "fem/studies/quadruped.toml", "fem/studies/reference_cube.toml",
                 "paper/pneumatics/module.toml"],
@@ -37,7 +37,7 @@ STUDIES = {
     "calibrate": ["voxel/studies/dragon_skin_*.toml"],
     "validate": ["voxel/studies/held_out.toml", "paper/silicone/check_validation.toml"],
     "reevaluate": ["paper/known_walks/screening.toml", "paper/silicone/reevaluation*.toml",
-                   "paper/silicone/closing_the_loop_reference.toml"],
+                   "paper/silicone/closing_the_loop_reference.toml", "paper/walkers/standard.toml", "paper/walkers/fine.toml"],
     "tradeoff": ["paper/trade_off/study.toml", "paper/trade_off/search.toml"],
 }
 # Designs, the presets of evolve, and what programs wrote.

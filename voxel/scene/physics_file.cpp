@@ -15,6 +15,16 @@ namespace {
 
 constexpr io::Range fraction_below_one{.lowest = 0.0, .highest = 1.0, .highest_excluded = true};
 constexpr std::string_view by_itself = "a body without [surrogate]; with [surrogate] its parameters give this value";
+constexpr std::string_view as_voxels = "bodies that move as voxels";
+
+/// Which keys of voxels have a meaning.
+struct VoxelKeys {
+  bool are_voxels = true;     ///< those of every voxel
+  bool are_by_itself = true;  ///< those that the parameters of a calibrated body give
+};
+
+/// Returns when the keys that calibrated parameters give have a meaning.
+std::string_view condition_of(const VoxelKeys& keys) { return keys.are_voxels ? by_itself : as_voxels; }
 
 /// Describes a key of both materials. A written study has it if both materials have the same value.
 void describe_both(io::StudyVisitor& visitor, const io::Key& key, std::array<VoxelMaterial, 2>& materials,
@@ -35,8 +45,8 @@ void describe_own(io::StudyVisitor& visitor, const io::Key& key, VoxelMaterial& 
   material.*value = own.value_or(material.*value);
 }
 
-void describe_own(io::StudyVisitor& visitor, VoxelMaterial& material, const VoxelMaterial& other, bool is_calibrated) {
-  visitor.only_if(!is_calibrated, by_itself, [&] {
+void describe_own(io::StudyVisitor& visitor, VoxelMaterial& material, const VoxelMaterial& other, const VoxelKeys& keys) {
+  visitor.only_if(keys.are_by_itself, condition_of(keys), [&] {
     describe_own(visitor, {"youngs_modulus_Pa", "Young's modulus of this material only.", "2e4"}, material, other,
                  &VoxelMaterial::youngs_modulus_Pa, io::positive());
     const io::Key density{
@@ -49,10 +59,9 @@ void describe_own(io::StudyVisitor& visitor, VoxelMaterial& material, const Voxe
                &VoxelMaterial::kinetic_friction, io::non_negative());
 }
 
-void describe_materials(io::StudyVisitor& visitor, Physics& physics) {
+void describe_materials(io::StudyVisitor& visitor, Physics& physics, const VoxelKeys& keys) {
   std::array<VoxelMaterial, 2>& materials = physics.materials;
-  const bool is_calibrated = physics.surrogate.has_value();
-  visitor.only_if(!is_calibrated, by_itself, [&] {
+  visitor.only_if(keys.are_by_itself, condition_of(keys), [&] {
     describe_both(visitor, {"youngs_modulus_Pa", "Young's modulus of both materials.", "1e4"}, materials,
                   &VoxelMaterial::youngs_modulus_Pa, io::positive());
     const io::Key density{
@@ -64,12 +73,12 @@ void describe_materials(io::StudyVisitor& visitor, Physics& physics) {
   // Each material is compared with the values before, so that reading the first does not hide a difference of the second.
   const std::array<VoxelMaterial, 2> before = materials;
   visitor.table({"material_1", "Properties of material 1 that differ from those of both materials."},
-                [&] { describe_own(visitor, materials[0], before[1], is_calibrated); });
+                [&] { describe_own(visitor, materials[0], before[1], keys); });
   visitor.table({"material_2", "Properties of material 2 that differ from those of both materials."},
-                [&] { describe_own(visitor, materials[1], before[0], is_calibrated); });
+                [&] { describe_own(visitor, materials[1], before[0], keys); });
 }
 
-void describe_ground(io::StudyVisitor& visitor, Physics& physics) {
+void describe_ground(io::StudyVisitor& visitor, Physics& physics, const VoxelKeys& keys) {
   visitor.boolean({.name = "present", .help = "Whether there is a ground.", .earlier = "/environment.floor"}, physics.floor);
   describe_both(visitor,
                 {.name = "static_friction",
@@ -83,44 +92,51 @@ void describe_ground(io::StudyVisitor& visitor, Physics& physics) {
                  .example = "0.5",
                  .earlier = "/materials.kinetic_friction"},
                 physics.materials, &VoxelMaterial::kinetic_friction, io::non_negative());
-  visitor.only_if(!physics.surrogate, "a body without [surrogate]; with [surrogate] the body stands on the feet of its walls",
-                  [&] {
-                    visitor.boolean({.name = "stop_rotation",
-                                     .help = "Whether a voxel in static friction with the ground also stops rotating.",
-                                     .earlier = "/environment.stop_rotation_in_static_friction"},
-                                    physics.stop_rotation_in_static_friction);
-                  });
+  visitor.only_if(
+      keys.are_by_itself,
+      keys.are_voxels ? "a body without [surrogate]; with [surrogate] the body stands on the feet of its walls" : as_voxels, [&] {
+        visitor.boolean({.name = "stop_rotation",
+                         .help = "Whether a voxel in static friction with the ground also stops rotating.",
+                         .earlier = "/environment.stop_rotation_in_static_friction"},
+                        physics.stop_rotation_in_static_friction);
+      });
 }
 
 /// Describes the key of the pressures. @param brings_pressure whether the study had no pressure before
-void describe_pressure(io::StudyVisitor& visitor, std::optional<CalibratedBody>& body, bool brings_pressure) {
-  visitor.only_if(body.has_value(), "[surrogate]", [&] {
-    std::array<double, 2> pressure_Pa = body ? body->pressure_Pa : CalibratedBody{}.pressure_Pa;
+void describe_pressure(io::StudyVisitor& visitor, std::optional<CalibratedBody>& body, const PhysicsUse& use,
+                       bool brings_pressure) {
+  std::array<double, 2>* const other = use.pressure_Pa;
+  visitor.only_if(body || other != nullptr, use.pressure_condition, [&] {
+    std::array<double, 2> pressure_Pa = CalibratedBody{}.pressure_Pa;
+    if (other != nullptr) pressure_Pa = *other;
+    if (body) pressure_Pa = body->pressure_Pa;
     visitor.numbers({.name = "pressure_Pa",
                      .help = "Lowest and highest pressure of the chambers.",
                      .example = brings_pressure ? "[0, 6e3]" : "",
                      .earlier = "/surrogate.pressure_Pa"},
                     pressure_Pa);
     visitor.check(pressure_Pa[0] <= pressure_Pa[1], "pressure_Pa", "must ascend: lowest, then highest");
-    if (body) body->pressure_Pa = pressure_Pa;
+    if (body)
+      body->pressure_Pa = pressure_Pa;
+    else if (other != nullptr)
+      *other = pressure_Pa;
   });
 }
 
-/// Describes the keys of the drive. @param brings_body whether a calibrated body is being read
-void describe_drive(io::StudyVisitor& visitor, Actuation& drive, bool is_calibrated, bool brings_body) {
+/// Describes the keys of the drive. @param brings_pressure whether pressures are being read that there were not before
+void describe_drive(io::StudyVisitor& visitor, Actuation& drive, const VoxelKeys& keys, bool brings_pressure) {
   using enum ActuationMode;
   visitor.word({"mode", "Phase with which each voxel is driven."}, drive.mode,
                io::words_of(none, in_phase, antiphase, wave, hold));
-  visitor.only_if(!is_calibrated, by_itself, [&] {
+  visitor.only_if(keys.are_by_itself, condition_of(keys), [&] {
     visitor.number({"amplitude", "Amplitude of the edge of a voxel, as a fraction of the edge."}, drive.amplitude,
                    fraction_below_one);
   });
   visitor.number({.name = "frequency_Hz", .help = "Frequency of the drive.", .earlier = "period_s", .was_reciprocal = true},
                  drive.frequency_Hz, io::positive());
-  if (brings_body) drive.ramp_s = drive.period_s();
-  visitor.number(
-      {"ramp_s", "Time in which the drive grows from zero to its full size. With [surrogate] the default is one period."},
-      drive.ramp_s, io::non_negative());
+  if (brings_pressure) drive.ramp_s = drive.period_s();
+  visitor.number({"ramp_s", "Time in which the drive grows from zero to its full size. Of pressures the default is one period."},
+                 drive.ramp_s, io::non_negative());
   visitor.numbers({"material_phase", "Phases of the two materials in periods, for antiphase only."}, drive.material_phase);
   const io::Words<int> axes{{"x", 0}, {"y", 1}, {"z", 2}};
   visitor.word({"wave_axis", "Axis along which a wave travels."}, drive.wave_axis, axes);
@@ -163,44 +179,60 @@ void forget_what_parameters_decide(Physics& physics) {
   physics.stop_rotation_in_static_friction = false;
 }
 
+/// Sets all values of voxels to their defaults, but not the friction of the ground.
+void forget_voxels(Physics& physics) {
+  forget_what_parameters_decide(physics);
+  physics.damping_ratios = {};
+  physics.collisions = {};
+  physics.integration = {};
+  physics.limits = {};
+}
+
 }  // namespace
 
-void describe(io::StudyVisitor& visitor, Physics& physics) {
+void describe(io::StudyVisitor& visitor, Physics& physics, const PhysicsUse& use) {
   const bool had_body = physics.surrogate.has_value();
   const bool brings_body = visitor.source() != nullptr && visitor.source()->has("surrogate");
   visitor.optional_table({"surrogate", "Hollow cells driven by pressure, instead of solid voxels driven by their size."},
                          physics.surrogate, [&](CalibratedBody& body) { describe(visitor, body); });
   const bool is_calibrated = physics.surrogate.has_value();
-  if (is_calibrated && visitor.source() != nullptr) forget_what_parameters_decide(physics);
+  const VoxelKeys keys{.are_voxels = use.has_voxels, .are_by_itself = use.has_voxels && !is_calibrated};
+  if (visitor.source() != nullptr && is_calibrated) forget_what_parameters_decide(physics);
+  if (visitor.source() != nullptr && !use.has_voxels) forget_voxels(physics);
   visitor.table({"loads", "Loads on all bodies."}, [&] {
     visitor.number({.name = "gravity_m_per_s2", .help = "Gravity, downwards.", .earlier = "/environment.gravity_m_s2"},
                    physics.gravity_m_s2, io::non_negative());
   });
-  visitor.table({"ground", "Ground: a plane below the lowest voxels."}, [&] { describe_ground(visitor, physics); });
-  visitor.table({"materials", "Materials of the voxels."}, [&] { describe_materials(visitor, physics); });
-  visitor.table({"damping", "Damping, as fractions of critical damping."}, [&] {
-    visitor.only_if(!is_calibrated, by_itself, [&] {
-      visitor.number({"bond", "Damping ratio of beams."}, physics.damping_ratios.bond, io::non_negative());
+  visitor.table({"ground", "Ground: a plane below the lowest voxels."}, [&] { describe_ground(visitor, physics, keys); });
+  visitor.table({"materials", "Materials of the voxels."}, [&] { describe_materials(visitor, physics, keys); });
+  visitor.only_if(use.has_voxels, as_voxels, [&] {
+    visitor.table({"damping", "Damping, as fractions of critical damping."}, [&] {
+      visitor.only_if(!is_calibrated, by_itself, [&] {
+        visitor.number({"bond", "Damping ratio of beams."}, physics.damping_ratios.bond, io::non_negative());
+      });
+      visitor.number({"collision", "Damping ratio of contacts with the ground and between voxels."},
+                     physics.damping_ratios.collision, io::non_negative());
+      visitor.number({"global", "Damping ratio of the motion of every voxel relative to the fixed surroundings."},
+                     physics.damping_ratios.global, io::non_negative());
     });
-    visitor.number({"collision", "Damping ratio of contacts with the ground and between voxels."},
-                   physics.damping_ratios.collision, io::non_negative());
-    visitor.number({"global", "Damping ratio of the motion of every voxel relative to the fixed surroundings."},
-                   physics.damping_ratios.global, io::non_negative());
   });
   visitor.table({.name = "drive", .help = "Drive of a body.", .earlier = "/actuation"}, [&] {
-    describe_drive(visitor, physics.actuation, is_calibrated, brings_body);
-    describe_pressure(visitor, physics.surrogate, brings_body || !had_body);
+    describe_drive(visitor, physics.actuation, keys, brings_body || use.brings_pressure);
+    const bool has_pressure = had_body || (use.pressure_Pa != nullptr && *use.pressure_Pa != std::array{0.0, 0.0});
+    describe_pressure(visitor, physics.surrogate, use, brings_body || use.brings_pressure || !has_pressure);
   });
-  visitor.table({"collisions", "Collisions between voxels."}, [&] {
-    visitor.integer_or_word({"exclusion_depth", "Voxels that are at most this many beams apart never collide."},
-                            physics.collisions.exclusion_depth, "off", io::at_least(1));
-  });
-  visitor.table({"integration", "Integration in time."},
-                [&] { describe_integration(visitor, physics.integration, is_calibrated); });
-  visitor.table({"limits", "Limits beyond which a run has diverged."}, [&] {
-    visitor.number({"speed_fraction", "Largest speed, as a fraction of the speed of the fastest wave."},
-                   physics.limits.speed_fraction, io::positive());
-    visitor.number({"strain", "Largest axial strain of beams."}, physics.limits.strain, io::positive());
+  visitor.only_if(use.has_voxels, as_voxels, [&] {
+    visitor.table({"collisions", "Collisions between voxels."}, [&] {
+      visitor.integer_or_word({"exclusion_depth", "Voxels that are at most this many beams apart never collide."},
+                              physics.collisions.exclusion_depth, "off", io::at_least(1));
+    });
+    visitor.table({"integration", "Integration in time."},
+                  [&] { describe_integration(visitor, physics.integration, is_calibrated); });
+    visitor.table({"limits", "Limits beyond which a run has diverged."}, [&] {
+      visitor.number({"speed_fraction", "Largest speed, as a fraction of the speed of the fastest wave."},
+                     physics.limits.speed_fraction, io::positive());
+      visitor.number({"strain", "Largest axial strain of beams."}, physics.limits.strain, io::positive());
+    });
   });
 }
 

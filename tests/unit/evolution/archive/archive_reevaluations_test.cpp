@@ -120,7 +120,7 @@ TEST_F(ArchiveReevaluations, NoSearchGoesOnWithAnArchiveFromBeforeKeysHadTheirNa
     if (old == 3) RunArchive::open_to_extend(file_).add_reevaluations({});
     ASSERT_EQ(version(), old);
     const std::string message = tests::message_of([&] { (void)open(); });
-    EXPECT_NE(message.find("schema version " + std::to_string(old) + ", with earlier names of study keys"), std::string::npos)
+    EXPECT_NE(message.find("schema version " + std::to_string(old) + ", with earlier keys of studies"), std::string::npos)
         << message;
     EXPECT_EQ(version(), old) << "it is left as it is";
   }

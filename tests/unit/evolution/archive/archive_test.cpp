@@ -95,6 +95,43 @@ TEST_F(Archive, GivesEvaluationsBackExactly) {
   EXPECT_EQ(archive.evaluations_outside_validity(5), 1U);
 }
 
+TEST_F(Archive, GivesDisplacementsByPeriodAndElementsBack) {
+  RunArchive archive = open();
+  Evaluation walked;
+  walked.status = io::RunStatus::completed;
+  walked.displacement_m = {1.0, 2.0, 3.0};
+  for (int n = 0; n < 12; ++n) walked.period_displacements_m.push_back({1.0 / (3.0 + n), -2e-300, 0.1 * n});
+  walked.elements = 652;
+  walked.fidelity = "draft";
+  Evaluation refused;
+  refused.status = io::RunStatus::diverged;
+  refused.fidelity = "draft";
+  Evaluation as_voxels;
+  as_voxels.status = io::RunStatus::completed;
+  as_voxels.displacement_m = {1.0, 2.0, 3.0};
+  archive.add_evaluation({"a", 1, "p"}, {0, as_voxels});
+  EXPECT_EQ(SQLite::Database(file_.string()).tableExists("period_displacement"), false) << "a search on voxels has no such table";
+  archive.add_evaluation({"a", 1, "q"}, {0, walked});
+  archive.add_evaluation({"b", 1, "q"}, {0, refused});
+  for (const auto& [key, added] : {std::pair{EvaluationKey{"a", 1, "q"}, walked}, std::pair{EvaluationKey{"b", 1, "q"}, refused},
+                                   std::pair{EvaluationKey{"a", 1, "p"}, as_voxels}}) {
+    const auto found = archive.evaluation(key);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->result.period_displacements_m, added.period_displacements_m);
+    EXPECT_EQ(found->result.elements, added.elements);
+    EXPECT_EQ(found->result.fidelity, added.fidelity);
+  }
+}
+
+TEST_F(Archive, NoSearchGoesOnWithAnArchiveFromBeforeThereWereModels) {
+  fill();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 5");
+  expect_refused({"schema version 5", "no search can be resumed", "menger export and menger reevaluate can read it"});
+  const auto found = RunArchive::open_to_read(file_).evaluation({"design 7", 1, "the physics of now"});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->result.displacement_m, (std::array{0.1 * 7, 1.0 / 3.0, -0.5}));
+}
+
 TEST_F(Archive, KnowsAResultOnlyUnderItsWholeKey) {
   RunArchive archive = open();
   Evaluation result;

@@ -10,6 +10,7 @@
 #include "evolution/reference/reevaluation_runner.h"
 #include "evolution/reference/reevaluation_surrogate.h"
 #include "evolution/study/voxel_evaluator.h"
+#include "evolution/study/walk_evaluator.h"
 #include "fem/locomotion/locomotion_study_file.h"
 #include "io/study/study_reader.h"
 #include "io/study/study_template.h"
@@ -23,6 +24,7 @@
 #include "tests/support/input_error_message.h"
 #include "tests/support/silicone_archive.h"
 #include "tests/support/test_folder.h"
+#include "tests/support/walking_study.h"
 
 namespace menger::evolution {
 namespace {
@@ -325,6 +327,68 @@ TEST_F(ReevaluationStudyTest, SearchesThatFiniteElementsCannotEvaluateAreRefused
   levels.search.offspring.constraints.levels = {1, 2};
   EXPECT_NE(refusal("", levels).find("level is missing"), std::string::npos);
   EXPECT_EQ(refusal("level = 2\n", levels), "no error");
+}
+
+/// A search on finite elements whose pressure comes from the study itself.
+class OnElements : public ReevaluationStudyTest {
+ protected:
+  [[nodiscard]] Study search(const std::string& evaluation = "", const std::string& more = "") const {
+    return tests::read_walking_study(folder_ / "search.toml", tests::walking_study_text(evaluation, "", more));
+  }
+};
+
+TEST_F(OnElements, WithoutKeysItEvaluatesOnStandardElementsWhatTheSearchEvaluated) {
+  const ReevaluationStudy study =
+      read("", search("", "bulk_modulus_ratio = 60\nyoungs_modulus_Pa = 2e5\n[elements]\nstep_safety = 0.7\n"));
+  EXPECT_TRUE(study.silicone_file.empty());
+  EXPECT_EQ(study.elements.elements.fidelity, fem::Fidelity::standard);
+  EXPECT_EQ(study.elements.bulk_modulus_ratio, 60.0);
+  EXPECT_EQ(study.elements.youngs_modulus_Pa, 2e5);
+  EXPECT_EQ(study.elements.step_safety, 0.7);
+  EXPECT_EQ(study.duration_s, 0.05);
+  EXPECT_DOUBLE_EQ(study.record_interval_s, 0.025 / 30.0) << "as in the search";
+  EXPECT_EQ(read("[elements]\nfidelity = \"fine\"\n", search()).elements.elements.fidelity, fem::Fidelity::fine);
+}
+
+TEST_F(OnElements, OnTheElementsOfTheSearchAWalkIsThatOfTheSearch) {
+  const ReevaluationStudy study = read("[elements]\nfidelity = \"draft\"\n", search());
+  const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, "110000000100000000000000000");
+  const fem::LocomotionStudy walk = locomotion_study(study, study.elements, body, false);
+  const std::atomic<bool> never{false};
+  const Evaluation expected = WalkEvaluator(study.search).evaluate(body, 1, never);
+  ASSERT_TRUE(expected.displacement_m) << expected.reason;
+  EXPECT_EQ(fem::travel_of(fem::walk(walk))->displacement_m, *expected.displacement_m) << "to the last bit";
+  EXPECT_EQ(surrogate_walk(study, body, false, nullptr).result.displacement_m, expected.displacement_m);
+}
+
+TEST_F(OnElements, NamesWhatStandsAgainstABody) {
+  const ReevaluationStudy study = read("", search());
+  EXPECT_EQ(obstacle_to_reference(study, meshes::Polycube::from_digits(3, 3, 3, bar)), "");
+  EXPECT_NE(obstacle_to_reference(study, meshes::Polycube::from_digits(3, 3, 3, "100010000000000000000000000")), "");
+}
+
+TEST_F(OnElements, AnotherSiliconeIsRefused) {
+  EXPECT_EQ(read("silicone = \"dragon_skin_10\"\n", search()).silicone_file.stem(), "dragon_skin_10");
+  EXPECT_NE(refusal("silicone = \"ecoflex_00_30\"\n", search()).find("its recommended law is"), std::string::npos);
+  EXPECT_NE(refusal("[variants]\n", search()).find("youngs_moduli_Pa"), std::string::npos)
+      << "the archive has a law, and does not know of which silicone";
+}
+
+TEST_F(OnElements, MeasuresAsTheSearch) {
+  Study last = search();
+  last.duration_s = 0.15;
+  last.measure = Measure::last_periods;
+  last.measure_periods = 5;
+  const ReevaluationStudy study = read("[elements]\nfidelity = \"draft\"\n", last);
+  EXPECT_DOUBLE_EQ(study.measured_s(), 0.025);
+  const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, "110000000100000000000000000");
+  const std::atomic<bool> never{false};
+  const Evaluation expected = WalkEvaluator(study.search).evaluate(body, 1, never);
+  ASSERT_TRUE(expected.displacement_m) << expected.reason;
+  const Evaluation found = surrogate_walk(study, body, false, nullptr).result;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR((*found.displacement_m)[axis], (*expected.displacement_m)[axis], 1e-15);
+  EXPECT_NE(refusal("[time]\nduration_s = 0.09\n", last).find("the search measures the last 5 periods"), std::string::npos);
 }
 
 }  // namespace

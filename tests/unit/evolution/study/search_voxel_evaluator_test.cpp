@@ -218,5 +218,21 @@ TEST(VoxelEvaluator, LargerBodiesCostMore) {
   EXPECT_LT(evaluator.cost(meshes::menger_sponge(), 1), evaluator.cost(meshes::fractal(meshes::menger_sponge(), 2), 2));
 }
 
+TEST(VoxelEvaluator, MeasuresTheLastPeriods) {
+  const LastPeriods last{.period_s = 0.01, .count = 4};
+  const Evaluation whole = VoxelEvaluator({}, 0.01, 0.055).evaluate(quadruped(), 1, never);
+  const Evaluation result = VoxelEvaluator({}, 0.01, 0.055, 0.0, last).evaluate(quadruped(), 1, never);
+  ASSERT_EQ(result.status, io::RunStatus::completed);
+  EXPECT_EQ(result.steps, whole.steps) << "to look at it changes no step";
+  ASSERT_EQ(result.period_displacements_m.size(), 5U);
+  EXPECT_EQ(result.period_displacements_m[0], VoxelEvaluator({}, 0.01, 0.01).evaluate(quadruped(), 1, never).displacement_m);
+  EXPECT_EQ(result.displacement_m, steady_displacement_m(result.period_displacements_m, last));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR((*result.displacement_m)[axis] + (*result.left_out_m)[axis], (*whole.displacement_m)[axis], 1e-16);
+  EXPECT_TRUE(whole.period_displacements_m.empty());
+  EXPECT_NE(VoxelEvaluator({}, 0.01, 0.055, 0.0, last).physics(), VoxelEvaluator({}, 0.01, 0.055).physics());
+  expect_same_as_alone(VoxelEvaluator({}, 0.01, 0.05, 0.0, last));
+}
+
 }  // namespace
 }  // namespace menger::evolution

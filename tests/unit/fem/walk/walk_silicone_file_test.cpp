@@ -1,4 +1,4 @@
-#include "fem/locomotion/locomotion_material.h"
+#include "fem/walk/walk_silicone_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,176 @@
+#include "evolution/study/walk_evaluator.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "fem/walk/walk_silicone_file.h"
+#include "io/study/study_text.h"
+#include "io/text/input_error.h"
+#include "io/text/number_text.h"
+#include "io/text/toml_text.h"
+#include "voxel/scene/physics_file.h"
+
+namespace menger::evolution {
+
+namespace {
+
+constexpr double records_per_period = 30.0;
+constexpr double largest_record_interval_s = 0.02;
+
+fem::DriveMode drive_mode(voxel::ActuationMode mode) {
+  switch (mode) {
+    case voxel::ActuationMode::none:
+      return fem::DriveMode::none;
+    case voxel::ActuationMode::in_phase:
+      return fem::DriveMode::in_phase;
+    case voxel::ActuationMode::antiphase:
+      return fem::DriveMode::antiphase;
+    case voxel::ActuationMode::wave:
+      return fem::DriveMode::wave;
+    case voxel::ActuationMode::hold:
+      return fem::DriveMode::hold;
+  }
+  assert(false && "a mode without a name in fem");
+  return fem::DriveMode::none;
+}
+
+std::array<double, 3> minus(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// Returns the number of faces of cells that lie outside.
+std::size_t outer_faces(const meshes::Polycube& body) {
+  std::size_t count = 0;
+  for (const meshes::CellIndex& cell : body.occupied()) {
+    for (const auto& [x, y, z] : {std::array{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) {
+      const meshes::CellIndex beside{cell.x + x, cell.y + y, cell.z + z};
+      if (body.at_or_empty(beside) == meshes::empty) ++count;
+    }
+  }
+  return count;
+}
+
+/// Describes what moves bodies on finite elements: loads, ground, drive, elements and silicone.
+void describe_moving(io::StudyVisitor& visitor, Study& study) {
+  HollowModule module = module_of(study);
+  voxel::Physics physics = study.physics;
+  physics.surrogate.reset();
+  visitor.table({"body", "The bodies."}, [&] {
+    visitor.number({"cell_edge_m", "Edge of a cell."}, study.search.cell_edge_m);
+    describe_module(visitor, module);
+  });
+  voxel::describe(visitor, physics, {.has_voxels = false, .pressure_Pa = &module.pressure_Pa});
+  visitor.table({"elements", "The elements."}, [&] {
+    describe_elements(visitor, study.silicone.elements, study.silicone.elements_through_wall);
+    describe_step_safety(visitor, study.silicone.step_safety);
+  });
+  visitor.table({"material", "The silicone."}, [&] { fem::describe(visitor, study.silicone.silicone); });
+}
+
+}  // namespace
+
+fem::SurrogateDrive pressure_drive(const Study& study) {
+  const voxel::Actuation& drive = study.physics.actuation;
+  return {.mode = drive_mode(drive.mode),
+          .pressure_Pa = module_of(study).pressure_Pa,
+          .frequency_Hz = drive.frequency_Hz,
+          .ramp_s = drive.ramp_s,
+          .material_phase = drive.material_phase,
+          .wave_axis = drive.wave_axis,
+          .wave_periods_per_body = drive.wave_periods_per_body,
+          .wave_over_gaps = drive.wave_over_gaps};
+}
+
+double record_interval_s(const Study& study) {
+  const double period_s = study.physics.actuation.period_s();
+  const double records = std::max(records_per_period, std::ceil(period_s / largest_record_interval_s));
+  return std::min(period_s / records, study.duration_s);
+}
+
+fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body) {
+  const HollowModule module = module_of(study);
+  const voxel::VoxelMaterial& ground = study.physics.materials[0];
+  fem::WalkInput walk;
+  walk.design = {"body", body, study.search.cell_edge_m};
+  walk.hollow.wall_thickness_m = module.wall_thickness_m;
+  walk.hollow.elements_through_wall = study.silicone.elements_through_wall;
+  walk.hollow.chambers = module.chambers;
+  walk.elements = study.silicone.elements;
+  walk.silicone = study.silicone.silicone;
+  walk.stated_ground.friction = {.static_coefficient = ground.static_friction, .kinetic_coefficient = ground.kinetic_friction};
+  walk.gravity_m_per_s2 = study.physics.gravity_m_s2;
+  walk.drive = pressure_drive(study);
+  walk.duration_s = study.duration_s;
+  walk.record_interval_s = record_interval_s(study);
+  walk.step_safety = study.silicone.step_safety;
+  return walk;
+}
+
+WalkEvaluator::WalkEvaluator(Study study) : study_(std::move(study)) {}
+
+Evaluation WalkEvaluator::evaluate(const meshes::Polycube& body, [[maybe_unused]] int level,
+                                   const std::atomic<bool>& stop) const {
+  assert(level == 1);
+  const auto start = std::chrono::steady_clock::now();
+  Evaluation result;
+  if (study_.silicone.elements.kind == fem::ElementKind::thin_wall)
+    result.fidelity = to_string(study_.silicone.elements.fidelity);
+  try {
+    const fem::WalkResult walk = fem::walk(walk_of(study_, body), &stop);
+    result.status = walk.status;
+    result.reason = walk.reason;
+    result.steps = walk.steps;
+    result.elements = walk.elements;
+    if (walk.status == io::RunStatus::completed) measure(walk, result);
+  } catch (const io::InputError& error) {
+    // For one body of many this is not wrong input, but a body without a result.
+    result.status = io::RunStatus::diverged;
+    result.reason = std::string("finite elements refuse the body: ") + error.what();
+  }
+  if (result.status == io::RunStatus::completed) result.reason.clear();
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+/// Sets the displacements of a completed walk.
+void WalkEvaluator::measure(const fem::WalkResult& walk, Evaluation& result) const {
+  const std::array<double, 3> whole_m = minus(walk.records.back().centre_of_mass_m, walk.records.front().centre_of_mass_m);
+  result.period_displacements_m = fem::period_displacements_m(walk, study_.physics.actuation.period_s());
+  result.displacement_m = whole_m;
+  if (const auto last = measured_periods(study_)) {
+    result.displacement_m = steady_displacement_m(result.period_displacements_m, *last);
+  } else if (study_.measure_from_s > 0.0) {
+    const fem::Point from_m = fem::centre_of_mass_at(walk, study_.measure_from_s);
+    result.displacement_m = minus(walk.records.back().centre_of_mass_m, from_m);
+  } else {
+    return;
+  }
+  result.left_out_m = minus(whole_m, result.displacement_m.value());
+}
+
+std::string WalkEvaluator::physics() const {
+  io::TomlText text;
+  text.add("model", to_string(EvaluationModel::finite_elements)).add("duration_s", study_.duration_s);
+  if (study_.measure_from_s > 0.0) text.add("measure_from_s", study_.measure_from_s);
+  if (const auto last = measured_periods(study_)) text.add("measure_periods", last->count);
+  text.add("record_interval_s", record_interval_s(study_));
+  io::StudyTextWriter moving;
+  Study described = study_;
+  describe_moving(moving, described);
+  return text.lines(moving.text()).text();
+}
+
+double WalkEvaluator::cost(const meshes::Polycube& body, int /*level*/) const {
+  const fem::ElementChoice& choice = study_.silicone.elements;
+  meshes::HollowBodyOptions options;
+  fem::set_elements(choice, options);
+  // A face of a cell is cut into those of the span between its walls, and shares those of its edges with its neighbours.
+  const double along_edge =
+      static_cast<double>(options.elements_per_span.value_or(2 * study_.silicone.elements_through_wall)) + 1.0;
+  return static_cast<double>(outer_faces(body)) * along_edge * along_edge;
+}
+
+}  // namespace menger::evolution

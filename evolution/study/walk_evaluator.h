@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "evolution/evaluation/evaluator.h"
+#include "evolution/study/study.h"
+#include "fem/walk/walk.h"
+
+namespace menger::evolution {
+
+/// Returns the drive of a study of silicone, for finite elements.
+fem::SurrogateDrive pressure_drive(const Study& study);
+
+/// Returns the time between the records of a walk of a study: a thirtieth of the period of the drive, but no more than 0.02 s.
+/// Positions between records are interpolated; the body is checked for passing through itself at every record.
+double record_interval_s(const Study& study);
+
+/// Returns the walk of a body of a study that finite elements evaluate. @param body one standing module
+fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body);
+
+/// Evaluates single modules by walks on finite elements, in the process (see fem::walk).
+///
+/// A body that finite elements refuse has the status `diverged` and the reason, as a body outside of a range of validity has: it
+/// has no displacement, and the search goes on without it. The result has the displacement in every whole period of the drive.
+class WalkEvaluator final : public DesignEvaluator {
+ public:
+  /// @param study of finite elements, with a stated silicone
+  explicit WalkEvaluator(Study study);
+
+  /// Precondition: level 1.
+  [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
+  [[nodiscard]] std::string physics() const override;
+
+  /// Returns about how many elements the body has: those of its walls. All bodies make about as many steps.
+  [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
+
+ private:
+  void measure(const fem::WalkResult& walk, Evaluation& result) const;
+
+  Study study_;
+};
+
+}  // namespace menger::evolution

@@ -1,0 +1,150 @@
+// A search whose robots walk on finite elements: menger-evolve, menger-export and menger-reevaluate.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "evolution/archive/run_archive.h"
+#include "io/text/csv_table.h"
+#include "io/text/whole_file.h"
+#include "tests/support/archive_content.h"
+#include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
+#include "tests/support/walking_study.h"
+
+namespace menger {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::archive_content;
+using test_support::Outcome;
+using test_support::ProgramRun;
+
+class EvolveOnElements : public testing::Test {
+ protected:
+  EvolveOnElements() { io::write_whole(folder_ / "study.toml", tests::walking_study_text()); }
+
+  [[nodiscard]] ProgramRun start(const std::string& program, std::vector<std::string> arguments) const {
+    return {folder_, fs::path(MENGER_PROGRAM_DIR) / ("menger-" + program), std::move(arguments)};
+  }
+  [[nodiscard]] Outcome run(const std::string& program, std::vector<std::string> arguments) const {
+    return start(program, std::move(arguments)).wait();
+  }
+  [[nodiscard]] Outcome export_to(const std::string& archive, const std::string& folder) const {
+    return run("export", {archive, "-o", folder, "--no-pictures", "--no-frames"});
+  }
+
+  /// Returns what was exported, by file, without wall times: manifests, checkpoints and lines of `seconds`.
+  [[nodiscard]] std::map<std::string, std::string> exported(const std::string& folder) const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / folder)) {
+      const fs::path& file = entry.path();
+      if (!entry.is_regular_file() || file.filename() == "manifest.json" || file.extension() == ".checkpoint") continue;
+      std::istringstream all(io::read_whole(file));
+      std::string kept;
+      for (std::string line; std::getline(all, line);)
+        if (line.rfind("seconds = ", 0) != 0) kept += line + "\n";
+      files[fs::relative(file, folder_ / folder).string()] = kept;
+    }
+    return files;
+  }
+
+  const tests::TestFolder folder_;
+};
+
+TEST_F(EvolveOnElements, TheChampionOfASearchIsExportedAndWalksOnFinerElements) {
+  const Outcome outcome = run("evolve", {"study.toml", "--threads", "1"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* words : {"note: the damping of Dragon Skin 10 is not measured", "note: friction of Dragon Skin 10",
+                            "Champion: individual", "menger reevaluate run.sqlite"})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out << "\ndoes not say: " << words;
+  const std::string manifest = io::read_whole(folder_ / "run.manifest.json");
+  EXPECT_NE(manifest.find("dragon_skin_10.toml"), std::string::npos) << "the silicone is an input";
+  EXPECT_NE(manifest.find("study.toml"), std::string::npos);
+
+  const Outcome out = export_to("run.sqlite", "out");
+  ASSERT_EQ(out.code, 0) << out.err;
+  EXPECT_NE(out.out.find("only level 1 is written"), std::string::npos) << out.out;
+  EXPECT_EQ(out.out.find("differs from that in the archive"), std::string::npos) << out.out;
+  const io::CsvContents costs = io::read_csv(folder_ / "out/costs.csv");
+  EXPECT_GT(costs.number(0, "element_steps"), 1e5);
+  EXPECT_EQ(costs.number(0, "voxel_steps"), 0.0);
+  EXPECT_GT(io::read_csv(folder_ / "out/level_1/trajectory.csv").row_count(), 50U);
+
+  // The study that was exported gives the same walk.
+  const Outcome walked = run("locomote", {"out/champion_walk.toml", "-o", "walked", "--no-pictures", "--quiet"});
+  ASSERT_EQ(walked.code, 0) << walked.err;
+  EXPECT_EQ(io::read_whole(folder_ / "walked/trajectory.csv"), io::read_whole(folder_ / "out/level_1/trajectory.csv"));
+
+  io::write_whole(folder_ / "finer.toml", "[elements]\nfidelity = \"standard\"\n");
+  const Outcome finer = run("reevaluate", {"run.sqlite", "--top", "2", "--study", "finer.toml", "-o", "finer", "--no-pictures"});
+  ASSERT_EQ(finer.code, 0) << finer.err;
+  EXPECT_NE(finer.out.find("search     elements"), std::string::npos) << finer.out;
+  const io::CsvContents table = io::read_csv(folder_ / "finer/reevaluation.csv");
+  ASSERT_EQ(table.row_count(), 2U);
+  EXPECT_EQ(table.text(0, "elements_status"), "completed");
+  EXPECT_NEAR(table.number(0, "surrogate_body_lengths"), table.number(0, "fitness_body_lengths"), 1e-12)
+      << "the search's own walk, made again";
+  EXPECT_GT(table.number(0, "elements_count"), 0.0);
+}
+
+TEST_F(EvolveOnElements, IsTheSameForTwoThreadsAndAfterAKill) {
+  const std::string longer = "0.2";  // s, so that a search takes a second or two
+  ASSERT_EQ(run("evolve", {"study.toml", "--threads", "2", "-o", "two.sqlite", "--duration", longer}).code, 0);
+  for (const int signal : {SIGINT, SIGKILL}) {
+    const std::string name = "ended_" + std::to_string(signal);
+    const std::vector<std::string> arguments{"study.toml", "--threads", "1", "-o", name + ".sqlite", "--duration", longer};
+    const ProgramRun running = start("evolve", arguments);
+    while (!fs::exists(folder_ / (name + ".sqlite"))) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    running.send(signal);
+    const Outcome ended = running.wait();
+    if (signal == SIGINT) {
+      EXPECT_EQ(ended.code, 130) << ended.out << ended.err;
+    } else {
+      EXPECT_EQ(ended.signal, SIGKILL);
+    }
+    ASSERT_EQ(run("evolve", arguments).code, 0);
+    EXPECT_EQ(archive_content(folder_ / (name + ".sqlite")), archive_content(folder_ / "two.sqlite")) << signal;
+    ASSERT_EQ(export_to(name + ".sqlite", name).code, 0);
+  }
+  ASSERT_EQ(export_to("two.sqlite", "two").code, 0);
+  const std::map<std::string, std::string> expected = exported("two");
+  EXPECT_TRUE(expected.contains("level_1/trajectory.csv"));
+  EXPECT_EQ(exported("ended_" + std::to_string(SIGINT)), expected);
+  EXPECT_EQ(exported("ended_" + std::to_string(SIGKILL)), expected);
+}
+
+TEST_F(EvolveOnElements, StopsWithinASecond) {
+  const ProgramRun running = start("evolve", {"study.toml", "--threads", "2", "--duration", "100"});
+  while (!fs::exists(folder_ / "run.sqlite")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const auto told = std::chrono::steady_clock::now();
+  running.send(SIGINT);
+  EXPECT_EQ(running.wait().code, 130);
+  EXPECT_LT(std::chrono::steady_clock::now() - told, std::chrono::seconds(1));
+}
+
+TEST_F(EvolveOnElements, WrongInputIsFoundBeforeAnythingIsWritten) {
+  const auto expect_refused = [&](const std::string& text, const std::string& word) {
+    io::write_whole(folder_ / "study.toml", text);
+    const Outcome outcome = run("evolve", {"study.toml"});
+    EXPECT_EQ(outcome.code, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder_ / "run.sqlite"));
+  };
+  expect_refused(tests::walking_study_text("", "", "[elements]\nfidelity = \"rough\"\n"), "elements.fidelity");
+  std::string levels = tests::walking_study_text();
+  levels.replace(levels.find("[1]"), 3, "[2]");
+  expect_refused(levels, "body.levels");
+}
+
+}  // namespace
+}  // namespace menger

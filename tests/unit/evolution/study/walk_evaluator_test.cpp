@@ -1,0 +1,220 @@
+#include "evolution/study/walk_evaluator.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "evolution/evaluation/worker_pool.h"
+#include "fem/walk/walk.h"
+#include "tests/support/test_folder.h"
+#include "tests/support/walking_study.h"
+
+namespace menger::evolution {
+namespace {
+
+const std::atomic<bool> never{false};
+
+meshes::Polycube hook() { return meshes::Polycube::from_digits(2, 1, 2, "1110"); }
+meshes::Polycube bar() { return meshes::Polycube::from_digits(2, 1, 1, "11"); }
+
+class WalkEvaluatorTest : public testing::Test {
+ protected:
+  [[nodiscard]] Study read(const std::string& text = tests::walking_study_text()) const {
+    return tests::read_walking_study(folder_ / "study.toml", text);
+  }
+
+  const tests::TestFolder folder_;
+};
+
+TEST_F(WalkEvaluatorTest, GivesTheDisplacementOfTheWalk) {
+  const Study study = read();
+  const Evaluation result = WalkEvaluator(study).evaluate(hook(), 1, never);
+  ASSERT_EQ(result.status, io::RunStatus::completed) << result.reason;
+  const fem::WalkResult walk = fem::walk(walk_of(study, hook()));
+  EXPECT_EQ(*result.displacement_m, fem::travel_of(walk)->displacement_m);
+  EXPECT_GT(std::hypot((*result.displacement_m)[0], (*result.displacement_m)[1]), 1e-6);
+  EXPECT_FALSE(result.left_out_m);
+  EXPECT_EQ(result.steps, walk.steps);
+  EXPECT_EQ(result.elements, walk.elements);
+  EXPECT_EQ(result.fidelity, "draft");
+  EXPECT_EQ(result.period_displacements_m, fem::period_displacements_m(walk, 0.025));
+  EXPECT_EQ(result.period_displacements_m.size(), 2U);
+}
+
+TEST_F(WalkEvaluatorTest, IsPureAndTheSameInAnyNumberOfThreads) {
+  const WalkEvaluator evaluator(read());
+  const std::vector<EvaluationTask> tasks{{bar(), 1}, {hook(), 1}, {bar(), 1}, {hook(), 1}};
+  std::vector<std::vector<Evaluation>> found;
+  for (const int threads : {1, 2, 3}) {
+    std::vector<Evaluation> results(tasks.size());
+    EXPECT_EQ(WorkerPool(evaluator, threads)
+                  .run(tasks, nullptr, [&](std::size_t task, const Evaluation& result) { results[task] = result; }),
+              io::RunStatus::completed);
+    found.push_back(results);
+  }
+  for (const std::vector<Evaluation>& results : found) {
+    for (std::size_t n = 0; n < tasks.size(); ++n) {
+      EXPECT_EQ(results[n].displacement_m, found[0][n % 2].displacement_m) << n;
+      EXPECT_EQ(results[n].steps, found[0][n % 2].steps);
+      EXPECT_EQ(results[n].period_displacements_m, found[0][n % 2].period_displacements_m);
+    }
+  }
+  EXPECT_NE(found[0][0].displacement_m, found[0][1].displacement_m);
+}
+
+TEST_F(WalkEvaluatorTest, StopsWithinASecond) {
+  Study study = read();
+  study.duration_s = 500.0;
+  const WalkEvaluator evaluator(study);
+  std::atomic<bool> stop{false};
+  Evaluation result;
+  std::chrono::steady_clock::time_point told;
+  {
+    const std::jthread walking([&] { result = evaluator.evaluate(hook(), 1, stop); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    told = std::chrono::steady_clock::now();
+    stop = true;
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - told, std::chrono::seconds(1));
+  EXPECT_EQ(result.status, io::RunStatus::stopped);
+  EXPECT_FALSE(result.displacement_m);
+  EXPECT_TRUE(result.period_displacements_m.empty());
+}
+
+TEST_F(WalkEvaluatorTest, ABodyThatIsRefusedHasAReasonAndNoDisplacement) {
+  const WalkEvaluator evaluator(read());
+  for (const auto& [body, word] : {std::pair{meshes::Polycube::from_digits(3, 3, 1, "111101110"), "touch only along an edge"},
+                                   std::pair{meshes::Polycube::from_digits(3, 1, 1, "101"), "2 parts that are not joined"}}) {
+    const Evaluation result = evaluator.evaluate(body, 1, never);
+    EXPECT_EQ(result.status, io::RunStatus::diverged);
+    EXPECT_FALSE(result.displacement_m);
+    EXPECT_EQ(result.steps, 0U);
+    EXPECT_NE(result.reason.find("finite elements refuse the body: "), std::string::npos) << result.reason;
+    EXPECT_NE(result.reason.find(word), std::string::npos) << result.reason;
+  }
+}
+
+TEST_F(WalkEvaluatorTest, PhysicsTextNamesEverythingThatDecides) {
+  const auto physics = [&](const std::string& text) { return WalkEvaluator(read(text)).physics(); };
+  const std::string usual = physics(tests::walking_study_text());
+  EXPECT_EQ(usual, physics(tests::walking_study_text()));
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string text = tests::walking_study_text();
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  };
+  std::set<std::string> all{usual};
+  const std::vector<std::string> others{
+      tests::walking_study_text("", "", "[elements]\nfidelity = \"standard\"\n"),
+      tests::walking_study_text("", "", "[elements]\nprecision = \"double\"\n"),
+      tests::walking_study_text("", "", "[elements]\nkind = \"three_field\"\n"),
+      tests::walking_study_text("", "", "[elements]\nkind = \"three_field\"\nelements_through_wall = 2\n"),
+      tests::walking_study_text("", "", "[elements]\nstep_safety = 0.7\n"),
+      tests::walking_study_text("", "", "bulk_modulus_ratio = 60\n"),
+      tests::walking_study_text("", "", "youngs_modulus_Pa = 2e5\n"),
+      tests::walking_study_text("", "", "loss_factor = 0.2\nloss_frequency_Hz = 30\n"),
+      tests::walking_study_text("", "", "damping_model = \"kelvin_voigt\"\n"),
+      tests::walking_study_text("", "", "density_kg_per_m3 = 1000\n"),
+      tests::walking_study_text("", "", "[ground]\nkinetic_friction = 0.4\n"),
+      tests::walking_study_text("", "", "[ground]\nstatic_friction = 0.9\n"),
+      tests::walking_study_text("", "", "[loads]\ngravity_m_per_s2 = 9\n"),
+      tests::walking_study_text("", "ramp_s = 0.01\n"),
+      with("silicone = \"dragon_skin_10\"", "silicone = \"ecoflex_00_30\""),
+      with("wall_thickness_m = 0.002", "wall_thickness_m = 0.0015"),
+      with("wall_thickness_m = 0.002", "wall_thickness_m = 0.002\ncell_edge_m = 0.012"),
+      with("wall_thickness_m = 0.002", "wall_thickness_m = 0.002\nchambers = \"per-phase\""),
+      with("pressure_Pa = [0, 6000]", "pressure_Pa = [0, 5000]"),
+      with("frequency_Hz = 40", "frequency_Hz = 50"),
+      with("duration_s = 0.05", "duration_s = 0.06"),
+      with("duration_s = 0.05", "duration_s = 0.05\nmeasure_from_s = 0.025"),
+  };
+  for (std::size_t n = 0; n < others.size(); ++n) {
+    EXPECT_TRUE(all.insert(physics(others[n])).second) << n << ": " << others[n];
+  }
+  Study last = read();
+  last.measure = Measure::last_periods;
+  EXPECT_TRUE(all.insert(WalkEvaluator(last).physics()).second);
+  last.measure_periods = 6;
+  EXPECT_TRUE(all.insert(WalkEvaluator(last).physics()).second);
+  EXPECT_EQ(physics(tests::walking_study_text("pruning = false\n")), usual) << "the course of a search is no physics";
+}
+
+TEST_F(WalkEvaluatorTest, HalfTheStepIsAnotherPhysics) {
+  Study study = read();
+  const WalkEvaluator whole(study);
+  study.silicone.step_safety *= 0.5;
+  const WalkEvaluator half(study);
+  EXPECT_NE(whole.physics(), half.physics());
+  EXPECT_GT(half.evaluate(bar(), 1, never).steps, 1.8 * static_cast<double>(whole.evaluate(bar(), 1, never).steps));
+}
+
+TEST_F(WalkEvaluatorTest, DisplacementCountsFromTheTimeThatIsAskedFor) {
+  Study study = read();
+  const Evaluation whole = WalkEvaluator(study).evaluate(hook(), 1, never);
+  study.measure_from_s = 0.025;
+  const Evaluation later = WalkEvaluator(study).evaluate(hook(), 1, never);
+  ASSERT_TRUE(later.displacement_m && later.left_out_m && whole.displacement_m);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR((*later.displacement_m)[axis] + (*later.left_out_m)[axis], (*whole.displacement_m)[axis], 1e-15);
+    EXPECT_NEAR((*later.displacement_m)[axis], whole.period_displacements_m[1][axis], 1e-15);
+  }
+}
+
+TEST_F(WalkEvaluatorTest, MeasuresTheLastPeriods) {
+  Study study = read();
+  study.duration_s = 0.15;
+  study.measure = Measure::last_periods;
+  study.measure_periods = 5;
+  const Evaluation result = WalkEvaluator(study).evaluate(hook(), 1, never);
+  ASSERT_EQ(result.status, io::RunStatus::completed) << result.reason;
+  ASSERT_EQ(result.period_displacements_m.size(), 6U);
+  const LastPeriods last{.period_s = 0.025, .count = 5};
+  EXPECT_EQ(result.displacement_m, steady_displacement_m(result.period_displacements_m, last));
+  std::array<double, 3> sum{};
+  for (const auto& one : result.period_displacements_m)
+    for (std::size_t axis = 0; axis < 3; ++axis) sum.at(axis) += one.at(axis);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR((*result.displacement_m)[axis] + (*result.left_out_m)[axis], sum.at(axis), 1e-15);
+}
+
+TEST_F(WalkEvaluatorTest, CostsGrowWithTheElements) {
+  const Study study = read();
+  const WalkEvaluator draft(study);
+  Study finer = study;
+  finer.silicone.elements.fidelity = fem::Fidelity::fine;
+  const WalkEvaluator fine(finer);
+  std::vector<std::pair<double, std::size_t>> found;
+  for (const char* digits : {"110000000", "111000000", "111010000", "111010111", "111111111"}) {
+    const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 1, digits);
+    fem::PreparedWalk walk{walk_of(study, body)};
+    fem::prepare(walk);
+    found.emplace_back(draft.cost(body, 1), walk.mesh.elements.size());
+    EXPECT_GT(fine.cost(body, 1), draft.cost(body, 1));
+  }
+  for (std::size_t n = 1; n < found.size(); ++n) {
+    EXPECT_EQ(found[n].first > found[n - 1].first, found[n].second > found[n - 1].second) << n;
+    EXPECT_NEAR(found[n].first / static_cast<double>(found[n].second), 1.0, 0.5) << "it is about that number";
+  }
+}
+
+TEST(RecordInterval, DividesThePeriodOfTheDrive) {
+  Study study;
+  study.duration_s = 5.0;
+  study.physics.actuation.frequency_Hz = 3.0;
+  EXPECT_DOUBLE_EQ(record_interval_s(study), 1.0 / 90.0);
+  study.physics.actuation.frequency_Hz = 0.5;
+  EXPECT_DOUBLE_EQ(record_interval_s(study), 0.02);
+  study.duration_s = 0.001;
+  EXPECT_DOUBLE_EQ(record_interval_s(study), 0.001);
+}
+
+}  // namespace
+}  // namespace menger::evolution
