@@ -46,7 +46,8 @@ struct Arguments {
 constexpr const char* description =
     "Evolves fractal robots. The archive keeps all results. Run the same command again to resume a search that was stopped,\n"
     "or to show the result of a finished one. Robots move as voxels, or with evaluation.model = \"finite_elements\" as hollow\n"
-    "bodies of silicone on finite elements. With a table [reference] in the study, robots move as voxels, and finite elements\n"
+    "bodies of silicone on finite elements; with \"both\" as voxels at first, which choose those that finite elements evaluate. "
+    "With a table [reference] in the study, robots move as voxels, and finite elements\n"
     "evaluate some survivors during the search and correct the fitness of all; their runs are in a folder named after the\n"
     "archive.";
 
@@ -117,6 +118,11 @@ class Log {
     std::cout << round_text(run_.plan, round, discrepancy) << std::flush;
   }
 
+  void screened(const ScreeningRound& round) {
+    bar_.reset();
+    std::cout << screening_text(round) << std::flush;
+  }
+
   void close() { bar_.reset(); }
 
  private:
@@ -176,6 +182,7 @@ int evolve(const Arguments& arguments) {
   require_memory(study, arguments.threads);
   const std::unique_ptr<DesignEvaluator> evaluator = evaluator_of(study);
   const std::unique_ptr<DesignEvaluator> half_step = half_step_evaluator_of(study);
+  const std::unique_ptr<DesignEvaluator> surrogate = screening_evaluator_of(study);
   Log* listener = nullptr;
   FiniteElementEvaluatorOptions reference_options{.runs = fs::path(arguments.archive).replace_extension(".reference")};
   reference_options.progress = [&](std::size_t done, std::size_t total, const std::string& name) {
@@ -215,9 +222,10 @@ int evolve(const Arguments& arguments) {
     options.generation_done = [&](const GenerationRecord& record) { log.generation_done(record); };
     options.progress = [&](const SearchProgress& progress) { log.progress(progress); };
     options.round_done = [&](const ReferenceRound& round, const Discrepancy& learnt) { log.evaluated(round, learnt); };
+    options.screened = [&](const ScreeningRound& round) { log.screened(round); };
     const auto start = Clock::now();
     status = run_search(study.search, *evaluator, archive, options, reference.get(),
-                        study.search.step_checks ? half_step.get() : nullptr);
+                        study.search.step_checks ? half_step.get() : nullptr, surrogate.get());
     log.close();
     listener = nullptr;
     manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -14,6 +14,8 @@ std::string_view to_string(Knowledge knowledge) {
       return "duplicate";
     case Knowledge::penalised:
       return "penalised";
+    case Knowledge::screened:
+      return "screened";
   }
   return {};
 }

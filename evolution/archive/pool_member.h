@@ -13,7 +13,8 @@ enum class Knowledge {
   failed,     ///< an evaluation did not complete: no fitness
   bounded,    ///< at some levels or none; in a finished generation that is enough to know that it does not survive
   duplicate,  ///< an earlier individual had the same phenotype, and duplicates are culled: no fitness
-  penalised   ///< it falls apart: no fitness
+  penalised,  ///< it falls apart: no fitness
+  screened    ///< a surrogate ranked it too low to be evaluated: no fitness
 };
 std::string_view to_string(Knowledge knowledge);
 

@@ -20,12 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array known_words{Knowledge::evaluated, Knowledge::failed, Knowledge::bounded, Knowledge::duplicate,
-                                 Knowledge::penalised};
+constexpr std::array known_words{Knowledge::evaluated, Knowledge::failed,    Knowledge::bounded,
+                                 Knowledge::duplicate, Knowledge::penalised, Knowledge::screened};
+constexpr std::array screening_words{Screened::passed, Screened::drawn, Screened::left_out};
 
 Knowledge knowledge_of(const std::string& word) {
   const auto found = std::ranges::find_if(known_words, [&](Knowledge knowledge) { return to_string(knowledge) == word; });
   if (found == known_words.end()) throw io::InputError("\"" + word + "\" is not a word of an archive");
+  return *found;
+}
+
+Screened screened_of(const std::string& word) {
+  const auto found = std::ranges::find_if(screening_words, [&](Screened outcome) { return to_string(outcome) == word; });
+  if (found == screening_words.end()) throw io::InputError("\"" + word + "\" is not a word of an archive");
   return *found;
 }
 
@@ -248,6 +255,20 @@ void insert_reference_evaluation(SQLite::Database& connection, const ReferenceEv
   row.exec();
 }
 
+void insert_screened(SQLite::Database& connection, std::span<const ScreenedIndividual> screened) {
+  add_screening_table(connection);
+  SQLite::Statement row(connection, "INSERT INTO screening VALUES (:id, :generation, :surrogate, :outcome, :probability)");
+  for (const ScreenedIndividual& one : screened) {
+    row.reset();
+    row.bind(":id", signed_number(one.id));
+    row.bind(":generation", one.generation);
+    bind_optional(row, ":surrogate", one.surrogate);
+    row.bind(":outcome", std::string(to_string(one.outcome)));
+    row.bind(":probability", one.probability);
+    row.exec();
+  }
+}
+
 PoolMember read_pool_member(const SQLite::Statement& row) {
   return {.id = count_in(row.getColumn("id")),
           .age = row.getColumn("age").getInt(),
@@ -332,6 +353,18 @@ void require_same_study(const fs::path& file, std::string_view archived, std::st
 }
 
 }  // namespace
+
+std::string_view to_string(Screened outcome) {
+  switch (outcome) {
+    case Screened::passed:
+      return "passed";
+    case Screened::drawn:
+      return "drawn";
+    case Screened::left_out:
+      break;
+  }
+  return "left out";
+}
 
 std::string design_hash(const Phenotype& phenotype, int level) {
   Phenotype part = phenotype;
@@ -547,8 +580,9 @@ std::vector<FitDesign> RunArchive::fit_designs() const {
 }
 
 void RunArchive::add_generation(const GenerationRecord& record, std::span<const Individual> born,
-                                std::span<const PoolMember> pool) {
+                                std::span<const PoolMember> pool, std::span<const ScreenedIndividual> screened) {
   database_->write([&](SQLite::Database& connection) {
+    if (!screened.empty()) insert_screened(connection, screened);
     SQLite::Statement individuals(connection,
                                   "INSERT INTO individual VALUES (:id, :generation, :parent, :age, :genome, :phenotype)");
     for (const Individual& individual : born) insert_individual(individuals, individual);
@@ -557,6 +591,22 @@ void RunArchive::add_generation(const GenerationRecord& record, std::span<const 
         "INSERT INTO contender VALUES (:generation, :id, :age, :knowledge, :fitness, :fitness_bound, :survivor_rank)");
     for (const PoolMember& member : pool) insert_pool_member(entries, record.number, member);
     insert_generation(connection, record);
+  });
+}
+
+std::vector<ScreenedIndividual> RunArchive::screened_individuals() const {
+  return database_->read([](const SQLite::Database& connection) {
+    std::vector<ScreenedIndividual> all;
+    if (!connection.tableExists("screening")) return all;
+    SQLite::Statement row(connection, "SELECT * FROM screening ORDER BY id");
+    while (row.executeStep()) {
+      all.push_back({.id = count_in(row.getColumn("id")),
+                     .generation = row.getColumn("generation").getInt(),
+                     .surrogate = optional_double(row.getColumn("surrogate")),
+                     .outcome = screened_of(row.getColumn("outcome").getString()),
+                     .probability = row.getColumn("probability").getDouble()});
+    }
+    return all;
   });
 }
 

@@ -86,6 +86,25 @@ struct ReferenceEvaluation {
   Reevaluation found;
 };
 
+/// What a screening decided of a new individual.
+enum class Screened {
+  passed,   ///< it is evaluated
+  drawn,    ///< its rank was too low, but it was drawn and is evaluated
+  left_out  ///< it is not evaluated
+};
+std::string_view to_string(Screened outcome);  ///< "passed", "drawn" or "left out"
+
+/// A new individual that was screened by a surrogate.
+struct ScreenedIndividual {
+  std::uint64_t id = 0;
+  int generation = 0;
+  std::optional<double> surrogate{};  ///< its score by the surrogate
+  Screened outcome = Screened::passed;
+  double probability = 1.0;  ///< with which it was to be evaluated
+
+  bool operator==(const ScreenedIndividual&) const = default;
+};
+
 /// A finished generation.
 struct GenerationRecord {
   int number = 0;
@@ -181,7 +200,12 @@ class RunArchive {
   void add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation);
 
   /// Adds a finished generation. Precondition: the archive has the previous generation but not this one.
-  void add_generation(const GenerationRecord& record, std::span<const Individual> born, std::span<const PoolMember> pool);
+  /// @param screened those of the new individuals that a surrogate screened
+  void add_generation(const GenerationRecord& record, std::span<const Individual> born, std::span<const PoolMember> pool,
+                      std::span<const ScreenedIndividual> screened = {});
+
+  /// Returns all individuals that a surrogate screened, by id.
+  [[nodiscard]] std::vector<ScreenedIndividual> screened_individuals() const;
 
  private:
   class Database;

@@ -188,6 +188,18 @@ CREATE TABLE IF NOT EXISTS element_count (
 )sql");
 }
 
+void add_screening_table(SQLite::Database& connection) {
+  connection.exec(R"sql(
+CREATE TABLE IF NOT EXISTS screening (
+  id INTEGER PRIMARY KEY,
+  generation INTEGER NOT NULL,
+  surrogate REAL,
+  outcome TEXT NOT NULL,
+  probability REAL NOT NULL
+);
+)sql");
+}
+
 void add_reference_table(SQLite::Database& connection) {
   connection.exec(R"sql(
 CREATE TABLE IF NOT EXISTS judgement (

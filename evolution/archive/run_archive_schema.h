@@ -29,6 +29,9 @@ void add_left_out_table(SQLite::Database& connection);
 /// them.
 void add_walk_tables(SQLite::Database& connection);
 
+/// Makes the table of individuals that a surrogate screened, if it is missing. Only some searches need it.
+void add_screening_table(SQLite::Database& connection);
+
 /// Makes the table of reference evaluations, if it is missing. Only some searches need it.
 void add_reference_table(SQLite::Database& connection);
 

@@ -23,7 +23,8 @@ class Replay {
       entry.archived = member;
       entry.known = {.id = member.id, .age = member.age, .fitness = member.fitness};
       const Individual individual = run.archive->individual(member.id);
-      const bool is_evaluated = member.knowledge != Knowledge::duplicate && member.knowledge != Knowledge::penalised;
+      const bool is_evaluated = member.knowledge != Knowledge::duplicate && member.knowledge != Knowledge::penalised &&
+                                member.knowledge != Knowledge::screened;
       if (individual.generation == generation && is_evaluated) {
         entry.phenotype = as_simulated(run.plan, individual.phenotype);
         entry.known.knowledge = Knowledge::bounded;

@@ -44,6 +44,7 @@ struct RunView {
   const RunArchive* archive = nullptr;
   SearchPlan plan;
   std::string physics;              ///< DesignEvaluator::physics()
+  std::string screening_physics{};  ///< the same of the surrogate that screens new bodies; empty if none does
   std::string half_step_physics{};  ///< the same of the evaluator with half the time step
   Distinction distinction{};        ///< what makes two robots different, for reference evaluations
   std::size_t voxels_per_cell = 1;  ///< voxels of a whole cell, for costs

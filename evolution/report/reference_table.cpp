@@ -66,6 +66,27 @@ io::CsvTable correction_table(const RunView& run) {
   return table;
 }
 
+namespace {
+
+/// Returns the voxel-steps of screening the new individuals of a generation.
+std::uint64_t screening_voxel_steps(const RunView& run, int generation) {
+  if (run.screening_physics.empty()) return 0;
+  const std::string physics_hash = io::content_hash(run.screening_physics);
+  const int level = run.plan.levels().front();
+  std::uint64_t sum = 0;
+  std::set<std::string> counted;
+  for (const PoolMember& member : run.archive->pool(generation)) {
+    const Phenotype phenotype = as_simulated(run.plan, run.archive->individual(member.id).phenotype);
+    const std::string design = design_hash(phenotype, level);
+    const auto found = run.archive->evaluation({design, level, physics_hash});
+    if (!found || found->generation != generation || !counted.insert(design).second) continue;
+    sum += found->result.steps * aggregate_cell_count(phenotype, level) * run.voxels_per_cell;
+  }
+  return sum;
+}
+
+}  // namespace
+
 GenerationCost generation_cost(const RunView& run, int generation) {
   GenerationCost cost;
   const std::string physics_hash = io::content_hash(run.physics);
@@ -84,6 +105,7 @@ GenerationCost generation_cost(const RunView& run, int generation) {
         cost.voxel_steps += found->result.steps * aggregate_cell_count(phenotype, level) * run.voxels_per_cell;
     }
   }
+  cost.voxel_steps += screening_voxel_steps(run, generation);
   for (const ReferenceEvaluation& one : run.archive->reference_evaluations())
     cost.element_steps += one.generation == generation ? one.element_steps : 0;
   return cost;

@@ -5,10 +5,22 @@
 
 namespace menger::evolution {
 
-std::unique_ptr<DesignEvaluator> evaluator_of(const Study& study) {
-  if (uses_elements(study)) return std::make_unique<WalkEvaluator>(study);
+namespace {
+
+std::unique_ptr<DesignEvaluator> voxels_of(const Study& study) {
   return std::make_unique<VoxelEvaluator>(study.physics, study.search.cell_edge_m, study.duration_s, study.measure_from_s,
                                           measured_periods(study));
+}
+
+}  // namespace
+
+std::unique_ptr<DesignEvaluator> evaluator_of(const Study& study) {
+  if (uses_elements(study)) return std::make_unique<WalkEvaluator>(study);
+  return voxels_of(study);
+}
+
+std::unique_ptr<DesignEvaluator> screening_evaluator_of(const Study& study) {
+  return study.search.screening ? voxels_of(study) : nullptr;
 }
 
 std::unique_ptr<DesignEvaluator> half_step_evaluator_of(const Study& study) {
@@ -22,6 +34,7 @@ RunView view_of(const RunArchive& archive, const Study& study) {
   return {.archive = &archive,
           .plan = study.search,
           .physics = evaluator_of(study)->physics(),
+          .screening_physics = study.search.screening ? screening_evaluator_of(study)->physics() : "",
           .half_step_physics = half_step_evaluator_of(study)->physics(),
           .distinction = distinction_of(study),
           .voxels_per_cell = voxels_in_cell(study),

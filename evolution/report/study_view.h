@@ -12,6 +12,9 @@ namespace menger::evolution {
 /// Returns the evaluator of a study.
 std::unique_ptr<DesignEvaluator> evaluator_of(const Study& study);
 
+/// Returns the surrogate that screens the new bodies of a study; null if none does.
+std::unique_ptr<DesignEvaluator> screening_evaluator_of(const Study& study);
+
 /// Returns the evaluator of a study with half its time step.
 std::unique_ptr<DesignEvaluator> half_step_evaluator_of(const Study& study);
 

@@ -31,12 +31,13 @@ void PoolEvaluation::add_survivor(const PoolMember& survivor) {
   entries_.push_back(std::move(entry));
 }
 
-void PoolEvaluation::add_newcomer(const Individual& individual, bool duplicate) {
+void PoolEvaluation::add_newcomer(const Individual& individual, bool duplicate, bool is_left_out) {
   Entry entry;
   entry.member.id = individual.id;
   entry.member.age = individual.age;
   entry.member.knowledge = Knowledge::bounded;
   entry.phenotype = as_simulated(*plan_, individual.phenotype);
+  if (is_left_out) entry.member.knowledge = Knowledge::screened;
   if (duplicate && plan_->duplicates == DuplicatePolicy::culled) entry.member.knowledge = Knowledge::duplicate;
   if (is_penalised(individual.phenotype, plan_->offspring.constraints)) entry.member.knowledge = Knowledge::penalised;
   entries_.push_back(std::move(entry));
@@ -146,8 +147,8 @@ std::vector<PoolMember> PoolEvaluation::pool() const {
 EvaluationCounts PoolEvaluation::counts() const {
   EvaluationCounts counts{evaluations_, cached_, 0};
   for (const Entry& entry : entries_) {
-    const bool counted =
-        entry.phenotype && entry.member.knowledge != Knowledge::duplicate && entry.member.knowledge != Knowledge::penalised;
+    const bool counted = entry.phenotype && entry.member.knowledge != Knowledge::duplicate &&
+                         entry.member.knowledge != Knowledge::penalised && entry.member.knowledge != Knowledge::screened;
     if (counted) counts.pruned += plan_->levels().size() - entry.results.size();
   }
   return counts;

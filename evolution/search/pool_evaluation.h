@@ -34,7 +34,8 @@ class PoolEvaluation {
   void add_survivor(const PoolMember& survivor);
 
   /// Adds a new individual. @param duplicate whether an earlier individual has the same phenotype
-  void add_newcomer(const Individual& individual, bool duplicate);
+  /// @param is_left_out whether a surrogate ranked it too low to be evaluated
+  void add_newcomer(const Individual& individual, bool duplicate, bool is_left_out = false);
 
   /// Evaluates everything. @return completed or stopped
   [[nodiscard]] io::RunStatus evaluate_in_full();

@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 class Search {
  public:
   Search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
-         ReferenceEvaluator* reference, const DesignEvaluator* half_step)
+         ReferenceEvaluator* reference, const DesignEvaluator* half_step, const DesignEvaluator* surrogate)
       : plan_(plan),
         evaluator_(evaluator),
         archive_(archive),
@@ -37,7 +37,9 @@ class Search {
     assert(plan.reference.has_value() == (reference != nullptr));
     assert(plan.step_checks.has_value() == (half_step != nullptr));
     if (reference != nullptr) reference_.emplace(plan, *reference, archive);
+    assert(plan.screening.has_value() == (surrogate != nullptr));
     if (half_step != nullptr) checking_.emplace(plan, *half_step, archive);
+    if (surrogate != nullptr) screening_.emplace(plan, *surrogate, evaluator.physics(), archive);
   }
 
   io::RunStatus run() {
@@ -76,17 +78,26 @@ class Search {
     const auto start = Clock::now();
     if (reference_ && !evaluate_survivors()) return io::RunStatus::stopped;
     const std::vector<Individual> born = next_generation_ == 0 ? first_generation() : children_and_newcomers();
+    ScreeningRound screened;
+    if (screening_) {
+      auto round = screening_->screen(next_generation_, born, options_, &commits_);
+      if (!round) return io::RunStatus::stopped;
+      screened = std::move(*round);
+      if (options_.screened) options_.screened(screened);
+    }
     PoolEvaluation pool(plan_, evaluator_, archive_, options_, next_generation_, &commits_,
                         reference_ ? &reference_->fitness() : nullptr);
     for (const Survivor& survivor : survivors_) pool.add_survivor(survivor.member);
     for (const Individual& individual : born) {
       const bool is_new = phenotypes_.insert(simulated_key(individual.phenotype)).second;
-      pool.add_newcomer(individual, !is_new);
+      const auto found = std::ranges::find(screened.individuals, individual.id, &ScreenedIndividual::id);
+      const bool is_left_out = found != screened.individuals.end() && found->outcome == Screened::left_out;
+      pool.add_newcomer(individual, !is_new, is_left_out);
     }
     const bool lazily = plan_.pruning && next_generation_ > 0;
     const io::RunStatus status = lazily ? pool.evaluate_lazily() : pool.evaluate_in_full();
     if (status != io::RunStatus::completed) return status;
-    return commit(pool, born, start);
+    return commit(pool, born, screened, start);
   }
 
   /// Makes a round of reference evaluations if one is due, and scores the survivors again. @return false if it was stopped
@@ -165,7 +176,8 @@ class Search {
     return checking_->check(next_generation_, survivors, options_, &commits_);
   }
 
-  io::RunStatus commit(const PoolEvaluation& pool, const std::vector<Individual>& born, Clock::time_point start) {
+  io::RunStatus commit(const PoolEvaluation& pool, const std::vector<Individual>& born, const ScreeningRound& screened,
+                       Clock::time_point start) {
     std::vector<PoolMember> members = pool.pool();
     const std::vector<std::uint64_t> selected = select(members);
     std::vector<Survivor> survivors;
@@ -180,7 +192,7 @@ class Search {
     const EvaluationCounts counts = pool.counts();
     const GenerationRecord record{next_generation_, counts.evaluations,   counts.cached,       counts.pruned,
                                   seconds,          variation_.to_text(), selection_.to_text()};
-    archive_.add_generation(record, born, members);
+    archive_.add_generation(record, born, members, screened.individuals);
     survivors_ = std::move(survivors);
     ++commits_;
     if (options_.generation_done) options_.generation_done(record);
@@ -200,6 +212,7 @@ class Search {
   const SearchOptions& options_;
   std::optional<ReferenceRounds> reference_;
   std::optional<StepChecking> checking_;
+  std::optional<Screening> screening_;
   std::string physics_hash_;
   RandomStream variation_;
   RandomStream selection_;
@@ -213,8 +226,9 @@ class Search {
 }  // namespace
 
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
-                         const SearchOptions& options, ReferenceEvaluator* reference, const DesignEvaluator* half_step) {
-  return Search(plan, evaluator, archive, options, reference, half_step).run();
+                         const SearchOptions& options, ReferenceEvaluator* reference, const DesignEvaluator* half_step,
+                         const DesignEvaluator* surrogate) {
+  return Search(plan, evaluator, archive, options, reference, half_step, surrogate).run();
 }
 
 }  // namespace menger::evolution

@@ -8,6 +8,7 @@
 #include "evolution/evaluation/evaluator.h"
 #include "evolution/evaluation/reference_evaluator.h"
 #include "evolution/search/reference_rounds.h"
+#include "evolution/search/screening.h"
 #include "evolution/search/search_plan.h"
 #include "io/text/run_status.h"
 
@@ -29,6 +30,8 @@ struct SearchOptions {
 
   /// Called after every round of reference evaluations, with the correction learnt so far.
   std::function<void(const ReferenceRound&, const Discrepancy&)> round_done{};
+  /// Called after every screening of new individuals.
+  std::function<void(const ScreeningRound&)> screened{};
   std::function<void(std::size_t count)> after_commit;  ///< called when the archive has grown for the count-th time, from 1
 };
 
@@ -50,16 +53,20 @@ struct SearchOptions {
 /// Pruning needs no change: reference evaluations require a search at a single level, so that a score is either unknown and
 /// without a bound, or final and corrected at once. outlook() never gets a bound that a correction could raise.
 ///
+/// With plan.screening, new individuals are first evaluated by a surrogate (Screening). Those that it ranks low, and that are not
+/// drawn, have no fitness. Only results of the evaluator decide survival.
+///
 /// With plan.step_checks, the elites of every generation that is due are evaluated again with half the time step before the
 /// generation is finished (StepChecking). The outcome changes nothing else.
 ///
 /// @param archive of this plan and evaluator
 /// @param reference given exactly if there is a plan.reference, whose protocol is that of this reference evaluator
 /// @param half_step given exactly if there is a plan.step_checks: the evaluator with half its time step
+/// @param surrogate given exactly if there is a plan.screening
 /// @return completed, or stopped
 /// @throws io::InputError if the constraints of the plan cannot be met or the archive cannot be written
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
                          const SearchOptions& options, ReferenceEvaluator* reference = nullptr,
-                         const DesignEvaluator* half_step = nullptr);
+                         const DesignEvaluator* half_step = nullptr, const DesignEvaluator* surrogate = nullptr);
 
 }  // namespace menger::evolution

@@ -41,6 +41,14 @@ struct ReferencePlan {
   bool operator==(const ReferencePlan&) const = default;
 };
 
+/// How a search is screened by a cheaper surrogate: which new individuals the evaluator evaluates.
+struct ScreeningPlan {
+  double least_share = 0.2;   ///< share of new individuals that passes if both models rank alike, in (0, 1]
+  double drawn_share = 0.15;  ///< share of the others that is drawn and evaluated all the same, in (0, 1]
+
+  bool operator==(const ScreeningPlan&) const = default;
+};
+
 /// How often a search checks the effect of its time step on its best designs. Checks do not change the course of a search.
 struct StepCheckPlan {
   int every = 25;           ///< generations from one check to the next, >= 1; the first is of generation 0
@@ -74,6 +82,9 @@ struct SearchPlan {
 
   /// Rounds of reference evaluations that correct the fitness during the search. None: the evaluator alone decides.
   std::optional<ReferencePlan> reference{};
+
+  /// Screening of new individuals by a surrogate. None: all are evaluated.
+  std::optional<ScreeningPlan> screening{};
 
   /// Checks of the time step on the best designs. None: no checks.
   std::optional<StepCheckPlan> step_checks{};

@@ -82,7 +82,17 @@ std::vector<std::string> notes_of_model(const Study& study) {
 
 }  // namespace
 
-std::string_view to_string(EvaluationModel model) { return model == EvaluationModel::voxels ? "voxels" : "finite_elements"; }
+std::string_view to_string(EvaluationModel model) {
+  switch (model) {
+    case EvaluationModel::voxels:
+      return "voxels";
+    case EvaluationModel::finite_elements:
+      return "finite_elements";
+    case EvaluationModel::both:
+      break;
+  }
+  return "both";
+}
 
 std::string_view to_string(Measure measure) { return measure == Measure::net_displacement ? "net_displacement" : "last_periods"; }
 
@@ -119,7 +129,7 @@ std::vector<std::string> study_notes(const Study& study) {
     notes.push_back("the fitness is the displacement in one period, from the last " + std::to_string(last->count) +
                     " periods of an evaluation");
   }
-  const bool has_surrogate = !uses_elements(study) && study.physics.surrogate;
+  const bool has_surrogate = study.model != EvaluationModel::finite_elements && study.physics.surrogate;
   for (const std::string& fault : has_surrogate ? outside_validity_of_some(study) : std::vector<std::string>{}) {
     const bool refuses = study.physics.surrogate->outside_range == voxel::OutsideRange::refuse;
     notes.push_back("bodies with every kind of wall would be outside the range of validity of the calibrated parameters: " +

@@ -16,8 +16,12 @@
 namespace menger::evolution {
 
 /// The model that moves the bodies of a search.
-enum class EvaluationModel { voxels, finite_elements };
-std::string_view to_string(EvaluationModel model);  ///< "voxels" or "finite_elements"
+enum class EvaluationModel {
+  voxels,
+  finite_elements,
+  both  ///< voxels with calibrated parameters screen new bodies, and finite elements decide who survives
+};
+std::string_view to_string(EvaluationModel model);  ///< "voxels", "finite_elements" or "both"
 
 /// What an evaluation measures of a motion.
 enum class Measure {

@@ -87,13 +87,31 @@ void describe_time(io::StudyVisitor& visitor, Study& study) {
                  study.measure_from_s, io::non_negative());
 }
 
+void describe_screening(io::StudyVisitor& visitor, ScreeningPlan& screening) {
+  const io::Range share{.lowest = 0.0, .highest = 1.0, .lowest_excluded = true};
+  visitor.number(
+      {"least_passing_share",
+       "Share of new bodies that pass the surrogate if it ranks as finite elements do. More pass the less it does; without "
+       "rank correlation all pass."},
+      screening.least_share, share);
+  visitor.number(
+      {"drawn_share", "Share of the others that is drawn and walks all the same, to learn how well the surrogate ranks."},
+      screening.drawn_share, share);
+}
+
 void describe_evaluation(io::StudyVisitor& visitor, Study& study) {
   using enum EvaluationModel;
   SearchPlan& plan = study.search;
-  visitor.word({"model",
-                "What moves bodies. voxels: point masses and beams; finite_elements: elements of hollow bodies of silicone, for "
-                "single modules."},
-               study.model, io::words_of(voxels, finite_elements));
+  visitor.word(
+      {"model",
+       "What moves bodies. voxels: point masses and beams; finite_elements: elements of hollow bodies of silicone, for "
+       "single modules; both: voxels with the parameters of [surrogate] choose which new bodies walk on finite elements, "
+       "which alone decide who survives."},
+      study.model, io::words_of(voxels, finite_elements, both));
+  ScreeningPlan screening = plan.screening.value_or(ScreeningPlan{});
+  visitor.only_if(study.model == both, "model = \"both\"", [&] { describe_screening(visitor, screening); });
+  plan.screening.reset();
+  if (study.model == both) plan.screening = screening;
   visitor.word({"measure",
                 "What is measured of a motion. net_displacement: from time.measure_from_s to the end; last_periods: the "
                 "displacement in one period of the drive, from the last ones, so that neither the start nor a fall counts."},
@@ -175,11 +193,11 @@ bool states_model(const io::StudyVisitor& visitor) {
 void describe_physics(io::StudyVisitor& visitor, Study& study) {
   const bool has_elements = uses_elements(study);
   voxel::describe(visitor, study.physics,
-                  {.has_voxels = !has_elements,
+                  {.has_voxels = study.model != EvaluationModel::finite_elements,
                    .pressure_Pa = has_elements ? &study.silicone.module.pressure_Pa : nullptr,
-                   .pressure_condition = "[surrogate], or evaluation.model = \"finite_elements\"",
+                   .pressure_condition = "[surrogate], or evaluation.model = \"finite_elements\" or \"both\"",
                    .brings_pressure = has_elements && states_model(visitor)});
-  visitor.only_if(has_elements, "evaluation.model = \"finite_elements\"", [&] {
+  visitor.only_if(has_elements, "evaluation.model = \"finite_elements\" or \"both\"", [&] {
     visitor.table({"elements", "The finite elements."}, [&] {
       describe_elements(visitor, study.silicone.elements, study.silicone.elements_through_wall);
       describe_step_safety(visitor, study.silicone.step_safety);
@@ -274,10 +292,24 @@ std::string undrivable_modules(const Study& study) {
 std::string unusable_surrogate(const Study& study) {
   const voxel::CalibratedBody& body = *study.physics.surrogate;
   if (std::string problem = voxel::unusable_parameters(body, study.search.cell_edge_m); !problem.empty()) return problem;
-  if (body.outside_range == voxel::OutsideRange::refuse && !uses_elements(study)) {
+  if (body.outside_range == voxel::OutsideRange::refuse && study.model != EvaluationModel::finite_elements) {
     if (const std::vector<std::string> faults = outside_validity_of_all(study); !faults.empty()) return faults.front();
   }
   return undrivable_modules(study);
+}
+
+/// Returns why voxels cannot screen the bodies of a study, or an empty text.
+std::string unusable_screening(const Study& study) {
+  if (!study.search.screening) return "";
+  const std::string given = "evaluation.model = \"both\": ";
+  const std::string make =
+      "; menger load-cases SET.toml -o curves and menger calibrate STUDY.toml --curves curves make parameters";
+  if (!study.physics.surrogate) return given + "needs parameters of voxels for this silicone, as [surrogate] parameters" + make;
+  const std::string& calibrated = study.physics.surrogate->parameters.law;
+  const std::string law = materials::law_line(study.silicone.silicone.law.law);
+  if (law == calibrated) return "";
+  return given + "the parameters of [surrogate] are for " + io::toml_quoted(calibrated) + ", the silicone of [material] is " +
+         io::toml_quoted(law) + make;
 }
 
 /// Returns why finite elements cannot evaluate the bodies of a study, or an empty text.
@@ -287,6 +319,7 @@ std::string unusable_elements(const Study& study) {
   if (plan.reference) return "[reference]: finite elements need no correction by finite elements";
   if (!plan.stand) return "evaluation.stand = false: must be true: finite elements put every body on the ground";
   if (!study.physics.floor) return "ground.present = false: must be true";
+  if (std::string problem = unusable_screening(study); !problem.empty()) return problem;
   const auto& [first, second] = study.physics.materials;
   if (first.static_friction != second.static_friction || first.kinetic_friction != second.kinetic_friction)
     return "materials: a cast body is of one silicone: both materials must have the same friction";
@@ -380,7 +413,7 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   }
   if (uses_elements(study)) {
     require_none(unusable_elements(study));
-    return study;
+    if (study.model == EvaluationModel::finite_elements) return study;
   }
   if (const std::string problem = voxel::unusable_scales(study.physics, study.search.cell_edge_m, study.duration_s);
       !problem.empty()) {

@@ -132,6 +132,30 @@ TEST_F(EvolveOnElements, StopsWithinASecond) {
   EXPECT_LT(std::chrono::steady_clock::now() - told, std::chrono::seconds(1));
 }
 
+TEST_F(EvolveOnElements, VoxelsScreenAndFiniteElementsDecide) {
+  io::write_whole(
+      folder_ / "study.toml",
+      "preset = \"paper\"\ngenerations = 3\n[population]\nsurvivors = 4\nmutants = 8\n"
+      "[evaluation]\nmodel = \"both\"\nstand = true\nleast_passing_share = 0.1\n"
+      "[body]\nlevels = [1]\ncastable = true\n[time]\nduration_s = 0.05\n[surrogate]\nparameters = \"" MENGER_SOURCE_DIR
+      "/voxel/parameters/dragon_skin_10_1cm.toml\"\noutside_range = \"warn\"\n"
+      "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 6000]\nfrequency_Hz = 40\n");
+  const Outcome outcome = run("evolve", {"study.toml", "--threads", "1", "-o", "one.sqlite"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* words : {"generation 0: 4 of 4 pass the surrogate; no rank correlation yet",
+                            "pass the surrogate; rank correlation so far", "Champion: individual"})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out << "\ndoes not say: " << words;
+  ASSERT_EQ(run("evolve", {"study.toml", "--threads", "2", "-o", "two.sqlite"}).code, 0);
+  EXPECT_EQ(archive_content(folder_ / "one.sqlite"), archive_content(folder_ / "two.sqlite"));
+  const evolution::RunArchive archive = evolution::RunArchive::open_to_read(folder_ / "one.sqlite");
+  EXPECT_EQ(archive.screened_individuals().size(), 4U + 3U * 9U);
+  ASSERT_EQ(export_to("one.sqlite", "out").code, 0);
+  const io::CsvContents costs = io::read_csv(folder_ / "out/costs.csv");
+  EXPECT_GT(costs.number(0, "element_steps"), 0.0);
+  EXPECT_GT(costs.number(0, "voxel_steps"), 0.0);
+  EXPECT_EQ(run("reevaluate", {"one.sqlite", "--top", "1", "-o", "again", "--no-pictures"}).code, 0);
+}
+
 TEST_F(EvolveOnElements, WrongInputIsFoundBeforeAnythingIsWritten) {
   const auto expect_refused = [&](const std::string& text, const std::string& word) {
     io::write_whole(folder_ / "study.toml", text);

@@ -242,8 +242,8 @@ TEST_F(StudyFile, ItsTemplateAndItsTextsAreReadBack) {
     io::read_described(io::parse_toml(text, "study.toml"), file);
     return file;
   };
-  tests::expect_template_is_read<PresetStudy>(
-      parse, {"evaluation.model = \"finite_elements\"", "integration.number = \"float32\"", "surrogate"});
+  tests::expect_template_is_read<PresetStudy>(parse, {"evaluation.model = \"both\"", "evaluation.model = \"finite_elements\"",
+                                                      "integration.number = \"float32\"", "surrogate"});
   // Half of the random studies are on finite elements, and half of those name a silicone that does not exist.
   tests::expect_texts_are_read_back<PresetStudy>(parse, 10);
   tests::expect_texts_are_read_back<Study>([](const std::string& text) { return study_from_text(text, "study.toml"); }, 10);
