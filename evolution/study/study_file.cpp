@@ -312,6 +312,19 @@ std::string unusable_screening(const Study& study) {
          io::toml_quoted(law) + make;
 }
 
+/// Returns why a body of one cell cannot walk as a study says, or an empty text. What stands against it stands against all
+/// bodies.
+std::string refused_walk(const Study& study) {
+  try {
+    fem::PreparedWalk walk{walk_of(study, meshes::Polycube::from_digits(1, 1, 1, "1"))};
+    fem::check(walk);
+    fem::prepare(walk);
+  } catch (const io::InputError& error) {
+    return std::string("finite elements refuse all bodies: ") + error.what();
+  }
+  return "";
+}
+
 /// Returns why finite elements cannot evaluate the bodies of a study, or an empty text.
 std::string unusable_elements(const Study& study) {
   const SearchPlan& plan = study.search;
@@ -336,7 +349,8 @@ std::string unusable_elements(const Study& study) {
     return "time.duration_s = " + io::number_text(study.duration_s) + ": makes more than a million records of " +
            io::number_text(record_interval_s(study)) + " s, thirty of them in a period of the drive";
   }
-  return undrivable_modules(study);
+  if (std::string problem = undrivable_modules(study); !problem.empty()) return problem;
+  return refused_walk(study);
 }
 
 /// Returns why the last periods cannot be measured, or an empty text.

@@ -147,7 +147,7 @@ TEST_F(ScreenedSearch, IsTheSameForAnyThreadsAndAfterStops) {
     ASSERT_EQ(run("threads_" + std::to_string(threads), plan(), options), io::RunStatus::completed);
     EXPECT_EQ(test_support::archive_content(file("threads_" + std::to_string(threads))), expected);
   }
-  for (std::size_t last = 1; last < commits; last += 13) {
+  for (std::size_t last = 1; last < commits; last += 4) {
     const std::string name = "stopped_" + std::to_string(last);
     std::atomic<bool> stop{false};
     SearchOptions options;

@@ -115,6 +115,8 @@ TEST_F(SiliconeStudy, RefusesWhatFiniteElementsCannotDo) {
   expect_refused(changed("mode = \"in_phase\"", "mode = \"wave\""), "drive.mode = \"wave\"");
   expect_refused(changed("pressure_Pa = [0, 6000]\n", ""), "drive.pressure_Pa");
   expect_refused(changed("pressure_Pa = [0, 6000]", "pressure_Pa = [6000, 0]"), "must ascend");
+  expect_refused(changed("pressure_Pa = [0, 6000]", "pressure_Pa = [-123456, 0]"),
+                 "finite elements refuse all bodies: drive.pressure_Pa: -123456: reaches a perfect vacuum or less");
   expect_refused(changed("silicone = \"dragon_skin_10\"\n", ""), "give a silicone or a law");
   expect_refused(changed("dragon_skin_10", "dragon_skin"), "material.silicone");
   expect_refused(walking_study_text("", "", "[ground]\npresent = false\n"), "ground.present = false");
@@ -127,8 +129,7 @@ TEST_F(SiliconeStudy, RefusesWhatFiniteElementsCannotDo) {
   expect_refused(walking_study_text("", "", "[reference]\nstudy = \"a.toml\"\nbudget_element_steps = 1\n"), "[reference]");
   expect_refused(walking_study_text("measure = \"last_periods\"\n"),
                  "evaluation.measure_periods = 5: time.duration_s = 0.05 must hold");
-  expect_refused(walking_study_text("measure = \"last_periods\"\nmeasure_periods = 4\n"),
-                 "measure_periods = 4: must be >= 5");
+  expect_refused(walking_study_text("measure = \"last_periods\"\nmeasure_periods = 4\n"), "measure_periods = 4: must be >= 5");
   expect_refused(walking_study_text("measure_periods = 5\n"), "belongs to measure = \"last_periods\"");
   const std::string voxels = "preset = \"paper\"\n";
   expect_refused(voxels + "[elements]\nfidelity = \"draft\"\n", "belongs to evaluation.model = \"finite_elements\"");
