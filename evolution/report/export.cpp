@@ -61,7 +61,7 @@ class Exporter {
     result_.champion = summarise_generation(run_, *last).champion;
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
-    for (const char* name : {"reference.csv", "corrections.csv", "timings.csv", "schedule.csv", "check_dt.csv"})
+    for (const char* name : {"reference.csv", "corrections.csv", "timings.csv", "schedule.csv", "check_dt.csv", "periods.csv"})
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
     generations_table(run_).write(folder_ / "generations.csv");
     cost_table(run_).write(folder_ / "costs.csv");
@@ -102,6 +102,7 @@ class Exporter {
   void write_champion() {
     lineage_table(run_, champion().id).write(folder_ / "lineage.csv");
     write_design(folder_ / "champion.toml", design(1));
+    write_periods();
     if (uses_elements(study_)) return walk_champion();
     if (std::vector<LevelResult> there = finished_levels(); there.size() == options_.levels.size()) {
       result_.levels = std::move(there);
@@ -114,6 +115,23 @@ class Exporter {
       if (result_.status == io::RunStatus::stopped) return;
     }
     if (options_.pictures) draw();
+  }
+
+  /// Writes the champion's displacement in every period, by level, if the archive has it.
+  void write_periods() const {
+    io::CsvTable table({"level", "period", "dx_m", "dy_m", "dz_m", "body_lengths"});
+    bool has_rows = false;
+    for (const int level : study_.search.levels()) {
+      const std::optional<Evaluation> result = archived(level);
+      if (!result) continue;
+      std::uint64_t period = 0;
+      for (const std::array<double, 3>& moved_m : result->period_displacements_m) {
+        const double lengths = body_lengths(moved_m, level, study_.search.cell_edge_m);
+        table.add_row(level, ++period, moved_m[0], moved_m[1], moved_m[2], lengths);
+        has_rows = true;
+      }
+    }
+    if (has_rows) table.write(folder_ / "periods.csv");
   }
 
   /// Writes the walk of the champion on the finite elements of the search, and its study for menger locomote.

@@ -44,6 +44,7 @@ struct ExportResult {
 /// - generations.csv, lineage.csv and costs.csv (see generations_table, lineage_table, cost_table);
 /// - if a reference evaluator took part, reference.csv and corrections.csv (reference_table, correction_table);
 /// - if the time step was checked, check_dt.csv (step_check_table);
+/// - if the archive has displacements by period, periods.csv with those of the champion;
 /// - champion.toml, the basal body; if arrangements are evolved too, champion_level_<n>.toml with the whole bodies;
 /// - level_<n>/ with scene.toml and the files of voxel::run_scene, and champion.png with all levels side by side;
 /// - of a search on finite elements instead: level_1/ with the files of fem::run_locomotion, and champion_walk.toml, a study of

@@ -78,6 +78,13 @@ TEST_F(EvolveOnElements, TheChampionOfASearchIsExportedAndWalksOnFinerElements) 
   EXPECT_EQ(costs.number(0, "voxel_steps"), 0.0);
   EXPECT_GT(io::read_csv(folder_ / "out/level_1/trajectory.csv").row_count(), 50U);
 
+  const io::CsvContents periods = io::read_csv(folder_ / "out/periods.csv");
+  ASSERT_EQ(periods.row_count(), 2U);
+  const io::CsvContents walk = io::read_csv(folder_ / "out/level_1/trajectory.csv");
+  const std::size_t last = walk.row_count() - 1;
+  EXPECT_NEAR(periods.number(0, "dx_m") + periods.number(1, "dx_m"),
+              walk.number(last, "centre_of_mass_x_m") - walk.number(0, "centre_of_mass_x_m"), 1e-15);
+
   // The study that was exported gives the same walk.
   const Outcome walked = run("locomote", {"out/champion_walk.toml", "-o", "walked", "--no-pictures", "--quiet"});
   ASSERT_EQ(walked.code, 0) << walked.err;
