@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view title = "menger locomotion checkpoint 6";
+constexpr std::string_view title = "menger locomotion checkpoint 7";
 
 /// Reads consecutive values, starting at a place.
 template <class... Values>
