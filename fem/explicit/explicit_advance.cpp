@@ -11,9 +11,9 @@
 namespace menger::fem {
 namespace {
 
-/// Change of the stable step from one estimate to the next up to which estimates get rarer. It lies well within the distance
-/// that steps keep from the stable one.
-constexpr double little_change = 0.05;
+/// Change of the stable step from one estimate to the next up to which estimates get rarer, over the distance that steps keep
+/// from the stable one: 5 % for steps of four fifths.
+constexpr double little_change = 0.25;
 constexpr std::size_t least_steps_to_bound = 10;
 
 }  // namespace
@@ -135,7 +135,8 @@ void ExplicitDynamics::accept(double last_stable_step_s) {
   look_at_chambers();
   if (state_.stable_step_s < options_.smallest_step_ratio * rest_stable_step_)
     report_ = failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(state_.stable_step_s) + " s");
-  const bool has_changed = std::abs(state_.stable_step_s / last_stable_step_s - 1.0) > little_change;
+  const bool has_changed =
+      std::abs(state_.stable_step_s / last_stable_step_s - 1.0) > little_change * (1.0 - options_.step_safety);
   if (!has_changed) state_.step_share = std::min(1.0, 1.1 * state_.step_share);
   if (state_.steps_since_bound > 0) return;
   std::size_t& next = state_.steps_to_bound;
