@@ -149,10 +149,11 @@ NodesOutcome NodeUpdate::move(const BodyForces& forces, const StepTimes& times, 
       after[z] += kick.time_s * inverse_masses[z] * block.normal_N[s];
     }
     block.is_touched = !forces.self_contact_N.empty() && forces.touched_blocks[begin / nodes_at_once] != 0;
-    if (block.is_touched)
+    if (block.is_touched) {
       for (const std::span<const double> more : {forces.self_contact_N, forces.self_friction_N})
         for (std::size_t n = 0; n < (more.empty() ? 0 : block.count); ++n)
           after[n] += kick.time_s * inverse_masses[n] * more[block.first + n];
+    }
     MotionWork work;
     for (std::size_t s = 0; s < block.standing_count; ++s) {
       const std::size_t n = block.standing[s];
