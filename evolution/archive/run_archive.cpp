@@ -554,9 +554,12 @@ std::uint64_t RunArchive::next_id() const {
   });
 }
 
-std::vector<std::string> RunArchive::phenotype_keys() const {
+std::vector<std::string> RunArchive::tried_phenotype_keys() const {
   return database_->read([](const SQLite::Database& connection) {
-    SQLite::Statement row(connection, "SELECT DISTINCT phenotype FROM individual ORDER BY phenotype");
+    std::string tried = "SELECT DISTINCT phenotype FROM individual";
+    if (connection.tableExists("screening"))
+      tried += " WHERE id NOT IN (SELECT id FROM screening WHERE outcome = '" + std::string(to_string(Screened::left_out)) + "')";
+    SQLite::Statement row(connection, tried + " ORDER BY phenotype");
     std::vector<std::string> keys;
     while (row.executeStep()) keys.push_back(row.getColumn("phenotype").getString());
     return keys;
@@ -594,11 +597,12 @@ void RunArchive::add_generation(const GenerationRecord& record, std::span<const 
   });
 }
 
-std::vector<ScreenedIndividual> RunArchive::screened_individuals() const {
-  return database_->read([](const SQLite::Database& connection) {
+std::vector<ScreenedIndividual> RunArchive::screened_individuals(int from_generation) const {
+  return database_->read([&](const SQLite::Database& connection) {
     std::vector<ScreenedIndividual> all;
     if (!connection.tableExists("screening")) return all;
-    SQLite::Statement row(connection, "SELECT * FROM screening ORDER BY id");
+    SQLite::Statement row(connection, "SELECT * FROM screening WHERE generation >= :from ORDER BY id");
+    row.bind(":from", from_generation);
     while (row.executeStep()) {
       all.push_back({.id = count_in(row.getColumn("id")),
                      .generation = row.getColumn("generation").getInt(),

@@ -161,8 +161,10 @@ class RunArchive {
   [[nodiscard]] GenerationRecord generation(int number) const;
   [[nodiscard]] std::vector<PoolMember> pool(int generation) const;  ///< by id
   [[nodiscard]] Individual individual(std::uint64_t id) const;
-  [[nodiscard]] std::uint64_t next_id() const;                    ///< one more than the largest id, or 0
-  [[nodiscard]] std::vector<std::string> phenotype_keys() const;  ///< of all individuals, each once
+  [[nodiscard]] std::uint64_t next_id() const;  ///< one more than the largest id, or 0
+
+  /// Returns the keys of the phenotypes of all individuals that no surrogate left out, each once.
+  [[nodiscard]] std::vector<std::string> tried_phenotype_keys() const;
 
   /// Returns a result, or none. An archive of an earlier version has another text and hash of the physics, but results of one
   /// physics only. There the design and the level decide.
@@ -204,8 +206,8 @@ class RunArchive {
   void add_generation(const GenerationRecord& record, std::span<const Individual> born, std::span<const PoolMember> pool,
                       std::span<const ScreenedIndividual> screened = {});
 
-  /// Returns all individuals that a surrogate screened, by id.
-  [[nodiscard]] std::vector<ScreenedIndividual> screened_individuals() const;
+  /// Returns all individuals that a surrogate screened from a generation on, by id.
+  [[nodiscard]] std::vector<ScreenedIndividual> screened_individuals(int from_generation = 0) const;
 
  private:
   class Database;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <utility>
 
 #include "evolution/evaluation/worker_pool.h"
 #include "evolution/genome/random_stream.h"
+#include "evolution/search/archived_score.h"
 #include "evolution/search/search.h"
 #include "io/text/content_hash.h"
 #include "io/text/formatted.h"
@@ -55,6 +57,10 @@ std::optional<double> rank_correlation(std::span<const ScoredTwice> robots) {
   const std::vector<double> y = weighted_ranks(robots, &ScoredTwice::score);
   const double mean_x = weighted_mean(robots, x);
   const double mean_y = weighted_mean(robots, y);
+  const auto is_one = [](const std::vector<double>& ranks) {
+    return std::ranges::adjacent_find(ranks, std::not_equal_to{}) == ranks.end();
+  };
+  if (is_one(x) || is_one(y)) return std::nullopt;  // sums of squares would be of rounding
   double xx = 0.0;
   double yy = 0.0;
   double xy = 0.0;
@@ -63,7 +69,6 @@ std::optional<double> rank_correlation(std::span<const ScoredTwice> robots) {
     yy += robots[n].weight * (y[n] - mean_y) * (y[n] - mean_y);
     xy += robots[n].weight * (x[n] - mean_x) * (y[n] - mean_y);
   }
-  if (xx <= 0.0 || yy <= 0.0) return std::nullopt;
   return std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
 }
 
@@ -96,37 +101,40 @@ Screening::Screening(const SearchPlan& plan, const DesignEvaluator& surrogate, c
   assert(plan.screening && plan.levels().size() == 1);
 }
 
-std::string Screening::design_of(const Individual& individual) const {
-  return design_hash(as_simulated(*plan_, individual.phenotype), plan_->levels().front());
-}
-
-std::optional<double> Screening::score(const std::string& design, const std::string& physics_hash) const {
-  const int level = plan_->levels().front();
-  const auto found = archive_->evaluation({design, level, physics_hash});
-  if (!found || !found->result.displacement_m) return std::nullopt;
-  return level_score(*plan_, *found->result.displacement_m, level);
-}
-
-std::vector<ScoredTwice> Screening::scored_twice() const {
-  std::vector<ScoredTwice> robots;
-  std::set<std::string> known;
-  for (const ScreenedIndividual& one : archive_->screened_individuals()) {
-    if (one.outcome == Screened::left_out || !one.surrogate) continue;
-    const std::string design = design_of(archive_->individual(one.id));
-    const auto by_search = score(design, physics_hash_);
-    if (by_search && known.insert(design).second) robots.push_back({*one.surrogate, *by_search, 1.0 / one.probability});
+/// Adds what the screenings before a generation tell. A result counts only if it was there when its design was screened: those
+/// of a generation that was interrupted must not change what passes.
+void Screening::learn(int generation) {
+  std::set<std::string> screened;  // designs of one generation
+  int screened_in = -1;
+  for (const ScreenedIndividual& one : archive_->screened_individuals(learnt_)) {
+    if (one.generation != screened_in) screened.clear();
+    screened_in = one.generation;
+    if (!one.surrogate) continue;
+    const std::string design = simulated_design(*plan_, archive_->individual(one.id).phenotype);
+    if (known_.contains(design) || !screened.insert(design).second) continue;
+    const auto before = left_out_.find(design);
+    const double missed = (before == left_out_.end() ? 1.0 : before->second) * (1.0 - one.probability);
+    if (one.outcome == Screened::left_out) {
+      left_out_[design] = missed;
+    } else if (const auto score = archived_score(*plan_, *archive_, design, physics_hash_, one.generation)) {
+      robots_.push_back({*one.surrogate, *score, 1.0 / (1.0 - missed)});
+      known_.insert(design);
+      left_out_.erase(design);
+    }
   }
-  return robots;
+  learnt_ = generation;
 }
 
-bool Screening::evaluate(int generation, std::span<const Individual> born, const SearchOptions& options, std::size_t* commits) {
+bool Screening::evaluate(int generation, std::span<const Individual* const> born, const SearchOptions& options,
+                         std::size_t* commits) {
   const int level = plan_->levels().front();
+  std::set<EvaluationKey> asked;
   std::vector<EvaluationKey> missing;
   std::vector<EvaluationTask> tasks;
-  for (const Individual& individual : born) {
-    EvaluationKey key{design_of(individual), level, surrogate_hash_};
-    if (archive_->evaluation(key) || std::ranges::find(missing, key) != missing.end()) continue;
-    tasks.push_back({aggregate(as_simulated(*plan_, individual.phenotype), level), level});
+  for (const Individual* individual : born) {
+    EvaluationKey key{simulated_design(*plan_, individual->phenotype), level, surrogate_hash_};
+    if (!asked.insert(key).second || archive_->evaluation(key)) continue;
+    tasks.push_back({aggregate(as_simulated(*plan_, individual->phenotype), level), level});
     missing.push_back(std::move(key));
   }
   const WorkerPool workers(*surrogate_, options.threads);
@@ -138,23 +146,25 @@ bool Screening::evaluate(int generation, std::span<const Individual> born, const
   return status == io::RunStatus::completed;
 }
 
-std::optional<ScreeningRound> Screening::screen(int generation, std::span<const Individual> born, const SearchOptions& options,
-                                                std::size_t* commits) {
+std::optional<ScreeningRound> Screening::screen(int generation, std::span<const Individual* const> born,
+                                                const SearchOptions& options, std::size_t* commits) {
   if (!evaluate(generation, born, options, commits)) return std::nullopt;
-  const std::vector<ScoredTwice> robots = scored_twice();
+  learn(generation);
   ScreeningRound round{.generation = generation,
                        .individuals = {},
-                       .correlation = rank_correlation(robots),
-                       .share = passing_share(robots, *plan_->screening)};
-  std::vector<ScreenedIndividual*> line;  // those that must be screened
-  round.individuals.reserve(born.size());
-  for (const Individual& individual : born) {
-    const std::string design = design_of(individual);
-    round.individuals.push_back({.id = individual.id, .generation = generation, .surrogate = score(design, surrogate_hash_)});
+                       .correlation = rank_correlation(robots_),
+                       .share = passing_share(robots_, *plan_->screening)};
+  std::map<std::string, ScreenedIndividual> designs;
+  std::vector<ScreenedIndividual*> line;  // those that must be screened, one of each design
+  for (const Individual* individual : born) {
+    const std::string design = simulated_design(*plan_, individual->phenotype);
+    const auto [place, is_first] = designs.try_emplace(design);
+    if (!is_first) continue;
+    place->second.surrogate = archived_score(*plan_, *archive_, design, surrogate_hash_);
     const auto known = archive_->evaluation({design, plan_->levels().front(), physics_hash_});
     // A result of this generation comes from an interrupted run, and must not change what passes.
     const bool is_known = known && known->generation < generation;
-    if (!is_known && round.individuals.back().surrogate) line.push_back(&round.individuals.back());
+    if (!is_known && place->second.surrogate) line.push_back(&place->second);
   }
   std::ranges::stable_sort(line, std::ranges::greater{}, [](const ScreenedIndividual* one) { return *one->surrogate; });
   const auto passing = static_cast<std::size_t>(std::ceil(round.share * static_cast<double>(line.size())));
@@ -163,6 +173,13 @@ std::optional<ScreeningRound> Screening::screen(int generation, std::span<const 
     const bool is_drawn = random.uniform() < plan_->screening->drawn_share;
     line[place]->outcome = is_drawn ? Screened::drawn : Screened::left_out;
     line[place]->probability = plan_->screening->drawn_share;
+  }
+  round.individuals.reserve(born.size());
+  for (const Individual* individual : born) {
+    ScreenedIndividual one = designs.at(simulated_design(*plan_, individual->phenotype));
+    one.id = individual->id;
+    one.generation = generation;
+    round.individuals.push_back(one);
   }
   return round;
 }

@@ -21,7 +21,8 @@ struct SearchOptions;
 struct ScoredTwice {
   double surrogate = 0.0;
   double score = 0.0;
-  double weight = 1.0;  ///< 1 / the probability with which the robot came to have both scores
+  /// 1 / the probability with which the robot came to have both scores: 1 - (1 - p1) (1 - p2) ... of those of its screenings
+  double weight = 1.0;
 };
 
 /// Returns Spearman's rank correlation of weighted robots: that of a population in which every robot is there as often as its
@@ -55,30 +56,28 @@ class Screening {
   Screening(const SearchPlan& plan, const DesignEvaluator& surrogate, const std::string& physics, RunArchive& archive);
 
   /// Evaluates new individuals by the surrogate and decides which pass. One whose result the archive has already passes, and so
-  /// does one that the surrogate cannot evaluate.
+  /// does one that the surrogate cannot evaluate. Equal designs have one place, and one outcome.
+  /// @param born those that the search would evaluate without a screening
   /// @param commits incremented with every result that is added to the archive
   /// @return nothing if it was stopped
-  [[nodiscard]] std::optional<ScreeningRound> screen(int generation, std::span<const Individual> born,
+  [[nodiscard]] std::optional<ScreeningRound> screen(int generation, std::span<const Individual* const> born,
                                                      const SearchOptions& options, std::size_t* commits);
 
  private:
-  struct Candidate {
-    const Individual* individual = nullptr;
-    std::string design;
-    std::optional<double> surrogate;
-  };
-
-  [[nodiscard]] bool evaluate(int generation, std::span<const Individual> born, const SearchOptions& options,
+  [[nodiscard]] bool evaluate(int generation, std::span<const Individual* const> born, const SearchOptions& options,
                               std::size_t* commits);
-  [[nodiscard]] std::optional<double> score(const std::string& design, const std::string& physics_hash) const;
-  [[nodiscard]] std::vector<ScoredTwice> scored_twice() const;
-  [[nodiscard]] std::string design_of(const Individual& individual) const;
+  void learn(int generation);
 
   const SearchPlan* plan_;
   const DesignEvaluator* surrogate_;
   RunArchive* archive_;
   std::string surrogate_hash_;
   std::string physics_hash_;
+  int learnt_ = 0;                   ///< generations whose screenings are in the following
+  std::vector<ScoredTwice> robots_;  ///< distinct designs
+  std::set<std::string> known_;      ///< their hashes
+  /// For each design that was only left out: the probability of that.
+  std::map<std::string, double> left_out_;
 };
 
 /// Returns a round as a line for people.

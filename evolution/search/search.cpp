@@ -11,6 +11,7 @@
 
 #include "evolution/genome/random_stream.h"
 #include "evolution/search/age_fitness_pareto.h"
+#include "evolution/search/archived_score.h"
 #include "evolution/search/pool_evaluation.h"
 #include "evolution/search/step_checking.h"
 #include "evolution/search/survivor.h"
@@ -67,7 +68,7 @@ class Search {
       throw io::InputError(archive_.file().string() + ": is damaged: generation " + std::to_string(*last) + " has no survivors");
     }
     std::ranges::sort(survivors_, {}, [](const Survivor& survivor) { return *survivor.member.survivor_rank; });
-    for (const std::string& key : archive_.phenotype_keys()) phenotypes_.insert(simulated_key(phenotype_from_key(key)));
+    for (const std::string& key : archive_.tried_phenotype_keys()) phenotypes_.insert(simulated_key(phenotype_from_key(key)));
   }
 
   [[nodiscard]] std::string simulated_key(const Phenotype& phenotype) const {
@@ -80,7 +81,7 @@ class Search {
     const std::vector<Individual> born = next_generation_ == 0 ? first_generation() : children_and_newcomers();
     ScreeningRound screened;
     if (screening_) {
-      auto round = screening_->screen(next_generation_, born, options_, &commits_);
+      auto round = screening_->screen(next_generation_, candidates(born), options_, &commits_);
       if (!round) return io::RunStatus::stopped;
       screened = std::move(*round);
       if (options_.screened) options_.screened(screened);
@@ -89,9 +90,10 @@ class Search {
                         reference_ ? &reference_->fitness() : nullptr);
     for (const Survivor& survivor : survivors_) pool.add_survivor(survivor.member);
     for (const Individual& individual : born) {
-      const bool is_new = phenotypes_.insert(simulated_key(individual.phenotype)).second;
       const auto found = std::ranges::find(screened.individuals, individual.id, &ScreenedIndividual::id);
       const bool is_left_out = found != screened.individuals.end() && found->outcome == Screened::left_out;
+      // One that is left out is no earlier one to its copies: they may pass.
+      const bool is_new = is_left_out || phenotypes_.insert(simulated_key(individual.phenotype)).second;
       pool.add_newcomer(individual, !is_new, is_left_out);
     }
     const bool lazily = plan_.pruning && next_generation_ > 0;
@@ -100,9 +102,24 @@ class Search {
     return commit(pool, born, screened, start);
   }
 
+  /// Returns the new individuals that are to be evaluated: those that are neither penalised nor culled as duplicates of earlier
+  /// generations.
+  [[nodiscard]] std::vector<const Individual*> candidates(const std::vector<Individual>& born) const {
+    std::vector<const Individual*> all;
+    for (const Individual& individual : born) {
+      if (is_penalised(individual.phenotype, plan_.offspring.constraints)) continue;
+      if (plan_.duplicates == DuplicatePolicy::culled && phenotypes_.contains(simulated_key(individual.phenotype))) continue;
+      all.push_back(&individual);
+    }
+    return all;
+  }
+
   /// Makes a round of reference evaluations if one is due, and scores the survivors again. @return false if it was stopped
   bool evaluate_survivors() {
-    for (Survivor& survivor : survivors_) survivor.surrogate = surrogate_score(survivor.individual.phenotype);
+    for (Survivor& survivor : survivors_) {
+      const std::string design = simulated_design(plan_, survivor.individual.phenotype);
+      survivor.surrogate = archived_score(plan_, archive_, design, physics_hash_);
+    }
     if (reference_->is_due(next_generation_)) {
       const auto round = reference_->evaluate(next_generation_, survivors_, options_.stop);
       if (!round) return false;
@@ -117,14 +134,6 @@ class Search {
       member.fitness = corrected.fitness;
     }
     return true;
-  }
-
-  /// Returns the score by the evaluator in a search at one level; none if the evaluation failed or was never made.
-  [[nodiscard]] std::optional<double> surrogate_score(const Phenotype& phenotype) const {
-    const int level = plan_.levels().front();
-    const auto found = archive_.evaluation({design_hash(as_simulated(plan_, phenotype), level), level, physics_hash_});
-    if (!found || !found->result.displacement_m) return std::nullopt;
-    return level_score(plan_, *found->result.displacement_m, level);
   }
 
   std::vector<Individual> first_generation() {

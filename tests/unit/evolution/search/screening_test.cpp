@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "io/text/content_hash.h"
@@ -28,6 +31,17 @@ TEST(ScreeningCorrelation, IsSpearmans) {
   EXPECT_NEAR(rank_correlation(pairs({1, 2, 2, 3}, {1, 2, 3, 4})).value(), 4.5 / std::sqrt(4.5 * 5.0), 1e-12) << "equal ones";
   EXPECT_FALSE(rank_correlation(pairs({1}, {1})));
   EXPECT_FALSE(rank_correlation(pairs({1, 1, 1}, {1, 2, 3})));
+}
+
+TEST(ScreeningCorrelation, IsNothingIfOneSideIsAllEqualWhateverTheWeights) {
+  RandomStream random(1, "test");
+  for (int n = 0; n < 100; ++n) {
+    std::vector<ScoredTwice> robots = pairs({1, 1, 1, 1, 1}, {1, 2, 3, 4, 5});
+    for (ScoredTwice& robot : robots) robot.weight = 1.0 / (0.1 + random.uniform());
+    EXPECT_FALSE(rank_correlation(robots)) << n;
+    for (ScoredTwice& robot : robots) std::swap(robot.surrogate, robot.score);
+    EXPECT_FALSE(rank_correlation(robots)) << n;
+  }
 }
 
 TEST(ScreeningCorrelation, ARobotCountsAsOftenAsItsWeightSays) {
@@ -155,6 +169,129 @@ TEST_F(ScreenedSearch, IsTheSameForAnyThreadsAndAfterStops) {
     options.after_commit = [&](std::size_t count) { stop = count >= last; };
     ASSERT_EQ(run(name, plan(), options), io::RunStatus::stopped) << last;
     ASSERT_EQ(run(name, plan()), io::RunStatus::completed);
+    EXPECT_EQ(test_support::archive_content(file(name)), expected) << "stopped after commit " << last;
+  }
+}
+
+TEST_F(ScreenedSearch, ResultsOfAnInterruptedGenerationDoNotChangeItsShare) {
+  const SearchPlan plan = ScreenedSearch::plan();
+  RunArchive archive = open("run");
+  RandomStream random(plan.seed, "test");
+  std::vector<Individual> born;
+  std::vector<ScreenedIndividual> screened;
+  std::vector<PoolMember> pool;
+  for (std::uint64_t id = 0; id < 40; ++id) {
+    Offspring one = random_offspring(plan.offspring, random);
+    born.push_back({id, 0, std::nullopt, 0, std::move(one.genome), std::move(one.phenotype)});
+    screened.push_back({.id = id, .generation = 0, .surrogate = static_cast<double>(id)});
+    pool.push_back({.id = id, .age = 0, .fitness = {}, .knowledge = Knowledge::bounded});
+  }
+  archive.add_generation({}, born, pool, screened);
+  const std::string physics = io::content_hash(evaluator_.physics());
+  std::set<std::string> known;
+  for (const Individual& one : born) {  // pruned at first, and asked for again by generation 1, which was interrupted
+    const std::string design = design_hash(one.phenotype, 1);
+    if (!known.insert(design).second) continue;
+    Evaluation result;
+    result.status = io::RunStatus::completed;
+    result.displacement_m = {0.001 * static_cast<double>(one.id), 0.0, 0.0};
+    archive.add_evaluation({design, 1, physics}, {1, result});
+  }
+  std::size_t commits = 0;
+  const Individual newcomer = {40, 1, std::nullopt, 0, born[0].genome, born[0].phenotype};
+  const std::vector<const Individual*> candidates{&newcomer};
+  const auto round = Screening(plan, surrogate_, evaluator_.physics(), archive).screen(1, candidates, {}, &commits);
+  ASSERT_TRUE(round);
+  EXPECT_FALSE(round->correlation);
+  EXPECT_EQ(round->share, 1.0);
+}
+
+/// A screened search in which some bodies fall apart and duplicates are culled.
+class CullingScreenedSearch : public ScreenedSearch {
+ protected:
+  [[nodiscard]] static SearchPlan culling_plan() {
+    SearchPlan plan = ScreenedSearch::plan();
+    plan.offspring.constraints.levels = {2};
+    plan.offspring.constraints.disconnected = DisconnectedPolicy::penalise;
+    plan.duplicates = DuplicatePolicy::culled;
+    plan.generations = 12;
+    plan.newcomers = 4;
+    plan.screening = ScreeningPlan{.least_share = 0.2, .drawn_share = 0.1};
+    return plan;
+  }
+};
+
+TEST_F(CullingScreenedSearch, GivesNoPlaceToBodiesThatAreNeverEvaluated) {
+  const SearchPlan plan = culling_plan();
+  std::vector<ScreeningRound> rounds;
+  SearchOptions options;
+  options.screened = [&](const ScreeningRound& round) { rounds.push_back(round); };
+  ASSERT_EQ(run("run", plan, options), io::RunStatus::completed);
+  const RunArchive archive = open("run");
+  std::size_t penalised = 0;
+  std::size_t culled = 0;
+  std::set<std::string> known;     // designs that were not left out in an earlier generation
+  std::set<std::string> left_out;  // those that were left out
+  std::size_t back = 0;
+  for (const ScreeningRound& round : rounds) {
+    std::map<std::uint64_t, Knowledge> knowledge;
+    for (const PoolMember& member : archive.pool(round.generation)) {
+      knowledge[member.id] = member.knowledge;
+      if (archive.individual(member.id).generation != round.generation) continue;
+      penalised += member.knowledge == Knowledge::penalised ? 1U : 0U;
+      culled += member.knowledge == Knowledge::duplicate ? 1U : 0U;
+      if (member.knowledge == Knowledge::duplicate) {
+        const std::string design = design_hash(archive.individual(member.id).phenotype, 2);
+        const auto passes = [&](const ScreenedIndividual& one) {
+          return one.outcome != Screened::left_out && design_hash(archive.individual(one.id).phenotype, 2) == design;
+        };
+        EXPECT_TRUE(known.contains(design) || std::ranges::any_of(round.individuals, passes))
+            << "a body that was only left out has no duplicates: individual " << member.id;
+      }
+    }
+    std::map<std::string, Screened> outcomes;
+    std::set<std::string> passed;
+    for (const ScreenedIndividual& one : round.individuals) {
+      EXPECT_NE(knowledge.at(one.id), Knowledge::penalised);
+      const std::string design = design_hash(archive.individual(one.id).phenotype, 2);
+      EXPECT_FALSE(known.contains(design)) << "a duplicate that is culled needs no screening";
+      const auto [twin, is_first] = outcomes.try_emplace(design, one.outcome);
+      EXPECT_EQ(one.outcome, twin->second) << "twins have one outcome";
+      if (one.outcome == Screened::passed && one.surrogate) passed.insert(design);
+      back += one.outcome != Screened::left_out && left_out.contains(design) ? 1U : 0U;
+    }
+    std::size_t screened = 0;
+    for (const auto& [design, outcome] : outcomes) {
+      const auto has_score = [&, design = design](const ScreenedIndividual& one) {
+        return one.surrogate && design_hash(archive.individual(one.id).phenotype, 2) == design;
+      };
+      screened += std::ranges::any_of(round.individuals, has_score) ? 1U : 0U;
+      (outcome == Screened::left_out ? left_out : known).insert(design);
+    }
+    EXPECT_EQ(passed.size(), static_cast<std::size_t>(std::ceil(round.share * static_cast<double>(screened))))
+        << "generation " << round.generation;
+  }
+  EXPECT_GT(penalised, 0U);
+  EXPECT_GT(culled, 0U);
+  EXPECT_GT(left_out.size(), 10U);
+  RecordProperty("left_out_that_came_back", static_cast<int>(back));
+}
+
+TEST_F(CullingScreenedSearch, IsTheSameAfterStops) {
+  const SearchPlan plan = culling_plan();
+  std::size_t commits = 0;
+  SearchOptions counting;
+  counting.after_commit = [&](std::size_t count) { commits = count; };
+  ASSERT_EQ(run("whole", plan, counting), io::RunStatus::completed);
+  const std::string expected = test_support::archive_content(file("whole"));
+  for (std::size_t last = 1; last < commits; last += 7) {
+    const std::string name = "stopped_" + std::to_string(last);
+    std::atomic<bool> stop{false};
+    SearchOptions options;
+    options.stop = &stop;
+    options.after_commit = [&](std::size_t count) { stop = count >= last; };
+    ASSERT_EQ(run(name, plan, options), io::RunStatus::stopped) << last;
+    ASSERT_EQ(run(name, plan), io::RunStatus::completed);
     EXPECT_EQ(test_support::archive_content(file(name)), expected) << "stopped after commit " << last;
   }
 }
