@@ -46,10 +46,10 @@ struct Arguments {
 constexpr const char* description =
     "Evolves fractal robots. The archive keeps all results. Run the same command again to resume a search that was stopped,\n"
     "or to show the result of a finished one. Robots move as voxels, or with evaluation.model = \"finite_elements\" as hollow\n"
-    "bodies of silicone on finite elements; with \"both\" as voxels at first, which choose those that finite elements evaluate. "
-    "With a table [reference] in the study, robots move as voxels, and finite elements\n"
-    "evaluate some survivors during the search and correct the fitness of all; their runs are in a folder named after the\n"
-    "archive.";
+    "bodies of silicone on finite elements; with \"both\" as voxels at first, which choose those that finite elements evaluate.\n"
+    "With a table [reference] in the study, robots move as voxels, and finite elements evaluate some survivors during the "
+    "search\n"
+    "and correct the fitness of all; their runs are in a folder named after the archive.";
 
 constexpr const char* example =
     "Example:\n"
@@ -158,12 +158,13 @@ void print_champion(const RunView& run, int last) {
 }
 
 /// Prints how many results are extrapolations, if there are any.
-void print_validity(const RunArchive& archive, int last) {
+void print_validity(const RunView& run, int last) {
+  const std::string physics_hash = io::content_hash(run.physics);
   std::uint64_t outside = 0;
   std::uint64_t all = 0;
   for (int generation = 0; generation <= last; ++generation) {
-    outside += archive.evaluations_outside_validity(generation);
-    all += archive.generation(generation).evaluations;
+    outside += run.archive->evaluations_outside_validity(generation, physics_hash);
+    all += run.archive->generation(generation).evaluations;
   }
   if (outside == 0) return;
   std::cout << outside << " of " << all
@@ -237,11 +238,11 @@ int evolve(const Arguments& arguments) {
     return io::exit_code::interrupted;
   }
   print_champion(run, *archive.last_generation());
-  print_validity(archive, *archive.last_generation());
+  print_validity(run, *archive.last_generation());
   if (reference) std::cout << reference_summary(run);
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";
   if (uses_elements(study))
-    std::cout << "      menger reevaluate " << arguments.archive.string() << " --top 5, on finer elements\n";
+    std::cout << "      menger reevaluate " << arguments.archive.string() << " --top 5   (on finer elements)\n";
   return io::exit_code::done;
 }
 

@@ -647,11 +647,13 @@ std::vector<EvaluationSteps> RunArchive::evaluation_steps() const {
   });
 }
 
-std::uint64_t RunArchive::evaluations_outside_validity(int generation) const {
+std::uint64_t RunArchive::evaluations_outside_validity(int generation, const std::string& physics_hash) const {
   return database_->read([&](const SQLite::Database& connection) {
     SQLite::Statement row(connection,
-                          "SELECT COUNT(*) AS outside FROM evaluation WHERE generation = :generation AND outside_validity != ''");
+                          "SELECT COUNT(*) AS outside FROM evaluation WHERE generation = :generation AND outside_validity != '' "
+                          "AND physics_hash = :physics");
     row.bind(":generation", generation);
+    row.bind(":physics", database_->key_in("evaluation", {"", 1, physics_hash}).physics_hash);
     row.executeStep();
     return count_in(row.getColumn("outside"));
   });

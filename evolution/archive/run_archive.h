@@ -172,8 +172,9 @@ class RunArchive {
 
   [[nodiscard]] std::vector<EvaluationSteps> evaluation_steps() const;  ///< of all evaluations, by design, level and physics
 
-  /// Returns how many of the results that a generation asked for first are outside of a model's range of validity.
-  [[nodiscard]] std::uint64_t evaluations_outside_validity(int generation) const;
+  /// Returns how many of the results of one physics that a generation asked for first are outside of the range of validity of
+  /// their model. See evaluation() for archives of an earlier version.
+  [[nodiscard]] std::uint64_t evaluations_outside_validity(int generation, const std::string& physics_hash) const;
 
   /// Returns all designs that had a fitness in some generation, the best first; of equals the one with the lower id first.
   [[nodiscard]] std::vector<FitDesign> fit_designs() const;

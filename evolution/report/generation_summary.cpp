@@ -77,10 +77,11 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
 }
 
 GenerationSummary summarise_generation(const RunView& run, int generation) {
-  GenerationSummary summary{.record = run.archive->generation(generation),
-                            .champion = {},
-                            .mean_fitness = {},
-                            .outside_validity = run.archive->evaluations_outside_validity(generation)};
+  GenerationSummary summary{
+      .record = run.archive->generation(generation),
+      .champion = {},
+      .mean_fitness = {},
+      .outside_validity = run.archive->evaluations_outside_validity(generation, io::content_hash(run.physics))};
   std::optional<PoolMember> best;
   double sum = 0.0;
   std::size_t count = 0;

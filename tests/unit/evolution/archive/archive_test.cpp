@@ -91,8 +91,10 @@ TEST_F(Archive, GivesEvaluationsBackExactly) {
   EXPECT_FALSE(second->result.displacement_m);
   EXPECT_EQ(first->result.outside_validity, "");
   EXPECT_EQ(second->result.outside_validity, diverged.outside_validity);
-  EXPECT_EQ(archive.evaluations_outside_validity(4), 0U);
-  EXPECT_EQ(archive.evaluations_outside_validity(5), 1U);
+  EXPECT_EQ(archive.evaluations_outside_validity(4, "p"), 0U);
+  EXPECT_EQ(archive.evaluations_outside_validity(5, "p"), 1U);
+  archive.add_evaluation({"a", 1, "surrogate"}, {5, diverged});
+  EXPECT_EQ(archive.evaluations_outside_validity(5, "p"), 1U) << "results of another physics are not counted";
 }
 
 TEST_F(Archive, GivesDisplacementsByPeriodAndElementsBack) {
