@@ -192,10 +192,11 @@ void measure_as_search(const ReevaluationStudy& study, LocomotionRun& run) {
   const auto last = measured_periods(study.search);
   if (!last) return leave_out(run, study.measure_from_s);
   if (!run.displacement_m) return;
-  const std::array<double, 3> whole_m = *run.displacement_m;
-  run.displacement_m = steady_displacement_m(period_displacements_m(run.trajectory, last->period_s, study.duration_s), *last);
-  run.left_out_m = whole_m;
-  for (std::size_t axis = 0; axis < 3; ++axis) run.left_out_m->at(axis) -= run.displacement_m.value().at(axis);
+  // read_reevaluation_study refuses a time with fewer periods than are measured
+  const auto steady_m = steady_displacement_m(period_displacements_m(run.trajectory, last->period_s, study.duration_s), *last);
+  run.left_out_m = run.displacement_m;
+  run.displacement_m = steady_m.value();
+  for (std::size_t axis = 0; axis < 3; ++axis) run.left_out_m->at(axis) -= run.displacement_m->at(axis);
 }
 
 Evaluation evaluation_of(const LocomotionRun& run) {

@@ -102,13 +102,17 @@ io::InputError fault(const io::TomlTable& table, std::string_view key, double va
                         " (from the search): " + reason);
 }
 
-/// Returns the default record interval. It divides the time before displacement counts, because finite elements give positions at
-/// records only.
+/// Returns the default record interval. It divides the periods that are measured, or the time before displacement counts, because
+/// finite elements give positions at records only.
 double usual_record_interval_s(const ReevaluationStudy& study) {
   double interval_s = ReevaluationStudy{}.record_interval_s;
-  if (uses_elements(study.search) && is_multiple(study.measure_from_s, record_interval_s(study.search)))
+  const auto last = measured_periods(study.search);
+  if (uses_elements(study.search) && (last || is_multiple(study.measure_from_s, record_interval_s(study.search))))
     return std::min(record_interval_s(study.search), study.duration_s);
-  if (study.measure_from_s > 0.0) interval_s = study.measure_from_s / std::ceil(study.measure_from_s / interval_s);
+  if (last)
+    interval_s = last->period_s / std::ceil(last->period_s / interval_s);
+  else if (study.measure_from_s > 0.0)
+    interval_s = study.measure_from_s / std::ceil(study.measure_from_s / interval_s);
   return std::min(interval_s, study.duration_s);
 }
 
@@ -146,7 +150,9 @@ void describe_times(io::StudyVisitor& visitor, bool has_search, ReevaluationStud
     throw fault(*table, "measure_from_s", study.measure_from_s,
                 "must be less than duration_s = " + io::number_text(study.duration_s));
   describe_interval(visitor,
-                    {"record_interval_s", "Time between records; measure_from_s must be a multiple of it. Default: about 0.02 s.",
+                    {"record_interval_s",
+                     "Time between records; measure_from_s, or the period of a search that measures the last ones, "
+                     "must be a multiple of it. Default: about 0.02 s.",
                      "0.02", "/record_interval_s"},
                     has_search, study.record_interval_s,
                     has_search ? io::within(study.duration_s / most_records, study.duration_s) : io::positive(),
@@ -158,7 +164,12 @@ void describe_times(io::StudyVisitor& visitor, bool has_search, ReevaluationStud
                     [&] { return usual_frame_interval_s(study); });
   const std::string multiple = "must be a multiple of record_interval_s = " + io::number_text(study.record_interval_s);
   visitor.check(is_multiple(study.frame_interval_s, study.record_interval_s), "frame_interval_s", multiple);
-  if (table != nullptr && !is_multiple(study.measure_from_s, study.record_interval_s))
+  if (table == nullptr) return;
+  if (const auto last = measured_periods(study.search)) {
+    visitor.check(
+        is_multiple(last->period_s, study.record_interval_s), "record_interval_s",
+        "must divide the period of the drive, " + io::number_text(last->period_s) + " s: the search measures the last ones");
+  } else if (!is_multiple(study.measure_from_s, study.record_interval_s))
     throw fault(*table, "measure_from_s", study.measure_from_s, multiple);
 }
 
@@ -258,11 +269,13 @@ void require_calibrated_silicone(ReevaluationStudy& study) {
 }
 
 void require_enough_periods(const ReevaluationStudy& study) {
-  const auto last = measured_periods(study.search);
-  if (!last || whole_periods(study.duration_s, last->period_s) >= last->count) return;
-  throw io::InputError((study.file.empty() ? study.archive : study.file).string() +
-                       ": time.duration_s = " + io::number_text(study.duration_s) + ": the search measures the last " +
-                       std::to_string(last->count) + " periods of " + io::number_text(last->period_s) + " s");
+  Study search = study.search;
+  search.duration_s = study.duration_s;
+  search.measure_from_s = study.measure_from_s;
+  const std::string problem = unmeasurable_periods(search);
+  if (problem.empty()) return;
+  throw io::InputError((study.file.empty() ? study.archive : study.file).string() + ": the search measures the last " +
+                       std::to_string(search.measure_periods) + " periods: " + problem);
 }
 
 }  // namespace

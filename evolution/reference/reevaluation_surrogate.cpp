@@ -1,10 +1,13 @@
 #include "evolution/reference/reevaluation_surrogate.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
+#include "evolution/reference/reevaluation_locomotion.h"
 #include "evolution/study/walk_evaluator.h"
 #include "fem/thin_walls/thin_wall_mesh.h"
 #include "io/text/input_error.h"
@@ -27,15 +30,6 @@ std::array<double, 3> minus(const std::array<double, 3>& a, const std::array<dou
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// Replaces the displacement by that of the last periods, if the search measures them.
-void measure_last_periods(const ReevaluationStudy& study, SurrogateWalk& walk) {
-  const auto last = measured_periods(study.search);
-  if (!last) return;
-  const voxel::Trajectory& trajectory = walk.trajectory;
-  walk.result.displacement_m = steady_displacement_m(period_displacements_m(trajectory, last->period_s, study.duration_s), *last);
-  walk.result.left_out_m = minus(voxel::displacement_m(trajectory, trajectory.back()), walk.result.displacement_m.value());
-}
-
 /// Moves a body as a search on finite elements does.
 SurrogateWalk walk_on_elements(const ReevaluationStudy& study, const meshes::Polycube& body, const std::atomic<bool>* stop) {
   Study search = study.search;
@@ -48,14 +42,7 @@ SurrogateWalk walk_on_elements(const ReevaluationStudy& study, const meshes::Pol
   walk.result.status = walked.status;
   walk.result.reason = walked.reason;
   walk.result.steps = walked.steps;
-  if (walked.status == io::RunStatus::completed) {
-    walk.result.displacement_m = voxel::displacement_m(walk.trajectory, walk.trajectory.back());
-    if (study.measure_from_s > 0.0) {
-      walk.result.left_out_m = voxel::displacement_m(walk.trajectory, voxel::point_at(walk.trajectory, study.measure_from_s));
-      walk.result.displacement_m = minus(*walk.result.displacement_m, *walk.result.left_out_m);
-    }
-    measure_last_periods(study, walk);
-  }
+  if (walked.status == io::RunStatus::completed) measure(search, walked, walk.result);
   walk.result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return walk;
 }
@@ -63,7 +50,9 @@ SurrogateWalk walk_on_elements(const ReevaluationStudy& study, const meshes::Pol
 class VoxelWalker {
  public:
   VoxelWalker(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames)
-      : study_(study), with_frames_(with_frames), simulation_(simulation_of(study, body)) {}
+      : study_(study), last_(measured_periods(study.search)), with_frames_(with_frames), simulation_(simulation_of(study, body)) {
+    if (last_) per_period_ = static_cast<std::size_t>(std::lround(last_->period_s / study.record_interval_s));
+  }
 
   SurrogateWalk walk(const std::atomic<bool>* stop) {
     const auto start = std::chrono::steady_clock::now();
@@ -74,13 +63,10 @@ class VoxelWalker {
     result.status = io::RunStatus::completed;
     record(true);
     for (std::size_t n = 1; n <= records && result.status == io::RunStatus::completed; ++n) {
-      // The record at measure_from_s gets exactly that time, so that displacement counts from the same step as in the search.
-      const double at_s = n == left_out ? study_.measure_from_s : static_cast<double>(n) * study_.record_interval_s;
-      result.status = simulation_.advance_to(n == records ? study_.duration_s : at_s, stop);
+      result.status = simulation_.advance_to(n == records ? study_.duration_s : time_of(n, left_out), stop);
       if (result.status == io::RunStatus::completed) record(n % per_frame == 0);
     }
     if (result.status == io::RunStatus::completed) measure(left_out);
-    if (result.status == io::RunStatus::completed) measure_last_periods(study_, walk_);
     if (const auto& divergence = simulation_.divergence()) result.reason = voxel::divergence_text(*divergence);
     result.outside_validity = io::joined(simulation_.outside_validity(), "; ");
     result.steps = simulation_.steps();
@@ -89,8 +75,17 @@ class VoxelWalker {
   }
 
  private:
+  /// Returns the time of a record. Those at measure_from_s and at the ends of periods get exactly the times that the search gives
+  /// them, so that displacements count from the same steps.
+  [[nodiscard]] double time_of(std::size_t record, std::size_t left_out) const {
+    if (last_ && record % per_period_ == 0)
+      return std::min(static_cast<double>(record / per_period_) * last_->period_s, study_.duration_s);
+    return record == left_out ? study_.measure_from_s : static_cast<double>(record) * study_.record_interval_s;
+  }
+
   /// Sets both displacements from the trajectory. @param left_out number of records before the first that counts
   void measure(std::size_t left_out) {
+    if (last_) return measure_last_periods();
     const voxel::Trajectory& trajectory = walk_.trajectory;
     const auto difference = [](const voxel::TrajectoryPoint& to, const voxel::TrajectoryPoint& from) {
       return minus(to.centre_of_mass_m, from.centre_of_mass_m);
@@ -99,12 +94,27 @@ class VoxelWalker {
     if (left_out > 0) walk_.result.left_out_m = difference(trajectory[left_out], trajectory.front());
   }
 
+  void measure_last_periods() {
+    const voxel::Trajectory& trajectory = walk_.trajectory;
+    const std::size_t count = whole_periods(study_.duration_s, last_->period_s);
+    const auto end_m = [&](std::size_t period) {
+      return trajectory.at(std::min(period * per_period_, trajectory.size() - 1)).centre_of_mass_m;
+    };
+    PeriodDisplacements periods;
+    for (std::size_t n = 1; n <= count; ++n) periods.push_back(minus(end_m(n), end_m(n - 1)));
+    walk_.result.displacement_m = steady_displacement_m(periods, *last_);
+    walk_.result.left_out_m = minus(minus(trajectory.back().centre_of_mass_m, trajectory.front().centre_of_mass_m),
+                                    walk_.result.displacement_m.value());
+  }
+
   void record(bool is_frame) {
     walk_.trajectory.push_back({simulation_.time_s(), simulation_.centre_of_mass_m(), {}});
     if (with_frames_ && is_frame) walk_.frames.push_back(simulation_.frame());
   }
 
   const ReevaluationStudy& study_;
+  std::optional<LastPeriods> last_;
+  std::size_t per_period_ = 0;  ///< records, if the last periods are measured
   bool with_frames_;
   voxel::Simulation simulation_;
   SurrogateWalk walk_;
@@ -146,11 +156,11 @@ std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::
     meshes::check_design(design, options);
     meshes::check_body(design, options, meshes::ModularBody(body, study.level, options.chambers));
     if (uses_elements(study.search)) {
-      fem::PreparedWalk walk{walk_of(study.search, body)};
+      fem::LocomotionStudy walk = locomotion_study(study, study.elements, body, false);
       fem::prepare(walk);
-      return "";
+    } else {
+      (void)simulation_of(study, body);
     }
-    (void)simulation_of(study, body);
     if (study.elements.elements.kind != fem::ElementKind::thin_wall) return "";
     return fem::obstacle_to_thin_walls(meshes::hollow_polycube(design, options).mesh, options.wall_thickness_m);
   } catch (const io::InputError& fault) {  // it cannot be cast

@@ -342,18 +342,21 @@ std::string unusable_elements(const Study& study) {
   }
   const double thickness_m = module_of(study).wall_thickness_m;
   if (2.0 * thickness_m >= plan.cell_edge_m) {
-    return "body.wall_thickness_m = " + io::number_text(thickness_m) +
+    const std::string given =
+        study.physics.surrogate ? "[surrogate] parameters: wall_thickness_m = " : "body.wall_thickness_m = ";
+    return given + io::number_text(thickness_m) +
            ": must be less than half of cell_edge_m = " + io::number_text(plan.cell_edge_m);
   }
   if (study.duration_s / record_interval_s(study) > voxel::largest_record_count) {
     return "time.duration_s = " + io::number_text(study.duration_s) + ": makes more than a million records of " +
-           io::number_text(record_interval_s(study)) + " s, thirty of them in a period of the drive";
+           io::number_text(record_interval_s(study)) + " s";
   }
   if (std::string problem = undrivable_modules(study); !problem.empty()) return problem;
   return refused_walk(study);
 }
 
-/// Returns why the last periods cannot be measured, or an empty text.
+}  // namespace
+
 std::string unmeasurable_periods(const Study& study) {
   const auto last = measured_periods(study);
   if (!last) return "";
@@ -368,8 +371,6 @@ std::string unmeasurable_periods(const Study& study) {
     return given + "they begin before time.measure_from_s = " + io::number_text(study.measure_from_s);
   return "";
 }
-
-}  // namespace
 
 void describe(io::StudyVisitor& visitor, Study& study) {
   visitor.integer({"generations", "Generations after the first."}, study.search.generations, io::at_least(0));

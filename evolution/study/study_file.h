@@ -67,6 +67,9 @@ Study study_from_text(std::string_view text, const std::filesystem::path& file);
 /// Reads the study of an archive, also of one with earlier names of keys. @throws io::InputError if this program cannot read it
 Study archived_study(const RunArchive& archive);
 
+/// Returns why the last periods of a study cannot be measured in its time, or an empty text.
+std::string unmeasurable_periods(const Study& study);
+
 /// Returns the text of the file of a preset, "paper" or "released-code".
 std::string_view preset_text(std::string_view name);
 

@@ -109,6 +109,27 @@ fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body) {
   return walk;
 }
 
+void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result) {
+  const std::array<double, 3> whole_m = minus(walk.records.back().centre_of_mass_m, walk.records.front().centre_of_mass_m);
+  result.period_displacements_m = fem::period_displacements_m(walk, study.physics.actuation.period_s());
+  result.displacement_m = whole_m;
+  if (const auto last = measured_periods(study)) {
+    result.displacement_m = steady_displacement_m(result.period_displacements_m, *last);
+    if (!result.displacement_m) {
+      result.status = io::RunStatus::diverged;
+      result.reason = "the walk has " + std::to_string(result.period_displacements_m.size()) + " whole periods, fewer than the " +
+                      std::to_string(last->count) + " that are measured";
+      return;
+    }
+  } else if (study.measure_from_s > 0.0) {
+    const fem::Point from_m = fem::centre_of_mass_at(walk, study.measure_from_s);
+    result.displacement_m = minus(walk.records.back().centre_of_mass_m, from_m);
+  } else {
+    return;
+  }
+  result.left_out_m = minus(whole_m, *result.displacement_m);
+}
+
 WalkEvaluator::WalkEvaluator(Study study) : study_(std::move(study)) {}
 
 Evaluation WalkEvaluator::evaluate(const meshes::Polycube& body, [[maybe_unused]] int level,
@@ -124,7 +145,7 @@ Evaluation WalkEvaluator::evaluate(const meshes::Polycube& body, [[maybe_unused]
     result.reason = walk.reason;
     result.steps = walk.steps;
     result.elements = walk.elements;
-    if (walk.status == io::RunStatus::completed) measure(walk, result);
+    if (walk.status == io::RunStatus::completed) measure(study_, walk, result);
   } catch (const io::InputError& error) {
     // For one body of many this is not wrong input, but a body without a result.
     result.status = io::RunStatus::diverged;
@@ -133,22 +154,6 @@ Evaluation WalkEvaluator::evaluate(const meshes::Polycube& body, [[maybe_unused]
   if (result.status == io::RunStatus::completed) result.reason.clear();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
-}
-
-/// Sets the displacements of a completed walk.
-void WalkEvaluator::measure(const fem::WalkResult& walk, Evaluation& result) const {
-  const std::array<double, 3> whole_m = minus(walk.records.back().centre_of_mass_m, walk.records.front().centre_of_mass_m);
-  result.period_displacements_m = fem::period_displacements_m(walk, study_.physics.actuation.period_s());
-  result.displacement_m = whole_m;
-  if (const auto last = measured_periods(study_)) {
-    result.displacement_m = steady_displacement_m(result.period_displacements_m, *last);
-  } else if (study_.measure_from_s > 0.0) {
-    const fem::Point from_m = fem::centre_of_mass_at(walk, study_.measure_from_s);
-    result.displacement_m = minus(walk.records.back().centre_of_mass_m, from_m);
-  } else {
-    return;
-  }
-  result.left_out_m = minus(whole_m, result.displacement_m.value());
 }
 
 std::string WalkEvaluator::physics() const {

@@ -19,6 +19,10 @@ double record_interval_s(const Study& study);
 /// Returns the walk of a body of a study that finite elements evaluate. @param body one standing module
 fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body);
 
+/// Sets the displacements of a completed walk as a study measures them. A walk without as many whole periods as are measured
+/// becomes `diverged`, with a reason.
+void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result);
+
 /// Evaluates single modules by walks on finite elements, in the process (see fem::walk).
 ///
 /// A body that finite elements refuse has the status `diverged` and the reason, as a body outside of a range of validity has: it
@@ -36,8 +40,6 @@ class WalkEvaluator final : public DesignEvaluator {
   [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
 
  private:
-  void measure(const fem::WalkResult& walk, Evaluation& result) const;
-
   Study study_;
 };
 

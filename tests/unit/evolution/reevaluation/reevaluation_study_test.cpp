@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <string>
 
 #include "evolution/reevaluation/reference_error.h"
 #include "evolution/reference/reevaluation_locomotion.h"
@@ -246,6 +248,62 @@ TEST_F(ReevaluationStudyTest, TheSurrogateIsMeasuredAsInTheSearch) {
   EXPECT_EQ(walk.result.left_out_m, expected.left_out_m);
 }
 
+/// A search that measures the last periods of a drive whose period is no multiple of 0.02 s.
+Study periodic_study() {
+  Study search = tests::silicone_study();
+  search.search.stand = true;
+  search.duration_s = 0.25;
+  search.measure = Measure::last_periods;
+  search.measure_periods = 5;
+  search.physics.actuation.frequency_Hz = 30.0;
+  return search;
+}
+
+TEST_F(ReevaluationStudyTest, RecordsDivideThePeriodsThatAreMeasured) {
+  const ReevaluationStudy study = read("", periodic_study());
+  EXPECT_DOUBLE_EQ(study.record_interval_s, 1.0 / 60.0);
+  Study slow = periodic_study();
+  slow.duration_s = 2.0;
+  slow.physics.actuation.frequency_Hz = 3.0;
+  slow.measure_from_s = 0.3;
+  EXPECT_DOUBLE_EQ(read("", slow).record_interval_s, 1.0 / 51.0);
+  EXPECT_NE(refusal("[time]\nrecord_interval_s = 0.02\n", slow).find("must divide the period of the drive"), std::string::npos);
+  EXPECT_EQ(refusal("[time]\nrecord_interval_s = 0.01666666666666666666\n", slow), "no error");
+}
+
+TEST_F(ReevaluationStudyTest, TheSurrogateMeasuresTheLastPeriodsOfTheSearch) {
+  const ReevaluationStudy study = read("", periodic_study());
+  const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, "111100000100000000000000000");
+  const SurrogateWalk walk = surrogate_walk(study, body, false, nullptr);
+  const std::atomic<bool> never{false};
+  const VoxelEvaluator search(study.search.physics, study.search.search.cell_edge_m, 0.25, 0.0, measured_periods(study.search));
+  const Evaluation expected = search.evaluate(body, 1, never);
+  ASSERT_TRUE(expected.displacement_m) << expected.reason;
+  EXPECT_EQ(walk.result.displacement_m, expected.displacement_m) << "to the last bit";
+  EXPECT_EQ(walk.result.left_out_m, expected.left_out_m);
+}
+
+TEST_F(ReevaluationStudyTest, ARunIsMeasuredAsTheSearchIs) {
+  ReevaluationStudy study = read("", periodic_study());
+  LocomotionRun run;
+  run.displacement_m = {14.0, 0.0, 0.0};
+  for (int n = 0; n <= 15; ++n)  // two records in a period; the body moves 2 in every period, and a last half of 0
+    run.trajectory.push_back({n / 60.0, {std::min<double>(n, 14), 0.0, 0.0}, {}});
+  LocomotionRun last = run;
+  measure_as_search(study, last);
+  ASSERT_TRUE(last.displacement_m && last.left_out_m);
+  EXPECT_NEAR((*last.displacement_m)[0], 2.0, 1e-12);
+  EXPECT_NEAR((*last.left_out_m)[0], 12.0, 1e-12);
+  study.search.measure = Measure::net_displacement;
+  study.measure_from_s = 0.1;
+  measure_as_search(study, run);
+  EXPECT_NEAR((*run.displacement_m)[0], 8.0, 1e-12);
+  LocomotionRun failed;
+  study.search.measure = Measure::last_periods;
+  measure_as_search(study, failed);
+  EXPECT_FALSE(failed.displacement_m);
+}
+
 TEST(LeaveOut, TakesWhatCameBeforeATimeOutOfTheDisplacement) {
   LocomotionRun run;
   run.displacement_m = {9.0, -3.0, 1.0};
@@ -365,6 +423,15 @@ TEST_F(OnElements, NamesWhatStandsAgainstABody) {
   const ReevaluationStudy study = read("", search());
   EXPECT_EQ(obstacle_to_reference(study, meshes::Polycube::from_digits(3, 3, 3, bar)), "");
   EXPECT_NE(obstacle_to_reference(study, meshes::Polycube::from_digits(3, 3, 3, "100010000000000000000000000")), "");
+  Study antiphase = search();
+  antiphase.physics.actuation.mode = voxel::ActuationMode::antiphase;
+  antiphase.physics.actuation.material_phase = {0.0, 0.5};
+  antiphase.silicone.module.chambers = meshes::ChamberLayout::per_phase;
+  antiphase.silicone.elements.kind = fem::ElementKind::three_field;
+  const meshes::Polycube corner = meshes::Polycube::from_digits(3, 3, 3, "120100000000000000000000000");
+  EXPECT_EQ(obstacle_to_reference(read("", antiphase), corner), "") << "on the elements of the search";
+  const std::string reason = obstacle_to_reference(read("[elements]\nkind = \"thin_wall\"\n", antiphase), corner);
+  EXPECT_NE(reason.find("two layers"), std::string::npos) << reason;
 }
 
 TEST_F(OnElements, AnotherSiliconeIsRefused) {
@@ -388,7 +455,11 @@ TEST_F(OnElements, MeasuresAsTheSearch) {
   const Evaluation found = surrogate_walk(study, body, false, nullptr).result;
   for (std::size_t axis = 0; axis < 3; ++axis)
     EXPECT_NEAR((*found.displacement_m)[axis], (*expected.displacement_m)[axis], 1e-15);
-  EXPECT_NE(refusal("[time]\nduration_s = 0.09\n", last).find("the search measures the last 5 periods"), std::string::npos);
+  for (const char* duration : {"0.09", "0.125"})  // of five periods the first would count
+    EXPECT_NE(
+        refusal("[time]\nduration_s = " + std::string(duration) + "\n", last).find("the search measures the last 5 periods"),
+        std::string::npos)
+        << duration;
 }
 
 }  // namespace

@@ -185,6 +185,20 @@ TEST_F(WalkEvaluatorTest, MeasuresTheLastPeriods) {
     EXPECT_NEAR((*result.displacement_m)[axis] + (*result.left_out_m)[axis], sum.at(axis), 1e-15);
 }
 
+TEST_F(WalkEvaluatorTest, AWalkWithTooFewPeriodsHasNoDisplacement) {
+  Study study = read();
+  study.measure = Measure::last_periods;
+  study.measure_periods = 2;
+  fem::WalkResult walk;
+  walk.records = {{.time_s = 0.0}, {.time_s = 0.049}};
+  Evaluation result;
+  result.status = io::RunStatus::completed;
+  measure(study, walk, result);
+  EXPECT_EQ(result.status, io::RunStatus::diverged);
+  EXPECT_FALSE(result.displacement_m);
+  EXPECT_EQ(result.reason, "the walk has 1 whole periods, fewer than the 2 that are measured");
+}
+
 TEST_F(WalkEvaluatorTest, CostsGrowWithTheElements) {
   const Study study = read();
   const WalkEvaluator draft(study);
