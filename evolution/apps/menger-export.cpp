@@ -16,6 +16,7 @@
 #include "io/process/progress.h"
 #include "io/process/run_folder.h"
 #include "io/text/content_hash.h"
+#include "io/text/input_error.h"
 
 namespace {
 
@@ -27,6 +28,7 @@ struct Arguments {
   fs::path archive;
   fs::path folder = "export";
   ExportOptions options;
+  bool has_levels = false;  ///< whether the user gave levels
 };
 
 constexpr const char* description =
@@ -45,9 +47,11 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.footer(example);
   app.add_option("archive", arguments.archive, "Archive of a run")->required();
   app.add_option("-o,--output", arguments.folder, "Folder to write to")->capture_default_str();
-  app.add_option("--levels", arguments.options.levels, "Levels at which the champion is simulated")
-      ->check(CLI::Range(1, 5))
-      ->capture_default_str();
+  const CLI::Option* levels =
+      app.add_option("--levels", arguments.options.levels,
+                     "Levels at which the champion is simulated; of a search on finite elements it walks at level 1 only")
+          ->check(CLI::Range(1, 5))
+          ->capture_default_str();
   app.add_option("--record-interval", arguments.options.record_interval_s, "Simulated seconds between two frames")
       ->capture_default_str();
   app.add_flag("--timings", arguments.options.timings,
@@ -59,6 +63,7 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_flag("--no-frames", no_frames, "No VTK files");
   app.add_flag("--no-pictures", no_pictures, "No PNG files");
   const auto code = io::parse_arguments(app, argc, argv);
+  arguments.has_levels = levels->count() > 0;
   arguments.options.frames = !no_frames;
   arguments.options.pictures = !no_pictures;
   return code;
@@ -68,6 +73,11 @@ int export_archive(Arguments& arguments) {
   const io::RunFolder folder("menger-export", arguments.folder);
   const RunArchive archive = RunArchive::open_to_read(arguments.archive);
   const Study study = archived_study(archive);
+  for (const int level : arguments.options.levels) {
+    if (arguments.has_levels && uses_elements(study) && level != 1) {
+      throw io::InputError("--levels " + std::to_string(level) + ": the search has single modules on finite elements: must be 1");
+    }
+  }
   io::catch_interrupts();
   std::unique_ptr<io::Progress> bar;
   int level_shown = 0;

@@ -61,7 +61,8 @@ class Exporter {
     result_.champion = summarise_generation(run_, *last).champion;
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
-    for (const char* name : {"reference.csv", "corrections.csv", "timings.csv", "schedule.csv", "check_dt.csv", "periods.csv"})
+    for (const char* name :
+         {"reference.csv", "corrections.csv", "timings.csv", "schedule.csv", "check_dt.csv", "periods.csv", "champion_walk.toml"})
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
     generations_table(run_).write(folder_ / "generations.csv");
     cost_table(run_).write(folder_ / "costs.csv");
@@ -109,6 +110,7 @@ class Exporter {
       add_note("the simulations in " + folder_.string() + " are already those of this champion");
       return;
     }
+    io::remove_if_there(folder_ / "champion.png");  // of another champion, if no picture is drawn now
     for (const int level : options_.levels) {
       if (arranged()) write_design(folder_ / ("champion_level_" + std::to_string(level) + ".toml"), design(level));
       simulate(level);
@@ -144,6 +146,7 @@ class Exporter {
     walk.output.pictures = options_.pictures;
     const double records = std::round(options_.record_interval_s / walk.record_interval_s);
     walk.output.records_per_frame = static_cast<std::size_t>(std::max(1.0, records));
+    io::remove_if_there(folder_ / "champion.png");  // of an export of another search
     io::write_whole(walk.file, io::described_text(walk));
     fem::prepare(walk);
     fem::LocomotionRunOptions run{.restart = true, .stop = options_.stop};

@@ -6,12 +6,16 @@
 #include <csignal>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/study/study_file.h"
+#include "evolution/study/walk_evaluator.h"
+#include "io/text/content_hash.h"
 #include "io/text/csv_table.h"
 #include "io/text/whole_file.h"
 #include "tests/support/archive_content.h"
@@ -69,6 +73,10 @@ TEST_F(EvolveOnElements, TheChampionOfASearchIsExportedAndWalksOnFinerElements) 
   EXPECT_NE(manifest.find("dragon_skin_10.toml"), std::string::npos) << "the silicone is an input";
   EXPECT_NE(manifest.find("study.toml"), std::string::npos);
 
+  const Outcome levels = run("export", {"run.sqlite", "-o", "levels", "--levels", "1", "2"});
+  EXPECT_EQ(levels.code, 2);
+  EXPECT_NE(levels.err.find("--levels 2"), std::string::npos) << levels.err;
+  EXPECT_FALSE(fs::exists(folder_ / "levels/generations.csv"));
   const Outcome out = export_to("run.sqlite", "out");
   ASSERT_EQ(out.code, 0) << out.err;
   EXPECT_NE(out.out.find("only level 1 is written"), std::string::npos) << out.out;
@@ -156,6 +164,19 @@ TEST_F(EvolveOnElements, VoxelsScreenAndFiniteElementsDecide) {
   EXPECT_EQ(archive_content(folder_ / "one.sqlite"), archive_content(folder_ / "two.sqlite"));
   const evolution::RunArchive archive = evolution::RunArchive::open_to_read(folder_ / "one.sqlite");
   EXPECT_EQ(archive.screened_individuals().size(), 4U + 3U * 9U);
+  const evolution::Study study = evolution::archived_study(archive);
+  const std::string elements = io::content_hash(evolution::WalkEvaluator(study).physics());
+  const auto design_of = [&](const evolution::ScreenedIndividual& one) {
+    return design_hash(as_simulated(study.search, archive.individual(one.id).phenotype), 1);
+  };
+  std::set<std::string> passed;
+  std::set<std::string> left_out;
+  for (const evolution::ScreenedIndividual& one : archive.screened_individuals())
+    (one.outcome == evolution::Screened::left_out ? left_out : passed).insert(design_of(one));
+  EXPECT_FALSE(left_out.empty());
+  for (const std::string& design : passed) EXPECT_TRUE(archive.evaluation({design, 1, elements})) << design;
+  for (const std::string& design : left_out)
+    EXPECT_EQ(archive.evaluation({design, 1, elements}).has_value(), passed.contains(design)) << design;
   ASSERT_EQ(export_to("one.sqlite", "out").code, 0);
   const io::CsvContents costs = io::read_csv(folder_ / "out/costs.csv");
   EXPECT_GT(costs.number(0, "element_steps"), 0.0);
