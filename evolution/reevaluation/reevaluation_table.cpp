@@ -262,13 +262,17 @@ io::CsvTable trajectory_comparison(const ReevaluatedDesign& design) {
 }
 
 std::string findings_text(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
-  std::string text =
-      std::to_string(findings.designs.size()) + " of " + std::to_string(findings.distinct) + " robots re-evaluated for " +
-      io::formatted("%.4g", study.duration_s) + " s" +
-      (study.measure_from_s > 0.0 ? " (displacement measured from " + io::formatted("%.4g", study.measure_from_s) + " s on)"
-                                  : "") +
-      ", body lengths per minute:\n" + padded("rank", 5) + padded("set", 8) + padded("individual", 11) +
-      padded(model_of_search(study), 13) + padded("elements", 13) + padded("ratio", 9) + padded("angle", 8) + "  status\n";
+  const auto last = measured_periods(study.search);
+  std::string measured;
+  if (last)
+    measured = " (displacement in one period of the last " + std::to_string(last->count) + ")";
+  else if (study.measure_from_s > 0.0)
+    measured = " (displacement measured from " + io::formatted("%.4g", study.measure_from_s) + " s on)";
+  std::string text = std::to_string(findings.designs.size()) + " of " + std::to_string(findings.distinct) +
+                     " robots re-evaluated for " + io::formatted("%.4g", study.duration_s) + " s" + measured +
+                     ", body lengths per minute:\n" + padded("rank", 5) + padded("set", 8) + padded("individual", 11) +
+                     padded(model_of_search(study), 13) + padded("elements", 13) + padded("ratio", 9) + padded("angle", 8) +
+                     "  status\n";
   for (const ReevaluatedDesign& evaluated : findings.designs) text += design_line(study, evaluated);
   if (!findings.refused.empty()) {
     text += std::to_string(findings.refused.size()) +

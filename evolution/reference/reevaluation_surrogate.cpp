@@ -78,8 +78,10 @@ class VoxelWalker {
   /// Returns the time of a record. Those at measure_from_s and at the ends of periods get exactly the times that the search gives
   /// them, so that displacements count from the same steps.
   [[nodiscard]] double time_of(std::size_t record, std::size_t left_out) const {
-    if (last_ && record % per_period_ == 0)
-      return std::min(static_cast<double>(record / per_period_) * last_->period_s, study_.duration_s);
+    if (last_ && record % per_period_ == 0) {
+      const std::size_t period = record / per_period_;
+      return std::min(static_cast<double>(period) * last_->period_s, study_.duration_s);
+    }
     return record == left_out ? study_.measure_from_s : static_cast<double>(record) * study_.record_interval_s;
   }
 

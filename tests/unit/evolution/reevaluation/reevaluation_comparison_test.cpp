@@ -112,6 +112,19 @@ TEST(ReevaluationText, SaysWhatBothModelsSaidOfEveryRobot) {
     EXPECT_NE(text.find(words), std::string::npos) << text << "\ndoes not say: " << words;
 }
 
+TEST(ReevaluationText, SaysThatOnePeriodIsMeasured) {
+  ReevaluationStudy study = some_study();
+  ReevaluationFindings findings;
+  findings.designs = {evaluated(1, 0.03, 0.02)};
+  findings.rankings = rank_all(study, findings.designs);
+  EXPECT_EQ(findings_text(study, findings).find("in one period"), std::string::npos);
+  study.search.measure = Measure::last_periods;
+  study.search.measure_periods = 4;
+  const std::string text = findings_text(study, findings);
+  EXPECT_NE(text.find("re-evaluated for 2 s (displacement in one period of the last 4), body lengths"), std::string::npos)
+      << text;
+}
+
 TEST(ReevaluationChart, HasAPointPerDesignThatCompletedInBothModels) {
   const ReevaluationStudy study = some_study();
   ReevaluationFindings findings;
