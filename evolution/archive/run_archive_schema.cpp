@@ -94,7 +94,7 @@ CREATE TABLE reevaluation (
 )sql";
 constexpr int version_without_reevaluations = 2;
 constexpr int first_version_with_reevaluations = 3;
-constexpr int last_version_of_earlier_keys = 5;
+constexpr int last_version_of_other_keys = 5;
 
 int version_of(const SQLite::Database& connection) {
   SQLite::Statement row(connection, "PRAGMA user_version");
@@ -230,7 +230,7 @@ void upgrade(SQLite::Database& connection) {
   transaction.commit();
 }
 
-bool has_earlier_keys(const SQLite::Database& connection) { return version_of(connection) <= last_version_of_earlier_keys; }
+bool has_earlier_keys(const SQLite::Database& connection) { return version_of(connection) <= last_version_of_other_keys; }
 
 void require_present_keys(const fs::path& file, const SQLite::Database& connection) {
   if (!has_earlier_keys(connection)) return;

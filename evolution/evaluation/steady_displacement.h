@@ -25,6 +25,8 @@ std::size_t whole_periods(double duration_s, double period_s);
 /// Returns the displacement in one period of a body that moves steadily, in metres: for each axis the median of the means of all
 /// pairs of successive periods. Of an even number of means it is the smaller in magnitude of the two in the middle.
 ///
+/// A median of each axis depends on the axes: for a body that turns it is not that of the same motion in turned axes.
+///
 /// For equal periods it is their displacement. The means of pairs of a body that rocks, whose periods alternate between a and -a,
 /// are 0. One period out of five or more that differs, such as that of a fall, changes at most half of the means: it cannot make
 /// the median larger than those of the others, whether the body walks, lies or rocks otherwise.

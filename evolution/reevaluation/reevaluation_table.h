@@ -21,9 +21,9 @@ struct ReevaluationFindings {
 /// Makes a table with a row per re-evaluated design and both models: status, displacement, direction, speed and cost, and the
 /// ratio, angle and relative error between both.
 ///
-/// The columns `..._left_out_m` have the horizontal distance before displacement counts; they are empty if it counts from the
-/// start. `is_balanced` is whether the robot stands by itself. `..._least_dz_m` is the least height of the centre relative to
-/// its start, over all records: 0 or negative. A body with a very low value has fallen over.
+/// The columns `..._left_out_m` have the horizontal length of the displacement over the whole time less the one that counts; they
+/// are empty if all of it counts. `is_balanced` is whether the robot stands by itself. `..._least_dz_m` is the least height of
+/// the centre relative to its start, over all records: 0 or negative. A body with a very low value has fallen over.
 io::CsvTable reevaluation_table(const ReevaluationStudy& study, const ReevaluationFindings& findings);
 
 /// Makes a table with a row per design that would have been chosen but cannot be evaluated, with the reason.

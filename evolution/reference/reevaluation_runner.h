@@ -26,7 +26,7 @@ struct LocomotionRun {
   std::optional<io::RunStatus> status;  ///< none if the walk gave no result
   std::string reason;
   std::optional<std::array<double, 3>> displacement_m;  ///< exists exactly if completed
-  std::optional<std::array<double, 3>> left_out_m{};    ///< displacement before that, see leave_out
+  std::optional<std::array<double, 3>> left_out_m{};    ///< displacement that is not in that, see Evaluation
   double time_s = 0.0;                                  ///< simulated time that the run reached
   std::uint64_t steps = 0;
   std::uint64_t elements = 0;
