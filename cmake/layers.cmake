@@ -72,6 +72,8 @@ function(menger_program name)
   target_link_libraries(${name} PRIVATE ${PROGRAM_LINK} menger_warnings)
 endfunction()
 
+option(MENGER_AVX512 "Build the kernels for AVX-512, a third of the time that kernels take to compile" ON)
+
 # Kernels of a room for several instruction sets in one binary, of which one is chosen at run time: NAME_avx2.cpp and NAME_avx512.cpp,
 # with SSE2 also NAME_sse2.cpp, with FMA compiled for fused multiplication and addition. No other file is compiled for more than the baseline.
 function(menger_kernels target)
@@ -84,13 +86,17 @@ function(menger_kernels target)
     if(KERNELS_SSE2)
       target_sources(${target} PRIVATE ${name}_sse2.cpp)
     endif()
-    target_sources(${target} PRIVATE ${name}_avx2.cpp ${name}_avx512.cpp)
+    target_sources(${target} PRIVATE ${name}_avx2.cpp)
     set_source_files_properties(${name}_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;${fma}")
+    if(NOT MENGER_AVX512)
+      continue()
+    endif()
+    target_sources(${target} PRIVATE ${name}_avx512.cpp)
     # GCC 12 takes the deliberately undefined pass-through operand of its own AVX-512 intrinsics for an uninitialised variable.
     set_source_files_properties(${name}_avx512.cpp PROPERTIES COMPILE_OPTIONS
       "-mavx512f;-mavx512dq;${fma};-mprefer-vector-width=512;-Wno-uninitialized;-Wno-maybe-uninitialized")
   endforeach()
-  target_compile_definitions(${target} PRIVATE MENGER_X86_KERNELS)
+  target_compile_definitions(${target} PRIVATE MENGER_X86_KERNELS $<$<BOOL:${MENGER_AVX512}>:MENGER_AVX512_KERNELS>)
 endfunction()
 
 # Links deal.II: its debug library, with assertions, for Debug builds. Its own way, deal_ii_setup_target, would take our language level

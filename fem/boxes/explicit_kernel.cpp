@@ -39,6 +39,8 @@ const std::vector<const ExplicitKernelTable*>& available_tables() {
     std::vector<const ExplicitKernelTable*> result{&detail::baseline_explicit_kernels()};
 #ifdef MENGER_X86_KERNELS
     if (detail::has_avx2()) result.push_back(&detail::avx2_explicit_kernels());
+#endif
+#ifdef MENGER_AVX512_KERNELS
     if (detail::has_avx512()) result.push_back(&detail::avx512_explicit_kernels());
 #endif
     return result;

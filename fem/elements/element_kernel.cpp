@@ -20,6 +20,8 @@ const std::vector<const KernelTable*>& available_tables() {
 #ifdef MENGER_X86_KERNELS
     // This test of the compiler also checks whether the operating system saves the wide registers.
     if (detail::has_avx2()) result.push_back(&detail::avx2_kernels());
+#endif
+#ifdef MENGER_AVX512_KERNELS
     if (detail::has_avx512()) result.push_back(&detail::avx512_kernels());
 #endif
     return result;

@@ -24,6 +24,8 @@ std::vector<FacePressureKernels<Number>> available_face_pressure_kernels() {
   std::vector<FacePressureKernels<Number>> kernels{FacePressureKernels<Number>(detail::baseline_face_pressure<Number>())};
 #ifdef MENGER_X86_KERNELS
   if (detail::has_avx2()) kernels.emplace_back(detail::avx2_face_pressure<Number>());
+#endif
+#ifdef MENGER_AVX512_KERNELS
   if (detail::has_avx512()) kernels.emplace_back(detail::avx512_face_pressure<Number>());
 #endif
   return kernels;

@@ -39,6 +39,8 @@ const std::vector<const ThinWallTable<Number>*>& available_tables() {
                                                      &detail::baseline_thin_walls<Number>()};
 #ifdef MENGER_X86_KERNELS
     if (detail::has_avx2()) result.push_back(&detail::avx2_thin_walls<Number>());
+#endif
+#ifdef MENGER_AVX512_KERNELS
     if (detail::has_avx512()) result.push_back(&detail::avx512_thin_walls<Number>());
 #endif
     return result;

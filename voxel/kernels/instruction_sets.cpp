@@ -21,7 +21,11 @@ bool machine_has(InstructionSet set) {
     case InstructionSet::avx2:
       return __builtin_cpu_supports("avx2") != 0;
     case InstructionSet::avx512:
+#ifdef MENGER_AVX512_KERNELS
       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+#else
+      return false;
+#endif
     case InstructionSet::best:
       break;
   }
@@ -47,8 +51,10 @@ InstructionSet resolve(InstructionSet requested) {
 
 template <>
 const StepKernels<double>& kernels_for<double>(InstructionSet set) {
-#ifdef MENGER_X86_KERNELS
+#ifdef MENGER_AVX512_KERNELS
   if (set == InstructionSet::avx512) return avx512_kernels_double();
+#endif
+#ifdef MENGER_X86_KERNELS
   if (set == InstructionSet::avx2) return avx2_kernels_double();
   if (set == InstructionSet::sse2) return sse2_kernels_double();
 #endif
@@ -58,8 +64,10 @@ const StepKernels<double>& kernels_for<double>(InstructionSet set) {
 
 template <>
 const StepKernels<float>& kernels_for<float>(InstructionSet set) {
-#ifdef MENGER_X86_KERNELS
+#ifdef MENGER_AVX512_KERNELS
   if (set == InstructionSet::avx512) return avx512_kernels_float();
+#endif
+#ifdef MENGER_X86_KERNELS
   if (set == InstructionSet::avx2) return avx2_kernels_float();
   if (set == InstructionSet::sse2) return sse2_kernels_float();
 #endif
@@ -85,6 +93,8 @@ std::vector<const LaneKernels<Real>*> lane_kernels_up_to(InstructionSet set) {
 #ifdef MENGER_X86_KERNELS
   if (set >= InstructionSet::sse2) add(sse2_lane_kernels_double, sse2_lane_kernels_float);
   if (set >= InstructionSet::avx2) add(avx2_lane_kernels_double, avx2_lane_kernels_float);
+#endif
+#ifdef MENGER_AVX512_KERNELS
   if (set >= InstructionSet::avx512) add(avx512_lane_kernels_double, avx512_lane_kernels_float);
 #endif
   if (all.empty()) add(scalar_lane_kernels_double, scalar_lane_kernels_float);
