@@ -10,13 +10,13 @@ tables.py gather TABLE.csv KEY,KEY,... NAME=RESULT.toml ...
 
 A block of a text. The comment names the table and gives the header and the rows, the lines up to <!-- end --> are generated:
 
-    <!-- table: paper/silicone/closing_the_loop.csv
-    best robot, body lengths | seed 1
-    corrected | {corrected_1/best_body_lengths .2f}
+    <!-- table: paper/walkers/walkers.csv
+    best robot, body lengths in a period | seed 1
+    standard elements | {1:standard:1/elements_body_lengths .2f}
     -->
-    | best robot, body lengths | seed 1 |
+    | best robot, body lengths in a period | seed 1 |
     | --- | --- |
-    | corrected | 1.05 |
+    | standard elements | 0.33 |
     <!-- end -->
 
 A number in a sentence: <!-- value: TABLE.csv {ROW/COLUMN .2f} -->1.05<!-- end -->

@@ -28,15 +28,15 @@ struct Arguments {
 };
 
 constexpr const char* description =
-    "Compares searches by their best robot on finite elements and by their cost in steps: searches that reference evaluations\n"
-    "correct, and searches on the surrogate alone whose best robots were re-evaluated afterwards.";
+    "Compares searches by their best robot on finite elements, as a re-evaluation finds it, and by their cost in steps.";
 
 constexpr const char* example =
     "Example:\n"
-    "  menger export corrected.sqlite -o corrected --levels 1\n"
-    "  menger export plain.sqlite -o plain --levels 1\n"
-    "  menger reevaluate plain.sqlite --top 16 -o plain\n"
-    "  menger compare-searches corrected plain -o comparison\n"
+    "  for model in voxels elements; do\n"
+    "    menger export $model.sqlite -o $model --levels 1\n"
+    "    menger reevaluate $model.sqlite --top 16 -o $model\n"
+    "  done\n"
+    "  menger compare-searches voxels elements -o comparison\n"
     "writes comparison.csv, comparison.png and summary.txt.\n"
     "Exit codes: 0 done, 2 wrong input.";
 
@@ -46,10 +46,10 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("searches", arguments.searches, "Folders of results, one per search")->required();
   app.add_option("-o,--output", arguments.folder, "Folder of the comparison")->capture_default_str();
   app.add_option("--budget-element-steps", arguments.options.budget_element_steps,
-                 "Budget of element-steps of each search; the first robot that exceeds it and all later ones are left out")
+                 "Budget of element-steps of each re-evaluation; the first robot that exceeds it and all later ones are left out")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--voxel-steps-per-element-step", arguments.options.voxel_steps_per_element_step,
-                 "Cost of an element-step in voxel-steps, as in the table [reference] of a study")
+                 "Cost of an element-step in voxel-steps")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("--no-pictures", arguments.no_pictures, "No PNG files");

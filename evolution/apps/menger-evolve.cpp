@@ -12,9 +12,7 @@
 #include <thread>
 
 #include "evolution/archive/run_archive.h"
-#include "evolution/reference/finite_element_evaluator.h"
 #include "evolution/report/generation_summary.h"
-#include "evolution/report/reference_table.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
 #include "evolution/search/search.h"
@@ -46,10 +44,7 @@ struct Arguments {
 constexpr const char* description =
     "Evolves fractal robots. The archive keeps all results. Run the same command again to resume a search that was stopped,\n"
     "or to show the result of a finished one. Robots move as voxels, or with evaluation.model = \"finite_elements\" as hollow\n"
-    "bodies of silicone on finite elements; with \"both\" as voxels at first, which choose those that finite elements evaluate.\n"
-    "With a table [reference] in the study, robots move as voxels, and finite elements evaluate some survivors during the "
-    "search\n"
-    "and correct the fitness of all; their runs are in a folder named after the archive.";
+    "bodies of silicone on finite elements; with \"both\" as voxels at first, which choose those that finite elements evaluate.";
 
 constexpr const char* example =
     "Example:\n"
@@ -105,17 +100,6 @@ class Log {
     }
     bar_->update(static_cast<double>(progress.finished),
                  std::to_string(progress.finished) + "/" + std::to_string(total_) + " evaluations");
-  }
-
-  void reference(std::size_t done, std::size_t total, const std::string& name) {
-    if (!bar_ || total_ != total) bar_ = std::make_unique<io::Progress>("reference evaluations", static_cast<double>(total));
-    total_ = total;
-    bar_->update(static_cast<double>(done), name);
-  }
-
-  void evaluated(const ReferenceRound& round, const Discrepancy& discrepancy) {
-    bar_.reset();
-    std::cout << round_text(run_.plan, round, discrepancy) << std::flush;
   }
 
   void screened(const ScreeningRound& round) {
@@ -184,18 +168,10 @@ int evolve(const Arguments& arguments) {
   const std::unique_ptr<DesignEvaluator> evaluator = evaluator_of(study);
   const std::unique_ptr<DesignEvaluator> half_step = half_step_evaluator_of(study);
   const std::unique_ptr<DesignEvaluator> surrogate = screening_evaluator_of(study);
-  Log* listener = nullptr;
-  FiniteElementEvaluatorOptions reference_options{.runs = fs::path(arguments.archive).replace_extension(".reference")};
-  reference_options.progress = [&](std::size_t done, std::size_t total, const std::string& name) {
-    if (listener != nullptr) listener->reference(done, total, name);
-  };
-  const std::unique_ptr<FiniteElementEvaluator> reference =
-      reference_evaluator_of(study, arguments.study, reference_options, arguments.threads);
   io::Manifest manifest{
       .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
   if (const fs::path& silicone = study.silicone.silicone.law.file; !silicone.empty()) io::note_input(manifest.inputs, silicone);
-  if (reference) manifest.inputs.insert(reference->study().inputs.begin(), reference->study().inputs.end());
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
   const RunView run = view_of(archive, study);
 
@@ -216,19 +192,16 @@ int evolve(const Arguments& arguments) {
   if (!finished) {
     io::catch_interrupts();
     Log log(run, study.search.generations);
-    listener = &log;
     SearchOptions options;
     options.threads = arguments.threads;
     options.stop = &io::interrupted();
     options.generation_done = [&](const GenerationRecord& record) { log.generation_done(record); };
     options.progress = [&](const SearchProgress& progress) { log.progress(progress); };
-    options.round_done = [&](const ReferenceRound& round, const Discrepancy& learnt) { log.evaluated(round, learnt); };
     options.screened = [&](const ScreeningRound& round) { log.screened(round); };
     const auto start = Clock::now();
-    status = run_search(study.search, *evaluator, archive, options, reference.get(),
-                        study.search.step_checks ? half_step.get() : nullptr, surrogate.get());
+    status = run_search(study.search, *evaluator, archive, options, study.search.step_checks ? half_step.get() : nullptr,
+                        surrogate.get());
     log.close();
-    listener = nullptr;
     manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     // The manifest is named after the archive, because several runs may share a folder.
     io::write_manifest_file(fs::path(arguments.archive).replace_extension(".manifest.json"), manifest);
@@ -239,7 +212,6 @@ int evolve(const Arguments& arguments) {
   }
   print_champion(run, *archive.last_generation());
   print_validity(run, *archive.last_generation());
-  if (reference) std::cout << reference_summary(run);
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";
   if (uses_elements(study))
     std::cout << "      menger reevaluate " << arguments.archive.string() << " --top 5   (on finer elements)\n";

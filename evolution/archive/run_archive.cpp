@@ -228,33 +228,6 @@ void insert_reevaluation(SQLite::Database& connection, const Reevaluation& reeva
   insert_left_out(connection, key, reevaluation.result);
 }
 
-ReferenceEvaluation read_reference_evaluation(const SQLite::Database& connection, const SQLite::Statement& row) {
-  return {.generation = row.getColumn("generation").getInt(),
-          .place = count_in(row.getColumn("place")),
-          .individual = count_in(row.getColumn("individual")),
-          .form = row.getColumn("form").getString(),
-          .surrogate = row.getColumn("surrogate").getDouble(),
-          .score = optional_double(row.getColumn("score")),
-          .element_steps = count_in(row.getColumn("element_steps")),
-          .found = read_reevaluation(connection, row)};
-}
-
-void insert_reference_evaluation(SQLite::Database& connection, const ReferenceEvaluation& evaluation) {
-  insert_reevaluation(connection, evaluation.found);
-  SQLite::Statement row(connection,
-                        "INSERT INTO judgement VALUES (:generation, :place, :individual, :form, :surrogate, :score, "
-                        ":element_steps, :design_hash, :level, :decided_by_hash)");
-  row.bind(":generation", evaluation.generation);
-  row.bind(":place", signed_number(evaluation.place));
-  row.bind(":individual", signed_number(evaluation.individual));
-  row.bind(":form", evaluation.form);
-  row.bind(":surrogate", evaluation.surrogate);
-  bind_optional(row, ":score", evaluation.score);
-  row.bind(":element_steps", signed_number(evaluation.element_steps));
-  bind_key(row, {evaluation.found.design_hash, evaluation.found.level, io::content_hash(evaluation.found.protocol)});
-  row.exec();
-}
-
 void insert_screened(SQLite::Database& connection, std::span<const ScreenedIndividual> screened) {
   add_screening_table(connection);
   SQLite::Statement row(connection, "INSERT INTO screening VALUES (:id, :generation, :surrogate, :outcome, :probability)");
@@ -676,27 +649,6 @@ void RunArchive::add_reevaluations(std::span<const Reevaluation> reevaluations) 
     for (const Reevaluation& reevaluation : reevaluations) insert_reevaluation(connection, reevaluation);
   });
   database_->fold_log();
-}
-
-std::vector<ReferenceEvaluation> RunArchive::reference_evaluations() const {
-  return database_->read([](const SQLite::Database& connection) {
-    std::vector<ReferenceEvaluation> all;
-    if (!connection.tableExists("judgement")) return all;
-    SQLite::Statement row(connection,
-                          std::string("SELECT generation, place, individual, form, surrogate, score, element_steps, ") +
-                              reevaluation_columns +
-                              " FROM judgement JOIN reevaluation USING (design_hash, level, protocol_hash) "
-                              "JOIN protocol ON protocol.hash = protocol_hash ORDER BY generation, place");
-    while (row.executeStep()) all.push_back(read_reference_evaluation(connection, row));
-    return all;
-  });
-}
-
-void RunArchive::add_reference_evaluations(std::span<const ReferenceEvaluation> evaluations) {
-  database_->write([&](SQLite::Database& connection) {
-    add_reference_table(connection);
-    for (const ReferenceEvaluation& evaluation : evaluations) insert_reference_evaluation(connection, evaluation);
-  });
 }
 
 std::optional<ArchivedEvaluation> RunArchive::step_check(const EvaluationKey& key) const {

@@ -74,18 +74,6 @@ struct Reevaluation {
   bool has_result = true;  ///< false: the other evaluator failed for `result.reason`; no status
 };
 
-/// An evaluation of a robot by the reference evaluator that takes part in a search.
-struct ReferenceEvaluation {
-  int generation = 0;               ///< the generation that begins with its round
-  std::size_t place = 0;            ///< among the robots of that round, from 0, the best first
-  std::uint64_t individual = 0;     ///< evaluated on behalf of all individuals of the same form
-  std::string form;                 ///< robot_form of its basal body
-  double surrogate = 0.0;           ///< score by the evaluator of the search
-  std::optional<double> score;      ///< score by the reference evaluator; none if it failed
-  std::uint64_t element_steps = 0;  ///< cost
-  Reevaluation found;
-};
-
 /// What a screening decided of a new individual.
 enum class Screened {
   passed,   ///< it is evaluated
@@ -121,8 +109,8 @@ struct GenerationRecord {
 /// The archive of one search: an SQLite database with everything that is needed to continue the search, to show its history and
 /// to evaluate its designs again.
 ///
-/// Displacements that do not count (Evaluation::left_out_m), displacements in every period, finite elements of bodies, reference
-/// evaluations and checks of the time step have tables of their own. Only the archives of searches with such data have these
+/// Displacements that do not count (Evaluation::left_out_m), displacements in every period, finite elements of bodies and
+/// checks of the time step have tables of their own. Only the archives of searches with such data have these
 /// tables.
 ///
 /// Every change is one transaction. Once the call returns, it survives the end of the process (write-ahead log). Rows have
@@ -185,13 +173,6 @@ class RunArchive {
   /// Adds re-evaluations in one transaction. Each replaces an earlier one of the same design, level and protocol, but a run that
   /// was stopped or failed never replaces a physical result.
   void add_reevaluations(std::span<const Reevaluation> reevaluations);
-
-  /// Returns all reference evaluations of the search, by generation and place.
-  [[nodiscard]] std::vector<ReferenceEvaluation> reference_evaluations() const;
-
-  /// Adds reference evaluations, with their re-evaluations, in one transaction. Precondition: the archive has none with the same
-  /// generation and place.
-  void add_reference_evaluations(std::span<const ReferenceEvaluation> evaluations);
 
   /// Returns a result with half the time step of the search, or none. Keys are found as by evaluation().
   [[nodiscard]] std::optional<ArchivedEvaluation> step_check(const EvaluationKey& key) const;

@@ -200,24 +200,6 @@ CREATE TABLE IF NOT EXISTS screening (
 )sql");
 }
 
-void add_reference_table(SQLite::Database& connection) {
-  connection.exec(R"sql(
-CREATE TABLE IF NOT EXISTS judgement (
-  generation INTEGER NOT NULL,
-  place INTEGER NOT NULL,
-  individual INTEGER NOT NULL,
-  form TEXT NOT NULL,
-  surrogate REAL NOT NULL,
-  score REAL,
-  element_steps INTEGER NOT NULL,
-  design_hash TEXT NOT NULL,
-  level INTEGER NOT NULL,
-  protocol_hash TEXT NOT NULL,
-  PRIMARY KEY (generation, place)
-) WITHOUT ROWID;
-)sql");
-}
-
 void add_step_check_table(SQLite::Database& connection) {
   connection.exec(std::string("CREATE TABLE IF NOT EXISTS step_check ") + evaluation_columns);
 }
@@ -232,8 +214,14 @@ void upgrade(SQLite::Database& connection) {
 
 bool has_earlier_keys(const SQLite::Database& connection) { return version_of(connection) <= last_version_of_other_keys; }
 
-void require_present_keys(const fs::path& file, const SQLite::Database& connection) {
-  if (!has_earlier_keys(connection)) return;
+void require_present_keys(const fs::path& file, SQLite::Database& connection) {
+  if (!has_earlier_keys(connection)) {
+    if (connection.execAndGet("SELECT resolved FROM study").getString().find("\n[reference]\n") == std::string::npos) return;
+    refuse_archive(file,
+                   "is the archive of a search that a table [reference] corrected: menger export and menger reevaluate can read "
+                   "it, but no search can be resumed from it, since finite elements do not correct scores any more; choose "
+                   "another archive");
+  }
   refuse_archive(file, "is an archive of schema version " + std::to_string(version_of(connection)) +
                            ", with earlier keys of studies: menger export and menger reevaluate can read it, but no search "
                            "can be resumed from it; choose another archive");

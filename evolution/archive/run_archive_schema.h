@@ -32,9 +32,6 @@ void add_walk_tables(SQLite::Database& connection);
 /// Makes the table of individuals that a surrogate screened, if it is missing. Only some searches need it.
 void add_screening_table(SQLite::Database& connection);
 
-/// Makes the table of reference evaluations, if it is missing. Only some searches need it.
-void add_reference_table(SQLite::Database& connection);
-
 /// Makes the table of evaluations with half the time step, with the columns of `evaluation`, if it is missing. Only some searches
 /// need it.
 void add_step_check_table(SQLite::Database& connection);
@@ -45,8 +42,9 @@ void upgrade(SQLite::Database& connection);
 /// Returns whether the study of an archive has earlier names of keys, so that its texts and hashes differ from the present ones.
 bool has_earlier_keys(const SQLite::Database& connection);
 
-/// Refuses an archive with earlier names of keys. @throws io::InputError if has_earlier_keys
-void require_present_keys(const std::filesystem::path& file, const SQLite::Database& connection);
+/// Refuses an archive with earlier names of keys, or of a search that finite elements corrected, for continuing its search.
+/// @throws io::InputError
+void require_present_keys(const std::filesystem::path& file, SQLite::Database& connection);
 
 /// Checks that a database is an archive that this program can read.
 /// @throws io::InputError if it is not an archive, has a version that this program does not read, or is damaged: also if rows

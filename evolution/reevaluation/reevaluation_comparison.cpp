@@ -33,7 +33,7 @@ std::optional<TopRegret> regret_of(const std::vector<double>& surrogate, const s
 
 }  // namespace
 
-std::string model_of_search(const ReevaluationStudy& study) { return uses_elements(study.search) ? "search" : "surrogate"; }
+std::string model_of_search(const ReevaluationStudy& study) { return study.compares_elements() ? "search" : "surrogate"; }
 
 Motion motion_of(const ReevaluationStudy& study, const std::array<double, 3>& displacement_m) {
   constexpr double seconds_per_minute = 60.0;

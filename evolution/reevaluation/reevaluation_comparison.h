@@ -14,16 +14,16 @@
 
 namespace menger::evolution {
 
-/// A chosen design and its results in both models: that of the search, which is the surrogate or its own finite elements, and the
+/// A chosen design and its results in both models: that which is compared, voxels or the search's own finite elements, and the
 /// finite elements of the re-evaluation.
 struct ReevaluatedDesign {
   ChosenDesign design;
-  SurrogateWalk surrogate;  ///< in the model of the search
+  SurrogateWalk surrogate;  ///< in the model that is compared
   LocomotionRun elements;
   bool is_balanced = true;  ///< see is_balanced(); if false, it falls over by itself
 };
 
-/// Returns the word for the model of the search: "surrogate", or "search" for its finite elements.
+/// Returns the word for the model that is compared: "surrogate", or "search" for the finite elements of the search.
 std::string model_of_search(const ReevaluationStudy& study);
 
 /// The displacement of a body as distance, direction and speed.

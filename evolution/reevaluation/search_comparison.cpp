@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <map>
-#include <system_error>
 #include <utility>
 
 #include "io/text/formatted.h"
@@ -15,32 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view kind_of(const ComparedSearch& search) { return search.is_corrected ? "corrected" : "surrogate alone"; }
-
-/// Reads the reference evaluations of a corrected search. Their earlier costs come from the table of costs of the previous
-/// generations.
-void read_reference_evaluations(const fs::path& folder, const io::CsvContents& costs, double rate, ComparedSearch& search) {
-  const io::CsvContents table = io::read_csv(folder / "reference.csv");
-  std::map<int, double> within;
-  for (std::size_t row = 0; row < table.row_count(); ++row) {
-    const auto generation =
-        static_cast<int>(table.number(row, "generation", io::within(1.0, static_cast<double>(costs.row_count()))));
-    ComparedRobot robot{.body_lengths = table.optional_number(row, "reference_body_lengths"),
-                        .surrogate_body_lengths = table.number(row, "surrogate_body_lengths"),
-                        .element_steps = table.number(row, "element_steps", io::non_negative())};
-    within[generation] += robot.element_steps;
-    robot.total_voxel_steps =
-        costs.number(static_cast<std::size_t>(generation - 1), "total_voxel_steps_so_far") + rate * within[generation];
-    search.robots.push_back(robot);
-  }
-}
+constexpr std::array models{EvaluationModel::voxels, EvaluationModel::finite_elements, EvaluationModel::both};
 
 void read_reevaluation(const fs::path& folder, double rate, ComparedSearch& search) {
   const io::CsvContents table = io::read_csv(folder / "reevaluation.csv");
-  double spent = search.voxel_steps;
+  double spent = search.voxel_steps + rate * search.element_steps;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     ComparedRobot robot{.body_lengths = table.optional_number(row, "elements_body_lengths"),
-                        .surrogate_body_lengths = table.optional_number(row, "surrogate_body_lengths").value_or(0.0),
+                        .search_body_lengths = table.optional_number(row, "surrogate_body_lengths").value_or(0.0),
                         .element_steps = table.number(row, "elements_steps", io::non_negative()) *
                                          table.number(row, "elements_count", io::non_negative())};
     spent += rate * robot.element_steps;
@@ -51,7 +31,7 @@ void read_reevaluation(const fs::path& folder, double rate, ComparedSearch& sear
 
 /// Returns the best result so far against the cost, as a staircase.
 io::ChartSeries progress_of(const ComparedSearch& search) {
-  io::ChartSeries series{.marks = io::Marks::line, .colour = io::chart_colour(search.is_corrected ? 0 : 1)};
+  io::ChartSeries series{.marks = io::Marks::line, .colour = io::chart_colour(static_cast<std::size_t>(search.model))};
   std::optional<double> best;
   const auto add = [&](double steps) {
     if (!best) return;
@@ -66,10 +46,10 @@ io::ChartSeries progress_of(const ComparedSearch& search) {
   return series;
 }
 
-std::optional<double> median_outcome(const std::vector<ComparedSearch>& searches, bool is_corrected) {
+std::optional<double> median_outcome(const std::vector<ComparedSearch>& searches, EvaluationModel model) {
   std::vector<double> outcomes;
   for (const ComparedSearch& search : searches) {
-    if (search.is_corrected == is_corrected && search.best()) outcomes.push_back(*search.best()->body_lengths);
+    if (search.model == model && search.best()) outcomes.push_back(*search.best()->body_lengths);
   }
   if (outcomes.empty()) return std::nullopt;
   std::ranges::sort(outcomes);
@@ -78,7 +58,7 @@ std::optional<double> median_outcome(const std::vector<ComparedSearch>& searches
 }
 
 double total_of(const ComparedSearch& search, const ComparisonOptions& options) {
-  return search.voxel_steps + options.voxel_steps_per_element_step * search.element_steps;
+  return search.voxel_steps + options.voxel_steps_per_element_step * (search.element_steps + search.reevaluation_element_steps);
 }
 
 }  // namespace
@@ -93,32 +73,29 @@ ComparedSearch read_compared_search(const fs::path& folder, const ComparisonOpti
   search.name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
   const io::CsvContents costs = io::read_csv(folder / "costs.csv");
   for (const double steps : costs.numbers("voxel_steps", io::non_negative())) search.voxel_steps += steps;
-  std::error_code missing;
-  search.is_corrected = fs::exists(folder / "reference.csv", missing);
-  if (search.is_corrected) {
-    read_reference_evaluations(folder, costs, options.voxel_steps_per_element_step, search);
-  } else {
-    read_reevaluation(folder, options.voxel_steps_per_element_step, search);
-  }
+  for (const double steps : costs.numbers("element_steps", io::non_negative())) search.element_steps += steps;
+  if (search.element_steps > 0.0)
+    search.model = search.voxel_steps > 0.0 ? EvaluationModel::both : EvaluationModel::finite_elements;
+  read_reevaluation(folder, options.voxel_steps_per_element_step, search);
   double left = options.budget_element_steps;
   const auto beyond = std::ranges::find_if(search.robots, [&](const ComparedRobot& robot) {
     left -= robot.element_steps;
     return left < 0.0;
   });
   search.robots.erase(beyond, search.robots.end());
-  for (const ComparedRobot& robot : search.robots) search.element_steps += robot.element_steps;
+  for (const ComparedRobot& robot : search.robots) search.reevaluation_element_steps += robot.element_steps;
   return search;
 }
 
 io::CsvTable comparison_table(const std::vector<ComparedSearch>& searches, const ComparisonOptions& options) {
-  io::CsvTable table({"search", "kind", "evaluated", "failed", "voxel_steps", "element_steps", "total_voxel_steps",
-                      "best_body_lengths", "surrogate_body_lengths_of_best"});
+  io::CsvTable table({"search", "model", "evaluated", "failed", "voxel_steps", "element_steps", "reevaluation_element_steps",
+                      "total_voxel_steps", "best_body_lengths", "search_body_lengths_of_best"});
   for (const ComparedSearch& search : searches) {
     const auto best = search.best();
     const auto failed = std::ranges::count_if(search.robots, [](const ComparedRobot& robot) { return !robot.body_lengths; });
-    table.add_row(search.name, kind_of(search), std::uint64_t{search.robots.size()}, static_cast<std::int64_t>(failed),
-                  search.voxel_steps, search.element_steps, total_of(search, options), best ? best->body_lengths : std::nullopt,
-                  best ? std::optional(best->surrogate_body_lengths) : std::nullopt);
+    table.add_row(search.name, to_string(search.model), std::uint64_t{search.robots.size()}, static_cast<std::int64_t>(failed),
+                  search.voxel_steps, search.element_steps, search.reevaluation_element_steps, total_of(search, options),
+                  best ? best->body_lengths : std::nullopt, best ? std::optional(best->search_body_lengths) : std::nullopt);
   }
   return table;
 }
@@ -128,16 +105,16 @@ io::Chart comparison_chart(const std::vector<ComparedSearch>& searches) {
                           .x = {.title = "total cost with element-steps (1e9 voxel-steps)"},
                           .y = {.title = "body lengths on finite elements", .lowest = 0.0}};
   io::ChartPanel outcomes{.title = "outcome of each search",
-                          .x = {.title = "number of the search of its kind, in the order given", .lowest = 0.5},
+                          .x = {.title = "number of the search of its model, in the order given", .lowest = 0.5},
                           .y = {.title = "body lengths on finite elements", .lowest = 0.0}};
   constexpr double steps_per_unit = 1e9;
-  std::array<io::ChartSeries, 2> points;
+  std::array<io::ChartSeries, models.size()> points;
   for (const ComparedSearch& search : searches) {
     io::ChartSeries line = progress_of(search);
     for (double& x : line.x) x /= steps_per_unit;
-    io::ChartSeries& kind = points.at(search.is_corrected ? 0 : 1);
-    if (kind.name.empty()) line.name = kind_of(search);
-    kind.name = kind_of(search);
+    io::ChartSeries& kind = points.at(static_cast<std::size_t>(search.model));
+    if (kind.name.empty()) line.name = to_string(search.model);
+    kind.name = to_string(search.model);
     kind.marks = io::Marks::points;
     kind.colour = line.colour;
     kind.x.push_back(static_cast<double>(kind.x.size() + 1));
@@ -150,27 +127,26 @@ io::Chart comparison_chart(const std::vector<ComparedSearch>& searches) {
     if (!kind.x.empty()) outcomes.series.push_back(std::move(kind));
   }
   outcomes.x.highest = static_cast<double>(most) + 0.5;
-  return {.title = "searches corrected by finite elements, and on the surrogate alone", .panels = {progress, outcomes}};
+  return {.title = "searches on voxels, on finite elements, and on both", .panels = {progress, outcomes}};
 }
 
 std::string comparison_text(const std::vector<ComparedSearch>& searches, const ComparisonOptions& options) {
   std::string text;
   std::array<char, 200> line{};
   const auto add = [&](int length) { text.append(line.data(), static_cast<std::size_t>(length)); };
-  add(std::snprintf(line.data(), line.size(), "%-20s %-16s %9s %14s %14s %12s\n", "search", "kind", "evaluated", "total steps",
-                    "best [BL]", "surrogate"));
+  add(std::snprintf(line.data(), line.size(), "%-20s %-16s %9s %14s %14s %12s\n", "search", "model", "evaluated", "total steps",
+                    "best [BL]", "in search"));
   for (const ComparedSearch& search : searches) {
     const auto best = search.best();
     add(std::snprintf(line.data(), line.size(), "%-20.40s %-16s %9zu %14.4g %14s %12s\n", search.name.c_str(),
-                      std::string(kind_of(search)).c_str(), search.robots.size(), total_of(search, options),
+                      std::string(to_string(search.model)).c_str(), search.robots.size(), total_of(search, options),
                       best ? io::formatted("%.5f", *best->body_lengths).c_str() : "-",
-                      best ? io::formatted("%.5f", best->surrogate_body_lengths).c_str() : "-"));
+                      best ? io::formatted("%.5f", best->search_body_lengths).c_str() : "-"));
   }
-  const auto corrected = median_outcome(searches, true);
-  const auto alone = median_outcome(searches, false);
-  if (corrected && alone)
-    text += "median outcome: corrected searches " + io::formatted("%.5f", *corrected) + ", searches on the surrogate alone " +
-            io::formatted("%.5f", *alone) + "\n";
+  for (const EvaluationModel model : models) {
+    if (const auto median = median_outcome(searches, model))
+      text += "median outcome of searches on " + std::string(to_string(model)) + ": " + io::formatted("%.5f", *median) + "\n";
+  }
   return text;
 }
 

@@ -63,6 +63,15 @@ void describe_level(io::StudyVisitor& visitor, bool has_search, ReevaluationStud
                 "the search evaluated no design at this level");
 }
 
+void describe_comparison(io::StudyVisitor& visitor, ReevaluationStudy& study) {
+  visitor.word({"compare_with",
+                "What the finite elements are compared with: the model of the search, or voxels with the parameters of its "
+                "[surrogate], also if finite elements decided the search."},
+               study.compare_with, io::words_of(ComparedModel::search, ComparedModel::voxels));
+  visitor.check(study.compare_with == ComparedModel::search || study.search.physics.surrogate, "compare_with",
+                "the search has no parameters of voxels, as [surrogate] parameters");
+}
+
 bool has_usual_silicone(const ReevaluationStudy& study) {
   return study.silicone_file.empty() ? !uses_elements(study.search) : study.silicone_file.stem() == usual_silicone;
 }
@@ -280,10 +289,13 @@ void require_enough_periods(const ReevaluationStudy& study) {
 
 }  // namespace
 
+std::string_view to_string(ComparedModel model) { return model == ComparedModel::search ? "search" : "voxels"; }
+
 void describe(io::StudyVisitor& visitor, ReevaluationStudy& study) {
   // without a search there are no values to use: keys are shown as ones that may be left out
   const bool has_search = is_of_silicone(study.search);
   describe_level(visitor, has_search, study);
+  describe_comparison(visitor, study);
   describe_silicone(visitor, study);
   visitor.integer({"sample_seed", "Seed of the sample."}, study.sample_seed, io::at_least(0));
   visitor.number({"least_body_lengths", "A design that moves less, in either model, has no direction."}, study.least_body_lengths,

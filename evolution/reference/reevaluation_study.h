@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
@@ -48,6 +49,13 @@ struct VariantOptions {
   std::vector<double> youngs_moduli_Pa = {107'000, 264'000};  ///< lowest and highest value stated for the silicone
 };
 
+/// The model that finite elements are compared with.
+enum class ComparedModel {
+  search,  ///< that of the search
+  voxels   ///< voxels with the parameters of the search, also if finite elements decided it
+};
+std::string_view to_string(ComparedModel model);  ///< "search" or "voxels"
+
 /// Everything that decides how designs of an archive are evaluated again. Values that both models share (body, chambers,
 /// pressure, ground) come from the archive.
 struct ReevaluationStudy {
@@ -58,6 +66,7 @@ struct ReevaluationStudy {
   std::size_t sample = 0;      ///< number of designs drawn from the others
   std::uint64_t sample_seed = 1;
   int level = 1;
+  ComparedModel compare_with = ComparedModel::search;
   double duration_s = 0.0;
   double measure_from_s = 0.0;  ///< time from which displacement counts in both models, a multiple of record_interval_s
   double record_interval_s = 0.02;
@@ -68,6 +77,9 @@ struct ReevaluationStudy {
   LocomotionOptions elements;
   std::optional<VariantOptions> variants;
   std::map<std::string, std::string> inputs;  ///< content hash of every file that was read
+
+  /// Returns whether the finite elements of the search are compared with those of the re-evaluation, and not voxels.
+  [[nodiscard]] bool compares_elements() const { return uses_elements(search) && compare_with == ComparedModel::search; }
 
   /// Returns the time in which a measured displacement is made.
   [[nodiscard]] double measured_s() const {
@@ -97,8 +109,7 @@ void describe(io::StudyVisitor& visitor, ReevaluationStudy& study);
 /// study
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const RunArchive& archive);
 
-/// Reads a study of re-evaluation for a search that has no archive yet. @param request its `archive` is the study file of the
-/// search, for messages
+/// Does the same for the study of a search. @param request its `archive` is for messages
 ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, const Study& search);
 
 /// Returns everything that decides the results, as text for the manifest.

@@ -160,9 +160,8 @@ std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::
     if (uses_elements(study.search)) {
       fem::LocomotionStudy walk = locomotion_study(study, study.elements, body, false);
       fem::prepare(walk);
-    } else {
-      (void)simulation_of(study, body);
     }
+    if (!study.compares_elements()) (void)simulation_of(study, body);
     if (study.elements.elements.kind != fem::ElementKind::thin_wall) return "";
     return fem::obstacle_to_thin_walls(meshes::hollow_polycube(design, options).mesh, options.wall_thickness_m);
   } catch (const io::InputError& fault) {  // it cannot be cast
@@ -177,7 +176,7 @@ std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::
 
 SurrogateWalk surrogate_walk(const ReevaluationStudy& study, const meshes::Polycube& body, bool with_frames,
                              const std::atomic<bool>* stop) {
-  if (uses_elements(study.search)) return walk_on_elements(study, body, stop);
+  if (study.compares_elements()) return walk_on_elements(study, body, stop);
   return VoxelWalker(study, body, with_frames).walk(stop);
 }
 

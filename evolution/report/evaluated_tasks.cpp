@@ -86,7 +86,7 @@ class Replay {
     const double score = level_score(run_.plan, *result.displacement_m, level);
     known.fitness_bound = std::min(score, known.fitness_bound.value_or(score));
     if (entry.levels_known < run_.plan.levels().size()) return;
-    // With a reference evaluator, the archive has the corrected fitness.
+    // The archive of an earlier version may have a corrected fitness.
     known.knowledge = entry.archived.knowledge;
     known.fitness = entry.archived.fitness;
   }

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "evolution/report/cost_table.h"
 #include "evolution/report/evaluated_tasks.h"
-#include "evolution/report/reference_table.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
 #include "evolution/study/study_file.h"
@@ -66,9 +66,10 @@ class Exporter {
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
     generations_table(run_).write(folder_ / "generations.csv");
     cost_table(run_).write(folder_ / "costs.csv");
-    if (study_.search.reference) {
-      reference_table(run_).write(folder_ / "reference.csv");
-      correction_table(run_).write(folder_ / "corrections.csv");
+    if (was_corrected(archive_)) {
+      add_note(
+          "finite elements corrected the scores of this search: its fitness is the corrected one, and costs.csv leaves these "
+          "finite elements out; their walks are among the re-evaluations of the archive");
     }
     if (options_.timings) {
       timing_table(run_).write(folder_ / "timings.csv");

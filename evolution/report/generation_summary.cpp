@@ -28,21 +28,6 @@ void add_displacements(std::vector<io::CsvCell>& row, const RunView& run, const 
   for (const int level : run.plan.levels()) row.push_back(io::cell(displacement(design, level)));
 }
 
-/// Returns the score by the reference evaluator of an individual, or of another individual of the same form.
-std::optional<double> reference_fitness(const RunView& run, const Individual& individual) {
-  const std::vector<ReferenceEvaluation> evaluations = run.archive->reference_evaluations();
-  const auto found =
-      std::ranges::find(evaluations, robot_form(individual.phenotype.body, run.distinction), &ReferenceEvaluation::form);
-  return found == evaluations.end() ? std::nullopt : found->score;
-}
-
-/// Returns the columns that only searches with a reference evaluator have.
-std::vector<std::string> reference_columns(const RunView& run, const std::string& prefix) {
-  if (!run.plan.reference) return {};
-  const std::string unit(fitness_unit(run.plan.objective));
-  return {prefix + "surrogate_fitness_" + unit, prefix + "reference_fitness_" + unit};
-}
-
 io::CsvCell count_cell(std::uint64_t count) { return io::cell(count); }
 
 }  // namespace
@@ -51,8 +36,6 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
   DesignSummary summary{.individual = individual,
                         .age = member.age,
                         .fitness = member.fitness,
-                        .surrogate_fitness = {},
-                        .reference_fitness = {},
                         .body_lengths = {},
                         .cells = individual.phenotype.body.count(),
                         .hausdorff_dimension = {},
@@ -68,9 +51,7 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
     }
     if (!found->result.displacement_m) continue;
     summary.body_lengths[level] = body_lengths(*found->result.displacement_m, level, run.plan.cell_edge_m);
-    if (run.plan.reference) summary.surrogate_fitness = level_score(run.plan, *found->result.displacement_m, level);
   }
-  if (run.plan.reference) summary.reference_fitness = reference_fitness(run, individual);
   if (!individual.phenotype.has_arrangements())
     summary.hausdorff_dimension = meshes::hausdorff_dimension(individual.phenotype.body);
   return summary;
@@ -114,7 +95,6 @@ io::CsvTable generations_table(const RunView& run) {
         std::string("outside_validity"), std::string("champion_outside_validity")}) {
     columns.push_back(column);
   }
-  for (const std::string& column : reference_columns(run, "champion_")) columns.push_back(column);
   io::CsvTable table(columns);
   const int last = run.archive->last_generation().value_or(-1);
   for (int generation = 0; generation <= last; ++generation) {
@@ -131,9 +111,6 @@ io::CsvTable generations_table(const RunView& run) {
     row.insert(row.end(), {io::cell(summary.mean_fitness), count_cell(record.evaluations), count_cell(record.cached),
                            count_cell(record.pruned), count_cell(summary.outside_validity),
                            summary.champion ? io::cell(summary.champion->outside_validity) : io::CsvCell{}});
-    if (run.plan.reference && summary.champion)
-      row.insert(row.end(), {io::cell(summary.champion->surrogate_fitness), io::cell(summary.champion->reference_fitness)});
-    row.resize(columns.size());
     table.add_cells(row);
   }
   return table;
@@ -146,7 +123,6 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
   for (const int level : run.plan.levels()) columns.push_back(level_column(level));
   columns.emplace_back("outside_validity");
   columns.emplace_back("phenotype");
-  for (const std::string& column : reference_columns(run, "")) columns.push_back(column);
   io::CsvTable table(columns);
   for (const Individual& individual : lineage(*run.archive, id)) {
     const std::vector<PoolMember> pool = run.archive->pool(individual.generation);
@@ -163,7 +139,6 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
     add_displacements(row, run, design);
     row.push_back(io::cell(design.outside_validity));
     row.push_back(io::cell(phenotype_key(individual.phenotype)));
-    if (run.plan.reference) row.insert(row.end(), {io::cell(design.surrogate_fitness), io::cell(design.reference_fitness)});
     table.add_cells(row);
   }
   return table;
@@ -172,7 +147,6 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
 std::string summary_header(const RunView& run) {
   std::ostringstream line;
   line << std::setw(4) << "gen" << std::setw(12) << (run.plan.objective == Objective::body_lengths ? "F [BL]" : "F [m2]");
-  if (run.plan.reference) line << std::setw(12) << "ref. F";
   for (const int level : run.plan.levels()) line << std::setw(6) << 'd' << level << " [BL]";
   line << std::setw(7) << "H" << std::setw(5) << "age" << std::setw(11) << "mean F";
   for (const char* count : {"evals", "cached", "pruned"}) line << std::setw(7) << count;
@@ -185,7 +159,6 @@ std::string summary_line(const RunView& run, const GenerationSummary& summary, s
   const auto& champion = summary.champion;
   std::ostringstream line;
   line << std::setw(4) << record.number << std::setw(12) << number_or_dash(champion ? champion->fitness : std::nullopt, "%.5g");
-  if (run.plan.reference) line << std::setw(12) << number_or_dash(champion ? champion->reference_fitness : std::nullopt, "%.5g");
   for (const int level : run.plan.levels()) {
     line << std::setw(12) << number_or_dash(champion ? displacement(*champion, level) : std::nullopt, "%.4f");
   }

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
-#include "evolution/genome/robot_form.h"
 #include "evolution/search/search_plan.h"
 #include "io/text/csv_table.h"
 
@@ -20,8 +19,6 @@ struct DesignSummary {
   Individual individual;
   int age = 0;                                ///< in the generation that the summary is of
   std::optional<double> fitness;              ///< in the unit of the objective
-  std::optional<double> surrogate_fitness;    ///< with a reference evaluator: the uncorrected fitness by the surrogate
-  std::optional<double> reference_fitness;    ///< by the reference evaluator, if it evaluated this robot
   std::map<int, double> body_lengths;         ///< displacement by level, of the evaluations that completed
   std::size_t cells = 0;                      ///< of the basal body
   std::optional<double> hausdorff_dimension;  ///< of fractals
@@ -46,7 +43,6 @@ struct RunView {
   std::string physics;              ///< DesignEvaluator::physics()
   std::string screening_physics{};  ///< the same of the surrogate that screens new bodies; empty if none does
   std::string half_step_physics{};  ///< the same of the evaluator with half the time step
-  Distinction distinction{};        ///< what makes two robots different, for reference evaluations
   std::size_t voxels_per_cell = 1;  ///< voxels of a whole cell, for costs
   bool has_elements = false;        ///< whether finite elements evaluate the bodies instead of voxels
 };
@@ -60,8 +56,7 @@ std::vector<Individual> lineage(const RunArchive& archive, std::uint64_t id);
 
 /// Makes a table with a row per finished generation: its champion, the mean fitness, and the numbers of evaluations that were
 /// made and saved. The column `champion_outside_validity` says where the champion left the range of validity of the model that
-/// evaluated it, `outside_validity` how many evaluations left it. With a reference evaluator, the champion is the best by the
-/// corrected fitness; further columns have its score by the surrogate and, if there is one, by the reference evaluator.
+/// evaluated it, `outside_validity` how many evaluations left it.
 io::CsvTable generations_table(const RunView& run);
 
 /// Makes a table with a row per ancestor of an individual, the eldest first. The individual itself comes last.

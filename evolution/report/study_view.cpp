@@ -36,7 +36,6 @@ RunView view_of(const RunArchive& archive, const Study& study) {
           .physics = evaluator_of(study)->physics(),
           .screening_physics = study.search.screening ? screening_evaluator_of(study)->physics() : "",
           .half_step_physics = half_step_evaluator_of(study)->physics(),
-          .distinction = distinction_of(study),
           .voxels_per_cell = voxels_in_cell(study),
           .has_elements = uses_elements(study)};
 }

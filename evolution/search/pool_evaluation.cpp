@@ -9,18 +9,14 @@
 
 namespace menger::evolution {
 
-namespace {}  // namespace
-
 PoolEvaluation::PoolEvaluation(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
-                               const SearchOptions& options, int generation, std::size_t* commits,
-                               const CorrectedFitness* correction)
+                               const SearchOptions& options, int generation, std::size_t* commits)
     : plan_(&plan),
       archive_(&archive),
       options_(&options),
       physics_hash_(io::content_hash(evaluator.physics())),
       generation_(generation),
       commits_(commits),
-      correction_(correction),
       workers_(evaluator, options.threads) {}
 
 void PoolEvaluation::add_survivor(const PoolMember& survivor) {
@@ -67,10 +63,6 @@ void PoolEvaluation::learn(Entry& entry, int level, const Evaluation& result) {
   if (next_level(entry)) return;
   member.knowledge = Knowledge::evaluated;
   member.fitness = std::exchange(member.fitness_bound, std::nullopt);
-  if (correction_ == nullptr) return;
-  const CorrectedScore corrected = correction_->score(entry.phenotype->body, *member.fitness);
-  member.knowledge = corrected.knowledge;
-  member.fitness = corrected.fitness;
 }
 
 io::RunStatus PoolEvaluation::evaluate(const std::vector<Request>& requests) {

@@ -10,7 +10,6 @@
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/evaluation/worker_pool.h"
-#include "evolution/search/reference_rounds.h"
 #include "evolution/search/search.h"
 
 namespace menger::evolution {
@@ -25,10 +24,9 @@ struct EvaluationCounts {
 /// Evaluates the new individuals of one generation, as far as selection needs it.
 class PoolEvaluation {
  public:
-  /// @param correction turns scores into fitness; if null, the scores are the fitness
   /// @param commits incremented with every result that is added to the archive
   PoolEvaluation(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
-                 int generation, std::size_t* commits, const CorrectedFitness* correction = nullptr);
+                 int generation, std::size_t* commits);
 
   /// Adds a survivor of the previous generation at its present age. Its fitness is known.
   void add_survivor(const PoolMember& survivor);
@@ -68,7 +66,6 @@ class PoolEvaluation {
   std::string physics_hash_;
   int generation_;
   std::size_t* commits_;
-  const CorrectedFitness* correction_;
   WorkerPool workers_;
   std::vector<Entry> entries_;
   std::map<EvaluationKey, Evaluation> results_;  ///< of this generation's requests

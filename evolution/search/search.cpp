@@ -11,11 +11,9 @@
 
 #include "evolution/genome/random_stream.h"
 #include "evolution/search/age_fitness_pareto.h"
-#include "evolution/search/archived_score.h"
 #include "evolution/search/pool_evaluation.h"
 #include "evolution/search/step_checking.h"
 #include "evolution/search/survivor.h"
-#include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 
 namespace menger::evolution {
@@ -27,17 +25,14 @@ using Clock = std::chrono::steady_clock;
 class Search {
  public:
   Search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive, const SearchOptions& options,
-         ReferenceEvaluator* reference, const DesignEvaluator* half_step, const DesignEvaluator* surrogate)
+         const DesignEvaluator* half_step, const DesignEvaluator* surrogate)
       : plan_(plan),
         evaluator_(evaluator),
         archive_(archive),
         options_(options),
-        physics_hash_(io::content_hash(evaluator.physics())),
         variation_(plan.seed, "variation"),
         selection_(plan.seed, "selection") {
-    assert(plan.reference.has_value() == (reference != nullptr));
     assert(plan.step_checks.has_value() == (half_step != nullptr));
-    if (reference != nullptr) reference_.emplace(plan, *reference, archive);
     assert(plan.screening.has_value() == (surrogate != nullptr));
     if (half_step != nullptr) checking_.emplace(plan, *half_step, archive);
     if (surrogate != nullptr) screening_.emplace(plan, *surrogate, evaluator.physics(), archive);
@@ -77,7 +72,6 @@ class Search {
 
   io::RunStatus do_generation() {
     const auto start = Clock::now();
-    if (reference_ && !evaluate_survivors()) return io::RunStatus::stopped;
     const std::vector<Individual> born = next_generation_ == 0 ? first_generation() : children_and_newcomers();
     ScreeningRound screened;
     if (screening_) {
@@ -86,8 +80,7 @@ class Search {
       screened = std::move(*round);
       if (options_.screened) options_.screened(screened);
     }
-    PoolEvaluation pool(plan_, evaluator_, archive_, options_, next_generation_, &commits_,
-                        reference_ ? &reference_->fitness() : nullptr);
+    PoolEvaluation pool(plan_, evaluator_, archive_, options_, next_generation_, &commits_);
     for (const Survivor& survivor : survivors_) pool.add_survivor(survivor.member);
     for (const Individual& individual : born) {
       const auto found = std::ranges::find(screened.individuals, individual.id, &ScreenedIndividual::id);
@@ -112,28 +105,6 @@ class Search {
       all.push_back(&individual);
     }
     return all;
-  }
-
-  /// Makes a round of reference evaluations if one is due, and scores the survivors again. @return false if it was stopped
-  bool evaluate_survivors() {
-    for (Survivor& survivor : survivors_) {
-      const std::string design = simulated_design(plan_, survivor.individual.phenotype);
-      survivor.surrogate = archived_score(plan_, archive_, design, physics_hash_);
-    }
-    if (reference_->is_due(next_generation_)) {
-      const auto round = reference_->evaluate(next_generation_, survivors_, options_.stop);
-      if (!round) return false;
-      if (options_.round_done) options_.round_done(*round, reference_->fitness().discrepancy());
-      if (round->is_made && options_.after_commit) options_.after_commit(++commits_);
-    }
-    for (Survivor& survivor : survivors_) {
-      PoolMember& member = survivor.member;
-      if (!survivor.surrogate || (member.knowledge != Knowledge::evaluated && member.knowledge != Knowledge::failed)) continue;
-      const CorrectedScore corrected = reference_->fitness().score(survivor.individual.phenotype.body, *survivor.surrogate);
-      member.knowledge = corrected.knowledge;
-      member.fitness = corrected.fitness;
-    }
-    return true;
   }
 
   std::vector<Individual> first_generation() {
@@ -219,10 +190,8 @@ class Search {
   const DesignEvaluator& evaluator_;
   RunArchive& archive_;
   const SearchOptions& options_;
-  std::optional<ReferenceRounds> reference_;
   std::optional<StepChecking> checking_;
   std::optional<Screening> screening_;
-  std::string physics_hash_;
   RandomStream variation_;
   RandomStream selection_;
   std::vector<Survivor> survivors_;  ///< by rank
@@ -235,9 +204,8 @@ class Search {
 }  // namespace
 
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
-                         const SearchOptions& options, ReferenceEvaluator* reference, const DesignEvaluator* half_step,
-                         const DesignEvaluator* surrogate) {
-  return Search(plan, evaluator, archive, options, reference, half_step, surrogate).run();
+                         const SearchOptions& options, const DesignEvaluator* half_step, const DesignEvaluator* surrogate) {
+  return Search(plan, evaluator, archive, options, half_step, surrogate).run();
 }
 
 }  // namespace menger::evolution

@@ -6,8 +6,6 @@
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/evaluation/evaluator.h"
-#include "evolution/evaluation/reference_evaluator.h"
-#include "evolution/search/reference_rounds.h"
 #include "evolution/search/screening.h"
 #include "evolution/search/search_plan.h"
 #include "io/text/run_status.h"
@@ -28,8 +26,6 @@ struct SearchOptions {
   std::function<void(const GenerationRecord&)> generation_done;
   std::function<void(const SearchProgress&)> progress;
 
-  /// Called after every round of reference evaluations, with the correction learnt so far.
-  std::function<void(const ReferenceRound&, const Discrepancy&)> round_done{};
   /// Called after every screening of new individuals.
   std::function<void(const ScreeningRound&)> screened{};
   std::function<void(std::size_t count)> after_commit;  ///< called when the archive has grown for the count-th time, from 1
@@ -46,13 +42,6 @@ struct SearchOptions {
 /// Decisions use results only between batches of evaluations, and never the order of results within a batch. The content of the
 /// archive therefore does not depend on the number of threads, nor on where the search was interrupted.
 ///
-/// With plan.reference, a generation that is due begins with a round of reference evaluations (ReferenceRounds). It evaluates the
-/// best distinct survivors of the previous generation by a more expensive model. All survivors are then scored again by
-/// CorrectedFitness, and the scores of new individuals get the same correction. Once the budget is spent, the search continues
-/// with the last correction. The archive keeps the corrected fitness of every pool member, and the evaluator's results unchanged.
-/// Pruning needs no change: reference evaluations require a search at a single level, so that a score is either unknown and
-/// without a bound, or final and corrected at once. outlook() never gets a bound that a correction could raise.
-///
 /// With plan.screening, new individuals are first evaluated by a surrogate (Screening). Those that it ranks low, and that are not
 /// drawn, have no fitness. Only results of the evaluator decide survival.
 ///
@@ -60,13 +49,12 @@ struct SearchOptions {
 /// generation is finished (StepChecking). The outcome changes nothing else.
 ///
 /// @param archive of this plan and evaluator
-/// @param reference given exactly if there is a plan.reference, whose protocol is that of this reference evaluator
 /// @param half_step given exactly if there is a plan.step_checks: the evaluator with half its time step
 /// @param surrogate given exactly if there is a plan.screening
 /// @return completed, or stopped
 /// @throws io::InputError if the constraints of the plan cannot be met or the archive cannot be written
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
-                         const SearchOptions& options, ReferenceEvaluator* reference = nullptr,
-                         const DesignEvaluator* half_step = nullptr, const DesignEvaluator* surrogate = nullptr);
+                         const SearchOptions& options, const DesignEvaluator* half_step = nullptr,
+                         const DesignEvaluator* surrogate = nullptr);
 
 }  // namespace menger::evolution

@@ -26,21 +26,6 @@ enum class DuplicatePolicy {
 };
 std::string_view to_string(DuplicatePolicy policy);  ///< "archived-result" or "culled"
 
-/// How a reference evaluator takes part in a search. Costs are counted in steps: an element-step is one finite element for one
-/// time step, a voxel-step is one voxel for one time step.
-struct ReferencePlan {
-  int every = 10;                             ///< generations between two rounds, >= 1; the first is before generation `every`
-  std::size_t designs = 2;                    ///< robots that each round evaluates, >= 1
-  double budget_element_steps = 0.0;          ///< element-steps that all rounds together may take, >= 0
-  double voxel_steps_per_element_step = 2.6;  ///< cost of an element-step in voxel-steps, > 0; makes both costs comparable
-
-  /// Hash of ReferenceEvaluator::protocol, that is of everything that decides a reference evaluation besides the body. It
-  /// identifies the reference evaluator in the archive.
-  std::string protocol;
-
-  bool operator==(const ReferencePlan&) const = default;
-};
-
 /// How a search is screened by a cheaper surrogate: which new individuals the evaluator evaluates.
 struct ScreeningPlan {
   double least_share = 0.2;   ///< share of new individuals that passes if both models rank alike, in (0, 1]
@@ -79,9 +64,6 @@ struct SearchPlan {
   /// by a fall, and equal bodies in different layers are one body. Everything that depends on the place of a cell, such as the
   /// phase of a wave, refers to the standing body.
   bool stand = false;
-
-  /// Rounds of reference evaluations that correct the fitness during the search. None: the evaluator alone decides.
-  std::optional<ReferencePlan> reference{};
 
   /// Screening of new individuals by a surrogate. None: all are evaluated.
   std::optional<ScreeningPlan> screening{};

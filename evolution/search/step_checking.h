@@ -48,8 +48,7 @@ struct CheckedDesign {
 /// whole_step_score.
 std::optional<double> half_step_score(const SearchPlan& plan, const CheckedDesign& design);
 
-/// Returns the least score over the levels with the time step of the search, before any correction; none if a level did not
-/// complete.
+/// Returns the least score over the levels with the time step of the search; none if a level did not complete.
 std::optional<double> whole_step_score(const SearchPlan& plan, const CheckedDesign& design);
 
 /// Evaluates the elites of a search again with half the time step.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "evolution/archive/run_archive.h"
 
 namespace menger::evolution {
@@ -10,7 +8,6 @@ namespace menger::evolution {
 struct Survivor {
   Individual individual;
   PoolMember member;
-  std::optional<double> surrogate{};  ///< its score by the evaluator of the search; set before a round of reference evaluations
 };
 
 }  // namespace menger::evolution

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,10 +41,6 @@ struct Study {
   /// Loads, ground, drive and voxels. Finite elements take no values of voxels from it; see VoxelEvaluator, WalkEvaluator.
   voxel::Physics physics;
   SiliconePhysics silicone;  ///< of finite elements
-
-  /// The study of re-evaluation that says how the reference evaluator of the search evaluates. Empty in a study that was read
-  /// from its text: the text has search.reference->protocol instead.
-  std::filesystem::path reference_file{};
 
   bool operator==(const Study&) const = default;
 };

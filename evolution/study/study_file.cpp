@@ -1,6 +1,7 @@
 #include "evolution/study/study_file.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -128,29 +129,6 @@ void describe_evaluation(io::StudyVisitor& visitor, Study& study) {
   visitor.boolean({"pruning", "Whether evaluations that cannot change the survivors are skipped."}, plan.pruning);
 }
 
-void describe_reference(io::StudyVisitor& visitor, Study& study, ReferencePlan& reference) {
-  const auto describe_study = [&] {
-    visitor.path({"study", "A study of menger reevaluate: how the finite elements evaluate a robot.", "\"reference.toml\""},
-                 study.reference_file);
-  };
-  const auto describe_protocol = [&] {
-    visitor.text({"protocol", "Hash of what decides a reference evaluation; archives have it in place of the study.", "\"0\""},
-                 reference.protocol);
-  };
-  visitor.one_of({{"study", reference.protocol.empty(), [&] { reference.protocol.clear(); }, describe_study},
-                  {.key = "protocol",
-                   .is_chosen = !reference.protocol.empty(),
-                   .choose = [&] { study.reference_file.clear(); },
-                   .describe = describe_protocol,
-                   .is_for_programs = true}});
-  visitor.integer({"every", "Generations between two rounds of reference evaluation."}, reference.every, io::at_least(1));
-  visitor.integer({"designs", "Survivors that each round evaluates."}, reference.designs, io::within(1, largest_population));
-  visitor.number({"budget_element_steps", "Element-steps that all rounds together may take.", "1e9"},
-                 reference.budget_element_steps, io::non_negative());
-  visitor.number({"voxel_steps_per_element_step", "Cost of an element-step, in voxel-steps."},
-                 reference.voxel_steps_per_element_step, io::positive());
-}
-
 void describe_step_checks(io::StudyVisitor& visitor, StepCheckPlan& checks) {
   visitor.integer({"every", "Generations from one check to the next."}, checks.every, io::at_least(1));
   visitor.integer({"designs", "Best survivors that are checked each time."}, checks.designs, io::within(1, largest_population));
@@ -216,11 +194,6 @@ void describe_identity(io::StudyVisitor& visitor, Study& study) {
   const bool is_calibrated = has_parameters(visitor, study);
   visitor.table({"body", "Which bodies are valid."}, [&] { describe_body(visitor, is_calibrated, study); });
   visitor.table({"time", "Simulated time."}, [&] { describe_time(visitor, study); });
-  visitor.optional_table({"reference",
-                          "Rounds of reference evaluations: finite elements evaluate some survivors and correct the fitness of "
-                          "all. Needs a single level.",
-                          "", "judge"},
-                         plan.reference, [&](ReferencePlan& reference) { describe_reference(visitor, study, reference); });
   visitor.optional_table(
       {"check_dt",
        "Checks of the time step: the best survivors are evaluated again with half of it. The search does not change."},
@@ -235,6 +208,19 @@ void refuse_poissons_ratio(const io::TomlTable& table) {
   throw materials.error("poissons_ratio",
                         "is not a key any more. It had to be 0 (the paper states 0.5, its released files simulated 0). "
                         "Use lateral_coupling for lateral contraction");
+}
+
+/// The names that the table of corrections by finite elements had.
+constexpr std::array corrections{"reference", "judge"};
+
+/// Refuses a table of earlier versions.
+void refuse_corrections(const io::TomlTable& table) {
+  for (const char* name : corrections) {
+    if (!table.has(name)) continue;
+    throw table.error(name,
+                      "is not a table any more: finite elements do not correct the scores of voxels. Leave the table out, and "
+                      "write [evaluation] model = \"both\": then voxels screen new bodies, and finite elements decide");
+  }
 }
 
 void apply(const StudyOverrides& values, Study& study) {
@@ -258,7 +244,6 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
     if (body && body->has("levels")) return body->error("levels", levels + ": " + reason);
     return io::InputError(table.file().string() + ": body." + levels + ": " + reason);
   };
-  if (plan.reference && plan.levels().size() > 1) throw fault("a study with a table [reference] must have exactly one level");
   if (study.measure_from_s >= study.duration_s) {
     throw io::InputError(table.file().string() + ": time.measure_from_s = " + io::number_text(study.measure_from_s) +
                          ": must be less than duration_s = " + io::number_text(study.duration_s));
@@ -329,7 +314,6 @@ std::string refused_walk(const Study& study) {
 std::string unusable_elements(const Study& study) {
   const SearchPlan& plan = study.search;
   if (plan.levels() != std::vector{1}) return "body.levels: must be [1]: single modules";
-  if (plan.reference) return "[reference]: finite elements need no correction by finite elements";
   if (!plan.stand) return "evaluation.stand = false: must be true: finite elements put every body on the ground";
   if (!study.physics.floor) return "ground.present = false: must be true";
   if (std::string problem = unusable_screening(study); !problem.empty()) return problem;
@@ -410,14 +394,13 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
 Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides, std::size_t memory_bytes) {
   const io::TomlTable table = io::read_toml(file);
   refuse_poissons_ratio(table);
+  refuse_corrections(table);
   PresetStudy over_preset;
   io::read_described(table, over_preset);
   Study study = std::move(over_preset.study);
   apply(overrides, study);
   if (uses_elements(study)) state_what_the_record_has(study.silicone.silicone);
   check_whole(table, study, memory_bytes);
-  if (study.search.reference && study.reference_file.empty())
-    throw io::InputError(file.string() + ": reference.protocol: is for archives only; in a study file, give reference.study");
   const auto require_none = [&](const std::string& problem) {
     if (!problem.empty()) throw io::InputError(file.string() + ": " + problem);
   };
@@ -441,10 +424,16 @@ Study archived_study(const RunArchive& archive) {
   const io::TomlTable table = io::parse_toml(archive.study(), archive.file());
   // archives of earlier versions have this key, always 0
   (void)table.table_or_empty("materials").asks_for("poissons_ratio");
+  for (const char* name : corrections) (void)table.asks_for(name);
   Study study;
   io::read_described(table, study, io::StudyReader::EarlierNames::read);
   study.search.generations = archive.generation_goal();
   return study;
+}
+
+bool was_corrected(const RunArchive& archive) {
+  const io::TomlTable table = io::parse_toml(archive.study(), archive.file());
+  return std::ranges::any_of(corrections, [&](const char* name) { return table.has(name); });
 }
 
 std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& file) {
@@ -453,7 +442,6 @@ std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& fil
   if (const auto parameters = voxel::parameters_file(table)) files.push_back(*parameters);
   if (const auto material = table.optional_table("material"); material && material->has("silicone"))
     files.push_back(materials::silicone_file(*material, "silicone"));
-  if (const auto reference = table.optional_table("reference")) files.push_back(reference->path("study"));
   return files;
 }
 

@@ -24,8 +24,7 @@ struct StudyOverrides {
 
 /// Describes the keys of a study, without its preset. With `[surrogate]`, bodies are hollow cells with calibrated parameters, and
 /// their chambers must be able to follow the drive. On finite elements bodies are hollow, too, and a study can state silicone,
-/// walls, chambers and pressure without parameters; the texts of such a study hold the law itself. Texts identify the reference
-/// evaluator by the hash of its protocol, if that is known, and otherwise by its study.
+/// walls, chambers and pressure without parameters; the texts of such a study hold the law itself.
 void describe(io::StudyVisitor& visitor, Study& study);
 
 /// The content of a study file: a preset, and a study whose values replace those of the preset.
@@ -48,13 +47,13 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
 /// Does the same for a given amount of memory. @param memory_bytes the study is refused if one evaluation may need more
 Study read_study(const std::filesystem::path& file, const StudyOverrides& overrides, std::size_t memory_bytes);
 
-/// Returns the files that decide a study: its own, the parameters that `[surrogate]` names, the silicone that `[material]` names,
-/// and the study that `[reference]` names.
+/// Returns the files that decide a study: its own, the parameters that `[surrogate]` names, and the silicone that `[material]`
+/// names.
 /// @throws io::InputError if the study cannot be read
 std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& file);
 
 /// Returns the study as TOML with every value, exact and always in the same order. Equal text means equal studies, and reading
-/// the text gives the same study, apart from reference_file. Precondition: search.reference, if there is one, has its protocol.
+/// the text gives the same study.
 std::string resolved_text(const Study& study);
 
 /// Returns the same without the number of generations. One run can continue another exactly if these texts are equal.
@@ -64,8 +63,13 @@ std::string identity_text(const Study& study);
 /// read_study does
 Study study_from_text(std::string_view text, const std::filesystem::path& file);
 
-/// Reads the study of an archive, also of one with earlier names of keys. @throws io::InputError if this program cannot read it
+/// Reads the study of an archive, also of one with earlier names of keys, and without its table [reference], see was_corrected.
+/// @throws io::InputError if this program cannot read it
 Study archived_study(const RunArchive& archive);
+
+/// Returns whether finite elements corrected the scores of the search of an archive. Its fitness is the corrected one. Earlier
+/// versions had such searches: a table [reference] or [judge].
+bool was_corrected(const RunArchive& archive);
 
 /// Returns why the last periods of a study cannot be measured in its time, or an empty text.
 std::string unmeasurable_periods(const Study& study);

@@ -28,11 +28,9 @@ class KilledSearch : public testing::TestWithParam<int> {
     expected_ = archive_content(folder_ / "whole.sqlite");
   }
 
-  [[nodiscard]] Outcome run(const std::string& archive, std::size_t fatal_commit, std::size_t fatal_evaluation,
-                            const std::string& reference = "none") const {
+  [[nodiscard]] Outcome run(const std::string& archive, std::size_t fatal_commit, std::size_t fatal_evaluation) const {
     const auto text = [](auto number) { return std::to_string(number); };
-    return ProgramRun(folder_, MENGER_SEARCH_CHILD,
-                      {archive, text(GetParam()), text(fatal_commit), text(fatal_evaluation), reference})
+    return ProgramRun(folder_, MENGER_SEARCH_CHILD, {archive, text(GetParam()), text(fatal_commit), text(fatal_evaluation)})
         .wait();
   }
 
@@ -85,32 +83,6 @@ TEST_P(KilledSearch, SurvivesBeingKilledAgainAndAgain) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(kills, static_cast<int>(commits_ / 3));
   EXPECT_EQ(archive_content(folder_ / "again.sqlite"), expected_);
-}
-
-TEST_P(KilledSearch, WithAReferenceGoesOnToTheSameArchiveAfterEveryCommitAndOutOfEveryRound) {
-  const Outcome whole = run("evaluated.sqlite", 0, 0, "0");
-  ASSERT_EQ(whole.code, 0) << whole.err;
-  const std::string expected = archive_content(folder_ / "evaluated.sqlite");
-  const std::size_t commits = std::stoul(whole.out);
-  const auto expect_resumed = [&](const std::string& archive, std::size_t done) {
-    const Outcome resumed = run(archive, 0, 0, "0");
-    ASSERT_EQ(resumed.code, 0) << resumed.err;
-    EXPECT_EQ(std::stoul(resumed.out), commits - done) << archive;
-    EXPECT_EQ(archive_content(folder_ / archive), expected) << archive;
-  };
-  // One of these commits is that of a round; the generation of that round still has to be made.
-  for (std::size_t commit = 1; commit < commits; ++commit) {
-    const std::string archive = "evaluated_after_" + std::to_string(commit) + ".sqlite";
-    ASSERT_EQ(run(archive, commit, 0, "0").signal, SIGKILL);
-    expect_resumed(archive, commit);
-  }
-  for (const std::string round : {"1", "2"}) {
-    const std::string archive = "evaluated_in_round_" + round + ".sqlite";
-    ASSERT_EQ(run(archive, 0, 0, round).signal, SIGKILL);
-    const Outcome resumed = run(archive, 0, 0, "0");
-    ASSERT_EQ(resumed.code, 0) << resumed.err;
-    EXPECT_EQ(archive_content(folder_ / archive), expected) << archive;
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, KilledSearch, testing::Values(1, 2, 8));

@@ -228,7 +228,7 @@ class Tree(unittest.TestCase):
     def test_run_lists_them_and_refuses_others(self):
         listed = subprocess.run([str(SOURCES / "run"), "paper"], capture_output=True, text=True, check=False)
         self.assertEqual(listed.returncode, 0)
-        self.assertIn("closing_the_loop", listed.stdout)
+        self.assertIn("walkers", listed.stdout)
         refused = subprocess.run([str(SOURCES / "run"), "paper", "no_such"], capture_output=True, text=True, check=False)
         self.assertEqual(refused.returncode, 2)
         self.assertIn("there is no experiment paper/no_such", refused.stderr)

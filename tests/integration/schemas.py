@@ -23,8 +23,8 @@ import wrong_studies
 
 # Which program reads which studies. Every .toml below these folders is named here or in OTHERS.
 STUDIES = {
-    "evolve": ["paper/demo/study.toml", "paper/fractal/*.toml", "paper/known_walks/search.toml", "paper/non_fractal/*.toml",
-               "paper/phase_wave/*.toml", "paper/silicone/closing_the_loop.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
+    "evolve": ["paper/demo/study.toml", "paper/demo/silicone.toml", "paper/fractal/*.toml", "paper/known_walks/search.toml", "paper/non_fractal/*.toml",
+               "paper/phase_wave/*.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
                "paper/trade_off/evolve.toml", "paper/walkers/screened.toml",
                "paper/walkers/study.toml"],
     "simulate": ["voxel/scenes/*.toml"],
@@ -37,8 +37,8 @@ STUDIES = {
     "load-cases": ["fem/studies/load_cases/*.toml", "paper/silicone/check.toml"],
     "calibrate": ["voxel/studies/dragon_skin_*.toml"],
     "validate": ["voxel/studies/held_out.toml", "paper/silicone/check_validation.toml"],
-    "reevaluate": ["paper/known_walks/screening.toml", "paper/silicone/reevaluation*.toml",
-                   "paper/silicone/closing_the_loop_reference.toml", "paper/walkers/standard.toml", "paper/walkers/fine.toml"],
+    "reevaluate": ["paper/demo/reevaluation.toml", "paper/known_walks/screening.toml", "paper/silicone/reevaluation*.toml",
+                   "paper/walkers/standard.toml", "paper/walkers/fine.toml"],
     "tradeoff": ["paper/trade_off/study.toml", "paper/trade_off/search.toml"],
 }
 # Designs, the presets of evolve, and what programs wrote.

@@ -1,7 +1,6 @@
-// Runs a search with the fake evaluator in a process that can kill itself: search_child archive threads commit evaluation
-// reference evaluation. It kills itself after the commit of that number, in the evaluation of that number, or in the round of
-// reference evaluation of that number; 0: never. "none" as the last argument: a search without a reference evaluator. It prints
-// how often the archive has grown.
+// Runs a search with the fake evaluator in a process that can kill itself: search_child archive threads commit evaluation.
+// It kills itself after the commit of that number, or in the evaluation of that number; 0: never. It prints how often the archive
+// has grown.
 #include <csignal>
 #include <iostream>
 #include <string>
@@ -9,13 +8,11 @@
 #include "evolution/archive/run_archive.h"
 #include "evolution/search/search.h"
 #include "tests/support/fake_evaluator.h"
-#include "tests/support/fake_reference_evaluator.h"
 
 namespace {
 
 using namespace menger::evolution;
 using menger::test_support::FakeEvaluator;
-using menger::test_support::FakeReferenceEvaluator;
 
 SearchPlan small_plan() {
   SearchPlan plan;
@@ -27,18 +24,10 @@ SearchPlan small_plan() {
   return plan;
 }
 
-SearchPlan reference_plan() {
-  SearchPlan plan = small_plan();
-  plan.stand = true;
-  plan.offspring.constraints.levels = {1};
-  plan.reference = ReferencePlan{.every = 2, .designs = 2, .budget_element_steps = 1e9, .protocol = "fake"};
-  return plan;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 6) return 2;
+  if (argc != 5) return 2;
   const int threads = std::stoi(argv[2]);
   const std::size_t fatal_commit = std::stoul(argv[3]);
   const std::uint64_t fatal_evaluation = std::stoul(argv[4]);
@@ -47,13 +36,7 @@ int main(int argc, char** argv) {
     if (call == fatal_evaluation) raise(SIGKILL);
   };
   const FakeEvaluator evaluator(fake);
-  const std::string fatal_round = argv[5];
-  const bool is_evaluated = fatal_round != "none";
-  FakeReferenceEvaluator reference(
-      {.failing = 0.2, .crashing = 0.1, .fewest_cells = 0, .time_factor = 1.0, .before_results = [=](std::uint64_t call) {
-         if (call == std::stoul(fatal_round)) raise(SIGKILL);
-       }});
-  const SearchPlan plan = is_evaluated ? reference_plan() : small_plan();
+  const SearchPlan plan = small_plan();
   RunArchive archive = RunArchive::open(argv[1], "a small study", plan.generations);
   std::size_t commits = 0;
   SearchOptions options;
@@ -62,7 +45,7 @@ int main(int argc, char** argv) {
     commits = count;
     if (count == fatal_commit) raise(SIGKILL);
   };
-  const auto status = run_search(plan, evaluator, archive, options, is_evaluated ? &reference : nullptr);
+  const auto status = run_search(plan, evaluator, archive, options);
   std::cout << commits << "\n";
   return status == menger::io::RunStatus::completed ? 0 : 1;
 }

@@ -11,7 +11,6 @@
 #include "evolution/search/search.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/fake_evaluator.h"
-#include "tests/support/fake_reference_evaluator.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::tests {
@@ -34,11 +33,10 @@ class SearchFixture : public testing::Test {
     return evolution::RunArchive::open(file(name), "a study", 1);
   }
 
-  /// Runs a search, with the reference evaluator and with half the step if the plan asks for them.
+  /// Runs a search, with half the step if the plan asks for it.
   io::RunStatus search(const std::string& name, const evolution::SearchPlan& plan, const evolution::SearchOptions& options = {}) {
     evolution::RunArchive archive = open(name);
-    return run_search(plan, evaluator_, archive, options, plan.reference ? &reference_ : nullptr,
-                      plan.step_checks ? &half_ : nullptr);
+    return run_search(plan, evaluator_, archive, options, plan.step_checks ? &half_ : nullptr);
   }
 
   /// Runs a search, which must complete, and opens its archive.
@@ -67,11 +65,9 @@ class SearchFixture : public testing::Test {
     std::size_t stride = 1;
     std::size_t spared = 0;  ///< number of commits at the end after which there is nothing left to stop
     int threads = 1;
-    std::uint64_t rounds = 0;  ///< largest number of rounds of reference evaluation that a resumed search may need
   };
 
-  /// Expects that a search that was stopped and resumed gives the archive of one that was not, and repeats few reference
-  /// evaluations.
+  /// Expects that a search that was stopped and resumed gives the archive of one that was not.
   void expect_the_same_after_stops(const evolution::SearchPlan& plan, const Stops& stops) {
     std::size_t commits = 0;
     evolution::SearchOptions counting;
@@ -87,10 +83,8 @@ class SearchFixture : public testing::Test {
       options.stop = &stop;
       options.after_commit = [&](std::size_t count) { stop = count >= last; };
       ASSERT_EQ(search(name, plan, options), io::RunStatus::stopped) << last;
-      const std::uint64_t rounds_before = reference_.calls();
       ASSERT_EQ(search(name, plan), io::RunStatus::completed);
       EXPECT_EQ(test_support::archive_content(file(name)), expected) << "stopped after commit " << last;
-      EXPECT_LE(reference_.calls() - rounds_before, stops.rounds);
     }
   }
 
@@ -99,7 +93,6 @@ class SearchFixture : public testing::Test {
 
   /// The evaluator for "half the step": displacements are tenths of body lengths, and more robots diverge.
   test_support::FakeEvaluator half_{{.failing = 0.3, .coarse = true, .cell_edge_m = 0.01, .before_result = {}}};
-  test_support::FakeReferenceEvaluator reference_;
 };
 
 }  // namespace menger::tests

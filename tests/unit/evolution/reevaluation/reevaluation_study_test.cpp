@@ -419,6 +419,30 @@ TEST_F(OnElements, OnTheElementsOfTheSearchAWalkIsThatOfTheSearch) {
   EXPECT_EQ(surrogate_walk(study, body, false, nullptr).result.displacement_m, expected.displacement_m);
 }
 
+TEST_F(OnElements, CanBeComparedWithVoxelsIfTheSearchHasParameters) {
+  const Study with_parameters = tests::read_walking_study(
+      folder_ / "search.toml",
+      "preset = \"paper\"\n[evaluation]\nmodel = \"finite_elements\"\nstand = true\n[body]\nlevels = [1]\ncastable = true\n"
+      "[time]\nduration_s = 0.02\n[surrogate]\nparameters = \"" MENGER_SOURCE_DIR
+      "/voxel/parameters/dragon_skin_10_1cm.toml\"\noutside_range = \"warn\"\n"
+      "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 6000]\nfrequency_Hz = 3\n");
+  const ReevaluationStudy study = read("compare_with = \"voxels\"\n", with_parameters);
+  EXPECT_FALSE(study.compares_elements());
+  EXPECT_TRUE(read("", with_parameters).compares_elements());
+  const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 3, bar);
+  const std::atomic<bool> never{false};
+  const Evaluation voxels =
+      VoxelEvaluator(study.search.physics, study.search.search.cell_edge_m, study.duration_s).evaluate(body, 1, never);
+  const SurrogateWalk walk = surrogate_walk(study, body, true, nullptr);
+  ASSERT_TRUE(voxels.displacement_m) << voxels.reason;
+  EXPECT_EQ(walk.result.displacement_m, voxels.displacement_m);
+  EXPECT_FALSE(walk.frames.empty()) << "to be shown beside the elements";
+  EXPECT_EQ(obstacle_to_reference(study, body), "");
+  const std::string refused = refusal("compare_with = \"voxels\"\n", search());
+  EXPECT_NE(refused.find("compare_with"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("no parameters of voxels"), std::string::npos) << refused;
+}
+
 TEST_F(OnElements, NamesWhatStandsAgainstABody) {
   const ReevaluationStudy study = read("", search());
   EXPECT_EQ(obstacle_to_reference(study, meshes::Polycube::from_digits(3, 3, 3, bar)), "");

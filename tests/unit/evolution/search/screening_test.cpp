@@ -109,7 +109,7 @@ class ScreenedSearch : public tests::SearchFixture {
 
   io::RunStatus run(const std::string& name, const SearchPlan& plan, const SearchOptions& options = {}) {
     RunArchive archive = open(name);
-    return run_search(plan, evaluator_, archive, options, nullptr, nullptr, &surrogate_);
+    return run_search(plan, evaluator_, archive, options, nullptr, &surrogate_);
   }
 
   /// Displacements are tenths of body lengths; that keeps most of their order.

@@ -126,7 +126,7 @@ TEST_F(SiliconeStudy, RefusesWhatFiniteElementsCannotDo) {
   expect_refused(walking_study_text("", "amplitude = 0.125\n"), "drive.amplitude = 0.125: belongs to bodies that move as voxels");
   expect_refused(walking_study_text("", "", "[elements]\nfidelity = \"coarse\"\n"), "elements.fidelity");
   expect_refused(walking_study_text("", "", "[elements]\nelements_through_wall = 2\n"), "kind = \"three_field\"");
-  expect_refused(walking_study_text("", "", "[reference]\nstudy = \"a.toml\"\nbudget_element_steps = 1\n"), "[reference]");
+  expect_refused(walking_study_text("", "", "[reference]\nstudy = \"a.toml\"\n"), "[evaluation] model = \"both\"");
   expect_refused(walking_study_text("measure = \"last_periods\"\n"),
                  "evaluation.measure_periods = 5: time.duration_s = 0.05 must hold");
   expect_refused(walking_study_text("measure = \"last_periods\"\nmeasure_periods = 4\n"), "measure_periods = 4: must be >= 5");

@@ -18,6 +18,7 @@
 #include "io/text/whole_file.h"
 #include "tests/support/described_study.h"
 #include "tests/support/earlier_archive.h"
+#include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::evolution {
@@ -274,9 +275,6 @@ TEST_F(StudyFile, ItsTemplateHasTheValuesOfWhicheverPresetItNames) {
   EXPECT_EQ(read(with_preset("released-code", stated)), read("preset = \"paper\"\n"));
 }
 
-const std::string reference_study =
-    "preset = \"paper\"\n[body]\nlevels = [1]\n[reference]\nstudy = \"finite/elements.toml\"\nbudget_element_steps = 4e9\n";
-
 TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentity) {
   const std::string head = "preset = \"paper\"\n";
   const Study study = read(head + "[evaluation]\nstand = true\n[time]\nmeasure_from_s = 0.5\n");
@@ -300,38 +298,30 @@ TEST_F(StudyFile, RefusesAWindowThatIsNoPartOfTheEvaluation) {
   expect_refused(head + "measure_from_s = 0.5\n", {"measure_from_s = 0.5", "less than duration_s = 0.25"}, overrides);
 }
 
-TEST_F(StudyFile, AReferenceIsNamedByItsStudyAndArchivedByItsProtocol) {
-  Study study = read(reference_study + "every = 4\ndesigns = 3\n");
-  ASSERT_TRUE(study.search.reference);
-  EXPECT_EQ(study.search.reference->every, 4);
-  EXPECT_EQ(study.search.reference->designs, 3U);
-  EXPECT_EQ(study.search.reference->budget_element_steps, 4e9);
-  EXPECT_EQ(study.search.reference->voxel_steps_per_element_step, 2.6);
-  EXPECT_EQ(study.reference_file, folder_ / "finite/elements.toml") << "counts from the study's folder";
-  EXPECT_EQ(study_inputs(folder_ / "study.toml").back(), study.reference_file);
-  study.search.reference->protocol = "0123";
-  const Study archived = study_from_text(resolved_text(study), "archive");
-  EXPECT_EQ(archived.search, study.search);
-  EXPECT_TRUE(archived.reference_file.empty());
-  Study other = study;
-  other.search.reference->protocol = "4567";
-  EXPECT_NE(identity_text(other), identity_text(study));
+TEST_F(StudyFile, RefusesTheTableOfCorrectionsAndSaysWhatToWriteInstead) {
+  for (const std::string name : {"reference", "judge"}) {
+    const std::string text = "preset = \"paper\"\n[body]\nlevels = [1]\n[" + name + "]\nstudy = \"a.toml\"\n";
+    expect_refused(text, {"study.toml:4", name, "is not a table any more", "[evaluation] model = \"both\""});
+  }
 }
 
-TEST_F(StudyFile, RefusesAReferenceThatCannotWork) {
-  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[reference]\nstudy = \"a.toml\"\n",
-                 {"reference.budget_element_steps"});
-  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[reference]\nbudget_element_steps = 1\n", {"reference.study"});
-  expect_refused(reference_study + "protocol = \"0123\"\n", {"reference.protocol", "study is also given"});
-  expect_refused("preset = \"paper\"\n[body]\nlevels = [1]\n[reference]\nprotocol = \"0123\"\nbudget_element_steps = 1\n",
-                 {"reference.protocol", "for archives only"});
-  expect_refused(reference_study + "every = 0\n", {"reference.every = 0"});
-  expect_refused(reference_study + "designs = 0\n", {"reference.designs = 0"});
-  expect_refused(reference_study + "robots = 3\n", {"reference.robots", "unknown key"});
-  expect_refused(reference_study + "voxel_steps_per_element_step = 0\n", {"reference.voxel_steps_per_element_step = 0"});
-  StudyOverrides overrides;
-  overrides.levels = std::vector{1, 2};
-  expect_refused(reference_study, {"levels", "[reference]", "exactly one"}, overrides);
+TEST_F(StudyFile, ArchivesOfCorrectedSearchesAreReadAndNotContinued) {
+  const Study study = read("preset = \"paper\"\n[body]\nlevels = [1]\n");
+  const std::string corrected =
+      identity_text(study) + "[reference]\nprotocol = \"0\"\nevery = 10\ndesigns = 2\nbudget_element_steps = 1\n";
+  const fs::path file = folder_ / "corrected.sqlite";
+  { const RunArchive made = RunArchive::open(file, corrected, study.search.generations); }
+  const RunArchive archive = RunArchive::open_to_read(file);
+  EXPECT_TRUE(was_corrected(archive));
+  EXPECT_EQ(archived_study(archive), study);
+  for (const std::string& text : {corrected, identity_text(study)}) {
+    const std::string message = tests::message_of([&] { (void)RunArchive::open(file, text, study.search.generations); });
+    for (const char* words : {"corrected.sqlite", "[reference]", "no search can be resumed from it", "choose another archive"})
+      EXPECT_NE(message.find(words), std::string::npos) << message;
+  }
+  const fs::path plain = folder_ / "plain.sqlite";
+  { const RunArchive made = RunArchive::open(plain, identity_text(study), study.search.generations); }
+  EXPECT_FALSE(was_corrected(RunArchive::open_to_read(plain)));
 }
 
 TEST_F(StudyFile, RefusesALevelThatWouldNotFitTheMemory) {
