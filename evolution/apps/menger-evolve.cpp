@@ -10,12 +10,14 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/report/generation_summary.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
 #include "evolution/search/search.h"
+#include "evolution/study/scenarios.h"
 #include "evolution/study/study_file.h"
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
@@ -162,6 +164,17 @@ void require_memory(const Study& study, int threads) {
                        std::to_string(study.search.levels().back()) + " may need more memory than this machine has");
 }
 
+/// Names the scenarios of a study in its archive, which they decide.
+void set_scenarios(RunArchive& archive, const Study& study, const DesignEvaluator& evaluator) {
+  if (!study.robust) return;
+  const std::vector<Scenario> scenarios = scenarios_of(study);
+  const std::vector<std::string> physics = evaluator.scenarios();
+  std::vector<ArchivedScenario> archived;
+  for (std::size_t n = 0; n < scenarios.size(); ++n)
+    archived.push_back({io::content_hash(physics.at(n)), scenario_text(scenarios[n])});
+  archive.set_scenarios(archived);
+}
+
 int evolve(const Arguments& arguments) {
   Study study = read_study(arguments.study, arguments.overrides);
   require_memory(study, arguments.threads);
@@ -173,6 +186,7 @@ int evolve(const Arguments& arguments) {
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
   if (const fs::path& silicone = study.silicone.silicone.law.file; !silicone.empty()) io::note_input(manifest.inputs, silicone);
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
+  set_scenarios(archive, study, *evaluator);
   const RunView run = view_of(archive, study);
 
   for (const std::string& note : study_notes(study)) std::cout << "note: " << note << "\n";

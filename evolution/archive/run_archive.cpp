@@ -651,6 +651,31 @@ void RunArchive::add_reevaluations(std::span<const Reevaluation> reevaluations) 
   database_->fold_log();
 }
 
+void RunArchive::set_scenarios(std::span<const ArchivedScenario> scenarios) {
+  database_->write([&](SQLite::Database& connection) {
+    add_scenario_table(connection);
+    connection.exec("DELETE FROM scenario");
+    SQLite::Statement row(connection, "INSERT INTO scenario VALUES (:number, :physics_hash, :text)");
+    for (std::size_t n = 0; n < scenarios.size(); ++n) {
+      row.reset();
+      row.bind(":number", static_cast<std::int64_t>(n));
+      row.bind(":physics_hash", scenarios[n].physics_hash);
+      row.bind(":text", scenarios[n].text);
+      row.exec();
+    }
+  });
+}
+
+std::vector<ArchivedScenario> RunArchive::scenarios() const {
+  return database_->read([](const SQLite::Database& connection) {
+    std::vector<ArchivedScenario> all;
+    if (!connection.tableExists("scenario")) return all;
+    SQLite::Statement row(connection, "SELECT physics_hash, text FROM scenario ORDER BY number");
+    while (row.executeStep()) all.push_back({row.getColumn("physics_hash").getString(), row.getColumn("text").getString()});
+    return all;
+  });
+}
+
 std::optional<ArchivedEvaluation> RunArchive::step_check(const EvaluationKey& key) const {
   return database_->read([&](const SQLite::Database& connection) -> std::optional<ArchivedEvaluation> {
     if (!connection.tableExists("step_check")) return std::nullopt;

@@ -93,6 +93,14 @@ struct ScreenedIndividual {
   bool operator==(const ScreenedIndividual&) const = default;
 };
 
+/// One of the scenarios in which robots are evaluated.
+struct ArchivedScenario {
+  std::string physics_hash;  ///< of its evaluations, see EvaluationKey
+  std::string text;          ///< what is special about it, as TOML
+
+  bool operator==(const ArchivedScenario&) const = default;
+};
+
 /// A finished generation.
 struct GenerationRecord {
   int number = 0;
@@ -109,8 +117,8 @@ struct GenerationRecord {
 /// The archive of one search: an SQLite database with everything that is needed to continue the search, to show its history and
 /// to evaluate its designs again.
 ///
-/// Displacements that do not count (Evaluation::left_out_m), displacements in every period, finite elements of bodies and
-/// checks of the time step have tables of their own. Only the archives of searches with such data have these
+/// Displacements that do not count (Evaluation::left_out_m), displacements in every period, finite elements of bodies,
+/// scenarios and checks of the time step have tables of their own. Only the archives of searches with such data have these
 /// tables.
 ///
 /// Every change is one transaction. Once the call returns, it survives the end of the process (write-ahead log). Rows have
@@ -121,8 +129,8 @@ class RunArchive {
   /// The version of the tables and of the keys of studies. The studies of archives of earlier versions have earlier names of
   /// keys, or lack keys: such an archive can be read, and re-evaluations can be added to it, but no search continues with it.
   /// Version 2 had no re-evaluations; the first one turns it into version 3. Version 5 had no model of evaluation, and no
-  /// displacements by period.
-  static constexpr int schema_version = 6;
+  /// displacements by period. Version 6 had no scenarios.
+  static constexpr int schema_version = 7;
 
   /// Opens the archive of a study for writing. Makes it if there is none.
   /// @param study identity_text of the study
@@ -182,6 +190,12 @@ class RunArchive {
 
   /// Adds a result. Precondition: there is no result with this key, and the status is not `stopped`.
   void add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation);
+
+  /// Sets the scenarios of the search, in their order. Each result belongs to one of them by its physics.
+  void set_scenarios(std::span<const ArchivedScenario> scenarios);
+
+  /// Returns the scenarios of the search, in their order; none if it has only one.
+  [[nodiscard]] std::vector<ArchivedScenario> scenarios() const;
 
   /// Adds a finished generation. Precondition: the archive has the previous generation but not this one.
   /// @param screened those of the new individuals that a surrogate screened

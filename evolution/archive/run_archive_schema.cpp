@@ -200,6 +200,16 @@ CREATE TABLE IF NOT EXISTS screening (
 )sql");
 }
 
+void add_scenario_table(SQLite::Database& connection) {
+  connection.exec(R"sql(
+CREATE TABLE IF NOT EXISTS scenario (
+  number INTEGER PRIMARY KEY,
+  physics_hash TEXT NOT NULL,
+  text TEXT NOT NULL
+);
+)sql");
+}
+
 void add_step_check_table(SQLite::Database& connection) {
   connection.exec(std::string("CREATE TABLE IF NOT EXISTS step_check ") + evaluation_columns);
 }

@@ -32,6 +32,9 @@ void add_walk_tables(SQLite::Database& connection);
 /// Makes the table of individuals that a surrogate screened, if it is missing. Only some searches need it.
 void add_screening_table(SQLite::Database& connection);
 
+/// Makes the table of scenarios, if it is missing. Only some searches need it.
+void add_scenario_table(SQLite::Database& connection);
+
 /// Makes the table of evaluations with half the time step, with the columns of `evaluation`, if it is missing. Only some searches
 /// need it.
 void add_step_check_table(SQLite::Database& connection);

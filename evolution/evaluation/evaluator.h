@@ -44,10 +44,11 @@ struct Evaluation {
   double seconds = 0.0;        ///< wall time; bodies evaluated together have equal shares of it; never compared
 };
 
-/// One evaluation to make: a body and its level.
+/// One evaluation to make: a body, its level and its scenario.
 struct EvaluationTask {
   meshes::Polycube body;  ///< the whole aggregate
   int level = 1;
+  std::size_t scenario = 0;  ///< position among DesignEvaluator::scenarios()
 };
 
 /// Returns how many threads a worker may use now, >= 1: its own thread, and its share of the threads of workers that have run out
@@ -81,6 +82,9 @@ class DesignEvaluator {
 
   /// Returns everything that decides a result besides the body and the level, as canonical text. Equal text means equal results.
   [[nodiscard]] virtual std::string physics() const = 0;
+
+  /// Returns physics() of each scenario in which bodies are evaluated; in this implementation there is one.
+  [[nodiscard]] virtual std::vector<std::string> scenarios() const { return {physics()}; }
 
   /// Returns the expected cost of one evaluation, in an arbitrary but consistent unit. It serves scheduling only.
   [[nodiscard]] virtual double cost(const meshes::Polycube& body, int level) const = 0;

@@ -2,6 +2,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "io/text/content_hash.h"
 
@@ -29,14 +30,14 @@ std::uint64_t screening_voxel_steps(const RunView& run, int generation) {
 
 GenerationCost generation_cost(const RunView& run, int generation) {
   GenerationCost cost;
-  const std::string physics_hash = io::content_hash(run.physics);
+  const std::vector<std::string> hashes = run.physics_hashes();
   std::set<EvaluationKey> counted;
   for (const PoolMember& member : run.archive->pool(generation)) {
     const Individual individual = run.archive->individual(member.id);
     if (individual.generation != generation) continue;
     const Phenotype phenotype = as_simulated(run.plan, individual.phenotype);
-    for (const int level : run.plan.levels()) {
-      const EvaluationKey key{design_hash(phenotype, level), level, physics_hash};
+    for (const auto& [level, scenario] : stages(run.plan)) {
+      const EvaluationKey key{design_hash(phenotype, level), level, hashes.at(scenario)};
       const auto found = run.archive->evaluation(key);
       if (!found || found->generation != generation || !counted.insert(key).second) continue;
       if (run.has_elements)

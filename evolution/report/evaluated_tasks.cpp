@@ -8,7 +8,6 @@
 
 #include "evolution/evaluation/task_schedule.h"
 #include "evolution/search/lazy_selection.h"
-#include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 
 namespace menger::evolution {
@@ -17,7 +16,7 @@ namespace {
 /// Repeats the decisions of a search in one generation from the results in its archive, to find which evaluations it asked for.
 class Replay {
  public:
-  Replay(const RunView& run, int generation) : run_(run), generation_(generation), physics_hash_(io::content_hash(run.physics)) {
+  Replay(const RunView& run, int generation) : run_(run), generation_(generation), physics_hashes_(run.physics_hashes()) {
     for (const PoolMember& member : run.archive->pool(generation)) {
       Entry entry;
       entry.archived = member;
@@ -37,7 +36,7 @@ class Replay {
   std::vector<EvaluatedTask> tasks() {
     if (generation_ == 0 || !run_.plan.pruning) {
       for (Entry& entry : entries_) {
-        while (entry.phenotype && entry.levels_known < run_.plan.levels().size()) ask(entry);
+        while (entry.phenotype && next_stage(run_.plan, entry.results)) ask(entry);
       }
       return std::move(tasks_);
     }
@@ -55,7 +54,7 @@ class Replay {
     PoolMember archived;
     std::optional<Phenotype> phenotype;  ///< only of those that are evaluated in this generation
     PoolMember known;                    ///< from the results that were asked for so far
-    std::size_t levels_known = 0;
+    KnownResults results;                ///< which are these
   };
 
   [[nodiscard]] std::vector<PoolMember> pool() const {
@@ -64,28 +63,30 @@ class Replay {
     return all;
   }
 
-  /// Reads the result of the next level of an entry and updates what is known of it.
+  /// Reads the result of the next stage of an entry and updates what is known of it.
   void ask(Entry& entry) {
-    const int level = run_.plan.levels().at(entry.levels_known++);
-    EvaluationKey key{design_hash(*entry.phenotype, level), level, physics_hash_};
+    const EvaluationStage stage = next_stage(run_.plan, entry.results).value();
+    const int level = stage.level;
+    EvaluationKey key{design_hash(*entry.phenotype, level), level, physics_hashes_.at(stage.scenario)};
     const auto found = run_.archive->evaluation(key);
     if (!found) {
       throw io::InputError(run_.archive->file().string() + ": lacks the result of individual " +
                            std::to_string(entry.archived.id) + " at level " + std::to_string(level));
     }
-    learn(entry, found->result, level);
+    entry.results[stage] = found->result;
+    learn(entry);
     if (found->generation != generation_ || !asked_.insert(key).second) return;
-    tasks_.push_back({batch_, entry.archived.id, key.design_hash, level,
+    tasks_.push_back({batch_, entry.archived.id, key.design_hash, level, stage.scenario,
                       aggregate_cell_count(*entry.phenotype, level) * run_.voxels_per_cell, found->result});
   }
 
-  void learn(Entry& entry, const Evaluation& result, int level) {
+  void learn(Entry& entry) {
     PoolMember& known = entry.known;
-    if (!result.displacement_m) known.knowledge = Knowledge::failed;
+    const KnownScore score = known_score(run_.plan, entry.results);
+    if (score.is_failed) known.knowledge = Knowledge::failed;
     if (known.is_decided()) return;
-    const double score = level_score(run_.plan, *result.displacement_m, level);
-    known.fitness_bound = std::min(score, known.fitness_bound.value_or(score));
-    if (entry.levels_known < run_.plan.levels().size()) return;
+    known.fitness_bound = score.at_most;
+    if (next_stage(run_.plan, entry.results)) return;
     // The archive of an earlier version may have a corrected fitness.
     known.knowledge = entry.archived.knowledge;
     known.fitness = entry.archived.fitness;
@@ -93,7 +94,7 @@ class Replay {
 
   const RunView& run_;
   int generation_;
-  std::string physics_hash_;
+  std::vector<std::string> physics_hashes_;
   std::vector<Entry> entries_;
   std::set<EvaluationKey> asked_;
   std::size_t batch_ = 0;
@@ -128,12 +129,14 @@ Schedule in_sequence(const std::vector<std::vector<TimedTask>>& batches, std::si
 std::vector<EvaluatedTask> evaluated_tasks(const RunView& run, int generation) { return Replay(run, generation).tasks(); }
 
 io::CsvTable timing_table(const RunView& run) {
-  io::CsvTable table({"generation", "batch", "individual", "design", "level", "voxels", "steps", "status", "seconds"});
+  io::CsvTable table(
+      {"generation", "batch", "individual", "design", "level", "scenario", "voxels", "steps", "status", "seconds"});
   const int last = run.archive->last_generation().value_or(-1);
   for (int generation = 0; generation <= last; ++generation) {
     for (const EvaluatedTask& task : evaluated_tasks(run, generation)) {
       table.add_row(generation, std::uint64_t{task.batch}, task.individual, task.design_hash, task.level,
-                    std::uint64_t{task.voxels}, task.result.steps, io::to_string(task.result.status), task.result.seconds);
+                    std::uint64_t{task.scenario + 1}, std::uint64_t{task.voxels}, task.result.steps,
+                    io::to_string(task.result.status), task.result.seconds);
     }
   }
   return table;

@@ -15,6 +15,7 @@ struct EvaluatedTask {
   std::uint64_t individual = 0;  ///< the first that needed the result
   std::string design_hash;
   int level = 1;
+  std::size_t scenario = 0;
   std::size_t voxels = 0;
   Evaluation result;  ///< with its wall time
 };
@@ -26,9 +27,9 @@ struct EvaluatedTask {
 /// @throws io::InputError if the archive has no such generation, or lacks a result that its selection needed
 std::vector<EvaluatedTask> evaluated_tasks(const RunView& run, int generation);
 
-/// Makes a table with a row per evaluation of all finished generations: generation, batch, individual, design, level, voxels,
-/// steps, status, and wall time in the column `seconds`. Bodies that were evaluated together have equal shares of their wall
-/// time.
+/// Makes a table with a row per evaluation of all finished generations: generation, batch, individual, design, level, scenario
+/// (from 1), voxels, steps, status, and wall time in the column `seconds`. Bodies that were evaluated together have equal shares
+/// of their wall time.
 io::CsvTable timing_table(const RunView& run);
 
 /// Makes a table with a row per generation and number of workers. It estimates from the wall times of evaluations how long a

@@ -11,8 +11,10 @@
 
 #include "evolution/report/cost_table.h"
 #include "evolution/report/evaluated_tasks.h"
+#include "evolution/report/scenario_table.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
+#include "evolution/study/scenarios.h"
 #include "evolution/study/study_file.h"
 #include "evolution/study/walk_evaluator.h"
 #include "fem/locomotion/locomotion_run.h"
@@ -61,8 +63,8 @@ class Exporter {
     result_.champion = summarise_generation(run_, *last).champion;
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
-    for (const char* name :
-         {"reference.csv", "corrections.csv", "timings.csv", "schedule.csv", "check_dt.csv", "periods.csv", "champion_walk.toml"})
+    for (const char* name : {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv",
+                             "periods.csv", "champion_walk.toml"})
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
     generations_table(run_).write(folder_ / "generations.csv");
     cost_table(run_).write(folder_ / "costs.csv");
@@ -71,6 +73,7 @@ class Exporter {
           "finite elements corrected the scores of this search: its fitness is the corrected one, and costs.csv leaves these "
           "finite elements out; their walks are among the re-evaluations of the archive");
     }
+    if (study_.robust) scenario_table(run_, study_).write(folder_ / "scenarios.csv");
     if (options_.timings) {
       timing_table(run_).write(folder_ / "timings.csv");
       schedule_table(run_, options_.workers).write(folder_ / "schedule.csv");
@@ -137,10 +140,22 @@ class Exporter {
     if (has_rows) table.write(folder_ / "periods.csv");
   }
 
+  /// Returns the scenario that decided the champion's score.
+  [[nodiscard]] std::size_t champion_scenario() const {
+    const int level = study_.search.levels().front();
+    return deciding_scenario(study_.search, level, archived_results(run_, simulated())).value_or(0);
+  }
+
+  /// Returns the study of that scenario; without scenarios, the study of the search.
+  [[nodiscard]] Study study_of_champion() const {
+    if (!study_.robust) return study_;
+    return in_scenario(study_, scenarios_of(study_).at(champion_scenario()));
+  }
+
   /// Writes the walk of the champion on the finite elements of the search, and its study for menger locomote.
   void walk_champion() {
     fem::LocomotionStudy walk;
-    static_cast<fem::WalkInput&>(walk) = walk_of(study_, simulated().body);
+    static_cast<fem::WalkInput&>(walk) = walk_of(study_of_champion(), simulated().body);
     walk.design = design(1);
     walk.file = folder_ / "champion_walk.toml";
     walk.output.frames = options_.frames;
@@ -162,6 +177,10 @@ class Exporter {
     for (const std::string& note : walked.notes) add_note(note);
     compare_with_archive(done);
     result_.levels.push_back(std::move(done));
+    if (study_.robust) {
+      add_note("the champion walks in the scenario that decided its score: " +
+               scenario_text(scenarios_of(study_).at(champion_scenario())) + "; scenarios.csv has the others");
+    }
     add_note(
         "the search has single modules on finite elements: only level 1 is written; menger reevaluate lets its robots walk on "
         "finer elements, and menger locomote " +
@@ -228,8 +247,9 @@ class Exporter {
   }
 
   [[nodiscard]] std::optional<Evaluation> archived(int level) const {
-    const auto found = archive_.evaluation({design_hash(simulated(), level), level, io::content_hash(run_.physics)});
-    return found ? std::optional(found->result) : std::nullopt;
+    const KnownResults results = archived_results(run_, simulated());
+    const auto found = results.find({level, deciding_scenario(study_.search, level, results).value_or(0)});
+    return found == results.end() ? std::nullopt : std::optional(found->second);
   }
 
   [[nodiscard]] bool differs_from_archive(const LevelResult& done) const {

@@ -32,6 +32,23 @@ io::CsvCell count_cell(std::uint64_t count) { return io::cell(count); }
 
 }  // namespace
 
+std::vector<std::string> RunView::physics_hashes() const {
+  std::vector<std::string> hashes;
+  for (const std::string& text : scenario_physics) hashes.push_back(io::content_hash(text));
+  if (hashes.empty()) hashes.push_back(io::content_hash(physics));
+  return hashes;
+}
+
+KnownResults archived_results(const RunView& run, const Phenotype& simulated) {
+  KnownResults results;
+  const std::vector<std::string> hashes = run.physics_hashes();
+  for (const EvaluationStage& stage : stages(run.plan)) {
+    const auto found = run.archive->evaluation({design_hash(simulated, stage.level), stage.level, hashes.at(stage.scenario)});
+    if (found) results.emplace(stage, found->result);
+  }
+  return results;
+}
+
 DesignSummary summarise_design(const RunView& run, const Individual& individual, const PoolMember& member) {
   DesignSummary summary{.individual = individual,
                         .age = member.age,
@@ -40,17 +57,16 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
                         .cells = individual.phenotype.body.count(),
                         .hausdorff_dimension = {},
                         .outside_validity = {}};
-  const std::string physics_hash = io::content_hash(run.physics);
+  const KnownResults results = archived_results(run, as_simulated(run.plan, individual.phenotype));
   for (const int level : run.plan.levels()) {
-    const auto found =
-        run.archive->evaluation({design_hash(as_simulated(run.plan, individual.phenotype), level), level, physics_hash});
-    if (!found) continue;
-    if (const std::string& outside = found->result.outside_validity; !outside.empty()) {
+    const auto found = results.find({level, deciding_scenario(run.plan, level, results).value_or(0)});
+    if (found == results.end()) continue;
+    if (const std::string& outside = found->second.outside_validity; !outside.empty()) {
       std::string& all = summary.outside_validity;
       all.append(all.empty() ? "level " : "; level ").append(std::to_string(level)).append(": ").append(outside);
     }
-    if (!found->result.displacement_m) continue;
-    summary.body_lengths[level] = body_lengths(*found->result.displacement_m, level, run.plan.cell_edge_m);
+    if (!found->second.displacement_m) continue;
+    summary.body_lengths[level] = body_lengths(*found->second.displacement_m, level, run.plan.cell_edge_m);
   }
   if (!individual.phenotype.has_arrangements())
     summary.hausdorff_dimension = meshes::hausdorff_dimension(individual.phenotype.body);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/search/known_score.h"
 #include "evolution/search/search_plan.h"
 #include "io/text/csv_table.h"
 
@@ -19,7 +20,7 @@ struct DesignSummary {
   Individual individual;
   int age = 0;                                ///< in the generation that the summary is of
   std::optional<double> fitness;              ///< in the unit of the objective
-  std::map<int, double> body_lengths;         ///< displacement by level, of the evaluations that completed
+  std::map<int, double> body_lengths;         ///< displacement by level, of the evaluations that completed and decided
   std::size_t cells = 0;                      ///< of the basal body
   std::optional<double> hausdorff_dimension;  ///< of fractals
 
@@ -40,12 +41,19 @@ struct GenerationSummary {
 struct RunView {
   const RunArchive* archive = nullptr;
   SearchPlan plan;
-  std::string physics;              ///< DesignEvaluator::physics()
-  std::string screening_physics{};  ///< the same of the surrogate that screens new bodies; empty if none does
-  std::string half_step_physics{};  ///< the same of the evaluator with half the time step
-  std::size_t voxels_per_cell = 1;  ///< voxels of a whole cell, for costs
-  bool has_elements = false;        ///< whether finite elements evaluate the bodies instead of voxels
+  std::string physics;                          ///< DesignEvaluator::physics()
+  std::vector<std::string> scenario_physics{};  ///< DesignEvaluator::scenarios(); empty: one, of `physics`
+  std::string screening_physics{};              ///< the same of the surrogate that screens new bodies; empty if none does
+  std::string half_step_physics{};              ///< the same of the evaluator with half the time step
+  std::size_t voxels_per_cell = 1;              ///< voxels of a whole cell, for costs
+  bool has_elements = false;                    ///< whether finite elements evaluate the bodies instead of voxels
+
+  /// Returns the hashes of the physics of all scenarios.
+  [[nodiscard]] std::vector<std::string> physics_hashes() const;
 };
+
+/// Reads the results of a body from an archive. @param simulated see as_simulated
+KnownResults archived_results(const RunView& run, const Phenotype& simulated);
 
 /// Collects the results of an individual. @param member its entry in the pool of a generation
 DesignSummary summarise_design(const RunView& run, const Individual& individual, const PoolMember& member);

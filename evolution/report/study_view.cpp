@@ -1,5 +1,10 @@
 #include "evolution/report/study_view.h"
 
+#include <utility>
+#include <vector>
+
+#include "evolution/evaluation/scenario_evaluator.h"
+#include "evolution/study/scenarios.h"
 #include "evolution/study/voxel_evaluator.h"
 #include "evolution/study/walk_evaluator.h"
 
@@ -15,6 +20,12 @@ std::unique_ptr<DesignEvaluator> voxels_of(const Study& study) {
 }  // namespace
 
 std::unique_ptr<DesignEvaluator> evaluator_of(const Study& study) {
+  if (study.robust) {
+    std::vector<std::unique_ptr<DesignEvaluator>> all;
+    for (const Scenario& scenario : scenarios_of(study))
+      all.push_back(std::make_unique<WalkEvaluator>(in_scenario(study, scenario)));
+    return std::make_unique<ScenarioEvaluator>(std::move(all));
+  }
   if (uses_elements(study)) return std::make_unique<WalkEvaluator>(study);
   return voxels_of(study);
 }
@@ -34,6 +45,7 @@ RunView view_of(const RunArchive& archive, const Study& study) {
   return {.archive = &archive,
           .plan = study.search,
           .physics = evaluator_of(study)->physics(),
+          .scenario_physics = evaluator_of(study)->scenarios(),
           .screening_physics = study.search.screening ? screening_evaluator_of(study)->physics() : "",
           .half_step_physics = half_step_evaluator_of(study)->physics(),
           .voxels_per_cell = voxels_in_cell(study),

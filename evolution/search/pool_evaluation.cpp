@@ -14,10 +14,12 @@ PoolEvaluation::PoolEvaluation(const SearchPlan& plan, const DesignEvaluator& ev
     : plan_(&plan),
       archive_(&archive),
       options_(&options),
-      physics_hash_(io::content_hash(evaluator.physics())),
       generation_(generation),
       commits_(commits),
-      workers_(evaluator, options.threads) {}
+      workers_(evaluator, options.threads) {
+  for (const std::string& physics : evaluator.scenarios()) physics_hashes_.push_back(io::content_hash(physics));
+  assert(physics_hashes_.size() == plan.scenarios);
+}
 
 void PoolEvaluation::add_survivor(const PoolMember& survivor) {
   assert(survivor.knowledge != Knowledge::bounded);
@@ -39,28 +41,21 @@ void PoolEvaluation::add_newcomer(const Individual& individual, bool duplicate, 
   entries_.push_back(std::move(entry));
 }
 
-EvaluationKey PoolEvaluation::key_of(const Entry& entry, int level) const {
-  return {design_hash(*entry.phenotype, level), level, physics_hash_};
+EvaluationKey PoolEvaluation::key_of(const Entry& entry, const EvaluationStage& stage) const {
+  return {design_hash(*entry.phenotype, stage.level), stage.level, physics_hashes_.at(stage.scenario)};
 }
 
-std::optional<int> PoolEvaluation::next_level(const Entry& entry) const {
-  for (const int level : plan_->levels()) {
-    if (!entry.results.contains(level)) return level;
-  }
-  return std::nullopt;
-}
-
-void PoolEvaluation::learn(Entry& entry, int level, const Evaluation& result) {
-  entry.results[level] = result;
+void PoolEvaluation::learn(Entry& entry, const EvaluationStage& stage, const Evaluation& result) {
+  entry.results[stage] = result;
   PoolMember& member = entry.member;
-  if (!result.displacement_m) {
+  const KnownScore known = known_score(*plan_, entry.results);
+  if (known.is_failed) {
     member.knowledge = Knowledge::failed;
     member.fitness_bound.reset();
   }
   if (!entry.undecided()) return;
-  const double score = level_score(*plan_, *result.displacement_m, level);
-  member.fitness_bound = std::min(score, member.fitness_bound.value_or(score));
-  if (next_level(entry)) return;
+  member.fitness_bound = known.at_most;
+  if (next_stage(*plan_, entry.results)) return;
   member.knowledge = Knowledge::evaluated;
   member.fitness = std::exchange(member.fitness_bound, std::nullopt);
 }
@@ -69,8 +64,8 @@ io::RunStatus PoolEvaluation::evaluate(const std::vector<Request>& requests) {
   std::vector<EvaluationKey> missing;
   std::vector<EvaluationTask> tasks;
   std::set<EvaluationKey> asked;
-  for (const auto& [position, level] : requests) {
-    EvaluationKey key = key_of(entries_[position], level);
+  for (const auto& [position, stage] : requests) {
+    EvaluationKey key = key_of(entries_[position], stage);
     if (results_.contains(key) || !asked.insert(key).second) {
       ++cached_;
       continue;
@@ -81,7 +76,7 @@ io::RunStatus PoolEvaluation::evaluate(const std::vector<Request>& requests) {
     if (archived) {
       results_[key] = archived->result;
     } else {
-      tasks.push_back({aggregate(*entries_[position].phenotype, level), level});
+      tasks.push_back({aggregate(*entries_[position].phenotype, stage.level), stage.level, stage.scenario});
       missing.push_back(std::move(key));
     }
   }
@@ -99,9 +94,9 @@ io::RunStatus PoolEvaluation::evaluate(const std::vector<Request>& requests) {
     report();
   });
   if (status != io::RunStatus::completed) return status;
-  for (const auto& [position, level] : requests) {
+  for (const auto& [position, stage] : requests) {
     Entry& entry = entries_[position];
-    learn(entry, level, results_.at(key_of(entry, level)));
+    learn(entry, stage, results_.at(key_of(entry, stage)));
   }
   return status;
 }
@@ -110,7 +105,7 @@ io::RunStatus PoolEvaluation::evaluate_in_full() {
   std::vector<Request> requests;
   for (std::size_t position = 0; position < entries_.size(); ++position) {
     if (!entries_[position].undecided()) continue;
-    for (const int level : plan_->levels()) requests.emplace_back(position, level);
+    for (const EvaluationStage& stage : stages(*plan_)) requests.emplace_back(position, stage);
   }
   return evaluate(requests);
 }
@@ -122,7 +117,7 @@ io::RunStatus PoolEvaluation::evaluate_lazily() {
     std::vector<Request> requests;
     for (const std::uint64_t id : view.run_now) {
       const auto found = std::ranges::find_if(entries_, [id](const Entry& one) { return one.member.id == id; });
-      requests.emplace_back(static_cast<std::size_t>(found - entries_.begin()), *next_level(*found));
+      requests.emplace_back(static_cast<std::size_t>(found - entries_.begin()), next_stage(*plan_, found->results).value());
     }
     const io::RunStatus status = evaluate(requests);
     if (status != io::RunStatus::completed) return status;
@@ -141,7 +136,7 @@ EvaluationCounts PoolEvaluation::counts() const {
   for (const Entry& entry : entries_) {
     const bool counted = entry.phenotype && entry.member.knowledge != Knowledge::duplicate &&
                          entry.member.knowledge != Knowledge::penalised && entry.member.knowledge != Knowledge::screened;
-    if (counted) counts.pruned += plan_->levels().size() - entry.results.size();
+    if (counted) counts.pruned += plan_->levels().size() * plan_->scenarios - entry.results.size();
   }
   return counts;
 }

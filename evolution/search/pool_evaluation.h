@@ -10,6 +10,7 @@
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/evaluation/worker_pool.h"
+#include "evolution/search/known_score.h"
 #include "evolution/search/search.h"
 
 namespace menger::evolution {
@@ -38,7 +39,7 @@ class PoolEvaluation {
   /// Evaluates everything. @return completed or stopped
   [[nodiscard]] io::RunStatus evaluate_in_full();
 
-  /// Evaluates, level by level, only what selection depends on (see outlook). @return completed or stopped
+  /// Evaluates, stage by stage, only what selection depends on (see outlook). @return completed or stopped
   [[nodiscard]] io::RunStatus evaluate_lazily();
 
   /// Returns the pool in the order in which its members were added. Survivor ranks are not set.
@@ -50,20 +51,19 @@ class PoolEvaluation {
   struct Entry {
     PoolMember member;                   ///< its knowledge is `bounded` while undecided
     std::optional<Phenotype> phenotype;  ///< of new individuals only: see as_simulated
-    std::map<int, Evaluation> results;   ///< those that are known, by level
+    KnownResults results;
     [[nodiscard]] bool undecided() const { return member.knowledge == Knowledge::bounded; }
   };
-  using Request = std::pair<std::size_t, int>;  ///< position of an entry, level
+  using Request = std::pair<std::size_t, EvaluationStage>;  ///< position of an entry, stage
 
   [[nodiscard]] io::RunStatus evaluate(const std::vector<Request>& requests);
-  [[nodiscard]] EvaluationKey key_of(const Entry& entry, int level) const;
-  [[nodiscard]] std::optional<int> next_level(const Entry& entry) const;
-  void learn(Entry& entry, int level, const Evaluation& result);
+  [[nodiscard]] EvaluationKey key_of(const Entry& entry, const EvaluationStage& stage) const;
+  void learn(Entry& entry, const EvaluationStage& stage, const Evaluation& result);
 
   const SearchPlan* plan_;
   RunArchive* archive_;
   const SearchOptions* options_;
-  std::string physics_hash_;
+  std::vector<std::string> physics_hashes_;  ///< by scenario
   int generation_;
   std::size_t* commits_;
   WorkerPool workers_;

@@ -52,7 +52,7 @@ struct ScreeningRound {
 class Screening {
  public:
   /// @param plan has a screening and one level
-  /// @param physics DesignEvaluator::physics() of the evaluator of the search
+  /// @param physics DesignEvaluator::physics() of the evaluator of the search: in its first scenario, in which all walk that pass
   Screening(const SearchPlan& plan, const DesignEvaluator& surrogate, const std::string& physics, RunArchive& archive);
 
   /// Evaluates new individuals by the surrogate and decides which pass. One whose result the archive has already passes, and so

@@ -35,9 +35,10 @@ struct SearchOptions {
 ///
 /// Generation 0 consists of random individuals; all are evaluated in full, and all survive. In every later generation the
 /// survivors grow older by 1. Each of them, in random order, has a child of its age. Random newcomers of age 0 join. Survivors
-/// are then selected from all of these (select_survivors). The fitness is the least score over the levels; an individual with an
-/// evaluation that did not complete has none. Equal designs share their results. With plan.pruning, levels of later generations
-/// are evaluated from the smallest on, and only as long as outlook() asks for them.
+/// are then selected from all of these (select_survivors). The fitness is the least score over the levels, each that of its worst
+/// scenarios (known_score); an individual with an evaluation that did not complete has none. Equal designs share their results.
+/// With plan.pruning, levels of later generations are evaluated from the smallest on, and scenario by scenario, only as long as
+/// outlook() asks for them.
 ///
 /// Decisions use results only between batches of evaluations, and never the order of results within a batch. The content of the
 /// archive therefore does not depend on the number of threads, nor on where the search was interrupted.
@@ -48,6 +49,7 @@ struct SearchOptions {
 /// With plan.step_checks, the elites of every generation that is due are evaluated again with half the time step before the
 /// generation is finished (StepChecking). The outcome changes nothing else.
 ///
+/// @param evaluator with as many scenarios as the plan
 /// @param archive of this plan and evaluator
 /// @param half_step given exactly if there is a plan.step_checks: the evaluator with half its time step
 /// @param surrogate given exactly if there is a plan.screening

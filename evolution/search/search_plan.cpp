@@ -15,6 +15,11 @@ std::string_view to_string(DuplicatePolicy policy) {
   return policy == DuplicatePolicy::archived_result ? "archived-result" : "culled";
 }
 
+std::size_t SearchPlan::left_out_scenarios() const {
+  constexpr double rounding = 1e-9;  // of a share that was written in decimals
+  return static_cast<std::size_t>(quantile * static_cast<double>(scenarios) + rounding);
+}
+
 Phenotype as_simulated(const SearchPlan& plan, const Phenotype& phenotype) {
   return plan.stand ? standing(phenotype) : phenotype;
 }

@@ -57,13 +57,19 @@ struct SearchPlan {
   DuplicatePolicy duplicates = DuplicatePolicy::archived_result;
 
   /// Whether evaluations that cannot change the survivors are left out. The survivors are the same either way, whatever the other
-  /// options are. See outlook(): its proof needs a fitness that is a minimum over levels, which holds for both objectives.
+  /// options are. See outlook(): its proof needs a bound of the fitness that further evaluations can only lower, which
+  /// known_score gives. With several scenarios, walks of a robot so end once it can no longer survive.
   bool pruning = true;
 
   /// Whether bodies stand on the ground from the start, whatever layer they grew in (see standing). Then none gains displacement
   /// by a fall, and equal bodies in different layers are one body. Everything that depends on the place of a cell, such as the
   /// phase of a wave, refers to the standing body.
   bool stand = false;
+
+  /// Number of scenarios in which each level is evaluated, >= 1, and the share of them, the worst ones, that do not count, in
+  /// [0, 1): 0 scores a robot by its worst scenario. See known_score.
+  std::size_t scenarios = 1;
+  double quantile = 0.0;
 
   /// Screening of new individuals by a surrogate. None: all are evaluated.
   std::optional<ScreeningPlan> screening{};
@@ -74,6 +80,9 @@ struct SearchPlan {
   bool operator==(const SearchPlan&) const = default;
 
   [[nodiscard]] const std::vector<int>& levels() const { return offspring.constraints.levels; }  ///< ascending, none twice
+
+  /// Returns the number of scenarios that do not count: the whole part of quantile times scenarios.
+  [[nodiscard]] std::size_t left_out_scenarios() const;
 };
 
 /// Returns the phenotype that is simulated: with plan.stand the standing one (see standing), otherwise `phenotype` itself.

@@ -61,6 +61,13 @@ void add_notes_of_silicone(const Study& study, std::vector<std::string>& notes) 
   }
   if (silicone.is_ratio_assumed)
     notes.push_back("material.bulk_modulus_ratio = " + io::number_text(silicone.bulk_modulus_ratio) + " is assumed");
+  if (study.robust) {
+    notes.push_back("a robot walks in up to " + std::to_string(study.search.scenarios) + " scenarios, of which the worst " +
+                    (study.search.left_out_scenarios() == 0
+                         ? std::string("is its score")
+                         : std::to_string(study.search.left_out_scenarios()) + " do not count"));
+    return;
+  }
   const voxel::VoxelMaterial& ground = study.physics.materials[0];
   notes.push_back("friction of " + name +
                   " on a ground is not measured; static_friction = " + io::number_text(ground.static_friction) +

@@ -129,6 +129,22 @@ void describe_evaluation(io::StudyVisitor& visitor, Study& study) {
   visitor.boolean({"pruning", "Whether evaluations that cannot change the survivors are skipped."}, plan.pruning);
 }
 
+void describe_robust(io::StudyVisitor& visitor, RobustOptions& robust) {
+  const auto check_different = [&](std::vector<double> values, const char* key) {
+    std::ranges::sort(values);
+    visitor.check(std::ranges::adjacent_find(values) == values.end(), key, "must be different");
+  };
+  visitor.numbers(
+      {"frictions", "Coefficients of friction of the ground, static and kinetic alike. A robot walks on each of them."},
+      robust.frictions, io::non_negative(), {.fewest = 1});
+  check_different(robust.frictions, "frictions");
+  visitor.numbers({"loss_factors", "Loss factors of the silicone, at its loss_frequency_Hz. A robot walks with each of them."},
+                  robust.loss_factors, io::non_negative(), {.fewest = 1});
+  check_different(robust.loss_factors, "loss_factors");
+  visitor.number({"quantile", "Share of the scenarios, the worst ones, that do not count. 0: the worst one is the score."},
+                 robust.quantile, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
+}
+
 void describe_step_checks(io::StudyVisitor& visitor, StepCheckPlan& checks) {
   visitor.integer({"every", "Generations from one check to the next."}, checks.every, io::at_least(1));
   visitor.integer({"designs", "Best survivors that are checked each time."}, checks.designs, io::within(1, largest_population));
@@ -198,6 +214,16 @@ void describe_identity(io::StudyVisitor& visitor, Study& study) {
       {"check_dt",
        "Checks of the time step: the best survivors are evaluated again with half of it. The search does not change."},
       plan.step_checks, [&](StepCheckPlan& checks) { describe_step_checks(visitor, checks); });
+  visitor.only_if(uses_elements(study), "evaluation.model = \"finite_elements\" or \"both\"", [&] {
+    visitor.optional_table(
+        {"robust",
+         "Robots walk in several scenarios, all pairs of frictions and loss factors, in place of the friction of [ground] and "
+         "the "
+         "loss factor of [material]. The worst one is the score. Walks of a robot end once it can no longer survive."},
+        study.robust, [&](RobustOptions& robust) { describe_robust(visitor, robust); });
+  });
+  plan.scenarios = study.robust ? study.robust->frictions.size() * study.robust->loss_factors.size() : 1;
+  plan.quantile = study.robust ? study.robust->quantile : 0.0;
   describe_physics(visitor, study);
 }
 
@@ -317,6 +343,7 @@ std::string unusable_elements(const Study& study) {
   if (!plan.stand) return "evaluation.stand = false: must be true: finite elements put every body on the ground";
   if (!study.physics.floor) return "ground.present = false: must be true";
   if (std::string problem = unusable_screening(study); !problem.empty()) return problem;
+  if (study.robust && plan.step_checks) return "[check_dt]: beside [robust] there is no one walk to be checked";
   const auto& [first, second] = study.physics.materials;
   if (first.static_friction != second.static_friction || first.kinetic_friction != second.kinetic_friction)
     return "materials: a cast body is of one silicone: both materials must have the same friction";

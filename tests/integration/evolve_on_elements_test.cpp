@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -181,6 +182,44 @@ TEST_F(EvolveOnElements, VoxelsScreenAndFiniteElementsDecide) {
   const io::CsvContents costs = io::read_csv(folder_ / "out/costs.csv");
   EXPECT_GT(costs.number(0, "element_steps"), 0.0);
   EXPECT_GT(costs.number(0, "voxel_steps"), 0.0);
+  EXPECT_EQ(run("reevaluate", {"one.sqlite", "--top", "1", "-o", "again", "--no-pictures"}).code, 0);
+}
+
+TEST_F(EvolveOnElements, RobustRobotsWalkInEveryScenarioOrCannotSurvive) {
+  io::write_whole(folder_ / "study.toml",
+                  tests::walking_study_text("", "", "[robust]\nfrictions = [0.4, 1.2]\nloss_factors = [0.059, 0.146]\n"));
+  const Outcome outcome = run("evolve", {"study.toml", "--threads", "1", "-o", "one.sqlite"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("up to 4 scenarios, of which the worst is its score"), std::string::npos) << outcome.out;
+  ASSERT_EQ(run("evolve", {"study.toml", "--threads", "2", "-o", "two.sqlite"}).code, 0);
+  EXPECT_EQ(archive_content(folder_ / "one.sqlite"), archive_content(folder_ / "two.sqlite"));
+  const ProgramRun running = start("evolve", {"study.toml", "--threads", "1", "-o", "ended.sqlite"});
+  while (!fs::exists(folder_ / "ended.sqlite")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  running.send(SIGKILL);
+  EXPECT_EQ(running.wait().signal, SIGKILL);
+  ASSERT_EQ(run("evolve", {"study.toml", "--threads", "1", "-o", "ended.sqlite"}).code, 0);
+  EXPECT_EQ(archive_content(folder_ / "ended.sqlite"), archive_content(folder_ / "two.sqlite"));
+
+  const evolution::RunArchive archive = evolution::RunArchive::open_to_read(folder_ / "one.sqlite");
+  const std::vector<evolution::ArchivedScenario> scenarios = archive.scenarios();
+  ASSERT_EQ(scenarios.size(), 4U);
+  EXPECT_EQ(scenarios[2].text, "friction = 1.2, loss_factor = 0.059");
+  ASSERT_EQ(export_to("one.sqlite", "out").code, 0);
+  const io::CsvContents table = io::read_csv(folder_ / "out/scenarios.csv");
+  ASSERT_GE(table.row_count(), 4U);
+  double worst = table.number(0, "body_lengths");
+  double decided = -1.0;
+  for (std::size_t row = 0; row < 4; ++row) {
+    EXPECT_EQ(table.text(row, "individual"), table.text(0, "individual"));
+    worst = std::min(worst, table.number(row, "body_lengths"));
+    if (table.number(row, "decides") == 1.0) decided = table.number(row, "body_lengths");
+  }
+  EXPECT_EQ(worst, table.number(0, "fitness_body_lengths"));
+  EXPECT_EQ(decided, worst);
+  // The champion is shown in the scenario that decides.
+  const io::CsvContents walk = io::read_csv(folder_ / "out/level_1/trajectory.csv");
+  EXPECT_NEAR(walk.number(walk.row_count() - 1, "horizontal_displacement_body_lengths"), worst, 1e-9);
   EXPECT_EQ(run("reevaluate", {"one.sqlite", "--top", "1", "-o", "again", "--no-pictures"}).code, 0);
 }
 

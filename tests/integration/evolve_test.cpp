@@ -183,8 +183,9 @@ TEST_F(Evolve, RefusesAnArchiveOfAnotherStudy) {
 
 TEST_F(Evolve, RefusesAnArchiveOfAnotherSchemaVersion) {
   ASSERT_EQ(run({"study.toml"}).code, 0);
-  SQLite::Database(archive_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
-  expect_refused({"study.toml"}, {"run.sqlite", "schema version 7"});
+  const std::string next = std::to_string(evolution::RunArchive::schema_version + 1);
+  SQLite::Database(archive_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = " + next);
+  expect_refused({"study.toml"}, {"run.sqlite", "schema version " + next});
 }
 
 TEST_F(Evolve, RefusesToGoOnWithAnArchiveFromBeforeKeysHadTheirNames) {

@@ -19,6 +19,7 @@ class FakeEvaluator final : public evolution::DesignEvaluator {
     double failing = 0.1;  ///< fraction of bodies that diverge
     bool coarse = false;   ///< displacements in tenths of a body length, so that many are equal
     double cell_edge_m = 0.01;
+    std::string scenario{};                                 ///< gives other displacements for every text
     std::function<void(std::uint64_t call)> before_result;  ///< called in every evaluation with the number of calls so far
   };
 
@@ -33,7 +34,7 @@ class FakeEvaluator final : public evolution::DesignEvaluator {
     if (stop) return result;
     result.steps = 1000;
     result.seconds = 1e-9 * static_cast<double>(call);
-    const std::string hash = io::content_hash(body.digits() + "@" + std::to_string(level));
+    const std::string hash = io::content_hash(options_.scenario + body.digits() + "@" + std::to_string(level));
     if (fraction(hash, 0) < options_.failing) {
       result.status = io::RunStatus::diverged;
       result.reason = "of design " + hash;
@@ -55,7 +56,8 @@ class FakeEvaluator final : public evolution::DesignEvaluator {
   }
 
   [[nodiscard]] std::string physics() const override {
-    return "fake, failing = " + std::to_string(options_.failing) + ", coarse = " + std::to_string(options_.coarse);
+    return options_.scenario + "fake, failing = " + std::to_string(options_.failing) +
+           ", coarse = " + std::to_string(options_.coarse);
   }
 
   [[nodiscard]] double cost(const meshes::Polycube& body, int /*level*/) const override {

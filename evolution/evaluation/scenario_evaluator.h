@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "evolution/evaluation/evaluator.h"
+
+namespace menger::evolution {
+
+/// Evaluates bodies in several scenarios, such as on grounds of different friction: each task in its own.
+class ScenarioEvaluator final : public DesignEvaluator {
+ public:
+  /// @param scenarios an evaluator for each, at least one
+  explicit ScenarioEvaluator(std::vector<std::unique_ptr<DesignEvaluator>> scenarios);
+
+  /// Evaluates a body in the first scenario.
+  [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
+  [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
+                                                          const std::atomic<bool>& stop,
+                                                          const ThreadsNow& threads) const override;
+
+  /// Returns the physics of the first scenario.
+  [[nodiscard]] std::string physics() const override;
+  [[nodiscard]] std::vector<std::string> scenarios() const override;
+  [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
+
+ private:
+  std::vector<std::unique_ptr<DesignEvaluator>> scenarios_;
+};
+
+}  // namespace menger::evolution
