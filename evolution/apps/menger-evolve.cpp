@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/report/confirmation.h"
 #include "evolution/report/generation_summary.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
@@ -46,7 +47,10 @@ struct Arguments {
 constexpr const char* description =
     "Evolves fractal robots. The archive keeps all results. Run the same command again to resume a search that was stopped,\n"
     "or to show the result of a finished one. Robots move as voxels, or with evaluation.model = \"finite_elements\" as hollow\n"
-    "bodies of silicone on finite elements; with \"both\" as voxels at first, which choose those that finite elements evaluate.";
+    "bodies of silicone on finite elements; with \"both\" as voxels at first, which choose those that finite elements evaluate. "
+    "At the\n"
+    "end of a search on finite elements its best robots walk on finer ones (evaluation.confirm); the table is beside the "
+    "archive.";
 
 constexpr const char* example =
     "Example:\n"
@@ -164,6 +168,25 @@ void require_memory(const Study& study, int threads) {
                        std::to_string(study.search.levels().back()) + " may need more memory than this machine has");
 }
 
+/// Lets the best robots walk on finer elements, and writes the table of it beside the archive. @return completed or stopped
+io::RunStatus confirm_best(const Arguments& arguments, const Study& study, RunArchive& archive) {
+  if (!uses_elements(study) || study.confirm == 0) return io::RunStatus::completed;
+  ConfirmationOptions options{.threads = arguments.threads, .stop = &io::interrupted()};
+  std::unique_ptr<io::Progress> bar;
+  options.progress = [&](std::size_t done, std::size_t total) {
+    if (!bar) bar = std::make_unique<io::Progress>("confirmation", static_cast<double>(total));
+    bar->update(static_cast<double>(done), std::to_string(done) + "/" + std::to_string(total) + " walks");
+  };
+  const io::RunStatus status = confirm(study, archive, options);
+  bar.reset();
+  if (status != io::RunStatus::completed) return status;
+  const std::vector<Confirmation> confirmed = confirmations(study, archive);
+  if (confirmed.empty()) return status;
+  confirmation_table(study, confirmed).write(fs::path(arguments.archive).replace_extension(".confirmed.csv"));
+  std::cout << confirmation_text(study, confirmed);
+  return status;
+}
+
 /// Names the scenarios of a study in its archive, which they decide.
 void set_scenarios(RunArchive& archive, const Study& study, const DesignEvaluator& evaluator) {
   if (!study.robust) return;
@@ -203,8 +226,8 @@ int evolve(const Arguments& arguments) {
   if (last) print_history(run, *last);
 
   io::RunStatus status = io::RunStatus::completed;
+  io::catch_interrupts();
   if (!finished) {
-    io::catch_interrupts();
     Log log(run, study.search.generations);
     SearchOptions options;
     options.threads = arguments.threads;
@@ -220,6 +243,7 @@ int evolve(const Arguments& arguments) {
     // The manifest is named after the archive, because several runs may share a folder.
     io::write_manifest_file(fs::path(arguments.archive).replace_extension(".manifest.json"), manifest);
   }
+  if (status == io::RunStatus::completed) status = confirm_best(arguments, study, archive);
   if (status == io::RunStatus::stopped) {
     std::cout << "Stopped. Finished evaluations are kept. Run the same command again to resume." << std::endl;
     return io::exit_code::interrupted;

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "evolution/report/confirmation.h"
 #include "evolution/report/cost_table.h"
 #include "evolution/report/evaluated_tasks.h"
 #include "evolution/report/scenario_table.h"
@@ -64,7 +65,7 @@ class Exporter {
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
     for (const char* name : {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv",
-                             "periods.csv", "champion_walk.toml"})
+                             "confirmed.csv", "periods.csv", "champion_walk.toml"})
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
     generations_table(run_).write(folder_ / "generations.csv");
     cost_table(run_).write(folder_ / "costs.csv");
@@ -79,6 +80,8 @@ class Exporter {
       schedule_table(run_, options_.workers).write(folder_ / "schedule.csv");
     }
     if (study_.search.step_checks) step_check_table(run_).write(folder_ / "check_dt.csv");
+    if (const std::vector<Confirmation> confirmed = confirmations(study_, archive_); !confirmed.empty())
+      confirmation_table(study_, confirmed).write(folder_ / "confirmed.csv");
     if (result_.champion) write_champion();
     return std::move(result_);
   }

@@ -1,6 +1,5 @@
 #include "evolution/report/study_view.h"
 
-#include <utility>
 #include <vector>
 
 #include "evolution/evaluation/scenario_evaluator.h"
@@ -19,13 +18,16 @@ std::unique_ptr<DesignEvaluator> voxels_of(const Study& study) {
 
 }  // namespace
 
+std::vector<std::unique_ptr<DesignEvaluator>> scenario_evaluators_of(const Study& study) {
+  std::vector<std::unique_ptr<DesignEvaluator>> all;
+  for (const Scenario& scenario : scenarios_of(study))
+    all.push_back(std::make_unique<WalkEvaluator>(in_scenario(study, scenario)));
+  if (all.empty()) all.push_back(std::make_unique<WalkEvaluator>(study));
+  return all;
+}
+
 std::unique_ptr<DesignEvaluator> evaluator_of(const Study& study) {
-  if (study.robust) {
-    std::vector<std::unique_ptr<DesignEvaluator>> all;
-    for (const Scenario& scenario : scenarios_of(study))
-      all.push_back(std::make_unique<WalkEvaluator>(in_scenario(study, scenario)));
-    return std::make_unique<ScenarioEvaluator>(std::move(all));
-  }
+  if (study.robust) return std::make_unique<ScenarioEvaluator>(scenario_evaluators_of(study));
   if (uses_elements(study)) return std::make_unique<WalkEvaluator>(study);
   return voxels_of(study);
 }

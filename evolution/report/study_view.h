@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/evaluation/evaluator.h"
@@ -11,6 +12,9 @@ namespace menger::evolution {
 
 /// Returns the evaluator of a study.
 std::unique_ptr<DesignEvaluator> evaluator_of(const Study& study);
+
+/// Returns an evaluator for each scenario of a study on finite elements, see scenarios_of; one without scenarios.
+std::vector<std::unique_ptr<DesignEvaluator>> scenario_evaluators_of(const Study& study);
 
 /// Returns the surrogate that screens the new bodies of a study; null if none does.
 std::unique_ptr<DesignEvaluator> screening_evaluator_of(const Study& study);

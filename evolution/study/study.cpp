@@ -134,7 +134,8 @@ std::vector<std::string> study_notes(const Study& study) {
   std::vector<std::string> notes = notes_of_model(study);
   if (const auto last = measured_periods(study)) {
     notes.push_back("the fitness is the displacement in one period, from the last " + std::to_string(last->count) +
-                    " periods of an evaluation");
+                    " periods of an evaluation" +
+                    (uses_elements(study) && study.largest_lean_deg < 180.0 ? "; bodies that fall have none" : ""));
   }
   const bool has_surrogate = study.model != EvaluationModel::finite_elements && study.physics.surrogate;
   for (const std::string& fault : has_surrogate ? outside_validity_of_some(study) : std::vector<std::string>{}) {

@@ -54,6 +54,13 @@ struct Study {
   EvaluationModel model = EvaluationModel::voxels;
   Measure measure = Measure::net_displacement;
   std::size_t measure_periods = 5;  ///< how many periods count if the last ones are measured
+  /// On finite elements, if the last periods are measured: a body that leans more than this, in degrees, has fallen and has no
+  /// fitness; see fem::largest_lean. 180: none has.
+  double largest_lean_deg = 45.0;
+
+  /// How many of the best robots of a search on finite elements walk on finer elements at its end. It decides nothing in the
+  /// search.
+  std::size_t confirm = 3;
 
   /// Loads, ground, drive and voxels. Finite elements take no values of voxels from it; see VoxelEvaluator, WalkEvaluator.
   voxel::Physics physics;

@@ -100,7 +100,13 @@ void describe_screening(io::StudyVisitor& visitor, ScreeningPlan& screening) {
       screening.drawn_share, share);
 }
 
-void describe_evaluation(io::StudyVisitor& visitor, Study& study) {
+/// Which keys of a study are described.
+enum class Part {
+  whole,
+  identity  ///< those that decide the search
+};
+
+void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
   using enum EvaluationModel;
   SearchPlan& plan = study.search;
   visitor.word(
@@ -120,6 +126,16 @@ void describe_evaluation(io::StudyVisitor& visitor, Study& study) {
   visitor.only_if(study.measure == Measure::last_periods, "measure = \"last_periods\"", [&] {
     visitor.integer({"measure_periods", "Number of the last whole periods that count. With fewer than 5, a fall would count."},
                     study.measure_periods, io::at_least(fewest_measured_periods));
+    visitor.only_if(uses_elements(study), "model = \"finite_elements\" or \"both\"", [&] {
+      visitor.number({"largest_lean_deg",
+                      "A body whose upright axis, at the end of a period, leans more than this from where it was at the end of "
+                      "the first has fallen and has no fitness. 180: none has."},
+                     study.largest_lean_deg, {.lowest = 0.0, .highest = 180.0, .lowest_excluded = true});
+    });
+  });
+  visitor.only_if(part == Part::whole && uses_elements(study), "model = \"finite_elements\" or \"both\"", [&] {
+    visitor.integer({"confirm", "How many of the best robots walk on standard and fine elements at the end of a search."},
+                    study.confirm, io::within(0, largest_population));
   });
   visitor.boolean({"stand", "Whether bodies stand on the ground from the start."}, plan.stand);
   visitor.word({"objective", "How a displacement becomes a fitness."}, plan.objective,
@@ -200,13 +216,13 @@ void describe_physics(io::StudyVisitor& visitor, Study& study) {
   });
 }
 
-/// Describes all keys but the number of generations.
-void describe_identity(io::StudyVisitor& visitor, Study& study) {
+/// Describes keys, without the number of generations.
+void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study) {
   SearchPlan& plan = study.search;
   visitor.integer({"seed", "Seed of the random numbers."}, plan.seed, io::at_least(0));
   visitor.table({"population", "Size of the population."}, [&] { describe_population(visitor, plan); });
   visitor.table({"genome", "Genomes and how they vary."}, [&] { describe_genome(visitor, plan.offspring); });
-  visitor.table({"evaluation", "How bodies are evaluated and scored."}, [&] { describe_evaluation(visitor, study); });
+  visitor.table({"evaluation", "How bodies are evaluated and scored."}, [&] { describe_evaluation(visitor, part, study); });
   const bool is_calibrated = has_parameters(visitor, study);
   visitor.table({"body", "Which bodies are valid."}, [&] { describe_body(visitor, is_calibrated, study); });
   visitor.table({"time", "Simulated time."}, [&] { describe_time(visitor, study); });
@@ -385,7 +401,7 @@ std::string unmeasurable_periods(const Study& study) {
 
 void describe(io::StudyVisitor& visitor, Study& study) {
   visitor.integer({"generations", "Generations after the first."}, study.search.generations, io::at_least(0));
-  describe_identity(visitor, study);
+  describe_but_generations(visitor, Part::whole, study);
 }
 
 PresetStudy::PresetStudy() : study(study_from_text(preset_text(preset), preset + ".toml")) {}
@@ -404,7 +420,7 @@ std::string resolved_text(const Study& study) { return io::described_text(study)
 std::string identity_text(const Study& study) {
   Study described = study;
   io::StudyTextWriter writer;
-  describe_identity(writer, described);
+  describe_but_generations(writer, Part::identity, described);
   return writer.text();
 }
 
@@ -454,6 +470,9 @@ Study archived_study(const RunArchive& archive) {
   for (const char* name : corrections) (void)table.asks_for(name);
   Study study;
   io::read_described(table, study, io::StudyReader::EarlierNames::read);
+  // Walks of archives without this key were measured whether or not the body had fallen.
+  const bool tells_falls = table.table_or_empty("evaluation").has("largest_lean_deg");
+  if (uses_elements(study) && study.measure == Measure::last_periods && !tells_falls) study.largest_lean_deg = 180.0;
   study.search.generations = archive.generation_goal();
   return study;
 }

@@ -56,7 +56,8 @@ std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& fil
 /// the text gives the same study.
 std::string resolved_text(const Study& study);
 
-/// Returns the same without the number of generations. One run can continue another exactly if these texts are equal.
+/// Returns the same without the numbers of generations and of robots to confirm. One run can continue another exactly if these
+/// texts are equal.
 std::string identity_text(const Study& study);
 
 /// Reads the study from the text of resolved_text or of a preset. @param file for messages only @throws io::InputError as

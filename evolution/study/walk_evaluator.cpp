@@ -8,6 +8,7 @@
 
 #include "fem/walk/walk_silicone_file.h"
 #include "io/study/study_text.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_text.h"
@@ -114,6 +115,14 @@ void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result
   result.period_displacements_m = fem::period_displacements_m(walk, study.physics.actuation.period_s());
   result.displacement_m = whole_m;
   if (const auto last = measured_periods(study)) {
+    if (const fem::Lean lean = fem::largest_lean(walk, last->period_s); lean.angle_deg > study.largest_lean_deg) {
+      result.status = io::RunStatus::diverged;
+      result.displacement_m.reset();
+      result.period_displacements_m.clear();
+      result.reason = "the body has fallen: at the end of period " + std::to_string(lean.period) + " it leans by " +
+                      io::formatted("%.0f", lean.angle_deg) + " degrees from where it was at the end of the first";
+      return;
+    }
     result.displacement_m = steady_displacement_m(result.period_displacements_m, *last);
     if (!result.displacement_m) {
       result.status = io::RunStatus::diverged;
@@ -161,6 +170,7 @@ std::string WalkEvaluator::physics() const {
   text.add("model", to_string(EvaluationModel::finite_elements)).add("duration_s", study_.duration_s);
   if (study_.measure_from_s > 0.0) text.add("measure_from_s", study_.measure_from_s);
   if (const auto last = measured_periods(study_)) text.add("measure_periods", last->count);
+  if (measured_periods(study_) && study_.largest_lean_deg < 180.0) text.add("largest_lean_deg", study_.largest_lean_deg);
   text.add("record_interval_s", record_interval_s(study_));
   io::StudyTextWriter moving;
   Study described = study_;

@@ -20,7 +20,7 @@ double record_interval_s(const Study& study);
 fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body);
 
 /// Sets the displacements of a completed walk as a study measures them. A walk without as many whole periods as are measured
-/// becomes `diverged`, with a reason.
+/// becomes `diverged`, with a reason, and so does one whose body has fallen (Study::largest_lean_deg).
 void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result);
 
 /// Evaluates single modules by walks on finite elements, in the process (see fem::walk).

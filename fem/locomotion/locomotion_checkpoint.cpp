@@ -176,18 +176,18 @@ WalkState state_from(const Json& json) {
 }
 
 Json to_json(const WalkRecord& record) {
-  const auto& [time, centre, pressures, volumes, energies, ground_force] = record;
+  const auto& [time, centre, pressures, volumes, energies, ground_force, upright] = record;
   const auto& [kinetic, strain, work, at_start] = energies;
-  return {time, centre, pressures, volumes, kinetic, strain, to_json(work), at_start, ground_force};
+  return {time, centre, pressures, volumes, kinetic, strain, to_json(work), at_start, ground_force, upright};
 }
 
 WalkRecord record_from(const Json& json) {
   WalkRecord record;
-  auto& [time, centre, pressures, volumes, energies, ground_force] = record;
+  auto& [time, centre, pressures, volumes, energies, ground_force, upright] = record;
   auto& [kinetic, strain, work, at_start] = energies;
   take(json, 0, time, centre, pressures, volumes, kinetic, strain);
   work = work_from(json.at(6));
-  take(json, 7, at_start, ground_force);
+  take(json, 7, at_start, ground_force, upright);
   return record;
 }
 

@@ -27,7 +27,7 @@ WalkResult walk(const WalkInput& input, const std::atomic<bool>* stop) {
 }
 
 Walk::Walk(const PreparedWalk& walk, WalkDynamics& dynamics)
-    : dynamics_(dynamics), overlaps_(walk.mesh), times_s_(record_times_s(walk)) {
+    : dynamics_(dynamics), overlaps_(walk.mesh), posture_(walk.mesh), times_s_(record_times_s(walk)) {
   result_.status = io::RunStatus::completed;
   result_.elements = walk.mesh.elements.size();
   result_.nodes = walk.mesh.points.size();
@@ -46,7 +46,7 @@ void Walk::resume(WalkProgress progress) {
 
 bool Walk::start() {
   if (!result_.records.empty()) return false;
-  result_.records.push_back(dynamics_.record());
+  add_record();
   return true;
 }
 
@@ -60,8 +60,13 @@ bool Walk::go_on() {
   if (outcome.status != io::RunStatus::completed || result_.records.size() == times_s_.size()) outcome_ = std::move(outcome);
   // The time reached by a failed walk may have a record already.
   if (dynamics_.time_s() <= result_.records.back().time_s) return false;
-  result_.records.push_back(dynamics_.record());
+  add_record();
   return true;
+}
+
+void Walk::add_record() {
+  result_.records.push_back(dynamics_.record());
+  result_.records.back().upright = posture_.upright_axis(dynamics_.displacements_m());
 }
 
 WalkProgress Walk::progress() const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fem/contact/body_overlap.h"
+#include "fem/walk/body_posture.h"
 #include "fem/walk/walk_dynamics.h"
 #include "fem/walk/walk_input.h"
 #include "fem/walk/walk_result.h"
@@ -66,10 +67,12 @@ class Walk {
 
  private:
   [[nodiscard]] WalkOutcome checked(WalkOutcome outcome) const;
+  void add_record();
   void make_restart_point();
 
   WalkDynamics& dynamics_;
   BodyOverlapSearch overlaps_;
+  BodyPosture posture_;
   std::vector<double> times_s_;
   WalkResult result_;  ///< without the time and steps reached
   std::optional<WalkOutcome> outcome_;

@@ -38,11 +38,41 @@ Point centre_of_mass_at(const WalkResult& result, double time_s) {
   return sum(before.centre_of_mass_m, scaled(share, difference(after->centre_of_mass_m, before.centre_of_mass_m)));
 }
 
-std::vector<Point> period_displacements_m(const WalkResult& result, double period_s) {
+namespace {
+
+std::size_t count_of_periods(const WalkResult& result, double period_s) {
   constexpr double rounding = 1e-9;  // of a count of periods
-  if (result.records.empty()) return {};
+  if (result.records.empty()) return 0;
+  return static_cast<std::size_t>((result.records.back().time_s - result.records.front().time_s) / period_s + rounding);
+}
+
+/// Returns the record next to a time.
+const WalkRecord& record_near(const WalkResult& result, double time_s) {
+  return *std::ranges::min_element(result.records, {},
+                                   [&](const WalkRecord& record) { return std::abs(record.time_s - time_s); });
+}
+
+}  // namespace
+
+Lean largest_lean(const WalkResult& result, double period_s) {
+  Lean largest;
+  const std::size_t count = count_of_periods(result, period_s);
+  if (count < 2) return largest;
   const double start_s = result.records.front().time_s;
-  const auto count = static_cast<std::size_t>((result.records.back().time_s - start_s) / period_s + rounding);
+  const Point first = record_near(result, start_s + period_s).upright;
+  for (std::size_t n = 2; n <= count; ++n) {
+    const Point now = record_near(result, start_s + static_cast<double>(n) * period_s).upright;
+    // the heights of both axes would not tell a body that leans to the other side
+    const double angle_deg = 180.0 / std::numbers::pi * std::abs(std::atan2(norm(cross(first, now)), dot(first, now)));
+    if (angle_deg > largest.angle_deg) largest = {angle_deg, n};
+  }
+  return largest;
+}
+
+std::vector<Point> period_displacements_m(const WalkResult& result, double period_s) {
+  const std::size_t count = count_of_periods(result, period_s);
+  if (count == 0) return {};
+  const double start_s = result.records.front().time_s;
   std::vector<Point> displacements;
   Point before = result.records.front().centre_of_mass_m;
   for (std::size_t n = 1; n <= count; ++n) {

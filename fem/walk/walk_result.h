@@ -19,7 +19,8 @@ struct WalkRecord {
   std::vector<double> plenum_pressures_Pa{};  ///< gauge
   std::vector<double> chamber_volumes_m3{};
   MotionEnergies energies{};
-  double ground_force_N = 0.0;  ///< upwards
+  double ground_force_N = 0.0;   ///< upwards
+  Point upright{0.0, 0.0, 1.0};  ///< the body's own upright axis, see BodyPosture
 };
 
 /// The result of a walk.
@@ -58,6 +59,18 @@ double peak_height_m(const WalkResult& result);
 /// Returns the centre of mass at a time, linear between two records; before the first or after the last one that of this record.
 /// Precondition: there is a record.
 Point centre_of_mass_at(const WalkResult& result, double time_s);
+
+/// How far a body leans.
+struct Lean {
+  double angle_deg = 0.0;
+  std::size_t period = 1;  ///< at whose end, counted from 1
+};
+
+/// Returns the largest angle between the upright axis of a body at the end of a whole period and that at the end of the first. At
+/// these times the drive is alike, so that a body that keeps its posture leans by 0, however it is deformed in between. Turning
+/// about the vertical is no lean.
+/// @param period_s > 0, a multiple of the interval of the records
+Lean largest_lean(const WalkResult& result, double period_s);
 
 /// Returns the displacement of the centre of mass in each whole period since the start, as far as the records go. Exact where
 /// the interval of the records divides the period, see centre_of_mass_at.

@@ -1,5 +1,6 @@
 # Do robots that finite elements chose in a search walk alike on finer elements?
 part walkers "10 min of two cores" "three searches of ten generations on draft elements, and the three best of each on standard and fine ones"
+part_on_request robust "6 min of two cores" "such a search whose robots walk at three frictions and two dampings"
 part_on_request screened "8 min of two cores" "such a search with more children, which voxels screen"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
@@ -11,6 +12,11 @@ walkers() {
     menger reevaluate "$results/search_$seed.sqlite" --top 3 --study "$study/fine.toml" --no-pictures --output "$results/fine_$seed"
   done
   tables
+}
+
+robust() {
+  menger evolve "$study/robust.toml" --output "$results/robust.sqlite"
+  menger export "$results/robust.sqlite" --output "$results/robust" --no-frames --no-pictures
 }
 
 screened() {

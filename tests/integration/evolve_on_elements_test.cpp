@@ -152,7 +152,7 @@ TEST_F(EvolveOnElements, VoxelsScreenAndFiniteElementsDecide) {
   io::write_whole(
       folder_ / "study.toml",
       "preset = \"paper\"\ngenerations = 3\n[population]\nsurvivors = 4\nmutants = 8\n"
-      "[evaluation]\nmodel = \"both\"\nstand = true\nleast_passing_share = 0.1\n"
+      "[evaluation]\nmodel = \"both\"\nstand = true\nconfirm = 0\nleast_passing_share = 0.1\n"
       "[body]\nlevels = [1]\ncastable = true\n[time]\nduration_s = 0.05\n[surrogate]\nparameters = \"" MENGER_SOURCE_DIR
       "/voxel/parameters/dragon_skin_10_1cm.toml\"\noutside_range = \"warn\"\n"
       "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 6000]\nfrequency_Hz = 40\n");
@@ -221,6 +221,29 @@ TEST_F(EvolveOnElements, RobustRobotsWalkInEveryScenarioOrCannotSurvive) {
   const io::CsvContents walk = io::read_csv(folder_ / "out/level_1/trajectory.csv");
   EXPECT_NEAR(walk.number(walk.row_count() - 1, "horizontal_displacement_body_lengths"), worst, 1e-9);
   EXPECT_EQ(run("reevaluate", {"one.sqlite", "--top", "1", "-o", "again", "--no-pictures"}).code, 0);
+}
+
+TEST_F(EvolveOnElements, TheBestAreConfirmedOnFinerElements) {
+  std::string text = tests::walking_study_text();
+  text.replace(text.find("confirm = 0"), 11, "confirm = 2");
+  io::write_whole(folder_ / "study.toml", text);
+  const Outcome outcome = run("evolve", {"study.toml", "--threads", "1"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("The best robots on finer elements [BL]:"), std::string::npos) << outcome.out;
+  const io::CsvContents table = io::read_csv(folder_ / "run.confirmed.csv");
+  ASSERT_EQ(table.row_count(), 4U);
+  EXPECT_EQ(table.text(0, "fidelity"), "standard");
+  EXPECT_EQ(table.text(1, "fidelity"), "fine");
+  EXPECT_GE(table.number(0, "fitness_body_lengths"), table.number(2, "fitness_body_lengths"));
+  ASSERT_EQ(run("evolve", {"study.toml", "--threads", "2", "-o", "two.sqlite"}).code, 0);
+  EXPECT_EQ(archive_content(folder_ / "run.sqlite"), archive_content(folder_ / "two.sqlite"));
+  EXPECT_EQ(io::read_whole(folder_ / "run.confirmed.csv"), io::read_whole(folder_ / "two.confirmed.csv"));
+  ASSERT_EQ(export_to("run.sqlite", "out").code, 0);
+  EXPECT_EQ(io::read_whole(folder_ / "out/confirmed.csv"), io::read_whole(folder_ / "run.confirmed.csv"));
+  // A search that is finished already is confirmed, too.
+  fs::remove(folder_ / "run.confirmed.csv");
+  ASSERT_EQ(run("evolve", {"study.toml"}).code, 0);
+  EXPECT_EQ(io::read_whole(folder_ / "two.confirmed.csv"), io::read_whole(folder_ / "run.confirmed.csv"));
 }
 
 TEST_F(EvolveOnElements, WrongInputIsFoundBeforeAnythingIsWritten) {

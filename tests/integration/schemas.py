@@ -25,7 +25,7 @@ import wrong_studies
 STUDIES = {
     "evolve": ["paper/demo/study.toml", "paper/demo/silicone.toml", "paper/fractal/*.toml", "paper/known_walks/search.toml", "paper/non_fractal/*.toml",
                "paper/phase_wave/*.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
-               "paper/trade_off/evolve.toml", "paper/walkers/screened.toml",
+               "paper/trade_off/evolve.toml", "paper/walkers/robust.toml", "paper/walkers/screened.toml",
                "paper/walkers/study.toml"],
     "simulate": ["voxel/scenes/*.toml"],
     "inflate": ["fem/studies/cube.toml", "fem/studies/quadruped.toml", "fem/studies/reference_cube.toml",

@@ -12,7 +12,7 @@ namespace menger::tests {
 inline std::string walking_study_text(const std::string& evaluation = "", const std::string& drive = "",
                                       const std::string& more = "") {
   return "preset = \"paper\"\ngenerations = 2\n[population]\nsurvivors = 3\nmutants = 3\n"
-         "[evaluation]\nmodel = \"finite_elements\"\nstand = true\n" +
+         "[evaluation]\nmodel = \"finite_elements\"\nstand = true\nconfirm = 0\n" +
          evaluation +
          "[body]\nlevels = [1]\ncastable = true\nwall_thickness_m = 0.002\n"
          "[time]\nduration_s = 0.05\n"

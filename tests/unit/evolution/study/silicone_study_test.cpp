@@ -78,6 +78,33 @@ TEST_F(SiliconeStudy, IsReadBackFromItsTextWithoutTheSilicone) {
   EXPECT_EQ(study_from_text(resolved_text(shared), "archive"), shared);
 }
 
+TEST_F(SiliconeStudy, ConfirmationIsNoPartOfTheIdentityAndTheLeanIs) {
+  const std::string last = "measure = \"last_periods\"\n";
+  const auto of = [&](const std::string& evaluation) {
+    return read(changed("duration_s = 0.05", "duration_s = 0.15", walking_study_text(evaluation)));
+  };
+  const Study study = of(last);
+  EXPECT_EQ(study.largest_lean_deg, 45.0);
+  Study other = study;
+  other.confirm = 9;
+  EXPECT_EQ(identity_text(other), identity_text(study));
+  EXPECT_NE(resolved_text(other), resolved_text(study));
+  EXPECT_EQ(study_from_text(resolved_text(other), "text"), other);
+  EXPECT_NE(identity_text(of(last + "largest_lean_deg = 60\n")), identity_text(study));
+  expect_refused(walking_study_text("largest_lean_deg = 60\n"), "belongs to measure = \"last_periods\"");
+  expect_refused(changed("confirm = 0", "confirm = -1"), "evaluation.confirm = -1");
+  expect_refused("preset = \"paper\"\n[evaluation]\nconfirm = 1\n", "belongs to model = \"finite_elements\" or \"both\"");
+  // An archive from before bodies could fall.
+  std::string text = identity_text(study);
+  const std::string line = "largest_lean_deg = 45\n";
+  ASSERT_NE(text.find(line), std::string::npos) << text;
+  const fs::path file = folder_ / "earlier.sqlite";
+  { const RunArchive made = RunArchive::open(file, text.erase(text.find(line), line.size()), 2); }
+  const Study archived = archived_study(RunArchive::open_to_read(file));
+  EXPECT_EQ(archived.largest_lean_deg, 180.0);
+  EXPECT_EQ(evaluator_of(archived)->physics().find("lean"), std::string::npos) << "its results are found by the physics of then";
+}
+
 TEST_F(SiliconeStudy, SharesTheValuesOfASurrogate) {
   const Study study = read(with_parameters);
   ASSERT_TRUE(study.physics.surrogate);

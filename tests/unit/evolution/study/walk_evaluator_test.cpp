@@ -144,6 +144,10 @@ TEST_F(WalkEvaluatorTest, PhysicsTextNamesEverythingThatDecides) {
   EXPECT_TRUE(all.insert(WalkEvaluator(last).physics()).second);
   last.measure_periods = 6;
   EXPECT_TRUE(all.insert(WalkEvaluator(last).physics()).second);
+  last.largest_lean_deg = 30.0;
+  EXPECT_TRUE(all.insert(WalkEvaluator(last).physics()).second);
+  last.confirm = 7;
+  EXPECT_FALSE(all.insert(WalkEvaluator(last).physics()).second);
   EXPECT_EQ(physics(tests::walking_study_text("pruning = false\n")), usual) << "the course of a search is no physics";
 }
 
@@ -197,6 +201,48 @@ TEST_F(WalkEvaluatorTest, AWalkWithTooFewPeriodsHasNoDisplacement) {
   EXPECT_EQ(result.status, io::RunStatus::diverged);
   EXPECT_FALSE(result.displacement_m);
   EXPECT_EQ(result.reason, "the walk has 1 whole periods, fewer than the 2 that are measured");
+}
+
+TEST_F(WalkEvaluatorTest, ABodyThatHasFallenHasNoDisplacement) {
+  Study study = read();
+  study.measure = Measure::last_periods;
+  study.measure_periods = 5;
+  study.duration_s = 0.15;
+  fem::WalkResult walk;
+  for (int n = 0; n <= 6; ++n) {
+    fem::WalkRecord record{.time_s = 0.025 * n};
+    record.centre_of_mass_m = {1e-3 * n, 0.0, 0.01};
+    if (n >= 4) record.upright = {0.8, 0.0, 0.6};  // 53 degrees
+    walk.records.push_back(record);
+  }
+  const auto measured = [&] {
+    Evaluation result;
+    result.status = io::RunStatus::completed;
+    measure(study, walk, result);
+    return result;
+  };
+  const Evaluation fallen = measured();
+  EXPECT_EQ(fallen.status, io::RunStatus::diverged);
+  EXPECT_FALSE(fallen.displacement_m);
+  EXPECT_TRUE(fallen.period_displacements_m.empty());
+  EXPECT_EQ(fallen.reason,
+            "the body has fallen: at the end of period 4 it leans by 53 degrees from where it was at the end of the first");
+  study.largest_lean_deg = 60.0;
+  ASSERT_TRUE(measured().displacement_m);
+  EXPECT_NEAR((*measured().displacement_m)[0], 1e-3, 1e-15);
+  study.largest_lean_deg = 10.0;
+  study.measure = Measure::net_displacement;
+  EXPECT_TRUE(measured().displacement_m) << "only a fitness that rewards walking asks how a body stands";
+}
+
+TEST_F(WalkEvaluatorTest, AHookKeepsItsPostureWhileItWalks) {
+  Study study = read();
+  study.duration_s = 0.15;
+  const fem::WalkResult walk = fem::walk(walk_of(study, hook()));
+  ASSERT_EQ(walk.records.front().upright, (fem::Point{0.0, 0.0, 1.0}));
+  for (const fem::WalkRecord& record : walk.records) EXPECT_GT(record.upright[2], 0.8) << record.time_s;
+  EXPECT_GT(fem::largest_lean(walk, 0.025).angle_deg, 0.0);
+  EXPECT_LT(fem::largest_lean(walk, 0.025).angle_deg, 45.0);
 }
 
 TEST_F(WalkEvaluatorTest, CostsGrowWithTheElements) {

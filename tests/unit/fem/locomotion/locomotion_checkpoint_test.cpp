@@ -47,6 +47,7 @@ WalkProgress awkward_progress() {
   state.branches = BranchState{.numbers = AlignedNumbers{1.0 / 3.0, -0.0, 1.0 + 1e-16, 5e-324}, .age_s = 1e-5 / 3.0};
   WalkRecord record{.time_s = 0.1, .centre_of_mass_m = {0.1, 0.2, 0.3}, .plenum_pressures_Pa = {5.0}, .ground_force_N = 1.1};
   record.chamber_volumes_m3 = {1e-6};
+  record.upright = {0.6, -0.0, 0.8};
   record.energies.kinetic_J = 1.0 / 3.0;
   record.energies.at_start_J = 1e-17;
   record.energies.work.friction_J = 0.3;
@@ -94,6 +95,7 @@ TEST(LocomotionCheckpoint, GivesEveryBitBack) {
   EXPECT_EQ(read->records[1].energies.kinetic_J, 1.0 / 3.0);
   EXPECT_EQ(read->records[1].energies.work.friction_J, 0.3);
   EXPECT_EQ(read->records[1].ground_force_N, 1.1);
+  EXPECT_EQ(read->records[1].upright, (Point{0.6, 0.0, 0.8}));
   EXPECT_FALSE(read->outcome);
   EXPECT_EQ(read->seconds, 12.5);
 }

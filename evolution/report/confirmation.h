@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evolution/archive/run_archive.h"
+#include "evolution/study/study.h"
+#include "fem/thin_walls/element_choice.h"
+#include "io/text/csv_table.h"
+#include "io/text/run_status.h"
+
+namespace menger::evolution {
+
+/// How the walks that confirm a search are made. It does not change their results.
+struct ConfirmationOptions {
+  int threads = 1;  ///< >= 1
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(std::size_t done, std::size_t total)> progress{};
+  std::function<void(std::size_t count)> after_commit{};  ///< called when the archive has grown for the count-th time, from 1
+};
+
+/// Lets the best robots of a finished search on finite elements walk on finer elements: `standard` and `fine`, in all scenarios
+/// of the study, measured as in the search. Of robots that differ by their pose alone the first walks. Results are re-evaluations
+/// of the archive; those that it has are not made again.
+/// @param study of the archive, with thin walls; as many robots as its `confirm`
+/// @return completed or stopped
+io::RunStatus confirm(const Study& study, RunArchive& archive, const ConfirmationOptions& options);
+
+/// A robot of a search and its score on finer elements.
+struct Confirmation {
+  std::size_t rank = 0;  ///< among the different robots of the search, from 1
+  FitDesign design;
+  fem::Fidelity fidelity = fem::Fidelity::standard;
+  std::optional<double> score{};  ///< in the unit of the objective; none if it failed
+  std::string reason{};           ///< of the first scenario that failed
+  /// The largest angle between the displacements in the search and here, over the scenarios.
+  std::optional<double> angle_deg{};
+};
+
+/// Returns what an archive has of these walks, robot by robot, as far as robots have all of them.
+std::vector<Confirmation> confirmations(const Study& study, const RunArchive& archive);
+
+/// Makes a table with a row per robot and fidelity.
+io::CsvTable confirmation_table(const Study& study, const std::vector<Confirmation>& confirmed);
+
+/// Describes them for people, a line per robot; empty if there are none.
+std::string confirmation_text(const Study& study, const std::vector<Confirmation>& confirmed);
+
+}  // namespace menger::evolution
