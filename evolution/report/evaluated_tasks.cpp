@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "evolution/evaluation/task_schedule.h"
-#include "evolution/search/lazy_selection.h"
+#include "evolution/search/niches.h"
 #include "io/text/input_error.h"
 
 namespace menger::evolution {
@@ -16,12 +16,14 @@ namespace {
 /// Repeats the decisions of a search in one generation from the results in its archive, to find which evaluations it asked for.
 class Replay {
  public:
-  Replay(const RunView& run, int generation) : run_(run), generation_(generation), physics_hashes_(run.physics_hashes()) {
+  Replay(const RunView& run, int generation)
+      : run_(run), generation_(generation), selection_(run.plan), physics_hashes_(run.physics_hashes()) {
     for (const PoolMember& member : run.archive->pool(generation)) {
       Entry entry;
       entry.archived = member;
       entry.known = {.id = member.id, .age = member.age, .fitness = member.fitness};
       const Individual individual = run.archive->individual(member.id);
+      selection_.add(member.id, individual.phenotype);
       const bool is_evaluated = member.knowledge != Knowledge::duplicate && member.knowledge != Knowledge::penalised &&
                                 member.knowledge != Knowledge::screened;
       if (individual.generation == generation && is_evaluated) {
@@ -41,7 +43,7 @@ class Replay {
       return std::move(tasks_);
     }
     while (true) {
-      const SelectionOutlook view = outlook(pool(), static_cast<std::size_t>(run_.plan.survivors));
+      const SelectionOutlook view = selection_.outlook(pool());
       if (view.certain()) return std::move(tasks_);
       for (const std::uint64_t id : view.run_now)
         ask(*std::ranges::find(entries_, id, [](const Entry& one) { return one.archived.id; }));
@@ -94,6 +96,7 @@ class Replay {
 
   const RunView& run_;
   int generation_;
+  Selection selection_;
   std::vector<std::string> physics_hashes_;
   std::vector<Entry> entries_;
   std::set<EvaluationKey> asked_;

@@ -44,6 +44,7 @@ struct ExportResult {
 /// - generations.csv, lineage.csv and costs.csv (see generations_table, lineage_table, cost_table);
 /// - if the time step was checked, check_dt.csv (step_check_table);
 /// - if robots were confirmed on finer elements, confirmed.csv (confirmation_table);
+/// - if bodies survived by niches, niches.csv (niche_table);
 /// - if there are scenarios, scenarios.csv (scenario_table);
 /// - if the archive has displacements by period, periods.csv with those of the champion, in the scenario that decided;
 /// - champion.toml, the basal body; if arrangements are evolved too, champion_level_<n>.toml with the whole bodies;

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <utility>
 
-#include "evolution/search/lazy_selection.h"
 #include "io/text/content_hash.h"
 
 namespace menger::evolution {
@@ -110,9 +109,9 @@ io::RunStatus PoolEvaluation::evaluate_in_full() {
   return evaluate(requests);
 }
 
-io::RunStatus PoolEvaluation::evaluate_lazily() {
+io::RunStatus PoolEvaluation::evaluate_lazily(const Selection& selection) {
   while (true) {
-    const SelectionOutlook view = outlook(pool(), static_cast<std::size_t>(plan_->survivors));
+    const SelectionOutlook view = selection.outlook(pool());
     if (view.certain()) return io::RunStatus::completed;
     std::vector<Request> requests;
     for (const std::uint64_t id : view.run_now) {

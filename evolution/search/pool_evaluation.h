@@ -11,6 +11,7 @@
 #include "evolution/archive/run_archive.h"
 #include "evolution/evaluation/worker_pool.h"
 #include "evolution/search/known_score.h"
+#include "evolution/search/niches.h"
 #include "evolution/search/search.h"
 
 namespace menger::evolution {
@@ -39,8 +40,9 @@ class PoolEvaluation {
   /// Evaluates everything. @return completed or stopped
   [[nodiscard]] io::RunStatus evaluate_in_full();
 
-  /// Evaluates, stage by stage, only what selection depends on (see outlook). @return completed or stopped
-  [[nodiscard]] io::RunStatus evaluate_lazily();
+  /// Evaluates, stage by stage, only what selection depends on (see Selection::outlook). @param selection knows all members
+  /// @return completed or stopped
+  [[nodiscard]] io::RunStatus evaluate_lazily(const Selection& selection);
 
   /// Returns the pool in the order in which its members were added. Survivor ranks are not set.
   [[nodiscard]] std::vector<PoolMember> pool() const;

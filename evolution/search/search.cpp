@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "evolution/genome/random_stream.h"
-#include "evolution/search/age_fitness_pareto.h"
+#include "evolution/search/niches.h"
 #include "evolution/search/pool_evaluation.h"
 #include "evolution/search/step_checking.h"
 #include "evolution/search/survivor.h"
@@ -81,8 +81,13 @@ class Search {
       if (options_.screened) options_.screened(screened);
     }
     PoolEvaluation pool(plan_, evaluator_, archive_, options_, next_generation_, &commits_);
-    for (const Survivor& survivor : survivors_) pool.add_survivor(survivor.member);
+    Selection selection(plan_);
+    for (const Survivor& survivor : survivors_) {
+      pool.add_survivor(survivor.member);
+      selection.add(survivor.individual.id, survivor.individual.phenotype);
+    }
     for (const Individual& individual : born) {
+      selection.add(individual.id, individual.phenotype);
       const auto found = std::ranges::find(screened.individuals, individual.id, &ScreenedIndividual::id);
       const bool is_left_out = found != screened.individuals.end() && found->outcome == Screened::left_out;
       // One that is left out is no earlier one to its copies: they may pass.
@@ -90,9 +95,9 @@ class Search {
       pool.add_newcomer(individual, !is_new, is_left_out);
     }
     const bool lazily = plan_.pruning && next_generation_ > 0;
-    const io::RunStatus status = lazily ? pool.evaluate_lazily() : pool.evaluate_in_full();
+    const io::RunStatus status = lazily ? pool.evaluate_lazily(selection) : pool.evaluate_in_full();
     if (status != io::RunStatus::completed) return status;
-    return commit(pool, born, screened, start);
+    return commit(pool, selection, born, screened, start);
   }
 
   /// Returns the new individuals that are to be evaluated: those that are neither penalised nor culled as duplicates of earlier
@@ -119,9 +124,10 @@ class Search {
     std::vector<const Survivor*> parents;
     parents.reserve(survivors_.size());
     for (const Survivor& survivor : survivors_) parents.push_back(&survivor);
-    variation_.shuffle(parents);
+    if (!plan_.map_elites) variation_.shuffle(parents);
     std::vector<Individual> born;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.mutants); ++i) born.push_back(child(*parents[i % parents.size()]));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan_.mutants); ++i)
+      born.push_back(child(*parents[plan_.map_elites ? variation_.below(parents.size()) : i % parents.size()]));
     for (int i = 0; i < plan_.newcomers; ++i) born.push_back(random_individual());
     return born;
   }
@@ -141,9 +147,9 @@ class Search {
     return {next_id_++, next_generation_, std::nullopt, 0, std::move(offspring.genome), std::move(offspring.phenotype)};
   }
 
-  /// Returns the ids of the survivors, in order. In generation 0 all survive.
-  std::vector<std::uint64_t> select(const std::vector<PoolMember>& pool) {
-    if (next_generation_ > 0) return select_survivors(pool, static_cast<std::size_t>(plan_.survivors), selection_);
+  /// Returns the ids of the survivors, in order. Without niches all survive in generation 0.
+  std::vector<std::uint64_t> select(const std::vector<PoolMember>& pool, const Selection& selection) {
+    if (next_generation_ > 0 || plan_.map_elites) return selection.select(pool, selection_);
     std::vector<std::uint64_t> all;
     all.reserve(pool.size());
     for (const PoolMember& member : pool) all.push_back(member.id);
@@ -156,10 +162,10 @@ class Search {
     return checking_->check(next_generation_, survivors, options_, &commits_);
   }
 
-  io::RunStatus commit(const PoolEvaluation& pool, const std::vector<Individual>& born, const ScreeningRound& screened,
-                       Clock::time_point start) {
+  io::RunStatus commit(const PoolEvaluation& pool, const Selection& selection, const std::vector<Individual>& born,
+                       const ScreeningRound& screened, Clock::time_point start) {
     std::vector<PoolMember> members = pool.pool();
-    const std::vector<std::uint64_t> selected = select(members);
+    const std::vector<std::uint64_t> selected = select(members, selection);
     std::vector<Survivor> survivors;
     for (std::size_t rank = 0; rank < selected.size(); ++rank) {
       const auto found = std::ranges::find(members, selected[rank], &PoolMember::id);

@@ -40,6 +40,9 @@ struct SearchOptions {
 /// With plan.pruning, levels of later generations are evaluated from the smallest on, and scenario by scenario, only as long as
 /// outlook() asks for them.
 ///
+/// With plan.map_elites, the fittest of every niche survives instead, from generation 0 on (Selection), and each child has a
+/// parent that is drawn from the survivors.
+///
 /// Decisions use results only between batches of evaluations, and never the order of results within a batch. The content of the
 /// archive therefore does not depend on the number of threads, nor on where the search was interrupted.
 ///

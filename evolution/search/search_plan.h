@@ -42,6 +42,13 @@ struct StepCheckPlan {
   bool operator==(const StepCheckPlan&) const = default;
 };
 
+/// An archive of elites: the fittest body of every niche survives, so that kinds of bodies are kept apart.
+struct MapElitesPlan {
+  std::size_t cells_per_niche = 3;  ///< how many numbers of cells share a niche, >= 1
+
+  bool operator==(const MapElitesPlan&) const = default;
+};
+
 /// Everything that decides the course of a search besides the evaluator.
 struct SearchPlan {
   std::uint64_t seed = 1;
@@ -70,6 +77,9 @@ struct SearchPlan {
   /// [0, 1): 0 scores a robot by its worst scenario. See known_score.
   std::size_t scenarios = 1;
   double quantile = 0.0;
+
+  /// Survival by niches. None: by age and fitness.
+  std::optional<MapElitesPlan> map_elites{};
 
   /// Screening of new individuals by a surrogate. None: all are evaluated.
   std::optional<ScreeningPlan> screening{};

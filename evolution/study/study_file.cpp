@@ -161,6 +161,11 @@ void describe_robust(io::StudyVisitor& visitor, RobustOptions& robust) {
                  robust.quantile, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
 }
 
+void describe_map_elites(io::StudyVisitor& visitor, MapElitesPlan& elites) {
+  visitor.integer({"cells_per_niche", "How many numbers of cells share a niche."}, elites.cells_per_niche,
+                  io::within(1, basal_cell_count));
+}
+
 void describe_step_checks(io::StudyVisitor& visitor, StepCheckPlan& checks) {
   visitor.integer({"every", "Generations from one check to the next."}, checks.every, io::at_least(1));
   visitor.integer({"designs", "Best survivors that are checked each time."}, checks.designs, io::within(1, largest_population));
@@ -226,6 +231,11 @@ void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study
   const bool is_calibrated = has_parameters(visitor, study);
   visitor.table({"body", "Which bodies are valid."}, [&] { describe_body(visitor, is_calibrated, study); });
   visitor.table({"time", "Simulated time."}, [&] { describe_time(visitor, study); });
+  visitor.optional_table(
+      {"map_elites",
+       "An archive of elites: the fittest body of every niche survives, by number of cells, number of feet and height. Without "
+       "this table bodies survive by age and fitness."},
+      plan.map_elites, [&](MapElitesPlan& elites) { describe_map_elites(visitor, elites); });
   visitor.optional_table(
       {"check_dt",
        "Checks of the time step: the best survivors are evaluated again with half of it. The search does not change."},

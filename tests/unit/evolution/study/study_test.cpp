@@ -324,6 +324,17 @@ TEST_F(StudyFile, ArchivesOfCorrectedSearchesAreReadAndNotContinued) {
   EXPECT_FALSE(was_corrected(RunArchive::open_to_read(plain)));
 }
 
+TEST_F(StudyFile, MayKeepAnArchiveOfElites) {
+  const std::string head = "preset = \"paper\"\n";
+  const Study study = read(head + "[map_elites]\ncells_per_niche = 5\n");
+  ASSERT_TRUE(study.search.map_elites);
+  EXPECT_EQ(study.search.map_elites->cells_per_niche, 5U);
+  EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
+  EXPECT_NE(identity_text(study), identity_text(read(head)));
+  EXPECT_EQ(identity_text(read(head)).find("map_elites"), std::string::npos);
+  expect_refused(head + "[map_elites]\ncells_per_niche = 0\n", {"map_elites.cells_per_niche = 0"});
+}
+
 TEST_F(StudyFile, RefusesALevelThatWouldNotFitTheMemory) {
   io::write_whole(folder_ / "study.toml", "preset = \"paper\"\n");
   EXPECT_NO_THROW((void)read_study(folder_ / "study.toml", {}, std::size_t{1} << 30));
