@@ -17,6 +17,7 @@ walkers() {
 robust() {
   menger evolve "$study/robust.toml" --output "$results/robust.sqlite"
   menger export "$results/robust.sqlite" --output "$results/robust" --no-frames --no-pictures
+  table "$results/robust.confirmed.csv" "$study/robust.csv" rank fidelity cells fitness_body_lengths score_body_lengths ratio angle_deg reason
 }
 
 screened() {
