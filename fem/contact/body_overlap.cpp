@@ -176,10 +176,6 @@ double depth_between(const Hull& a, const Hull& b, double enough_m) {
   return depth;
 }
 
-bool share_a_node(const meshes::ElementCorners& a, const meshes::ElementCorners& b) {
-  return std::any_of(a.begin(), a.end(), [&](std::size_t node) { return std::find(b.begin(), b.end(), node) != b.end(); });
-}
-
 meshes::CornerPoints current_corners(const meshes::HexahedralMesh& mesh, std::size_t element,
                                      std::span<const double> displacements_m) {
   meshes::CornerPoints corners;
@@ -191,6 +187,25 @@ meshes::CornerPoints current_corners(const meshes::HexahedralMesh& mesh, std::si
 }
 
 }  // namespace
+
+BodyOverlapSearch::BodyOverlapSearch(const meshes::HexahedralMesh& mesh) : mesh_(mesh), neighbours_(mesh.elements.size()) {
+  std::vector<std::vector<std::uint32_t>> elements_at(mesh.points.size());
+  for (std::size_t element = mesh.elements.size(); element-- > 0;) {
+    std::vector<std::uint32_t>& neighbours = neighbours_[element];
+    for (const std::size_t node : mesh.elements[element]) {
+      neighbours.insert(neighbours.end(), elements_at[node].begin(), elements_at[node].end());
+      elements_at[node].push_back(static_cast<std::uint32_t>(element));
+    }
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  }
+}
+
+/// @param second greater than the first
+bool BodyOverlapSearch::share_a_node(std::size_t first, std::size_t second) const {
+  const std::vector<std::uint32_t>& neighbours = neighbours_[first];
+  return std::find(neighbours.begin(), neighbours.end(), static_cast<std::uint32_t>(second)) != neighbours.end();
+}
 
 std::optional<BodyOverlap> BodyOverlapSearch::find(std::span<const double> displacements_m, double share) const {
   assert(displacements_m.size() == 3 * mesh_.points.size());
@@ -204,7 +219,7 @@ std::optional<BodyOverlap> BodyOverlapSearch::find(std::span<const double> displ
   };
   BodyOverlap found;
   BoxBins(boxes).visit_pairs([&](std::size_t first, std::size_t second) {
-    if (share_a_node(mesh_.elements[first], mesh_.elements[second])) return;
+    if (share_a_node(first, second)) return;
     const Hull& a = hull(first);
     const Hull& b = hull(second);
     const double thinner = std::min(a.thickness, b.thickness);

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "meshes/hexahedra/hexahedral_mesh.h"
 
@@ -38,7 +40,7 @@ inline constexpr double failed_contact_share = 0.45;
 class BodyOverlapSearch {
  public:
   /// Keeps a reference to the mesh.
-  explicit BodyOverlapSearch(const meshes::HexahedralMesh& mesh) : mesh_(mesh) {}
+  explicit BodyOverlapSearch(const meshes::HexahedralMesh& mesh);
 
   /// Returns the elements that overlap by more than a share of the thinner one; nothing if there are none. Pairs whose bounding
   /// boxes do not meet are skipped.
@@ -51,7 +53,10 @@ class BodyOverlapSearch {
   [[nodiscard]] std::string text_of(const BodyOverlap& overlap) const;
 
  private:
+  [[nodiscard]] bool share_a_node(std::size_t first, std::size_t second) const;
+
   const meshes::HexahedralMesh& mesh_;
+  std::vector<std::vector<std::uint32_t>> neighbours_;  // of each element those that follow it and share a node with it
 };
 
 }  // namespace menger::fem

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fem/contact/self_contact_depth.h"
 
@@ -10,8 +11,9 @@ namespace {
 
 constexpr std::size_t candidates_per_block = 32;
 constexpr std::size_t faces_per_block = 512;
-constexpr double no_path = 1e-12;       // displacement relative to the shortest edge; stands for the rounding of depths
-constexpr double nothing_paid = 1e-18;  // relative to the square of the shortest edge
+constexpr double largest_looked_up = 0.8;  // relative to the reach: nearer to it displacements would be looked up at each step
+constexpr double no_path = 1e-12;          // displacement relative to the shortest edge; stands for the rounding of depths
+constexpr double nothing_paid = 1e-18;     // relative to the square of the shortest edge
 
 std::vector<double> positions_of(const meshes::HexahedralMesh& mesh) {
   std::vector<double> positions;
@@ -23,26 +25,27 @@ std::vector<double> positions_of(const meshes::HexahedralMesh& mesh) {
 }  // namespace
 
 SelfContact::SelfContact(const meshes::HexahedralMesh& mesh, double stiffness_Pa_per_m, bool with_outside,
-                         const SurfaceFriction& friction)
+                         const SurfaceFriction& friction, const TouchLimit& limit)
     : surfaces_(mesh, with_outside),
       search_(surfaces_, surfaces_.points(positions_of(mesh))),
       stiffness_(stiffness_Pa_per_m),
       friction_(friction),
+      largest_per_s2_(limit.largest_per_s2),
       normals_(surfaces_.face_count()),
       forces_(3 * mesh.points.size(), 0.0) {
   if (friction.static_coefficient > 0.0) friction_forces_.resize(forces_.size(), 0.0);
+  if (limit.masses_kg.empty()) return;
+  for (std::size_t node = 0; node < surfaces_.node_count(); ++node)
+    lightness_per_kg_.push_back(1.0 / limit.masses_kg[surfaces_.mesh_node(node)]);
 }
 
 void SelfContact::moved(double travel_m) {
-  travel_ += travel_m;
+  approach_ += 2.0 * travel_m;
+  path_ += 2.0 * travel_m;
   if (is_near_) largest_travel_ = std::max(largest_travel_, travel_m);
 }
 
-void SelfContact::forget() {
-  allowance_ = 0.0;
-  travel_ = 0.0;
-  searched_positions_.clear();
-}
+void SelfContact::forget() { approach_ = std::numeric_limits<double>::infinity(); }
 
 void SelfContact::watch() {
   largest_depth_ = 0.0;
@@ -50,8 +53,7 @@ void SelfContact::watch() {
 }
 
 void SelfContact::find_touches(std::span<const double> positions_m, const BlockLoop& loop, const ContactPast* past) {
-  if (must_search()) look_up_travel(positions_m);
-  if (must_search()) search(positions_m, loop);
+  if (must_look()) look(surfaces_.points(positions_m), loop);
   if (!is_near_ && touches_.empty()) {
     set_memories(past);
     return;
@@ -71,35 +73,26 @@ void SelfContact::find_touches(std::span<const double> positions_m, const BlockL
   set_forces();
 }
 
-/// Replaces the bound of displacements by the largest one, apart from the mean of all nodes.
-void SelfContact::look_up_travel(std::span<const double> positions_m) {
-  if (searched_positions_.size() != positions_m.size() || !(travel_ > 0.0)) return;
-  Point mean{};
-  for (std::size_t n = 0; n < positions_m.size(); ++n) mean[n % 3] += positions_m[n] - searched_positions_[n];
-  mean = scaled(3.0 / static_cast<double>(positions_m.size()), mean);
-  double largest_square = 0.0;
-  for (std::size_t n = 0; n < positions_m.size(); n += 3) {
-    double square = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double apart = positions_m[n + i] - searched_positions_[n + i] - mean[i];
-      square += apart * apart;
-    }
-    largest_square = std::max(largest_square, square);
+/// Finds out what is near, by a search only where pairs that it did not find before may have come near.
+void SelfContact::look(std::vector<Point> points, const BlockLoop& loop) {
+  points_ = std::move(points);
+  if (std::isfinite(approach_)) approach_ = std::min(approach_, search_.largest_approach_m(points_, loop));
+  bool is_followed = is_near_;
+  if (approach_ < largest_looked_up * reach_m()) {
+    gap_ = search_.smallest_distance_m(candidates_, points_);
+  } else {
+    candidates_ = search_.near_pairs(points_, reach_m(), loop);
+    gap_ = candidates_.smallest_m;
+    approach_ = 0.0;
+    is_followed = false;
+    ++searches_;
   }
-  travel_ = std::min(travel_, std::sqrt(largest_square));
-}
-
-void SelfContact::search(std::span<const double> positions_m, const BlockLoop& loop) {
-  searched_positions_.assign(positions_m.begin(), positions_m.end());
-  points_ = surfaces_.points(positions_m);
-  candidates_ = search_.near_pairs(points_, reach_m(), loop);
-  // While all pairs are far apart, a new search when the nearest pair may have met is cheaper than to follow all pairs at each
+  path_ = 0.0;
+  // While all pairs are far apart, another look when the nearest pair may have met is cheaper than to follow all pairs at each
   // step.
-  is_near_ = candidates_.smallest_m < 0.5 * reach_m();
-  allowance_ = is_near_ ? reach_m() : candidates_.smallest_m;
-  travel_ = 0.0;
+  is_near_ = gap_ < 0.5 * reach_m();
+  if (is_near_ && is_followed) return;
   found_.assign(is_near_ ? candidates_.nodes.size() : 0, std::nullopt);
-  ++searches_;
   follow_candidates();
 }
 
@@ -110,6 +103,7 @@ void SelfContact::follow_candidates() {
   };
   followed_faces_.clear();
   followed_nodes_.clear();
+  followed_mesh_nodes_.clear();
   if (!is_near_) return;
   // If a nearest point lies on the rim of a face, the neighbours of the face count, too.
   for (const std::uint32_t face : candidates_.faces)
@@ -121,6 +115,7 @@ void SelfContact::follow_candidates() {
   for (const std::uint32_t face : followed_faces_)
     followed_nodes_.insert(followed_nodes_.end(), surfaces_.face(face).begin(), surfaces_.face(face).end());
   make_unique(followed_nodes_);
+  for (const std::uint32_t node : followed_nodes_) followed_mesh_nodes_.push_back(surfaces_.mesh_node(node));
 }
 
 std::optional<SelfContact::Found> SelfContact::touch_of(std::size_t candidate, const ContactPast* past) const {
@@ -129,28 +124,39 @@ std::optional<SelfContact::Found> SelfContact::touch_of(std::size_t candidate, c
   const auto faces = std::span(candidates_.faces).subspan(first, candidates_.offsets[candidate + 1] - first);
   const std::optional<NodeDepth> depth = depth_of(surfaces_, node, faces, {points_, normals_}, largest_seen_depth_m());
   if (!depth) return std::nullopt;
+  const double spring = spring_N_per_m(node, depth->face, depth->nearest.weights);
   Found found{{surfaces_.mesh_node(node),
                static_cast<std::uint32_t>(surfaces_.surface(node)),
                {},
                depth->nearest.weights,
                depth->behind_m,
-               0.5 * stiffness_ * surfaces_.area_m2(node)},
-              memory_behind(node, depth->face, norm(depth->behind_m), past)};
+               spring},
+              memory_behind(node, depth->face, norm(depth->behind_m), spring, past)};
   for (std::size_t c = 0; c < 4; ++c) found.touch.face_nodes[c] = surfaces_.mesh_node(surfaces_.face(depth->face)[c]);
   found.touch.pressed_m = found.memory.pressed_m;
   if (past != nullptr && !friction_forces_.empty()) add_friction(found, *past);
   return found;
 }
 
-ContactMemory SelfContact::memory_behind(std::size_t node, std::size_t face, double depth_m, const ContactPast* past) const {
+double SelfContact::spring_N_per_m(std::size_t node, std::size_t face, const std::array<double, 4>& weights) const {
+  const double of_area = 0.5 * stiffness_ * surfaces_.area_m2(node);
+  if (lightness_per_kg_.empty()) return of_area;
+  double lightness = lightness_per_kg_[node];
+  for (std::size_t c = 0; c < 4; ++c) lightness += weights[c] * weights[c] * lightness_per_kg_[surfaces_.face(face)[c]];
+  return std::min(of_area, largest_per_s2_ / lightness);
+}
+
+ContactMemory SelfContact::memory_behind(std::size_t node, std::size_t face, double depth_m, double spring_N_per_m,
+                                         const ContactPast* past) const {
   const auto node_number = static_cast<std::uint32_t>(node);
   const auto face_number = static_cast<std::uint32_t>(face);
-  if (past == nullptr) return {node_number, face_number, depth_m, depth_m, depth_m * depth_m};
+  if (past == nullptr) return {node_number, face_number, depth_m, depth_m, depth_m * depth_m, spring_N_per_m};
   const ContactMemory* before = memory_of(past->memories, node);
   double path_m = no_path * surfaces_.shortest_edge_m() + path_past_face_m(surfaces_, node, face, *past);
   if (before != nullptr && before->face != face)
     path_m = std::max(path_m, path_past_face_m(surfaces_, node, before->face, *past));
-  ContactMemory memory = memory_after(before != nullptr ? *before : ContactMemory{}, depth_m, path_m);
+  ContactMemory memory =
+      memory_after(with_spring(before != nullptr ? *before : ContactMemory{}, spring_N_per_m), depth_m, path_m);
   memory.node = node_number;
   memory.face = face_number;
   return memory;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,9 +25,26 @@ constexpr double self_contact_stiffness_Pa_per_m(double modulus_Pa, double edge_
   return ground_stiffness_Pa_per_m(modulus_Pa, edge_m, 0.2);
 }
 
+/// Limits the springs of a contact by the masses that they join. Nodes on the edges and corners of a body carry the springs of
+/// two and three faces, but little mass; such springs would be what shortens the steps of a body.
+struct TouchLimit {
+  std::span<const double> masses_kg;  ///< per node of the mesh; empty: no limit
+  /// Largest square of the angular frequency at which a spring alone makes its node and its face swing against each other, > 0.
+  double largest_per_s2 = 0.0;
+};
+
+/// Returns the limit at which the springs of two walls just do not change where these are as thin as the thinnest wall: 2 k /
+/// (rho h), since a wall has the mass rho h / 2 under each unit of area, and the springs of a pair of nodes have k / 2.
+/// @param stiffness_Pa_per_m k @param density_kg_per_m3 rho, of the lightest material
+/// @param thickness_m h, the shortest edge of the elements
+constexpr double touch_limit_per_s2(double stiffness_Pa_per_m, double density_kg_per_m3, double thickness_m) {
+  return 2.0 * stiffness_Pa_per_m / (density_kg_per_m3 * thickness_m);
+}
+
 /// The stiffness and friction with which parts of a body's surface press on each other.
 struct SelfContactLaw {
-  /// Pressure divided by depth, > 0. Nothing: self_contact_stiffness_Pa_per_m of the body's modulus and shortest edge.
+  /// Pressure divided by depth, > 0. Nothing: self_contact_stiffness_Pa_per_m of the body's modulus and shortest edge, with a
+  /// TouchLimit.
   std::optional<double> stiffness_Pa_per_m{};
   /// Nothing: the coefficients of the ground, or no friction where there is no ground.
   std::optional<SurfaceFriction> friction{};
@@ -55,6 +73,10 @@ struct SelfTouch {
 /// of the body, or in from beside it, is deep at once. Its memory limits how far its spring may then be compressed (see
 /// ContactMemory), so that contact takes energy and never gives any.
 ///
+/// With a TouchLimit, springs are k A / 2 or what the masses of the node and of the point of the face bear, whichever is less:
+/// masses m and m_c with weights w_c swing with k (1/m + sum w_c^2 / m_c). Such a spring changes as its node slides along faces.
+/// Its memory sees to it that this gives no energy either.
+///
 /// Friction along the faces acts through springs that break away (see friction_force_N).
 ///
 /// depth_of decides when a node is behind a face. It sees depths up to half of the mesh's shortest edge and leaves out faces of
@@ -65,14 +87,15 @@ struct SelfTouch {
 /// must stay thicker than half of the shortest edge, except for the wall of an element at the node itself. A node that has
 /// slipped in from beside the body is not pushed back to where it came in.
 ///
-/// While nothing can touch, the cost is one comparison: two nodes at a distance d cannot meet before the two largest
-/// displacements since then add up to d. They are bounded by the lengths of paths. Where the paths are long enough, displacements
-/// are looked up, since bodies swing back; only where these are long enough, too, the search runs again.
+/// While nothing can touch, the cost is one comparison: a node and a face at a distance d cannot meet before they have approached
+/// each other by d. Paths bound that: twice the largest one. Where the paths are long enough, the distances of pairs that were
+/// near are measured anew, and the displacements of the others are looked up, since parts that lie near each other move together
+/// and bodies swing back; only where neighbours have approached each other too far, the search runs again.
 class SelfContact {
  public:
   /// @param with_outside false: only the walls of chambers are searched
   SelfContact(const meshes::HexahedralMesh& mesh, double stiffness_Pa_per_m, bool with_outside = true,
-              const SurfaceFriction& friction = {});
+              const SurfaceFriction& friction = {}, const TouchLimit& limit = {});
 
   SelfContact(const SelfContact&) = delete;
   SelfContact& operator=(const SelfContact&) = delete;
@@ -83,9 +106,14 @@ class SelfContact {
   /// Must be called after positions have jumped: the results of the last search are no longer valid.
   void forget();
   /// Whether find_touches has anything to do. If not, nothing touches.
-  [[nodiscard]] bool is_awake() const { return is_near_ || must_search(); }
+  [[nodiscard]] bool is_awake() const { return is_near_ || must_look(); }
 
-  /// Finds the nodes that are behind faces. @param positions_m 3 per node of the mesh, finite
+  /// Whether find_touches reads the positions of all nodes; otherwise only those of followed_nodes().
+  [[nodiscard]] bool reads_all_nodes() const { return must_look(); }
+  /// Nodes of the mesh, some of them twice.
+  [[nodiscard]] const std::vector<std::uint32_t>& followed_nodes() const { return followed_mesh_nodes_; }
+
+  /// Finds the nodes that are behind faces. @param positions_m 3 per node of the mesh, finite; see reads_all_nodes()
   /// @param past the step that led to these positions; none: springs are compressed by their full depth, and nothing has slipped
   void find_touches(std::span<const double> positions_m, const BlockLoop& loop, const ContactPast* past = nullptr);
   [[nodiscard]] const std::vector<SelfTouch>& touches() const { return touches_; }
@@ -110,16 +138,17 @@ class SelfContact {
  private:
   [[nodiscard]] double reach_m() const { return 0.75 * surfaces_.shortest_edge_m(); }
   [[nodiscard]] double largest_seen_depth_m() const { return 0.5 * surfaces_.shortest_edge_m(); }
-  [[nodiscard]] bool must_search() const { return !(2.0 * travel_ < allowance_); }
+  [[nodiscard]] bool must_look() const { return !(approach_ < reach_m() && (is_near_ || path_ < gap_)); }
   struct Found {
     SelfTouch touch;
     ContactMemory memory;
   };
-  void search(std::span<const double> positions_m, const BlockLoop& loop);
-  void look_up_travel(std::span<const double> positions_m);
+  void look(std::vector<Point> points, const BlockLoop& loop);
   void follow_candidates();
   [[nodiscard]] std::optional<Found> touch_of(std::size_t candidate, const ContactPast* past) const;
-  [[nodiscard]] ContactMemory memory_behind(std::size_t node, std::size_t face, double depth_m, const ContactPast* past) const;
+  [[nodiscard]] double spring_N_per_m(std::size_t node, std::size_t face, const std::array<double, 4>& weights) const;
+  [[nodiscard]] ContactMemory memory_behind(std::size_t node, std::size_t face, double depth_m, double spring_N_per_m,
+                                            const ContactPast* past) const;
   void add_friction(Found& found, const ContactPast& past) const;
   void set_memories(const ContactPast* past);
   void set_forces();
@@ -128,15 +157,19 @@ class SelfContact {
   ContactSearch search_;
   double stiffness_;
   SurfaceFriction friction_;
+  std::vector<double> lightness_per_kg_;  // inverse masses of the surfaces' nodes; empty: no limit
+  double largest_per_s2_;
   ContactCandidates candidates_;
   std::vector<std::uint32_t> followed_nodes_;  // nodes of the followed faces
+  std::vector<std::uint32_t> followed_mesh_nodes_;
   std::vector<std::uint32_t> followed_faces_;
   std::vector<Point> points_;   // of followed nodes
   std::vector<Point> normals_;  // of followed faces
   bool is_near_ = false;
-  double allowance_ = 0.0;  // the sum of two nodes' travel from which on candidates may lack a pair
-  double travel_ = 0.0;     // since the last search; a bound of the largest displacement apart from a common one
-  std::vector<double> searched_positions_;
+  // Bounds of how much nearer a node and a face have come:
+  double approach_ = std::numeric_limits<double>::infinity();  // since the last search; infinite: there was none
+  double path_ = 0.0;                                          // since distances were measured
+  double gap_ = 0.0;                                           // the smallest distance of candidates then
   std::size_t searches_ = 0;
   double largest_depth_ = 0.0;
   double largest_travel_ = 0.0;

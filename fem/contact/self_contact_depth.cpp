@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fem/surfaces/face_tree.h"
 #include "fem/surfaces/triangle.h"
 
 namespace menger::fem {
@@ -34,6 +35,13 @@ bool is_clear_of(const FaceCorners& corners, const Point& normal, const Point& p
   const Point middle = centre(corners);
   const double warp = std::abs(dot(difference(corners[0], middle), normal));
   return std::abs(dot(difference(point, middle), normal)) > warp + distance;
+}
+
+/// Whether a point is further than a distance from the box of a face.
+bool is_outside_box(const FaceCorners& corners, const Point& point, double distance) {
+  Box box;
+  for (const Point& corner : corners) box.add(corner);
+  return squared_distance(point, box) >= distance * distance;
 }
 
 Point part_normal(const FaceCorners& corners, std::size_t part) {
@@ -141,7 +149,7 @@ std::vector<Near> near_faces(const ContactSurfaces& surfaces, std::size_t node, 
   for (const std::uint32_t face : faces) {
     const FaceCorners corners = surfaces.corners(face, shape.points);
     const Point& normal = shape.normals[face];
-    if (is_clear_of(corners, normal, point, distance_m)) continue;
+    if (is_clear_of(corners, normal, point, distance_m) || is_outside_box(corners, point, distance_m)) continue;
     if (!looks_at(surfaces, node, normal, shape.normals, largest_cosine)) continue;
     const NearestOnFace nearest = nearest_on_face(corners, point);
     if (nearest.distance_square_m2 < distance_m * distance_m) all.push_back({face, nearest});

@@ -1,5 +1,7 @@
 #include "fem/contact/self_contact_face.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -42,6 +44,19 @@ std::array<double, 3> nearest_weights(const Point& a, const Point& b, const Poin
   return {1.0 - share_b / whole - share_c / whole, share_b / whole, share_c / whole};
 }
 
+/// The square of the distance of a point from the box of three others, a lower bound of that from their triangle.
+double box_distance_square(const Point& a, const Point& b, const Point& c, const Point& p) {
+  double square = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double low = std::min(std::min(a[i], b[i]), c[i]) - p[i];
+    const double high = p[i] - std::max(std::max(a[i], b[i]), c[i]);
+    const double apart = low > high ? low : high;
+    const double outside = 0.5 * (apart + std::abs(apart));  // without a branch
+    square += outside * outside;
+  }
+  return square;
+}
+
 std::array<int, 2> rim_of(const std::array<double, 3>& weights, int corner, int next) {
   if (weights[2] > 0.0) return {-1, -1};
   if (weights[1] == 0.0) return {corner, corner};
@@ -57,6 +72,7 @@ NearestOnFace nearest_on_face(const FaceCorners& corners, const Point& point) {
   nearest.distance_square_m2 = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t next = (i + 1) % 4;
+    if (!(box_distance_square(corners[i], corners[next], middle, point) < nearest.distance_square_m2)) continue;
     const std::array<double, 3> w = nearest_weights(corners[i], corners[next], middle, point);
     const Point at = sum(sum(scaled(w[0], corners[i]), scaled(w[1], corners[next])), scaled(w[2], middle));
     const Point apart = difference(point, at);

@@ -20,6 +20,17 @@ double path_past_face_m(const ContactSurfaces& surfaces, std::size_t node, std::
   return longest;
 }
 
+ContactMemory with_spring(const ContactMemory& before, double spring_N_per_m) {
+  ContactMemory after = before;
+  after.spring_N_per_m = spring_N_per_m;
+  if (!(before.spring_N_per_m > 0.0) || before.spring_N_per_m == spring_N_per_m) return after;
+  const double share = before.spring_N_per_m / spring_N_per_m;
+  after.paid_m2 *= share;
+  after.pressed_m = std::min(after.pressed_m, std::sqrt(after.paid_m2));
+  if (share < 1.0) after.slip_m = scaled(std::sqrt(share), after.slip_m);
+  return after;
+}
+
 ContactMemory memory_after(const ContactMemory& before, double depth_m, double path_m) {
   ContactMemory after = before;
   after.depth_m = depth_m;

@@ -24,8 +24,9 @@ struct ContactMemory {
   double pressed_m = 0.0;  ///< compression of the spring, at most the depth
   /// The square of the compression whose energy was put into the spring and not taken out again, >= 0.
   double paid_m2 = 0.0;
-  Point slip_m{};           ///< elongation of the friction spring along the face
-  bool is_sliding = false;  ///< false: it sticks
+  double spring_N_per_m = 0.0;  ///< stiffness of the spring; 0: none yet
+  Point slip_m{};               ///< elongation of the friction spring along the face
+  bool is_sliding = false;      ///< false: it sticks
 
   bool operator==(const ContactMemory&) const = default;
 };
@@ -43,6 +44,11 @@ const ContactMemory* memory_of(std::span<const ContactMemory> memories, std::siz
 /// An upper bound of how much a node's distance from a face changed in a step, m: the largest displacement of the node relative
 /// to a corner of the face.
 double path_past_face_m(const ContactSurfaces& surfaces, std::size_t node, std::size_t face, const ContactPast& past);
+
+/// Returns a memory whose spring has become another one, as where a node slides to lighter or heavier nodes (see TouchLimit). The
+/// energies stay: no spring gives more for having become stiffer.
+/// @param spring_N_per_m > 0
+ContactMemory with_spring(const ContactMemory& before, double spring_N_per_m);
 
 /// Returns the memory of a node after a step, without its slip.
 /// @param before at the start of the step; an empty one if there was none @param depth_m present depth behind a face; 0: behind

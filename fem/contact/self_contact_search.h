@@ -30,7 +30,9 @@ struct FaceBoxes {
 };
 
 /// Finds nodes and faces of one surface that are near each other, with a tree of boxes over the faces of each surface. The trees
-/// are built for the first positions. Later positions only change their boxes.
+/// are built for the first positions. Later positions only change their boxes. Nodes go through the trees in groups of those that
+/// lie together. The faces that a group finds far around it serve for further searches, until the body has changed its shape so
+/// much that they may lack one.
 class ContactSearch {
  public:
   /// Keeps a reference to the surfaces. @param points positions of the surfaces' nodes
@@ -40,11 +42,45 @@ class ContactSearch {
   /// node. Deterministic. @param points finite @param reach_m > 0
   [[nodiscard]] ContactCandidates near_pairs(std::span<const Point> points, double reach_m, const BlockLoop& loop);
 
+  /// Returns by how much a node and a face of its surface can have come nearer to each other since near_pairs, which must have
+  /// been called, m. Parts of a body that lie near each other mostly move together. So that is much less than the displacements:
+  /// the largest difference of two displacements among the nodes of a group and the faces within a distance, twice the reach.
+  /// Infinite if others can have come nearer by that distance. @param points finite
+  [[nodiscard]] double largest_approach_m(std::span<const Point> points, const BlockLoop& loop);
+
+  /// Returns the smallest distance of pairs that near_pairs has found, at other positions; at most the reach, m.
+  [[nodiscard]] double smallest_distance_m(const ContactCandidates& candidates, std::span<const Point> points) const;
+
  private:
+  /// Nodes of one surface that lie together, in grouped_nodes_.
+  struct Group {
+    std::size_t surface;
+    std::size_t begin;
+    std::size_t end;
+  };
+  void add_groups(std::size_t surface);
   void fit_boxes(std::span<const Point> points, const BlockLoop& loop);
+  void set_faces_around(std::span<const Point> points, double reach_m, const BlockLoop& loop);
+  void set_face_ways(std::span<const Point> points, std::span<const Point> since, const BlockLoop& loop);
+  [[nodiscard]] double largest_way_m() const;
+  [[nodiscard]] Box box_of(const Group& group, std::span<const Point> points) const;
+  [[nodiscard]] std::span<const std::uint32_t> nodes_of(const Group& group) const {
+    return std::span(grouped_nodes_).subspan(group.begin, group.end - group.begin);
+  }
 
   const ContactSurfaces& surfaces_;
   std::vector<FaceBoxes> trees_;  // one per surface
+  std::vector<Box> face_boxes_;
+  std::vector<std::uint32_t> grouped_nodes_;
+  std::vector<Group> groups_;
+  // Of the last search:
+  double reach_m_ = 0.0;
+  std::vector<Point> searched_points_;
+  std::vector<std::vector<std::uint32_t>> faces_about_;  // within distance_about of each group
+  // Of an earlier search, where the trees were visited:
+  std::vector<Point> listed_points_;
+  std::vector<std::vector<std::uint32_t>> faces_around_;  // within distance_around of each group
+  std::vector<Box> face_ways_;                            // of the displacements of each face's corners
 };
 
 }  // namespace menger::fem

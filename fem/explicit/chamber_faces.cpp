@@ -16,12 +16,13 @@ std::vector<meshes::BoundaryFace> faces_of_chamber(const meshes::HexahedralMesh&
 
 template <class Number>
 ChamberFaces<Number>::ChamberFaces(const meshes::HexahedralMesh& mesh, FaceValues values,
-                                   const FacePressureKernels<Number>& kernels)
+                                   const FacePressureKernels<Number>& kernels, const std::set<meshes::FaceCorners>& left_out)
     : kernels_(kernels) {
   const std::size_t width = kernels_.width;
   std::vector<std::array<Number, half_edge_numbers_per_face>> edges;  // per lane
   for (std::size_t chamber = 0; chamber < mesh.chambers.size(); ++chamber) {
     for (const meshes::BoundaryFace& face : faces_of_chamber(mesh, chamber)) {
+      if (left_out.contains(meshes::sorted(face.corners))) continue;
       for (const std::size_t corner : face.corners) first_components_.push_back(static_cast<std::uint32_t>(3 * corner));
       has_face_.push_back(true);
       const auto at = [&](std::size_t corner) -> const meshes::Point& { return mesh.points[face.corners[corner]]; };
@@ -48,10 +49,12 @@ ChamberFaces<Number>::ChamberFaces(const meshes::HexahedralMesh& mesh, FaceValue
 template <class Number>
 void ChamberFaces<Number>::add_slots(std::uint32_t first_slot, std::vector<std::uint32_t>& nodes,
                                      std::vector<std::uint32_t>& slots) const {
-  for (std::size_t corner = 0; corner < first_components_.size(); ++corner) {
-    if (!has_face_[corner / 4]) continue;
-    nodes.push_back(first_components_[corner] / 3);
-    slots.push_back(first_slot + static_cast<std::uint32_t>(corner));
+  for (std::size_t lane = 0; lane < has_face_.size(); ++lane) {
+    if (!has_face_[lane]) continue;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      nodes.push_back(first_components_[4 * lane + corner] / 3);
+      slots.push_back(first_slot + static_cast<std::uint32_t>(kernels_.slot(lane, corner)));
+    }
   }
 }
 

@@ -3,12 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
 #include "fem/boxes/aligned_numbers.h"
 #include "fem/boxes/node_slots.h"
 #include "fem/explicit/face_pressure_kernel.h"
+#include "meshes/hexahedra/element_geometry.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
 
 namespace menger::fem {
@@ -23,7 +25,9 @@ enum class FaceValues { positions, displacements };
 template <class Number>
 class ChamberFaces {
  public:
-  ChamberFaces(const meshes::HexahedralMesh& mesh, FaceValues values, const FacePressureKernels<Number>& kernels);
+  /// @param left_out sorted corners of faces that are not taken
+  ChamberFaces(const meshes::HexahedralMesh& mesh, FaceValues values, const FacePressureKernels<Number>& kernels,
+               const std::set<meshes::FaceCorners>& left_out = {});
 
   [[nodiscard]] std::size_t batch_count() const { return chambers_.size(); }
   [[nodiscard]] std::size_t chamber(std::size_t batch) const { return chambers_[batch]; }

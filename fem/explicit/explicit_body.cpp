@@ -105,6 +105,12 @@ void ExplicitBody::hold_node(std::size_t node, const std::array<bool, 3>& held) 
 
 double ExplicitBody::mass_kg() const { return std::accumulate(masses_.begin(), masses_.end(), 0.0); }
 
+double ExplicitBody::smallest_density_kg_per_m3() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const ExplicitRegion& region : regions_) smallest = std::min(smallest, region.density_kg_per_m3);
+  return smallest;
+}
+
 bool ExplicitBody::is_viscous() const {
   return std::any_of(regions_.begin(), regions_.end(),
                      [](const ExplicitRegion& region) { return region.material.viscosity_Pa_s > 0.0; });

@@ -49,6 +49,7 @@ class ExplicitBody {
   [[nodiscard]] double mass_kg() const;
   /// The shear modulus at rest, integrated over the volume: a measure of the body's energies.
   [[nodiscard]] double stiffness_J() const { return stiffness_J_; }
+  [[nodiscard]] double smallest_density_kg_per_m3() const;                   ///< of the materials
   [[nodiscard]] double smallest_edge_m() const { return smallest_edge_m_; }  ///< of the elements
 
   [[nodiscard]] bool is_viscous() const;  ///< whether a region has a viscosity

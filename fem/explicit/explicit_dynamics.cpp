@@ -37,17 +37,26 @@ SurfaceFriction self_friction(const ExplicitOptions& options) {
   return {ground.static_coefficient, ground.kinetic_coefficient};
 }
 
+double self_stiffness_Pa_per_m(const ExplicitBody& body, const ExplicitOptions& options) {
+  if (options.self_contact && options.self_contact->stiffness_Pa_per_m) return *options.self_contact->stiffness_Pa_per_m;
+  return self_contact_stiffness_Pa_per_m(body.elements().contact_modulus_Pa(), body.smallest_edge_m());
+}
+
+/// A stiffness that somebody has asked for stays what it is.
+TouchLimit touch_limit(const ExplicitBody& body, const ExplicitOptions& options) {
+  if (options.self_contact && options.self_contact->stiffness_Pa_per_m) return {};
+  return {body.masses_kg(),
+          touch_limit_per_s2(self_stiffness_Pa_per_m(body, options), body.smallest_density_kg_per_m3(), body.smallest_edge_m())};
+}
+
 }  // namespace
 
 ExplicitDynamics::ExplicitDynamics(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, ExplicitOptions options)
     : body_(body),
       options_(std::move(options)),
       chambers_(mesh),
-      self_contact_(mesh,
-                    options_.self_contact && options_.self_contact->stiffness_Pa_per_m
-                        ? *options_.self_contact->stiffness_Pa_per_m
-                        : self_contact_stiffness_Pa_per_m(body.elements().contact_modulus_Pa(), body.smallest_edge_m()),
-                    options_.self_contact.has_value(), self_friction(options_)),
+      self_contact_(mesh, self_stiffness_Pa_per_m(body, options_), options_.self_contact.has_value(), self_friction(options_),
+                    touch_limit(body, options_)),
       areas_(outer_node_areas_m2(mesh)),
       nodes_(body_, chambers_, options_.loads, areas_),
       loop_(options_.threads),
@@ -173,13 +182,17 @@ double ExplicitDynamics::due_relaxation_s(double step_s) const {
 /// @return whether no element has failed
 bool ExplicitDynamics::compute_forces(double relaxed_s) {
   set_pressures();
-  element_forces_->place({state_.displacements_m.data(), state_.velocities_m_per_s.data()}, loop_);
+  if (!elements_follow_) element_forces_->place({state_.displacements_m.data(), state_.velocities_m_per_s.data()}, loop_);
   loop_.run(element_forces_->batch_count(), batches_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
     outcomes_[block] = element_forces_->compute({begin, end}, state_.branches->numbers, relaxed_s);
   });
   pressed_volumes_ = element_forces_->pressed_volumes();
   const bool push_chambers = chambers_.chamber_count() > 0 && !body_.elements().take_pressure();
-  if (push_chambers || self_contact_.is_awake()) set_current_positions();
+  if (push_chambers || (self_contact_.is_awake() && self_contact_.reads_all_nodes())) {
+    set_current_positions();
+  } else if (self_contact_.is_awake()) {
+    set_followed_positions();
+  }
   if (push_chambers) {
     loop_.run(chambers_.batch_count(), face_batches_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
       chambers_.set_face_forces(current_positions_, pressures_Pa_, {begin, end}, chamber_slots_, face_volumes_m3_);
@@ -232,6 +245,13 @@ void ExplicitDynamics::set_current_positions() {
   });
 }
 
+/// Sets the current positions of the nodes that self-contact follows.
+void ExplicitDynamics::set_followed_positions() {
+  for (const std::uint32_t node : self_contact_.followed_nodes())
+    for (std::size_t n = 3 * std::size_t{node}; n < 3 * std::size_t{node} + 3; ++n)
+      current_positions_[n] = body_.reference_positions_m()[n] + state_.displacements_m[n];
+}
+
 void ExplicitDynamics::set_touched_blocks() {
   std::fill(touched_blocks_.begin(), touched_blocks_.end(), '\0');
   for (const SelfTouch& touch : self_contact_.touches()) {
@@ -240,8 +260,9 @@ void ExplicitDynamics::set_touched_blocks() {
   }
 }
 
-NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities) {
-  BodyForces forces{*element_forces_};
+NodesOutcome ExplicitDynamics::move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities,
+                                    ElementForces* followers) {
+  BodyForces forces{.elements = *element_forces_, .followers = followers};
   if (!body_.elements().take_pressure()) forces.chamber_slots_N = chamber_slots_;
   if (options_.self_contact && !self_contact_.touches().empty()) {
     forces.self_contact_N = self_contact_.forces_N();
@@ -270,7 +291,7 @@ bool ExplicitDynamics::take_step(double step_s) {
   state_.branches->age_s = (relaxed_s > 0.0 ? 0.0 : state_.branches->age_s) + step_s;
   if (has_looked) *state_.contact = self_contact_.memories();
   const StepTimes times{0.5 * (state_.last_step_s + step_s), step_s, common_velocity_};
-  const NodesOutcome outcome = move(times, state_.displacements_m, state_.velocities_m_per_s);
+  const NodesOutcome outcome = move(times, state_.displacements_m, state_.velocities_m_per_s, element_forces_.get());
   state_.work += outcome.work;
   state_.pressures_Pa = pressures_Pa_;
   state_.pressed_volumes = pressed_volumes_;

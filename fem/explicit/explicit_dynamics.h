@@ -31,7 +31,7 @@ struct ExplicitOptions {
   std::optional<PneumaticSupply> supply{};  ///< of all plena, instead of schedules
   double step_safety = 0.8;                 ///< step over the stable step, in (0, 1]
   std::optional<double> largest_step_s{};   ///< > 0; for studies of the step
-  std::size_t steps_per_bound = 500;        ///< largest number of steps between two estimates of the stable step, >= 1
+  std::size_t steps_per_bound = 1000;       ///< largest number of steps between two estimates of the stable step, >= 1
   /// > 0: largest imbalance of the energy over the largest turnover so far. Beyond it steps are shortened, and if that does not
   /// help the run ends as `diverged`.
   double largest_imbalance = 0.2;
@@ -179,8 +179,10 @@ class ExplicitDynamics {
   void add_work_of_pressure_changes(MotionWork& work) const;
   void find_touches();
   void set_current_positions();
+  void set_followed_positions();
   void set_touched_blocks();
-  NodesOutcome move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities);
+  NodesOutcome move(const StepTimes& times, std::vector<double>& displacements, std::vector<double>& velocities,
+                    ElementForces* followers = nullptr);
   HalfStep half_step();
   [[nodiscard]] MotionEnergies energies_since_start();
   [[nodiscard]] double largest_speed_m_per_s() const;
@@ -217,6 +219,7 @@ class ExplicitDynamics {
   std::optional<EigenvalueEstimate> eigenvalues_;
   AlignedNumbers chamber_slots_;
   std::vector<ForcesOutcome> outcomes_;
+  bool elements_follow_ = false;     ///< whether the elements know the places of the state
   bool has_failed_element_ = false;  ///< at the time of the forces that were computed last
   std::vector<NodesOutcome> moves_;
   std::optional<MotionEnergies> energies_;  ///< of the state, if they are known; with at_start_J = 0

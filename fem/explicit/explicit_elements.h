@@ -56,6 +56,9 @@ class ElementForces {
 
   /// Sets where the nodes are and how they move. The arrays must stay as they are until the forces are computed.
   virtual void place(const NodalMotion& motion, const BlockLoop& loop) = 0;
+  /// Takes up what has changed in the arrays of place() since. Thread-safe for ranges apart. Where numbers are rounded they are
+  /// so relative to the first node of place(): it should be called anew before the body has moved on by many of its elements.
+  virtual void follow(IndexRange nodes) = 0;
 
   /// Sets the pressure in the plena, Pa. See ExplicitElements::take_pressure.
   virtual void press(std::span<const double> pressures_Pa) = 0;

@@ -22,6 +22,7 @@ struct NodalLoads {
 /// The forces of elements, those of chambers in their slots, and those of a body's contact with itself.
 struct BodyForces {
   const ElementForces& elements;
+  ElementForces* followers = nullptr;         ///< elements that follow the nodes (ElementForces::follow); nullptr: none
   std::span<const double> chamber_slots_N{};  ///< empty: the elements take the pressure
   std::span<const double> self_contact_N{};   ///< 3 per node; empty: none
   std::span<const double> self_friction_N{};  ///< 3 per node; empty: none

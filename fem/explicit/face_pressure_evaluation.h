@@ -95,7 +95,7 @@ void face_pressure_forces(const FaceBatches<NumberOf<T>>& batches, const NumberO
       Vector3<T> force = total;
       add(force, T(xi), along_first);
       add(force, T(eta), along_second);
-      CornerScatter<T, slot_numbers_per_face>::scatter(force, slots + 4 * corner);
+      CornerScatter<T>::scatter(force, slots + 4 * width * corner);
     };
     store(0, -1.0, -1.0);
     store(1, 1.0, -1.0);
@@ -107,7 +107,7 @@ void face_pressure_forces(const FaceBatches<NumberOf<T>>& batches, const NumberO
 
 template <class T>
 const FacePressureTable<NumberOf<T>>& face_pressure_table(const char* instruction_set) {
-  static const FacePressureTable<NumberOf<T>> table{instruction_set, Lanes<T>::count, face_pressure_forces<T>};
+  static const FacePressureTable<NumberOf<T>> table{instruction_set, Lanes<T>::count, lane_places<T>(), face_pressure_forces<T>};
   return table;
 }
 

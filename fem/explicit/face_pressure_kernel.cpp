@@ -9,7 +9,7 @@ using detail::FacePressureTable;
 
 template <class Number>
 FacePressureKernels<Number>::FacePressureKernels(const FacePressureTable<Number>& table)
-    : instruction_set(table.instruction_set), width(table.width), table_(&table) {}
+    : instruction_set(table.instruction_set), width(table.width), lane_places_(table.lane_places), table_(&table) {}
 
 template <class Number>
 void FacePressureKernels<Number>::forces(const FaceBatches<Number>& batches, const Number* values_m, Number* slots_N) const {

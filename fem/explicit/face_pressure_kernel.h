@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fem/thin_walls/lane_places.h"
+
 namespace menger::fem {
 
 /// Numbers of the half edges of one face: three along its first direction, three along its second.
@@ -47,14 +49,20 @@ class FacePressureKernels {
   std::string_view instruction_set;  ///< "baseline", "avx2", "avx512"
   std::size_t width;                 ///< lanes: faces computed at once
 
+  /// Returns the slot of a corner among those of all batches. @param lane counted over all batches
+  [[nodiscard]] std::size_t slot(std::size_t lane, std::size_t corner) const {
+    return (lane / width * 4 + corner) * width + lane_places_[lane % width];
+  }
+
   /// Computes the forces on the corners of each lane, N: p int N_a n dA over the face's current shape, where n is against the
   /// normal of the corners' order. The integral is exact.
   /// @param values_m current positions or displacements, 3 per node, and one number more
-  /// @param slots_N slot_numbers_per_face for each lane, one lane after another, aligned to 64 bytes: component i of corner c at
-  /// 4 c + i
+  /// @param slots_N slot_numbers_per_face for each lane of all batches, aligned to 64 bytes: component i of slot s, see slot(),
+  /// at 4 s + i
   void forces(const FaceBatches<Number>& batches, const Number* values_m, Number* slots_N) const;
 
  private:
+  LanePlaces lane_places_;
   const detail::FacePressureTable<Number>* table_;
 };
 

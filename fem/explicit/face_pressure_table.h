@@ -9,6 +9,7 @@ template <class Number>
 struct FacePressureTable {
   std::string_view instruction_set;
   std::size_t width;
+  LanePlaces lane_places;
   void (*forces)(const FaceBatches<Number>& batches, const Number* values_m, Number* slots_N);
 };
 

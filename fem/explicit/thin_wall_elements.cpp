@@ -16,7 +16,7 @@
 namespace menger::fem {
 namespace {
 
-constexpr std::size_t components_at_once = 6144;  // whole nodes
+constexpr std::size_t nodes_at_once = 2048;
 
 /// Converts nodal vectors relative to the first node's: forces do not change with a common displacement, and single precision
 /// would otherwise round the more the further a body has gone.
@@ -47,7 +47,7 @@ class ThinWallElements final : public ExplicitElements {
                    const ThinWallKernels<Number>& kernels)
       : kernels_(kernels),
         walls_(mesh, kernels.width),
-        faces_(mesh, FaceValues::displacements, face_kernels(options)),
+        faces_(mesh, FaceValues::displacements, face_kernels(options), chamber_faces_of_walls(mesh)),
         take_pressure_(has_closed_plena(mesh)),
         points_(mesh.points),
         plenum_count_(mesh.plenum_names.size()),
@@ -128,6 +128,9 @@ class ThinWallElements final : public ExplicitElements {
 
   void set_shapes() {
     const std::size_t width = walls_.width();
+    for (std::size_t lane = 0; lane < walls_.lane_count(); ++lane) sides_.push_back(static_cast<Number>(walls_.side(lane)));
+    for (std::size_t batch = 0; batch < walls_.batch_count(); ++batch)
+      pressed_faces_.push_back(static_cast<std::uint8_t>(walls_.plenum_count(batch)));
     shapes_.resize(shape_numbers_per_lane * walls_.lane_count());
     for (std::size_t lane = 0; lane < walls_.lane_count(); ++lane) {
       const auto shape = walls_.shape(lane);
@@ -148,7 +151,7 @@ class ThinWallElements final : public ExplicitElements {
   [[nodiscard]] std::size_t element_number_count() const { return slot_numbers_per_lane * walls_.lane_count(); }
   [[nodiscard]] std::size_t number_count() const { return element_number_count() + (take_pressure_ ? faces_.number_count() : 0); }
 
-  /// Slots are counted by lane and corner, first of elements, then of faces; the empty one follows them all.
+  /// Slots of elements come before those of faces; the empty one follows them all.
   [[nodiscard]] FourfoldSlots sorted_slots() const {
     std::vector<std::uint32_t> nodes;
     std::vector<std::uint32_t> slots;
@@ -156,7 +159,7 @@ class ThinWallElements final : public ExplicitElements {
       if (walls_.is_repeated(lane)) continue;
       for (std::size_t c = 0; c < 8; ++c) {
         nodes.push_back(walls_.first_components(lane)[c] / 3);
-        slots.push_back(static_cast<std::uint32_t>(8 * lane + c));
+        slots.push_back(static_cast<std::uint32_t>(kernels_.slot(lane, c)));
       }
     }
     if (take_pressure_) faces_.add_slots(static_cast<std::uint32_t>(element_number_count() / 4), nodes, slots);
@@ -174,13 +177,6 @@ class ThinWallElements final : public ExplicitElements {
     AlignedVector<Number> result(values.size() + 1, Number(0));
     convert(values.data(), values.size(), values.data(), result.data());
     return result;
-  }
-
-  [[nodiscard]] double mean_pressure_Pa(std::size_t batch, std::span<const double> pressures_Pa) const {
-    double sum = 0.0;
-    for (const int plenum : walls_.plena(batch))
-      if (plenum >= 0) sum += pressures_Pa[static_cast<std::size_t>(plenum)];
-    return 0.5 * sum;
   }
 
   [[nodiscard]] LaneEnergies lane_energies(std::span<const double> displacements_m, const AlignedVector<Number>& branches) const {
@@ -206,6 +202,8 @@ class ThinWallElements final : public ExplicitElements {
   std::size_t plenum_count_;
   std::vector<ThinWallMaterial> materials_;  ///< per region
   AlignedVector<Number> shapes_;
+  AlignedVector<Number> sides_;              ///< per lane
+  std::vector<std::uint8_t> pressed_faces_;  ///< per batch
   FourfoldSlots slots_;
   std::vector<std::size_t> branch_positions_;  ///< of each group's first batch
   std::size_t branch_count_ = 0;
@@ -219,25 +217,45 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
         displacements_(3 * elements.points_.size() + 1, Number(0)),
         slots_N_(elements.number_count() + 4, Number(0)),
         mean_pressures_Pa_(elements.walls_.batch_count(), 0.0),
+        side_pressures_Pa_(2 * elements.walls_.batch_count(), 0.0),
         face_pressures_Pa_(elements.chamber_plena_.size(), 0.0),
         wall_volumes_m3_(elements.walls_.batch_count(), 0.0),
+        side_volumes_m3_(2 * elements.walls_.batch_count(), 0.0),
         face_volumes_m3_(elements.face_batch_count(), 0.0) {
     const auto is_viscous = [](const ThinWallMaterial& material) { return material.viscosity_Pa_s > 0.0; };
     if (std::any_of(elements.materials_.begin(), elements.materials_.end(), is_viscous)) velocities_ = displacements_;
   }
 
   void place(const NodalMotion& motion, const BlockLoop& loop) override {
+    motion_ = motion;
     has_velocities_ = !velocities_.empty() && motion.velocities_m_per_s != nullptr;
-    loop.run(displacements_.size() - 1, components_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
-      convert(motion.displacements_m + begin, end - begin, motion.displacements_m, displacements_.data() + begin);
-      if (has_velocities_)
-        convert(motion.velocities_m_per_s + begin, end - begin, motion.velocities_m_per_s, velocities_.data() + begin);
+    for (std::size_t i = 0; i < 3; ++i) {
+      first_displacement_[i] = motion.displacements_m[i];
+      if (has_velocities_) first_velocity_[i] = motion.velocities_m_per_s[i];
+    }
+    loop.run(displacements_.size() / 3, nodes_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
+      follow({begin, end});
     });
   }
 
+  void follow(IndexRange nodes) override {
+    const std::size_t first = 3 * nodes.begin;
+    const std::size_t count = 3 * (nodes.end - nodes.begin);
+    convert(motion_.displacements_m + first, count, first_displacement_.data(), displacements_.data() + first);
+    if (has_velocities_) convert(motion_.velocities_m_per_s + first, count, first_velocity_.data(), velocities_.data() + first);
+  }
+
   void press(std::span<const double> pressures_Pa) override {
-    for (std::size_t batch = 0; batch < mean_pressures_Pa_.size(); ++batch)
-      mean_pressures_Pa_[batch] = elements_.mean_pressure_Pa(batch, pressures_Pa);
+    for (std::size_t batch = 0; batch < mean_pressures_Pa_.size(); ++batch) {
+      double sum = 0.0;
+      for (std::size_t n = 0; n < 2; ++n) {
+        const int plenum = elements_.walls_.plena(batch)[n];
+        const double pressure_Pa = plenum >= 0 ? pressures_Pa[static_cast<std::size_t>(plenum)] : 0.0;
+        side_pressures_Pa_[2 * batch + n] = pressure_Pa;
+        sum += pressure_Pa;
+      }
+      mean_pressures_Pa_[batch] = 0.5 * sum;
+    }
     // The forces of elements are subtracted from what accelerates the nodes.
     for (std::size_t chamber = 0; chamber < face_pressures_Pa_.size(); ++chamber)
       face_pressures_Pa_[chamber] = -pressures_Pa[elements_.chamber_plena_[chamber]];
@@ -258,6 +276,12 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
       ThinWallBatches<Number> batches = elements_.batches(group, {first, end});
       batches.mean_pressures_Pa = mean_pressures_Pa_.data() + first;
       batches.volume_changes_m3 = wall_volumes_m3_.data() + first;
+      if (elements_.take_pressure_) {
+        batches.pressed_faces = elements_.pressed_faces_.data() + first;
+        batches.sides = elements_.sides_.data() + width * first;
+        batches.face_pressures_Pa = side_pressures_Pa_.data() + 2 * first;
+        batches.face_volumes_m3 = side_volumes_m3_.data() + 2 * first;
+      }
       ThinWallBranches<Number> own{nullptr, relaxed_s};
       if (!numbers.empty())
         own.values = numbers.data() + elements_.branch_positions_[g] +
@@ -286,9 +310,13 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
   [[nodiscard]] PressedVolumes pressed_volumes() const override {
     const std::vector<double> none(elements_.plenum_count_, 0.0);
     PressedVolumes changes{none, none};
-    for (std::size_t batch = 0; batch < wall_volumes_m3_.size(); ++batch)
-      for (const int plenum : elements_.walls_.plena(batch))
-        if (plenum >= 0) changes.walls_m3[static_cast<std::size_t>(plenum)] += 0.5 * wall_volumes_m3_[batch];
+    for (std::size_t batch = 0; batch < wall_volumes_m3_.size(); ++batch) {
+      for (std::size_t n = 0; n < elements_.pressed_faces_[batch]; ++n) {
+        const auto plenum = static_cast<std::size_t>(elements_.walls_.plena(batch)[n]);
+        changes.walls_m3[plenum] += 0.5 * wall_volumes_m3_[batch];
+        changes.chambers_m3[plenum] += side_volumes_m3_[2 * batch + n];
+      }
+    }
     for (std::size_t batch = 0; batch < face_volumes_m3_.size(); ++batch)
       changes.chambers_m3[elements_.chamber_plena_[elements_.faces_.chamber(batch)]] += face_volumes_m3_[batch];
     return changes;
@@ -296,14 +324,20 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
 
  private:
   const ThinWallElements& elements_;
+  NodalMotion motion_{};
+  Point first_displacement_{};
+  Point first_velocity_{};
   bool has_velocities_ = false;
   AlignedVector<Number> displacements_;
   AlignedVector<Number> velocities_;  ///< empty without a viscosity
   AlignedVector<Number> slots_N_;
   std::vector<double> mean_pressures_Pa_;  ///< of both faces, per batch
+  std::vector<double> side_pressures_Pa_;  ///< of each face, two per batch
   std::vector<double> face_pressures_Pa_;  ///< minus the gauge pressure, per chamber
   std::vector<double> wall_volumes_m3_;    ///< changes, per batch
-  std::vector<double> face_volumes_m3_;    ///< changes of chambers, per batch of faces; empty where plena are not closed
+  std::vector<double>
+      side_volumes_m3_;  ///< changes of volume behind faces of walls, two per batch; zeros where plena are not closed
+  std::vector<double> face_volumes_m3_;  ///< changes of chambers, per batch of faces; empty where plena are not closed
 };
 
 template <class Number>

@@ -15,6 +15,7 @@ class ThreeFieldForces final : public ElementForces {
       : elements_(elements), slots_(24 * elements.boxes().width() * elements.boxes().batch_count()) {}
 
   void place(const NodalMotion& motion, const BlockLoop&) override { motion_ = motion; }
+  void follow(IndexRange) override {}
   void press(std::span<const double>) override {}
   [[nodiscard]] std::size_t batch_count() const override { return elements_.boxes().batch_count(); }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view title = "menger locomotion checkpoint 7";
+constexpr std::string_view title = "menger locomotion checkpoint 8";
 
 /// Reads consecutive values, starting at a place.
 template <class... Values>
@@ -51,14 +51,14 @@ PneumaticState air_from(const Json& json) {
 }
 
 Json to_json(const ContactMemory& memory) {
-  const auto& [node, face, depth, pressed, paid, slip, is_sliding] = memory;
-  return {node, face, depth, pressed, paid, slip, is_sliding};
+  const auto& [node, face, depth, pressed, paid, spring, slip, is_sliding] = memory;
+  return {node, face, depth, pressed, paid, spring, slip, is_sliding};
 }
 
 ContactMemory memory_from(const Json& json) {
   ContactMemory memory;
-  auto& [node, face, depth, pressed, paid, slip, is_sliding] = memory;
-  take(json, 0, node, face, depth, pressed, paid, slip, is_sliding);
+  auto& [node, face, depth, pressed, paid, spring, slip, is_sliding] = memory;
+  take(json, 0, node, face, depth, pressed, paid, spring, slip, is_sliding);
   return memory;
 }
 

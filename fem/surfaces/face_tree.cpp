@@ -77,27 +77,6 @@ std::size_t nearest_half_axis(const Point& direction) {
 
 }  // namespace
 
-void Box::add(const Point& point) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    low[i] = std::min(low[i], point[i]);
-    high[i] = std::max(high[i], point[i]);
-  }
-}
-
-void Box::add(const Box& other) {
-  add(other.low);
-  add(other.high);
-}
-
-double squared_distance(const Box& a, const Box& b) {
-  double result = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double apart = std::max({0.0, a.low[i] - b.high[i], b.low[i] - a.high[i]});
-    result += apart * apart;
-  }
-  return result;
-}
-
 NormalCone merged(const NormalCone& a, const NormalCone& b) {
   if (a.half_angle < 0.0) return b;
   if (b.half_angle < 0.0) return a;

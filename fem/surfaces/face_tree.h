@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -18,18 +19,41 @@ struct Box {
   Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
              -std::numeric_limits<double>::infinity()};
 
-  void add(const Point& point);
-  void add(const Box& other);
+  void add(const Point& point) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], point[i]);
+      high[i] = std::max(high[i], point[i]);
+    }
+  }
+  void add(const Box& other) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], other.low[i]);
+      high[i] = std::max(high[i], other.high[i]);
+    }
+  }
 };
 
+/// The larger of two numbers, without a branch.
+inline double larger(double a, double b) { return a > b ? a : b; }
+
+/// A number, or 0 where it is negative, without a branch: signs of distances do not follow a pattern.
+inline double positive_part(double a) { return 0.5 * (a + std::abs(a)); }
+
 /// Returns the square of the distance between two boxes, m^2; 0 if they meet.
-double squared_distance(const Box& a, const Box& b);
+inline double squared_distance(const Box& a, const Box& b) {
+  double result = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double apart = positive_part(larger(a.low[i] - b.high[i], b.low[i] - a.high[i]));
+    result += apart * apart;
+  }
+  return result;
+}
 
 /// Returns the square of the distance of a point from a box, m^2; 0 inside.
 inline double squared_distance(const Point& point, const Box& box) {
   double result = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double apart = std::max({0.0, point[i] - box.high[i], box.low[i] - point[i]});
+    const double apart = positive_part(larger(point[i] - box.high[i], box.low[i] - point[i]));
     result += apart * apart;
   }
   return result;

@@ -56,6 +56,12 @@ class BlockElement {
     return select(admissible_ > T(0.0), select(gradient_.ratio > T(0.0), gradient_.ratio, T(-1.0)), T(-1.0));
   }
 
+  /// The square of the ratio, or -1.
+  [[nodiscard]] T smallest_square() const {
+    const T ratio = smallest_ratio();
+    return ratio * abs(ratio);
+  }
+
   template <bool is_damped, class Law>
   void compute_forces(const Law& law, const BlockBranch<T>& branch) {
     BlockResponse<T> response = law(gradient_);
@@ -87,7 +93,7 @@ class BlockElement {
     BoxModes<T> modes;
     for (std::size_t j = 0; j < 3; ++j) modes.linear[j] = scaled(c_[j] * volume_, column_forces_[j]);
     for (std::size_t a = 0; a < 4; ++a) modes.hourglass[a] = scaled(volume_, pattern_forces_[a]);
-    store_forces(modes, first_axis_, forces);
+    store_forces<false>(modes, first_axis_, forces);
   }
 
   template <class Law>
@@ -124,6 +130,8 @@ class BlockElement {
     relaxed_ = volume_ * T(task_.branch_modulus_Pa / task_.shear_modulus_Pa) * released;
     return before.moved_to(after, T(0.5));
   }
+
+  void press_faces(std::size_t) {}
 
   [[nodiscard]] T volume_change() const { return T(0.0); }
   [[nodiscard]] T dissipation() const { return dissipation_; }

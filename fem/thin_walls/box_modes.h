@@ -17,9 +17,10 @@ template <class T>
 using CornerValues = std::array<T, 8>;
 
 /// What a field at the corners of a box does along its axes: signed sums over the corners, eight times the coefficients of the
-/// trilinear function. The constant one does no work and is left out.
+/// trilinear function.
 template <class T>
 struct BoxModes {
+  Vector3<T> constant;
   std::array<Vector3<T>, 3> linear;     ///< along xi, eta, zeta
   std::array<Vector3<T>, 4> hourglass;  ///< of eta zeta, zeta xi, xi eta, xi eta zeta
 };
@@ -43,6 +44,7 @@ void set_modes(const CornerValues<T>& u, std::size_t i, BoxModes<T>& modes) {
   over(sums, sum_low, sum_high, by_eta_low, by_eta_high);
   T by_xi_low, by_xi_high, by_both_low, by_both_high;
   over(differences, by_xi_low, by_xi_high, by_both_low, by_both_high);
+  modes.constant[i] = sum_high + sum_low;
   modes.linear[0][i] = by_xi_high + by_xi_low;
   modes.linear[1][i] = by_eta_high + by_eta_low;
   modes.linear[2][i] = sum_high - sum_low;
@@ -53,7 +55,8 @@ void set_modes(const CornerValues<T>& u, std::size_t i, BoxModes<T>& modes) {
 }
 
 /// The transpose: what work on the patterns is as forces on the corners.
-template <class T>
+/// @tparam has_resultant false: without the constant pattern
+template <bool has_resultant, class T>
 void add_up(const BoxModes<T>& modes, std::size_t i, CornerValues<T>& forces) {
   const T& along = modes.linear[2][i];
   for (std::size_t k = 0; k < 2; ++k) {
@@ -61,8 +64,12 @@ void add_up(const BoxModes<T>& modes, std::size_t i, CornerValues<T>& forces) {
     const T by_xi = with(modes.linear[0][i], modes.hourglass[1][i]);
     const T by_eta = with(modes.linear[1][i], modes.hourglass[0][i]);
     const T by_both = with(modes.hourglass[2][i], modes.hourglass[3][i]);
-    const T low = k == 0 ? -along - by_eta : along - by_eta;
-    const T high = k == 0 ? by_eta - along : along + by_eta;
+    T low = k == 0 ? -along - by_eta : along - by_eta;
+    T high = k == 0 ? by_eta - along : along + by_eta;
+    if constexpr (has_resultant) {
+      low = low + modes.constant[i];
+      high = high + modes.constant[i];
+    }
     const T low_change = by_xi - by_both;
     const T high_change = by_xi + by_both;
     forces[4 * k] = low - low_change;
@@ -87,12 +94,12 @@ BoxModes<T> gathered_modes(const std::uint32_t* first_components, std::size_t fi
 }
 
 /// Writes the forces of a batch to their slots, see ThinWallKernels::forces.
-template <class T>
+template <bool has_resultant, class T>
 void store_forces(const BoxModes<T>& modes, std::size_t first_axis, NumberOf<T>* slots) {
   std::array<CornerValues<T>, 3> f;
-  for (std::size_t local = 0; local < 3; ++local) add_up(modes, local, f[(first_axis + local) % 3]);
+  for (std::size_t local = 0; local < 3; ++local) add_up<has_resultant>(modes, local, f[(first_axis + local) % 3]);
   for (std::size_t corner = 0; corner < 8; ++corner)
-    CornerScatter<T, slot_numbers_per_lane>::scatter({f[0][corner], f[1][corner], f[2][corner]}, slots + 4 * corner);
+    CornerScatter<T>::scatter({f[0][corner], f[1][corner], f[2][corner]}, slots + 4 * Lanes<T>::count * corner);
 }
 
 }  // namespace menger::fem::detail

@@ -99,6 +99,26 @@ using std::exp;
 using std::log;
 using std::sqrt;
 
+/// Sums of lanes over many batches, in double precision.
+template <class T>
+class LaneSums {
+ public:
+  void add(const T& values) {
+    alignas(64) std::array<NumberOf<T>, Lanes<T>::count> lanes;
+    Lanes<T>::store(values, lanes.data());
+    for (std::size_t lane = 0; lane < lanes.size(); ++lane) sums_[lane] += static_cast<double>(lanes[lane]);
+  }
+  [[nodiscard]] double total() const {
+    std::array<double, Lanes<T>::count> sums = sums_;
+    for (std::size_t half = sums.size() / 2; half > 0; half /= 2)
+      for (std::size_t lane = 0; lane < half; ++lane) sums[lane] += sums[lane + half];
+    return sums[0];
+  }
+
+ private:
+  std::array<double, Lanes<T>::count> sums_{};
+};
+
 /// Three components of a pack each, along local or global axes.
 template <class T>
 using Vector3 = std::array<T, 3>;

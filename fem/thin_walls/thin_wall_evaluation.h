@@ -3,6 +3,7 @@
 // The kernels of thin walls for one number type. Included only by the files thin_wall_kernel_<instruction set>.cpp, each compiled
 // for its own, and instantiated with packs of that instruction set only.
 
+#include <cmath>
 #include <type_traits>
 
 #include "fem/thin_walls/block_element.h"
@@ -64,25 +65,6 @@ Number* branch_of(Number* numbers, std::size_t batch) {
   return numbers == nullptr ? nullptr : numbers + thin_wall_branch_numbers(Element::kind) * Element::width * batch;
 }
 
-/// Sums of lanes over many batches, in double precision.
-template <class T>
-class LaneSums {
- public:
-  void add(const T& values) {
-    alignas(64) std::array<NumberOf<T>, Lanes<T>::count> lanes;
-    Lanes<T>::store(values, lanes.data());
-    for (std::size_t lane = 0; lane < lanes.size(); ++lane) sums_[lane] += static_cast<double>(lanes[lane]);
-  }
-  [[nodiscard]] double total() const {
-    double total = 0.0;
-    for (const double sum : sums_) total += sum;
-    return total;
-  }
-
- private:
-  std::array<double, Lanes<T>::count> sums_{};
-};
-
 // Sanitizers would make of one function so large what takes minutes to compile.
 #ifdef __SANITIZE_ADDRESS__
 #define MENGER_ALL_IN_ONE
@@ -112,23 +94,26 @@ MENGER_ALL_IN_ONE ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typen
       }
     }
     elements.template compute_forces<is_damped>(law, branch);
+    if (task.batches.pressed_faces != nullptr) elements.press_faces(batch);
     elements.store(slots_N + slot_numbers_per_lane * Element::width * batch);
-    smallest = min(smallest, elements.smallest_ratio());
+    smallest = min(smallest, elements.smallest_square());
     if (task.batches.volume_changes_m3 != nullptr) {
       LaneSums<T> change;
       change.add(elements.volume_change());
       task.batches.volume_changes_m3[batch] = change.total();
     }
     if constexpr (is_damped) {
-      dissipated.add(elements.dissipation());
-      relaxed.add(elements.relaxed());
+      if (task.viscosity_Pa_s > 0.0) dissipated.add(elements.dissipation());
+      if (task.relaxing != nullptr) relaxed.add(elements.relaxed());
     }
   }
   ThinWallOutcome outcome;
   alignas(64) std::array<typename Element::Number, Element::width> lanes;
   Lanes<T>::store(smallest, lanes.data());
-  for (const auto ratio : lanes)
-    if (static_cast<double>(ratio) < outcome.smallest_ratio) outcome.smallest_ratio = static_cast<double>(ratio);
+  for (const auto square : lanes) {
+    const double ratio = square > 0 ? std::sqrt(static_cast<double>(square)) : -1.0;
+    if (ratio < outcome.smallest_ratio) outcome.smallest_ratio = ratio;
+  }
   outcome.dissipated_W = dissipated.total();
   outcome.relaxed_J = relaxed.total();
   return outcome;
@@ -195,8 +180,8 @@ void rest_thin_wall_branches(const ThinWallTask<NumberOf<T>>& task, NumberOf<T>*
 
 template <class T>
 const ThinWallTable<NumberOf<T>>& thin_wall_table(const char* instruction_set) {
-  static const ThinWallTable<NumberOf<T>> table{instruction_set, Lanes<T>::count, thin_wall_forces<T>, thin_wall_energies<T>,
-                                                rest_thin_wall_branches<T>};
+  static const ThinWallTable<NumberOf<T>> table{instruction_set,     Lanes<T>::count,       lane_places<T>(),
+                                                thin_wall_forces<T>, thin_wall_energies<T>, rest_thin_wall_branches<T>};
   return table;
 }
 

@@ -66,7 +66,7 @@ std::array<double, shape_numbers_per_lane> shape_of(const std::array<double, 3>&
 
 template <class Number>
 ThinWallKernels<Number>::ThinWallKernels(const ThinWallTable<Number>& table)
-    : instruction_set(table.instruction_set), width(table.width), table_(&table) {}
+    : instruction_set(table.instruction_set), width(table.width), lane_places_(table.lane_places), table_(&table) {}
 
 template <class Number>
 ThinWallOutcome ThinWallKernels<Number>::forces(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,

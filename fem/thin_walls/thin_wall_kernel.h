@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fem/elements/maxwell_branch.h"
+#include "fem/thin_walls/lane_places.h"
 #include "materials/laws/hyperelastic_law.h"
 
 namespace menger::fem {
@@ -79,6 +80,14 @@ struct ThinWallBatches {
   /// Per batch, written with the forces: the change of the volume of its walls, V (J - 1) of their centres, m^3. Minus this times
   /// the pressure is the pressure's energy. 0 for blocks. nullptr: not wanted.
   double* volume_changes_m3 = nullptr;
+  /// Per batch: on how many faces of its walls a pressure acts as a force: 0, 1 or 2, the faces across the wall. 0 for blocks.
+  /// nullptr: on none.
+  const std::uint8_t* pressed_faces = nullptr;
+  const Number* sides = nullptr;              ///< per lane 1 or -1, aligned: the first of them lies at this end of the third axis
+  const double* face_pressures_Pa = nullptr;  ///< per batch two, positive towards the wall
+  /// Per batch two, written with the forces: the change of volume behind the faces, m^3, which is right in sum over a closed
+  /// surface. nullptr: not wanted.
+  double* face_volumes_m3 = nullptr;
 };
 
 /// Where a body is; component i of a node at its first component plus i.
@@ -148,10 +157,15 @@ class ThinWallKernels {
   std::string_view instruction_set;  ///< "scalar", "baseline", "avx2", "avx512"
   std::size_t width;                 ///< lanes: elements computed at once
 
-  /// Computes the forces on the corners of each lane: d(energy)/du plus the viscous force.
+  /// Returns the slot of a corner among those of all batches. @param lane counted over all batches
+  [[nodiscard]] std::size_t slot(std::size_t lane, std::size_t corner) const {
+    return (lane / width * 8 + corner) * width + lane_places_[lane % width];
+  }
+
+  /// Computes the forces on the corners of each lane: d(energy)/du plus the viscous force, minus those of the pressures on faces.
   /// @param branches changed where they relax
-  /// @param slots_N slot_numbers_per_lane for each lane, one lane after another, aligned to 64 bytes: component i of corner c at
-  /// 4 c + i, and a zero after the three components
+  /// @param slots_N slot_numbers_per_lane for each lane of all batches, aligned to 64 bytes: component i of slot s, see slot(),
+  /// at 4 s + i, and a zero after the three components
   [[nodiscard]] ThinWallOutcome forces(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
                                        const ThinWallMotion<Number>& motion, const ThinWallBranches<Number>& branches,
                                        Number* slots_N) const;
@@ -165,6 +179,7 @@ class ThinWallKernels {
   void rest_branches(const ThinWallBatches<Number>& batches, const ThinWallMotion<Number>& motion, Number* branch) const;
 
  private:
+  LanePlaces lane_places_;
   const detail::ThinWallTable<Number>* table_;
 };
 

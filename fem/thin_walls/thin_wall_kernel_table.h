@@ -31,6 +31,7 @@ template <class Number>
 struct ThinWallTable {
   std::string_view instruction_set;
   std::size_t width;
+  LanePlaces lane_places;
   ThinWallOutcome (*forces)(const ThinWallTask<Number>& task, Number* slots_N);
   void (*energies)(const ThinWallTask<Number>& task, Number* energies_J, Number* smallest_ratios);
   void (*rest_branches)(const ThinWallTask<Number>& task, Number* branch);

@@ -91,8 +91,28 @@ std::string obstacle_to_thin_walls(const meshes::HexahedralMesh& mesh, double wa
          "elements.kind = \"three_field\"";
 }
 
+std::set<meshes::FaceCorners> chamber_faces_of_walls(const meshes::HexahedralMesh& mesh) {
+  const FreeFaces faces(mesh);
+  const std::vector<ThinWallPlace> places = thin_wall_places(mesh);
+  std::set<meshes::FaceCorners> result;
+  for (std::size_t element = 0; element < places.size(); ++element) {
+    if (places[element].element != ThinWallElement::wall) continue;
+    for (const std::size_t end : {0U, 1U}) {
+      const std::size_t side = 2 * places[element].normal + end;
+      if (faces.plenum(mesh.elements[element], side).value_or(-1) >= 0) result.insert(face_of(mesh.elements[element], side));
+    }
+  }
+  return result;
+}
+
 ThinWallMesh::ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width) : width_(width) {
   const std::vector<ThinWallPlace> places = thin_wall_places(mesh);
+  const FreeFaces faces(mesh);
+  const auto side_of = [&](std::size_t element) {
+    const ThinWallPlace& place = places[element];
+    const std::optional<int> high = faces.plenum(mesh.elements[element], 2 * place.normal + 1);
+    return high && *high == place.plena[0] ? 1 : -1;
+  };
   using Key = std::tuple<ThinWallElement, std::size_t, ThinWallPlace>;  // kind, region, place
   std::map<Key, std::vector<std::size_t>> sets;
   for (std::size_t element = 0; element < places.size(); ++element)
@@ -109,6 +129,7 @@ ThinWallMesh::ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width
     const std::size_t count = (elements.size() + width_ - 1) / width_;
     normals_.insert(normals_.end(), count, static_cast<std::uint8_t>(place.normal));
     plena_.insert(plena_.end(), count, place.plena);
+    for (std::size_t lane = sides_.size(); lane < elements_.size(); ++lane) sides_.push_back(side_of(elements_[lane]));
     groups_.back().batch_count += count;
   }
 }

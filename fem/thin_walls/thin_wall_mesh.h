@@ -1,15 +1,18 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "fem/thin_walls/thin_wall_kernel.h"
+#include "meshes/hexahedra/element_geometry.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
 
 namespace menger::fem {
@@ -75,6 +78,13 @@ class ThinWallMesh {
   [[nodiscard]] std::size_t normal(std::size_t batch) const { return normals_[batch]; }
   /// See ThinWallPlace::plena.
   [[nodiscard]] const std::array<int, 2>& plena(std::size_t batch) const { return plena_[batch]; }
+  /// How many of the plena of a batch are not the outside.
+  [[nodiscard]] std::size_t plenum_count(std::size_t batch) const {
+    return static_cast<std::size_t>(
+        std::count_if(plena_[batch].begin(), plena_[batch].end(), [](int plenum) { return plenum >= 0; }));
+  }
+  /// At which end of its normal a wall has the first of its plena: 1 the upper, -1 the lower one.
+  [[nodiscard]] int side(std::size_t lane) const { return sides_[lane]; }
 
   /// Returns batches without shapes and pressures, which depend on the number type.
   template <class Number>
@@ -97,6 +107,10 @@ class ThinWallMesh {
   std::vector<std::uint32_t> first_components_;
   std::vector<std::uint8_t> normals_;
   std::vector<std::array<int, 2>> plena_;
+  std::vector<int> sides_;
 };
+
+/// Returns those faces of walls, by their sorted corners, that lie across the wall and bound a chamber.
+std::set<meshes::FaceCorners> chamber_faces_of_walls(const meshes::HexahedralMesh& mesh);
 
 }  // namespace menger::fem

@@ -11,8 +11,7 @@ ThinWallStiffness::ThinWallStiffness(ThinWallKernels<double> kernels) : kernels_
       for (std::size_t c = 0; c < 8; ++c)
         first_components_[normal].push_back(static_cast<std::uint32_t>(24 * lane + 3 * global_corner(normal, c)));
     }
-    for (std::size_t c = 0; c < 8; ++c)
-      for (std::size_t i = 0; i < 3; ++i) slot_of_component_[normal][3 * global_corner(normal, c) + i] = 4 * c + i;
+    for (std::size_t c = 0; c < 8; ++c) corner_of_global_[normal][global_corner(normal, c)] = c;
   }
   shapes_.resize(shape_numbers_per_lane * width());
   displacements_.resize(24 * width() + 1);  // kernels may read one more

@@ -60,13 +60,14 @@ class ThinWallStiffness {
   void call_forces(const ThinWallMaterial& material);
   /// Component n, in the order of BoxNumbers, of the forces that were computed last.
   [[nodiscard]] double slot(std::size_t lane, std::size_t n) const {
-    return slots_[slot_numbers_per_lane * lane + slot_of_component_[normal_][n]];
+    const std::size_t corner = corner_of_global_[normal_][n / 3];
+    return slots_[4 * kernels_.slot(lane, corner) + n % 3];
   }
 
   ThinWallKernels<double> kernels_;
-  // By normal: where the corners of each lane have their first component, and where a lane's slots have each component.
+  // By normal: where the corners of each lane have their first component, and the local corner of each global one.
   std::array<std::vector<std::uint32_t>, 3> first_components_;
-  std::array<std::array<std::size_t, 24>, 3> slot_of_component_{};
+  std::array<std::array<std::size_t, 8>, 3> corner_of_global_{};
   ThinWallElement element_ = ThinWallElement::wall;
   std::uint8_t normal_ = 2;
   std::size_t count_ = 0;

@@ -12,6 +12,7 @@ namespace menger::fem::detail {
 /// A field on a wall: columns of its gradient at the centre, their change across the wall, hourglass patterns.
 template <class T>
 struct WallField {
+  Vector3<T> sum;               ///< over the corners
   std::array<Vector3<T>, 3> g;  ///< of displacements: f_i - e_i
   Vector3<T> q1;
   Vector3<T> q2;
@@ -61,9 +62,16 @@ class WallElement {
 
   /// The smallest of J and of both area ratios; what is not a number counts as -1.
   [[nodiscard]] T smallest_ratio() const {
+    const T square = smallest_square();
+    return select(square > T(0.0), sqrt(max(square, T(0.0))), T(-1.0));
+  }
+
+  /// The square of the smallest ratio, or -1.
+  [[nodiscard]] T smallest_square() const {
     const T d = T(1.0) + min(points_[0].area_excess, points_[1].area_excess);
-    const T ratio = min(T(1.0) + ratio_excess_, sqrt(max(d, T(0.0))));
-    return select(admissible_ > T(0.0), select(ratio > T(0.0), ratio, T(-1.0)), T(-1.0));
+    const T ratio = T(1.0) + ratio_excess_;
+    const T square = min(d, ratio * abs(ratio));  // the second one where either is not a number
+    return select(admissible_ > T(0.0), select(square > T(0.0), square, T(-1.0)), T(-1.0));
   }
 
   /// @tparam Law a law, called with a metric @tparam is_damped whether there is a branch or a viscosity
@@ -96,9 +104,51 @@ class WallElement {
 
   void store(Number* forces) const {
     BoxModes<T> modes;
+    modes.constant = scaled(volume_, face_forces_[2]);
     for (std::size_t j = 0; j < 3; ++j) modes.linear[j] = scaled(c_[j] * volume_, column_forces_[j]);
+    for (std::size_t j = 0; j < 2; ++j) add(modes.linear[j], volume_, face_forces_[j]);
     for (std::size_t a = 0; a < 4; ++a) modes.hourglass[a] = scaled(volume_, pattern_forces_[a]);
-    store_forces(modes, first_axis_, forces);
+    store_forces<true>(modes, first_axis_, forces);
+  }
+
+  /// Adds the pressures on the faces to the forces, which must have been computed, and finds what volume the faces have swept.
+  ///
+  /// See FacePressureKernels. On the face at zeta = side the tangents in the middle are A = l1/2 (f1 + side q1) and C = l2/2 (f2
+  /// + side q2), and the twist is (H3 + side H4)/8. With 1/c_i = 4 l_i and l1 l2 / 4 = V c3, A x C = V c3 f1' x f2', and A x k =
+  /// V c2 c3 f1' x h. Half of a force on the face belongs to the patterns that are constant across the wall.
+  void press_faces(std::size_t batch) {
+    const std::size_t count = task_.batches.pressed_faces[batch];
+    const T to_second = c_[1] * c_[2];
+    const T to_first = c_[0] * c_[2];
+    for (std::size_t face = 0; face < count; ++face) {
+      T side = Lanes<T>::load(task_.batches.sides + width * batch);
+      if (face == 1) side = -side;
+      const T pressure = T(task_.batches.face_pressures_Pa[2 * batch + face]);
+      Vector3<T> g1 = u_.g[0];
+      Vector3<T> g2 = u_.g[1];
+      Vector3<T> h = u_.H[2];
+      add(g1, side, u_.q1);
+      add(g2, side, u_.q2);
+      add(h, side, u_.H[3]);
+      Vector3<T> f1 = g1;
+      Vector3<T> f2 = g2;
+      f1[0] = f1[0] + T(1.0);
+      f2[1] = f2[1] + T(1.0);
+      const Vector3<T> total = scaled(T(0.5) * pressure, cross(f1, f2));
+      const Vector3<T> along_first = scaled(T(1.0 / 6.0) * pressure * to_second, cross(f1, h));
+      const Vector3<T> along_second = scaled(T(1.0 / 6.0) * pressure * to_first, cross(h, f2));
+      add(column_forces_[2], T(1.0), total);
+      add(face_forces_[2], side * c_[2], total);
+      add(pattern_forces_[1], T(1.0), along_first);
+      add(face_forces_[0], side, along_first);
+      add(pattern_forces_[0], T(1.0), along_second);
+      add(face_forces_[1], side, along_second);
+      if (task_.batches.face_volumes_m3 != nullptr) {
+        LaneSums<T> change;
+        change.add(-(side * swept_volume(side, g1, g2, h)));
+        task_.batches.face_volumes_m3[2 * batch + face] = change.total();
+      }
+    }
   }
 
   /// Energy in J. @param branch nullptr: without one
@@ -160,11 +210,29 @@ class WallElement {
   [[nodiscard]] T relaxed() const { return relaxed_; }
 
  private:
+  /// The volume that a face has swept along the third axis, see swept_volume of the kernels of faces: with the displacement m of
+  /// its middle, the changes g of its columns and the twist h/8 it is 4 V c3 m . (e3 + (e1 x g2 + g1 x e2)/2 + g1 x g2/3) + 2/3
+  /// (A0^2 g1 . (e1 x h)/8 + C0^2 g2 . (h x e2)/8).
+  [[nodiscard]] T swept_volume(const T& side, const Vector3<T>& g1, const Vector3<T>& g2, const Vector3<T>& h) const {
+    Vector3<T> middle = scaled(c_[2], u_.sum);  // times 8 c3
+    add(middle, side, u_.g[2]);
+    const T third = T(1.0 / 3.0);
+    const T half = T(0.5);
+    const Vector3<T> both = cross(g1, g2);
+    const Vector3<T> area{fnma(half, g1[2], third * both[0]), fnma(half, g2[2], third * both[1]),
+                          T(1.0) + fma(half, g1[0] + g2[1], third * both[2])};
+    const T of_first = c_[1] * c_[1] * fms(g1[2], h[1], g1[1] * h[2]);
+    const T of_second = c_[0] * c_[0] * fms(g2[2], h[0], g2[0] * h[2]);
+    const T of_twist = T(16.0 / 3.0) * volume_ * c_[2] * c_[2] * (of_first + of_second);
+    return volume_ * fma(half, dot(middle, area), of_twist);
+  }
+
   static constexpr double gauss_point = 0.57735026918962576451;  // 1/sqrt(3)
 
   [[nodiscard]] WallField<T> field(const Number* nodal) const {
     const BoxModes<T> modes = gathered_modes<T>(nodes_, first_axis_, nodal);
     WallField<T> result;
+    result.sum = modes.constant;
     for (std::size_t j = 0; j < 3; ++j) result.g[j] = scaled(c_[j], modes.linear[j]);
     result.q1 = scaled(c_[0], modes.hourglass[1]);
     result.q2 = scaled(c_[1], modes.hourglass[0]);
@@ -397,6 +465,8 @@ class WallElement {
   PlaneStress<T> branch_metric_;
   std::array<Vector3<T>, 3> column_forces_;
   std::array<Vector3<T>, 4> pattern_forces_;
+  /// Of the pressure on faces: along the first two axes beside what column_forces_ become, and the resultant.
+  std::array<Vector3<T>, 3> face_forces_{{{T(0.0), T(0.0), T(0.0)}, {T(0.0), T(0.0), T(0.0)}, {T(0.0), T(0.0), T(0.0)}}};
   T admissible_ = T(1.0);
   T dissipation_ = T(0.0);
   T relaxed_ = T(0.0);

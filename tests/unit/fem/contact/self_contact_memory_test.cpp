@@ -68,6 +68,40 @@ TEST(ContactMemory, GivesNoMoreThanItTook) {
   EXPECT_LT(most, 1e-12);
 }
 
+TEST(ContactMemory, StiffeningOfItsSpringTakesNoEnergy) {
+  ContactMemory memory = memory_after(with_spring({}, 10.0), 0.2, 0.25);
+  memory.slip_m = {0.1, 0.0, 0.0};
+  const ContactMemory stiffer = with_spring(memory, 40.0);
+  EXPECT_EQ(stiffer.spring_N_per_m, 40.0);
+  EXPECT_DOUBLE_EQ(stiffer.pressed_m, 0.1);
+  EXPECT_DOUBLE_EQ(40.0 * stiffer.paid_m2, 10.0 * memory.paid_m2);
+  EXPECT_DOUBLE_EQ(stiffer.slip_m[0], 0.05);
+  const ContactMemory softer = with_spring(memory, 2.5);
+  EXPECT_EQ(softer.pressed_m, 0.2);
+  EXPECT_EQ(softer.slip_m[0], 0.1);
+  EXPECT_EQ(with_spring(softer, 10.0).pressed_m, 0.2) << "what it lost is still paid for";
+}
+
+// Depths that wander and jump, and springs that change, at random.
+TEST(ContactMemory, GivesNoMoreThanItTookWhereSpringsChange) {
+  const std::vector<double> ways = random_numbers(30000, 0.1, 4);
+  ContactMemory memory;
+  double given = 0.0;
+  double most = -1.0;
+  for (std::size_t n = 0; n + 2 < ways.size(); n += 3) {
+    const bool jumps = ways[n + 1] > 0.09;
+    const double depth = jumps ? std::abs(5.0 * ways[n]) : std::max(0.0, memory.depth_m + ways[n]);
+    const double spring = 1.0 + 9.0 * std::abs(ways[n + 2]);
+    const ContactMemory changed = with_spring(memory, spring);
+    const ContactMemory after = memory_after(changed, depth, std::abs(ways[n]));
+    if (std::abs(depth - memory.depth_m) <= std::abs(ways[n]))
+      given -= 0.5 * spring * (after.pressed_m * after.pressed_m - changed.pressed_m * changed.pressed_m);
+    memory = after;
+    most = std::max(most, given);
+  }
+  EXPECT_LT(most, 1e-12);
+}
+
 TEST(ContactMemory, WayIsThatOfTheNodeAsTheFaceSeesIt) {
   const meshes::HexahedralMesh mesh = meshes::box({2e-3, 2e-3, 2e-3}, {1, 1, 1});
   const ContactSurfaces surfaces(mesh);

@@ -109,6 +109,44 @@ std::vector<double> crumpled(const meshes::HexahedralMesh& mesh) {
   return positions;
 }
 
+// Nodes and faces that are heavy enough keep the springs of their areas, others get those that their masses bear.
+TEST(SelfContact, SpringsAreLimitedByTheMassesThatTheyJoin) {
+  const meshes::HexahedralMesh mesh = two_blocks();
+  const ExplicitBody body(mesh, silicone_options(mesh));
+  const double limit = touch_limit_per_s2(stiffness, 1070.0, edge);
+  const std::vector<double> x = crumpled(mesh);
+  SelfContact unlimited(mesh, stiffness);
+  SelfContact limited(mesh, stiffness, true, {}, {body.masses_kg(), limit});
+  unlimited.find_touches(x, alone);
+  limited.find_touches(x, alone);
+  ASSERT_EQ(limited.touches().size(), unlimited.touches().size());
+  std::size_t reduced = 0;
+  double largest = 0.0;
+  for (std::size_t t = 0; t < limited.touches().size(); ++t) {
+    const SelfTouch& touch = limited.touches()[t];
+    double lightness = 1.0 / body.masses_kg()[touch.node];
+    for (std::size_t c = 0; c < 4; ++c) lightness += touch.weights[c] * touch.weights[c] / body.masses_kg()[touch.face_nodes[c]];
+    const double of_area = unlimited.touches()[t].spring_N_per_m;
+    largest = std::max(largest, of_area * lightness);
+    EXPECT_LE(touch.spring_N_per_m * lightness, limit * (1.0 + 1e-12));
+    if (touch.spring_N_per_m < of_area * (1.0 - 1e-12)) {
+      ++reduced;
+      EXPECT_NEAR(touch.spring_N_per_m * lightness, limit, 1e-12 * limit);
+    }
+  }
+  EXPECT_GT(largest, 2.0 * limit);
+  EXPECT_GT(reduced, 8U);
+  EXPECT_LT(reduced, limited.touches().size() - 8U);
+}
+
+// Two slabs with walls as thin as the thinnest, away from their edges.
+TEST(SelfContact, LimitLeavesFlatWallsAlone) {
+  constexpr double k = 3e7;
+  const double mass = 0.5 * 1070.0 * edge * edge * edge;
+  EXPECT_NEAR(0.5 * k * edge * edge * (2.0 / mass), touch_limit_per_s2(k, 1070.0, edge),
+              1e-12 * touch_limit_per_s2(k, 1070.0, edge));
+}
+
 TEST(SelfContact, ForcesKeepMomentumAndAngularMomentum) {
   const meshes::HexahedralMesh mesh = two_blocks();
   SelfContact contact(mesh, stiffness);
@@ -241,7 +279,13 @@ TEST(SelfContact, LooksAgainWhenAGapMayHaveClosed) {
   contact.moved(0.01 * edge);
   EXPECT_TRUE(contact.is_awake());
   std::vector<double> apart = rest;
-  apart[0] += 0.38 * edge;
+  apart[0] += 0.5 * edge;
+  contact.find_touches(apart, alone);
+  EXPECT_EQ(contact.search_count(), 1U) << "less than what is searched";
+  EXPECT_FALSE(contact.is_awake());
+  contact.moved(0.13 * edge);
+  EXPECT_TRUE(contact.is_awake());
+  apart[0] -= 1.25 * edge;
   contact.find_touches(apart, alone);
   EXPECT_EQ(contact.search_count(), 2U);
   EXPECT_FALSE(contact.is_awake());
@@ -262,10 +306,53 @@ TEST(SelfContact, DoesNotSearchWhereNodesHaveComeBack) {
   contact.find_touches(positions, alone);
   EXPECT_EQ(contact.search_count(), 1U);
   EXPECT_FALSE(contact.is_awake());
-  contact.moved(0.25 * edge);
-  EXPECT_FALSE(contact.is_awake()) << "0.1 of the displacement and 0.25 of the path since";
-  contact.moved(0.05 * edge);
+  contact.moved(0.3 * edge);
+  EXPECT_FALSE(contact.is_awake()) << "0.1 of the displacement and twice 0.3 of the path since";
+  contact.moved(0.03 * edge);
   EXPECT_TRUE(contact.is_awake());
+}
+
+// A bar of 60 mm turns: its ends move by more than what is searched, neighbours hardly against each other.
+TEST(SelfContact, DoesNotSearchWhereNeighboursMoveTogether) {
+  const meshes::HexahedralMesh mesh = body_of_cubes({30, 2, 1}, edge, [](std::size_t, std::size_t, std::size_t) { return true; });
+  SelfContact contact(mesh, stiffness);
+  contact.find_touches(mapped(mesh, same), alone);
+  const auto turned = [&](double angle) {
+    return mapped(mesh, [&](const Point& X) { return sum(X, {0.0, 0.0, angle * X[0]}); });
+  };
+  contact.moved(1.2 * edge);
+  ASSERT_TRUE(contact.is_awake());
+  contact.find_touches(turned(0.04), alone);
+  EXPECT_EQ(contact.search_count(), 1U);
+  EXPECT_FALSE(contact.is_awake());
+  contact.moved(3.0 * edge);
+  contact.find_touches(turned(0.2), alone);
+  EXPECT_EQ(contact.search_count(), 2U);
+}
+
+// Legs 10 mm apart, further than neighbours are looked for, come together as wholes.
+TEST(SelfContact, FarPartsThatComeTogetherAreFound) {
+  const meshes::HexahedralMesh mesh =
+      body_of_cubes({9, 2, 7}, edge, [](std::size_t i, std::size_t, std::size_t k) { return k == 0 || i < 2 || i >= 7; });
+  const auto closed = [&](double way) {
+    return mapped(mesh, [&](const Point& X) {
+      const double share = std::min(1.0, X[2] / (2.0 * edge));
+      return sum(X, {(X[0] < 9e-3 ? share : -share) * way, 0.0, 0.0});
+    });
+  };
+  SelfContact contact(mesh, stiffness);
+  contact.find_touches(closed(0.0), alone);
+  double before = 0.0;
+  for (const double way : {1e-3, 2.5e-3, 3.9e-3, 4.8e-3, 5.1e-3}) {
+    contact.moved(way - before);
+    before = way;
+    if (contact.is_awake()) contact.find_touches(closed(way), alone);
+    SelfContact fresh(mesh, stiffness);
+    fresh.find_touches(closed(way), alone);
+    EXPECT_EQ(contact.touches().size(), fresh.touches().size()) << way;
+    EXPECT_EQ(contact.energy_J(), fresh.energy_J());
+  }
+  EXPECT_GT(contact.touches().size(), 20U);
 }
 
 // Candidates of an old search hold every pair that meets while ways add up to what it allows.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "fem/explicit/explicit_contact.h"
 #include "fem/explicit/material_damping.h"
 #include "fem/thin_walls/thin_wall_kernel.h"
+#include "fem/thin_walls/thin_wall_mesh.h"
 #include "tests/unit/fem/explicit/explicit_samples.h"
 
 namespace menger::fem {
@@ -75,6 +77,61 @@ TEST(ThinWallElements, ForcesAreTheDerivativeOfTheEnergies) {
   };
   constexpr double step = 1e-8;  // 1e-5 of an edge
   EXPECT_NEAR(power, (energy(step) - energy(-step)) / (2.0 * step), 1e-6 * std::abs(power));
+}
+
+// The volumes that the walls and the faces of blocks find together are those of the chambers, read off their faces.
+TEST(ThinWallElements, PressedVolumesAreThoseOfTheChambers) {
+  meshes::HollowBodyOptions shape;
+  shape.chambers = meshes::ChamberLayout::per_phase;
+  shape.wall_thickness_m = 2e-3;
+  set_elements({}, shape);
+  const meshes::HexahedralMesh mesh =
+      meshes::hollow_polycube({"L", meshes::Polycube::from_digits(2, 2, 1, "1120"), 10e-3}, shape).mesh;
+  EXPECT_GT(chamber_faces_of_walls(mesh).size(), 50U);
+  const ExplicitBody body(mesh, walls_of(mesh, in(Precision::double_precision)));
+  ASSERT_TRUE(body.elements().take_pressure());
+  const std::vector<double> u = random_numbers(3 * mesh.points.size(), 2e-4, 5);
+  const std::unique_ptr<ElementForces> forces = body.elements().make_forces();
+  BranchNumbers branches = body.elements().branches_at_rest(u);
+  forces->place({u.data()}, BlockLoop(1));
+  forces->compute({0, forces->batch_count()}, branches, 0.0);
+  const ExplicitChambers chambers(mesh);
+  std::vector<double> positions = body.reference_positions_m();
+  positions.push_back(0.0);
+  const std::vector<double> before = chambers.volumes_m3(positions);
+  for (std::size_t n = 0; n < u.size(); ++n) positions[n] += u[n];
+  const std::vector<double> after = chambers.volumes_m3(positions);
+  ASSERT_EQ(after.size(), 2U);
+  for (std::size_t c = 0; c < 2; ++c)
+    EXPECT_NEAR(forces->pressed_volumes().chambers_m3[mesh.chambers[c].plenum], after[c] - before[c], 1e-12 * before[c]);
+}
+
+// Elements that follow the nodes give the forces of elements that are placed where these are.
+TEST(ThinWallElements, FollowTheirNodes) {
+  const meshes::HexahedralMesh mesh = two_chambers();
+  const ExplicitBody body(mesh, walls_of(mesh, in(Precision::single_precision), 1.0));
+  std::vector<double> u(3 * mesh.points.size(), 0.0);
+  std::vector<double> v = u;
+  BranchNumbers branches = body.elements().branches_at_rest(u);
+  const auto forces_of = [&](ElementForces& forces) {
+    forces.compute({0, forces.batch_count()}, branches, 0.0);
+    std::vector<double> sums(u.size());
+    forces.sum({0, mesh.points.size()}, sums.data());
+    return sums;
+  };
+  const std::unique_ptr<ElementForces> followed = body.elements().make_forces();
+  followed->place({u.data(), v.data()}, BlockLoop(1));
+  const std::vector<double> at_rest = forces_of(*followed);
+  const std::vector<double> way = random_numbers(u.size(), 1e-4, 1);
+  const std::vector<double> speed = random_numbers(u.size(), 0.1, 2);
+  std::copy(way.begin() + 3, way.end(), u.begin() + 3);  // all but the first node
+  std::copy(speed.begin() + 3, speed.end(), v.begin() + 3);
+  EXPECT_EQ(forces_of(*followed), at_rest);
+  followed->follow({0, 100});
+  followed->follow({100, mesh.points.size()});
+  const std::unique_ptr<ElementForces> placed = body.elements().make_forces();
+  placed->place({u.data(), v.data()}, BlockLoop(1));
+  EXPECT_EQ(forces_of(*followed), forces_of(*placed));
 }
 
 // Energy balance of a driven body in all: errors of second order in the step, for the work of changing pressure on walls, too.
@@ -277,6 +334,45 @@ TEST(ThinWallElements, WallsThatTouchCarryEachOther) {
   const MotionEnergies energies = dynamics.energies();
   EXPECT_LT(energies.kinetic_J, 1e-5 * std::abs(energies.work.pressure_J));
   EXPECT_LT(std::abs(energies.imbalance_J()), 1e-4 * std::abs(energies.work.pressure_J));
+}
+
+// Modules of an aggregate that are pressed into each other along an edge by 6 kPa, by less than a fiftieth of a wall. Their light
+// nodes carry no springs that would shorten steps by a third, as those of their areas do.
+TEST(ThinWallElements, TouchesShortenTheStepsOfAggregatesLittle) {
+  meshes::HollowBodyOptions shape;
+  shape.level = 2;
+  shape.wall_thickness_m = 2e-3;
+  set_elements({.fidelity = Fidelity::draft}, shape);
+  const meshes::HollowBody hollow = meshes::hollow_polycube({"L", meshes::Polycube::from_digits(2, 2, 1, "1110"), 0.01}, shape);
+  ExplicitBodyOptions body_options = silicone_options(hollow.mesh, 0.0);
+  for (ExplicitRegion& region : body_options.regions) region.material.law = materials::NeoHookean{86.7e3};
+  body_options.elements = ThinWallOptions{};
+  const ExplicitBody body(hollow.mesh, body_options);
+  ExplicitOptions options;
+  options.schedules.assign(hollow.mesh.plenum_names.size(), {ConstantPressure{6e3}, 0.01});
+  ExplicitDynamics dynamics(hollow.mesh, body, options);
+  const std::unique_ptr<ElementForces> forces = body.elements().make_forces();
+  const BlockLoop loop(1);
+  EigenvalueEstimate estimate(body, loop, *forces);
+  std::size_t most = 0;
+  double deepest = 0.0;
+  double worst = 1.0;
+  for (int n = 1; n <= 40; ++n) {
+    ASSERT_EQ(dynamics.advance_to(1e-3 * n).status, io::RunStatus::completed);
+    const std::vector<SelfTouch> touches = dynamics.self_touches();
+    if (touches.empty()) continue;
+    most = std::max(most, touches.size());
+    for (const SelfTouch& touch : touches) deepest = std::max(deepest, norm(touch.behind_m));
+    const ExplicitState& state = dynamics.state();
+    BranchNumbers branches = state.branches->numbers;
+    const auto step_with = [&](std::span<const SelfTouch> some) {
+      return stable_step_s(estimate.at(state.displacements_m, branches, *forces, {}, some));
+    };
+    worst = std::min(worst, step_with(touches) / step_with({}));
+  }
+  EXPECT_GE(most, 5U);
+  EXPECT_GT(worst, 0.75);
+  EXPECT_LT(deepest, 0.02 * shape.wall_thickness_m);
 }
 
 TEST(ThinWallElements, ACrushedWallIsReported) {

@@ -41,9 +41,14 @@ WalkProgress awkward_progress() {
                                     .piston_air_m3 = {},
                                     .source_air_m3 = {-1e-7},
                                     .work = {0.1, 0.2, 0.3, 0.4}};
-  state.contact = std::vector<ContactMemory>{
-      {.node = 7, .face = 9, .depth_m = 1e-5 / 3.0, .pressed_m = 1e-6 / 3.0, .paid_m2 = 1e-12 / 7.0, .slip_m = {-0.0, 1e-9, 0.1}},
-      {.node = 8, .is_sliding = true}};
+  state.contact = std::vector<ContactMemory>{{.node = 7,
+                                              .face = 9,
+                                              .depth_m = 1e-5 / 3.0,
+                                              .pressed_m = 1e-6 / 3.0,
+                                              .paid_m2 = 1e-12 / 7.0,
+                                              .spring_N_per_m = 1.0 / 3.0,
+                                              .slip_m = {-0.0, 1e-9, 0.1}},
+                                             {.node = 8, .is_sliding = true}};
   state.branches = BranchState{.numbers = AlignedNumbers{1.0 / 3.0, -0.0, 1.0 + 1e-16, 5e-324}, .age_s = 1e-5 / 3.0};
   WalkRecord record{.time_s = 0.1, .centre_of_mass_m = {0.1, 0.2, 0.3}, .plenum_pressures_Pa = {5.0}, .ground_force_N = 1.1};
   record.chamber_volumes_m3 = {1e-6};

@@ -171,7 +171,7 @@ class Patch {
     std::vector<double> result(displacements.size(), 0.0);
     for (std::size_t lane = 0; lane < count_; ++lane)
       for (std::size_t n = 0; n < 24; ++n)
-        result[nodes_[8 * lane + n / 3] + n % 3] += static_cast<double>(slots[slot_numbers_per_lane * lane + n / 3 * 4 + n % 3]);
+        result[nodes_[8 * lane + n / 3] + n % 3] += static_cast<double>(slots[4 * kernels_.slot(lane, n / 3) + n % 3]);
     return result;
   }
 
