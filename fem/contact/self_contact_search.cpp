@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t nodes_per_group = 8;
 constexpr std::size_t groups_per_block = 4;
 constexpr std::size_t boxes_per_block = 1024;
-constexpr std::size_t faces_per_block = 1024;
+constexpr std::size_t boxes_of_faces_per_block = 1024;
 constexpr double distance_about = 2.0;   // relative to the reach
 constexpr double distance_around = 4.0;  // relative to the reach
 
@@ -158,7 +158,7 @@ void ContactSearch::set_faces_around(std::span<const Point> points, double reach
   const bool has_lists = !listed_points_.empty() && reach_m == reach_m_;
   set_face_ways(points, listed_points_, loop);
   if (has_lists && largest_way_m() < (distance_around - distance_about) * reach_m) {
-    loop.run(face_boxes_.size(), faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    loop.run(face_boxes_.size(), boxes_of_faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t face = begin; face < end; ++face) {
         face_boxes_[face] = Box{};
         for (const Point& corner : surfaces_.corners(face, points)) face_boxes_[face].add(corner);
@@ -256,7 +256,7 @@ double ContactSearch::smallest_distance_m(const ContactCandidates& candidates, s
 /// Sets the displacements of each face's corners since other positions.
 void ContactSearch::set_face_ways(std::span<const Point> points, std::span<const Point> since, const BlockLoop& loop) {
   if (since.empty()) return;
-  loop.run(face_ways_.size(), faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+  loop.run(face_ways_.size(), boxes_of_faces_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t face = begin; face < end; ++face) {
       Box ways;
       for (const std::uint32_t node : surfaces_.face(face)) ways.add(difference(points[node], since[node]));
