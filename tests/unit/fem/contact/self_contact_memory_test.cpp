@@ -82,7 +82,7 @@ TEST(ContactMemory, StiffeningOfItsSpringTakesNoEnergy) {
   EXPECT_EQ(with_spring(softer, 10.0).pressed_m, 0.2) << "what it lost is still paid for";
 }
 
-// Depths that wander and jump, and springs that change, at random.
+// Depths that wander and jump, and springs that change, at random; they are stiffer on the way out.
 TEST(ContactMemory, GivesNoMoreThanItTookWhereSpringsChange) {
   const std::vector<double> ways = random_numbers(30000, 0.1, 4);
   ContactMemory memory;
@@ -91,7 +91,7 @@ TEST(ContactMemory, GivesNoMoreThanItTookWhereSpringsChange) {
   for (std::size_t n = 0; n + 2 < ways.size(); n += 3) {
     const bool jumps = ways[n + 1] > 0.09;
     const double depth = jumps ? std::abs(5.0 * ways[n]) : std::max(0.0, memory.depth_m + ways[n]);
-    const double spring = 1.0 + 9.0 * std::abs(ways[n + 2]);
+    const double spring = (ways[n] > 0.0 ? 1.0 : 2.0) + 9.0 * std::abs(ways[n + 2]);
     const ContactMemory changed = with_spring(memory, spring);
     const ContactMemory after = memory_after(changed, depth, std::abs(ways[n]));
     if (std::abs(depth - memory.depth_m) <= std::abs(ways[n]))
