@@ -281,8 +281,11 @@ double ContactSearch::largest_way_m() const {
 
 double ContactSearch::largest_approach_m(std::span<const Point> points, const BlockLoop& loop) {
   set_face_ways(points, searched_points_, loop);
-  if (!(largest_way_m() < distance_about * reach_m_)) return std::numeric_limits<double>::infinity();
-  std::vector<double> parts(BlockLoop::block_count(groups_.size(), groups_per_block), 0.0);
+  // What is in no list was further apart than a reach by this.
+  const double further_m = (distance_about - 1.0) * reach_m_;
+  const double largest_m = largest_way_m();
+  if (!(largest_m < distance_about * reach_m_)) return std::numeric_limits<double>::infinity();
+  std::vector<double> parts(BlockLoop::block_count(groups_.size(), groups_per_block), std::max(0.0, largest_m - further_m));
   loop.run(groups_.size(), groups_per_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
       Box ways;

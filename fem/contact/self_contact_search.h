@@ -42,10 +42,11 @@ class ContactSearch {
   /// node. Deterministic. @param points finite @param reach_m > 0
   [[nodiscard]] ContactCandidates near_pairs(std::span<const Point> points, double reach_m, const BlockLoop& loop);
 
-  /// Returns by how much a node and a face of its surface can have come nearer to each other since near_pairs, which must have
-  /// been called, m. Parts of a body that lie near each other mostly move together. So that is much less than the displacements:
-  /// the largest difference of two displacements among the nodes of a group and the faces within a distance, twice the reach.
-  /// Infinite if others can have come nearer by that distance. @param points finite
+  /// Returns a bound, m: a node and a face of its surface that near_pairs, which must have been called, did not return are now
+  /// further apart than the reach less the bound. Parts of a body that lie near each other mostly move together. So the bound is
+  /// much less than the displacements: the largest difference of two displacements among the nodes of a group and the faces
+  /// within twice the reach. Others were at least twice the reach apart; from them it is the largest difference of two
+  /// displacements on the surface, less the reach. Infinite where that is twice the reach or more. @param points finite
   [[nodiscard]] double largest_approach_m(std::span<const Point> points, const BlockLoop& loop);
 
   /// Returns the smallest distance of pairs that near_pairs has found, at other positions; at most the reach, m.
