@@ -9,6 +9,7 @@
 #include "io/text/input_error.h"
 #include "materials/laws/hyperelastic_law.h"
 #include "meshes/hexahedra/hollow_polycube.h"
+#include "meshes/load_cases/body_feet.h"
 
 namespace menger::fem {
 namespace {
@@ -91,6 +92,7 @@ LoadCaseBody::LoadCaseBody(const LoadCase& load_case, const StudyMaterial& mater
   } catch (const io::InputError&) {  // the point is not in the body
     top_ = locate_points(space_, {{"top centre", nearest_corner(mesh, top)}});
   }
+  add_soles();
   rest_volume_m3_ = equilibrium_->plenum_volumes(equilibrium_->totals(equilibrium_->rest())).front();
 }
 
@@ -128,6 +130,24 @@ void LoadCaseBody::add_grips(const meshes::HexahedralMesh& mesh) {
     case LoadCaseKind::modes:
       plate(0, low_[0]);
       break;
+  }
+}
+
+void LoadCaseBody::add_soles() {
+  if (meshes::response_columns(load_case_).size() == meshes::response_columns(load_case_.kind).size()) return;
+  const std::vector<std::array<int, 3>> cells = meshes::occupied_cells(load_case_.cells, load_case_.digits);
+  const std::array<int, 3> lowest = meshes::occupied_box(load_case_.cells, load_case_.digits).lowest;
+  for (const std::vector<std::size_t>& foot : meshes::feet_of(cells)) {
+    FaceSet sole{.plane = AxisPlane{2, low_[2]}};
+    for (const std::size_t cell : foot) {
+      std::array<Point, 2> box{low_, low_};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        box[0][axis] += load_case_.cell_edge_m * (cells[cell][axis] - lowest[axis]);
+        box[1][axis] = box[0][axis] + load_case_.cell_edge_m;
+      }
+      sole.boxes.push_back(box);
+    }
+    soles_.emplace_back(sole, space_);
   }
 }
 
@@ -201,7 +221,17 @@ std::vector<double> LoadCaseBody::ordinates(const PathPoint& point, const BodySt
   switch (load_case_.kind) {
     case LoadCaseKind::inflation: {
       const Point growth_m = ends_->extent_changes_without_rotation_m(state.displacements_m);
-      return {volume_change, growth_m[0], growth_m[1], growth_m[2], top_rise_m(state)};
+      std::vector<double> row{volume_change, growth_m[0], growth_m[1], growth_m[2], top_rise_m(state)};
+      std::vector<Point> feet_at_rest;
+      std::vector<Point> feet;
+      for (const FaceMean& sole : soles_) {
+        feet_at_rest.push_back(sole.position_m());
+        feet.push_back(sum(feet_at_rest.back(), sole.displacement_m(state.displacements_m)));
+      }
+      const std::vector<double> outwards =
+          meshes::feet_outwards_m(feet_at_rest, feet, ends_->at_rest(), ends_->deformed(state.displacements_m));
+      row.insert(row.end(), outwards.begin(), outwards.end());
+      return row;
     }
     case LoadCaseKind::blocked:
       return {point.plates.back().force_N[0], volume_change};

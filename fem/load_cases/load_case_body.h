@@ -38,6 +38,7 @@ class LoadCaseBody {
 
  private:
   void add_grips(const meshes::HexahedralMesh& mesh);
+  void add_soles();
   [[nodiscard]] Point top_displacement_m(const BodyState& state) const;
   /// Returns how much the height of the top centre over the mean of the bottom faces has grown, after the rotation of the body is
   /// removed.
@@ -51,6 +52,7 @@ class LoadCaseBody {
   std::unique_ptr<Equilibrium> equilibrium_;
   std::unique_ptr<BodyEnds> ends_;
   std::vector<LocatedPoint> top_;
+  std::vector<FaceMean> soles_;  ///< of the feet, where response_columns asks for them
   double rest_volume_m3_ = 0.0;
 };
 

@@ -226,7 +226,7 @@ class SetRun {
     provenance.reason = response.reason;
     provenance.limit_pressure_Pa = response.limit_pressure_Pa;
     provenance.contact_pressure_Pa = response.contact_pressure_Pa;
-    curve.columns = meshes::response_columns(request.load_case.kind);
+    curve.columns = meshes::response_columns(request.load_case);
     curve.values.resize(curve.columns.size());
     for (const std::vector<double>& row : response.rows)
       for (std::size_t column = 0; column < row.size(); ++column) curve.values[column].push_back(row[column]);

@@ -39,6 +39,8 @@ struct AxisPlane {
 struct FaceSet {
   std::optional<std::size_t> label{};
   std::optional<AxisPlane> plane{};
+  /// Opposite corners of boxes: only faces whose middle lies in one of them. Without boxes, faces anywhere.
+  std::vector<std::array<Point, 2>> boxes{};
 };
 
 /// A rigid plate on faces of a body. It moves as PlateMotion (see grips.h) states. It carries the nodes of the faces along

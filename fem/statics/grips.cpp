@@ -65,9 +65,18 @@ bool contains(const FaceSet& set, const Space& space, const SpaceFace& face) {
   };
   const auto position = [&](std::size_t n) { return space.positions[static_cast<std::size_t>(face.nodes[n])]; };
   const double extent = norm(difference(position(0), position(space.nodes_per_face() - 1)));
-  for (std::size_t n = 0; n < space.nodes_per_face(); ++n)
+  Point middle{};
+  for (std::size_t n = 0; n < space.nodes_per_face(); ++n) {
     if (std::abs(coordinate(n) - set.plane->position_m) > plane_tolerance * extent) return false;
-  return true;
+    middle = sum(middle, scaled(1.0 / static_cast<double>(space.nodes_per_face()), position(n)));
+  }
+  const double room = plane_tolerance * extent;
+  const auto is_in = [&](const std::array<Point, 2>& box) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (middle[axis] < box[0][axis] - room || middle[axis] > box[1][axis] + room) return false;
+    return true;
+  };
+  return set.boxes.empty() || std::any_of(set.boxes.begin(), set.boxes.end(), is_in);
 }
 
 std::vector<Index> owned_nodes_of(const FaceSet& set, const Space& space, const NodeExchange& exchange) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "meshes/load_cases/body_feet.h"
 #include "meshes/load_cases/load_case_file.h"
 
 namespace menger::meshes {
@@ -14,13 +15,20 @@ std::string_view to_string(LoadCaseKind kind) {
   return "";
 }
 
-CellBox occupied_box(const std::array<int, 3>& cells, std::string_view digits) {
-  std::array<int, 3> low = cells;
-  std::array<int, 3> high{-1, -1, -1};
+std::vector<std::array<int, 3>> occupied_cells(const std::array<int, 3>& cells, std::string_view digits) {
+  std::vector<std::array<int, 3>> occupied;
   for (std::size_t i = 0; i < digits.size(); ++i) {
     if (digits[i] == '0') continue;
     const int position = static_cast<int>(i);
-    const std::array<int, 3> at{position % cells[0], position / cells[0] % cells[1], position / (cells[0] * cells[1])};
+    occupied.push_back({position % cells[0], position / cells[0] % cells[1], position / (cells[0] * cells[1])});
+  }
+  return occupied;
+}
+
+CellBox occupied_box(const std::array<int, 3>& cells, std::string_view digits) {
+  std::array<int, 3> low = cells;
+  std::array<int, 3> high{-1, -1, -1};
+  for (const std::array<int, 3>& at : occupied_cells(cells, digits)) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], at[axis]);
       high[axis] = std::max(high[axis], at[axis]);
@@ -63,6 +71,14 @@ std::vector<std::string> response_columns(LoadCaseKind kind) {
       return {"pressure_Pa", "frequency_1_Hz", "frequency_2_Hz", "frequency_3_Hz"};
   }
   return {};
+}
+
+std::vector<std::string> response_columns(const LoadCase& load_case) {
+  std::vector<std::string> columns = response_columns(load_case.kind);
+  if (load_case.kind != LoadCaseKind::inflation || load_case.level > 1) return columns;
+  const std::size_t feet = feet_of(occupied_cells(load_case.cells, load_case.digits)).size();
+  for (std::size_t foot = 1; feet > 1 && foot <= feet; ++foot) columns.push_back("foot_" + std::to_string(foot) + "_out_m");
+  return columns;
 }
 
 std::size_t abscissa_count(LoadCaseKind kind) {

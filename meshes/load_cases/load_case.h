@@ -53,6 +53,11 @@ struct CellBox {
 /// @param digits digits of the cells as in LoadCase, one for each cell
 CellBox occupied_box(const std::array<int, 3>& cells, std::string_view digits);
 
+/// Returns x, y and z of the occupied cells, ascending by z, then y, then x.
+/// @param cells size of the grid, each >= 1
+/// @param digits digits of the cells as in LoadCase, one for each cell
+std::vector<std::array<int, 3>> occupied_cells(const std::array<int, 3>& cells, std::string_view digits);
+
 /// Returns the number of cells along the longest side of the box around the occupied cells of a basal body. A range of validity
 /// uses this length. The level does not count, because modules are separate hollow bodies; see longest_side_modules.
 /// @param cells size of the grid, each >= 1
@@ -87,7 +92,14 @@ int longest_side_modules(int longest_side_cells, int level);
 /// - bending and torsion: pressure, angle, moment
 /// - sag: pressure, gravity_factor, tip
 /// - modes: pressure, frequencies
+///
+/// A body that stands on several feet has more columns for its inflation, see the other overload.
 std::vector<std::string> response_columns(LoadCaseKind kind);
+
+/// Returns the columns of the response curve of a load case. They are those of its kind. The inflation of a single module that
+/// stands on two feet or more also has foot_1_out_m, foot_2_out_m, ...: how far each foot moves away from the middle of all feet
+/// (meshes/load_cases/body_feet.h).
+std::vector<std::string> response_columns(const LoadCase& load_case);
 
 /// Returns how many of these columns, from the left, are abscissae.
 std::size_t abscissa_count(LoadCaseKind kind);

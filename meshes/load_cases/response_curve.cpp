@@ -61,7 +61,7 @@ void check_abscissae(const ResponseCurve& curve, const fs::path& file) {
 }
 
 void check(const ResponseCurve& curve, const fs::path& file) {
-  const std::vector<std::string> wanted = response_columns(curve.provenance.load_case.kind);
+  const std::vector<std::string> wanted = response_columns(curve.provenance.load_case);
   if (curve.columns != wanted) {
     throw io::InputError(file.string() + ": the columns of a curve of kind \"" +
                          std::string(to_string(curve.provenance.load_case.kind)) + "\" must be " + io::joined(wanted) + ", not " +
@@ -166,7 +166,7 @@ ResponseCurve read_response_curve(const fs::path& provenance_file) {
 
   const io::CsvContents table = io::parse_csv(text, table_file);
   curve.columns = table.columns();
-  if (curve.columns == response_columns(curve.provenance.load_case.kind)) {
+  if (curve.columns == response_columns(curve.provenance.load_case)) {
     for (const std::string& column : curve.columns) curve.values.push_back(table.numbers(column));
   }
   check(curve, table_file);

@@ -42,7 +42,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "uses the parameters of menger calibrate. The study names the held-out load cases, or folders of curves. menger "
       "load-cases\n"
       "first computes the curves of the load cases; existing curves are kept. It writes validation/errors.csv, "
-      "summary.csv,\n"
+      "summary.csv, signs.csv,\n"
       "volume_actuation.csv, report.txt, errors.png, a picture of every curve, manifest.json, and the worst body in both "
       "models:\n"
       "worst.pvd (open it in ParaView) and worst.png.\n"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "meshes/load_cases/body_extents.h"
+#include "meshes/load_cases/body_feet.h"
 #include "voxel/statics/equilibrium.h"
 
 namespace menger::voxel {
@@ -17,6 +17,8 @@ using meshes::Side;
 Side side_of(std::size_t axis, bool is_max) { return static_cast<Side>(2 * axis + (is_max ? 1 : 0)); }
 
 double coordinate(const Vector3<double>& v, std::size_t axis) { return std::array{v.x, v.y, v.z}[axis]; }
+
+std::array<double, 3> place(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
 /// The voxels of the top layer that are nearest to the middle of the bounding box, seen from above.
 struct TopMiddle {
@@ -110,25 +112,48 @@ double BodyShape::extent(std::size_t axis) const {
 
 double BodyShape::top_height() const { return middle_of_top().z - mean_of_faces(Side::z_min).z; }
 
-BodyShape::FreeSize BodyShape::free_size() const {
-  const auto place = [](const Vector3<double>& v) { return std::array{v.x, v.y, v.z}; };
-  meshes::EndPoints reference{};
-  meshes::EndPoints deformed{};
+BodyShape::Ends BodyShape::ends() const {
+  Ends ends;
   for (const Side side : meshes::all_sides) {
     const std::size_t axis = meshes::axis_of(side);
     const std::size_t end = meshes::is_max(side) ? 1 : 0;
-    deformed[axis][end] = place(mean_of_faces(side));
+    ends.deformed[axis][end] = place(mean_of_faces(side));
     const std::vector<std::size_t> voxels = body_->end_voxels(side);
     Vector3<double> sum{0.0, 0.0, 0.0};
     for (const std::size_t voxel : voxels) sum = sum + body_->rest[voxel].position;
-    reference[axis][end] = place((1.0 / static_cast<double>(voxels.size())) * sum);
-    reference[axis][end][axis] = meshes::is_max(side) ? body_->box_m[axis] : 0.0;
+    ends.at_rest[axis][end] = place((1.0 / static_cast<double>(voxels.size())) * sum);
+    ends.at_rest[axis][end][axis] = meshes::is_max(side) ? body_->box_m[axis] : 0.0;
   }
-  const auto rotation = meshes::rotation_of_body(reference, deformed);
+  return ends;
+}
+
+BodyShape::FreeSize BodyShape::free_size() const {
+  const auto [at_rest, deformed] = ends();
+  const auto rotation = meshes::rotation_of_body(at_rest, deformed);
   const Vector3<double> top = middle_of_top() - mean_of_faces(Side::z_min);
   // the last row of the transpose
   const double height = rotation[0][2] * top.x + rotation[1][2] * top.y + rotation[2][2] * top.z;
-  return {.extents = meshes::extents_without_rotation(reference, deformed), .top_height = height};
+  return {.extents = meshes::extents_without_rotation(at_rest, deformed), .top_height = height};
+}
+
+std::vector<double> BodyShape::feet_outwards() const {
+  std::vector<std::array<int, 3>> cells;
+  for (const auto& [x, y, z] : body_->lattice.cells) cells.push_back({x, y, z});
+  std::vector<std::array<double, 3>> at_rest;
+  std::vector<std::array<double, 3>> deformed;
+  for (const std::vector<std::size_t>& foot : meshes::feet_of(cells)) {
+    Vector3<double> before{0.0, 0.0, 0.0};
+    Vector3<double> after{0.0, 0.0, 0.0};
+    for (const std::size_t voxel : foot) {
+      before = before + body_->rest[voxel].position;
+      after = after + face(voxel, Side::z_min);
+    }
+    const double share = 1.0 / static_cast<double>(foot.size());
+    at_rest.push_back(place(share * before));
+    deformed.push_back(place(share * after));
+  }
+  const auto [ends_at_rest, ends_deformed] = ends();
+  return meshes::feet_outwards_m(at_rest, deformed, ends_at_rest, ends_deformed);
 }
 
 /// The thickness of a wall that lies on the voxel's side of its face.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "meshes/load_cases/body_extents.h"
 #include "voxel/statics/static_body.h"
 
 namespace menger::voxel {
@@ -52,6 +53,9 @@ class BodyShape {
   /// free to move rigidly: if it is not symmetric, it turns depending on where it is held, and this rotation has no meaning.
   [[nodiscard]] FreeSize free_size() const;
 
+  /// How far each foot has moved away from the middle of all feet, m, see meshes::feet_outwards_m.
+  [[nodiscard]] std::vector<double> feet_outwards() const;
+
   /// Two facing walls across an axis that touch each other.
   struct WallContact {
     std::size_t voxel = 0;  ///< the voxel behind the wall on the low side
@@ -72,6 +76,12 @@ class BodyShape {
  private:
   [[nodiscard]] Vector3<double> mean_of_faces(meshes::Side side) const;
   [[nodiscard]] Vector3<double> middle_of_top() const;
+  /// The ends of the body, at rest and now.
+  struct Ends {
+    meshes::EndPoints at_rest{};
+    meshes::EndPoints deformed{};
+  };
+  [[nodiscard]] Ends ends() const;
   [[nodiscard]] double wall_within(std::size_t voxel, meshes::Side side) const;
   [[nodiscard]] double clearance(std::size_t voxel, std::size_t axis) const;
   [[nodiscard]] double voxel_volume(std::size_t voxel) const;

@@ -1,6 +1,9 @@
 #include "voxel/statics/load_case_ordinates.h"
 
+#include <charconv>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "voxel/statics/body_shape.h"
 #include "voxel/statics/vibration.h"
@@ -35,6 +38,18 @@ double tip_height_at_rest(const StaticBody& body) {
   return sum / static_cast<double>(tip.size());
 }
 
+/// Returns the position of a foot among the feet of a body, from the name of its column; nothing for other columns.
+std::optional<std::size_t> foot_of(std::string_view column) {
+  constexpr std::string_view before = "foot_";
+  constexpr std::string_view after = "_out_m";
+  if (!column.starts_with(before) || !column.ends_with(after)) return std::nullopt;
+  column.remove_prefix(before.size());
+  column.remove_suffix(after.size());
+  std::size_t number = 0;
+  std::from_chars(column.data(), column.data() + column.size(), number);
+  return number - 1;
+}
+
 /// One number of a row, other than a frequency, by the name of its column. @param size of the shape, see size_of
 double observed(const std::string& column, LoadCaseKind kind, const Equilibrium& equilibrium, const BodyShape& shape,
                 const BodyShape::FreeSize& size) {
@@ -46,6 +61,7 @@ double observed(const std::string& column, LoadCaseKind kind, const Equilibrium&
   if (column == "extent_y_m") return size.extents[1] - body.box_m[1];
   if (column == "extent_z_m") return size.extents[2] - body.box_m[2];
   if (column == "top_m") return size.top_height - body.box_m[2];
+  if (const auto foot = foot_of(column)) return shape.feet_outwards().at(*foot);
   if (column == "tip_m") return shape.tip_height() - tip_height_at_rest(body);
   throw std::logic_error("the surrogate does not have the column " + column);
 }

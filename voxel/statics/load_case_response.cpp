@@ -47,7 +47,7 @@ LoadCaseResponse visit_states(const SurrogateParameters& parameters, const LoadC
   const StaticBody body = load_case_body(parameters, load_case);
   Equilibrium equilibrium(body, load_case_supports(kind));
   LoadCaseResponse response;
-  response.columns = meshes::response_columns(kind);
+  response.columns = meshes::response_columns(load_case);
   response.values.resize(response.columns.size());
   for (const std::vector<double>& state : states.empty() ? load_case_states(load_case) : states) {
     response.status = equilibrium.load(load_case_loads(kind, body, state));

@@ -69,7 +69,7 @@ class SlopeSweep {
  public:
   SlopeSweep(const LoadCase& load_case, const std::vector<ParameterSpan>& spans)
       : kind_(load_case.kind),
-        columns_(meshes::response_columns(kind_)),
+        columns_(meshes::response_columns(load_case)),
         spans_(spans),
         neighbours_(spans.size()),
         slopes_(spans.size(), ResponseSlope(columns_.size())) {}

@@ -23,7 +23,7 @@ struct LoadCaseResponse {
   /// - wall_contact: facing chamber walls touch (BodyShape::wall_contact). Beyond this, beams would pass through each other.
   io::RunStatus status = io::RunStatus::completed;
   std::string reason{};                     ///< why, if there is more to say than the status
-  std::vector<std::string> columns;         ///< meshes::response_columns(kind)
+  std::vector<std::string> columns;         ///< meshes::response_columns of the load case
   std::vector<std::vector<double>> values;  ///< by column; rows as in the load case, only those reached
   double smallest_strain = 0.0;             ///< axial, of any beam in any state: length / rest length - 1
   double largest_strain = 0.0;

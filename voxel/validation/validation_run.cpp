@@ -167,6 +167,7 @@ ValidationResult run_validation(const ValidationStudy& study, const SurrogatePar
   if (worst) show_worst(result, *worst, parameters, curves[worst->comparison].file, folder, options.pictures);
   errors_table(result.comparisons).write(folder / "errors.csv");
   summary_table(result.comparisons).write(folder / "summary.csv");
+  signs_table(result.comparisons).write(folder / "signs.csv");
   actuation_table(result.actuations, result.actuation).write(folder / "volume_actuation.csv");
   std::string text;
   for (const std::string& line : report_lines(result, study.aim)) text += line + "\n";
@@ -180,6 +181,7 @@ std::vector<std::string> report_lines(const ValidationResult& result, double aim
       "errors are relative to the largest magnitude of the observable in its curve; \"pointwise\" is the median relative to the "
       "value itself");
   for (const std::string& sentence : aim_sentences(result.comparisons, aim)) lines.push_back(sentence);
+  lines.push_back(sign_sentence(result.comparisons));
   if (!result.actuations.empty()) {
     lines.emplace_back("volume actuation by finite elements:");
     for (const VolumeActuation& actuation : result.actuations) {

@@ -33,9 +33,9 @@ struct ValidationResult {
   std::vector<std::string> notes;  ///< sentences for the user
 };
 
-/// Compares voxel parameters with curves and writes the results into a folder: errors.csv, summary.csv, volume_actuation.csv,
-/// report.txt (the printed text), errors.png, curve_CASE.png, and worst.pvd and worst.png of the worst body. See
-/// validation_tables.h and validation_scene.h. A stopped run writes nothing.
+/// Compares voxel parameters with curves and writes the results into a folder: errors.csv, summary.csv, signs.csv,
+/// volume_actuation.csv, report.txt (the printed text), errors.png, curve_CASE.png, and worst.pvd and worst.png of the worst
+/// body. See validation_tables.h and validation_scene.h. A stopped run writes nothing.
 /// @param record of the fit of the parameters, for the notes
 /// @throws io::InputError if the folder cannot be written to
 ValidationResult run_validation(const ValidationStudy& study, const SurrogateParameters& parameters, const FitRecord& record,

@@ -122,6 +122,23 @@ std::optional<ErrorPlace> worst_error(const std::vector<CurveComparison>& compar
   return place;
 }
 
+std::vector<SignCount> count_signs(const std::vector<CurveComparison>& comparisons) {
+  std::vector<SignCount> counts;
+  for (const CurveComparison& comparison : comparisons) {
+    for (const ObservableError& error : comparison.errors) {
+      const bool counts_here = error.kind == ObservableKind::displacement && error.validity == Validity::inside &&
+                               std::abs(error.reference) >= smallest_signed_m;
+      if (!counts_here) continue;
+      auto at = std::ranges::find_if(
+          counts, [&](const SignCount& count) { return count.body == comparison.body && count.observable == error.observable; });
+      if (at == counts.end()) at = counts.insert(at, {.body = comparison.body, .observable = error.observable});
+      ++at->count;
+      at->wrong += error.surrogate * error.reference > 0.0 ? 0 : 1;
+    }
+  }
+  return counts;
+}
+
 std::vector<AimOutcome> assess(const std::vector<CurveComparison>& comparisons, double aim) {
   std::vector<AimOutcome> outcomes;
   for (const ObservableKind kind : {ObservableKind::displacement, ObservableKind::volume}) {

@@ -55,6 +55,23 @@ struct ErrorPlace {
 /// errors in displacement and volume; if there is none of these, the largest of all errors. Nothing without errors.
 std::optional<ErrorPlace> worst_error(const std::vector<CurveComparison>& comparisons);
 
+/// How often the surrogate moves an observable of a body the wrong way.
+struct SignCount {
+  std::string body;
+  std::string observable;
+  std::size_t count = 0;  ///< numbers compared
+  std::size_t wrong = 0;  ///< of these, with another sign than the reference
+
+  bool operator==(const SignCount&) const = default;
+};
+
+/// Displacements smaller than this have no sign that matters, m.
+inline constexpr double smallest_signed_m = 2e-4;
+
+/// Counts the displacements inside the range of validity whose sign is wrong. Only those count that the reference moves by
+/// smallest_signed_m or more. One entry per body and observable with any such number, in the order of the curves.
+std::vector<SignCount> count_signs(const std::vector<CurveComparison>& comparisons);
+
 /// The errors of one kind of observable, over all bodies, compared with an aim.
 struct AimOutcome {
   ObservableKind kind = ObservableKind::displacement;

@@ -85,6 +85,29 @@ io::CsvTable summary_table(const std::vector<CurveComparison>& comparisons) {
   return table;
 }
 
+io::CsvTable signs_table(const std::vector<CurveComparison>& comparisons) {
+  io::CsvTable table({"body", "observable", "count", "wrong"});
+  for (const SignCount& signs : count_signs(comparisons))
+    table.add_row(signs.body, signs.observable, number(signs.count), number(signs.wrong));
+  return table;
+}
+
+std::string sign_sentence(const std::vector<CurveComparison>& comparisons) {
+  std::size_t count = 0;
+  std::size_t wrong = 0;
+  std::vector<std::string> which;
+  for (const SignCount& signs : count_signs(comparisons)) {
+    count += signs.count;
+    wrong += signs.wrong;
+    if (signs.wrong > 0)
+      which.push_back(signs.body + " " + signs.observable + " (" + std::to_string(signs.wrong) + " of " +
+                      std::to_string(signs.count) + ")");
+  }
+  return "sign: " + std::to_string(count - wrong) + " of " + std::to_string(count) + " displacements of at least " +
+         io::formatted("%.1f mm", 1e3 * smallest_signed_m) + " go the right way" +
+         (which.empty() ? "" : "; the wrong way: " + io::joined(which));
+}
+
 io::CsvTable actuation_table(const std::vector<VolumeActuation>& actuations, const ActuationAim& aim) {
   io::CsvTable table({"body", "chamber_share", "pressure_Pa", "outer_volume_change", "largest_change_aimed_at",
                       "pressure_for_largest_Pa", "smallest_change_aimed_at", "pressure_for_smallest_Pa", "highest_pressure_Pa",

@@ -22,6 +22,12 @@ io::CsvTable errors_table(const std::vector<CurveComparison>& comparisons);
 /// Errors are fractions. Cells are empty if a number is missing.
 io::CsvTable summary_table(const std::vector<CurveComparison>& comparisons);
 
+/// A table with one row per body and observable, see SignCount: body, observable, count, wrong.
+io::CsvTable signs_table(const std::vector<CurveComparison>& comparisons);
+
+/// A sentence: how many displacements have the right sign, and which do not.
+std::string sign_sentence(const std::vector<CurveComparison>& comparisons);
+
 /// A table with one row per body, see VolumeActuation.
 io::CsvTable actuation_table(const std::vector<VolumeActuation>& actuations, const ActuationAim& aim);
 

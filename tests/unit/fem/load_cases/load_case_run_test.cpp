@@ -59,7 +59,7 @@ CaseRequest on_thin_walls(CaseRequest request, Fidelity fidelity = Fidelity::dra
 CaseResponse completed(const CaseRequest& request) {
   CaseResponse response = run_load_case(request, silicone());
   EXPECT_EQ(response.status, io::RunStatus::completed) << response.reason;
-  const std::size_t columns = meshes::response_columns(request.load_case.kind).size();
+  const std::size_t columns = meshes::response_columns(request.load_case).size();
   const std::size_t inner = std::max<std::size_t>(request.load_case.imposed.size(), 1);
   EXPECT_EQ(response.rows.size(), response.pressures_Pa.size() * inner);
   EXPECT_TRUE(std::is_sorted(response.rows.begin(), response.rows.end()));
@@ -104,6 +104,18 @@ TEST(LoadCaseRun, ExtentsOfAnUnsymmetricBodyDoNotDependOnWhereItIsHeld) {
     EXPECT_NEAR(turned.rows[0][column] / body.rows[0][column], 1.0, 1e-5) << column;
   // an L is its own mirror image in the plane x = y
   EXPECT_NEAR(body.rows[0][3] / body.rows[0][2], 1.0, 1e-5);
+}
+
+TEST(LoadCaseRun, FeetOfATableMoveOutwardsAlike) {
+  CaseRequest request = row_of_cells(LoadCaseKind::inflation, 1, {2000.0});
+  request.load_case.cells = {3, 1, 2};
+  request.load_case.digits = "101111";
+  const CaseResponse table = completed(request);
+  ASSERT_EQ(table.rows[0].size(), 8U);
+  EXPECT_GT(table.rows[0][6], 1e-5);
+  EXPECT_NEAR(table.rows[0][7] / table.rows[0][6], 1.0, 1e-5) << "its mirror image";
+  const CaseResponse on_thin = completed(on_thin_walls(request));
+  EXPECT_NEAR(on_thin.rows[0][6] / table.rows[0][6], 1.0, 0.5) << "other elements of the same body";
 }
 
 /// Expects that `menger inflate` gives the numbers of a load case. Both follow a path of their own to the same equilibrium, to

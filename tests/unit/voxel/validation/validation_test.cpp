@@ -55,6 +55,26 @@ TEST(Validation, DoesNotBlowUpAnObservableThatHardlyAnswers) {
   EXPECT_NEAR(error_of(comparison, "top_m", 1e3).error, 1.9e-6 / 1e-5, rounding);
 }
 
+TEST(Validation, CountsDisplacementsThatGoTheWrongWay) {
+  // Of extents x (right), y (wrong at the second pressure), z (too small to have a sign) and of the top (wrong).
+  const std::vector<std::vector<double>> table{{1e3, 2e3},     {0.1, 0.2},     {1e-3, 2e-3},
+                                               {-3e-4, -1e-3}, {1e-4, 1.9e-4}, {1e-4, 3e-4}};
+  std::vector<std::vector<double>> response = table;
+  response[3] = {-1e-5, 1e-3};
+  response[4] = {-1e-4, -1.9e-4};
+  response[5] = {-1e-4, 0.0};
+  const std::vector<CurveComparison> comparisons{
+      compare(bar_curve("bar", LoadCaseKind::inflation, table), "bar", validation_parameters(), responding(response))};
+  const std::vector<SignCount> expected{{.body = "bar", .observable = "extent_x_m", .count = 2, .wrong = 0},
+                                        {.body = "bar", .observable = "extent_y_m", .count = 2, .wrong = 1},
+                                        {.body = "bar", .observable = "top_m", .count = 1, .wrong = 1}};
+  EXPECT_EQ(count_signs(comparisons), expected);
+  EXPECT_EQ(
+      sign_sentence(comparisons),
+      "sign: 3 of 5 displacements of at least 0.2 mm go the right way; the wrong way: bar extent_y_m (1 of 2), bar top_m (1 "
+      "of 1)");
+}
+
 TEST(Validation, LeavesOutWhatIsZeroThroughout) {
   const std::vector<std::vector<double>> table{{1e3}, {-0.2}, {0.0}};
   const CurveComparison comparison =
