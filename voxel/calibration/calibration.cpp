@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "voxel/model/covered_pressures.h"
+#include "voxel/statics/load_case_body.h"
 
 namespace menger::voxel {
 namespace {
@@ -59,6 +60,13 @@ ValidityRange validity_of(const CalibrationProblem& problem, const SurrogatePara
   return validity;
 }
 
+/// Whether a limb of a body leaves a plate.
+bool has_necks(const meshes::LoadCase& load_case, const SurrogateParameters& parameters) {
+  const StaticBody body = load_case_body(parameters, load_case);
+  return std::ranges::any_of(body.openings,
+                             [](const auto& of_voxel) { return std::ranges::any_of(of_voxel, &WallOpening::lifts); });
+}
+
 /// Whether a fit completed and its error is no larger than that of another, regardless of their numbers of parameters.
 bool is_as_good(const CalibrationFit& fit, const CalibrationFit& other) {
   constexpr double slack = 1.0;  // of the criterion, where smaller differences have no meaning
@@ -76,18 +84,63 @@ struct Search {
   [[nodiscard]] bool pays(const CalibrationFit& fit) const {
     if (calibration.steps.empty()) return true;
     if (fit.status != io::RunStatus::completed) return false;
+    if (fit.parameter_count > calibration.fit().parameter_count && fit.residual_count > calibration.fit().residual_count)
+      return true;  // it says something of curves that no other detail is fitted to
     const CalibrationFit& best = calibration.fit();
     return plan.choice || best.status != io::RunStatus::completed || fit.aic < best.aic - plan.aic_margin;
+  }
+
+  std::vector<std::size_t> necked;  ///< curves of bodies with plates that limbs leave
+  std::vector<std::size_t> others;
+
+  [[nodiscard]] std::vector<FittedCurve> curves_at(const std::vector<std::size_t>& places) const {
+    std::vector<FittedCurve> curves;
+    for (const std::size_t place : places) curves.push_back(problem.curves[place]);
+    return curves;
+  }
+
+  /// Fits parameters to some of the curves. The others have no residuals in the result.
+  [[nodiscard]] CalibrationFit fit_to(const std::vector<std::size_t>& places, const std::vector<FittedParameter>& parameters,
+                                      const SurrogateParameters& start) const {
+    CalibrationFit fit = fit_parameters(curves_at(places), parameters, start, problem.responder, plan.fit);
+    std::vector<std::vector<double>> residuals(problem.curves.size());
+    for (std::size_t n = 0; n < fit.residuals.size(); ++n) residuals[places[n]] = std::move(fit.residuals[n]);
+    fit.residuals = std::move(residuals);
+    return fit;
+  }
+
+  /// Fits the neck ratio alone, to the bodies that have necks, and adds it to the last fit.
+  [[nodiscard]] CalibrationFit fit_with_necks() const {
+    CalibrationFit fit = calibration.fit();
+    const auto parameters = fitted_parameters({CalibrationDetail::necks}, calibration.classes, problem.bounds, problem.start);
+    const auto neck = std::ranges::find(parameters, Quantity::bulge_neck_ratio, &FittedParameter::quantity);
+    const CalibrationFit own = fit_to(necked, {*neck}, fit.parameters);
+    if (own.status != io::RunStatus::completed) {
+      fit.status = own.status;
+      fit.reason = own.reason;
+      return fit;
+    }
+    fit.parameters.neck_ratio = own.parameters.neck_ratio;
+    const std::size_t fitted = fit.correlation.size();
+    fit.values.insert(fit.values.begin() + static_cast<std::ptrdiff_t>(fitted), own.values.front());
+    for (auto& row : fit.correlation) row.emplace_back();
+    fit.correlation.emplace_back(fitted + 1).back() = own.correlation.front().front();
+    for (const std::size_t place : necked) fit.residuals[place] = own.residuals[place];
+    fit.chi2 += own.chi2;
+    fit.residual_count += own.residual_count;
+    fit.parameter_count += own.parameter_count;
+    fit.aic += own.aic;
+    fit.explained = fit.explained && own.explained;
+    return fit;
   }
 
   /// Fits a detail together with those kept, and takes the best result of all its starts. The starts give the detail its usual
   /// effect, where equilibria may be rare. The fit before is a special case of this one. If the result is not as good as that,
   /// the fit is made again from there.
   [[nodiscard]] CalibrationFit fit_with(CalibrationDetail detail, const DetailSet& details) const {
+    if (detail == CalibrationDetail::necks) return fit_with_necks();
     const auto parameters = fitted_parameters(details, calibration.classes, problem.bounds, problem.start);
-    const auto fit_from = [&](const SurrogateParameters& start) {
-      return fit_parameters(problem.curves, parameters, start, problem.responder, plan.fit);
-    };
+    const auto fit_from = [&](const SurrogateParameters& start) { return fit_to(others, parameters, start); };
     const bool has_before = !calibration.steps.empty() && calibration.fit().parameter_count > 0;
     const SurrogateParameters& before = has_before ? calibration.fit().parameters : problem.start;
     const auto starts = starts_with_detail(before, detail, problem.start, pressure_range_Pa(problem.curves).highest);
@@ -192,14 +245,22 @@ std::vector<std::string> failed_details(const Calibration& calibration) {
 }
 
 Calibration calibrate(const CalibrationProblem& problem, const CalibrationPlan& plan) {
-  Search search{problem, plan, {}};
+  Search search{problem, plan, {}, {}, {}};
   search.calibration.classes = determined_classes(problem);
+  for (std::size_t c = 0; c < problem.curves.size(); ++c)
+    (has_necks(problem.curves[c].load_case, problem.start) ? search.necked : search.others).push_back(c);
   std::deque<CalibrationDetail> open(plan.details.begin(), plan.details.end());
+  const auto necks = std::ranges::find(plan.details, CalibrationDetail::necks);
+  const auto last = plan.choice ? std::ranges::find(plan.details, *plan.choice) : plan.details.end();
+  const bool has_necks_detail = necks != plan.details.end() && (!plan.choice || necks <= last);
+  std::erase(open, CalibrationDetail::necks);
+  bool is_stopped = false;
   std::size_t in_vain = 0;  // number of details tried since the last one that was kept
   while (in_vain < open.size()) {
     const CalibrationDetail detail = open.front();
     open.pop_front();
-    if (!search.try_detail(detail) || plan.choice == detail) break;
+    is_stopped = !search.try_detail(detail);
+    if (is_stopped || plan.choice == detail) break;
     if (search.calibration.steps.back().is_kept) {
       in_vain = 0;
     } else {
@@ -207,6 +268,9 @@ Calibration calibrate(const CalibrationProblem& problem, const CalibrationPlan& 
       ++in_vain;
     }
   }
+  // Nothing else depends on the necks, and they depend on everything else.
+  if (has_necks_detail && !is_stopped && !search.calibration.steps.empty())
+    static_cast<void>(search.try_detail(CalibrationDetail::necks));
   return search.calibration;
 }
 

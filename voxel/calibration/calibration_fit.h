@@ -50,8 +50,9 @@ struct CalibrationFit {
   std::vector<FittedValue> values;                  ///< fitted ones first, then those without influence
   /// Correlation of fitted values, in the order of `values`; nothing if one of the two has no interval.
   std::vector<std::vector<std::optional<double>>> correlation;
-  std::vector<std::vector<double>> residuals;  ///< by curve: (surrogate - reference) / sigma, ordinate by ordinate
-  double chi2 = 0.0;                           ///< sum of the squared residuals, without weights
+  /// By curve: (surrogate - reference) / sigma, ordinate by ordinate. Empty for curves that took no part in the fit.
+  std::vector<std::vector<double>> residuals;
+  double chi2 = 0.0;  ///< sum of the squared residuals, without weights
   std::size_t residual_count = 0;
   std::size_t parameter_count = 0;  ///< fitted ones
   double aic = 0.0;                 ///< see akaike

@@ -99,7 +99,8 @@ const io::Words<CalibrationDetail>& detail_words() {
                                                   {"softening", CalibrationDetail::softening},
                                                   {"fading", CalibrationDetail::fading},
                                                   {"joints", CalibrationDetail::joints},
-                                                  {"lateral", CalibrationDetail::lateral}};
+                                                  {"lateral", CalibrationDetail::lateral},
+                                                  {"necks", CalibrationDetail::necks}};
   return words;
 }
 std::string_view to_string(CalibrationDetail detail) {
@@ -150,6 +151,7 @@ std::vector<FittedParameter> fitted_parameters(const DetailSet& details, const D
     list.add(Quantity::joint_torsion);
   }
   if (has(CalibrationDetail::lateral)) list.add(Quantity::lateral_coupling);
+  if (has(CalibrationDetail::necks)) list.add(Quantity::bulge_neck_ratio);
   return list.take();
 }
 

@@ -28,7 +28,10 @@ enum class CalibrationDetail {
   fading,
   softening,  ///< softening of extension and bulge by wall class
   joints,     ///< factors of bonded joints
-  lateral     ///< lateral coupling
+  lateral,    ///< lateral coupling
+  /// How far plates stand out where limbs leave them. Always tried last, and fitted alone to the bodies that have such limbs;
+  /// these take no part in the fits of all other details.
+  necks
 };
 using DetailSet = std::set<CalibrationDetail>;
 const io::Words<CalibrationDetail>& detail_words();

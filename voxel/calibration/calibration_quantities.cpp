@@ -47,6 +47,8 @@ double& place_of(SurrogateParameters& p, Quantity quantity, std::size_t wall_cla
       return p.joint.bending;
     case Quantity::joint_torsion:
       return p.joint.torsion;
+    case Quantity::bulge_neck_ratio:
+      return p.neck_ratio;
     case Quantity::lateral_coupling:
       break;
   }
@@ -82,7 +84,8 @@ const io::Words<Quantity>& quantity_words() {
                                          {"joint_axial", Quantity::joint_axial},
                                          {"joint_bending", Quantity::joint_bending},
                                          {"joint_torsion", Quantity::joint_torsion},
-                                         {"lateral_coupling", Quantity::lateral_coupling}};
+                                         {"lateral_coupling", Quantity::lateral_coupling},
+                                         {"bulge_neck_ratio", Quantity::bulge_neck_ratio}};
   return words;
 }
 std::string_view to_string(Quantity quantity) {
@@ -102,6 +105,7 @@ bool is_positive(Quantity quantity) {
     case Quantity::bulge_slope:
     case Quantity::bulge_fading:
     case Quantity::bulge_peak_ratio:
+    case Quantity::bulge_neck_ratio:
     case Quantity::ground_stiffness:
     case Quantity::joint_axial:
     case Quantity::joint_bending:
@@ -155,6 +159,7 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
   constexpr double joint_factor = 20.0;
   constexpr double largest_peak_ratio = 10.0;
   constexpr double largest_coupling = 0.95;
+  constexpr double neck_factor = 10.0;
   const auto about = [](double value, double factor) { return ValueRange{value / factor, value * factor}; };
   const auto up_to = [](double value) { return ValueRange{-std::abs(value), std::abs(value)}; };
   // Without pressures of one sign its softening has no influence, but it still needs a bound.
@@ -191,7 +196,8 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
           {Quantity::joint_axial, about(1.0, joint_factor)},
           {Quantity::joint_bending, about(1.0, joint_factor)},
           {Quantity::joint_torsion, about(1.0, joint_factor)},
-          {Quantity::lateral_coupling, {0.0, largest_coupling}}};
+          {Quantity::lateral_coupling, {0.0, largest_coupling}},
+          {Quantity::bulge_neck_ratio, about(1.0, neck_factor)}};
 }
 
 }  // namespace menger::voxel

@@ -23,6 +23,9 @@ EnergyBalance::EnergyBalance(const StepData<double>& data, BeamVariety variety, 
   for (const BeamAxisData<double>& axis : data.axis) beams += axis.count;
   for (auto* values : {&rest_length_, &last_rest_length_, &rest_length_force_, &last_rest_length_force_})
     values->assign(beams, 0.0);
+  if (variety != BeamVariety::own_kinks) return;
+  for (auto* values : {&half_kink_, &last_half_kink_, &half_kink_moment_, &last_half_kink_moment_})
+    values->assign(beams, {0.0, 0.0});
 }
 
 template <int Axis, bool Velocity, BeamVariety Variety>
@@ -46,6 +49,15 @@ bool EnergyBalance::add_axis() {
     const double strain = e.displacement.x / ends.rest_length;
     rest_length_[offset + i] = ends.rest_length;
     rest_length_force_[offset + i] = c.axial * (strain + 0.5 * strain * strain);
+
+    if constexpr (Variety == BeamVariety::own_kinks) {
+      // A kink turns the lower end one way and the upper end the other way.
+      const BeamLoads<double> loads = to_world(step.state.frame, step.elastic);
+      const Vector3<double> moment =
+          rotate_back(matrix(ends.lower), loads.lower_moment) - rotate_back(matrix(ends.upper), loads.upper_moment);
+      half_kink_[offset + i] = {beams.half_kink[i], beams.half_kink[beams.count + i]};
+      half_kink_moment_[offset + i] = {moment.y, moment.z};
+    }
 
     const auto lower = static_cast<std::size_t>(beams.lower[i]);
     const auto upper = static_cast<std::size_t>(beams.upper[i]);
@@ -92,19 +104,29 @@ bool EnergyBalance::add_all_axes() {
       return add_axes<Velocity, BeamVariety::classes>();
     case BeamVariety::uniform:
       return add_axes<Velocity, BeamVariety::uniform>();
+    case BeamVariety::own_kinks:
+      return add_axes<Velocity, BeamVariety::own_kinks>();
     case BeamVariety::own_lengths:
       break;
   }
   return add_axes<Velocity, BeamVariety::own_lengths>();
 }
 
-/// Adds the work that the drive does on the stored energy by changing rest lengths. It takes the mean of the forces at both ends
-/// of the step.
+/// Adds the work that the drive does on the stored energy by changing rest lengths and kinks. It takes the mean of the forces at
+/// both ends of the step.
 void EnergyBalance::add_actuation() {
   for (std::size_t i = 0; i < rest_length_.size() && !first_; ++i) {
     const double change = rest_length_[i] - last_rest_length_[i];
     ledger_.actuation_work_J -= 0.5 * (rest_length_force_[i] + last_rest_length_force_[i]) * change;
   }
+  for (std::size_t i = 0; i < half_kink_.size() && !first_; ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double change = half_kink_[i][k] - last_half_kink_[i][k];
+      ledger_.actuation_work_J -= 0.5 * (half_kink_moment_[i][k] + last_half_kink_moment_[i][k]) * change;
+    }
+  }
+  last_half_kink_ = half_kink_;
+  last_half_kink_moment_ = half_kink_moment_;
   last_rest_length_ = rest_length_;
   last_rest_length_force_ = rest_length_force_;
 }

@@ -69,6 +69,8 @@ class EnergyBalance {
   std::vector<VoxelBalance> balance_;
   std::vector<double> rest_length_, last_rest_length_;              ///< per beam, axis after axis
   std::vector<double> rest_length_force_, last_rest_length_force_;  ///< -dU/d(rest length)
+  /// Per beam, y and z, the same for half the kinks; empty where no beam has one.
+  std::vector<std::array<double, 2>> half_kink_, last_half_kink_, half_kink_moment_, last_half_kink_moment_;
   std::array<double, kinds> work_{};
   double start_height_weight_J_ = 0.0;
   EnergyLedger ledger_;

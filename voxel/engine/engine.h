@@ -105,6 +105,7 @@ class EngineOf : public Engine {
   /// Returns how the beams of the body differ.
   /// @param uniform whether beams without rest lengths of their own are swept with one set of coefficients
   [[nodiscard]] BeamVariety variety(bool uniform) const {
+    if (moving_.data().axis[0].half_kink != nullptr) return BeamVariety::own_kinks;
     return body().hollow ? BeamVariety::own_lengths : uniform ? BeamVariety::uniform : BeamVariety::classes;
   }
 

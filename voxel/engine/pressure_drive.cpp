@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
 
 #include "voxel/engine/rest_lengths.h"
-#include "voxel/model/wall_openings.h"
 #include "voxel/model/wall_squares.h"
 
 namespace menger::voxel {
@@ -22,31 +20,40 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
       actuation_(actuation) {
   if (actuation.mode == ActuationMode::none) mean_Pa_ = amplitude_Pa_ = 0.0;
   std::map<double, std::size_t> index_of;
-  std::vector<std::size_t> phase_of(phases.size());
+  phase_of_.resize(phases.size());
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const auto [entry, is_new] = index_of.try_emplace(phases[i], phases_.size());
     const double angle = 2.0 * std::numbers::pi * phases[i];
     if (is_new) phases_.push_back({std::cos(angle), std::sin(angle)});
-    phase_of[i] = entry->second;
+    phase_of_[i] = entry->second;
   }
   responses_.resize(wall_class_count * phases_.size());
   const auto response = [&](std::int32_t voxel, std::size_t axis) {
     const auto v = static_cast<std::size_t>(voxel);
-    return wall_class_count * phase_of[v] + voxels.wall_class[v][axis];
+    return wall_class_count * phase_of_[v] + voxels.wall_class[v][axis];
   };
   const auto bulge_response = [&](std::size_t voxel, std::size_t axis) {
-    return wall_class_count * phase_of[voxel] + voxels.bulge_class[voxel][axis];
+    return wall_class_count * phase_of_[voxel] + voxels.bulge_class[voxel][axis];
   };
-  openings_ = wall_openings(lattice, voxels);
+  openings_ = wall_openings(lattice, voxels, parameters_.voxels_per_cell);
+  const auto add_necks = [&](std::size_t axis, std::size_t beam, std::int32_t voxel, std::size_t side) {
+    const auto v = static_cast<std::size_t>(voxel);
+    const WallOpening& opening = openings_[v][side];
+    for (std::size_t c = 0; c < wall_class_count && opening.lifts; ++c) {
+      if (opening.lift[c] == 0.0) continue;
+      necks_[axis].push_back(
+          {.beam = beam,
+           .bulge = wall_class_count * phase_of_[v] + c,
+           .lift = parameters_.neck_ratio * opening.lift[c],
+           .turn = {parameters_.neck_ratio * opening.turn[0][c], parameters_.neck_ratio * opening.turn[1][c]}});
+    }
+  };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = lattice.beams[axis];
     for (std::size_t i = 0; i < beams.lower.size(); ++i) {
       beam_responses_[axis].push_back({response(beams.lower[i], axis), response(beams.upper[i], axis)});
-      const auto lower = static_cast<std::size_t>(beams.lower[i]);
-      const auto upper = static_cast<std::size_t>(beams.upper[i]);
-      const std::array<Neck, 2> ends{Neck{i, bulge_response(lower, axis), openings_[lower][2 * axis + 1]},
-                                     Neck{i, bulge_response(upper, axis), openings_[upper][2 * axis]}};
-      std::ranges::copy_if(ends, std::back_inserter(necks_[axis]), [](const Neck& neck) { return neck.share > 0.0; });
+      add_necks(axis, i, beams.lower[i], 2 * axis + 1);
+      add_necks(axis, i, beams.upper[i], 2 * axis);
     }
   }
   const auto most = std::ranges::max(beam_responses_, {}, [](const auto& beams) { return beams.size(); }).size();
@@ -73,11 +80,12 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
     for (std::size_t c = 0; c < wall_class_count; ++c) {
       const double edge = parameters_.voxel_edge_m();
       const double bulge = parameters_.bulge[c].value(pressure);
+      const double peak = edge * parameters_.bulge_peak_ratio[c];
       responses_[wall_class_count * k + c] = {.half_length_m = half_length_m(parameters_, c, pressure),
                                               .half_length_rate_m_s = half_length_rate_m_s(parameters_, c, pressure, rate),
-                                              .bulge_peak_m = edge * parameters_.bulge_peak_ratio[c] * bulge,
-                                              .bulge_m = edge * bulge,
-                                              .bulge_rate_m_s = edge * parameters_.bulge[c].derivative(pressure) * rate};
+                                              .bulge_peak_m = peak * bulge,
+                                              .bulge_peak_rate_m_s = peak * parameters_.bulge[c].derivative(pressure) * rate,
+                                              .bulge_m = edge * bulge};
     }
   }
   largest_half_length_m_ = largest_foot_bulge_m_ = 0.0;
@@ -93,9 +101,10 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
       rates_m_s_[i] = lower.half_length_rate_m_s + upper.half_length_rate_m_s;
     }
     for (const Neck& neck : necks_[axis]) {
-      lengths_m_[neck.beam] += neck.share * responses_[neck.bulge].bulge_m;
-      rates_m_s_[neck.beam] += neck.share * responses_[neck.bulge].bulge_rate_m_s;
+      lengths_m_[neck.beam] += neck.lift * responses_[neck.bulge].bulge_peak_m;
+      rates_m_s_[neck.beam] += neck.lift * responses_[neck.bulge].bulge_peak_rate_m_s;
     }
+    if (d.axis[axis].half_kink != nullptr) set_kinks(axis, d.axis[axis]);
     for (std::size_t i = 0; i < beam_responses_[axis].size(); ++i) {
       const auto length = static_cast<Real>(lengths_m_[i]);
       d.axis[axis].rest_length[i] = d.single_precision_rest_lengths ? rounded_to_single(length) : length;
@@ -107,13 +116,39 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
   }
 }
 
+/// Sets half the kinks of the beams along an axis, and their rates. Most beams have none, and keep their zeros.
+template <class Real>
+void PressureDrive<Real>::set_kinks(std::size_t axis, const BeamAxisData<Real>& beams) const {
+  const double half_per_m = 0.5 / parameters_.voxel_edge_m();
+  for (const Neck& neck : necks_[axis]) {
+    for (std::size_t k = 0; k < 4; ++k) beams.half_kink[k * beams.count + neck.beam] = Real(0);
+  }
+  for (const Neck& neck : necks_[axis]) {
+    const Response& wall = responses_[neck.bulge];
+    for (std::size_t k = 0; k < 2; ++k) {
+      beams.half_kink[k * beams.count + neck.beam] += static_cast<Real>(half_per_m * neck.turn[k] * wall.bulge_peak_m);
+      beams.half_kink[(k + 2) * beams.count + neck.beam] +=
+          static_cast<Real>(half_per_m * neck.turn[k] * wall.bulge_peak_rate_m_s);
+    }
+  }
+}
+
+/// Returns how far the limb that leaves an open side is lifted, m.
+template <class Real>
+double PressureDrive<Real>::lift_m(std::size_t voxel, std::size_t side) const {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < wall_class_count; ++c)
+    sum += openings_[voxel][side].lift[c] * responses_[wall_class_count * phase_of_[voxel] + c].bulge_peak_m;
+  return parameters_.neck_ratio * sum;
+}
+
 template <class Real>
 std::array<double, 6> PressureDrive<Real>::reach_m(std::size_t voxel) const {
   std::array<double, 6> reach{};
   for (std::size_t side = 0; side < reach.size(); ++side) {
     reach[side] = responses_[voxel_responses_[voxel][side / 2]].half_length_m;
-    const double share = bulging_[voxel][side] ? 1.0 : openings_[voxel][side];
-    if (share > 0.0) reach[side] += share * responses_[bulge_responses_[voxel][side / 2]].bulge_m;
+    if (bulging_[voxel][side]) reach[side] += responses_[bulge_responses_[voxel][side / 2]].bulge_m;
+    if (openings_[voxel][side].lifts) reach[side] += lift_m(voxel, side);
   }
   return reach;
 }

@@ -10,6 +10,7 @@
 #include "voxel/model/calibrated_body.h"
 #include "voxel/model/strain_range.h"
 #include "voxel/model/wall_feet.h"
+#include "voxel/model/wall_openings.h"
 
 namespace menger::voxel {
 
@@ -30,8 +31,8 @@ class PressureDrive {
   void set(double time_s, const StepData<Real>& d);
 
   /// Returns the distances from the centre of a voxel to its sides -x, +x, -y, +y, -z, +z, m, as they were last set. They are
-  /// half its driven lengths. Walls behind which no voxel lies add their mean bulge, and open sides in a plate add their share of
-  /// it (wall_openings).
+  /// half its driven lengths. Walls behind which no voxel lies add their mean bulge, and open sides in a plate add the lift
+  /// of their limb (WallOpening).
   [[nodiscard]] std::array<double, 6> reach_m(std::size_t voxel) const;
 
   /// Returns the half lengths of a voxel along x, y, z, m.
@@ -56,13 +57,16 @@ class PressureDrive {
  private:
   /// Values of the laws for one phase and wall class.
   struct Response {
-    double half_length_m, half_length_rate_m_s, bulge_peak_m, bulge_m, bulge_rate_m_s;
+    double half_length_m, half_length_rate_m_s, bulge_peak_m, bulge_peak_rate_m_s, bulge_m;
   };
-  /// A half beam that leaves a plate and is longer by that, see wall_openings.
+  /// What the walls of one class add to a beam that leaves a plate, see WallOpening.
   struct Neck {
     std::size_t beam, bulge;  ///< bulge: index in responses_
-    double share;
+    double lift;              ///< times the peak of the wall: longer by that
+    AcrossBeam<double> turn;  ///< times the peak of the wall over the voxel edge: turned by that
   };
+  [[nodiscard]] double lift_m(std::size_t voxel, std::size_t side) const;
+  void set_kinks(std::size_t axis, const BeamAxisData<Real>& beams) const;
 
   SurrogateParameters parameters_;
   double mean_Pa_, amplitude_Pa_;
@@ -73,8 +77,9 @@ class PressureDrive {
   std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_responses_;
   std::vector<std::array<std::size_t, 3>> voxel_responses_;  ///< per voxel: indices for its wall classes along x, y, z
   std::vector<std::array<std::size_t, 3>> bulge_responses_;  ///< the same for its bulge classes
-  std::vector<std::array<double, 6>> openings_;              ///< per voxel and side
-  std::array<std::vector<Neck>, 3> necks_;                   ///< per axis
+  std::vector<std::array<WallOpening, 6>> openings_;         ///< per voxel and side
+  std::array<std::vector<Neck>, 3> necks_;                   ///< per axis, those of a beam one after the other
+  std::vector<std::size_t> phase_of_;                        ///< per voxel: index in phases_
   std::vector<double> lengths_m_, rates_m_s_;                ///< of the beams of an axis, while they are set
   std::vector<std::array<bool, 6>> bulging_;                 ///< per voxel: sides with a wall and no voxel behind it
   std::set<std::size_t> lengths_in_use_, bulges_in_use_;     ///< indices in responses_

@@ -161,6 +161,8 @@ std::string unusable_growth(const CalibratedBody& body) {
         const double ratio = parameters.bulge_peak_ratio[c];
         problem = absurd_growth("bulge.slope_per_Pa", bulge.slope_per_Pa, mean, pressure);
         if (problem.empty()) problem = absurd_growth("bulge.peak_ratio", ratio, ratio * mean, pressure);
+        const double neck = parameters.neck_ratio;
+        if (problem.empty()) problem = absurd_growth("bulge.neck_ratio", neck, neck * ratio * mean, pressure);
       }
       if (!problem.empty()) return problem;
     }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "voxel/model/actuation.h"
+#include "voxel/model/wall_openings.h"
 
 namespace menger::voxel {
 
@@ -255,6 +256,8 @@ void VoxelState<Real>::place_voxels(const VoxelBody& body, const VoxelLoads& loa
 template <class Real>
 void VoxelState<Real>::fill_beams(const VoxelBody& body) {
   const bool own_lengths = body.hollow.has_value();
+  const bool own_kinks = own_lengths && has_tilted_limbs(wall_openings(body.lattice, *body.hollow,
+                                                                       body.physics.surrogate->parameters.voxels_per_cell));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = body.lattice.beams[axis];
     const std::size_t count = padded<Real>(beams.lower.size());
@@ -271,13 +274,15 @@ void VoxelState<Real>::fill_beams(const VoxelBody& body) {
       rest_length_[axis].assign(count, static_cast<Real>(edge_));
       rest_length_rate_[axis].assign(count, Real(0));
     }
+    if (own_kinks) half_kink_[axis].assign(4 * count, Real(0));
     data.axis[axis] = {.count = count,
                        .lower = lower_[axis].data(),
                        .upper = upper_[axis].data(),
                        .beam_class = beam_class_[axis].data(),
                        .history = history_[axis].data(),
                        .rest_length = own_lengths ? rest_length_[axis].data() : nullptr,
-                       .rest_length_rate = own_lengths ? rest_length_rate_[axis].data() : nullptr};
+                       .rest_length_rate = own_lengths ? rest_length_rate_[axis].data() : nullptr,
+                       .half_kink = own_kinks ? half_kink_[axis].data() : nullptr};
   }
 }
 

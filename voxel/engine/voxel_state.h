@@ -71,7 +71,7 @@ class VoxelState {
   AlignedArray<Real> voxel_table_, beam_table_;
   std::vector<std::int32_t> voxel_class_;
   std::array<std::vector<std::int32_t>, 3> lower_, upper_, beam_class_;
-  std::array<AlignedArray<Real>, 3> history_, rest_length_, rest_length_rate_;
+  std::array<AlignedArray<Real>, 3> history_, rest_length_, rest_length_rate_, half_kink_;
 };
 
 }  // namespace menger::voxel

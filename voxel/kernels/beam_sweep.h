@@ -101,18 +101,24 @@ template <int Axis, bool Velocity, BeamVariety Variety, class T>
 inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<RealOf<T>>& beams, std::size_t i,
                              const BeamCoefficients<T>& c, BeamEnds<T>& ends, BeamHistory<T>& history) {
   ends = beam_ends<Axis>(load_lines<T>(d.pose, beams.lower + i), load_lines<T>(d.pose, beams.upper + i));
-  if constexpr (Variety == BeamVariety::own_lengths) ends.rest_length = load_values<T>(beams.rest_length + i);
+  if constexpr (has_own_lengths(Variety)) ends.rest_length = load_values<T>(beams.rest_length + i);
   if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
+  if constexpr (Variety == BeamVariety::own_kinks)
+    kink(ends, load_values<T>(beams.half_kink + i), load_values<T>(beams.half_kink + beams.count + i));
 
   history = load_history<T>(beams.history + i, beams.count);
   BeamStep<T> step;
   step.state = beam_state(ends, history.small);
-  constexpr bool shears = Variety == BeamVariety::own_lengths;
+  constexpr bool shears = has_own_lengths(Variety);
   step.elastic = beam_elastic_loads<shears>(c, step.state.deformation, ends.rest_length);
   if constexpr (Velocity) {
     BeamEndRates<T> rates = beam_end_rates<Axis>(end_inertias<Variety, T>(d, beams, i), load_lines<T>(d.motion, beams.lower + i),
                                                  load_lines<T>(d.motion, beams.upper + i));
-    if constexpr (Variety == BeamVariety::own_lengths) rates.rest_length_rate = load_values<T>(beams.rest_length_rate + i);
+    if constexpr (has_own_lengths(Variety)) rates.rest_length_rate = load_values<T>(beams.rest_length_rate + i);
+    if constexpr (Variety == BeamVariety::own_kinks) {
+      add_kink_rate(rates, ends, load_values<T>(beams.half_kink + 2 * beams.count + i),
+                    load_values<T>(beams.half_kink + 3 * beams.count + i));
+    }
     step.damping = beam_damping<shears>(c, rate_from_velocities(step.state, ends, rates));
   } else {
     step.damping = beam_damping<shears>(c, rate_from_increments(step.state, history.deformation, T(d.rate_scale)));

@@ -59,6 +59,10 @@ struct BeamAxisData {
   /// Rest lengths (m) and their rates (m/s), where beams have their own. Null where they are the means of the sizes of the ends.
   Real* rest_length = nullptr;
   Real* rest_length_rate = nullptr;
+
+  /// Half the kinks of beams (see kink): four arrays of `count` with the turns about the two axes after the beam's own (rad) and
+  /// their rates (rad/s). Null where no beam has a kink.
+  Real* half_kink = nullptr;
 };
 
 /// Constants of a step that all voxels and beams share.
@@ -134,10 +138,16 @@ inline Real size_m(const StepData<Real>& d, std::size_t voxel) {
 
 /// How the beams of a body differ. A kernel reads no more than that.
 enum class BeamVariety {
-  classes,     ///< coefficients per beam, rest lengths from the sizes of the ends
-  uniform,     ///< one set of coefficients
-  own_lengths  ///< coefficients and rest lengths per beam
+  classes,      ///< coefficients per beam, rest lengths from the sizes of the ends
+  uniform,      ///< one set of coefficients
+  own_lengths,  ///< coefficients and rest lengths per beam
+  own_kinks     ///< and kinks
 };
+
+/// Whether beams have rest lengths of their own, and shear.
+constexpr bool has_own_lengths(BeamVariety variety) {
+  return variety == BeamVariety::own_lengths || variety == BeamVariety::own_kinks;
+}
 
 /// The sweeps of one instruction set and number type, by the terms that they contain.
 template <class Real>
@@ -145,7 +155,7 @@ struct StepKernels {
   using BeamSweep =
       bool (*)(const StepData<Real>&);  ///< adds the loads of all beams; true if a strain is out of range or not finite
   using VoxelSweepFunction = VoxelSweep (*)(const StepData<Real>&);  ///< moves all voxels and resets their loads
-  BeamSweep beams[2][3];                                             ///< [damping from velocities][BeamVariety]
+  BeamSweep beams[2][4];                                             ///< [damping from velocities][BeamVariety]
   VoxelSweepFunction voxels[2][2][2][2];                             ///< [uniform][floor][gravity][actuated]
 
   /// Finds the pairs (first, second) whose spheres overlap. Writes their positions, ascending, into `positions`, which has room

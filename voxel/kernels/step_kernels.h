@@ -14,9 +14,9 @@ template <class T>
 const StepKernels<RealOf<T>>& kernels_of() {
   static constexpr StepKernels<RealOf<T>> kernels = {
       {{sweep_beams<false, BeamVariety::classes, T>, sweep_beams<false, BeamVariety::uniform, T>,
-        sweep_beams<false, BeamVariety::own_lengths, T>},
+        sweep_beams<false, BeamVariety::own_lengths, T>, sweep_beams<false, BeamVariety::own_kinks, T>},
        {sweep_beams<true, BeamVariety::classes, T>, sweep_beams<true, BeamVariety::uniform, T>,
-        sweep_beams<true, BeamVariety::own_lengths, T>}},
+        sweep_beams<true, BeamVariety::own_lengths, T>, sweep_beams<true, BeamVariety::own_kinks, T>}},
       {{{{sweep_voxels<false, false, false, false, T>, sweep_voxels<false, false, false, true, T>},
          {sweep_voxels<false, false, true, false, T>, sweep_voxels<false, false, true, true, T>}},
         {{sweep_voxels<false, true, false, false, T>, sweep_voxels<false, true, false, true, T>},

@@ -53,6 +53,24 @@ struct BeamEndRates {
   T rest_length_rate;                         ///< m/s
 };
 
+/// Turns the ends of a beam that has a kink in its middle while no load acts on it, as a limb on a sloping plate has. To a beam
+/// that is straight between its ends, the kink is half a turn of each end, outwards at the upper and inwards at the lower one.
+/// @param half_y, half_z half the rotation vector of the upper end against the lower one, rad, in the axes of the ends
+template <class T>
+inline void kink(BeamEnds<T>& ends, const T& half_y, const T& half_z) {
+  const Quaternion<T> half = quaternion_of(Vector3<T>{constant<T>(0.0), half_y, half_z});
+  ends.lower = ends.lower * half;
+  ends.upper = times_inverse_turn(ends.upper, half);
+}
+
+/// Adds the rate of a kink to the spins of the ends that kink has turned.
+template <class T>
+inline void add_kink_rate(BeamEndRates<T>& rates, const BeamEnds<T>& ends, const T& half_y_rate, const T& half_z_rate) {
+  const Vector3<T> rate = {constant<T>(0.0), half_y_rate, half_z_rate};
+  rates.lower_spin = rates.lower_spin + rotate(matrix(ends.lower), rate);
+  rates.upper_spin = rates.upper_spin - rotate(matrix(ends.upper), rate);
+}
+
 /// Deformation of a beam in its own frame.
 ///
 /// In the small-angle state the frame is that of the lower end, and lower_angle is zero. In the large-angle state the x axis of

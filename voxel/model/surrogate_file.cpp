@@ -165,6 +165,8 @@ void describe(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
     if (const io::TomlTable* table = visitor.source()) check_laws(*table, parameters, parameters.bulge, false);
     visitor.numbers({"peak_ratio", "Largest bulge of a face, divided by its mean bulge.", seven_ones},
                     parameters.bulge_peak_ratio, io::at_least(1.0));
+    visitor.number({"neck_ratio", "How far a plate stands out where a limb leaves it, divided by its crown."},
+                   parameters.neck_ratio, io::positive());
   });
   visitor.table({"ground", "Contact with the ground."}, [&] {
     visitor.number({"stiffness_N_per_m", "Contact stiffness of a voxel that stands on all feet of a wall.", "500"},

@@ -108,8 +108,9 @@ struct ValidityRange {
 /// because it comes from the side walls over the whole length of the beam.
 ///
 /// The rest length of a half is (L / 2)(1 + extension[c](p)), with the pressure p of its chamber. It is longer where the half
-/// leaves a plate (wall_openings). Lateral coupling shortens the rest length of a beam along axis a by L c (e_b + e_d). Here e_b
-/// and e_d are the strains along the two other axes b and d, each in the mean over the voxels at both ends; see rest_lengths.h.
+/// leaves a plate, and the two halves are at an angle where it leaves the plate off its middle (WallOpening). Lateral coupling
+/// shortens the rest length of a beam along axis a by L c (e_b + e_d). Here e_b and e_d are the strains along the two other axes
+/// b and d, each in the mean over the voxels at both ends; see rest_lengths.h.
 ///
 /// A face with a wall lies (L / 2)(1 + extension) + L bulge[c](p) from the centre in the mean over its area. Where it stands out
 /// most, L bulge_peak_ratio[c] bulge[c](p) takes the place of the last term. The face meets the ground at that place, at its
@@ -135,9 +136,12 @@ struct SurrogateParameters {
   ByWallClass<PressureLaw> extension{};
   ByWallClass<PressureLaw> bulge{};
   ByWallClass<double> bulge_peak_ratio = all_classes(1.0);  ///< largest bulge of a face by its mean, >= 1
-  double ground_stiffness_N_per_m = 0.0;                    ///< > 0, of one voxel that stands on all feet of a wall
-  double bond_damping_ratio = 1.0;                          ///< zeta, of beams, >= 0
-  bool damping_measured = false;                            ///< false: the ratio is an assumption, no loss was measured
+  /// How far a plate stands out at the corners of an opening from which a limb leaves, by the crown that would be there without
+  /// the opening; > 0, see WallOpening.
+  double neck_ratio = 1.0;
+  double ground_stiffness_N_per_m = 0.0;  ///< > 0, of one voxel that stands on all feet of a wall
+  double bond_damping_ratio = 1.0;        ///< zeta, of beams, >= 0
+  bool damping_measured = false;          ///< false: the ratio is an assumption, no loss was measured
 
   [[nodiscard]] double voxel_edge_m() const { return cell_edge_m / voxels_per_cell; }
   bool operator==(const SurrogateParameters&) const = default;

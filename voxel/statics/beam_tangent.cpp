@@ -86,7 +86,8 @@ Derivatives differences(const BeamEnds<double>& ends, bool small, const BeamCoef
 
 }  // namespace
 
-BeamEnds<double> beam_ends(const Pose& lower, const Pose& upper, int axis, double rest_length_m) {
+BeamEnds<double> beam_ends(const Pose& lower, const Pose& upper, int axis, double rest_length_m,
+                           const std::array<double, 2>& half_kink) {
   const auto permuted = [axis](double x, double y, double z) -> Vector3<double> {
     if (axis == 0) return {x, y, z};
     if (axis == 1) return {y, z, x};
@@ -97,7 +98,9 @@ BeamEnds<double> beam_ends(const Pose& lower, const Pose& upper, int axis, doubl
     return {q.w, v.x, v.y, v.z};
   };
   const Vector3<double> d = upper.position - lower.position;
-  return {permuted(d.x, d.y, d.z), turned(lower.orientation), turned(upper.orientation), rest_length_m};
+  BeamEnds<double> ends{permuted(d.x, d.y, d.z), turned(lower.orientation), turned(upper.orientation), rest_length_m};
+  if (half_kink != std::array{0.0, 0.0}) kink(ends, half_kink[0], half_kink[1]);
+  return ends;
 }
 
 EndLoads beam_end_loads(const BeamEnds<double>& ends, bool small, const BeamCoefficients<double>& coefficients, int axis) {

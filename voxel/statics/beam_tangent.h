@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "voxel/laws/beam.h"
 
@@ -24,7 +25,9 @@ struct BeamTangent {
 };
 
 /// The ends of a beam along an axis between two poses, in the permuted axes of BeamEnds.
-BeamEnds<double> beam_ends(const Pose& lower, const Pose& upper, int axis, double rest_length_m);
+/// @param half_kink half the kink of the beam at rest, rad, see kink
+BeamEnds<double> beam_ends(const Pose& lower, const Pose& upper, int axis, double rest_length_m,
+                           const std::array<double, 2>& half_kink = {0.0, 0.0});
 
 /// Loads of a beam in a given small-angle or large-angle state. @param small whether it is in the small-angle state @param axis
 /// 0, 1 or 2: the beam's axis when undeformed

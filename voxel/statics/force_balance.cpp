@@ -83,7 +83,11 @@ bool ForceBalance::set_loads(const StaticLoads& loads) {
   sizes_ = std::move(*sizes);
   loads_ = loads;
   rest_length_.clear();
-  for (const StaticBeam& beam : body_->beams) rest_length_.push_back(body_->rest_length(sizes_, beam));
+  half_kink_.clear();
+  for (const StaticBeam& beam : body_->beams) {
+    rest_length_.push_back(body_->rest_length(sizes_, beam));
+    half_kink_.push_back(body_->half_kink(sizes_, beam));
+  }
   return true;
 }
 
@@ -116,7 +120,8 @@ bool ForceBalance::update_beam_states(StaticState& state, bool only_to_large) co
   for (std::size_t i = 0; i < body_->beams.size(); ++i) {
     if (only_to_large && state.small[i] == 0) continue;
     const StaticBeam& beam = body_->beams[i];
-    const BeamEnds<double> ends = beam_ends(state.poses[beam.lower], state.poses[beam.upper], beam.axis, rest_length_[i]);
+    const BeamEnds<double> ends =
+        beam_ends(state.poses[beam.lower], state.poses[beam.upper], beam.axis, rest_length_[i], half_kink_[i]);
     const char now = beam_state(ends, static_cast<double>(state.small[i])).small ? 1 : 0;
     changed = changed || now != state.small[i];
     state.small[i] = now;
@@ -158,7 +163,8 @@ std::vector<NodeLoad> ForceBalance::sum_loads(const StaticState& state, BlockMat
 void ForceBalance::add_beam(const StaticState& state, std::size_t index, std::vector<NodeLoad>& loads,
                             BlockMatrix* stiffness) const {
   const StaticBeam& beam = body_->beams[index];
-  const BeamEnds<double> ends = beam_ends(state.poses[beam.lower], state.poses[beam.upper], beam.axis, rest_length_[index]);
+  const BeamEnds<double> ends =
+      beam_ends(state.poses[beam.lower], state.poses[beam.upper], beam.axis, rest_length_[index], half_kink_[index]);
   const bool small = state.small[index] != 0;
   EndLoads on_ends;
   if (stiffness == nullptr) {

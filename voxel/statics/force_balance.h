@@ -133,6 +133,7 @@ class ForceBalance {
   StaticLoads loads_;
   DrivenSizes sizes_;
   std::vector<double> rest_length_;
+  std::vector<std::array<double, 2>> half_kink_;  ///< by beam, see StaticBody::half_kink
 };
 
 }  // namespace menger::voxel

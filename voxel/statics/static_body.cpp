@@ -6,7 +6,6 @@
 
 #include "voxel/engine/rest_lengths.h"
 #include "voxel/model/surrogate_beams.h"
-#include "voxel/model/wall_openings.h"
 
 namespace menger::voxel {
 namespace {
@@ -106,7 +105,7 @@ StaticBody::StaticBody(const SurrogateParameters& body_parameters, HollowVoxels 
       voxels(std::move(hollow)),
       lattice(voxels.body),
       edge_m(parameters.voxel_edge_m()),
-      openings(wall_openings(lattice, voxels)),
+      openings(wall_openings(lattice, voxels, parameters.voxels_per_cell)),
       beam_at(lattice.voxel_count()) {
   for (const auto* classes : {&voxels.wall_class, &voxels.bulge_class}) {
     for (const auto& of_voxel : *classes) {
@@ -133,9 +132,27 @@ double StaticBody::rest_length(const DrivenSizes& sizes, const StaticBeam& beam)
     if (!is_voxel(node)) continue;
     const auto axis = static_cast<std::size_t>(beam.axis);
     const std::size_t side = 2 * axis + (node == beam.lower ? 1 : 0);
-    length += half_length(sizes, node, axis) + openings[node][side] * bulge(sizes, node, axis);
+    length += half_length(sizes, node, axis) + edge_m * crown_sum(sizes, node, openings[node][side].lift);
   }
   return length;
+}
+
+AcrossBeam<double> StaticBody::half_kink(const DrivenSizes& sizes, const StaticBeam& beam) const {
+  AcrossBeam<double> half{};
+  for (const std::size_t node : {beam.lower, beam.upper}) {
+    if (!is_voxel(node)) continue;
+    const std::size_t side = 2 * static_cast<std::size_t>(beam.axis) + (node == beam.lower ? 1 : 0);
+    const WallOpening& opening = openings[node][side];
+    for (std::size_t k = 0; k < half.size() && opening.tilts; ++k) half[k] += 0.5 * crown_sum(sizes, node, opening.turn[k]);
+  }
+  return half;
+}
+
+double StaticBody::crown_sum(const DrivenSizes& sizes, std::size_t voxel, const ByWallClass<double>& shares) const {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < wall_class_count; ++c)
+    sum += shares[c] * parameters.bulge_peak_ratio[c] * sizes.bulge[voxels.chamber[voxel]][c];
+  return parameters.neck_ratio * sum;
 }
 
 std::optional<DrivenSizes> driven_sizes(const StaticBody& body, const std::vector<double>& pressures_Pa) {

@@ -10,6 +10,7 @@
 #include "voxel/laws/lattice.h"
 #include "voxel/model/hollow_voxels.h"
 #include "voxel/model/surrogate_parameters.h"
+#include "voxel/model/wall_openings.h"
 #include "voxel/statics/beam_tangent.h"
 
 namespace menger::voxel {
@@ -60,8 +61,8 @@ struct StaticBody {
   std::vector<Pose> rest;       ///< of all nodes
   std::vector<double> mass_kg;  ///< of voxels
   std::vector<double> inertia_kg_m2;
-  ByWallClass<bool> has_class{};                ///< whether any voxel has the class along any axis, for its walls or its bulge
-  std::vector<std::array<double, 6>> openings;  ///< see wall_openings
+  ByWallClass<bool> has_class{};  ///< whether any voxel has the class along any axis, for its walls or its bulge
+  std::vector<std::array<WallOpening, 6>> openings;
   /// Per voxel and side: the beam that leaves the voxel there, if any.
   std::vector<std::array<std::optional<std::size_t>, 6>> beam_at;
 
@@ -77,6 +78,10 @@ struct StaticBody {
   }
   /// Rest length of a beam, without lateral coupling, m.
   [[nodiscard]] double rest_length(const DrivenSizes& sizes, const StaticBeam& beam) const;
+  /// Half the kink of a beam, see kink in beam.h, rad.
+  [[nodiscard]] AcrossBeam<double> half_kink(const DrivenSizes& sizes, const StaticBeam& beam) const;
+  /// The sum over the wall classes of shares of the heights at an opening, see WallOpening, as a fraction of L.
+  [[nodiscard]] double crown_sum(const DrivenSizes& sizes, std::size_t voxel, const ByWallClass<double>& shares) const;
   /// Mean bulge of a wall of a voxel across an axis, m.
   [[nodiscard]] double bulge(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
     return edge_m * sizes.bulge[voxels.chamber[voxel]][voxels.bulge_class[voxel][axis]];

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/unit/voxel/calibration/calibration_samples.h"
+#include "voxel/statics/load_case_slopes.h"
 
 namespace menger::voxel {
 namespace {
@@ -114,6 +115,44 @@ TEST(Calibration, BuysClassesOfTheirOwnWhereTheDataAskForThem) {
   for (const CalibrationDetail detail : {CalibrationDetail::shear, CalibrationDetail::lateral, CalibrationDetail::joints})
     EXPECT_FALSE(details.contains(detail)) << to_string(detail);
   EXPECT_TRUE(found.fit().explained);
+}
+
+TEST(Calibration, FindsHowFarPlatesStandOutWhereLimbsLeaveThem) {
+  SurrogateParameters truth = rough_parameters(samples::provenance(), 1);
+  truth.axial_Pa.fill(60e3);
+  truth.bending_Pa = truth.torsion_Pa = truth.axial_Pa;
+  truth.extension.fill(samples::law(3e-6, 0.0, 0.0));
+  truth.bulge.fill(samples::law(5e-6, 0.0, 0.0));
+  truth.bulge_peak_ratio.fill(2.0);
+  truth.neck_ratio = 1.7;
+  // A slab, and one on two legs, whose feet move outwards. The slab alone says how far its walls stand out.
+  std::vector<FittedCurve> curves;
+  for (const char* digits : {"000000111111", "100001111111"}) {
+    meshes::LoadCase load_case = samples::provenance().load_case;
+    load_case.name = "inflation";
+    load_case.kind = meshes::LoadCaseKind::inflation;
+    load_case.cells = {3, 2, 2};
+    load_case.digits = digits;
+    load_case.pressures_Pa = {2000, 4000};
+    const LoadCaseResponse response = respond(truth, load_case);
+    ASSERT_EQ(response.status, io::RunStatus::completed) << response.reason;
+    meshes::ResponseCurve curve{.provenance = samples::provenance(), .columns = response.columns, .values = response.values};
+    curve.provenance.load_case = load_case;
+    curves.push_back(fitted_curve(curve));
+  }
+  CalibrationProblem problem = samples::problem(std::move(curves));
+  problem.responder = equilibrium_responder();
+  CalibrationPlan plan = plan_of({CalibrationDetail::uniform, CalibrationDetail::necks});
+  plan.choice = CalibrationDetail::necks;
+  const Calibration found = calibrate(problem, plan);
+  ASSERT_TRUE(found.details().contains(CalibrationDetail::necks));
+  ASSERT_EQ(found.steps.size(), 2U);
+  EXPECT_TRUE(found.steps[0].fit.residuals[1].empty()) << "necks take no part in other fits";
+  EXPECT_FALSE(found.fit().residuals[1].empty());
+  EXPECT_LT(found.fit().chi2, 1e-3);
+  EXPECT_EQ(found.fit().parameter_count, found.steps[0].fit.parameter_count + 1);
+  EXPECT_EQ(found.fit().correlation.size(), found.fit().parameter_count);
+  EXPECT_NEAR(value_named(found.fit(), "bulge_neck_ratio").value, 1.7, 0.01);
 }
 
 TEST(Calibration, TakesTheDetailThatIsNamed) {

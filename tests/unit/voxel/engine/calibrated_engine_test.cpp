@@ -141,6 +141,14 @@ TEST(ScaleCheck, RefusesWallsThatGrowBeyondAHundredEdges) {
   };
   EXPECT_EQ(problem(peak(9.9)), "");
   EXPECT_NE(problem(peak(10.1)).find("bulge.peak_ratio = 10.1"), std::string::npos);
+  const auto neck = [&](double ratio) {
+    return [=](SurrogateParameters& p) {
+      peak(5.0)(p);
+      p.neck_ratio = ratio;
+    };
+  };
+  EXPECT_EQ(problem(neck(1.9)), "");
+  EXPECT_NE(problem(neck(2.1)).find("bulge.neck_ratio = 2.1"), std::string::npos);
 }
 
 TEST(ScaleCheck, LeavesLawsWithoutAValueToThoseWhoKnowTheBody) {

@@ -87,6 +87,56 @@ TEST(BeamState, IsTheSameHoweverTheWholeBeamIsTurned) {
   EXPECT_NEAR(seen.z, expected.z, 1e-13);
 }
 
+/// Ends of a beam whose halves are at an angle in its middle, with no load on them.
+BeamEnds<double> kinked_ends(double half_y, double half_z) {
+  const Vector3<double> half{0.0, half_y, half_z};
+  const Quaternion<double> turn = quaternion_of(Vector3<double>{0.4, -0.7, 1.1});
+  // Either half turns the line between the ends by half the kink.
+  return {rotate(matrix(turn * quaternion_of(half)), Vector3<double>{edge, 0.0, 0.0}), turn,
+          turn * quaternion_of(half) * quaternion_of(half), edge};
+}
+
+TEST(BeamKink, IsTheShapeWithoutLoads) {
+  const double half_y = 0.11;
+  const double half_z = -0.07;
+  for (const double small : {0.0, 1.0}) {
+    BeamEnds<double> ends = kinked_ends(half_y, half_z);
+    kink(ends, half_y, half_z);
+    const Rotation<double> frame = matrix(ends.lower);
+    const BeamState<double> state = beam_in_state(ends, frame, rotate_back(frame, ends.separation), small > 0.5);
+    const BeamLoads<double> loads = beam_elastic_loads(coefficients(), state.deformation, edge);
+    for (const Vector3<double>& load : {loads.lower_force, loads.upper_force})
+      EXPECT_LT(std::sqrt(dot(load, load)), 1e-12 * coefficients().shear * edge) << small;
+    for (const Vector3<double>& load : {loads.lower_moment, loads.upper_moment})
+      EXPECT_LT(std::sqrt(dot(load, load)), 1e-12 * coefficients().turn) << small;
+  }
+}
+
+TEST(BeamKink, TakesTheWorkThatItsMomentsDo) {
+  // The ends stay where they are while the kink changes: the energy changes by the moments of both ends against it.
+  const BeamCoefficients<double> c = coefficients();
+  const auto at = [&](double half_y, double half_z) {
+    BeamEnds<double> bent = ends({edge, 2e-5, -1e-5}, {0.002, -0.003, 0.001}, {0.006, 0.002, -0.005});
+    kink(bent, half_y, half_z);
+    return bent;
+  };
+  const auto energy = [&](const BeamEnds<double>& bent) { return beam_energy(c, beam_state(bent, 1.0).deformation, edge); };
+  const BeamEnds<double> now = at(0.001, 0.002);
+  const BeamState<double> state = beam_state(now, 1.0);
+  ASSERT_TRUE(state.small);
+  const BeamLoads<double> loads = to_world(state.frame, beam_elastic_loads(c, state.deformation, edge));
+  const Vector3<double> moment =
+      rotate_back(matrix(now.lower), loads.lower_moment) - rotate_back(matrix(now.upper), loads.upper_moment);
+  const double step = 1e-6;
+  const double slope_z = (energy(at(0.001, 0.002 + step)) - energy(at(0.001, 0.002 - step))) / (2.0 * step);
+  const double slope_y = (energy(at(0.001 + step, 0.002)) - energy(at(0.001 - step, 0.002))) / (2.0 * step);
+  // The small-angle state leaves out terms of the order of the angles, 0.005.
+  const double all = std::hypot(slope_y, slope_z);
+  EXPECT_GT(all, 1e-3 * c.turn * 0.005);
+  EXPECT_NEAR(-moment.z, slope_z, 0.01 * all);
+  EXPECT_NEAR(-moment.y, slope_y, 0.01 * all);
+}
+
 /// Rates of a deformation from velocities against central differences along the motion that these velocities make.
 void expect_rates_match(double was_small, const Vector3<double>& separation, bool small) {
   const Vector3<double> lower{0.02, -0.03, 0.01};
@@ -120,6 +170,26 @@ void expect_rates_match(double was_small, const Vector3<double>& separation, boo
 TEST(BeamRates, FromVelocitiesMatchDifferencesInTheSmallAngleState) { expect_rates_match(1.0, {0.0101, 0.0001, 0.0002}, true); }
 
 TEST(BeamRates, FromVelocitiesMatchDifferencesInTheLargeAngleState) { expect_rates_match(0.0, {0.0101, 0.0012, -0.0009}, false); }
+
+TEST(BeamRates, OfAKinkMatchDifferences) {
+  const double rate_y = 3.0;
+  const double rate_z = -2.0;
+  const auto at = [&](double time) {
+    BeamEnds<double> kinked = ends({0.0101, 0.0001, 0.0002}, {0.02, -0.03, 0.01}, {0.06, 0.02, -0.05});
+    kink(kinked, time * rate_y, time * rate_z);
+    return kinked;
+  };
+  BeamEndRates<double> rates{};
+  add_kink_rate(rates, at(0.0), rate_y, rate_z);
+  const double step = 1e-7;
+  const BeamDeformation<double> rate = rate_from_velocities(beam_state(at(0.0), 1.0), at(0.0), rates);
+  const BeamDeformation<double> later = beam_state(at(step), 1.0).deformation;
+  const BeamDeformation<double> earlier = beam_state(at(-step), 1.0).deformation;
+  EXPECT_NEAR(rate.displacement.y, (later.displacement.y - earlier.displacement.y) / (2.0 * step), 1e-6);
+  EXPECT_NEAR(rate.displacement.z, (later.displacement.z - earlier.displacement.z) / (2.0 * step), 1e-6);
+  EXPECT_NEAR(rate.upper_angle.y, (later.upper_angle.y - earlier.upper_angle.y) / (2.0 * step), 1e-3);
+  EXPECT_NEAR(rate.upper_angle.z, (later.upper_angle.z - earlier.upper_angle.z) / (2.0 * step), 1e-3);
+}
 
 TEST(BeamDamping, TakesEnergyFromEveryRate) {
   const BeamCoefficients<double> c = coefficients();

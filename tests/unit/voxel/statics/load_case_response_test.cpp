@@ -307,5 +307,74 @@ TEST(LoadCaseResponse, OfSymmetricBodiesIsSymmetric) {
   EXPECT_GT(value(response, "extent_x_m", 0), 0.0);
 }
 
+TEST(LoadCaseResponse, SaysHowFarFeetMoveOutwards) {
+  // Two legs below the ends of a bar: the bar grows by its two beams and takes them along.
+  const SurrogateParameters parameters = driven_parameters();
+  LoadCase of = load_case(LoadCaseKind::inflation, 3, {4000.0});
+  of.cells = {3, 1, 2};
+  of.digits = "101111";
+  const LoadCaseResponse response = respond(parameters, of);
+  ASSERT_EQ(response.status, io::RunStatus::completed) << response.reason;
+  ASSERT_EQ(response.columns, meshes::response_columns(of));
+  const double growth = sample_edge * parameters.extension[0].value(4000.0);
+  for (const std::size_t foot : {std::size_t{6}, std::size_t{7}})
+    EXPECT_NEAR(response.values[foot][0], growth, 1e-9 * sample_edge);
+}
+
+TEST(LoadCaseResponse, SplaysTheLegsOfTablesAsFiniteElementsDo) {
+  // Numbers of the held-out load cases, near 5 kPa. Upright legs would move by 0.1 to 0.2 mm.
+  struct Table {
+    const char* digits;
+    int layers;
+    double pressure_Pa;
+    double foot_m;
+  };
+  constexpr std::array tables{Table{"000101000111111111", 2, 5206.9, 5.266e-3},
+                              Table{"000101000000101000111111111", 3, 5201.5, 10.086e-3},
+                              Table{"100000001111111111", 2, 5285.9, 3.923e-3}};
+  const SurrogateParameters parameters =
+      read_surrogate(std::filesystem::path(MENGER_SOURCE_DIR) / "voxel/parameters/dragon_skin_10_1cm.toml");
+  for (const Table& table : tables) {
+    LoadCase of = load_case(LoadCaseKind::inflation, 1, {table.pressure_Pa});
+    of.cells = {3, 3, table.layers};
+    of.digits = table.digits;
+    EXPECT_NEAR(value(respond(parameters, of), "foot_1_out_m", 0), table.foot_m, 0.2 * table.foot_m) << table.digits;
+  }
+}
+
+TEST(LoadCaseResponse, TiltsALegByTheSlopeOfItsPlate) {
+  // No load acts on a free leg, so it stands on the plane through the corners of its opening: two at the rim, two at crowns.
+  SurrogateParameters parameters = driven_parameters();
+  for (std::size_t c = 0; c < wall_class_count; ++c)
+    parameters.bulge[c] = {.slope_per_Pa = (7.0 - static_cast<double>(c)) * 2e-6};
+  parameters.neck_ratio = 1.3;
+  constexpr double pressure = 3000.0;
+  LoadCase of = load_case(LoadCaseKind::inflation, 3, {pressure});
+  of.cells = {3, 3, 2};
+  of.digits = "000101000111111111";
+  constexpr std::size_t leg = 0;
+  constexpr std::size_t above_leg = 5;
+  bool visited = false;
+  const LoadCaseResponse response = visit_states(parameters, of, {}, [&](std::size_t, const Equilibrium& equilibrium) {
+    visited = true;
+    const auto peak = [&](std::size_t c) { return parameters.bulge_peak_ratio[c] * parameters.bulge[c].value(pressure); };
+    const double crown = parameters.neck_ratio * (peak(walls::none) + 2.0 * peak(walls::one) + peak(walls::corner)) / 4.0;
+    ASSERT_GT(crown, 0.05);
+    const Pose& plate = equilibrium.pose(above_leg);
+    const Pose& limb = equilibrium.pose(leg);
+    // The leg at the end with the least x leans outwards, to -x below: it is turned about +y.
+    const Vector3<double> turn = rotation_vector(seen_from(plate.orientation, limb.orientation));
+    EXPECT_NEAR(turn.y, crown, 1e-9);
+    EXPECT_NEAR(turn.x, 0.0, 1e-9);
+    const double length = sample_edge * (1.0 + parameters.extension[0].value(pressure) + 0.5 * crown);
+    const Vector3<double> from = rotate_back(matrix(plate.orientation), limb.position - plate.position);
+    EXPECT_NEAR(from.x, -length * std::sin(0.5 * crown), 1e-9 * sample_edge);
+    EXPECT_NEAR(from.z, -length * std::cos(0.5 * crown), 1e-9 * sample_edge);
+  });
+  ASSERT_EQ(response.status, io::RunStatus::completed) << response.reason;
+  EXPECT_TRUE(visited);
+  EXPECT_GT(value(response, "foot_1_out_m", 0), 0.05 * sample_edge);
+}
+
 }  // namespace
 }  // namespace menger::voxel
