@@ -224,6 +224,8 @@ std::vector<double> LoadCaseBody::ordinates(const PathPoint& point, const BodySt
       std::vector<double> row{volume_change, growth_m[0], growth_m[1], growth_m[2], top_rise_m(state)};
       std::vector<Point> feet_at_rest;
       std::vector<Point> feet;
+      feet_at_rest.reserve(soles_.size());
+      feet.reserve(soles_.size());
       for (const FaceMean& sole : soles_) {
         feet_at_rest.push_back(sole.position_m());
         feet.push_back(sum(feet_at_rest.back(), sole.displacement_m(state.displacements_m)));

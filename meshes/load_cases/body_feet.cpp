@@ -57,6 +57,7 @@ std::vector<double> feet_outwards_m(const std::vector<Place>& at_rest, const std
   const std::vector<Place> before = about_mean(at_rest);
   const std::vector<Place> after = about_mean(deformed);
   std::vector<double> outwards;
+  outwards.reserve(before.size());
   for (std::size_t foot = 0; foot < before.size(); ++foot) {
     const auto& [X, Y, Z] = before[foot];
     const double distance = std::hypot(X, Y);

@@ -95,6 +95,7 @@ struct Search {
 
   [[nodiscard]] std::vector<FittedCurve> curves_at(const std::vector<std::size_t>& places) const {
     std::vector<FittedCurve> curves;
+    curves.reserve(places.size());
     for (const std::size_t place : places) curves.push_back(problem.curves[place]);
     return curves;
   }

@@ -138,6 +138,7 @@ BodyShape::FreeSize BodyShape::free_size() const {
 
 std::vector<double> BodyShape::feet_outwards() const {
   std::vector<std::array<int, 3>> cells;
+  cells.reserve(body_->lattice.cells.size());
   for (const auto& [x, y, z] : body_->lattice.cells) cells.push_back({x, y, z});
   std::vector<std::array<double, 3>> at_rest;
   std::vector<std::array<double, 3>> deformed;

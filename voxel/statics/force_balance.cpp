@@ -84,6 +84,8 @@ bool ForceBalance::set_loads(const StaticLoads& loads) {
   loads_ = loads;
   rest_length_.clear();
   half_kink_.clear();
+  rest_length_.reserve(body_->beams.size());
+  half_kink_.reserve(body_->beams.size());
   for (const StaticBeam& beam : body_->beams) {
     rest_length_.push_back(body_->rest_length(sizes_, beam));
     half_kink_.push_back(body_->half_kink(sizes_, beam));
