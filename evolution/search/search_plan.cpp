@@ -1,5 +1,6 @@
 #include "evolution/search/search_plan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "evolution/genome/robot_form.h"
@@ -17,7 +18,8 @@ std::string_view to_string(DuplicatePolicy policy) {
 
 std::size_t SearchPlan::left_out_scenarios() const {
   constexpr double rounding = 1e-9;  // of a share that was written in decimals
-  return static_cast<std::size_t>(quantile * static_cast<double>(scenarios) + rounding);
+  const auto left_out = static_cast<std::size_t>(quantile * static_cast<double>(scenarios) + rounding);
+  return std::min(left_out, scenarios - 1);  // a quantile next to 1 is rounded to all of them
 }
 
 Phenotype as_simulated(const SearchPlan& plan, const Phenotype& phenotype) {

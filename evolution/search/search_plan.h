@@ -91,7 +91,7 @@ struct SearchPlan {
 
   [[nodiscard]] const std::vector<int>& levels() const { return offspring.constraints.levels; }  ///< ascending, none twice
 
-  /// Returns the number of scenarios that do not count: the whole part of quantile times scenarios.
+  /// Returns the number of scenarios that do not count: the whole part of quantile times scenarios, but never all.
   [[nodiscard]] std::size_t left_out_scenarios() const;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -69,6 +70,9 @@ TEST(KnownScore, AQuantileLeavesTheWorstScenariosOut) {
   EXPECT_TRUE(known_score(plan, known(plan, {std::nullopt, std::nullopt, std::nullopt})).is_failed);
   EXPECT_EQ(scenario_plan(6, 0.0).left_out_scenarios(), 0U);
   EXPECT_EQ(scenario_plan(6, 0.99).left_out_scenarios(), 5U) << "the best one always counts";
+  const SearchPlan almost_all = scenario_plan(4, std::nextafter(1.0, 0.0));
+  EXPECT_EQ(almost_all.left_out_scenarios(), 3U) << "also where the share of the others rounds to 1";
+  EXPECT_NEAR(known_score(almost_all, known(almost_all, {0.5, 0.2, 0.7, 0.1})).at_most.value_or(0.0), 0.7, 1e-15);
 }
 
 TEST(KnownScore, OfAllResultsIsNeverAboveTheBoundOfSome) {
