@@ -119,8 +119,11 @@ void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result
       result.status = io::RunStatus::diverged;
       result.displacement_m.reset();
       result.period_displacements_m.clear();
-      result.reason = "the body has fallen: at the end of period " + std::to_string(lean.period) + " it leans by " +
-                      io::formatted("%.0f", lean.angle_deg) + " degrees from where it was at the end of the first";
+      result.reason = std::isinf(lean.angle_deg)
+                          ? "the upright axis of the body is not a number at the end of period " + std::to_string(lean.period) +
+                                " or of the first"
+                          : "the body has fallen: at the end of period " + std::to_string(lean.period) + " it leans by " +
+                                io::formatted("%.0f", lean.angle_deg) + " degrees from where it was at the end of the first";
       return;
     }
     result.displacement_m = steady_displacement_m(result.period_displacements_m, *last);

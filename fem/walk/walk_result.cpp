@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "meshes/load_cases/observables.h"
@@ -64,6 +65,7 @@ Lean largest_lean(const WalkResult& result, double period_s) {
     const Point now = record_near(result, start_s + static_cast<double>(n) * period_s).upright;
     // the heights of both axes would not tell a body that leans to the other side
     const double angle_deg = 180.0 / std::numbers::pi * std::abs(std::atan2(norm(cross(first, now)), dot(first, now)));
+    if (std::isnan(angle_deg)) return {std::numeric_limits<double>::infinity(), n};
     if (angle_deg > largest.angle_deg) largest = {angle_deg, n};
   }
   return largest;

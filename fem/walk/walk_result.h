@@ -68,7 +68,7 @@ struct Lean {
 
 /// Returns the largest angle between the upright axis of a body at the end of a whole period and that at the end of the first. At
 /// these times the drive is alike, so that a body that keeps its posture leans by 0, however it is deformed in between. Turning
-/// about the vertical is no lean.
+/// about the vertical is no lean. Infinite, at the first such period, if an axis is not a number.
 /// @param period_s > 0, a multiple of the interval of the records
 Lean largest_lean(const WalkResult& result, double period_s);
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <set>
 #include <string>
 #include <thread>
@@ -233,6 +234,12 @@ TEST_F(WalkEvaluatorTest, ABodyThatHasFallenHasNoDisplacement) {
   study.largest_lean_deg = 10.0;
   study.measure = Measure::net_displacement;
   EXPECT_TRUE(measured().displacement_m) << "only a fitness that rewards walking asks how a body stands";
+  study.measure = Measure::last_periods;
+  study.largest_lean_deg = 180.0;
+  ASSERT_TRUE(measured().displacement_m);
+  walk.records.back().upright[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(measured().status, io::RunStatus::diverged);
+  EXPECT_NE(measured().reason.find("the upright axis of the body is not a number"), std::string::npos) << measured().reason;
 }
 
 TEST_F(WalkEvaluatorTest, AHookKeepsItsPostureWhileItWalks) {

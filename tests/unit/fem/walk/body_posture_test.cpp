@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -79,6 +80,14 @@ TEST(LargestLean, IsThatFromTheEndOfTheFirstPeriod) {
   EXPECT_NEAR(largest_lean(leaning({0.0, 180.0}), 1.0).angle_deg, 180.0, 1e-6);
   EXPECT_EQ(largest_lean(leaning({70.0}), 1.0).angle_deg, 0.0) << "one period alone tells nothing";
   EXPECT_EQ(largest_lean(WalkResult{}, 1.0).angle_deg, 0.0);
+}
+
+TEST(LargestLean, IsInfiniteWhereAnAxisIsNotANumber) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const Lean lean = largest_lean(leaning({20.0, 25.0, none, 30.0}), 1.0);
+  EXPECT_EQ(lean.angle_deg, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(lean.period, 3U);
+  EXPECT_EQ(largest_lean(leaning({none, 25.0}), 1.0).angle_deg, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
