@@ -225,16 +225,16 @@ void upgrade(SQLite::Database& connection) {
 bool has_earlier_keys(const SQLite::Database& connection) { return version_of(connection) <= last_version_of_other_keys; }
 
 void require_present_keys(const fs::path& file, SQLite::Database& connection) {
-  if (!has_earlier_keys(connection)) {
-    if (connection.execAndGet("SELECT resolved FROM study").getString().find("\n[reference]\n") == std::string::npos) return;
-    refuse_archive(file,
-                   "is the archive of a search that a table [reference] corrected: menger export and menger reevaluate can read "
-                   "it, but no search can be resumed from it, since finite elements do not correct scores any more; choose "
-                   "another archive");
-  }
-  refuse_archive(file, "is an archive of schema version " + std::to_string(version_of(connection)) +
-                           ", with earlier keys of studies: menger export and menger reevaluate can read it, but no search "
-                           "can be resumed from it; choose another archive");
+  const int version = version_of(connection);
+  if (version == RunArchive::schema_version) return;
+  const std::string study = connection.execAndGet("SELECT resolved FROM study").getString();
+  const bool was_corrected = study.find("\n[reference]\n") != std::string::npos;
+  refuse_archive(file,
+                 "is an archive of schema version " + std::to_string(version) + ", " +
+                     (was_corrected ? "of a search that a table [reference] corrected, which finite elements do not do any more"
+                                    : "with earlier keys of studies") +
+                     ": menger export and menger reevaluate can read it, but no search can be resumed from it; choose "
+                     "another archive");
 }
 
 void require_archive(const fs::path& file, SQLite::Database& connection) {

@@ -45,7 +45,7 @@ void upgrade(SQLite::Database& connection);
 /// Returns whether the study of an archive has earlier names of keys, so that its texts and hashes differ from the present ones.
 bool has_earlier_keys(const SQLite::Database& connection);
 
-/// Refuses an archive with earlier names of keys, or of a search that finite elements corrected, for continuing its search.
+/// Refuses an archive of an earlier version for continuing its search. The reason also says if finite elements corrected it.
 /// @throws io::InputError
 void require_present_keys(const std::filesystem::path& file, SQLite::Database& connection);
 

@@ -134,6 +134,15 @@ TEST_F(Archive, NoSearchGoesOnWithAnArchiveFromBeforeThereWereModels) {
   EXPECT_EQ(found->result.displacement_m, (std::array{0.1 * 7, 1.0 / 3.0, -0.5}));
 }
 
+TEST_F(Archive, NoSearchGoesOnWithAnArchiveFromBeforeThereWereScenarios) {
+  fill();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 6");
+  expect_refused({"schema version 6", "no search can be resumed", "menger export and menger reevaluate can read it"});
+  const RunArchive archive = RunArchive::open_to_read(file_);
+  EXPECT_TRUE(archive.evaluation({"design 7", 1, "physics"}));
+  EXPECT_FALSE(archive.evaluation({"design 7", 1, "the physics of now"})) << "its results have the keys of now";
+}
+
 TEST_F(Archive, KnowsAResultOnlyUnderItsWholeKey) {
   RunArchive archive = open();
   Evaluation result;

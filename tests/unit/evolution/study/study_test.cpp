@@ -1,5 +1,6 @@
 #include "evolution/study/study.h"
 
+#include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -311,6 +312,7 @@ TEST_F(StudyFile, ArchivesOfCorrectedSearchesAreReadAndNotContinued) {
       identity_text(study) + "[reference]\nprotocol = \"0\"\nevery = 10\ndesigns = 2\nbudget_element_steps = 1\n";
   const fs::path file = folder_ / "corrected.sqlite";
   { const RunArchive made = RunArchive::open(file, corrected, study.search.generations); }
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 6");  // the last one with corrections
   const RunArchive archive = RunArchive::open_to_read(file);
   EXPECT_TRUE(was_corrected(archive));
   EXPECT_EQ(archived_study(archive), study);
