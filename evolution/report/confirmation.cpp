@@ -22,16 +22,6 @@ namespace {
 
 constexpr int level = 1;  ///< of all bodies on finite elements
 
-/// Returns the fidelities that are finer than that of the search.
-std::vector<fem::Fidelity> finer_fidelities(const Study& study) {
-  const fem::ElementChoice& elements = study.silicone.elements;
-  std::vector<fem::Fidelity> finer;
-  if (!uses_elements(study) || elements.kind != fem::ElementKind::thin_wall) return finer;
-  for (const fem::Fidelity fidelity : {fem::Fidelity::standard, fem::Fidelity::fine})
-    if (fidelity > elements.fidelity) finer.push_back(fidelity);
-  return finer;
-}
-
 std::unique_ptr<DesignEvaluator> evaluator_on(const Study& study, fem::Fidelity fidelity) {
   Study finer = study;
   finer.silicone.elements.fidelity = fidelity;

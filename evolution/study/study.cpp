@@ -105,6 +105,15 @@ std::string_view to_string(Measure measure) { return measure == Measure::net_dis
 
 bool uses_elements(const Study& study) { return study.model != EvaluationModel::voxels; }
 
+std::vector<fem::Fidelity> finer_fidelities(const Study& study) {
+  const fem::ElementChoice& elements = study.silicone.elements;
+  std::vector<fem::Fidelity> finer;
+  if (!uses_elements(study) || elements.kind != fem::ElementKind::thin_wall) return finer;
+  for (const fem::Fidelity fidelity : {fem::Fidelity::standard, fem::Fidelity::fine})
+    if (fidelity > elements.fidelity) finer.push_back(fidelity);
+  return finer;
+}
+
 HollowModule module_of(const Study& study) {
   if (!study.physics.surrogate) return study.silicone.module;
   const voxel::CalibratedBody& body = *study.physics.surrogate;
@@ -137,6 +146,8 @@ std::vector<std::string> study_notes(const Study& study) {
                     " periods of an evaluation" +
                     (uses_elements(study) && study.largest_lean_deg < 180.0 ? "; bodies that fall have none" : ""));
   }
+  if (uses_elements(study) && finer_fidelities(study).empty())
+    notes.emplace_back("menger evolve has no finer elements than these: it does not confirm the best robots");
   const bool has_surrogate = study.model != EvaluationModel::finite_elements && study.physics.surrogate;
   for (const std::string& fault : has_surrogate ? outside_validity_of_some(study) : std::vector<std::string>{}) {
     const bool refuses = study.physics.surrogate->outside_range == voxel::OutsideRange::refuse;

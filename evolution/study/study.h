@@ -32,8 +32,8 @@ std::string_view to_string(Measure measure);  ///< "net_displacement" or "last_p
 /// The scenarios in which a robust robot must walk: all pairs of these values, which are not measured for silicones. A robot's
 /// score is that of its worst ones.
 struct RobustOptions {
-  /// Of the ground, static and kinetic alike: published friction of silicones lies between 0.25 and 1, and a crawler was
-  /// simulated with 1.2 (doi 10.1007/s11012-023-01719-5).
+  /// Of robots on the ground and on themselves, static and kinetic alike: published friction of silicones lies between 0.25 and
+  /// 1, and a crawler was simulated with 1.2 (doi 10.1007/s11012-023-01719-5).
   std::vector<double> frictions{0.4, 0.8, 1.2};
 
   /// Of the silicone, at the loss frequency of its damping: the least and the greatest published for Ecoflex 00-30 between 1 and
@@ -58,8 +58,8 @@ struct Study {
   /// fitness; see fem::largest_lean. 180: none has.
   double largest_lean_deg = 45.0;
 
-  /// How many of the best robots of a search on finite elements walk on finer elements at its end. It decides nothing in the
-  /// search.
+  /// How many of the best robots of a search on finite elements walk on finer elements at its end; none where there are no
+  /// finer ones (finer_fidelities). It decides nothing in the search.
   std::size_t confirm = 3;
 
   /// Loads, ground, drive and voxels. Finite elements take no values of voxels from it; see VoxelEvaluator, WalkEvaluator.
@@ -78,6 +78,9 @@ Distinction distinction_of(const Study& study);
 
 /// Returns whether finite elements decide the fitness in a study.
 bool uses_elements(const Study& study);
+
+/// Returns the fidelities of elements that are finer than those of a search on finite elements; only thin walls have such.
+std::vector<fem::Fidelity> finer_fidelities(const Study& study);
 
 /// Returns how the bodies of a study of silicone are hollow: as the calibrated parameters say, or without any as the study does.
 HollowModule module_of(const Study& study);

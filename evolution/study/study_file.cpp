@@ -29,8 +29,11 @@ constexpr double basal_cell_count = 27;
 constexpr double fewest_measured_periods = 5;
 
 void describe_population(io::StudyVisitor& visitor, SearchPlan& plan) {
-  visitor.integer({"survivors", "Number of survivors of each generation, and of individuals in the first."}, plan.survivors,
-                  io::within(1, largest_population));
+  visitor.integer(
+      {"survivors",
+       "Number of survivors of each generation, and of individuals in the first. With [map_elites] as many survive as "
+       "niches have a body with a fitness, whatever this number."},
+      plan.survivors, io::within(1, largest_population));
   visitor.integer({"mutants", "Children of the survivors in each generation."}, plan.mutants, io::within(0, largest_population));
   visitor.integer({"newcomers", "Random individuals in each generation."}, plan.newcomers, io::within(0, largest_population));
 }
@@ -134,7 +137,9 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
     });
   });
   visitor.only_if(part == Part::whole && uses_elements(study), "model = \"finite_elements\" or \"both\"", [&] {
-    visitor.integer({"confirm", "How many of the best robots walk on standard and fine elements at the end of a search."},
+    visitor.integer({"confirm",
+                     "How many of the best robots walk on standard and fine elements at the end of a search. Must be 0, or not "
+                     "given, where no elements are finer: with elements.kind = \"three_field\" or fidelity = \"fine\"."},
                     study.confirm, io::within(0, largest_population));
   });
   visitor.boolean({"stand", "Whether bodies stand on the ground from the start."}, plan.stand);
@@ -151,7 +156,9 @@ void describe_robust(io::StudyVisitor& visitor, RobustOptions& robust) {
     visitor.check(std::ranges::adjacent_find(values) == values.end(), key, "must be different");
   };
   visitor.numbers(
-      {"frictions", "Coefficients of friction of the ground, static and kinetic alike. A robot walks on each of them."},
+      {"frictions",
+       "Coefficients of friction, static and kinetic alike, of a robot on the ground and on itself. A robot walks with each "
+       "of them."},
       robust.frictions, io::non_negative(), {.fewest = 1});
   check_different(robust.frictions, "frictions");
   visitor.numbers({"loss_factors", "Loss factors of the silicone, at its loss_frequency_Hz. A robot walks with each of them."},
@@ -233,8 +240,8 @@ void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study
   visitor.table({"time", "Simulated time."}, [&] { describe_time(visitor, study); });
   visitor.optional_table(
       {"map_elites",
-       "An archive of elites: the fittest body of every niche survives, by number of cells, number of feet and height. Without "
-       "this table bodies survive by age and fitness."},
+       "An archive of elites: the fittest body of every niche survives, by number of cells, number of feet and height; "
+       "population.survivors does not limit them. Without this table bodies survive by age and fitness."},
       plan.map_elites, [&](MapElitesPlan& elites) { describe_map_elites(visitor, elites); });
   visitor.optional_table(
       {"check_dt",
@@ -244,8 +251,7 @@ void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study
     visitor.optional_table(
         {"robust",
          "Robots walk in several scenarios, all pairs of frictions and loss factors, in place of the friction of [ground] and "
-         "the "
-         "loss factor of [material]. The worst one is the score. Walks of a robot end once it can no longer survive."},
+         "the loss factor of [material]. The worst one is the score. Walks of a robot end once it can no longer survive."},
         study.robust, [&](RobustOptions& robust) { describe_robust(visitor, robust); });
   });
   plan.scenarios = study.robust ? study.robust->frictions.size() * study.robust->loss_factors.size() : 1;
@@ -286,6 +292,18 @@ void apply(const StudyOverrides& values, Study& study) {
 }
 
 std::string gibibytes(std::size_t bytes) { return io::formatted("%.3g GiB", static_cast<double>(bytes) / 1073741824.0); }
+
+/// Refuses robots to be confirmed where no elements are finer, and sets none where the study does not say how many.
+void settle_confirmation(const io::TomlTable& table, Study& study) {
+  if (!uses_elements(study) || !finer_fidelities(study).empty()) return;
+  const io::TomlTable evaluation = table.table_or_empty("evaluation");
+  if (evaluation.has("confirm") && study.confirm > 0) {
+    const bool is_fine = study.silicone.elements.kind == fem::ElementKind::thin_wall;
+    throw evaluation.error("confirm", std::string("must be 0: menger evolve has no finer elements than those of [elements] ") +
+                                          (is_fine ? "fidelity = \"fine\"" : "kind = \"three_field\""));
+  }
+  study.confirm = 0;
+}
 
 /// Checks requirements that involve several keys.
 void check_whole(const io::TomlTable& table, const Study& study, std::size_t memory_bytes) {
@@ -453,6 +471,7 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   Study study = std::move(over_preset.study);
   apply(overrides, study);
   if (uses_elements(study)) state_what_the_record_has(study.silicone.silicone);
+  settle_confirmation(table, study);
   check_whole(table, study, memory_bytes);
   const auto require_none = [&](const std::string& problem) {
     if (!problem.empty()) throw io::InputError(file.string() + ": " + problem);

@@ -78,6 +78,24 @@ TEST_F(SiliconeStudy, IsReadBackFromItsTextWithoutTheSilicone) {
   EXPECT_EQ(study_from_text(resolved_text(shared), "archive"), shared);
 }
 
+TEST_F(SiliconeStudy, NothingIsConfirmedWhereNoElementsAreFiner) {
+  const std::string note = "it does not confirm the best robots";
+  const auto says_so = [&](const Study& study) {
+    return std::ranges::any_of(study_notes(study), [&](const std::string& one) { return one.find(note) != std::string::npos; });
+  };
+  EXPECT_FALSE(says_so(read(walking_study_text())));
+  for (const std::string elements : {"kind = \"three_field\"", "fidelity = \"fine\""}) {
+    const std::string text = walking_study_text("", "", "[elements]\n" + elements + "\n");
+    const Study silent = read(changed("confirm = 0\n", "", text));
+    EXPECT_EQ(silent.confirm, 0U);
+    EXPECT_TRUE(says_so(silent));
+    EXPECT_EQ(study_from_text(resolved_text(silent), "text"), silent);
+    for (const std::string word : {"study.toml", "evaluation.confirm = 2", elements.c_str()})
+      expect_refused(changed("confirm = 0", "confirm = 2", text), word);
+  }
+  EXPECT_EQ(read(changed("confirm = 0\n", "", walking_study_text())).confirm, 3U);
+}
+
 TEST_F(SiliconeStudy, ConfirmationIsNoPartOfTheIdentityAndTheLeanIs) {
   const std::string last = "measure = \"last_periods\"\n";
   const auto of = [&](const std::string& evaluation) {
