@@ -28,6 +28,7 @@
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
+#include "io/text/whole_file.h"
 #include "voxel/scene/scene.h"
 
 namespace {
@@ -47,10 +48,9 @@ struct Arguments {
 constexpr const char* description =
     "Evolves fractal robots. The archive keeps all results. Run the same command again to resume a search that was stopped,\n"
     "or to show the result of a finished one. Robots move as voxels, or with evaluation.model = \"finite_elements\" as hollow\n"
-    "bodies of silicone on finite elements; with \"both\" as voxels at first, which choose those that finite elements evaluate. "
-    "At the\n"
-    "end of a search on finite elements its best robots walk on finer ones (evaluation.confirm); the table is beside the "
-    "archive.";
+    "bodies of silicone on finite elements; with \"both\" as voxels at first, which choose those that finite elements\n"
+    "evaluate. At the end of a search on finite elements its best robots walk on finer ones (evaluation.confirm); the table\n"
+    "is beside the archive.";
 
 constexpr const char* example =
     "Example:\n"
@@ -168,21 +168,43 @@ void require_memory(const Study& study, int threads) {
                        std::to_string(study.search.levels().back()) + " may need more memory than this machine has");
 }
 
-/// Lets the best robots walk on finer elements, and writes the table of it beside the archive. @return completed or stopped
-io::RunStatus confirm_best(const Arguments& arguments, const Study& study, RunArchive& archive) {
-  if (!uses_elements(study) || study.confirm == 0) return io::RunStatus::completed;
+/// Returns the table of robots on finer elements. It and the manifest are named after the archive, because several runs may share
+/// a folder.
+fs::path confirmation_file(const Arguments& arguments) { return fs::path(arguments.archive).replace_extension(".confirmed.csv"); }
+
+void write_manifest(const Arguments& arguments, const io::Manifest& manifest) {
+  io::write_manifest_file(fs::path(arguments.archive).replace_extension(".manifest.json"), manifest);
+}
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Lets the best robots walk on finer elements, and writes the table of what the archive has of such walks beside it.
+/// @param manifest gets the time of walks that were made, and is written then
+/// @return completed or stopped
+io::RunStatus confirm_best(const Arguments& arguments, const Study& study, RunArchive& archive, io::Manifest& manifest) {
+  const auto start = Clock::now();
+  bool has_walked = false;
   ConfirmationOptions options{.threads = arguments.threads, .stop = &io::interrupted()};
   std::unique_ptr<io::Progress> bar;
   options.progress = [&](std::size_t done, std::size_t total) {
+    has_walked = true;
     if (!bar) bar = std::make_unique<io::Progress>("confirmation", static_cast<double>(total));
     bar->update(static_cast<double>(done), std::to_string(done) + "/" + std::to_string(total) + " walks");
   };
   const io::RunStatus status = confirm(study, archive, options);
   bar.reset();
+  if (has_walked) {
+    manifest.seconds += seconds_since(start);
+    write_manifest(arguments, manifest);
+  }
   if (status != io::RunStatus::completed) return status;
-  const std::vector<Confirmation> confirmed = confirmations(study, archive);
-  if (confirmed.empty()) return status;
-  confirmation_table(study, confirmed).write(fs::path(arguments.archive).replace_extension(".confirmed.csv"));
+  const std::vector<Confirmation> confirmed =
+      finer_fidelities(study).empty() ? std::vector<Confirmation>{} : confirmations(study, archive);
+  if (confirmed.empty()) {
+    io::remove_if_there(confirmation_file(arguments));  // of another archive of this name
+    return status;
+  }
+  confirmation_table(study, confirmed).write(confirmation_file(arguments));
   std::cout << confirmation_text(study, confirmed);
   return status;
 }
@@ -228,6 +250,7 @@ int evolve(const Arguments& arguments) {
   io::RunStatus status = io::RunStatus::completed;
   io::catch_interrupts();
   if (!finished) {
+    io::remove_if_there(confirmation_file(arguments));  // of an earlier run
     Log log(run, study.search.generations);
     SearchOptions options;
     options.threads = arguments.threads;
@@ -239,11 +262,10 @@ int evolve(const Arguments& arguments) {
     status = run_search(study.search, *evaluator, archive, options, study.search.step_checks ? half_step.get() : nullptr,
                         surrogate.get());
     log.close();
-    manifest.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    // The manifest is named after the archive, because several runs may share a folder.
-    io::write_manifest_file(fs::path(arguments.archive).replace_extension(".manifest.json"), manifest);
+    manifest.seconds = seconds_since(start);
+    write_manifest(arguments, manifest);
   }
-  if (status == io::RunStatus::completed) status = confirm_best(arguments, study, archive);
+  if (status == io::RunStatus::completed) status = confirm_best(arguments, study, archive, manifest);
   if (status == io::RunStatus::stopped) {
     std::cout << "Stopped. Finished evaluations are kept. Run the same command again to resume." << std::endl;
     return io::exit_code::interrupted;

@@ -246,6 +246,27 @@ TEST_F(EvolveOnElements, TheBestAreConfirmedOnFinerElements) {
   EXPECT_EQ(io::read_whole(folder_ / "two.confirmed.csv"), io::read_whole(folder_ / "run.confirmed.csv"));
 }
 
+TEST_F(EvolveOnElements, TheTableAndTheManifestBelongToTheirArchive) {
+  const fs::path table = folder_ / "run.confirmed.csv";
+  const auto manifest = [&] { return io::read_whole(folder_ / "run.manifest.json"); };
+  io::write_whole(table, "of an earlier run\n");
+  ASSERT_EQ(run("evolve", {"study.toml", "-g", "0"}).code, 0);
+  EXPECT_FALSE(fs::exists(table)) << "nothing was confirmed";
+  EXPECT_NE(manifest().find("\"confirm\": 0"), std::string::npos) << manifest();
+  io::write_whole(table, "of an earlier run\n");
+  ASSERT_EQ(run("evolve", {"study.toml", "-g", "0"}).code, 0);
+  EXPECT_FALSE(fs::exists(table)) << "the search was finished";
+  std::string text = tests::walking_study_text();
+  text.replace(text.find("confirm = 0"), 11, "confirm = 1");
+  io::write_whole(folder_ / "study.toml", text);
+  ASSERT_EQ(run("evolve", {"study.toml", "-g", "0"}).code, 0);
+  EXPECT_EQ(io::read_csv(table).row_count(), 2U);
+  EXPECT_NE(manifest().find("\"confirm\": 1"), std::string::npos) << "a finished search is confirmed with another number";
+  const std::string written = manifest();
+  ASSERT_EQ(run("evolve", {"study.toml", "-g", "0"}).code, 0);
+  EXPECT_EQ(manifest(), written) << "nothing was computed";
+}
+
 TEST_F(EvolveOnElements, WrongInputIsFoundBeforeAnythingIsWritten) {
   const auto expect_refused = [&](const std::string& text, const std::string& word) {
     io::write_whole(folder_ / "study.toml", text);
