@@ -145,16 +145,16 @@ class Exporter {
     if (has_rows) table.write(folder_ / "periods.csv");
   }
 
-  /// Returns the scenario that decided the champion's score.
-  [[nodiscard]] std::size_t champion_scenario() const {
+  /// Returns the scenario that decided the champion's score, if one has.
+  [[nodiscard]] std::optional<std::size_t> champion_scenario() const {
     const int level = study_.search.levels().front();
-    return deciding_scenario(study_.search, level, archived_results(run_, simulated())).value_or(0);
+    return shown_scenario(study_.search, level, archived_results(run_, simulated()));
   }
 
-  /// Returns the study of that scenario; without scenarios, the study of the search.
+  /// Returns the study of that scenario, or of the first one; without scenarios, the study of the search.
   [[nodiscard]] Study study_of_champion() const {
     if (!study_.robust) return study_;
-    return in_scenario(study_, scenarios_of(study_).at(champion_scenario()));
+    return in_scenario(study_, scenarios_of(study_).at(champion_scenario().value_or(0)));
   }
 
   /// Writes the walk of the champion on the finite elements of the search, and its study for menger locomote.
@@ -183,8 +183,10 @@ class Exporter {
     compare_with_archive(done);
     result_.levels.push_back(std::move(done));
     if (study_.robust) {
-      add_note("the champion walks in the scenario that decided its score: " +
-               scenario_text(scenarios_of(study_).at(champion_scenario())) + "; scenarios.csv has the others");
+      const std::optional<std::size_t> decided = champion_scenario();
+      add_note((decided ? "the champion walks in the scenario that decided its score: "
+                        : "no scenario has decided the champion's score; it walks in the first one: ") +
+               scenario_text(scenarios_of(study_).at(decided.value_or(0))) + "; scenarios.csv has the others");
     }
     add_note(
         "the search has single modules on finite elements: only level 1 is written; menger reevaluate lets its robots walk on "
@@ -253,7 +255,9 @@ class Exporter {
 
   [[nodiscard]] std::optional<Evaluation> archived(int level) const {
     const KnownResults results = archived_results(run_, simulated());
-    const auto found = results.find({level, deciding_scenario(study_.search, level, results).value_or(0)});
+    const std::optional<std::size_t> scenario = shown_scenario(study_.search, level, results);
+    if (!scenario) return std::nullopt;
+    const auto found = results.find({level, *scenario});
     return found == results.end() ? std::nullopt : std::optional(found->second);
   }
 

@@ -49,6 +49,10 @@ KnownResults archived_results(const RunView& run, const Phenotype& simulated) {
   return results;
 }
 
+std::optional<std::size_t> shown_scenario(const SearchPlan& plan, int level, const KnownResults& results) {
+  return plan.scenarios == 1 ? std::optional<std::size_t>(0) : deciding_scenario(plan, level, results);
+}
+
 DesignSummary summarise_design(const RunView& run, const Individual& individual, const PoolMember& member) {
   DesignSummary summary{.individual = individual,
                         .age = member.age,
@@ -59,7 +63,9 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
                         .outside_validity = {}};
   const KnownResults results = archived_results(run, as_simulated(run.plan, individual.phenotype));
   for (const int level : run.plan.levels()) {
-    const auto found = results.find({level, deciding_scenario(run.plan, level, results).value_or(0)});
+    const std::optional<std::size_t> scenario = shown_scenario(run.plan, level, results);
+    if (!scenario) continue;
+    const auto found = results.find({level, *scenario});
     if (found == results.end()) continue;
     if (const std::string& outside = found->second.outside_validity; !outside.empty()) {
       std::string& all = summary.outside_validity;

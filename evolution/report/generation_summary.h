@@ -55,6 +55,9 @@ struct RunView {
 /// Reads the results of a body from an archive. @param simulated see as_simulated
 KnownResults archived_results(const RunView& run, const Phenotype& simulated);
 
+/// Returns the scenario whose result stands for a body at a level: the only one, or that which decided; none if none has.
+std::optional<std::size_t> shown_scenario(const SearchPlan& plan, int level, const KnownResults& results);
+
 /// Collects the results of an individual. @param member its entry in the pool of a generation
 DesignSummary summarise_design(const RunView& run, const Individual& individual, const PoolMember& member);
 GenerationSummary summarise_generation(const RunView& run, int generation);

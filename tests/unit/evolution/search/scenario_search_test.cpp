@@ -117,6 +117,25 @@ class ScenarioSearch : public tests::SearchFixture {
   }
 };
 
+TEST_F(ScenarioSearch, ARobotHasNoDisplacementThatDecidesBeforeAllScenariosAreKnown) {
+  const SearchPlan plan = scenario_plan(4);
+  ASSERT_EQ(search_scenarios("run", plan), io::RunStatus::completed);
+  const RunArchive archive = open("run");
+  std::size_t undecided = 0;
+  for (const PoolMember& member : archive.pool(plan.generations)) {
+    const Individual individual = archive.individual(member.id);
+    const KnownResults results = archived_results(view(archive, plan), individual.phenotype);
+    const DesignSummary summary = summarise_design(view(archive, plan), individual, member);
+    if (member.fitness) {
+      EXPECT_NEAR(summary.body_lengths.at(1), *member.fitness, 1e-15);
+    } else if (results.size() < 4) {
+      if (!results.empty()) ++undecided;
+      EXPECT_TRUE(summary.body_lengths.empty()) << results.size() << " of 4 scenarios are known";
+    }
+  }
+  EXPECT_GT(undecided, 0U);
+}
+
 TEST_F(ScenarioSearch, FitnessIsTheScoreOverAllScenarios) {
   SearchPlan plan = scenario_plan(4);
   plan.pruning = false;
