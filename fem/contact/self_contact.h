@@ -74,8 +74,8 @@ struct SelfTouch {
 /// ContactMemory), so that contact takes energy and never gives any.
 ///
 /// With a TouchLimit, springs are k A / 2 or what the masses of the node and of the point of the face bear, whichever is less:
-/// masses m and m_c with weights w_c swing with k (1/m + sum w_c^2 / m_c). Such a spring changes as its node slides along faces.
-/// Its memory sees to it that this gives no energy either.
+/// masses m and m_c with weights w_c swing with k (1/m + sum w_c^2 / m_c). Such a spring changes as its node slides along faces;
+/// its force is the negative gradient with the spring held. Its memory sees to it that the change gives no energy either.
 ///
 /// Friction along the faces acts through springs that break away (see friction_force_N).
 ///

@@ -45,8 +45,8 @@ const ContactMemory* memory_of(std::span<const ContactMemory> memories, std::siz
 /// to a corner of the face.
 double path_past_face_m(const ContactSurfaces& surfaces, std::size_t node, std::size_t face, const ContactPast& past);
 
-/// Returns a memory whose spring has become another one, as where a node slides to lighter or heavier nodes (see TouchLimit). The
-/// energies stay: no spring gives more for having become stiffer.
+/// Returns a memory whose spring has become another one, as where a node slides to lighter or heavier nodes (see TouchLimit). No
+/// energy grows: a spring that stiffens is compressed less, one that softens keeps its compression.
 /// @param spring_N_per_m > 0
 ContactMemory with_spring(const ContactMemory& before, double spring_N_per_m);
 

@@ -142,10 +142,12 @@ void describe_explicit(io::StudyVisitor& visitor, LocomotionStudy& study) {
   visitor.boolean({"self_contact", "Whether walls may touch each other. false: the run ends when walls touch."}, has_contact);
   SelfContactLaw law = study.self_contact.value_or(SelfContactLaw{});
   visitor.only_if(has_contact, "self_contact = true", [&] {
-    visitor.optional_number(
-        {"self_contact_stiffness_Pa_per_m",
-         "Pressure of walls that touch, divided by depth. If not given: a fraction of the stiffness of an element.", "6e7"},
-        law.stiffness_Pa_per_m, io::positive());
+    visitor.optional_number({"self_contact_stiffness_Pa_per_m",
+                             "Pressure of walls that touch, divided by depth. If not given: a fraction of the stiffness of an "
+                             "element, and less at edges and "
+                             "corners of the body, which have little mass. A stated value holds everywhere.",
+                             "6e7"},
+                            law.stiffness_Pa_per_m, io::positive());
     describe_self_friction(visitor, study.stated_ground.friction, law);
   });
   study.self_contact.reset();

@@ -70,7 +70,7 @@ class WallElement {
   [[nodiscard]] T smallest_square() const {
     const T d = T(1.0) + min(points_[0].area_excess, points_[1].area_excess);
     const T ratio = T(1.0) + ratio_excess_;
-    const T square = min(d, ratio * abs(ratio));  // the second one where either is not a number
+    const T square = select(d > T(0.0), min(d, ratio * abs(ratio)), T(-1.0));  // min hides a d that is not a number
     return select(admissible_ > T(0.0), select(square > T(0.0), square, T(-1.0)), T(-1.0));
   }
 
