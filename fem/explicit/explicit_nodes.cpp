@@ -56,70 +56,86 @@ std::array<double, pattern> repeated(const Point& vector) {
   return result;
 }
 
-/// Velocities after the kick. Components that are held have an inverse mass of 0, and no weight.
-/// @param inner_N what resists: the elements' forces
+/// Calls a function with each component of a block and its place in the pattern.
+template <class Act>
+[[gnu::always_inline]] inline void for_components(std::size_t count, const Act& act) {
+  const std::size_t whole = count / pattern * pattern;
+  for (std::size_t n = 0; n < whole; n += pattern)
+    for (std::size_t place = 0; place < pattern; ++place) act(n + place, place);
+  for (std::size_t n = whole; n < count; ++n) act(n, n - whole);
+}
+
+/// What kicks the components of a block.
+struct Kicked {
+  const double kept;
+  const double time_s;
+  const std::array<double, pattern> weight;
+
+  Kicked(const Kick& kick, const Point& gravity)
+      : kept(kick.kept), time_s(kick.time_s), weight(repeated(scaled(kick.time_s, gravity))) {}
+
+  /// The velocity of a component after the kick. One that is held has an inverse mass of 0, and no weight.
+  /// @param inner_N what resists: the elements' forces
+  [[gnu::always_inline]] double velocity(std::size_t place, double before, double inverse_mass, double inner_N) const {
+    return kept * before - time_s * inverse_mass * inner_N + (inverse_mass > 0.0 ? weight[place] : 0.0);
+  }
+};
+
+/// What moves the components of a block on, with their largest speeds apart from a common velocity.
+struct Drifted {
+  const double time_s;
+  const std::array<double, pattern> common;
+  std::array<double, pattern> largest{};
+
+  Drifted(double duration_s, const Point& common_velocity) : time_s(duration_s), common(repeated(common_velocity)) {}
+
+  [[gnu::always_inline]] void move(std::size_t place, double after, double& velocity, double& displacement) {
+    velocity = after;
+    displacement += time_s * after;
+    const double apart = std::abs(after - common[place]);
+    largest[place] = apart > largest[place] ? apart : largest[place];
+  }
+
+  /// The square of a bound of the nodes' speeds: of a vector of the largest components.
+  [[nodiscard]] double bound() const {
+    Point of_axis{};
+    for (std::size_t place = 0; place < pattern; ++place) of_axis[place % 3] = std::max(of_axis[place % 3], largest[place]);
+    return dot(of_axis, of_axis);
+  }
+};
+
+/// Writes the velocities after the kick.
 MENGER_WIDE_LOOPS void kick_block(std::size_t count, const Kick& kick, const Point& gravity, const double* __restrict inner_N,
                                   const double* __restrict inverse_masses, const double* __restrict velocities,
                                   double* __restrict after) {
-  const double kept = kick.kept;
-  const double time = kick.time_s;
-  const std::array<double, pattern> weight = repeated(scaled(time, gravity));
-  const auto kicked = [&](std::size_t n, double fall) {
-    return kept * velocities[n] - time * inverse_masses[n] * inner_N[n] + (inverse_masses[n] > 0.0 ? fall : 0.0);
-  };
-  const std::size_t whole = count / pattern * pattern;
-  for (std::size_t n = 0; n < whole; n += pattern)
-    for (std::size_t lane = 0; lane < pattern; ++lane) after[n + lane] = kicked(n + lane, weight[lane]);
-  for (std::size_t n = whole; n < count; ++n) after[n] = kicked(n, weight[n - whole]);
+  const Kicked kicked(kick, gravity);
+  for_components(count, [&](std::size_t n, std::size_t place) {
+    after[n] = kicked.velocity(place, velocities[n], inverse_masses[n], inner_N[n]);
+  });
 }
 
-/// Kicks and moves on nodes on which nothing else acts: the same numbers as those of kick_block and drift_block in one go.
+/// Kicks and moves on nodes on which nothing else acts. @return as drift_block
 MENGER_WIDE_LOOPS double kick_and_drift_block(std::size_t count, const Kick& kick, const Point& gravity, double time_s,
                                               const Point& common_velocity, const double* __restrict inner_N,
                                               const double* __restrict inverse_masses, double* __restrict velocities,
                                               double* __restrict displacements) {
-  const double kept = kick.kept;
-  const double kick_s = kick.time_s;
-  const std::array<double, pattern> weight = repeated(scaled(kick_s, gravity));
-  const std::array<double, pattern> common = repeated(common_velocity);
-  std::array<double, pattern> largest{};
-  const auto move = [&](std::size_t n, std::size_t lane) {
-    const double after =
-        kept * velocities[n] - kick_s * inverse_masses[n] * inner_N[n] + (inverse_masses[n] > 0.0 ? weight[lane] : 0.0);
-    velocities[n] = after;
-    displacements[n] += time_s * after;
-    const double apart = std::abs(after - common[lane]);
-    largest[lane] = apart > largest[lane] ? apart : largest[lane];
-  };
-  const std::size_t whole = count / pattern * pattern;
-  for (std::size_t n = 0; n < whole; n += pattern)
-    for (std::size_t lane = 0; lane < pattern; ++lane) move(n + lane, lane);
-  for (std::size_t n = whole; n < count; ++n) move(n, n - whole);
-  Point of_axis{};
-  for (std::size_t lane = 0; lane < pattern; ++lane) of_axis[lane % 3] = std::max(of_axis[lane % 3], largest[lane]);
-  return dot(of_axis, of_axis);
+  const Kicked kicked(kick, gravity);
+  Drifted drifted(time_s, common_velocity);
+  for_components(count, [&](std::size_t n, std::size_t place) {
+    const double after = kicked.velocity(place, velocities[n], inverse_masses[n], inner_N[n]);
+    drifted.move(place, after, velocities[n], displacements[n]);
+  });
+  return drifted.bound();
 }
 
-/// Moves on with the velocities after the kick.
-/// @return the square of a bound of the nodes' speeds: of a vector of the largest components
+/// Moves on with the velocities after the kick. @return Drifted::bound
 MENGER_WIDE_LOOPS double drift_block(std::size_t count, double time_s, const Point& common_velocity,
                                      const double* __restrict after, double* __restrict velocities,
                                      double* __restrict displacements) {
-  const std::array<double, pattern> common = repeated(common_velocity);
-  std::array<double, pattern> largest{};
-  const auto drift = [&](std::size_t n, std::size_t lane) {
-    velocities[n] = after[n];
-    displacements[n] += time_s * after[n];
-    const double apart = std::abs(after[n] - common[lane]);
-    largest[lane] = apart > largest[lane] ? apart : largest[lane];
-  };
-  const std::size_t whole = count / pattern * pattern;
-  for (std::size_t n = 0; n < whole; n += pattern)
-    for (std::size_t lane = 0; lane < pattern; ++lane) drift(n + lane, lane);
-  for (std::size_t n = whole; n < count; ++n) drift(n, n - whole);
-  Point of_axis{};
-  for (std::size_t lane = 0; lane < pattern; ++lane) of_axis[lane % 3] = std::max(of_axis[lane % 3], largest[lane]);
-  return dot(of_axis, of_axis);
+  Drifted drifted(time_s, common_velocity);
+  for_components(count,
+                 [&](std::size_t n, std::size_t place) { drifted.move(place, after[n], velocities[n], displacements[n]); });
+  return drifted.bound();
 }
 
 MENGER_WIDE_LOOPS double product_sum(const double* a, const double* b, std::size_t count) {
