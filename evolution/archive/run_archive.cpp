@@ -512,6 +512,13 @@ std::vector<PoolMember> RunArchive::pool(int generation) const {
   });
 }
 
+std::vector<PoolMember> RunArchive::survivors(int generation) const {
+  std::vector<PoolMember> all = pool(generation);
+  std::erase_if(all, [](const PoolMember& member) { return !member.survivor_rank; });
+  std::ranges::sort(all, {}, &PoolMember::survivor_rank);
+  return all;
+}
+
 Individual RunArchive::individual(std::uint64_t id) const {
   return database_->read([&](const SQLite::Database& connection) {
     SQLite::Statement row(connection, "SELECT * FROM individual WHERE id = :id");

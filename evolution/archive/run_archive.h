@@ -155,7 +155,8 @@ class RunArchive {
 
   [[nodiscard]] std::optional<int> last_generation() const;  ///< none before generation 0 is finished
   [[nodiscard]] GenerationRecord generation(int number) const;
-  [[nodiscard]] std::vector<PoolMember> pool(int generation) const;  ///< by id
+  [[nodiscard]] std::vector<PoolMember> pool(int generation) const;       ///< by id
+  [[nodiscard]] std::vector<PoolMember> survivors(int generation) const;  ///< those of the pool, by rank
   [[nodiscard]] Individual individual(std::uint64_t id) const;
   [[nodiscard]] std::uint64_t next_id() const;  ///< one more than the largest id, or 0
 

@@ -1,8 +1,6 @@
 #include "evolution/report/niche_table.h"
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 #include "evolution/search/niches.h"
 
@@ -11,10 +9,7 @@ namespace menger::evolution {
 io::CsvTable niche_table(const RunView& run) {
   io::CsvTable table({"fewest_cells", "feet", "layers", "individual", "cells",
                       "fitness_" + std::string(fitness_unit(run.plan.objective)), "phenotype"});
-  std::vector<PoolMember> survivors = run.archive->pool(run.archive->last_generation().value());
-  std::erase_if(survivors, [](const PoolMember& member) { return !member.survivor_rank; });
-  std::ranges::sort(survivors, {}, &PoolMember::survivor_rank);
-  for (const PoolMember& member : survivors) {
+  for (const PoolMember& member : run.archive->survivors(run.archive->last_generation().value())) {
     const Phenotype phenotype = run.archive->individual(member.id).phenotype;
     const Niche niche = niche_of(run.plan.map_elites.value(), phenotype.body);
     table.add_row(std::uint64_t{niche.fewest_cells}, std::uint64_t{niche.feet}, niche.layers, member.id,

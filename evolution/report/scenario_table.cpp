@@ -14,8 +14,7 @@ io::CsvTable scenario_table(const RunView& run, const Study& study) {
   const int level = run.plan.levels().front();
   io::CsvTable table({"individual", "fitness_" + std::string(fitness_unit(run.plan.objective)), "scenario", "friction",
                       "loss_factor", "decides", "status", "reason", "dx_m", "dy_m", "dz_m", "body_lengths", "steps"});
-  std::vector<PoolMember> survivors = run.archive->pool(run.archive->last_generation().value());
-  std::erase_if(survivors, [](const PoolMember& member) { return !member.survivor_rank; });
+  std::vector<PoolMember> survivors = run.archive->survivors(run.archive->last_generation().value());
   std::ranges::sort(survivors, is_fitter);
   const std::vector<Scenario> scenarios = scenarios_of(study);
   for (const PoolMember& member : survivors) {

@@ -56,13 +56,10 @@ class Search {
     const GenerationRecord record = archive_.generation(*last);
     variation_ = RandomStream::from_text(record.variation_generator);
     selection_ = RandomStream::from_text(record.selection_generator);
-    for (const PoolMember& member : archive_.pool(*last)) {
-      if (member.survivor_rank) survivors_.push_back({archive_.individual(member.id), member});
-    }
+    for (const PoolMember& member : archive_.survivors(*last)) survivors_.push_back({archive_.individual(member.id), member});
     if (survivors_.empty()) {
       throw io::InputError(archive_.file().string() + ": is damaged: generation " + std::to_string(*last) + " has no survivors");
     }
-    std::ranges::sort(survivors_, {}, [](const Survivor& survivor) { return *survivor.member.survivor_rank; });
     for (const std::string& key : archive_.tried_phenotype_keys()) phenotypes_.insert(simulated_key(phenotype_from_key(key)));
   }
 

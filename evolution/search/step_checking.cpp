@@ -94,8 +94,7 @@ bool StepChecking::check(int generation, std::span<const Survivor> survivors, co
 std::vector<CheckedDesign> checked_designs(const SearchPlan& plan, const RunArchive& archive, int generation,
                                            const std::string& physics, const std::string& half_physics) {
   std::vector<Survivor> survivors;
-  for (const PoolMember& one : archive.pool(generation))
-    if (one.survivor_rank && one.fitness) survivors.push_back({archive.individual(one.id), one});
+  for (const PoolMember& one : archive.survivors(generation)) survivors.push_back({archive.individual(one.id), one});
 
   const std::string hash = io::content_hash(physics);
   const std::string half_hash = io::content_hash(half_physics);

@@ -170,12 +170,7 @@ TEST_F(ScenarioSearch, RacingSavesWalksAndChangesNoSurvivor) {
     std::uint64_t pruned = 0;
     std::uint64_t made_of_whole = 0;
     for (int generation = 0; generation <= plan.generations; ++generation) {
-      const auto survivors = [&](const RunArchive& archive) {
-        std::vector<PoolMember> all = archive.pool(generation);
-        std::erase_if(all, [](const PoolMember& member) { return !member.survivor_rank; });
-        return all;
-      };
-      EXPECT_EQ(survivors(raced), survivors(whole)) << generation;
+      EXPECT_EQ(raced.survivors(generation), whole.survivors(generation)) << generation;
       made += raced.generation(generation).evaluations;
       pruned += raced.generation(generation).pruned;
       made_of_whole += whole.generation(generation).evaluations;
