@@ -1,6 +1,8 @@
 #include "evolution/reevaluation/reevaluation_run.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -8,6 +10,8 @@
 #include "evolution/reevaluation/reevaluation_chart.h"
 #include "evolution/reevaluation/reevaluation_scene.h"
 #include "evolution/reference/kept_walk.h"
+#include "evolution/report/confirmation.h"
+#include "evolution/study/study_file.h"
 #include "fem/locomotion/locomotion_run.h"
 #include "io/process/file_lock.h"
 #include "io/process/run_folder.h"
@@ -49,9 +53,9 @@ void write_winner(const ReevaluationStudy& study, const fs::path& folder, bool p
 
 /// Writes tables, pictures and the winner's scene into a folder, each file whole or not at all. Removes files of earlier calls
 /// first.
-/// @param notes gets a note for everything that could not be drawn or shown
+/// @param shown place of the winner among the designs @param notes gets a note for everything that could not be drawn or shown
 void write_reevaluation(const ReevaluationStudy& study, const fs::path& folder, bool pictures,
-                        const ReevaluationFindings& findings, std::vector<std::string>& notes) {
+                        const ReevaluationFindings& findings, std::size_t shown, std::vector<std::string>& notes) {
   io::RunFolder("menger-reevaluate", folder)
       .begin({"variants.csv", "reevaluation.png", "winner/trajectories.png", "trajectories/rank_*.csv"});
   reevaluation_table(study, findings).write(folder / "reevaluation.csv");
@@ -61,7 +65,7 @@ void write_reevaluation(const ReevaluationStudy& study, const fs::path& folder, 
   io::write_whole(folder / "summary.txt", findings_text(study, findings));
   for (const ReevaluatedDesign& design : findings.designs)
     trajectory_comparison(design).write(folder / "trajectories" / rank_file(design.design.rank));
-  write_winner(study, folder / "winner", pictures, findings.designs.front(), notes);
+  write_winner(study, folder / "winner", pictures, findings.designs.at(shown), notes);
   if (!pictures) return;
   const io::PictureStyle style{.width_px = 2000, .height_px = 900};
   note_missing("reevaluation.png", io::write_chart(folder / "reevaluation.png", scatter_chart(study, findings), style), notes);
@@ -69,10 +73,15 @@ void write_reevaluation(const ReevaluationStudy& study, const fs::path& folder, 
 
 class Reevaluator {
  public:
-  /// @param designs of the archive, the best first
-  Reevaluator(const ReevaluationStudy& study, fs::path archive_file, std::vector<FitDesign> designs, const fs::path& folder,
-              const ReevaluationOptions& options)
-      : study_(study), archive_file_(std::move(archive_file)), designs_(std::move(designs)), folder_(folder), options_(options) {}
+  /// @param designs of the archive, the best first @param confirmed the individual that finer elements confirmed, if any
+  Reevaluator(const ReevaluationStudy& study, fs::path archive_file, std::vector<FitDesign> designs,
+              std::optional<std::uint64_t> confirmed, const fs::path& folder, const ReevaluationOptions& options)
+      : study_(study),
+        archive_file_(std::move(archive_file)),
+        designs_(std::move(designs)),
+        confirmed_(confirmed),
+        folder_(folder),
+        options_(options) {}
 
   ReevaluationResult run() {
     { const io::FileLock lock(archive_file_); }  // throws before the work begins if another process writes to the archive
@@ -90,7 +99,7 @@ class Reevaluator {
       result_.notes.emplace_back("no design completed in both models");
     }
     RunArchive::open_to_extend(archive_file_).add_reevaluations(archive_rows());
-    write_reevaluation(study_, folder_, options_.pictures, findings(), result_.notes);
+    write_reevaluation(study_, folder_, options_.pictures, findings(), shown_, result_.notes);
     return std::move(result_);
   }
 
@@ -118,6 +127,18 @@ class Reevaluator {
       design.is_balanced = is_balanced(meshes::fractal(design.design.body, study_.level));
     findings().refused = std::move(selection.refused);
     findings().distinct = selection.distinct;
+    show_confirmed();
+  }
+
+  void show_confirmed() {
+    if (!confirmed_) return;
+    const auto confirmed = std::ranges::find(findings().designs, *confirmed_,
+                                             [](const ReevaluatedDesign& design) { return design.design.individual; });
+    if (confirmed == findings().designs.end()) return;
+    shown_ = static_cast<std::size_t>(confirmed - findings().designs.begin());
+    if (shown_ > 0)
+      result_.notes.push_back("winner/ has rank " + std::to_string(confirmed->design.rank) +
+                              ", the best robot on the finest elements that the search was confirmed on");
   }
 
   void note_less(const char* what, std::size_t count, std::size_t wanted) {
@@ -130,7 +151,7 @@ class Reevaluator {
   bool walk_surrogates() {
     std::vector<ReevaluatedDesign>& designs = findings().designs;
     const bool is_whole = io::side_by_side(designs.size(), options_.jobs, options_.stop, [&](std::size_t n) {
-      designs[n].surrogate = surrogate_walk(study_, designs[n].design.body, n == 0, options_.stop);
+      designs[n].surrogate = surrogate_walk(study_, designs[n].design.body, n == shown_, options_.stop);
       return designs[n].surrogate.result.status != io::RunStatus::stopped;
     });
     return is_whole;
@@ -142,7 +163,7 @@ class Reevaluator {
     std::vector<ReevaluatedDesign>& designs = findings().designs;
     for (std::size_t n = 0; n < designs.size(); ++n) {
       const ChosenDesign& design = designs[n].design;
-      jobs.push_back(locomotion_job(study_, study_.elements, design.body, "rank " + std::to_string(design.rank), n == 0));
+      jobs.push_back(locomotion_job(study_, study_.elements, design.body, "rank " + std::to_string(design.rank), n == shown_));
     }
     const std::size_t evaluated = study_.variants ? std::min(study_.variants->designs, designs.size()) : 0;
     for (std::size_t n = 0; n < evaluated; ++n) {
@@ -198,6 +219,8 @@ class Reevaluator {
   const ReevaluationStudy& study_;
   fs::path archive_file_;
   std::vector<FitDesign> designs_;
+  std::optional<std::uint64_t> confirmed_;
+  std::size_t shown_ = 0;  ///< place of the design whose walk is shown
   const fs::path& folder_;
   const ReevaluationOptions& options_;
   ReevaluationResult result_;
@@ -224,12 +247,15 @@ ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive
                               const ReevaluationOptions& options) {
   fs::path file;
   std::vector<FitDesign> designs;
+  std::optional<std::uint64_t> confirmed;
   {
     const RunArchive read = std::move(archive);
     file = read.file();
     designs = read.fit_designs();
+    const Study search = archived_study(read);  // the search of the re-evaluation may have another friction
+    if (const auto best = best_confirmed(search, confirmations(search, read))) confirmed = best->design.individual;
   }  // the archive is closed from here on: an open reader would keep later changes in the log beside the file
-  return Reevaluator(study, std::move(file), std::move(designs), folder, options).run();
+  return Reevaluator(study, std::move(file), std::move(designs), confirmed, folder, options).run();
 }
 
 }  // namespace menger::evolution

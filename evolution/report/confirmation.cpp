@@ -153,6 +153,20 @@ std::vector<Confirmation> confirmations(const Study& study, const RunArchive& ar
   return all;
 }
 
+std::optional<Confirmation> best_confirmed(const Study& study, const std::vector<Confirmation>& confirmed) {
+  const std::vector<fem::Fidelity> fidelities = finer_fidelities(study);
+  std::optional<Confirmation> best;
+  std::size_t robot = 0;
+  std::size_t walked = 0;  // of the fidelities of this robot
+  for (const Confirmation& one : confirmed) {
+    if (one.rank != robot) walked = 0;
+    robot = one.rank;
+    if (one.score) ++walked;
+    if (one.fidelity == fidelities.back() && walked == fidelities.size() && (!best || *one.score > *best->score)) best = one;
+  }
+  return best;
+}
+
 io::CsvTable confirmation_table(const Study& study, const std::vector<Confirmation>& confirmed) {
   const std::string unit(fitness_unit(study.search.objective));
   io::CsvTable table(

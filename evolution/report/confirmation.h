@@ -44,6 +44,11 @@ struct Confirmation {
 /// Returns what an archive has of these walks, robot by robot, as far as robots have all of them.
 std::vector<Confirmation> confirmations(const Study& study, const RunArchive& archive);
 
+/// Returns the robot that a search is shown by: of those that walk on all finer elements, the one with the best score on the
+/// finest. None if none of them does.
+/// @param confirmed robot by robot, as confirmations() returns them
+std::optional<Confirmation> best_confirmed(const Study& study, const std::vector<Confirmation>& confirmed);
+
 /// Makes a table with a row per robot and fidelity.
 io::CsvTable confirmation_table(const Study& study, const std::vector<Confirmation>& confirmed);
 

@@ -63,6 +63,8 @@ class Exporter {
     const auto last = archive_.last_generation();
     if (!last) throw io::InputError(archive_.file().string() + ": has no finished generation");
     result_.champion = summarise_generation(run_, *last).champion;
+    const std::vector<Confirmation> confirmed = confirmations(study_, archive_);
+    if (result_.champion) prefer_confirmed(confirmed, *last);
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
     for (const char* name : {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv",
@@ -82,8 +84,7 @@ class Exporter {
       schedule_table(run_, options_.workers).write(folder_ / "schedule.csv");
     }
     if (study_.search.step_checks) step_check_table(run_).write(folder_ / "check_dt.csv");
-    if (const std::vector<Confirmation> confirmed = confirmations(study_, archive_); !confirmed.empty())
-      confirmation_table(study_, confirmed).write(folder_ / "confirmed.csv");
+    if (!confirmed.empty()) confirmation_table(study_, confirmed).write(folder_ / "confirmed.csv");
     if (result_.champion) write_champion();
     return std::move(result_);
   }
@@ -91,6 +92,24 @@ class Exporter {
  private:
   [[nodiscard]] const Individual& champion() const { return result_.champion->individual; }
   [[nodiscard]] bool arranged() const { return champion().phenotype.has_arrangements(); }
+
+  /// Makes the best of the robots that walk on finer elements the champion.
+  void prefer_confirmed(const std::vector<Confirmation>& confirmed, int last) {
+    if (confirmed.empty()) return;
+    const std::optional<Confirmation> best = best_confirmed(study_, confirmed);
+    if (!best) {
+      add_note("no robot that was confirmed walks on finer elements (confirmed.csv): the champion is the best of the search");
+      return;
+    }
+    if (best->design.phenotype == champion().phenotype) return;
+    const std::vector<PoolMember> pool = archive_.pool(last);
+    const auto member = std::ranges::find(pool, best->design.individual, &PoolMember::id);
+    const PoolMember gone{.id = best->design.individual, .fitness = best->design.fitness};
+    result_.champion =
+        summarise_design(run_, archive_.individual(best->design.individual), member == pool.end() ? gone : *member);
+    add_note("the champion is the robot that is best on the finest elements, number " + std::to_string(best->rank) +
+             " of the search (confirmed.csv)");
+  }
 
   /// Returns the champion as the search simulated it.
   [[nodiscard]] Phenotype simulated() const { return as_simulated(study_.search, champion().phenotype); }

@@ -35,12 +35,13 @@ struct LevelResult {
 /// The result of an export.
 struct ExportResult {
   io::RunStatus status = io::RunStatus::completed;  ///< completed, stopped, or that of the first simulation that did not complete
-  std::optional<DesignSummary> champion;            ///< none if no design has a fitness
+  std::optional<DesignSummary> champion;            ///< see export_run; none if no design has a fitness
   std::vector<LevelResult> levels;
   std::vector<std::string> notes;  ///< pictures that could not be made; a simulation that differs from the archive
 };
 
-/// Writes the tables and the champion of an archive into a folder:
+/// Writes the tables and the champion of an archive into a folder. The champion is the robot of the best fitness. If robots were
+/// confirmed on finer elements, it is the best of those that walk there (best_confirmed), if any do.
 /// - generations.csv, lineage.csv and costs.csv (see generations_table, lineage_table, cost_table);
 /// - if the time step was checked, check_dt.csv (step_check_table);
 /// - if robots were confirmed on finer elements, confirmed.csv (confirmation_table);

@@ -19,6 +19,7 @@
 #include "io/text/content_hash.h"
 #include "io/text/csv_table.h"
 #include "io/text/whole_file.h"
+#include "meshes/design/design_file.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
@@ -244,6 +245,47 @@ TEST_F(EvolveOnElements, TheBestAreConfirmedOnFinerElements) {
   fs::remove(folder_ / "run.confirmed.csv");
   ASSERT_EQ(run("evolve", {"study.toml"}).code, 0);
   EXPECT_EQ(io::read_whole(folder_ / "two.confirmed.csv"), io::read_whole(folder_ / "run.confirmed.csv"));
+}
+
+TEST_F(EvolveOnElements, ARobotThatFallsOnFinerElementsIsNotTheChampion) {
+  std::string text = tests::walking_study_text();
+  io::write_whole(folder_ / "study.toml", text);
+  ASSERT_EQ(run("evolve", {"study.toml"}).code, 0);
+  {
+    evolution::RunArchive archive = evolution::RunArchive::open_to_extend(folder_ / "run.sqlite");
+    evolution::Study finer = evolution::archived_study(archive);
+    const evolution::FitDesign best = archive.fit_designs().front();
+    finer.silicone.elements.fidelity = fem::Fidelity::standard;
+    evolution::Reevaluation fall{.design_hash = design_hash(as_simulated(finer.search, best.phenotype), 1),
+                                 .level = 1,
+                                 .protocol = evolution::WalkEvaluator(finer).physics(),
+                                 .variant = "confirmed on standard elements",
+                                 .duration_s = finer.duration_s,
+                                 .result = {}};
+    fall.result.status = io::RunStatus::diverged;
+    fall.result.reason = "it falls over";
+    archive.add_reevaluations({&fall, 1});
+  }
+  text.replace(text.find("confirm = 0"), 11, "confirm = 2");
+  io::write_whole(folder_ / "study.toml", text);
+  const Outcome confirmed = run("evolve", {"study.toml"});
+  ASSERT_EQ(confirmed.code, 0) << confirmed.err;
+  const io::CsvContents table = io::read_csv(folder_ / "run.confirmed.csv");
+  ASSERT_EQ(table.row_count(), 4U);
+  EXPECT_EQ(table.text(0, "reason"), "it falls over");
+  const std::string second = table.text(2, "individual");
+  ASSERT_NE(table.text(0, "individual"), second);
+
+  const Outcome exported = export_to("run.sqlite", "out");
+  ASSERT_EQ(exported.code, 0) << exported.err;
+  EXPECT_NE(exported.out.find("Champion: individual " + second + ","), std::string::npos) << exported.out;
+  EXPECT_NE(exported.out.find("number 2 of the search"), std::string::npos) << exported.out;
+  const Outcome again = run("reevaluate", {"run.sqlite", "--top", "2", "-o", "again", "--no-pictures"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_NE(again.out.find("winner/ has rank 2"), std::string::npos) << again.out;
+  EXPECT_EQ(meshes::read_design(folder_ / "again/winner/design.toml").body.digits(),
+            meshes::read_design(folder_ / "out/champion.toml").body.digits());
+  EXPECT_EQ(io::read_csv(folder_ / "again/reevaluation.csv").text(1, "individual"), second);
 }
 
 TEST_F(EvolveOnElements, TheTableAndTheManifestBelongToTheirArchive) {

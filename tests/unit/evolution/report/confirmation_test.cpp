@@ -139,6 +139,31 @@ TEST_F(ConfirmationTest, TellsWhyARobotFailed) {
   EXPECT_NE(confirmation_text(study, found).find("none on standard elements (walls pass"), std::string::npos);
 }
 
+/// Returns a row of a robot of this rank. @param score none if it failed
+Confirmation row(std::size_t rank, fem::Fidelity fidelity, std::optional<double> score) {
+  Confirmation one;
+  one.rank = rank;
+  one.fidelity = fidelity;
+  one.score = score;
+  return one;
+}
+
+TEST_F(ConfirmationTest, TheBestWalksOnAllFinerElements) {
+  const Study study = read();
+  const auto best = [&](const std::vector<Confirmation>& confirmed) {
+    const std::optional<Confirmation> found = best_confirmed(study, confirmed);
+    return found ? found->rank : 0;
+  };
+  using enum fem::Fidelity;
+  EXPECT_EQ(best({row(1, standard, 0.5), row(1, fine, 0.2), row(2, standard, 0.3), row(2, fine, 0.3)}), 2U)
+      << "the finest elements decide";
+  EXPECT_EQ(best({row(1, standard, std::nullopt), row(1, fine, 0.9), row(2, standard, 0.1), row(2, fine, 0.1)}), 2U)
+      << "the first falls on standard elements";
+  EXPECT_EQ(best({row(1, standard, 0.9), row(1, fine, std::nullopt)}), 0U);
+  EXPECT_EQ(best({row(1, fine, 0.9), row(2, standard, 0.9)}), 0U) << "walks are missing";
+  EXPECT_EQ(best({}), 0U);
+}
+
 TEST_F(ConfirmationTest, FineElementsHaveNoFinerOnes) {
   const Study study = read("[elements]\nfidelity = \"fine\"\n");
   make("run.sqlite", study, {hook});
