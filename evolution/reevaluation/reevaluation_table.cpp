@@ -135,6 +135,19 @@ std::string variant_text(const ReevaluationStudy& study, const ReevaluationFindi
          std::to_string(gaps.size()) + " designs)\n";
 }
 
+/// Returns the digits of a body: its layers from the ground up, joined by "/", each of rows along x that are joined by ",".
+std::string layers_text(const meshes::Polycube& body) {
+  const std::string digits = body.digits();
+  const auto nx = static_cast<std::size_t>(body.nx());
+  const std::size_t layer = nx * static_cast<std::size_t>(body.ny());
+  std::string text;
+  for (std::size_t at = 0; at < digits.size(); at += nx) {
+    if (at > 0) text += at % layer == 0 ? '/' : ',';
+    text += digits.substr(at, nx);
+  }
+  return text;
+}
+
 }  // namespace
 
 io::CsvTable reevaluation_table(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
@@ -148,8 +161,8 @@ io::CsvTable reevaluation_table(const ReevaluationStudy& study, const Reevaluati
   add(columns, "elements_", {"least_dz_m"});
   add(columns, "",
       {"distance_ratio", "angle_deg", "surrogate_relative_error", "surrogate_steps", "elements_steps", "elements_count",
-       "surrogate_seconds", "elements_seconds", "surrogate_left_out_m", "elements_left_out_m", "is_balanced",
-       "surrogate_reason"});
+       "surrogate_seconds", "elements_seconds", "surrogate_left_out_m", "elements_left_out_m", "is_balanced", "surrogate_reason",
+       "body"});
   io::CsvTable table(columns);
   for (const ReevaluatedDesign& evaluated : findings.designs) {
     const Evaluation& surrogate = evaluated.surrogate.result;
@@ -167,7 +180,8 @@ io::CsvTable reevaluation_table(const ReevaluationStudy& study, const Reevaluati
     row.insert(row.end(), {io::cell(gap.ratio), io::cell(gap.angle_deg), io::cell(gap.relative_error), io::cell(surrogate.steps),
                            io::cell(elements.steps), io::cell(elements.elements), io::cell(surrogate.seconds),
                            io::cell(elements.seconds), left_out_cell(surrogate.left_out_m), left_out_cell(elements.left_out_m),
-                           io::cell(evaluated.is_balanced ? "true" : "false"), io::cell(surrogate.reason)});
+                           io::cell(evaluated.is_balanced ? "true" : "false"), io::cell(surrogate.reason),
+                           io::cell(layers_text(evaluated.design.body))});
     table.add_cells(row);
   }
   return table;

@@ -1,6 +1,6 @@
 # How far can a walk on finite elements be known, and how well do coarse elements and short walks rank robots?
-part searches "10 min" "three short searches, and 20 robots of every rank of each on the coarsest elements"
-part walks "40 min of one core" "the robots that move, each with one thing changed"
+part searches "20 min" "three short searches on voxels and three on finite elements, and 20 robots of every rank of each on the coarsest"
+part walks "80 min of one core" "the robots that move, each with one thing changed"
 part two_layers "30 min of one core" "some of them with two elements through the wall, for 2 s"
 part tables "1 min" "the tables and the picture of all walks that there are"
 
@@ -9,9 +9,11 @@ every_with_two_layers=4
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 searches() {
-  local seed
-  for seed in 1 2 3; do
-    menger evolve "$study/search.toml" --seed $seed --output "$results/search_$seed.sqlite"
+  local seed kind
+  for seed in 1 2 3 4 5 6; do
+    kind=search
+    [ $seed -le 3 ] || kind=search_on_elements
+    menger evolve "$study/$kind.toml" --seed $seed --output "$results/search_$seed.sqlite"
     menger reevaluate "$results/search_$seed.sqlite" --top 6 --sample 14 --study "$study/screening.toml" --no-pictures \
       --output "$results/screened_$seed"
   done

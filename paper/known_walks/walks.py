@@ -112,22 +112,20 @@ def cells_of(layers):
     return sum(digit != "0" for layer in layers for row in layer for digit in row)
 
 
+def way_of(points, model):
+    """The displacement of a model in the plane, from the end of the first period on."""
+    first = next(point for point in points if float(point["time_s"]) >= PERIOD_S - 1e-6)
+    return [float(points[-1][f"{model}_d{axis}_m"]) - float(first[f"{model}_d{axis}_m"]) for axis in "xy"]
+
+
 def screened(folder):
-    """The robots that a search gave, with their walks: of each the row of its table and its layers."""
-    rows = {}
+    """The robots of a search that finite elements completed: rows of its table with the displacements in both models."""
     for row in rows_of(folder / "reevaluation.csv"):
-        if row["elements_status"] == "completed":
-            rows[(float(row["elements_dx_m"]), float(row["elements_dy_m"]))] = row
-    for study in sorted(folder.glob("runs/*/study.toml")):
-        result = study.parent / "result" / "locomotion.toml"
-        if not result.exists():
+        if row["elements_status"] != "completed":
             continue
-        points = rows_of(study.parent / "result" / "trajectory.csv")
-        first = next(p for p in points if float(p["time_s"]) >= PERIOD_S - 1e-6)
-        way = [float(points[-1][f"centre_of_mass_{axis}_m"]) - float(first[f"centre_of_mass_{axis}_m"]) for axis in "xy"]
-        found = [row for place, row in rows.items() if math.dist(place, way) < 1e-9]
-        if len(found) == 1:
-            yield found[0], toml_of(study)["design"]["layers"]
+        points = rows_of(folder / "trajectories" / f"rank_{int(row['rank']):04d}.csv")
+        surrogate = way_of(points, "surrogate") if row["surrogate_status"] == "completed" else ["", ""]
+        yield {**row, "way_m": way_of(points, "elements"), "surrogate_way_m": surrogate}
 
 
 def choose(results, table):
@@ -135,13 +133,13 @@ def choose(results, table):
     seen = set()
     for folder in sorted(pathlib.Path(results).glob("screened_*")):
         search = folder.name.removeprefix("screened_")
-        for row, layers in sorted(screened(folder), key=lambda pair: int(pair[0]["rank"])):
-            form = layers_text(layers).replace("2", "1")  # cells of both materials are driven alike
-            if float(row["elements_distance_m"]) < LEAST_M or form in seen:
+        for row in sorted(screened(folder), key=lambda one: int(one["rank"])):
+            form = row["body"].replace("2", "1")  # cells of both materials are driven alike
+            if math.hypot(*row["way_m"]) < LEAST_M or form in seen:
                 continue
             seen.add(form)
-            robots.append([f"search_{search}_rank_{int(row['rank']):02d}", search, row["rank"], row["cells"], layers_text(layers),
-                           row["surrogate_dx_m"], row["surrogate_dy_m"]])
+            robots.append([f"search_{search}_rank_{int(row['rank']):02d}", search, row["rank"], row["cells"], row["body"],
+                           *row["surrogate_way_m"]])
     for name in SHIPPED:
         layers = toml_of(TREE / "meshes" / "designs" / f"{name}.toml")["layers"]
         robots.append([name, "shipped", "", cells_of(layers), layers_text(layers), "", ""])

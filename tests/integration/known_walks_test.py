@@ -274,16 +274,14 @@ class Studies(unittest.TestCase):
     def screen(self, search, robots):
         """robots: {(rank, layers): (dx in mm, status)}"""
         folder = self.folder / f"screened_{search}"
-        lines = ["rank,cells,elements_status,elements_dx_m,elements_dy_m,elements_distance_m,surrogate_dx_m,surrogate_dy_m"]
-        for number, ((rank, layers), (way_mm, status)) in enumerate(robots.items()):
-            lines.append(f"{rank},5,{status},{1e-3 * way_mm},0,{1e-3 * abs(way_mm)},0.5,0.25")
-            run = folder / "runs" / f"{number}"
-            (run / "result").mkdir(parents=True)
-            (run / "study.toml").write_text(f'[design]\nlayers = [["{layers}"]]\n')
-            (run / "result" / "locomotion.toml").write_text(f'status = "{status}"\n')
+        (folder / "trajectories").mkdir(parents=True)
+        lines = ["rank,cells,elements_status,surrogate_status,body"]
+        for (rank, layers), (way_mm, status) in robots.items():
+            lines.append(f"{rank},5,{status},completed,{layers}")
             ways_mm = [0.0, 7.0, 7.0 + way_mm]  # the first period is left out
-            trajectory = [f"{time},{1e-3 * way},0" for time, way in zip((0, 1 / 3, 5), ways_mm)]
-            (run / "result" / "trajectory.csv").write_text("time_s,centre_of_mass_x_m,centre_of_mass_y_m\n" + "\n".join(trajectory) + "\n")
+            points = [f"{time},{1e-3 * way},0,{way},0" for time, way in zip((0, 1 / 3, 5), ways_mm)]
+            (folder / "trajectories" / f"rank_{rank:04d}.csv").write_text(
+                "time_s,elements_dx_m,elements_dy_m,surrogate_dx_m,surrogate_dy_m\n" + "\n".join(points) + "\n")
         (folder / "reevaluation.csv").write_text("\n".join(lines) + "\n")
 
     def test_robots_that_move_are_chosen_once_from_every_search(self):
@@ -293,7 +291,7 @@ class Studies(unittest.TestCase):
         walks.choose(self.folder, self.folder / "robots.csv")
         chosen = table_of(self.folder / "robots.csv")
         self.assertEqual([row["robot"] for row in chosen], ["search_1_rank_03", "search_1_rank_09", "search_2_rank_02", *walks.SHIPPED])
-        self.assertEqual((chosen[1]["layers"], chosen[1]["surrogate_dx_m"]), ("111", "0.5"))
+        self.assertEqual((chosen[1]["layers"], chosen[1]["surrogate_dx_m"]), ("111", "2.0"))
 
     def test_unknown_ones_are_refused(self):
         for words in (["study", "stand18", "twice", "."], ["study", "nobody", "fine", "."], ["jump"]):

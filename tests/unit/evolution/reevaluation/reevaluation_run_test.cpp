@@ -132,6 +132,7 @@ TEST_F(ReevaluationRun, EvaluatesTheBestAndASampleInBothModels) {
   EXPECT_EQ(found.text(0, "elements_seconds"), "0.5");
   EXPECT_EQ(found.text(0, "surrogate_status"), "completed");
   EXPECT_GT(found.number(0, "surrogate_steps"), 10.0);
+  EXPECT_EQ(found.text(0, "body"), "111,000,000/000,000,000/000,000,000");
   ASSERT_EQ(table("refused.csv").row_count(), 1U);
   EXPECT_EQ(table("refused.csv").text(0, "rank"), "2");
   for (const char* file : {"summary.txt", "winner/design.toml", "trajectories/rank_0001.csv"})
