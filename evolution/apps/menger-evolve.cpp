@@ -135,16 +135,18 @@ void print_history(const RunView& run, int last) {
   }
 }
 
-void print_champion(const RunView& run, int last) {
-  const GenerationSummary summary = summarise_generation(run, last);
-  if (!summary.champion) {
+void print_champion(const RunView& run, const Study& study, int last) {
+  const std::optional<Champion> champion = champion_of(run, study, last, confirmations(study, *run.archive));
+  if (!champion) {
     std::cout << "No design has a fitness.\n";
     return;
   }
-  std::cout << "Champion: individual " << summary.champion->individual.id << ", " << summary.champion->cells << " cells, "
-            << phenotype_key(summary.champion->individual.phenotype) << "\n";
-  if (!summary.champion->outside_validity.empty())
-    std::cout << "The champion is outside the range of validity of its model: " << summary.champion->outside_validity << "\n";
+  if (!champion->note.empty()) std::cout << "note: " << champion->note << "\n";
+  const DesignSummary& design = champion->design;
+  std::cout << "Champion: individual " << design.individual.id << ", " << design.cells << " cells, "
+            << phenotype_key(design.individual.phenotype) << "\n";
+  if (!design.outside_validity.empty())
+    std::cout << "The champion is outside the range of validity of its model: " << design.outside_validity << "\n";
 }
 
 /// Prints how many results are extrapolations, if there are any.
@@ -270,7 +272,7 @@ int evolve(const Arguments& arguments) {
     std::cout << "Stopped. Finished evaluations are kept. Run the same command again to resume." << std::endl;
     return io::exit_code::interrupted;
   }
-  print_champion(run, *archive.last_generation());
+  print_champion(run, study, *archive.last_generation());
   print_validity(run, *archive.last_generation());
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";
   if (uses_elements(study))

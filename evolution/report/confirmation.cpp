@@ -167,6 +167,25 @@ std::optional<Confirmation> best_confirmed(const Study& study, const std::vector
   return best;
 }
 
+std::optional<Champion> champion_of(const RunView& run, const Study& study, int generation,
+                                    const std::vector<Confirmation>& confirmed) {
+  std::optional<DesignSummary> fittest = summarise_generation(run, generation).champion;
+  if (!fittest) return std::nullopt;
+  if (confirmed.empty()) return Champion{std::move(*fittest)};
+  const std::optional<Confirmation> best = best_confirmed(study, confirmed);
+  if (!best) {
+    return Champion{std::move(*fittest),
+                    "no robot that was confirmed walks on all finer elements: the champion is the best of the search"};
+  }
+  if (best->design.phenotype == fittest->individual.phenotype) return Champion{std::move(*fittest)};
+  const std::vector<PoolMember> pool = run.archive->pool(generation);
+  const auto member = std::ranges::find(pool, best->design.individual, &PoolMember::id);
+  const PoolMember gone{.id = best->design.individual, .fitness = best->design.fitness};
+  return Champion{
+      summarise_design(run, run.archive->individual(best->design.individual), member == pool.end() ? gone : *member),
+      "the champion is the best robot on the finest elements, number " + std::to_string(best->rank) + " of the search"};
+}
+
 io::CsvTable confirmation_table(const Study& study, const std::vector<Confirmation>& confirmed) {
   const std::string unit(fitness_unit(study.search.objective));
   io::CsvTable table(

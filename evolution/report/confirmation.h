@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/report/generation_summary.h"
 #include "evolution/study/study.h"
 #include "fem/thin_walls/element_choice.h"
 #include "io/text/csv_table.h"
@@ -48,6 +49,18 @@ std::vector<Confirmation> confirmations(const Study& study, const RunArchive& ar
 /// finest. None if none of them does.
 /// @param confirmed robot by robot, as confirmations() returns them
 std::optional<Confirmation> best_confirmed(const Study& study, const std::vector<Confirmation>& confirmed);
+
+/// The robot that a search is shown by.
+struct Champion {
+  DesignSummary design;
+  std::string note{};  ///< what confirmation has to say about the choice; may be empty
+};
+
+/// Chooses the champion of a search up to a generation: the robot of the best fitness, or the best confirmed one, if there is
+/// one.
+/// @param confirmed may be empty @return none if no design has a fitness
+std::optional<Champion> champion_of(const RunView& run, const Study& study, int generation,
+                                    const std::vector<Confirmation>& confirmed);
 
 /// Makes a table with a row per robot and fidelity.
 io::CsvTable confirmation_table(const Study& study, const std::vector<Confirmation>& confirmed);

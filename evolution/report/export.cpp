@@ -62,9 +62,11 @@ class Exporter {
   ExportResult write() {
     const auto last = archive_.last_generation();
     if (!last) throw io::InputError(archive_.file().string() + ": has no finished generation");
-    result_.champion = summarise_generation(run_, *last).champion;
     const std::vector<Confirmation> confirmed = confirmations(study_, archive_);
-    if (result_.champion) prefer_confirmed(confirmed, *last);
+    if (std::optional<Champion> champion = champion_of(run_, study_, *last, confirmed)) {
+      result_.champion = std::move(champion->design);
+      if (!champion->note.empty()) add_note(champion->note + " (confirmed.csv)");
+    }
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
     for (const char* name : {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv",
@@ -92,24 +94,6 @@ class Exporter {
  private:
   [[nodiscard]] const Individual& champion() const { return result_.champion->individual; }
   [[nodiscard]] bool arranged() const { return champion().phenotype.has_arrangements(); }
-
-  /// Makes the best of the robots that walk on finer elements the champion.
-  void prefer_confirmed(const std::vector<Confirmation>& confirmed, int last) {
-    if (confirmed.empty()) return;
-    const std::optional<Confirmation> best = best_confirmed(study_, confirmed);
-    if (!best) {
-      add_note("no robot that was confirmed walks on finer elements (confirmed.csv): the champion is the best of the search");
-      return;
-    }
-    if (best->design.phenotype == champion().phenotype) return;
-    const std::vector<PoolMember> pool = archive_.pool(last);
-    const auto member = std::ranges::find(pool, best->design.individual, &PoolMember::id);
-    const PoolMember gone{.id = best->design.individual, .fitness = best->design.fitness};
-    result_.champion =
-        summarise_design(run_, archive_.individual(best->design.individual), member == pool.end() ? gone : *member);
-    add_note("the champion is the robot that is best on the finest elements, number " + std::to_string(best->rank) +
-             " of the search (confirmed.csv)");
-  }
 
   /// Returns the champion as the search simulated it.
   [[nodiscard]] Phenotype simulated() const { return as_simulated(study_.search, champion().phenotype); }

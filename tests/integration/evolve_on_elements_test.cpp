@@ -275,6 +275,7 @@ TEST_F(EvolveOnElements, ARobotThatFallsOnFinerElementsIsNotTheChampion) {
   EXPECT_EQ(table.text(0, "reason"), "it falls over");
   const std::string second = table.text(2, "individual");
   ASSERT_NE(table.text(0, "individual"), second);
+  EXPECT_NE(confirmed.out.find("Champion: individual " + second + ","), std::string::npos) << confirmed.out;
 
   const Outcome exported = export_to("run.sqlite", "out");
   ASSERT_EQ(exported.code, 0) << exported.err;
