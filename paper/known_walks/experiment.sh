@@ -9,11 +9,14 @@ every_with_two_layers=4
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 searches() {
-  local seed kind
+  local seed
+  for seed in 1 2 3; do
+    menger evolve "$study/search.toml" --seed $seed --output "$results/search_$seed.sqlite"
+  done
+  for seed in 4 5 6; do
+    menger evolve "$study/search_on_elements.toml" --seed $seed --output "$results/search_$seed.sqlite"
+  done
   for seed in 1 2 3 4 5 6; do
-    kind=search
-    [ $seed -le 3 ] || kind=search_on_elements
-    menger evolve "$study/$kind.toml" --seed $seed --output "$results/search_$seed.sqlite"
     menger reevaluate "$results/search_$seed.sqlite" --top 6 --sample 14 --study "$study/screening.toml" --no-pictures \
       --output "$results/screened_$seed"
   done
