@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "evolution/search/search.h"
 #include "evolution/study/scenarios.h"
 #include "evolution/study/study_file.h"
+#include "evolution/study/voxel_errors.h"
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
@@ -35,6 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 namespace io = menger::io;
+namespace meshes = menger::meshes;
 using namespace menger::evolution;
 using Clock = std::chrono::steady_clock;
 
@@ -135,7 +138,14 @@ void print_history(const RunView& run, int last) {
   }
 }
 
-void print_champion(const RunView& run, const Study& study, int last) {
+/// Prints what to expect of the voxels of the champion, which decided its fitness.
+void print_expected_error(const Study& study, const VoxelErrors& errors, const meshes::Polycube& body) {
+  menger::voxel::CalibratedBody calibrated = *study.physics.surrogate;
+  calibrated.level = study.search.levels().back();
+  for (const std::string& line : expected_error_text(errors.known, calibrated, body)) std::cout << line << "\n";
+}
+
+void print_champion(const RunView& run, const Study& study, int last, const std::optional<VoxelErrors>& errors) {
   const std::optional<Champion> champion = champion_of(run, study, last, confirmations(study, *run.archive));
   if (!champion) {
     std::cout << "No design has a fitness.\n";
@@ -147,6 +157,7 @@ void print_champion(const RunView& run, const Study& study, int last) {
             << phenotype_key(design.individual.phenotype) << "\n";
   if (!design.outside_validity.empty())
     std::cout << "The champion is outside the range of validity of its model: " << design.outside_validity << "\n";
+  if (errors && !uses_elements(study)) print_expected_error(study, *errors, design.individual.phenotype.body);
 }
 
 /// Prints how many results are extrapolations, if there are any.
@@ -232,11 +243,15 @@ int evolve(const Arguments& arguments) {
       .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
   if (const fs::path& silicone = study.silicone.silicone.law.file; !silicone.empty()) io::note_input(manifest.inputs, silicone);
+  const std::optional<VoxelErrors> errors = voxel_errors(study, arguments.study);
+  if (errors) manifest.notes = errors->text;
+  if (errors && errors->table) io::note_input(manifest.inputs, *errors->table);
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
   set_scenarios(archive, study, *evaluator);
   const RunView run = view_of(archive, study);
 
   for (const std::string& note : study_notes(study)) std::cout << "note: " << note << "\n";
+  for (const std::string& line : errors ? errors->text : std::vector<std::string>{}) std::cout << line << "\n";
   const auto last = archive.last_generation();
   const bool finished = last && *last >= study.search.generations;
   if (finished) {
@@ -272,7 +287,7 @@ int evolve(const Arguments& arguments) {
     std::cout << "Stopped. Finished evaluations are kept. Run the same command again to resume." << std::endl;
     return io::exit_code::interrupted;
   }
-  print_champion(run, study, *archive.last_generation());
+  print_champion(run, study, *archive.last_generation(), errors);
   print_validity(run, *archive.last_generation());
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";
   if (uses_elements(study))

@@ -33,6 +33,7 @@ std::string manifest_text(const Manifest& manifest) {
                       {"seconds", manifest.seconds},
                       {"inputs_sha256", manifest.inputs}};
   if (manifest.seed) json["seed"] = *manifest.seed;
+  if (!manifest.notes.empty()) json["notes"] = manifest.notes;
   // a file name or comment in another encoding than UTF-8 must not stop a finished job: its bytes are replaced
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace menger::io {
 
@@ -15,6 +16,7 @@ struct Manifest {
   std::optional<std::uint64_t> seed;          ///< seed of the random streams, if any
   double seconds = 0.0;                       ///< wall time; not compared when results are compared
   std::map<std::string, std::string> inputs;  ///< of the input files, see note_input
+  std::vector<std::string> notes{};           ///< sentences for readers of the results
 };
 
 /// Returns the manifest as JSON with sorted keys and the version of menger.

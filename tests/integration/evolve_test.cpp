@@ -16,6 +16,7 @@
 #include "tests/support/program_run.h"
 #include "tests/support/surrogate_example.h"
 #include "tests/support/test_folder.h"
+#include "voxel/model/expected_errors.h"
 #include "voxel/model/surrogate_file.h"
 
 namespace menger {
@@ -103,10 +104,37 @@ TEST_F(Evolve, OfACalibratedStudyBelongsToItsParameters) {
   const std::string hash = io::content_hash(io::read_whole(folder_ / "soft.toml"));
   EXPECT_NE(io::read_whole(folder_ / "run.manifest.json").find(hash), std::string::npos) << "names the parameters' content";
 
+  // What is known of the errors of the voxels decides nothing.
+  EXPECT_NE(outcome.out.find("warning: the error of the voxels is unknown: no table of errors"), std::string::npos)
+      << outcome.out;
+  voxel::ExpectedErrors errors{.parameters_hash = voxel::hash_of(parameters)};
+  voxel::expected_errors_table(errors).write(folder_ / "soft.errors.csv");
   ASSERT_EQ(run({"study.toml"}).code, 0);
   parameters.torsion_Pa[3] *= 1.01;
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
   expect_refused({"study.toml"}, {"run.sqlite", "is the archive of another study", "torsion_Pa"});
+}
+
+TEST_F(Evolve, SaysWhichErrorToExpectOfCalibratedVoxels) {
+  const voxel::SurrogateParameters parameters = tests::surrogate_example();
+  io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
+  voxel::ExpectedErrors errors{.parameters_hash = voxel::hash_of(parameters)};
+  for (auto& of_kind : errors.kinds)
+    of_kind = {.bodies = {"x"}, .displacements = 4, .displacement_median = 0.25, .displacement_ninth_decile = 0.5};
+  voxel::expected_errors_table(errors).write(folder_ / "soft.errors.csv");
+  change_study("levels = [1, 2]", "levels = [1]");
+  io::write_whole(study_, io::read_whole(study_) +
+                              "[surrogate]\nparameters = \"soft.toml\"\noutside_range = \"warn\"\n"
+                              "[drive]\npressure_Pa = [0, 1500]\nmode = \"in_phase\"\n");
+  const Outcome outcome = run({"study.toml"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::size_t first_line = outcome.out.find("  plates on legs: 25 % in displacement");
+  EXPECT_LT(first_line, outcome.out.find("writing run.sqlite")) << "before it starts\n" << outcome.out;
+  EXPECT_NE(outcome.out.find("warning: the voxels are a poor model of plates on legs"), std::string::npos);
+  EXPECT_NE(outcome.out.find("expected error for a"), std::string::npos) << "of the champion\n" << outcome.out;
+  const std::string manifest = io::read_whole(folder_ / "run.manifest.json");
+  EXPECT_NE(manifest.find("plates on legs: 25 % in displacement"), std::string::npos) << manifest;
+  EXPECT_NE(manifest.find("soft.errors.csv"), std::string::npos);
 }
 
 TEST_F(Evolve, ASecondCallShowsInsteadOfRedoing) {

@@ -21,7 +21,10 @@
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "tests/support/paraview_files.h"
+#include "tests/support/surrogate_example.h"
 #include "tests/support/test_folder.h"
+#include "voxel/model/expected_errors.h"
+#include "voxel/model/surrogate_file.h"
 #include "voxel/picture/vtk_output.h"
 
 namespace menger {
@@ -122,6 +125,29 @@ TEST_F(Simulate, FilesAgreeWithOneAnother) {
   EXPECT_DOUBLE_EQ(trajectory.number(3, "horizontal_displacement_body_lengths"),
                    trajectory.number(3, "horizontal_displacement_m") / 0.04);
   EXPECT_TRUE(fs::exists(folder_ / "result/manifest.json"));
+}
+
+TEST_F(Simulate, SaysWhichErrorToExpectOfACalibratedBody) {
+  const voxel::SurrogateParameters parameters = tests::surrogate_example();
+  io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
+  write_scene(std::string(small_scene) +
+              "[surrogate]\nparameters = \"soft.toml\"\n[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 1500]\n");
+  const std::string unknown = "warning: the error of these parameters is unknown: no table of errors lies beside soft.toml";
+  EXPECT_NE(run({"scene.toml", "-o", "result", "--no-pictures"}).out.find(unknown), std::string::npos);
+  EXPECT_NE(io::read_whole(folder_ / "result/result.toml").find(unknown), std::string::npos);
+  voxel::ExpectedErrors errors{.parameters_hash = voxel::hash_of(parameters)};
+  errors.kinds[static_cast<std::size_t>(voxel::BodyKind::limbs)] = {
+      .bodies = {"l"}, .displacements = 5, .displacement_median = 0.07, .displacement_ninth_decile = 0.2};
+  voxel::expected_errors_table(errors).write(folder_ / "soft.errors.csv");
+  const std::string known = "expected error for a body of limbs: 7 % in displacement";
+  EXPECT_EQ(run({"scene.toml", "-o", "result", "--no-pictures"}).out.rfind(known, 0), 0U) << "before it starts";
+  EXPECT_NE(io::read_whole(folder_ / "result/result.toml").find(known), std::string::npos);
+  EXPECT_NE(io::read_whole(folder_ / "result/manifest.json").find("soft.errors.csv"), std::string::npos);
+  io::write_whole(folder_ / "soft.errors.csv", "kind\nlimbs\n");
+  const Outcome refused = run({"scene.toml", "-o", "other", "--no-pictures"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("soft.errors.csv"), std::string::npos) << refused.err;
+  EXPECT_FALSE(fs::exists(folder_ / "other"));
 }
 
 TEST_F(Simulate, EveryTermAndEveryInstructionSetGiveTheSameBytes) {

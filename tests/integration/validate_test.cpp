@@ -12,6 +12,7 @@
 #include "tests/support/program_run.h"
 #include "tests/support/surrogate_example.h"
 #include "tests/support/test_folder.h"
+#include "voxel/model/expected_errors.h"
 #include "voxel/model/surrogate_file.h"
 #include "voxel/statics/load_case_response.h"
 
@@ -87,6 +88,20 @@ TEST_F(ValidateProgram, FindsNoErrorInAModelOfItself) {
   EXPECT_TRUE(fs::exists(folder_ / "out/worst.pvd"));
   test_support::expect_opens_in_paraview(folder_ / "out");
   EXPECT_TRUE(fs::exists(folder_ / "out/manifest.json"));
+}
+
+TEST_F(ValidateProgram, KeepsExpectedErrorsBesideTheParametersIfToldTo) {
+  ASSERT_EQ(run({"study.toml", "-o", "out", "--no-pictures"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "parameters.errors.csv"));
+  ASSERT_EQ(run({"study.toml", "-o", "out", "--no-pictures", "--keep"}).code, 0);
+  EXPECT_EQ(io::read_whole(folder_ / "parameters.errors.csv"), io::read_whole(folder_ / "out/expected_errors.csv"));
+  const auto errors = voxel::read_expected_errors(folder_ / "parameters.toml");
+  ASSERT_TRUE(errors);
+  EXPECT_EQ(errors->parameters_hash, voxel::hash_of(truth()));
+  const auto& limbs = errors->of(voxel::BodyKind::limbs);
+  ASSERT_TRUE(limbs);
+  EXPECT_EQ(limbs->bodies, std::vector<std::string>{"bar"});
+  EXPECT_NEAR(limbs->displacement_ninth_decile.value(), 0.0, 1e-9);
 }
 
 TEST_F(ValidateProgram, MeasuresAKnownErrorAndFindsItsCause) {

@@ -16,9 +16,12 @@
 #include "io/text/content_hash.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/toml_document.h"
 #include "meshes/load_cases/observables.h"
 #include "voxel/kernels/instruction_sets.h"
 #include "voxel/kernels/kernel_choice.h"
+#include "voxel/model/expected_errors.h"
+#include "voxel/scene/calibrated_body_file.h"
 #include "voxel/scene/scene_file.h"
 #include "voxel/simulate/simulation_run.h"
 
@@ -142,6 +145,22 @@ void check_step(const voxel::Scene& scene, const std::filesystem::path& folder, 
   voxel::add_step_check(scene, folder, options, result);
 }
 
+/// Finds what to expect of the body of a scene, and prints it. Solid voxels have no table of errors.
+/// @param inputs gets the table, if there is one
+std::vector<std::string> print_expected_error(const voxel::Scene& scene, const std::filesystem::path& file,
+                                              std::map<std::string, std::string>& inputs) {
+  if (!scene.physics.surrogate) return {};
+  voxel::CalibratedBody body = *scene.physics.surrogate;
+  body.level = scene.level;
+  const std::optional<std::filesystem::path> parameters = voxel::parameters_file(io::read_toml(file));
+  const voxel::KnownErrors known = voxel::known_errors(body.parameters, parameters);
+  if (known.errors) io::note_input(inputs, voxel::expected_errors_file(*parameters));
+  std::vector<std::string> lines = voxel::expected_error_text(known, body, scene.design.body);
+  for (const std::string& line : lines) std::cout << line << '\n';
+  std::cout << std::flush;
+  return lines;
+}
+
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
@@ -156,6 +175,7 @@ int run(int argc, const char* const* argv) {
   choose_kernels(arguments);
   if (arguments.folder.empty()) arguments.folder = arguments.scene.stem();
   const io::RunFolder folder("menger-simulate", arguments.folder);
+  const std::vector<std::string> expected_error = print_expected_error(scene, arguments.scene, inputs);
 
   io::catch_interrupts();
   io::Progress progress(scene.design.name, scene.duration_s);
@@ -163,6 +183,7 @@ int run(int argc, const char* const* argv) {
   options.kernel = arguments.kernel;
   options.stop = &io::interrupted();
   options.scene_file = arguments.scene;
+  options.expected_error = expected_error;
   options.started = print_kernel_report;
   options.progress = [&](const voxel::RunProgress& now) {
     progress.update(now.time_s, io::shown(now.simulated_s_per_second, 3) + " simulated s/s");

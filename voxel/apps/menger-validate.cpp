@@ -33,6 +33,7 @@ struct Arguments {
   voxel::ValidationPlaces places;
   bool explain = false;
   bool no_pictures = false;
+  bool keep = false;
 };
 
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
@@ -43,7 +44,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "load-cases\n"
       "first computes the curves of the load cases; existing curves are kept. It writes validation/errors.csv, "
       "summary.csv, signs.csv,\n"
-      "volume_actuation.csv, report.txt, errors.png, a picture of every curve, manifest.json, and the worst body in both "
+      "expected_errors.csv, volume_actuation.csv, report.txt, errors.png, a picture of every curve, manifest.json, and the worst "
+      "body in both "
       "models:\n"
       "worst.pvd (open it in ParaView) and worst.png.\n"
       "Exit codes: 0 done, 2 wrong input, 3 the surrogate has no equilibrium in some state (the tables are written),\n"
@@ -59,6 +61,9 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_flag("--explain", arguments.explain,
                "fit sizes, stiffnesses and both to each body alone, to find which of them cause its error");
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
+  app.add_flag("--keep", arguments.keep,
+               "also write the expected errors by kind of body beside the parameters, from where menger simulate and menger "
+               "evolve tell users of them");
   return io::parse_arguments(app, argc, argv);
 }
 
@@ -130,6 +135,7 @@ int run(int argc, const char* const* argv) {
     return io::exit_code_of(result.status);
   }
   folder.finish(parameter_text(study, parameters), inputs);
+  if (arguments.keep) voxel::expected_errors_table(result.expected).write(voxel::expected_errors_file(study.parameters));
   for (const std::string& line : voxel::report_lines(result, study.aim)) std::cout << line << '\n';
   std::cout << io::to_string(result.status) << ": " << result.comparisons.size() << " curves; results in "
             << arguments.folder.string() << '\n';

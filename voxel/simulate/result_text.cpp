@@ -51,6 +51,7 @@ std::string result_text(const SceneResult& result) {
     text.line("").table("surrogate").add("smallest_strain", result.strain_range->smallest);
     text.add("largest_strain", result.strain_range->largest);
     add_lines(text, "outside_validity", result.outside_validity);
+    if (!result.expected_error.empty()) add_lines(text, "expected_error", result.expected_error);
   }
   if (result.divergence) add_divergence(text, *result.divergence);
   if (result.step_check) text.line("").lines(step_check_text(*result.step_check, result.body_length_m));

@@ -98,6 +98,7 @@ class SceneRun {
     if (!scene_.physics.surrogate) return;
     result_.strain_range = simulation_.strain_range();
     result_.outside_validity = simulation_.outside_validity();
+    result_.expected_error = options_.expected_error;
     for (const std::string& fault : result_.outside_validity) result_.notes.push_back("outside the range of validity: " + fault);
   }
 

@@ -28,6 +28,7 @@ struct RunOptions {
   std::function<void(const RunProgress&)> progress;  ///< called after every record and about ten times a second in between
   const std::atomic<bool>* stop = nullptr;           ///< ends the run with status `stopped`
   std::filesystem::path scene_file;                  ///< the file of the scene, for messages; may be empty
+  std::vector<std::string> expected_error{};  ///< what to expect of a calibrated body, see expected_error_text; for result.toml
 };
 
 /// The result of a run.
@@ -46,6 +47,7 @@ struct SceneResult {
   std::optional<StrainRange> strain_range;  ///< of a calibrated body
   /// Sentences on what lies outside the range of validity of its parameters; also in the notes.
   std::vector<std::string> outside_validity;
+  std::vector<std::string> expected_error;  ///< that of the options
   CollisionCounts collisions;
   std::vector<std::string> kernel_report;
   Trajectory trajectory;

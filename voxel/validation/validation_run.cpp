@@ -168,6 +168,8 @@ ValidationResult run_validation(const ValidationStudy& study, const SurrogatePar
   errors_table(result.comparisons).write(folder / "errors.csv");
   summary_table(result.comparisons).write(folder / "summary.csv");
   signs_table(result.comparisons).write(folder / "signs.csv");
+  result.expected = expected_errors(result.comparisons, parameters);
+  expected_errors_table(result.expected).write(folder / "expected_errors.csv");
   actuation_table(result.actuations, result.actuation).write(folder / "volume_actuation.csv");
   std::string text;
   for (const std::string& line : report_lines(result, study.aim)) text += line + "\n";

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "voxel/validation/kind_errors.h"
 #include "voxel/validation/validation_cause.h"
 #include "voxel/validation/validation_study.h"
 #include "voxel/validation/validation_summary.h"
@@ -28,14 +29,15 @@ struct ValidationResult {
   std::vector<CurveComparison> comparisons;
   std::vector<VolumeActuation> actuations;  ///< of the bodies with an inflation curve
   ActuationAim actuation;
+  ExpectedErrors expected;  ///< of the parameters, by kind of body
   /// For the bodies with numbers inside the range of validity; if there are none, for the worst body.
   std::vector<CauseReport> causes;
   std::vector<std::string> notes;  ///< sentences for the user
 };
 
 /// Compares voxel parameters with curves and writes the results into a folder: errors.csv, summary.csv, signs.csv,
-/// volume_actuation.csv, report.txt (the printed text), errors.png, curve_CASE.png, and worst.pvd and worst.png of the worst
-/// body. See validation_tables.h and validation_scene.h. A stopped run writes nothing.
+/// expected_errors.csv, volume_actuation.csv, report.txt (the printed text), errors.png, curve_CASE.png, and worst.pvd and
+/// worst.png of the worst body. See validation_tables.h, kind_errors.h and validation_scene.h. A stopped run writes nothing.
 /// @param record of the fit of the parameters, for the notes
 /// @throws io::InputError if the folder cannot be written to
 ValidationResult run_validation(const ValidationStudy& study, const SurrogateParameters& parameters, const FitRecord& record,

@@ -11,6 +11,7 @@
 #include "evolution/genome/constraints.h"
 #include "evolution/genome/offspring.h"
 #include "evolution/study/study_file.h"
+#include "evolution/study/voxel_errors.h"
 #include "evolution/study/voxel_evaluator.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
@@ -64,6 +65,31 @@ TEST_F(CalibratedStudy, HasItsParametersInItsIdentity) {
   other.physics.surrogate->parameters.bending_Pa[2] *= 1.0 + 1e-15;
   EXPECT_NE(identity_text(study), identity_text(other));
   EXPECT_NE(VoxelEvaluator(study.physics, 0.01, 1.0).physics(), VoxelEvaluator(other.physics, 0.01, 1.0).physics());
+}
+
+TEST_F(CalibratedStudy, KnowsTheErrorsOfItsVoxelsFromBesideItsParameters) {
+  Study study = read(head + in_phase);
+  const fs::path file = folder_ / "study.toml";
+  const fs::path table = folder_ / "soft.errors.csv";
+  const auto says = [&](const std::string& text) {
+    const std::vector<std::string> lines = voxel_errors(study, file).value().text;
+    return std::ranges::any_of(lines, [&](const std::string& line) { return line.find(text) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("no table of errors lies beside soft.toml"));
+  EXPECT_FALSE(voxel_errors(study, file)->table);
+  voxel::ExpectedErrors errors{.parameters_hash = voxel::hash_of(tests::surrogate_example())};
+  errors.kinds[static_cast<std::size_t>(voxel::BodyKind::limbs)] = {
+      .bodies = {"l"}, .displacements = 5, .displacement_median = 0.07, .displacement_ninth_decile = 0.2};
+  voxel::expected_errors_table(errors).write(table);
+  EXPECT_EQ(voxel_errors(study, file)->table, table);
+  EXPECT_TRUE(says("bodies of limbs: 7 % in displacement"));
+  EXPECT_TRUE(says("covers aggregates")) << "the study has level 2";
+  study.model = EvaluationModel::finite_elements;
+  EXPECT_FALSE(voxel_errors(study, file));
+  study.model = EvaluationModel::both;
+  EXPECT_TRUE(voxel_errors(study, file));
+  study.physics.surrogate.reset();
+  EXPECT_FALSE(voxel_errors(study, file)) << "solid voxels";
 }
 
 TEST_F(CalibratedStudy, RefusesDrivesThatChambersCannotFollow) {

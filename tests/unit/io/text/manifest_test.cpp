@@ -37,6 +37,14 @@ TEST(Manifest, HoldsWhatMadeTheResults) {
 
 TEST(Manifest, LeavesOutASeedThatDoesNotExist) { EXPECT_FALSE(nlohmann::json::parse(manifest_text({})).contains("seed")); }
 
+TEST(Manifest, HoldsNotesIfThereAreAny) {
+  EXPECT_FALSE(nlohmann::json::parse(manifest_text({})).contains("notes"));
+  Manifest manifest;
+  manifest.notes = {"first", "second"};
+  const auto json = nlohmann::json::parse(manifest_text(manifest));
+  EXPECT_EQ(json.at("notes"), (nlohmann::json{"first", "second"}));
+}
+
 TEST(Manifest, SurvivesBytesThatAreNoUtf8) {
   const Manifest manifest{.program = "p", .parameters = "\xff", .seed = {}, .seconds = 0.0, .inputs = {}};
   const std::string text = manifest_text(manifest);

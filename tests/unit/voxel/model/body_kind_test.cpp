@@ -1,0 +1,68 @@
+#include "voxel/model/body_kind.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "meshes/design/design_file.h"
+
+namespace menger::voxel {
+namespace {
+
+using meshes::Polycube;
+
+BodyKind kind(int nx, int ny, int nz, const std::string& digits) { return kind_of(Polycube::from_digits(nx, ny, nz, digits), 1); }
+
+BodyKind kind_of_design(const std::string& name) {
+  return kind_of(meshes::read_design(std::string(MENGER_SOURCE_DIR "/meshes/designs/") + name + ".toml").body, 1);
+}
+
+TEST(BodyKind, IsLimbsWithoutASquareOfCells) {
+  EXPECT_EQ(kind(1, 1, 1, "1"), BodyKind::limbs);
+  EXPECT_EQ(kind(3, 1, 1, "121"), BodyKind::limbs);
+  EXPECT_EQ(kind(2, 2, 2, "11101000"), BodyKind::limbs) << "a tripod";
+  EXPECT_EQ(kind(3, 3, 1, "111101111"), BodyKind::limbs) << "a ring";
+  for (const char* name : {"l", "u", "s", "menger"}) EXPECT_EQ(kind_of_design(name), BodyKind::limbs) << name;
+}
+
+TEST(BodyKind, IsAFlatPlateInOneLayerAcrossAnyAxis) {
+  EXPECT_EQ(kind_of_design("plane"), BodyKind::flat_plate);
+  EXPECT_EQ(kind(2, 2, 1, "1111"), BodyKind::flat_plate);
+  EXPECT_EQ(kind(1, 2, 2, "1121"), BodyKind::flat_plate);
+  EXPECT_EQ(kind(3, 1, 3, "111110010"), BodyKind::flat_plate) << "upright, with a limb in its plane";
+}
+
+TEST(BodyKind, StandsOnLegsIfItsLowestLayerIsInNoSquare) {
+  for (const char* name : {"quadruped", "uneven_quadruped"}) EXPECT_EQ(kind_of_design(name), BodyKind::plate_on_legs) << name;
+  EXPECT_EQ(kind(3, 3, 3, "000101000000101000111111111"), BodyKind::plate_on_legs) << "legs of two cells";
+  EXPECT_EQ(kind(3, 3, 3, "000000000000101000111111111"), BodyKind::plate_on_legs) << "an empty layer below";
+  EXPECT_EQ(kind(3, 2, 2, "110000111111"), BodyKind::block) << "legs side by side are a square with the plate above";
+}
+
+TEST(BodyKind, TellsAPlateWithLimbsFromABlock) {
+  EXPECT_EQ(kind(3, 3, 2, "111111111000010000"), BodyKind::plate_with_limbs);
+  EXPECT_EQ(kind(3, 3, 3, "111111111000010000111111111"), BodyKind::plate_with_limbs);
+  EXPECT_EQ(kind(3, 3, 3, "000000000111111111000010000"), BodyKind::plate_with_limbs) << "an empty layer below";
+  EXPECT_EQ(kind_of_design("block"), BodyKind::block);
+  EXPECT_EQ(kind(2, 2, 2, "11111111"), BodyKind::block);
+}
+
+TEST(BodyKind, IsAnAggregateOfWhateverModulesAboveLevelOne) {
+  EXPECT_EQ(kind_of(Polycube::from_digits(1, 1, 1, "1"), 2), BodyKind::aggregate);
+}
+
+TEST(BodyKind, IsFoundByItsName) {
+  std::set<std::string_view> names;
+  for (const BodyKind kind : body_kinds) {
+    EXPECT_EQ(body_kind(to_string(kind)), kind);
+    names.insert(to_string(kind));
+    names.insert(name_of(kind));
+    names.insert(plural_name(kind));
+  }
+  EXPECT_EQ(names.size(), 3 * body_kind_count);
+  EXPECT_FALSE(body_kind("table"));
+}
+
+}  // namespace
+}  // namespace menger::voxel

@@ -1,0 +1,82 @@
+#include "voxel/model/body_kind.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace menger::voxel {
+namespace {
+
+using meshes::CellIndex;
+using meshes::Polycube;
+
+constexpr std::array<CellIndex, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+CellIndex moved(const CellIndex& cell, const CellIndex& by, int steps) {
+  return {cell.x + steps * by.x, cell.y + steps * by.y, cell.z + steps * by.z};
+}
+
+/// Whether a cell is one of four that form a square across two axes.
+bool is_in_square(const Polycube& body, const CellIndex& cell, const CellIndex& one, const CellIndex& other) {
+  const auto is_there = [&body](const CellIndex& at) { return body.at_or_empty(at) != meshes::empty; };
+  for (const int along_one : {-1, 1}) {
+    for (const int along_other : {-1, 1}) {
+      const CellIndex beside = moved(cell, one, along_one);
+      if (is_there(beside) && is_there(moved(cell, other, along_other)) && is_there(moved(beside, other, along_other)))
+        return true;
+    }
+  }
+  return false;
+}
+
+bool is_in_square(const Polycube& body, const CellIndex& cell) {
+  return is_in_square(body, cell, axes[0], axes[1]) || is_in_square(body, cell, axes[1], axes[2]) ||
+         is_in_square(body, cell, axes[2], axes[0]);
+}
+
+bool is_flat(const std::vector<CellIndex>& cells) {
+  const auto in_one_layer = [&cells](int CellIndex::*coordinate) {
+    return std::all_of(cells.begin(), cells.end(),
+                       [&](const CellIndex& cell) { return cell.*coordinate == cells.front().*coordinate; });
+  };
+  return in_one_layer(&CellIndex::x) || in_one_layer(&CellIndex::y) || in_one_layer(&CellIndex::z);
+}
+
+struct KindNames {
+  std::string_view word;
+  std::string_view name;
+  std::string_view plural;
+};
+
+constexpr ByBodyKind<KindNames> kind_names{{{"limbs", "a body of limbs", "bodies of limbs"},
+                                            {"flat_plate", "a flat plate", "flat plates"},
+                                            {"plate_on_legs", "a plate on legs", "plates on legs"},
+                                            {"plate_with_limbs", "a plate with limbs", "plates with limbs"},
+                                            {"block", "a block", "blocks"},
+                                            {"aggregate", "an aggregate", "aggregates"}}};
+
+const KindNames& names_of(BodyKind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
+
+}  // namespace
+
+BodyKind kind_of(const Polycube& basal_body, int level) {
+  if (level > 1) return BodyKind::aggregate;
+  const std::vector<CellIndex> cells = basal_body.occupied();  // the lowest layer first
+  const auto in_square = [&basal_body](const CellIndex& cell) { return is_in_square(basal_body, cell); };
+  const auto is_lowest = [&cells](const CellIndex& cell) { return cell.z == cells.front().z; };
+  if (std::none_of(cells.begin(), cells.end(), in_square)) return BodyKind::limbs;
+  if (is_flat(cells)) return BodyKind::flat_plate;
+  if (std::none_of(cells.begin(), cells.end(), [&](const CellIndex& cell) { return is_lowest(cell) && in_square(cell); }))
+    return BodyKind::plate_on_legs;
+  return std::all_of(cells.begin(), cells.end(), in_square) ? BodyKind::block : BodyKind::plate_with_limbs;
+}
+
+std::string_view to_string(BodyKind kind) { return names_of(kind).word; }
+std::string_view name_of(BodyKind kind) { return names_of(kind).name; }
+std::string_view plural_name(BodyKind kind) { return names_of(kind).plural; }
+
+std::optional<BodyKind> body_kind(std::string_view name) {
+  const auto found = std::find_if(body_kinds.begin(), body_kinds.end(), [&](BodyKind kind) { return to_string(kind) == name; });
+  return found == body_kinds.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace menger::voxel

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "meshes/design/polycube.h"
+
+namespace menger::voxel {
+
+/// The kind of a body, by which the errors of calibrated voxels differ: how its cells form plates, that is, squares of four cells
+/// in one plane, and what it stands on.
+enum class BodyKind {
+  limbs,             ///< no square: single cells, bars, bends, rings, frames
+  flat_plate,        ///< a square, and all cells in one layer
+  plate_on_legs,     ///< a square, but none with a cell of the lowest layer
+  plate_with_limbs,  ///< stands on a plate, and has a cell that is in no square
+  block,             ///< every cell is in a square
+  aggregate          ///< several modules, of any kind
+};
+inline constexpr std::size_t body_kind_count = 6;
+template <class Value>
+using ByBodyKind = std::array<Value, body_kind_count>;
+inline constexpr ByBodyKind<BodyKind> body_kinds{BodyKind::limbs,         BodyKind::flat_plate,
+                                                 BodyKind::plate_on_legs, BodyKind::plate_with_limbs,
+                                                 BodyKind::block,         BodyKind::aggregate};
+
+/// Returns the kind of the fractal of a basal body: the first of BodyKind, single modules before aggregates, that it is.
+/// @param level >= 1
+BodyKind kind_of(const meshes::Polycube& basal_body, int level);
+
+std::string_view to_string(BodyKind kind);    ///< in tables: "plate_on_legs"
+std::string_view name_of(BodyKind kind);      ///< for people, with its article: "a plate on legs"
+std::string_view plural_name(BodyKind kind);  ///< for people: "plates on legs"
+
+/// Returns the kind of this name in tables; nothing if there is none.
+std::optional<BodyKind> body_kind(std::string_view name);
+
+}  // namespace menger::voxel

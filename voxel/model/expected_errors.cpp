@@ -1,0 +1,162 @@
+#include "voxel/model/expected_errors.h"
+
+#include <cstdint>
+#include <sstream>
+
+#include "io/text/content_hash.h"
+#include "io/text/formatted.h"
+#include "io/text/joined_text.h"
+#include "voxel/model/surrogate_file.h"
+
+namespace menger::voxel {
+namespace {
+
+constexpr std::string_view warning = "warning: ";
+
+std::string percents(double fraction) { return io::formatted("%.2g %%", 100.0 * fraction); }
+
+std::string percents(const std::optional<double>& fraction) { return fraction ? percents(*fraction) : "an unknown share"; }
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::size_t count_in(const io::CsvContents& table, std::size_t row, std::string_view column) {
+  return static_cast<std::size_t>(table.number(row, column, io::non_negative()));
+}
+
+KindErrors kind_errors(const io::CsvContents& table, std::size_t row) {
+  KindErrors errors{.bodies = words_of(table.text(row, "bodies"))};
+  errors.displacements = count_in(table, row, "displacements");
+  errors.volumes = count_in(table, row, "volumes");
+  errors.displacement_median = table.optional_number(row, "displacement_median", io::non_negative());
+  errors.displacement_ninth_decile = table.optional_number(row, "displacement_ninth_decile", io::non_negative());
+  errors.volume_median = table.optional_number(row, "volume_median", io::non_negative());
+  errors.signs = count_in(table, row, "signs");
+  errors.wrong_signs = count_in(table, row, "wrong_signs");
+  return errors;
+}
+
+std::string bodies_text(std::size_t count) { return count == 1 ? "1 body" : std::to_string(count) + " bodies"; }
+
+bool is_bad(const KindErrors& errors) { return !errors.displacement_median || *errors.displacement_median > largest_good_error; }
+
+/// "9 % in displacement, 4 % in chamber volume (median of 7 bodies that no fit has seen; one displacement in ten ...)"
+std::string errors_text(const KindErrors& errors) {
+  std::string text = percents(errors.displacement_median) + " in displacement";
+  if (errors.volumes > 0) text += " and " + percents(errors.volume_median) + " in chamber volume";
+  text += " (median over " + bodies_text(errors.bodies.size()) + " of this kind that no fit has seen; one displacement in ten ";
+  return text +
+         (errors.displacement_ninth_decile ? "is off by more than " + percents(*errors.displacement_ninth_decile)
+                                           : "has no value") +
+         ")";
+}
+
+std::string signs_text(const KindErrors& errors) {
+  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements went the wrong way";
+}
+
+void add_warnings(std::vector<std::string>& lines, BodyKind kind, const KindErrors& errors) {
+  const std::string of_kind = " of " + std::string(plural_name(kind));
+  if (is_bad(errors))
+    lines.push_back(std::string(warning) + "the voxels are a poor model" + of_kind +
+                    ": the median error in displacement is above " + percents(largest_good_error));
+  if (errors.wrong_signs > 0) lines.push_back(std::string(warning) + signs_text(errors) + " on bodies of this kind");
+}
+
+std::string no_validation_of(BodyKind kind) {
+  return std::string(warning) + "no validation of these parameters covers " + std::string(plural_name(kind)) +
+         ": the error is unknown";
+}
+
+constexpr const char* about_shape = "this is the error of shapes in equilibrium; how far a body walks can be off by much more";
+
+}  // namespace
+
+std::string hash_of(const SurrogateParameters& parameters) { return io::content_hash(surrogate_text(parameters)); }
+
+io::CsvTable expected_errors_table(const ExpectedErrors& errors) {
+  io::CsvTable table({"kind", "displacement_median", "displacement_ninth_decile", "volume_median", "displacements", "volumes",
+                      "signs", "wrong_signs", "body_count", "bodies", "parameters_sha256"});
+  for (const BodyKind kind : body_kinds) {
+    const std::optional<KindErrors>& of_kind = errors.of(kind);
+    if (!of_kind) continue;
+    const auto number = [](std::size_t count) { return std::uint64_t{count}; };
+    table.add_row(to_string(kind), of_kind->displacement_median, of_kind->displacement_ninth_decile, of_kind->volume_median,
+                  number(of_kind->displacements), number(of_kind->volumes), number(of_kind->signs), number(of_kind->wrong_signs),
+                  number(of_kind->bodies.size()), io::joined(of_kind->bodies, " "), errors.parameters_hash);
+  }
+  return table;
+}
+
+std::filesystem::path expected_errors_file(const std::filesystem::path& parameters_file) {
+  return std::filesystem::path(parameters_file).replace_extension(".errors.csv");
+}
+
+std::optional<ExpectedErrors> read_expected_errors(const std::filesystem::path& parameters_file) {
+  const std::filesystem::path file = expected_errors_file(parameters_file);
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  const io::CsvContents table = io::read_csv(file);
+  ExpectedErrors errors;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const std::string& word = table.text(row, "kind");
+    const std::optional<BodyKind> kind = body_kind(word);
+    const std::string& hash = table.text(row, "parameters_sha256");
+    if (!kind) throw io::InputError(file.string() + ": kind = \"" + word + "\": is no kind of body");
+    if (row > 0 && hash != errors.parameters_hash)
+      throw io::InputError(file.string() + ": parameters_sha256 = \"" + hash + "\": is not that of the first row");
+    errors.parameters_hash = hash;
+    std::optional<KindErrors>& of_kind = errors.kinds.at(static_cast<std::size_t>(*kind));
+    if (of_kind) throw io::InputError(file.string() + ": kind = \"" + word + "\": is there twice");
+    of_kind = kind_errors(table, row);
+  }
+  return errors;
+}
+
+KnownErrors known_errors(const SurrogateParameters& parameters, const std::optional<std::filesystem::path>& parameters_file) {
+  if (!parameters_file) return {.missing = "the parameters come without a file, beside which a table of errors could lie"};
+  KnownErrors known{.errors = read_expected_errors(*parameters_file)};
+  const std::string place = parameters_file->filename().string();
+  if (!known.errors) {
+    known.missing = "no table of errors lies beside " + place + ", which menger validate --keep would write";
+  } else if (known.errors->parameters_hash != hash_of(parameters)) {
+    known.missing = "the table of errors beside " + place + " is that of other values";
+    known.errors.reset();
+  }
+  return known;
+}
+
+std::vector<std::string> expected_error_text(const KnownErrors& known, const CalibratedBody& calibrated,
+                                             const meshes::Polycube& basal_body) {
+  if (!known.errors) return {std::string(warning) + "the error of these parameters is unknown: " + known.missing};
+  const BodyKind kind = kind_of(basal_body, calibrated.level);
+  const std::optional<KindErrors>& errors = known.errors->of(kind);
+  if (!errors) return {no_validation_of(kind)};
+  std::vector<std::string> lines{"expected error for " + std::string(name_of(kind)) + ": " + errors_text(*errors) + "; " +
+                                 about_shape};
+  add_warnings(lines, kind, *errors);
+  for (const std::string& fault : outside_validity(calibrated, basal_body))
+    lines.push_back(std::string(warning) + "no validation covers this body: " + fault);
+  return lines;
+}
+
+std::vector<std::string> expected_error_text(const KnownErrors& known, bool has_aggregates) {
+  if (!known.errors) return {std::string(warning) + "the error of the voxels is unknown: " + known.missing};
+  std::vector<std::string> lines{std::string("expected errors of the voxels, by kind of body; ") + about_shape};
+  for (const BodyKind kind : body_kinds) {
+    if (kind == BodyKind::aggregate && !has_aggregates) continue;
+    const std::optional<KindErrors>& errors = known.errors->of(kind);
+    if (!errors) {
+      lines.push_back(no_validation_of(kind));
+      continue;
+    }
+    lines.push_back("  " + std::string(plural_name(kind)) + ": " + errors_text(*errors));
+    add_warnings(lines, kind, *errors);
+  }
+  return lines;
+}
+
+}  // namespace menger::voxel
