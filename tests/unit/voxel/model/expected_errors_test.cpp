@@ -160,7 +160,8 @@ TEST(ShippedErrors, AreThoseOfTheParametersThatTheyLieBeside) {
     EXPECT_TRUE(known.errors) << name << ": " << known.missing << "; run menger validate --keep";
     found.push_back(name);
   }
-  for (const char* name : {"dragon_skin_10_1cm"}) EXPECT_TRUE(std::ranges::find(found, name) != found.end()) << name;
+  for (const char* name : {"dragon_skin_10_1cm", "ecoflex_00_30_12mm"})
+    EXPECT_TRUE(std::ranges::find(found, name) != found.end()) << name;
 }
 
 }  // namespace
