@@ -13,7 +13,11 @@ namespace {
 
 constexpr std::string_view warning = "warning: ";
 
-std::string percents(double fraction) { return io::formatted("%.2g %%", 100.0 * fraction); }
+/// Two significant digits, and all of those before the point.
+std::string percents(double fraction) {
+  const double percent = 100.0 * fraction;
+  return io::formatted(percent < 9.95 ? "%.2g %%" : "%.0f %%", percent);
+}
 
 std::string percents(const std::optional<double>& fraction) { return fraction ? percents(*fraction) : "an unknown share"; }
 
@@ -44,27 +48,25 @@ std::string bodies_text(std::size_t count) { return count == 1 ? "1 body" : std:
 
 bool is_bad(const KindErrors& errors) { return !errors.displacement_median || *errors.displacement_median > largest_good_error; }
 
-/// "9 % in displacement, 4 % in chamber volume (median of 7 bodies that no fit has seen; one displacement in ten ...)"
-std::string errors_text(const KindErrors& errors) {
-  std::string text = percents(errors.displacement_median) + " in displacement";
-  if (errors.volumes > 0) text += " and " + percents(errors.volume_median) + " in chamber volume";
-  text += " (median over " + bodies_text(errors.bodies.size()) + " of this kind that no fit has seen; one displacement in ten ";
-  return text +
-         (errors.displacement_ninth_decile ? "is off by more than " + percents(*errors.displacement_ninth_decile)
-                                           : "has no value") +
-         ")";
+/// "9 % in displacement and 4 % in chamber volume"
+std::string medians_text(const KindErrors& errors) {
+  const std::string displacement = percents(errors.displacement_median) + " in displacement";
+  return errors.volumes > 0 ? displacement + " and " + percents(errors.volume_median) + " in chamber volume" : displacement;
 }
 
-std::string signs_text(const KindErrors& errors) {
-  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements went the wrong way";
+std::string ninth_decile_text(const KindErrors& errors) {
+  return "one displacement in ten " + (errors.displacement_ninth_decile
+                                           ? "is off by more than " + percents(*errors.displacement_ninth_decile)
+                                           : std::string("has no value"));
 }
 
-void add_warnings(std::vector<std::string>& lines, BodyKind kind, const KindErrors& errors) {
-  const std::string of_kind = " of " + std::string(plural_name(kind));
-  if (is_bad(errors))
-    lines.push_back(std::string(warning) + "the voxels are a poor model" + of_kind +
-                    ": the median error in displacement is above " + percents(largest_good_error));
-  if (errors.wrong_signs > 0) lines.push_back(std::string(warning) + signs_text(errors) + " on bodies of this kind");
+std::string poor_model_of(BodyKind kind) {
+  return std::string(warning) + "the voxels are a poor model of " + std::string(plural_name(kind)) +
+         ": the median error in displacement is above " + percents(largest_good_error);
+}
+
+std::string wrong_signs_text(const KindErrors& errors) {
+  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs);
 }
 
 std::string no_validation_of(BodyKind kind) {
@@ -135,9 +137,13 @@ std::vector<std::string> expected_error_text(const KnownErrors& known, const Cal
   const BodyKind kind = kind_of(basal_body, calibrated.level);
   const std::optional<KindErrors>& errors = known.errors->of(kind);
   if (!errors) return {no_validation_of(kind)};
-  std::vector<std::string> lines{"expected error for " + std::string(name_of(kind)) + ": " + errors_text(*errors) + "; " +
-                                 about_shape};
-  add_warnings(lines, kind, *errors);
+  std::vector<std::string> lines{"expected error for " + std::string(name_of(kind)) + ": " + medians_text(*errors) +
+                                 " (median over " + bodies_text(errors->bodies.size()) + " of this kind that no fit has seen; " +
+                                 ninth_decile_text(*errors) + "); " + about_shape};
+  if (is_bad(*errors)) lines.push_back(poor_model_of(kind));
+  if (errors->wrong_signs > 0)
+    lines.push_back(std::string(warning) + wrong_signs_text(*errors) +
+                    " displacements went the wrong way on bodies of this kind");
   for (const std::string& fault : outside_validity(calibrated, basal_body))
     lines.push_back(std::string(warning) + "no validation covers this body: " + fault);
   return lines;
@@ -145,17 +151,26 @@ std::vector<std::string> expected_error_text(const KnownErrors& known, const Cal
 
 std::vector<std::string> expected_error_text(const KnownErrors& known, bool has_aggregates) {
   if (!known.errors) return {std::string(warning) + "the error of the voxels is unknown: " + known.missing};
-  std::vector<std::string> lines{std::string("expected errors of the voxels, by kind of body; ") + about_shape};
+  std::vector<std::string> lines{
+      std::string("expected errors of the voxels, by kind of body (medians over bodies that no fit has seen); ") + about_shape};
+  std::vector<std::string> warnings;
+  std::vector<std::string> wrong_signs;
   for (const BodyKind kind : body_kinds) {
     if (kind == BodyKind::aggregate && !has_aggregates) continue;
     const std::optional<KindErrors>& errors = known.errors->of(kind);
     if (!errors) {
-      lines.push_back(no_validation_of(kind));
+      warnings.push_back(no_validation_of(kind));
       continue;
     }
-    lines.push_back("  " + std::string(plural_name(kind)) + ": " + errors_text(*errors));
-    add_warnings(lines, kind, *errors);
+    const std::string plural(plural_name(kind));
+    lines.push_back("  " + plural + ": " + medians_text(*errors) + " (" + bodies_text(errors->bodies.size()) + "; " +
+                    ninth_decile_text(*errors) + ")");
+    if (is_bad(*errors)) warnings.push_back(poor_model_of(kind));
+    if (errors->wrong_signs > 0) wrong_signs.push_back(plural + " (" + wrong_signs_text(*errors) + ")");
   }
+  lines.insert(lines.end(), warnings.begin(), warnings.end());
+  if (!wrong_signs.empty())
+    lines.push_back(std::string(warning) + "displacements went the wrong way on " + io::joined(wrong_signs));
   return lines;
 }
 

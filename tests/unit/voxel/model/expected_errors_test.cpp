@@ -78,6 +78,15 @@ TEST_F(ErrorsBesideParameters, AreThoseOfTheKindOfABody) {
       << lines.front();
 }
 
+TEST_F(ErrorsBesideParameters, HaveNoPowersOfTenForPeople) {
+  ExpectedErrors errors = example_errors();
+  errors.kinds[static_cast<std::size_t>(BodyKind::limbs)]->displacement_median = 0.0995;
+  errors.kinds[static_cast<std::size_t>(BodyKind::limbs)]->displacement_ninth_decile = 1.389;
+  const std::string line = expected_error_text({.errors = errors}, example_body(), bar).front();
+  EXPECT_NE(line.find("10 % in displacement"), std::string::npos) << line;
+  EXPECT_NE(line.find("more than 139 %"), std::string::npos) << line;
+}
+
 TEST_F(ErrorsBesideParameters, WarnOfLargeErrorsAndWrongSigns) {
   const std::vector<std::string> lines = expected_error_text(known(), example_body(), plate);
   EXPECT_TRUE(has_warning(lines, "the voxels are a poor model of flat plates")) << io::joined(lines, "\n");
@@ -110,6 +119,7 @@ TEST_F(ErrorsBesideParameters, AreListedByKindForASearch) {
   EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& line) { return line.starts_with("  "); }), 2);
   EXPECT_TRUE(has_warning(lines, "covers blocks"));
   EXPECT_TRUE(has_warning(lines, "poor model of flat plates"));
+  EXPECT_TRUE(has_warning(lines, "displacements went the wrong way on flat plates (3 of 8)"));
   EXPECT_FALSE(has_warning(lines, "covers aggregates"));
   EXPECT_TRUE(has_warning(expected_error_text(known(), true), "covers aggregates"));
 }
