@@ -42,6 +42,7 @@ SelfContact::SelfContact(const meshes::HexahedralMesh& mesh, double stiffness_Pa
 void SelfContact::moved(double travel_m) {
   approach_ += 2.0 * travel_m;
   path_ += 2.0 * travel_m;
+  followed_path_ += 2.0 * travel_m;
   if (is_near_) largest_travel_ = std::max(largest_travel_, travel_m);
 }
 
@@ -67,7 +68,11 @@ void SelfContact::find_touches(std::span<const double> positions_m, const BlockL
     }
   });
   loop.run(found_.size(), candidates_per_block, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) found_[n] = touch_of(n, past);
+    for (std::size_t n = begin; n < end; ++n) {
+      if (followed_path_ < clear_until_[n]) continue;
+      found_[n] = touch_of(n, past);
+      if (!found_[n]) clear_until_[n] = followed_path_ + smallest_distance_m(n);
+    }
   });
   set_memories(past);
   set_forces();
@@ -93,6 +98,8 @@ void SelfContact::look(std::vector<Point> points, const BlockLoop& loop) {
   is_near_ = gap_ < 0.5 * reach_m();
   if (is_near_ && is_followed) return;
   found_.assign(is_near_ ? candidates_.nodes.size() : 0, std::nullopt);
+  followed_path_ = 0.0;
+  clear_until_.assign(found_.size(), 0.0);
   follow_candidates();
 }
 
@@ -116,6 +123,15 @@ void SelfContact::follow_candidates() {
     followed_nodes_.insert(followed_nodes_.end(), surfaces_.face(face).begin(), surfaces_.face(face).end());
   make_unique(followed_nodes_);
   for (const std::uint32_t node : followed_nodes_) followed_mesh_nodes_.push_back(surfaces_.mesh_node(node));
+}
+
+/// Returns the smallest distance of a candidate from its faces; at most the reach, m.
+double SelfContact::smallest_distance_m(std::size_t candidate) const {
+  const Point& point = points_[candidates_.nodes[candidate]];
+  double smallest_square = reach_m() * reach_m();
+  for (std::size_t f = candidates_.offsets[candidate]; f < candidates_.offsets[candidate + 1]; ++f)
+    smallest_square = smaller_square_m2(smallest_square, surfaces_.corners(candidates_.faces[f], points_), point);
+  return std::sqrt(smallest_square);
 }
 
 std::optional<SelfContact::Found> SelfContact::touch_of(std::size_t candidate, const ContactPast* past) const {

@@ -90,7 +90,8 @@ struct SelfTouch {
 /// While nothing can touch, the cost is one comparison: a node and a face at a distance d cannot meet before they have approached
 /// each other by d. Paths bound that: twice the largest one. Where the paths are long enough, the distances of pairs that were
 /// near are measured anew, and the displacements of the others are looked up, since parts that lie near each other move together
-/// and bodies swing back; only where neighbours have approached each other too far, the search runs again.
+/// and bodies swing back; only where neighbours have approached each other too far, the search runs again. Where some pairs are
+/// near, each node that is behind no face is passed over in the same way until it may have come to its nearest face.
 class SelfContact {
  public:
   /// @param with_outside false: only the walls of chambers are searched
@@ -145,6 +146,7 @@ class SelfContact {
   };
   void look(std::vector<Point> points, const BlockLoop& loop);
   void follow_candidates();
+  [[nodiscard]] double smallest_distance_m(std::size_t candidate) const;
   [[nodiscard]] std::optional<Found> touch_of(std::size_t candidate, const ContactPast* past) const;
   [[nodiscard]] double spring_N_per_m(std::size_t node, std::size_t face, const std::array<double, 4>& weights) const;
   [[nodiscard]] ContactMemory memory_behind(std::size_t node, std::size_t face, double depth_m, double spring_N_per_m,
@@ -170,10 +172,12 @@ class SelfContact {
   double approach_ = std::numeric_limits<double>::infinity();  // since the last search; infinite: there was none
   double path_ = 0.0;                                          // since distances were measured
   double gap_ = 0.0;                                           // the smallest distance of candidates then
+  double followed_path_ = 0.0;                                 // since the candidates are followed
   std::size_t searches_ = 0;
   double largest_depth_ = 0.0;
   double largest_travel_ = 0.0;
   std::vector<std::optional<Found>> found_;  // per candidate node
+  std::vector<double> clear_until_;          // per candidate node that touches nothing: the followed path before which it cannot
   std::vector<SelfTouch> touches_;
   std::vector<ContactMemory> memories_;
   std::vector<double> forces_;

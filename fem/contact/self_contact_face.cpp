@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "fem/surfaces/face_tree.h"
+
 namespace menger::fem {
 namespace {
 
@@ -83,6 +85,13 @@ NearestOnFace nearest_on_face(const FaceCorners& corners, const Point& point) {
     nearest.weights[next] += w[1];
   }
   return nearest;
+}
+
+double smaller_square_m2(double square_m2, const FaceCorners& corners, const Point& point) {
+  Box box;
+  for (const Point& corner : corners) box.add(corner);
+  if (squared_distance(point, box) >= square_m2) return square_m2;
+  return std::min(square_m2, nearest_on_face(corners, point).distance_square_m2);
 }
 
 }  // namespace menger::fem

@@ -26,6 +26,9 @@ struct NearestOnFace {
 /// from it by at most a quarter of a corner's height over the mean plane. Of several nearest points it returns the first.
 NearestOnFace nearest_on_face(const FaceCorners& corners, const Point& point);
 
+/// Returns the smaller of two squares, m^2: a given one, and that of the distance between a face and a point.
+double smaller_square_m2(double square_m2, const FaceCorners& corners, const Point& point);
+
 /// The area of a face times its mean normal, m^2.
 inline Point area_vector(const FaceCorners& corners) {
   return scaled(0.5, cross(difference(corners[2], corners[0]), difference(corners[3], corners[1])));

@@ -242,13 +242,8 @@ double ContactSearch::smallest_distance_m(const ContactCandidates& candidates, s
   double smallest_square = reach_m_ * reach_m_;
   for (std::size_t n = 0; n < candidates.nodes.size(); ++n) {
     const Point& point = points[candidates.nodes[n]];
-    for (std::size_t f = candidates.offsets[n]; f < candidates.offsets[n + 1]; ++f) {
-      const FaceCorners corners = surfaces_.corners(candidates.faces[f], points);
-      Box box;
-      for (const Point& corner : corners) box.add(corner);
-      if (squared_distance(point, box) >= smallest_square) continue;
-      smallest_square = std::min(smallest_square, nearest_on_face(corners, point).distance_square_m2);
-    }
+    for (std::size_t f = candidates.offsets[n]; f < candidates.offsets[n + 1]; ++f)
+      smallest_square = smaller_square_m2(smallest_square, surfaces_.corners(candidates.faces[f], points), point);
   }
   return std::sqrt(smallest_square);
 }

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <set>
+#include <vector>
 
 #include "tests/unit/fem/contact/contact_samples.h"
 
@@ -372,6 +376,55 @@ TEST(SelfContact, OldSearchesMissNothing) {
   }
   EXPECT_EQ(followed.search_count(), 1U);
   EXPECT_EQ(followed.touches().size(), 50U);
+}
+
+// A node in front of its nearest face is passed over while paths are shorter than its distance, even if it jumps without a path.
+TEST(SelfContact, NodesInFrontOfFacesArePassedOverUntilTheyMayHaveMet) {
+  const meshes::HexahedralMesh mesh = two_blocks();
+  SelfContact contact(mesh, stiffness);
+  contact.find_touches(lowered(mesh, 4e-3 - 0.3 * edge), alone);
+  ASSERT_TRUE(contact.is_awake());
+  const std::vector<double> touching = lowered(mesh, 4e-3 + 0.1 * edge);
+  contact.moved(0.14 * edge);
+  contact.find_touches(touching, alone);
+  EXPECT_TRUE(contact.touches().empty()) << "each side may have moved by 0.14 of the gap of 0.3 edges";
+  contact.moved(0.02 * edge);
+  contact.find_touches(touching, alone);
+  EXPECT_EQ(contact.touches().size(), 50U);
+  EXPECT_EQ(contact.search_count(), 1U);
+}
+
+// The upper block comes down askew, so that its nodes meet the lower one after each other and are passed over for different
+// paths, and lifts off again.
+TEST(SelfContact, PassingOverMissesNoTouch) {
+  const meshes::HexahedralMesh mesh = two_blocks();
+  const auto askew = [&](double by) {
+    return mapped(mesh, [&](const Point& X) {
+      const double down = by + 0.1 * (X[0] - 4e-3) * by / 4e-3 + 0.05 * X[1] * by / 4e-3;
+      if (X[0] > 9e-3) return sum(X, {0.0, 0.0, -X[2] / 12e-3 * down});
+      return X[2] > 7e-3 ? sum(X, {0.0, 0.0, -down}) : X;
+    });
+  };
+  SelfContact followed(mesh, stiffness);
+  double by = 4e-3 - 0.35 * edge;
+  followed.find_touches(askew(by), alone);
+  std::size_t most = 0;
+  std::set<std::size_t> counts;
+  for (const double way : {0.03 * edge, -0.02 * edge}) {
+    for (std::size_t step = 0; step < 18; ++step) {
+      by += way;
+      followed.moved(0.65 * std::abs(way));  // against the middle of both, where the block comes down fastest
+      followed.find_touches(askew(by), alone);
+      SelfContact fresh(mesh, stiffness);
+      fresh.find_touches(askew(by), alone);
+      EXPECT_EQ(followed.touches().size(), fresh.touches().size()) << by;
+      EXPECT_EQ(followed.energy_J(), fresh.energy_J());
+      most = std::max(most, followed.touches().size());
+      counts.insert(followed.touches().size());
+    }
+  }
+  EXPECT_GT(most, 20U);
+  EXPECT_GT(counts.size(), 4U) << "nodes meet after each other";
 }
 
 TEST(ContactSearch, FollowsTheBodyWithTheTreesOfItsStart) {
