@@ -15,6 +15,7 @@
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/report/confirmation.h"
+#include "evolution/report/cost_table.h"
 #include "evolution/report/generation_summary.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
@@ -28,6 +29,7 @@
 #include "io/process/progress.h"
 #include "io/process/study_help.h"
 #include "io/text/content_hash.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/whole_file.h"
@@ -80,17 +82,48 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   return io::parse_arguments(app, argc, argv);
 }
 
+/// Counts what a search with a budget has cost.
+class Expenses {
+ public:
+  Expenses(const RunView& run, std::optional<Budget> budget) : run_(&run), budget_(budget) {
+    const int last = run.archive->last_generation().value_or(-1);
+    for (int generation = 0; generation <= last; ++generation) add(generation);
+  }
+
+  /// Counts a finished generation.
+  void add(int generation) {
+    if (budget_) spent_ += counted_cost(generation_cost(*run_, generation), *budget_);
+  }
+
+  [[nodiscard]] bool reach_the_budget() const { return budget_ && spent_ >= budget_->element_steps; }
+
+  /// Returns the share of the budget for people; empty without one.
+  [[nodiscard]] std::string text() const {
+    if (!budget_) return "";
+    return io::formatted("%.0f", 100.0 * spent_ / budget_->element_steps) + " % of the budget";
+  }
+
+ private:
+  const RunView* run_;
+  std::optional<Budget> budget_;
+  double spent_ = 0.0;  ///< element-steps
+};
+
 /// Prints progress and results while the search runs.
 class Log {
  public:
-  Log(RunView run, int goal) : run_(std::move(run)), goal_(goal) {}
+  Log(RunView run, const Expenses& expenses, int goal) : run_(std::move(run)), expenses_(expenses), goal_(goal) {}
 
   void generation_done(const GenerationRecord& record) {
     bar_.reset();
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
     const double remaining_s = elapsed_s / ++done_ * (goal_ - record.number);
     std::string time = io::duration_text(record.seconds);
-    if (record.number < goal_) time += ", " + io::duration_text(remaining_s) + " left";
+    if (const std::string share = expenses_.text(); !share.empty()) {
+      time += ", " + share;
+    } else if (record.number < goal_) {
+      time += ", " + io::duration_text(remaining_s) + " left";
+    }
     std::cout << summary_line(run_, summarise_generation(run_, record.number), time) << "\n";
     if (const auto& checks = run_.plan.step_checks; checks && record.number % checks->every == 0) {
       std::cout << step_check_text(
@@ -113,13 +146,14 @@ class Log {
 
   void screened(const ScreeningRound& round) {
     bar_.reset();
-    std::cout << screening_text(round) << std::flush;
+    std::cout << screening_text(round, run_.plan.screening.value()) << std::flush;
   }
 
   void close() { bar_.reset(); }
 
  private:
   RunView run_;
+  const Expenses& expenses_;
   int goal_;
   int done_ = 0;
   std::size_t total_ = 0;
@@ -197,7 +231,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 io::RunStatus confirm_best(const Arguments& arguments, const Study& study, RunArchive& archive, io::Manifest& manifest) {
   const auto start = Clock::now();
   bool has_walked = false;
-  ConfirmationOptions options{.threads = arguments.threads, .stop = &io::interrupted()};
+  WalksAgainOptions options{.threads = arguments.threads, .stop = &io::interrupted()};
   std::unique_ptr<io::Progress> bar;
   options.progress = [&](std::size_t done, std::size_t total) {
     has_walked = true;
@@ -236,9 +270,8 @@ void set_scenarios(RunArchive& archive, const Study& study, const DesignEvaluato
 int evolve(const Arguments& arguments) {
   Study study = read_study(arguments.study, arguments.overrides);
   require_memory(study, arguments.threads);
-  const std::unique_ptr<DesignEvaluator> evaluator = evaluator_of(study);
+  const auto [evaluator, screening] = search_evaluators_of(study);
   const std::unique_ptr<DesignEvaluator> half_step = half_step_evaluator_of(study);
-  const std::unique_ptr<DesignEvaluator> surrogate = screening_evaluator_of(study);
   io::Manifest manifest{
       .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
@@ -253,12 +286,13 @@ int evolve(const Arguments& arguments) {
   for (const std::string& note : study_notes(study)) std::cout << "note: " << note << "\n";
   for (const std::string& line : errors ? errors->text : std::vector<std::string>{}) std::cout << line << "\n";
   const auto last = archive.last_generation();
-  const bool finished = last && *last >= study.search.generations;
+  Expenses expenses(run, study.budget);
+  const bool finished = last && (*last >= study.search.generations || expenses.reach_the_budget());
   if (finished) {
     std::cout << arguments.archive.string() << " already has generations 0 to " << *last << ": nothing to do\n";
   } else {
     std::cout << (last ? "resuming " : "writing ") << arguments.archive.string() << ": up to generation "
-              << study.search.generations << ", on " << arguments.threads
+              << study.search.generations << (study.budget ? " or the end of the budget" : "") << ", on " << arguments.threads
               << (arguments.threads == 1 ? " thread\n" : " threads\n");
   }
   std::cout << summary_header(run) << std::endl;
@@ -268,16 +302,20 @@ int evolve(const Arguments& arguments) {
   io::catch_interrupts();
   if (!finished) {
     io::remove_if_there(confirmation_file(arguments));  // of an earlier run
-    Log log(run, study.search.generations);
+    Log log(run, expenses, study.search.generations);
     SearchOptions options;
     options.threads = arguments.threads;
     options.stop = &io::interrupted();
-    options.generation_done = [&](const GenerationRecord& record) { log.generation_done(record); };
+    options.generation_done = [&](const GenerationRecord& record) {
+      expenses.add(record.number);
+      log.generation_done(record);
+    };
+    options.ends_with = [&](int) { return expenses.reach_the_budget(); };
     options.progress = [&](const SearchProgress& progress) { log.progress(progress); };
     options.screened = [&](const ScreeningRound& round) { log.screened(round); };
     const auto start = Clock::now();
     status = run_search(study.search, *evaluator, archive, options, study.search.step_checks ? half_step.get() : nullptr,
-                        surrogate.get());
+                        screening.get());
     log.close();
     manifest.seconds = seconds_since(start);
     write_manifest(arguments, manifest);

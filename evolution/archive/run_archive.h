@@ -129,8 +129,9 @@ class RunArchive {
   /// The version of the tables and of the keys of studies. The studies of archives of earlier versions have earlier names of
   /// keys, or lack keys: such an archive can be read, and re-evaluations can be added to it, but no search continues with it.
   /// Version 2 had no re-evaluations; the first one turns it into version 3. Version 5 had no model of evaluation, and no
-  /// displacements by period. Version 6 had no scenarios.
-  static constexpr int schema_version = 7;
+  /// displacements by period. Version 6 had no scenarios. In version 7 a body that had fallen `diverged`,
+  /// without displacements.
+  static constexpr int schema_version = 8;
 
   /// Opens the archive of a study for writing. Makes it if there is none.
   /// @param study identity_text of the study

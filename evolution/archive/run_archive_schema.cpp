@@ -95,6 +95,7 @@ CREATE TABLE reevaluation (
 constexpr int version_without_reevaluations = 2;
 constexpr int first_version_with_reevaluations = 3;
 constexpr int last_version_of_other_keys = 5;
+constexpr int first_version_with_present_keys = 7;
 
 int version_of(const SQLite::Database& connection) {
   SQLite::Statement row(connection, "PRAGMA user_version");
@@ -232,7 +233,8 @@ void require_present_keys(const fs::path& file, SQLite::Database& connection) {
   refuse_archive(file,
                  "is an archive of schema version " + std::to_string(version) + ", " +
                      (was_corrected ? "of a search that a table [reference] corrected, which finite elements do not do any more"
-                                    : "with earlier keys of studies") +
+                      : version < first_version_with_present_keys ? "with earlier keys of studies"
+                                                                  : "in which bodies that fell have no displacements") +
                      ": menger export and menger reevaluate can read it, but no search can be resumed from it; choose "
                      "another archive");
 }

@@ -26,11 +26,11 @@ struct Evaluation {
   std::optional<std::array<double, 3>> displacement_m;
 
   /// Net displacement over the evaluation that is not in displacement_m, in metres. It exists only if not all of the evaluation
-  /// counts and the status is `completed`.
+  /// counts and the status is `completed`, or with all of the displacement if it is `fell`.
   std::optional<std::array<double, 3>> left_out_m{};
 
-  /// Displacement in each whole period of the drive. Empty if the evaluator does not measure them, or the status is not
-  /// `completed`.
+  /// Displacement in each whole period of the drive. Empty if the evaluator does not measure them, or the status is neither
+  /// `completed` nor `fell`.
   PeriodDisplacements period_displacements_m{};
 
   /// Where the evaluator's model left its range of validity: sentences joined by "; ", empty if nowhere. A result outside of the

@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <numbers>
-#include <set>
-#include <utility>
 
-#include "evolution/evaluation/scenario_evaluator.h"
-#include "evolution/evaluation/worker_pool.h"
-#include "evolution/genome/robot_form.h"
 #include "evolution/report/study_view.h"
-#include "io/text/content_hash.h"
 #include "io/text/formatted.h"
 
 namespace menger::evolution {
@@ -26,34 +19,6 @@ std::unique_ptr<DesignEvaluator> evaluator_on(const Study& study, fem::Fidelity 
   Study finer = study;
   finer.silicone.elements.fidelity = fidelity;
   return evaluator_of(finer);
-}
-
-/// Returns the best designs that differ by more than their pose, the best first.
-std::vector<FitDesign> different_robots(const Study& study, const RunArchive& archive, std::size_t most) {
-  const Distinction distinction = distinction_of(study);
-  std::vector<FitDesign> robots;
-  std::set<std::string> forms;
-  for (FitDesign& design : archive.fit_designs()) {
-    if (robots.size() == most) break;
-    if (forms.insert(robot_form(design.phenotype.body, distinction)).second) robots.push_back(std::move(design));
-  }
-  return robots;
-}
-
-/// A walk that is to be made.
-struct Order {
-  Reevaluation row;
-  std::size_t evaluator = 0;
-};
-
-/// The walks that an archive has, by design and protocol.
-using MadeWalks = std::map<std::pair<std::string, std::string>, Evaluation>;
-
-MadeWalks walks_in(const RunArchive& archive) {
-  MadeWalks made;
-  for (const Reevaluation& one : archive.reevaluations())
-    if (one.has_result && one.result.status != io::RunStatus::stopped) made[{one.design_hash, one.protocol}] = one.result;
-  return made;
 }
 
 std::optional<double> largest_angle_deg(const KnownResults& search, const KnownResults& finer) {
@@ -69,78 +34,30 @@ std::optional<double> largest_angle_deg(const KnownResults& search, const KnownR
   return largest;
 }
 
-/// Returns the walks of a robot in all scenarios on one fidelity; nothing if some are not made.
-std::optional<KnownResults> results_on(const std::vector<std::string>& protocols, const std::string& design,
-                                       const MadeWalks& made) {
-  KnownResults results;
-  for (std::size_t scenario = 0; scenario < protocols.size(); ++scenario) {
-    const auto found = made.find({design, protocols[scenario]});
-    if (found == made.end()) return std::nullopt;
-    results[{level, scenario}] = found->second;
-  }
-  return results;
-}
-
-std::string first_reason(const KnownResults& results) {
-  const auto failed = std::ranges::find_if(results, [](const auto& one) { return !one.second.displacement_m; });
-  return failed == results.end() ? "" : failed->second.reason;
-}
-
 }  // namespace
 
-io::RunStatus confirm(const Study& study, RunArchive& archive, const ConfirmationOptions& options) {
-  const MadeWalks made = walks_in(archive);
-  std::vector<std::unique_ptr<DesignEvaluator>> evaluators;
-  std::vector<Order> orders;
-  std::vector<EvaluationTask> tasks;
-  const std::vector<FitDesign> robots = different_robots(study, archive, study.confirm);
+io::RunStatus confirm(const Study& study, RunArchive& archive, const WalksAgainOptions& options) {
+  std::vector<WalksAgain> asked;
   for (const fem::Fidelity fidelity : finer_fidelities(study)) {
-    Study finer = study;
-    finer.silicone.elements.fidelity = fidelity;
-    std::vector<std::unique_ptr<DesignEvaluator>> scenarios = scenario_evaluators_of(finer);
-    for (std::unique_ptr<DesignEvaluator>& scenario : scenarios) {
-      const std::string protocol = scenario->physics();
-      for (const FitDesign& robot : robots) {
-        const Phenotype simulated = as_simulated(study.search, robot.phenotype);
-        Order order{{.design_hash = design_hash(simulated, level),
-                     .level = level,
-                     .protocol = protocol,
-                     .variant = "confirmed on " + std::string(to_string(fidelity)) + " elements",
-                     .duration_s = study.duration_s,
-                     .result = {}},
-                    evaluators.size()};
-        if (made.contains({order.row.design_hash, protocol})) continue;
-        tasks.push_back({aggregate(simulated, level), level, evaluators.size()});
-        orders.push_back(std::move(order));
-      }
-      evaluators.push_back(std::move(scenario));
-    }
+    asked.push_back({.study = study, .variant = "confirmed on " + std::string(to_string(fidelity)) + " elements"});
+    asked.back().study.silicone.elements.fidelity = fidelity;
   }
-  if (tasks.empty()) return io::RunStatus::completed;
-  const ScenarioEvaluator all(std::move(evaluators));
-  std::size_t done = 0;
-  return WorkerPool(all, options.threads).run(tasks, options.stop, [&](std::size_t task, const Evaluation& result) {
-    orders[task].row.result = result;
-    archive.add_reevaluations({&orders[task].row, 1});
-    ++done;
-    if (options.progress) options.progress(done, tasks.size());
-    if (options.after_commit) options.after_commit(done);
-  });
+  return walk_again(asked, different_robots(study, archive, study.confirm), archive, options);
 }
 
 std::vector<Confirmation> confirmations(const Study& study, const RunArchive& archive) {
-  const MadeWalks made = walks_in(archive);
+  const MadeWalks made(archive);
   std::vector<Confirmation> all;
-  if (made.empty()) return all;
+  if (made.count() == 0) return all;
   const RunView run = view_of(archive, study);
   std::vector<std::pair<fem::Fidelity, std::vector<std::string>>> protocols;
   for (const fem::Fidelity fidelity : finer_fidelities(study))
     protocols.emplace_back(fidelity, evaluator_on(study, fidelity)->scenarios());
-  const std::vector<FitDesign> robots = different_robots(study, archive, made.size());
+  const std::vector<FitDesign> robots = different_robots(study, archive, made.count());
   for (std::size_t n = 0; n < robots.size(); ++n) {
     const Phenotype simulated = as_simulated(study.search, robots[n].phenotype);
     for (const auto& [fidelity, texts] : protocols) {
-      const std::optional<KnownResults> results = results_on(texts, design_hash(simulated, level), made);
+      const std::optional<KnownResults> results = made.in_scenarios(texts, design_hash(simulated, level));
       if (!results) continue;
       const KnownScore score = known_score(study.search, *results);
       Confirmation one{.rank = n + 1, .design = robots[n], .fidelity = fidelity};

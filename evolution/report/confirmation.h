@@ -1,14 +1,13 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/report/generation_summary.h"
+#include "evolution/report/walks_again.h"
 #include "evolution/study/study.h"
 #include "fem/thin_walls/element_choice.h"
 #include "io/text/csv_table.h"
@@ -16,20 +15,12 @@
 
 namespace menger::evolution {
 
-/// How the walks that confirm a search are made. It does not change their results.
-struct ConfirmationOptions {
-  int threads = 1;  ///< >= 1
-  const std::atomic<bool>* stop = nullptr;
-  std::function<void(std::size_t done, std::size_t total)> progress{};
-  std::function<void(std::size_t count)> after_commit{};  ///< called when the archive has grown for the count-th time, from 1
-};
-
 /// Lets the best robots of a finished search on finite elements walk on finer elements: `standard` and `fine`, in all scenarios
 /// of the study, measured as in the search. Of robots that differ by their pose alone the first walks. Results are re-evaluations
 /// of the archive; those that it has are not made again.
 /// @param study of the archive, with thin walls; as many robots as its `confirm`
 /// @return completed or stopped
-io::RunStatus confirm(const Study& study, RunArchive& archive, const ConfirmationOptions& options);
+io::RunStatus confirm(const Study& study, RunArchive& archive, const WalksAgainOptions& options);
 
 /// A robot of a search and its score on finer elements.
 struct Confirmation {

@@ -9,24 +9,34 @@
 namespace menger::evolution {
 namespace {
 
-/// Returns the voxel-steps of screening the new individuals of a generation.
-std::uint64_t screening_voxel_steps(const RunView& run, int generation) {
-  if (run.screening_physics.empty()) return 0;
+/// Adds the steps of screening the new individuals of a generation. A walk that went on after its first half has that half among
+/// its own steps.
+void add_screening(const RunView& run, int generation, GenerationCost& cost) {
+  if (run.screening_physics.empty()) return;
+  const bool by_halves = run.plan.screening->by == Screener::half_walks;
+  const std::string whole_hash = run.physics_hashes().front();
   const std::string physics_hash = io::content_hash(run.screening_physics);
   const int level = run.plan.levels().front();
-  std::uint64_t sum = 0;
   std::set<std::string> counted;
   for (const PoolMember& member : run.archive->pool(generation)) {
     const Phenotype phenotype = as_simulated(run.plan, run.archive->individual(member.id).phenotype);
     const std::string design = design_hash(phenotype, level);
     const auto found = run.archive->evaluation({design, level, physics_hash});
     if (!found || found->generation != generation || !counted.insert(design).second) continue;
-    sum += found->result.steps * aggregate_cell_count(phenotype, level) * run.voxels_per_cell;
+    if (!by_halves) {
+      cost.voxel_steps += found->result.steps * aggregate_cell_count(phenotype, level) * run.voxels_per_cell;
+      continue;
+    }
+    const auto whole = run.archive->evaluation({design, level, whole_hash});
+    if (!whole || whole->generation != generation) cost.element_steps += found->result.steps * found->result.elements;
   }
-  return sum;
 }
 
 }  // namespace
+
+double counted_cost(const GenerationCost& cost, const Budget& budget) {
+  return static_cast<double>(cost.element_steps) + static_cast<double>(cost.voxel_steps) / budget.voxel_steps_per_element_step;
+}
 
 GenerationCost generation_cost(const RunView& run, int generation) {
   GenerationCost cost;
@@ -46,7 +56,7 @@ GenerationCost generation_cost(const RunView& run, int generation) {
         cost.voxel_steps += found->result.steps * aggregate_cell_count(phenotype, level) * run.voxels_per_cell;
     }
   }
-  cost.voxel_steps += screening_voxel_steps(run, generation);
+  add_screening(run, generation, cost);
   return cost;
 }
 

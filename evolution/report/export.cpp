@@ -12,6 +12,7 @@
 #include "evolution/report/confirmation.h"
 #include "evolution/report/cost_table.h"
 #include "evolution/report/evaluated_tasks.h"
+#include "evolution/report/fall_table.h"
 #include "evolution/report/niche_table.h"
 #include "evolution/report/scenario_table.h"
 #include "evolution/report/step_check_table.h"
@@ -70,7 +71,7 @@ class Exporter {
     if (result_.champion) require_levels();
     io::require_writable_folder(folder_);
     for (const char* name : {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv",
-                             "confirmed.csv", "niches.csv", "periods.csv", "champion_walk.toml"})
+                             "confirmed.csv", "falls.csv", "niches.csv", "periods.csv", "champion_walk.toml"})
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
     generations_table(run_).write(folder_ / "generations.csv");
     cost_table(run_).write(folder_ / "costs.csv");
@@ -81,6 +82,7 @@ class Exporter {
     }
     if (study_.search.map_elites) niche_table(run_).write(folder_ / "niches.csv");
     if (study_.robust) scenario_table(run_, study_).write(folder_ / "scenarios.csv");
+    if (tells_falls(study_)) fall_table(run_).write(folder_ / "falls.csv");
     if (options_.timings) {
       timing_table(run_).write(folder_ / "timings.csv");
       schedule_table(run_, options_.workers).write(folder_ / "schedule.csv");

@@ -1,8 +1,12 @@
 #include "evolution/report/study_view.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "evolution/evaluation/scenario_evaluator.h"
+#include "evolution/study/half_walk_evaluator.h"
 #include "evolution/study/scenarios.h"
 #include "evolution/study/voxel_evaluator.h"
 #include "evolution/study/walk_evaluator.h"
@@ -16,24 +20,47 @@ std::unique_ptr<DesignEvaluator> voxels_of(const Study& study) {
                                           measured_periods(study));
 }
 
-}  // namespace
+bool are_halved(const Study& study) { return study.search.screening && study.search.screening->by == Screener::half_walks; }
 
-std::vector<std::unique_ptr<DesignEvaluator>> scenario_evaluators_of(const Study& study) {
+/// Returns an evaluator for each scenario. @param paused walks of the first one, which go on; may be null
+std::vector<std::unique_ptr<DesignEvaluator>> scenario_evaluators(const Study& study,
+                                                                  const std::shared_ptr<PausedWalks>& paused) {
   std::vector<std::unique_ptr<DesignEvaluator>> all;
   for (const Scenario& scenario : scenarios_of(study))
-    all.push_back(std::make_unique<WalkEvaluator>(in_scenario(study, scenario)));
-  if (all.empty()) all.push_back(std::make_unique<WalkEvaluator>(study));
+    all.push_back(std::make_unique<WalkEvaluator>(in_scenario(study, scenario), all.empty() ? paused : nullptr));
+  if (all.empty()) all.push_back(std::make_unique<WalkEvaluator>(study, paused));
   return all;
 }
 
-std::unique_ptr<DesignEvaluator> evaluator_of(const Study& study) {
-  if (study.robust) return std::make_unique<ScenarioEvaluator>(scenario_evaluators_of(study));
-  if (uses_elements(study)) return std::make_unique<WalkEvaluator>(study);
+std::unique_ptr<DesignEvaluator> evaluator_with(const Study& study, const std::shared_ptr<PausedWalks>& paused) {
+  if (study.robust) return std::make_unique<ScenarioEvaluator>(scenario_evaluators(study, paused));
+  if (uses_elements(study)) return std::make_unique<WalkEvaluator>(study, paused);
   return voxels_of(study);
 }
 
-std::unique_ptr<DesignEvaluator> screening_evaluator_of(const Study& study) {
-  return study.search.screening ? voxels_of(study) : nullptr;
+std::unique_ptr<DesignEvaluator> screening_with(const Study& study, const std::shared_ptr<PausedWalks>& paused) {
+  if (!study.search.screening) return nullptr;
+  if (!are_halved(study)) return voxels_of(study);
+  return std::make_unique<HalfWalkEvaluator>(study.robust ? in_scenario(study, scenarios_of(study).front()) : study, paused);
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<DesignEvaluator>> scenario_evaluators_of(const Study& study) {
+  return scenario_evaluators(study, nullptr);
+}
+
+std::unique_ptr<DesignEvaluator> evaluator_of(const Study& study) { return evaluator_with(study, nullptr); }
+
+std::unique_ptr<DesignEvaluator> screening_evaluator_of(const Study& study) { return screening_with(study, nullptr); }
+
+SearchEvaluators search_evaluators_of(const Study& study) {
+  std::shared_ptr<PausedWalks> paused;
+  if (are_halved(study)) {
+    const SearchPlan& plan = study.search;
+    paused = std::make_shared<PausedWalks>(static_cast<std::size_t>(std::max(plan.survivors, plan.mutants + plan.newcomers)));
+  }
+  return {.evaluator = evaluator_with(study, paused), .screening = screening_with(study, paused)};
 }
 
 std::unique_ptr<DesignEvaluator> half_step_evaluator_of(const Study& study) {

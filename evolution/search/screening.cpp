@@ -184,10 +184,10 @@ std::optional<ScreeningRound> Screening::screen(int generation, std::span<const 
   return round;
 }
 
-std::string screening_text(const ScreeningRound& round) {
+std::string screening_text(const ScreeningRound& round, const ScreeningPlan& plan) {
   std::string text = "     generation " + std::to_string(round.generation) + ": " +
                      std::to_string(round.count(Screened::passed)) + " of " + std::to_string(round.individuals.size()) +
-                     " pass the surrogate";
+                     (plan.by == Screener::surrogate ? " pass the surrogate" : " go on after the first half of their walk");
   if (const std::size_t drawn = round.count(Screened::drawn); drawn > 0) text += ", " + std::to_string(drawn) + " more are drawn";
   return text +
          (round.correlation ? "; rank correlation so far " + io::formatted("%.2f", *round.correlation)

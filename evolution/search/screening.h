@@ -47,6 +47,9 @@ struct ScreeningRound {
 /// Screens the new individuals of a search by a surrogate: those that it ranks best are evaluated, and a few drawn ones of the
 /// others.
 ///
+/// The surrogate may be the first half of the evaluation itself (Screener::half_walks). Its scores are of another time, so they
+/// are compared with each other only, as those of any surrogate; survival compares scores of whole evaluations alone.
+///
 /// All decisions follow from the seed, the generation and the archive of earlier generations, and none from the order or time of
 /// evaluations. The surrogate's results are evaluations of the archive with a physics of their own.
 class Screening {
@@ -81,6 +84,6 @@ class Screening {
 };
 
 /// Returns a round as a line for people.
-std::string screening_text(const ScreeningRound& round);
+std::string screening_text(const ScreeningRound& round, const ScreeningPlan& plan);
 
 }  // namespace menger::evolution

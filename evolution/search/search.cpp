@@ -43,6 +43,7 @@ class Search {
     for (; next_generation_ <= plan_.generations; ++next_generation_) {
       const io::RunStatus status = do_generation();
       if (status != io::RunStatus::completed) return status;
+      if (options_.ends_with && options_.ends_with(next_generation_)) break;
     }
     return io::RunStatus::completed;
   }

@@ -26,12 +26,15 @@ struct SearchOptions {
   std::function<void(const GenerationRecord&)> generation_done;
   std::function<void(const SearchProgress&)> progress;
 
+  /// Asked after every finished generation: whether the search ends with it, although the plan has more. None: it does not.
+  std::function<bool(int generation)> ends_with{};
+
   /// Called after every screening of new individuals.
   std::function<void(const ScreeningRound&)> screened{};
   std::function<void(std::size_t count)> after_commit;  ///< called when the archive has grown for the count-th time, from 1
 };
 
-/// Runs an age-fitness Pareto search, from where the archive stops until plan.generations are done.
+/// Runs an age-fitness Pareto search, from where the archive stops until plan.generations are done, or options.ends_with ends it.
 ///
 /// Generation 0 consists of random individuals; all are evaluated in full, and all survive. In every later generation the
 /// survivors grow older by 1. Each of them, in random order, has a child of its age. Random newcomers of age 0 join. Survivors

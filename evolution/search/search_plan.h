@@ -26,8 +26,15 @@ enum class DuplicatePolicy {
 };
 std::string_view to_string(DuplicatePolicy policy);  ///< "archived-result" or "culled"
 
-/// How a search is screened by a cheaper surrogate: which new individuals the evaluator evaluates.
+/// What screens new individuals.
+enum class Screener {
+  surrogate,  ///< a cheaper model
+  half_walks  ///< the first half of the evaluation itself: those that pass go on from there
+};
+
+/// How a search is screened: which new individuals the evaluator evaluates, or evaluates to the end.
 struct ScreeningPlan {
+  Screener by = Screener::surrogate;
   double least_share = 0.2;   ///< share of new individuals that passes if both models rank alike, in (0, 1]
   double drawn_share = 0.15;  ///< share of the others that is drawn and evaluated all the same, in (0, 1]
 
@@ -81,7 +88,7 @@ struct SearchPlan {
   /// Survival by niches. None: by age and fitness.
   std::optional<MapElitesPlan> map_elites{};
 
-  /// Screening of new individuals by a surrogate. None: all are evaluated.
+  /// Screening of new individuals. None: all are evaluated.
   std::optional<ScreeningPlan> screening{};
 
   /// Checks of the time step on the best designs. None: no checks.

@@ -127,6 +127,10 @@ std::optional<LastPeriods> measured_periods(const Study& study) {
   return LastPeriods{.period_s = study.physics.actuation.period_s(), .count = study.measure_periods};
 }
 
+bool tells_falls(const Study& study) {
+  return uses_elements(study) && study.measure == Measure::last_periods && study.largest_lean_deg < 180.0;
+}
+
 Distinction distinction_of(const Study& study) {
   const voxel::ActuationMode mode = study.physics.actuation.mode;
   const bool is_single = is_of_silicone(study) && module_of(study).chambers == meshes::ChamberLayout::single;
@@ -143,8 +147,7 @@ std::vector<std::string> study_notes(const Study& study) {
   std::vector<std::string> notes = notes_of_model(study);
   if (const auto last = measured_periods(study)) {
     notes.push_back("the fitness is the displacement in one period, from the last " + std::to_string(last->count) +
-                    " periods of an evaluation" +
-                    (uses_elements(study) && study.largest_lean_deg < 180.0 ? "; bodies that fall have none" : ""));
+                    " periods of an evaluation" + (tells_falls(study) ? "; bodies that fall have none" : ""));
   }
   if (uses_elements(study) && finer_fidelities(study).empty())
     notes.emplace_back("menger evolve has no finer elements than these: it does not confirm the best robots");

@@ -46,6 +46,18 @@ struct RobustOptions {
   bool operator==(const RobustOptions&) const = default;
 };
 
+/// What a search may cost, counted in steps: so its end does not depend on the machine. It decides when a search ends, not its
+/// course, as the number of generations does.
+struct Budget {
+  /// No generation begins once the search has cost as much, in steps times finite elements. > 0
+  double element_steps = 1e10;
+
+  /// What a step of a finite element costs in steps of a voxel, > 0: measured once for all machines on which a search may go on.
+  double voxel_steps_per_element_step = 0.25;
+
+  bool operator==(const Budget&) const = default;
+};
+
 /// Everything that decides the result of a search.
 struct Study {
   SearchPlan search;
@@ -65,6 +77,9 @@ struct Study {
   /// Loads, ground, drive and voxels. Finite elements take no values of voxels from it; see VoxelEvaluator, WalkEvaluator.
   voxel::Physics physics;
   SiliconePhysics silicone;  ///< of finite elements
+
+  /// Counted cost that ends the search before its generations do. None: nothing does.
+  std::optional<Budget> budget{};
 
   /// Scenarios on finite elements, in place of the one ground and silicone. search.scenarios and search.quantile follow from it.
   std::optional<RobustOptions> robust{};
@@ -90,6 +105,9 @@ bool is_of_silicone(const Study& study);
 
 /// Returns the periods that the evaluator measures; nothing if it measures the net displacement.
 std::optional<LastPeriods> measured_periods(const Study& study);
+
+/// Returns whether a body of a study that has fallen has no fitness.
+bool tells_falls(const Study& study);
 
 /// Returns the number of voxels of a whole cell.
 std::size_t voxels_in_cell(const Study& study);

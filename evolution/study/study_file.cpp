@@ -95,11 +95,11 @@ void describe_screening(io::StudyVisitor& visitor, ScreeningPlan& screening) {
   const io::Range share{.lowest = 0.0, .highest = 1.0, .lowest_excluded = true};
   visitor.number(
       {"least_passing_share",
-       "Share of new bodies that pass the surrogate if it ranks as finite elements do. More pass the less it does; without "
-       "rank correlation all pass."},
+       "Share of new bodies that pass the surrogate, or go on after half of their walk, if these rank as whole walks on finite "
+       "elements do. More pass the less they do; without rank correlation all pass."},
       screening.least_share, share);
   visitor.number(
-      {"drawn_share", "Share of the others that is drawn and walks all the same, to learn how well the surrogate ranks."},
+      {"drawn_share", "Share of the others that is drawn and walks all the same, to learn how well bodies are ranked."},
       screening.drawn_share, share);
 }
 
@@ -108,6 +108,25 @@ enum class Part {
   whole,
   identity  ///< those that decide the search
 };
+
+/// Describes which new bodies walk, or walk to the end.
+void describe_which_walk(io::StudyVisitor& visitor, Study& study) {
+  ScreeningPlan screening = study.search.screening.value_or(ScreeningPlan{});
+  bool are_halved = study.search.screening && screening.by == Screener::half_walks;
+  const bool can_be_halved = study.model == EvaluationModel::finite_elements && study.measure == Measure::last_periods;
+  visitor.only_if(can_be_halved, "model = \"finite_elements\" with measure = \"last_periods\"", [&] {
+    visitor.boolean({"shorter_walks",
+                     "Whether new bodies walk for half of the time first, and only those that rank best then, and some that are "
+                     "drawn, go on to the end. The others have no fitness."},
+                    are_halved);
+  });
+  are_halved = are_halved && can_be_halved;
+  const bool is_screened = study.model == EvaluationModel::both || are_halved;
+  visitor.only_if(is_screened, "model = \"both\" or shorter_walks = true", [&] { describe_screening(visitor, screening); });
+  screening.by = are_halved ? Screener::half_walks : Screener::surrogate;
+  study.search.screening.reset();
+  if (is_screened) study.search.screening = screening;
+}
 
 void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
   using enum EvaluationModel;
@@ -118,10 +137,6 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
        "single modules; both: voxels with the parameters of [surrogate] choose which new bodies walk on finite elements, "
        "which alone decide who survives."},
       study.model, io::words_of(voxels, finite_elements, both));
-  ScreeningPlan screening = plan.screening.value_or(ScreeningPlan{});
-  visitor.only_if(study.model == both, "model = \"both\"", [&] { describe_screening(visitor, screening); });
-  plan.screening.reset();
-  if (study.model == both) plan.screening = screening;
   visitor.word({"measure",
                 "What is measured of a motion. net_displacement: from time.measure_from_s to the end; last_periods: the "
                 "displacement in one period of the drive, from the last ones, so that neither the start nor a fall counts."},
@@ -136,6 +151,7 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
                      study.largest_lean_deg, {.lowest = 0.0, .highest = 180.0, .lowest_excluded = true});
     });
   });
+  describe_which_walk(visitor, study);
   visitor.only_if(part == Part::whole && uses_elements(study), "model = \"finite_elements\" or \"both\"", [&] {
     visitor.integer({"confirm",
                      "How many of the best robots walk on standard and fine elements at the end of a search. Must be 0, or not "
@@ -171,6 +187,18 @@ void describe_robust(io::StudyVisitor& visitor, RobustOptions& robust) {
 void describe_map_elites(io::StudyVisitor& visitor, MapElitesPlan& elites) {
   visitor.integer({"cells_per_niche", "How many numbers of cells share a niche."}, elites.cells_per_niche,
                   io::within(1, basal_cell_count));
+}
+
+void describe_budget(io::StudyVisitor& visitor, bool has_voxels, Budget& budget) {
+  visitor.number({"element_steps",
+                  "No generation begins once the search has cost as many steps times finite elements. Steps of voxels are "
+                  "counted at voxel_steps_per_element_step.",
+                  "1e10"},
+                 budget.element_steps, io::positive());
+  visitor.only_if(has_voxels, "model = \"voxels\" or \"both\"", [&] {
+    visitor.number({"voxel_steps_per_element_step", "What a step of a finite element costs in steps of a voxel.", "0.5"},
+                   budget.voxel_steps_per_element_step, io::positive());
+  });
 }
 
 void describe_step_checks(io::StudyVisitor& visitor, StepCheckPlan& checks) {
@@ -243,6 +271,13 @@ void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study
        "An archive of elites: the fittest body of every niche survives, by number of cells, number of feet and height; "
        "population.survivors does not limit them. Without this table bodies survive by age and fitness."},
       plan.map_elites, [&](MapElitesPlan& elites) { describe_map_elites(visitor, elites); });
+  if (part == Part::whole) {
+    visitor.optional_table(
+        {"budget",
+         "What the search may cost, counted in steps and not in time: it ends then, or after its generations. "
+         "A search that has ended goes on with a larger one."},
+        study.budget, [&](Budget& budget) { describe_budget(visitor, study.model != EvaluationModel::finite_elements, budget); });
+  }
   visitor.optional_table(
       {"check_dt",
        "Checks of the time step: the best survivors are evaluated again with half of it. The search does not change."},
@@ -355,7 +390,7 @@ std::string unusable_surrogate(const Study& study) {
 
 /// Returns why voxels cannot screen the bodies of a study, or an empty text.
 std::string unusable_screening(const Study& study) {
-  if (!study.search.screening) return "";
+  if (study.model != EvaluationModel::both) return "";
   const std::string given = "evaluation.model = \"both\": ";
   const std::string make =
       "; menger load-cases SET.toml -o curves and menger calibrate STUDY.toml --curves curves make parameters";

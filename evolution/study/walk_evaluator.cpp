@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "evolution/study/half_walk_evaluator.h"
 #include "fem/walk/walk_silicone_file.h"
 #include "io/study/study_text.h"
 #include "io/text/formatted.h"
@@ -40,6 +41,23 @@ fem::DriveMode drive_mode(voxel::ActuationMode mode) {
 
 std::array<double, 3> minus(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// Sets the result of a walk in which the body has fallen. Where it got counts for nothing, but is kept. An axis that is not a
+/// number leans infinitely: then no place is known.
+void set_fallen(const fem::Lean& lean, const std::array<double, 3>& whole_m, Evaluation& result) {
+  const std::string period = std::to_string(lean.period);
+  result.displacement_m.reset();
+  if (std::isinf(lean.angle_deg)) {
+    result.status = io::RunStatus::diverged;
+    result.period_displacements_m.clear();
+    result.reason = "the upright axis of the body is not a number at the end of period " + period + " or of the first";
+    return;
+  }
+  result.status = io::RunStatus::fell;
+  result.left_out_m = whole_m;
+  result.reason = "the body has fallen: at the end of period " + period + " it leans by " +
+                  io::formatted("%.0f", lean.angle_deg) + " degrees from where it was at the end of the first";
 }
 
 /// Returns the number of faces of cells that lie outside.
@@ -115,17 +133,8 @@ void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result
   result.period_displacements_m = fem::period_displacements_m(walk, study.physics.actuation.period_s());
   result.displacement_m = whole_m;
   if (const auto last = measured_periods(study)) {
-    if (const fem::Lean lean = fem::largest_lean(walk, last->period_s); lean.angle_deg > study.largest_lean_deg) {
-      result.status = io::RunStatus::diverged;
-      result.displacement_m.reset();
-      result.period_displacements_m.clear();
-      result.reason = std::isinf(lean.angle_deg)
-                          ? "the upright axis of the body is not a number at the end of period " + std::to_string(lean.period) +
-                                " or of the first"
-                          : "the body has fallen: at the end of period " + std::to_string(lean.period) + " it leans by " +
-                                io::formatted("%.0f", lean.angle_deg) + " degrees from where it was at the end of the first";
-      return;
-    }
+    const fem::Lean lean = fem::largest_lean(walk, last->period_s);
+    if (lean.angle_deg > study.largest_lean_deg) return set_fallen(lean, whole_m, result);
     result.displacement_m = steady_displacement_m(result.period_displacements_m, *last);
     if (!result.displacement_m) {
       result.status = io::RunStatus::diverged;
@@ -142,28 +151,45 @@ void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result
   result.left_out_m = minus(whole_m, *result.displacement_m);
 }
 
-WalkEvaluator::WalkEvaluator(Study study) : study_(std::move(study)) {}
+Evaluation blank_result(const Study& study) {
+  Evaluation result;
+  if (study.silicone.elements.kind == fem::ElementKind::thin_wall) result.fidelity = to_string(study.silicone.elements.fidelity);
+  return result;
+}
+
+void take_result(const Study& study, const fem::WalkResult& walk, Evaluation& result) {
+  result.status = walk.status;
+  result.reason = walk.reason;
+  result.steps = walk.steps;
+  result.elements = walk.elements;
+  if (walk.status == io::RunStatus::completed) measure(study, walk, result);
+  if (result.status == io::RunStatus::completed) result.reason.clear();
+}
+
+void set_refused(const io::InputError& error, Evaluation& result) {
+  // For one body of many this is not wrong input, but a body without a result.
+  result.status = io::RunStatus::diverged;
+  result.reason = std::string("finite elements refuse the body: ") + error.what();
+}
+
+WalkEvaluator::WalkEvaluator(Study study, std::shared_ptr<PausedWalks> paused)
+    : study_(std::move(study)), paused_(std::move(paused)) {}
 
 Evaluation WalkEvaluator::evaluate(const meshes::Polycube& body, [[maybe_unused]] int level,
                                    const std::atomic<bool>& stop) const {
   assert(level == 1);
   const auto start = std::chrono::steady_clock::now();
-  Evaluation result;
-  if (study_.silicone.elements.kind == fem::ElementKind::thin_wall)
-    result.fidelity = to_string(study_.silicone.elements.fidelity);
+  Evaluation result = blank_result(study_);
   try {
-    const fem::WalkResult walk = fem::walk(walk_of(study_, body), &stop);
-    result.status = walk.status;
-    result.reason = walk.reason;
-    result.steps = walk.steps;
-    result.elements = walk.elements;
-    if (walk.status == io::RunStatus::completed) measure(study_, walk, result);
+    const std::unique_ptr<WalkInParts> begun = paused_ ? paused_->take(body) : nullptr;
+    if (begun == nullptr) {
+      take_result(study_, fem::walk(walk_of(study_, body), &stop), result);
+    } else if (begun->go_on_to(study_.duration_s, stop)) {
+      take_result(study_, begun->result(), result);
+    }
   } catch (const io::InputError& error) {
-    // For one body of many this is not wrong input, but a body without a result.
-    result.status = io::RunStatus::diverged;
-    result.reason = std::string("finite elements refuse the body: ") + error.what();
+    set_refused(error, result);
   }
-  if (result.status == io::RunStatus::completed) result.reason.clear();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

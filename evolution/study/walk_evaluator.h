@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "evolution/evaluation/evaluator.h"
 #include "evolution/study/study.h"
 #include "fem/walk/walk.h"
+#include "io/text/input_error.h"
 
 namespace menger::evolution {
 
@@ -20,8 +22,20 @@ double record_interval_s(const Study& study);
 fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body);
 
 /// Sets the displacements of a completed walk as a study measures them. A walk without as many whole periods as are measured
-/// becomes `diverged`, with a reason, and so does one whose body has fallen (Study::largest_lean_deg).
+/// becomes `diverged`, with a reason; one whose body has fallen (Study::largest_lean_deg) `fell`: all of its displacement is left
+/// out.
 void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result);
+
+/// Returns a result of a walk of a study that is still to be made.
+Evaluation blank_result(const Study& study);
+
+/// Sets a result from a walk, as a study measures it.
+void take_result(const Study& study, const fem::WalkResult& walk, Evaluation& result);
+
+/// Sets the result of a body that cannot walk.
+void set_refused(const io::InputError& error, Evaluation& result);
+
+class PausedWalks;
 
 /// Evaluates single modules by walks on finite elements, in the process (see fem::walk).
 ///
@@ -30,7 +44,8 @@ void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result
 class WalkEvaluator final : public DesignEvaluator {
  public:
   /// @param study of finite elements, with a stated silicone
-  explicit WalkEvaluator(Study study);
+  /// @param paused walks that go on instead of beginning anew; may be null
+  explicit WalkEvaluator(Study study, std::shared_ptr<PausedWalks> paused = nullptr);
 
   /// Precondition: level 1.
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
@@ -41,6 +56,7 @@ class WalkEvaluator final : public DesignEvaluator {
 
  private:
   Study study_;
+  std::shared_ptr<PausedWalks> paused_;
 };
 
 }  // namespace menger::evolution

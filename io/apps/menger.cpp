@@ -44,6 +44,7 @@ constexpr std::array commands{
     Command{"simulate", "simulate one design and write its trajectory", "menger simulate scene.toml"},
     Command{"evolve", "evolve fractal robots; resumes from its archive", "menger evolve study.toml"},
     Command{"export", "write designs and tables from the archive of a run", "menger export run.sqlite"},
+    Command{"confirm", "let the best robots of a search walk as another study says", "menger confirm run.sqlite study.toml"},
     Command{"compare-searches", "compare results of searches on finite elements, and their costs", "menger compare-searches a b"},
     Command{"reevaluate", "evaluate the winners of a run again with finite elements", "menger reevaluate run.sqlite --top 5"},
 };

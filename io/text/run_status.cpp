@@ -16,6 +16,8 @@ std::string_view to_string(RunStatus status) {
       return "inverted_element";
     case RunStatus::wall_contact:
       return "wall_contact";
+    case RunStatus::fell:
+      return "fell";
     case RunStatus::stopped:
       return "stopped";
   }

@@ -12,6 +12,7 @@ enum class RunStatus {
   limit_point,       ///< no equilibrium beyond this load: a limit point
   inverted_element,  ///< a volume ratio became non-positive
   wall_contact,      ///< two chamber walls touched
+  fell,              ///< a robot fell over: it reached the end, but did not walk there
   stopped            ///< the user or a given budget ended it
 };
 

@@ -11,7 +11,7 @@ const Words<RunStatus>& run_status_words() {
   static const Words<RunStatus> words = [] {
     Words<RunStatus> all;
     for (const RunStatus status : {RunStatus::completed, RunStatus::diverged, RunStatus::not_converged, RunStatus::limit_point,
-                                   RunStatus::inverted_element, RunStatus::wall_contact, RunStatus::stopped})
+                                   RunStatus::inverted_element, RunStatus::wall_contact, RunStatus::fell, RunStatus::stopped})
       all.emplace_back(to_string(status), status);
     return all;
   }();

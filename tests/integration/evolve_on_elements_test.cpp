@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/search/search_plan.h"
+#include "evolution/study/half_walk_evaluator.h"
 #include "evolution/study/study_file.h"
 #include "evolution/study/walk_evaluator.h"
 #include "io/text/content_hash.h"
@@ -186,6 +188,78 @@ TEST_F(EvolveOnElements, VoxelsScreenAndFiniteElementsDecide) {
   EXPECT_EQ(run("reevaluate", {"one.sqlite", "--top", "1", "-o", "again", "--no-pictures"}).code, 0);
 }
 
+TEST_F(EvolveOnElements, WalksEndAfterTheirFirstHalfUnlessTheyRankHigh) {
+  const auto study_with = [](const std::string& evaluation, const std::string& more) {
+    std::string text = tests::walking_study_text("measure = \"last_periods\"\n" + evaluation, "", more);
+    text.replace(text.find("duration_s = 0.05"), 17, "duration_s = 0.15");
+    text.replace(text.find("survivors = 3\nmutants = 3"), 25, "survivors = 6\nmutants = 8");
+    return text;
+  };
+  const std::string halved = "shorter_walks = true\nleast_passing_share = 0.1\n";
+  for (const std::string more : {"", "[robust]\nfrictions = [0.4, 1.2]\nloss_factors = [0.1]\n"}) {
+    const std::string name = more.empty() ? "one" : "robust";
+    io::write_whole(folder_ / "study.toml", study_with(halved, more));
+    const Outcome outcome = run("evolve", {"study.toml", "--threads", "1", "-o", name + ".sqlite"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("go on after the first half of their walk"), std::string::npos) << outcome.out;
+    ASSERT_EQ(run("evolve", {"study.toml", "--threads", "2", "-o", name + "_two.sqlite"}).code, 0);
+    const std::string expected = archive_content(folder_ / (name + "_two.sqlite"));
+    EXPECT_EQ(archive_content(folder_ / (name + ".sqlite")), expected);
+    for (const int ms : more.empty() ? std::vector{150, 500} : std::vector{150}) {
+      const std::string ended = name + "_ended_" + std::to_string(ms);
+      const ProgramRun running = start("evolve", {"study.toml", "--threads", "1", "-o", ended + ".sqlite"});
+      while (!fs::exists(folder_ / (ended + ".sqlite"))) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+      running.send(SIGKILL);
+      EXPECT_EQ(running.wait().signal, SIGKILL);
+      ASSERT_EQ(run("evolve", {"study.toml", "--threads", "1", "-o", ended + ".sqlite"}).code, 0);
+      EXPECT_EQ(archive_content(folder_ / (ended + ".sqlite")), expected) << "walks that had paused begin anew";
+      ASSERT_EQ(export_to(ended + ".sqlite", ended).code, 0);
+    }
+    ASSERT_EQ(export_to(name + ".sqlite", name).code, 0);
+    EXPECT_EQ(io::read_whole(folder_ / name / "costs.csv"), io::read_whole(folder_ / (name + "_ended_150") / "costs.csv"));
+  }
+
+  const evolution::RunArchive archive = evolution::RunArchive::open_to_read(folder_ / "one.sqlite");
+  const evolution::Study study = evolution::archived_study(archive);
+  const std::string whole_walks = io::content_hash(evolution::WalkEvaluator(study).physics());
+  const std::string half_walks = io::content_hash(evolution::HalfWalkEvaluator(study, nullptr).physics());
+  std::uint64_t left_out = 0;
+  std::map<int, double> cost;  // by generation; a walk that went on is counted once
+  std::set<std::string> seen;
+  for (const evolution::ScreenedIndividual& one : archive.screened_individuals()) {
+    const std::string design = design_hash(as_simulated(study.search, archive.individual(one.id).phenotype), 1);
+    const auto half = archive.evaluation({design, 1, half_walks});
+    const auto whole = archive.evaluation({design, 1, whole_walks});
+    ASSERT_TRUE(half);
+    if (one.outcome == evolution::Screened::left_out) ++left_out;
+    if (one.outcome != evolution::Screened::left_out) {
+      ASSERT_TRUE(whole);
+    }
+    if (!seen.insert(design).second) continue;
+    const auto steps_of = [&](const auto& walk) { return static_cast<double>(walk->result.steps * half->result.elements); };
+    if (!whole || whole->generation != half->generation) cost[half->generation] += steps_of(half);
+    if (whole) cost[whole->generation] += steps_of(whole);
+    if (whole && whole->result.displacement_m) {
+      EXPECT_GT(static_cast<double>(whole->result.steps), 1.9 * static_cast<double>(half->result.steps));
+    }
+    if (whole && half->result.status == io::RunStatus::diverged) {
+      EXPECT_EQ(whole->result.steps, half->result.steps) << "it cannot go on";
+    }
+  }
+  EXPECT_GT(left_out, 0U);
+  const io::CsvContents costs = io::read_csv(folder_ / "one/costs.csv");
+  for (std::size_t row = 0; row < costs.row_count(); ++row)
+    EXPECT_EQ(costs.number(row, "element_steps"), cost[static_cast<int>(row)]) << row;
+  for (const evolution::PoolMember& member : archive.pool(*archive.last_generation())) {
+    if (!member.fitness) continue;
+    const auto whole =
+        archive.evaluation({design_hash(as_simulated(study.search, archive.individual(member.id).phenotype), 1), 1, whole_walks});
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(*member.fitness, evolution::level_score(study.search, *whole->result.displacement_m, 1)) << "of whole walks alone";
+  }
+}
+
 TEST_F(EvolveOnElements, RobustRobotsWalkInEveryScenarioOrCannotSurvive) {
   io::write_whole(folder_ / "study.toml",
                   tests::walking_study_text("", "", "[robust]\nfrictions = [0.4, 1.2]\nloss_factors = [0.059, 0.146]\n"));
@@ -287,6 +361,105 @@ TEST_F(EvolveOnElements, ARobotThatFallsOnFinerElementsIsNotTheChampion) {
   EXPECT_EQ(meshes::read_design(folder_ / "again/winner/design.toml").body.digits(),
             meshes::read_design(folder_ / "out/champion.toml").body.digits());
   EXPECT_EQ(io::read_csv(folder_ / "again/reevaluation.csv").text(1, "individual"), second);
+}
+
+TEST_F(EvolveOnElements, ABudgetEndsASearchAtACountedCost) {
+  const auto with_budget = [&](const std::string& budget) {
+    std::string text = tests::walking_study_text("", "", budget);
+    text.replace(text.find("generations = 2"), 15, "generations = 9");
+    io::write_whole(folder_ / "study.toml", text);
+  };
+  const auto costs = [&](const std::string& name) {
+    EXPECT_EQ(export_to(name + ".sqlite", name).code, 0);
+    const io::CsvContents table = io::read_csv(folder_ / name / "costs.csv");
+    std::vector<double> sums;
+    for (std::size_t row = 0; row < table.row_count(); ++row)
+      sums.push_back((sums.empty() ? 0.0 : sums.back()) + table.number(row, "element_steps"));
+    return sums;
+  };
+  with_budget("");
+  ASSERT_EQ(run("evolve", {"study.toml", "-o", "whole.sqlite"}).code, 0);
+  const std::vector<double> whole = costs("whole");
+  ASSERT_EQ(whole.size(), 10U);
+  // The third generation begins within the budget and ends beyond it.
+  const double budget = 0.5 * (whole[1] + whole[2]);
+  with_budget("[budget]\nelement_steps = " + std::to_string(budget) + "\n");
+  const Outcome outcome = run("evolve", {"study.toml", "--threads", "1"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("% of the budget"), std::string::npos) << outcome.out;
+  EXPECT_EQ(costs("run"), std::vector(whole.begin(), whole.begin() + 3));
+  EXPECT_NE(run("evolve", {"study.toml"}).out.find("nothing to do"), std::string::npos) << "it is spent";
+  ASSERT_EQ(run("evolve", {"study.toml", "--threads", "2", "-o", "two.sqlite"}).code, 0);
+  EXPECT_EQ(archive_content(folder_ / "run.sqlite"), archive_content(folder_ / "two.sqlite"));
+  with_budget("[budget]\nelement_steps = " + std::to_string(whole[3]) + "\n");
+  ASSERT_EQ(run("evolve", {"study.toml"}).code, 0) << "more can be spent on the same search";
+  EXPECT_EQ(costs("run"), std::vector(whole.begin(), whole.begin() + 4)) << "a budget that is spent exactly is spent";
+  with_budget("[budget]\nvoxel_steps_per_element_step = 1\n");
+  EXPECT_NE(run("evolve", {"study.toml"}).err.find("budget.element_steps"), std::string::npos);
+}
+
+TEST_F(EvolveOnElements, RobotsOfAnySearchWalkAsAnotherStudySays) {
+  io::write_whole(
+      folder_ / "voxels.toml",
+      "preset = \"paper\"\ngenerations = 2\n[population]\nsurvivors = 4\nmutants = 4\n[evaluation]\nstand = true\n"
+      "[body]\nlevels = [1]\ncastable = true\n[time]\nduration_s = 0.05\n[surrogate]\nparameters = \"" MENGER_SOURCE_DIR
+      "/voxel/parameters/dragon_skin_10_1cm.toml\"\noutside_range = \"warn\"\n"
+      "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 6000]\nfrequency_Hz = 40\n");
+  ASSERT_EQ(run("evolve", {"voxels.toml", "-o", "voxels.sqlite"}).code, 0);
+  io::write_whole(folder_ / "judge.toml",
+                  tests::walking_study_text("", "", "[robust]\nfrictions = [0.4, 1.2]\nloss_factors = [0.1]\n"));
+  const Outcome outcome = run("confirm", {"voxels.sqlite", "judge.toml", "--top", "2", "-o", "best.csv"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const io::CsvContents best = io::read_csv(folder_ / "best.csv");
+  ASSERT_EQ(best.row_count(), 4U) << "two robots in two scenarios";
+  EXPECT_GE(best.number(0, "fitness_body_lengths"), best.number(2, "fitness_body_lengths"));
+  const evolution::RunArchive archive = evolution::RunArchive::open_to_read(folder_ / "voxels.sqlite");
+  ASSERT_EQ(archive.reevaluations().size(), 4U);
+  for (std::size_t row = 0; row < 4; row += 2) {
+    EXPECT_EQ(best.number(row, "friction"), 0.4);
+    EXPECT_EQ(best.number(row + 1, "friction"), 1.2);
+    EXPECT_EQ(best.number(row, "rank"), best.number(row + 1, "rank"));
+    double worst = 1e9;
+    for (const evolution::Reevaluation& walk : archive.reevaluations()) {
+      if (walk.design_hash != best.text(row, "design")) continue;
+      ASSERT_TRUE(walk.result.displacement_m) << walk.result.reason;
+      worst = std::min(worst, evolution::body_lengths(*walk.result.displacement_m, 1, 0.01));
+    }
+    EXPECT_EQ(best.number(row, "score_body_lengths"), worst);
+    EXPECT_EQ(std::min(best.number(row, "body_lengths"), best.number(row + 1, "body_lengths")), worst);
+  }
+  ASSERT_EQ(run("confirm", {"voxels.sqlite", "judge.toml", "--champions", "-o", "champions.csv", "--threads", "1"}).code, 0);
+  const io::CsvContents champions = io::read_csv(folder_ / "champions.csv");
+  ASSERT_EQ(export_to("voxels.sqlite", "out").code, 0);
+  const io::CsvContents generations = io::read_csv(folder_ / "out/generations.csv");
+  std::vector<std::string> expected;
+  for (std::size_t row = 0; row < generations.row_count(); ++row)
+    if (expected.empty() || expected.back() != generations.text(row, "champion"))
+      expected.push_back(generations.text(row, "champion"));
+  ASSERT_EQ(champions.row_count(), 2 * expected.size());
+  for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(champions.text(2 * n, "individual"), expected[n]);
+
+  const std::string second = best.text(2, "individual");
+  ASSERT_EQ(run("confirm", {"voxels.sqlite", "judge.toml", "--individuals", second, "-o", "one.csv"}).code, 0);
+  const io::CsvContents one = io::read_csv(folder_ / "one.csv");
+  ASSERT_EQ(one.row_count(), 2U);
+  EXPECT_EQ(one.text(0, "individual"), second);
+  EXPECT_EQ(one.text(0, "score_body_lengths"), best.text(2, "score_body_lengths"));
+  const Outcome unknown = run("confirm", {"voxels.sqlite", "judge.toml", "--individuals", "100000", "-o", "none.csv"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.err.find("--individuals 100000"), std::string::npos) << unknown.err;
+
+  const auto expect_refused = [&](const std::string& from, const std::string& to, const std::string& word) {
+    std::string text = tests::walking_study_text();
+    text.replace(text.find(from), from.size(), to);
+    io::write_whole(folder_ / "wrong.toml", text);
+    const Outcome refused = run("confirm", {"voxels.sqlite", "wrong.toml", "-o", "wrong.csv"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find(word), std::string::npos) << refused.err;
+    EXPECT_FALSE(fs::exists(folder_ / "wrong.csv"));
+  };
+  expect_refused("wall_thickness_m = 0.002", "wall_thickness_m = 0.002\ncell_edge_m = 0.012", "body.cell_edge_m = 0.012");
+  EXPECT_EQ(run("confirm", {"voxels.sqlite", "voxels.toml"}).code, 2);
 }
 
 TEST_F(EvolveOnElements, TheTableAndTheManifestBelongToTheirArchive) {

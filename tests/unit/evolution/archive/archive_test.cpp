@@ -143,6 +143,30 @@ TEST_F(Archive, NoSearchGoesOnWithAnArchiveFromBeforeThereWereScenarios) {
   EXPECT_FALSE(archive.evaluation({"design 7", 1, "the physics of now"})) << "its results have the keys of now";
 }
 
+TEST_F(Archive, NoSearchGoesOnWithAnArchiveInWhichFallsDiverged) {
+  fill();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
+  expect_refused({"schema version 7, in which bodies that fell have no displacements", "no search can be resumed",
+                  "menger export and menger reevaluate can read it"});
+  EXPECT_TRUE(RunArchive::open_to_read(file_).evaluation({"design 7", 1, "physics"}));
+}
+
+TEST_F(Archive, KeepsHowFarABodyGotThatFell) {
+  RunArchive archive = open();
+  Evaluation fallen;
+  fallen.status = io::RunStatus::fell;
+  fallen.reason = "the body has fallen";
+  fallen.left_out_m = {0.3, -0.1, 0.0};
+  fallen.period_displacements_m = {{0.1, -0.1, 0.0}, {0.2, 0.0, 0.0}};
+  archive.add_evaluation({"a", 1, "p"}, {2, fallen});
+  const auto found = RunArchive::open_to_read(file_).evaluation({"a", 1, "p"});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->result.status, io::RunStatus::fell);
+  EXPECT_FALSE(found->result.displacement_m);
+  EXPECT_EQ(found->result.left_out_m, fallen.left_out_m);
+  EXPECT_EQ(found->result.period_displacements_m, fallen.period_displacements_m);
+}
+
 TEST_F(Archive, KnowsAResultOnlyUnderItsWholeKey) {
   RunArchive archive = open();
   Evaluation result;

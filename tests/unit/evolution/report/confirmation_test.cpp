@@ -59,7 +59,7 @@ TEST_F(ConfirmationTest, TheBestDifferentRobotsWalkOnStandardAndFineElements) {
   RunArchive archive = RunArchive::open_to_extend(folder_ / "run.sqlite");
   EXPECT_TRUE(confirmations(study, archive).empty());
   std::size_t walks = 0;
-  ConfirmationOptions options;
+  WalksAgainOptions options;
   options.progress = [&](std::size_t done, std::size_t total) {
     ++walks;
     EXPECT_EQ(done, walks);
@@ -95,7 +95,7 @@ TEST_F(ConfirmationTest, TheBestDifferentRobotsWalkOnStandardAndFineElements) {
 TEST_F(ConfirmationTest, IsTheSameForTwoThreadsAndAfterAStop) {
   const Study study = read("[robust]\nfrictions = [0.4, 1.2]\nloss_factors = [0.1]\n");
   for (const std::string name : {"one.sqlite", "two.sqlite", "stopped.sqlite"}) make(name, study, {hook, bar});
-  const auto confirmed = [&](const std::string& name, const ConfirmationOptions& options) {
+  const auto confirmed = [&](const std::string& name, const WalksAgainOptions& options) {
     RunArchive archive = RunArchive::open_to_extend(folder_ / name);
     return confirm(study, archive, options);
   };

@@ -223,9 +223,12 @@ TEST_F(WalkEvaluatorTest, ABodyThatHasFallenHasNoDisplacement) {
     return result;
   };
   const Evaluation fallen = measured();
-  EXPECT_EQ(fallen.status, io::RunStatus::diverged);
+  EXPECT_EQ(fallen.status, io::RunStatus::fell);
   EXPECT_FALSE(fallen.displacement_m);
-  EXPECT_TRUE(fallen.period_displacements_m.empty());
+  ASSERT_EQ(fallen.period_displacements_m.size(), 6U) << "where it got is kept";
+  EXPECT_NEAR(fallen.period_displacements_m[4][0], 1e-3, 1e-15);
+  ASSERT_TRUE(fallen.left_out_m);
+  EXPECT_NEAR((*fallen.left_out_m)[0], 6e-3, 1e-15);
   EXPECT_EQ(fallen.reason,
             "the body has fallen: at the end of period 4 it leans by 53 degrees from where it was at the end of the first");
   study.largest_lean_deg = 60.0;
@@ -239,6 +242,8 @@ TEST_F(WalkEvaluatorTest, ABodyThatHasFallenHasNoDisplacement) {
   ASSERT_TRUE(measured().displacement_m);
   walk.records.back().upright[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(measured().status, io::RunStatus::diverged);
+  EXPECT_TRUE(measured().period_displacements_m.empty());
+  EXPECT_FALSE(measured().left_out_m);
   EXPECT_NE(measured().reason.find("the upright axis of the body is not a number"), std::string::npos) << measured().reason;
 }
 

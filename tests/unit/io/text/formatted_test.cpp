@@ -26,7 +26,7 @@ TEST(Padded, PutsZerosBeforeAShortNumberOnly) {
 TEST(ColumnPart, KeepsLettersAndDigits) { EXPECT_EQ(column_part("plenum 0, top"), "plenum_0__top"); }
 
 TEST(RunStatusWords, AreTheWordsOfAllStatuses) {
-  EXPECT_EQ(run_status_words().size(), 7U);
+  EXPECT_EQ(run_status_words().size(), 8U);
   for (const auto& [word, status] : run_status_words()) EXPECT_EQ(word, to_string(status));
 }
 

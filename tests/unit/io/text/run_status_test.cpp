@@ -15,6 +15,7 @@ TEST(RunStatus, HasOneWordForEachOutcome) {
   EXPECT_EQ(to_string(RunStatus::limit_point), "limit_point");
   EXPECT_EQ(to_string(RunStatus::inverted_element), "inverted_element");
   EXPECT_EQ(to_string(RunStatus::wall_contact), "wall_contact");
+  EXPECT_EQ(to_string(RunStatus::fell), "fell");
   EXPECT_EQ(to_string(RunStatus::stopped), "stopped");
 }
 

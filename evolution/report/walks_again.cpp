@@ -1,0 +1,87 @@
+#include "evolution/report/walks_again.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "evolution/evaluation/scenario_evaluator.h"
+#include "evolution/evaluation/worker_pool.h"
+#include "evolution/genome/robot_form.h"
+#include "evolution/report/study_view.h"
+
+namespace menger::evolution {
+
+namespace {
+
+constexpr int module_level = 1;  ///< of all bodies on finite elements
+
+}  // namespace
+
+std::vector<FitDesign> different_robots(const Study& study, const RunArchive& archive, std::size_t most) {
+  const Distinction distinction = distinction_of(study);
+  std::vector<FitDesign> robots;
+  std::set<std::string> forms;
+  for (FitDesign& design : archive.fit_designs()) {
+    if (robots.size() == most) break;
+    if (forms.insert(robot_form(design.phenotype.body, distinction)).second) robots.push_back(std::move(design));
+  }
+  return robots;
+}
+
+io::RunStatus walk_again(std::span<const WalksAgain> asked, std::span<const FitDesign> robots, RunArchive& archive,
+                         const WalksAgainOptions& options) {
+  const MadeWalks made(archive);
+  std::vector<std::unique_ptr<DesignEvaluator>> evaluators;
+  std::vector<Reevaluation> rows;
+  std::vector<EvaluationTask> tasks;
+  for (const WalksAgain& one : asked) {
+    for (std::unique_ptr<DesignEvaluator>& scenario : scenario_evaluators_of(one.study)) {
+      const std::string protocol = scenario->physics();
+      for (const FitDesign& robot : robots) {
+        const Phenotype simulated = as_simulated(one.study.search, robot.phenotype);
+        const std::string design = design_hash(simulated, module_level);
+        if (made.in_scenarios({protocol}, design)) continue;
+        tasks.push_back({aggregate(simulated, module_level), module_level, evaluators.size()});
+        rows.push_back({.design_hash = design,
+                        .level = module_level,
+                        .protocol = protocol,
+                        .variant = one.variant,
+                        .duration_s = one.study.duration_s,
+                        .result = {}});
+      }
+      evaluators.push_back(std::move(scenario));
+    }
+  }
+  if (tasks.empty()) return io::RunStatus::completed;
+  const ScenarioEvaluator all(std::move(evaluators));
+  std::size_t done = 0;
+  return WorkerPool(all, options.threads).run(tasks, options.stop, [&](std::size_t task, const Evaluation& result) {
+    rows[task].result = result;
+    archive.add_reevaluations({&rows[task], 1});
+    ++done;
+    if (options.progress) options.progress(done, tasks.size());
+    if (options.after_commit) options.after_commit(done);
+  });
+}
+
+MadeWalks::MadeWalks(const RunArchive& archive) {
+  for (const Reevaluation& one : archive.reevaluations())
+    if (one.has_result && one.result.status != io::RunStatus::stopped) walks_[{one.design_hash, one.protocol}] = one.result;
+}
+
+std::optional<KnownResults> MadeWalks::in_scenarios(const std::vector<std::string>& protocols, const std::string& design) const {
+  KnownResults results;
+  for (std::size_t scenario = 0; scenario < protocols.size(); ++scenario) {
+    const auto found = walks_.find({design, protocols[scenario]});
+    if (found == walks_.end()) return std::nullopt;
+    results[{module_level, scenario}] = found->second;
+  }
+  return results;
+}
+
+std::string first_reason(const KnownResults& results) {
+  const auto failed = std::ranges::find_if(results, [](const auto& one) { return !one.second.displacement_m; });
+  return failed == results.end() ? "" : failed->second.reason;
+}
+
+}  // namespace menger::evolution
