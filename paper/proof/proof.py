@@ -1,0 +1,377 @@
+#!/usr/bin/python3
+"""What the proof needs besides menger: studies with their seed and budget, the tables of finished searches, and what follows from them.
+
+proof.py study ARM SEED SIZE.toml OUT.toml    writes the study of a search, with the budget of SIZE.toml and cost.csv
+proof.py number SIZE.toml KEY                 prints a value of SIZE.toml
+proof.py missing TABLES SEED                  prints the arms of a seed that the tables lack
+proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
+proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv and progress.csv
+proof.py winners TABLES                       prints "ARM SEED INDIVIDUAL" of the winners of the better arm on finite elements
+proof.py layers RESULTS TABLES                makes layers.csv: winners with two layers of elements
+proof.py summary TABLES                       makes statistics.csv and proof.svg
+
+A score is the displacement in a period of the drive, in body lengths, in the worst of three frictions. A robot without a score does not
+walk: it counts as 0. Exit codes: 0 done, 2 wrong input.
+"""
+
+import csv
+import itertools
+import math
+import os
+import pathlib
+import random
+import re
+import sys
+import tomllib
+
+sys.dont_write_bytecode = True  # nothing but results is written beside the studies
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "known_walks"))
+
+from chart_of_walks import HEIGHT, INK, WIDTH, Panel, words  # noqa: E402
+from statistics_of_walks import angle_deg, median, quantile  # noqa: E402
+
+ARMS = ("voxels", "elements", "both")
+NAMES = {"voxels": "voxels alone", "elements": "finite elements alone", "both": "voxels screen for finite elements"}
+SHORT_NAMES = {"voxels": "voxels", "elements": "finite elements", "both": "both"}
+STYLES = {"voxels": ("#D55E00", "triangle"), "elements": ("#0072B2", "circle"), "both": ("#009E73", "diamond")}
+COMPARISONS = (("elements", "voxels"), ("both", "voxels"), ("both", "elements"))
+CORES = 2  # of which size.toml speaks
+RESAMPLES = 10000
+MOST_ARRANGEMENTS = 2_000_000  # that an exact rank-sum test counts; eleven seeds have 705432
+GRID = 60  # costs at which lines of progress are drawn
+
+OUTCOMES = ["arm", "seed", "budget_element_steps", "cost_element_steps", "generations", "evaluations", "search_body_lengths", "individual",
+            "design", "cells", "first_body_lengths", "best_body_lengths", "reason"]
+PROGRESS = ["arm", "seed", "generation", "cost_element_steps", "champion", "body_lengths"]
+
+
+class InputError(Exception):
+    pass
+
+
+def read_table(file):
+    try:
+        with open(file, newline="", encoding="utf-8") as text:
+            return list(csv.DictReader(text))
+    except OSError as error:
+        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
+
+
+def write_table(file, columns, rows):
+    """Writes a table whole: an end in between leaves the former one."""
+    part = file.with_name(file.name + ".part")
+    with open(part, "w", newline="", encoding="utf-8") as text:
+        out = csv.DictWriter(text, columns, lineterminator="\n")
+        out.writeheader()
+        out.writerows(rows)
+    os.replace(part, file)
+
+
+def number(value):
+    return "" if value is None else f"{value:.6g}"
+
+
+def value(text):
+    return float(text) if text else None
+
+
+def costs():
+    return {row["what"]: float(row["value"]) for row in read_table(HERE / "cost.csv")}
+
+
+def read_toml(file):
+    try:
+        with open(file, "rb") as text:
+            return tomllib.load(text)
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{file}: {error}") from error
+
+
+def budget_element_steps(size):
+    return size["minutes_of_two_cores"] * 60.0 * CORES / (1e-9 * costs()["nanoseconds_per_element_step"])
+
+
+def study_text(arm, seed, size, folder):
+    """The study of an arm with a seed and a budget, for a file in a folder."""
+    text = (HERE / f"{arm}.toml").read_text(encoding="utf-8")
+    # Seeds of their own: with the same one, the first robots of two arms would be the same, and their outcomes would not be independent.
+    values = {"seed": 1000 * ARMS.index(arm) + seed} | {key: size[key] for key in ("generations", "survivors", "mutants") if key in size}
+    for key, new in values.items():
+        text, count = re.subn(rf"^{key} = \d+$", f"{key} = {new}", text, flags=re.MULTILINE)
+        if count != 1:
+            raise InputError(f"{HERE / arm}.toml: has not one line with {key}")
+    text = re.sub(r'^parameters = "(.*)"$', lambda found: f'parameters = "{os.path.relpath(HERE / found[1], folder)}"', text,
+                  flags=re.MULTILINE)
+    budget = f"\n[budget]\nelement_steps = {budget_element_steps(size):.6g}\n"
+    if arm != "elements":
+        budget += f"voxel_steps_per_element_step = {costs()['voxel_steps_per_element_step']:.4g}\n"
+    return text + budget
+
+
+def cost_rows(results):
+    """What a step costs, from the wall times of evaluations of two searches on one thread."""
+    nanoseconds = {}
+    for arm, steps in (("voxels", "voxel_steps"), ("elements", "element_steps")):
+        seconds = sum(float(row["seconds"]) for row in read_table(results / arm / "timings.csv"))
+        count = sum(float(row[steps]) for row in read_table(results / arm / "costs.csv"))
+        nanoseconds[arm] = 1e9 * seconds / count
+    return [{"what": "nanoseconds_per_element_step", "value": number(nanoseconds["elements"])},
+            {"what": "nanoseconds_per_voxel_step", "value": number(nanoseconds["voxels"])},
+            {"what": "voxel_steps_per_element_step", "value": number(nanoseconds["elements"] / nanoseconds["voxels"])}]
+
+
+def budget_in(study):
+    return read_toml(study)["budget"]
+
+
+def robots_of(rows):
+    """The robots of a table of menger confirm, {rank: rows of its scenarios}."""
+    robots = {}
+    for row in rows:
+        robots.setdefault(int(row["rank"]), []).append(row)
+    return robots
+
+
+def score(rows):
+    return value(rows[0]["score_body_lengths"]) or 0.0
+
+
+def outcome_of(results, arm, seed):
+    """The row of a finished search: its best robot on fine elements, of those that were judged."""
+    name = f"{arm}_{seed}"
+    budget = budget_in(results / "studies" / f"{name}.toml")
+    generations = read_table(results / name / "generations.csv")
+    judged = robots_of(read_table(results / f"{name}.fine.csv"))
+    best = max(judged.values(), key=score, default=None)
+    row = {"arm": arm, "seed": seed, "budget_element_steps": number(budget["element_steps"]),
+           "cost_element_steps": number(summed_costs(results / name, budget)[-1]), "generations": len(generations) - 1,
+           "evaluations": sum(int(one["evaluations"]) for one in generations), "search_body_lengths": generations[-1]["best_fitness_body_lengths"],
+           "first_body_lengths": number(score(judged[1]) if judged else 0.0), "best_body_lengths": number(score(best) if best else 0.0)}
+    if best:
+        row |= {"individual": best[0]["individual"], "design": best[0]["design"], "cells": best[0]["cells"],
+                "reason": next((one["reason"] for one in best if one["reason"]), "")}
+    return row
+
+
+def summed_costs(folder, budget):
+    ratio = budget.get("voxel_steps_per_element_step", 1.0)  # without voxels it does not matter
+    return list(itertools.accumulate(float(row["element_steps"]) + float(row["voxel_steps"]) / ratio
+                                     for row in read_table(folder / "costs.csv")))
+
+
+def progress_of(results, arm, seed):
+    """Rows where a search has another champion: its score on draft elements, and what the search has cost by then."""
+    name = f"{arm}_{seed}"
+    cost = summed_costs(results / name, budget_in(results / "studies" / f"{name}.toml"))
+    judged = {}  # voxels have no such score of their own
+    if arm == "voxels":
+        judged = {rows[0]["individual"]: score(rows) for rows in robots_of(read_table(results / f"{name}.champions.csv")).values()}
+    before = None
+    for n, row in enumerate(read_table(results / name / "generations.csv")):
+        champion = row["champion"]
+        if not champion or champion == before:
+            continue
+        before = champion
+        found = judged[champion] if arm == "voxels" else float(row["best_fitness_body_lengths"])
+        yield {"arm": arm, "seed": seed, "generation": n, "cost_element_steps": number(cost[n]), "champion": champion,
+               "body_lengths": number(found)}
+
+
+def is_of(row, arm, seed):
+    return row["arm"] == arm and row["seed"] == str(seed)
+
+
+def sorted_rows(rows):
+    return sorted(rows, key=lambda row: (ARMS.index(row["arm"]), int(row["seed"]), int(row.get("generation") or 0)))
+
+
+def add_rows(file, columns, arm, seed, new):
+    old = read_table(file) if file.exists() else []
+    kept = [row for row in old if not is_of(row, arm, seed)]
+    write_table(file, columns, sorted_rows([*kept, *({key: str(text) for key, text in row.items()} for row in new)]))
+
+
+def outcomes_by_arm(tables):
+    rows = read_table(tables / "outcomes.csv")
+    return {arm: [float(row["best_body_lengths"]) for row in rows if row["arm"] == arm] for arm in ARMS}
+
+
+def rank_sum_p(a, b):
+    """The two-sided p of Wilcoxon's rank-sum test, exact also with equal values: the share of all arrangements of the values in two
+    groups of these sizes whose rank sum is at least as far from its mean. None for an empty group, or too many arrangements."""
+    if not a or not b or math.comb(len(a) + len(b), len(a)) > MOST_ARRANGEMENTS:
+        return None
+    ordered = sorted([*a, *b])
+    # twice the mid-ranks, which are whole
+    ranks = {x: 2 * ordered.index(x) + ordered.count(x) + 1 for x in set(ordered)}
+    everyone = [ranks[x] for x in ordered]
+    mean = len(a) * (len(ordered) + 1)
+    found = abs(sum(ranks[x] for x in a) - mean)
+    far = sum(abs(sum(group) - mean) >= found for group in itertools.combinations(everyone, len(a)))
+    return far / math.comb(len(ordered), len(a))
+
+
+def superiority(a, b):
+    """The chance that one of a is larger than one of b; equal ones count half (Vargha and Delaney's A)."""
+    return sum((x > y) + 0.5 * (x == y) for x in a for y in b) / (len(a) * len(b))
+
+
+def interval_of_two(a, b, statistic):
+    """The 95 % interval of a statistic of two groups, by a bootstrap over both. The same values give the same interval."""
+    draw = random.Random(1)
+    found = [statistic(draw.choices(a, k=len(a)), draw.choices(b, k=len(b))) for _ in range(RESAMPLES)]
+    return quantile(found, 0.025), quantile(found, 0.975)
+
+
+def difference_of_medians(a, b):
+    return median(a) - median(b)
+
+
+STATISTICS = ["arm", "than", "searches", "searches_than", "median_body_lengths", "median_than_body_lengths", "difference_body_lengths",
+              "difference_low", "difference_high", "superiority", "superiority_low", "superiority_high", "rank_sum_p"]
+
+
+def statistics_rows(outcomes):
+    for arm, than in COMPARISONS:
+        a, b = outcomes[arm], outcomes[than]
+        row = {"arm": arm, "than": than, "searches": len(a), "searches_than": len(b)}
+        if a and b:
+            (low, high), (least, most) = (interval_of_two(a, b, statistic) for statistic in (difference_of_medians, superiority))
+            row |= {"median_body_lengths": number(median(a)), "median_than_body_lengths": number(median(b)),
+                    "difference_body_lengths": number(difference_of_medians(a, b)), "difference_low": number(low),
+                    "difference_high": number(high), "superiority": number(superiority(a, b)), "superiority_low": number(least),
+                    "superiority_high": number(most), "rank_sum_p": number(rank_sum_p(a, b))}
+        yield row
+
+
+def better_arm(tables):
+    outcomes = outcomes_by_arm(tables)
+    arms = [arm for arm in ARMS if arm != "voxels" and outcomes[arm]]
+    if not arms:
+        raise InputError(f"{tables}/outcomes.csv: has no search on finite elements")
+    return max(arms, key=lambda arm: median(outcomes[arm]))
+
+
+def winners(tables):
+    arm = better_arm(tables)
+    return [row for row in read_table(tables / "outcomes.csv") if row["arm"] == arm and float(row["best_body_lengths"]) > 0.0]
+
+
+def layer_rows(results, tables):
+    """Winners at the friction of two_layers.toml on one layer of elements and on two."""
+    for row in winners(tables):
+        name = f"{row['arm']}_{row['seed']}"
+        file = results / f"{name}.layers.csv"
+        if not file.exists():
+            continue
+        two = read_table(file)[0]
+        one = next(found for found in read_table(results / f"{name}.fine.csv")
+                   if found["individual"] == row["individual"] and found["friction"] == two["friction"])
+        cells = {"arm": row["arm"], "seed": row["seed"], "individual": row["individual"], "one_body_lengths": one["body_lengths"],
+                 "two_body_lengths": two["body_lengths"], "reason": two["reason"]}
+        if one["dx_m"] and two["dx_m"]:
+            ways = [(float(found["dx_m"]), float(found["dy_m"])) for found in (one, two)]
+            cells |= {"ratio": number(float(two["body_lengths"]) / float(one["body_lengths"])), "angle_deg": number(angle_deg(*ways))}
+        yield cells
+
+
+LAYERS = ["arm", "seed", "individual", "one_body_lengths", "two_body_lengths", "ratio", "angle_deg", "reason"]
+
+
+def at_cost(rows, cost):
+    """The score of the champion of a search when it had cost so much; none before its first."""
+    found = [float(row["body_lengths"]) for row in rows if float(row["cost_element_steps"]) <= cost]
+    return found[-1] if found else None
+
+
+def ticks(highest):
+    """Some round numbers from 0 to above a value."""
+    step = 10.0 ** math.floor(math.log10(highest / 2.0)) if highest > 0.0 else 1.0
+    step *= next(factor for factor in (1, 2, 5, 10) if highest / (step * factor) <= 6.0)
+    return [n * step for n in range(math.ceil(highest / step) + 1)]
+
+
+def draw(outcomes, progress):
+    searches = {arm: {} for arm in ARMS}
+    for row in progress:
+        searches[row["arm"]].setdefault(row["seed"], []).append(row)
+    highest_cost = max(float(row["cost_element_steps"]) for row in progress)
+    least_cost = min(float(row["cost_element_steps"]) for row in progress)
+    grid = [least_cost * (highest_cost / least_cost) ** (n / (GRID - 1)) for n in range(GRID)]
+    costs_axis = ("cost (element-steps)", 10.0 ** math.floor(math.log10(least_cost)), 10.0 ** math.ceil(math.log10(highest_cost)))
+    decades = [costs_axis[1] * 10**n for n in range(round(math.log10(costs_axis[2] / costs_axis[1])) + 1)]
+    lines = {}
+    for arm, by_seed in searches.items():
+        for cost in grid:
+            # a search that ended a little earlier keeps its last champion
+            found = [at_cost(rows, cost) for rows in by_seed.values()]
+            if found and None not in found:
+                lines.setdefault(arm, []).append((cost, *(quantile(found, share) for share in (0.25, 0.5, 0.75))))
+    y_ticks = ticks(max((point[3] for line in lines.values() for point in line), default=1.0))
+    first = Panel(0, "The champion of a search, on draft elements", (*costs_axis, decades, True),
+                  ("body lengths in a period", 0.0, y_ticks[-1], y_ticks, False))
+    for arm, line in lines.items():
+        first.add_band([(cost, low, high) for cost, low, _, high in line], STYLES[arm][0])
+        first.add_line([(cost, middle) for cost, _, middle, _ in line], STYLES[arm][0])
+        first.add_mark(*[(cost, middle) for cost, _, middle, _ in line][-1], STYLES[arm])
+    first.add_legend([(STYLES[arm], NAMES[arm]) for arm in ARMS if outcomes[arm]])
+    best_ticks = ticks(max((x for values in outcomes.values() for x in values), default=1.0))
+    second = Panel(1, "The best robot of each search, on fine elements", ("worst of three frictions", 0.5, len(ARMS) + 0.5, [], False),
+                   ("body lengths in a period", 0.0, best_ticks[-1], best_ticks, False))
+    for n, arm in enumerate(ARMS, 1):
+        values = outcomes[arm]
+        for k, x in enumerate(sorted(values)):
+            second.add_mark(n + 0.3 * ((k + 0.5) / len(values) - 0.5), x, STYLES[arm])
+        if values:
+            second.add_line([(n - 0.25, median(values)), (n + 0.25, median(values))], INK)
+        second.parts.append(words(second.place_x(n), HEIGHT - 130 + 18, SHORT_NAMES[arm], size=12))
+    parts = [part for panel in (first, second) for part in panel.parts]
+    width = WIDTH - 420  # two of three panels
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {HEIGHT}" font-family="sans-serif" fill="{INK}">\n'
+            f'<rect width="{width}" height="{HEIGHT}" fill="white"/>\n' + "\n".join(parts) + "\n</svg>\n")
+
+
+def main(arguments):
+    try:
+        match arguments:
+            case ["study", arm, seed, size, out] if arm in ARMS:
+                out = pathlib.Path(out).resolve()
+                out.parent.mkdir(parents=True, exist_ok=True)
+                out.write_text(study_text(arm, int(seed), read_toml(size), out.parent), encoding="utf-8")
+            case ["number", size, key]:
+                print(read_toml(size)[key])
+            case ["missing", tables, seed]:
+                file = pathlib.Path(tables) / "outcomes.csv"
+                rows = read_table(file) if file.exists() else []
+                print(*(arm for arm in ARMS if not any(is_of(row, arm, seed) for row in rows)))
+            case ["cost", results]:
+                write_table(HERE / "cost.csv", ["what", "value"], cost_rows(pathlib.Path(results)))
+            case ["take", results, tables, arm, seed] if arm in ARMS:
+                results, tables = pathlib.Path(results), pathlib.Path(tables)
+                progress = list(progress_of(results, arm, seed))
+                outcome = outcome_of(results, arm, seed)
+                add_rows(tables / "progress.csv", PROGRESS, arm, seed, progress)
+                # the last one: a search whose outcome is there is not run again
+                add_rows(tables / "outcomes.csv", OUTCOMES, arm, seed, [outcome])
+            case ["winners", tables]:
+                for row in winners(pathlib.Path(tables)):
+                    print(row["arm"], row["seed"], row["individual"])
+            case ["layers", results, tables]:
+                tables = pathlib.Path(tables)
+                write_table(tables / "layers.csv", LAYERS, layer_rows(pathlib.Path(results), tables))
+            case ["summary", tables]:
+                tables = pathlib.Path(tables)
+                outcomes = outcomes_by_arm(tables)
+                write_table(tables / "statistics.csv", STATISTICS, statistics_rows(outcomes))
+                (tables / "proof.svg").write_text(draw(outcomes, read_table(tables / "progress.csv")), encoding="utf-8")
+            case _:
+                raise InputError(f"wrong arguments\n\n{__doc__}")
+    except (InputError, KeyError, ValueError) as error:
+        print(f"proof.py: error: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

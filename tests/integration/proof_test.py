@@ -1,0 +1,192 @@
+"""Tests paper/proof/proof.py on searches that are made up, so that what it must find is known.
+
+proof_test.py SOURCES: the folder of the sources.
+"""
+
+import csv
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+import xml.dom.minidom
+
+SOURCES = pathlib.Path(sys.argv.pop()).resolve()
+EXPERIMENT = SOURCES / "paper" / "proof"
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(EXPERIMENT))
+
+import proof  # noqa: E402
+
+
+def table_of(file):
+    with open(file, newline="", encoding="utf-8") as text:
+        return list(csv.DictReader(text))
+
+
+class Statistics(unittest.TestCase):
+    def test_rank_sums_of_known_tables(self):
+        # all of one above all of the other: 2 of the 20 arrangements of three and three, 2 of 184756 of ten and ten
+        self.assertAlmostEqual(proof.rank_sum_p([4, 5, 6], [1, 2, 3]), 0.1)
+        self.assertAlmostEqual(proof.rank_sum_p([1, 2, 3], [4, 5, 6]), 0.1)
+        self.assertAlmostEqual(proof.rank_sum_p(list(range(10, 20)), list(range(10))), 2 / 184756)
+        # R: wilcox.test(c(1.1, 2.2, 3.3, 0.4), c(1.0, 0.3, 0.2, 0.1), exact = TRUE)
+        self.assertAlmostEqual(proof.rank_sum_p([1.1, 2.2, 3.3, 0.4], [1.0, 0.3, 0.2, 0.1]), 4 / 70)
+        self.assertIsNone(proof.rank_sum_p([], [1]))
+
+    def test_equal_values_share_their_rank(self):
+        self.assertEqual(proof.rank_sum_p([1, 1, 1], [1, 1, 1]), 1.0)
+        # ranks 1.5 1.5 3 and 4: the pair with 4 has 5.5 or 7; its mean is 5: {4, 3} and {1.5, 1.5} are as far of 6 pairs
+        self.assertAlmostEqual(proof.rank_sum_p([3, 4], [0, 0]), 2 / 6)
+
+    def test_rank_sums_are_right_about_chance(self):
+        draw = random.Random(3)
+        found = [proof.rank_sum_p([draw.random() for _ in range(5)], [draw.random() for _ in range(5)]) for _ in range(800)]
+        self.assertLess(sum(p <= 0.05 for p in found) / len(found), 0.05)
+        self.assertGreater(sum(p <= 0.05 for p in found) / len(found), 0.005)
+
+    def test_superiority(self):
+        self.assertEqual(proof.superiority([2, 3], [0, 1]), 1.0)
+        self.assertEqual(proof.superiority([1, 2], [1, 2]), 0.5)
+        self.assertEqual(proof.superiority([0], [1, 2]), 0.0)
+
+    def test_intervals_hold_what_they_are_of(self):
+        draw = random.Random(5)
+        a, b = ([draw.gauss(mean, 1.0) for _ in range(10)] for mean in (2.0, 0.0))
+        low, high = proof.interval_of_two(a, b, proof.difference_of_medians)
+        self.assertLess(low, proof.difference_of_medians(a, b))
+        self.assertGreater(high, proof.difference_of_medians(a, b))
+        self.assertGreater(low, 0.0)
+        self.assertEqual((low, high), proof.interval_of_two(a, b, proof.difference_of_medians))
+
+
+class Studies(unittest.TestCase):
+    def test_all_arms_have_the_same_budget_and_robots(self):
+        size = proof.read_toml(EXPERIMENT / "size.toml")
+        texts = {arm: tomllib.loads(proof.study_text(arm, 7, size, EXPERIMENT)) for arm in proof.ARMS}
+        elements = texts["elements"]
+        for arm, study in texts.items():
+            self.assertEqual(study["budget"]["element_steps"], elements["budget"]["element_steps"])
+            self.assertEqual(study["drive"], elements["drive"])
+            self.assertEqual(study["time"], elements["time"])
+            for key in ("measure", "measure_periods", "stand"):
+                self.assertEqual(study["evaluation"][key], elements["evaluation"][key], arm)
+        self.assertEqual(len({study["seed"] for study in texts.values()}), 3, "arms do not begin with the same robots")
+        self.assertEqual(texts["both"]["robust"], elements["robust"])
+        self.assertEqual(texts["both"]["elements"], elements["elements"])
+        friction = texts["voxels"]["ground"]["static_friction"]
+        self.assertEqual(sorted(elements["robust"]["frictions"])[1], friction, "voxels have the middle friction")
+        judge = tomllib.loads((EXPERIMENT / "fine.toml").read_text())
+        self.assertEqual(judge["robust"], elements["robust"])
+        self.assertEqual(judge["elements"], elements["elements"] | {"fidelity": "fine"})
+
+    def test_the_budget_is_counted_in_steps(self):
+        size = proof.read_toml(EXPERIMENT / "size.toml")
+        costs = proof.costs()
+        steps = tomllib.loads(proof.study_text("elements", 1, size, EXPERIMENT))["budget"]["element_steps"]
+        seconds = steps * 1e-9 * costs["nanoseconds_per_element_step"]
+        self.assertAlmostEqual(seconds / (120.0 * size["minutes_of_two_cores"]), 1.0, 5)
+
+    def test_parameters_are_found_from_another_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            size = proof.read_toml(EXPERIMENT / "trial_size.toml")
+            study = tomllib.loads(proof.study_text("both", 1, size, pathlib.Path(folder)))
+            self.assertTrue((pathlib.Path(folder) / study["surrogate"]["parameters"]).exists())
+
+
+class Searches(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.results = pathlib.Path(folder.name) / "results"
+        self.tables = pathlib.Path(folder.name) / "tables"
+        self.tables.mkdir()
+
+    def put(self, name, columns, rows):
+        file = self.results / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        with open(file, "w", newline="", encoding="utf-8") as text:
+            csv.writer(text).writerows([columns.split(), *rows])
+
+    def call(self, *words):
+        return subprocess.run([sys.executable, str(EXPERIMENT / "proof.py"), *map(str, words)], capture_output=True, text=True, check=False)
+
+    def make(self, arm, seed, best):
+        """A search of two generations, each of which has another champion."""
+        name = f"{arm}_{seed}"
+        study = self.results / "studies" / f"{name}.toml"
+        self.assertEqual(self.call("study", arm, seed, EXPERIMENT / "trial_size.toml", study).returncode, 0)
+        self.put(f"{name}/generations.csv", "generation champion best_fitness_body_lengths evaluations", [[0, 5, 0.1, 15], [1, 9, 0.2, 16]])
+        self.put(f"{name}/costs.csv", "generation voxel_steps element_steps", [[0, 0, 1e6], [1, 0, 2e6]])
+        columns = "rank individual design cells score_body_lengths friction dx_m dy_m body_lengths reason"
+        self.put(f"{name}.fine.csv", columns, [[1, 9, "a", 20, "", 0.4, "", "", "", "it fell"], [1, 9, "a", 20, "", 0.8, 0.01, 0, 0.3, ""],
+                                               [2, 5, "b", 19, best, 0.4, 0, 0.03, best, ""], [2, 5, "b", 19, best, 0.8, 0, 0.04, 0.5, ""]])
+        self.put(f"{name}.champions.csv", columns, [[1, 5, "b", 19, 0.03, 0.4, 0, 0, 0.03, ""], [2, 9, "a", 20, "", 0.4, "", "", "", "it fell"]])
+
+    def test_a_finished_search_is_not_missing_any_more(self):
+        self.assertEqual(self.call("missing", self.tables, 1).stdout.split(), list(proof.ARMS))
+        self.make("elements", 1, 0.07)
+        taken = self.call("take", self.results, self.tables, "elements", 1)
+        self.assertEqual(taken.returncode, 0, taken.stderr)
+        self.assertEqual(self.call("missing", self.tables, 1).stdout.split(), ["voxels", "both"])
+        self.assertEqual(self.call("missing", self.tables, 2).stdout.split(), list(proof.ARMS))
+        row, = table_of(self.tables / "outcomes.csv")
+        self.assertEqual(row["best_body_lengths"], "0.07")
+        self.assertEqual(row["individual"], "5")
+        self.assertEqual(row["first_body_lengths"], "0", "a robot without a score does not walk")
+        self.assertEqual(float(row["cost_element_steps"]), 3e6)
+        self.assertEqual(row["evaluations"], "31")
+        again = (self.tables / "outcomes.csv").read_text()
+        self.call("take", self.results, self.tables, "elements", 1)
+        self.assertEqual((self.tables / "outcomes.csv").read_text(), again, "it is there once")
+
+    def test_what_voxels_cost_is_counted_in_element_steps(self):
+        self.make("voxels", 1, 0.01)
+        self.put("voxels_1/costs.csv", "generation voxel_steps element_steps", [[0, 1e6, 0], [1, 1e6, 0]])
+        self.assertEqual(self.call("take", self.results, self.tables, "voxels", 1).returncode, 0)
+        ratio = proof.budget_in(self.results / "studies/voxels_1.toml")["voxel_steps_per_element_step"]
+        self.assertAlmostEqual(float(table_of(self.tables / "outcomes.csv")[0]["cost_element_steps"]) * ratio / 2e6, 1.0, 5)
+        progress = table_of(self.tables / "progress.csv")
+        self.assertEqual([row["body_lengths"] for row in progress], ["0.03", "0"], "as finite elements say, not voxels")
+
+    def test_tests_effects_and_picture(self):
+        for seed in range(1, 6):
+            for arm, best in (("voxels", 0.01 * seed), ("elements", 0.2 + 0.01 * seed), ("both", 0.15 + 0.02 * seed)):
+                self.make(arm, seed, best)
+                self.assertEqual(self.call("take", self.results, self.tables, arm, seed).returncode, 0)
+        summary = self.call("summary", self.tables)
+        self.assertEqual(summary.returncode, 0, summary.stderr)
+        rows = {(row["arm"], row["than"]): row for row in table_of(self.tables / "statistics.csv")}
+        self.assertAlmostEqual(float(rows["elements", "voxels"]["rank_sum_p"]), 2 / 252, 6)
+        self.assertEqual(float(rows["elements", "voxels"]["superiority"]), 1.0)
+        self.assertAlmostEqual(float(rows["elements", "voxels"]["difference_body_lengths"]), 0.2)
+        self.assertAlmostEqual(float(rows["both", "elements"]["difference_body_lengths"]), -0.02)
+        self.assertLess(float(rows["both", "elements"]["difference_low"]), 0.0)
+        picture = (self.tables / "proof.svg").read_text()
+        xml.dom.minidom.parseString(picture)
+        for colour, _ in proof.STYLES.values():
+            self.assertIn(colour, picture)
+        self.call("summary", self.tables)
+        self.assertEqual((self.tables / "proof.svg").read_text(), picture, "the same searches give the same bytes")
+        self.assertEqual(self.call("winners", self.tables).stdout.splitlines()[0], "elements 1 5")
+
+    def test_winners_on_two_layers(self):
+        self.make("elements", 1, 0.07)
+        self.call("take", self.results, self.tables, "elements", 1)
+        self.put("elements_1.layers.csv", "rank individual friction dx_m dy_m body_lengths reason", [[1, 5, 0.8, 0.04, 0.04, 0.25, ""]])
+        self.assertEqual(self.call("layers", self.results, self.tables).returncode, 0)
+        row, = table_of(self.tables / "layers.csv")
+        self.assertEqual(row["ratio"], "0.5")
+        self.assertEqual(row["angle_deg"], "45")
+
+    def test_wrong_input_is_named(self):
+        for words in (("summary", self.tables), ("take", self.results, self.tables, "elements", 1), ("study", "lava", 1, "a", "b")):
+            outcome = self.call(*words)
+            self.assertEqual(outcome.returncode, 2, words)
+            self.assertTrue(outcome.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
