@@ -34,13 +34,14 @@ io::RunStatus walk_again(std::span<const WalksAgain> asked, std::span<const FitD
   std::vector<std::unique_ptr<DesignEvaluator>> evaluators;
   std::vector<Reevaluation> rows;
   std::vector<EvaluationTask> tasks;
+  std::set<std::pair<std::string, std::string>> asked_for;  // several robots may have the same body
   for (const WalksAgain& one : asked) {
     for (std::unique_ptr<DesignEvaluator>& scenario : scenario_evaluators_of(one.study)) {
       const std::string protocol = scenario->physics();
       for (const FitDesign& robot : robots) {
         const Phenotype simulated = as_simulated(one.study.search, robot.phenotype);
         const std::string design = design_hash(simulated, module_level);
-        if (made.in_scenarios({protocol}, design)) continue;
+        if (made.in_scenarios({protocol}, design) || !asked_for.insert({design, protocol}).second) continue;
         tasks.push_back({aggregate(simulated, module_level), module_level, evaluators.size()});
         rows.push_back({.design_hash = design,
                         .level = module_level,

@@ -114,6 +114,25 @@ TEST_F(ConfirmationTest, IsTheSameForTwoThreadsAndAfterAStop) {
   EXPECT_EQ(confirmations(study, archive).size(), 4U) << "a score over the scenarios";
 }
 
+TEST_F(ConfirmationTest, ABodyOfSeveralRobotsWalksOnce) {
+  const Study study = read();
+  make("run.sqlite", study, {hook, bar});
+  RunArchive archive = RunArchive::open_to_extend(folder_ / "run.sqlite");
+  std::vector<FitDesign> robots = archive.fit_designs();
+  robots.push_back(robots.front());
+  robots.back().individual = 7;
+  std::size_t walks = 0;
+  const WalksAgain asked{.study = study, .variant = "again"};
+  ASSERT_EQ(walk_again({&asked, 1}, robots, archive,
+                       {.progress =
+                            [&](std::size_t, std::size_t total) {
+                              ++walks;
+                              EXPECT_EQ(total, 2U);
+                            }}),
+            io::RunStatus::completed);
+  EXPECT_EQ(walks, 2U);
+}
+
 TEST_F(ConfirmationTest, TellsWhyARobotFailed) {
   Study study = read();
   study.confirm = 1;
