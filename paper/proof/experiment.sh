@@ -14,16 +14,16 @@ proof() { "$study/proof.py" "$@"; }
 
 # A search of an arm, and what is wanted of it: arm, seed, size, folder of results, folder of tables.
 one_search() {
-  local arm=$1 seed=$2 size=$3 folder=$4 tables=$5 name=$1_$2
+  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2
   say "proof: seed $seed, $arm"
-  proof study "$arm" "$seed" "$size" "$folder/studies/$name.toml"
-  menger evolve "$folder/studies/$name.toml" --output "$folder/$name.sqlite"
-  menger confirm "$folder/$name.sqlite" "$study/fine.toml" --top "$(proof number "$size" robots)" --output "$folder/$name.fine.csv"
+  proof study "$arm" "$seed" "$size" "$out/studies/$name.toml"
+  menger evolve "$out/studies/$name.toml" --output "$out/$name.sqlite"
+  menger confirm "$out/$name.sqlite" "$study/fine.toml" --top "$(proof number "$size" robots)" --output "$out/$name.fine.csv"
   if [ "$arm" = voxels ]; then
-    menger confirm "$folder/$name.sqlite" "$study/elements.toml" --champions --output "$folder/$name.champions.csv"
+    menger confirm "$out/$name.sqlite" "$study/elements.toml" --champions --output "$out/$name.champions.csv"
   fi
-  menger export "$folder/$name.sqlite" --output "$folder/$name" --levels 1 --no-frames --no-pictures
-  proof take "$folder" "$tables" "$arm" "$seed"
+  menger export "$out/$name.sqlite" --output "$out/$name" --levels 1 --no-frames --no-pictures
+  proof take "$out" "$tables" "$arm" "$seed"
 }
 
 # The searches of a seed that the tables lack.
@@ -40,14 +40,17 @@ done
 
 summary() { proof summary "$study"; }
 
+# A short search of an arm on one thread, with the wall times of its walks.
+timed_search() {
+  sed 's|"../../voxel|"../../../voxel|; s/^frictions = .*/frictions = [0.8]/' "$study/$1.toml" >"$results/cost_$1.toml"
+  rm -f "$results/cost_$1.sqlite"
+  menger evolve "$results/cost_$1.toml" --generations 1 --threads 1 --output "$results/cost_$1.sqlite"
+  menger export "$results/cost_$1.sqlite" --output "$results/cost/$1" --timings --levels 1 --no-frames --no-pictures
+}
+
 cost() {
-  local arm
-  for arm in voxels elements; do
-    sed 's|"../../voxel|"../../../voxel|; s/^frictions = .*/frictions = [0.8]/' "$study/$arm.toml" >"$results/cost_$arm.toml"
-    rm -f "$results/cost_$arm.sqlite"
-    menger evolve "$results/cost_$arm.toml" --generations 1 --threads 1 --output "$results/cost_$arm.sqlite"
-    menger export "$results/cost_$arm.sqlite" --output "$results/cost/$arm" --timings --levels 1 --no-frames --no-pictures
-  done
+  timed_search voxels
+  timed_search elements
   proof cost "$results/cost"
 }
 
