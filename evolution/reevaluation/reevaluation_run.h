@@ -43,8 +43,8 @@ struct ReevaluationResult {
 /// time. Adds the results of the finite elements to the archive and writes into a folder:
 /// - reevaluation.csv, refused.csv, variants.csv (with variants), ranking.csv, summary.txt, reevaluation.png,
 /// - trajectories/rank_<n>.csv: each design in both models at the same times,
-/// - winner/: the design of the best rank as design.toml, trajectories.png, both.pvd and strip.png (see write_both_models). If the
-///   search confirmed its robots on finer elements, the one that it is shown by (best_confirmed) takes this place,
+/// - winner/: the design of the best rank as design.toml, trajectories.png, both.pvd and strip.png (see write_both_models). If
+///   the search confirmed its robots on finer elements, the one that it is shown by (best_confirmed) takes this place,
 /// - runs/: a folder per run of finite elements, where a second call finds it.
 ///
 /// A design that fails is in the tables with its status, and the others go on. If the user stops it, only runs/ is written.
