@@ -7,6 +7,8 @@ done
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"
 part_on_request two_layers "30 min of two cores" "the winners with two layers of elements through the wall"
+part_on_request short "75 min of two cores" "ten seeds of searches a tenth as long; tables in paper/proof/short"
+part_on_request short_two_layers "30 min of two cores" "the winners of these with two layers of elements through the wall"
 part_on_request trial "3 min" "three seeds of the smallest searches; results and tables in build/paper/proof/trial"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
@@ -38,7 +40,13 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   eval "seed_$seed() { searches $seed \"\$study/size.toml\" \"\$results\" \"\$study\"; }"
 done
 
-summary() { proof summary "$study"; }
+# Of the searches of each size that there are.
+summary() {
+  local tables
+  for tables in "$study" "$study/short"; do
+    if [ -e "$tables/outcomes.csv" ]; then proof summary "$tables"; else say "proof: no finished search in $tables"; fi
+  done
+}
 
 # A short search of an arm on one thread, with the wall times of its walks.
 timed_search() {
@@ -54,15 +62,25 @@ cost() {
   proof cost "$results/cost"
 }
 
-two_layers() {
-  local arm seed individual
-  proof winners "$study" >"$results/winners.txt"
+# The winners of the searches in a folder of results, with tables in another one.
+winners_on_two_layers() {
+  local folder=$1 tables=$2 arm seed individual
+  proof winners "$tables" >"$folder/winners.txt"
   while read -r arm seed individual; do
-    menger confirm "$results/${arm}_$seed.sqlite" "$study/two_layers.toml" --individuals "$individual" \
-      --output "$results/${arm}_$seed.layers.csv" </dev/null
-    proof layers "$results" "$study"
-  done <"$results/winners.txt"
+    menger confirm "$folder/${arm}_$seed.sqlite" "$study/two_layers.toml" --individuals "$individual" \
+      --output "$folder/${arm}_$seed.layers.csv" </dev/null
+    proof layers "$folder" "$tables"
+  done <"$folder/winners.txt"
 }
+
+two_layers() { winners_on_two_layers "$results" "$study"; }
+
+short() {
+  local seed
+  for seed in 1 2 3 4 5 6 7 8 9 10; do searches $seed "$study/short_size.toml" "$results/short" "$study/short"; done
+}
+
+short_two_layers() { winners_on_two_layers "$results/short" "$study/short"; }
 
 trial() {
   local seed
