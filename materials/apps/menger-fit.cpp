@@ -9,6 +9,7 @@
 
 #include "io/process/exit_code.h"
 #include "io/process/program.h"
+#include "io/process/progress.h"
 #include "io/process/run_folder.h"
 #include "io/text/content_hash.h"
 #include "io/text/formatted.h"
@@ -107,7 +108,9 @@ int run(int argc, const char* const* argv) {
   report.strain_source = test.strain_source;
   report.range = {arguments.range.first, arguments.range.second};
   try {
-    report.ranking = materials::fit_laws(test, report.range);
+    io::Progress progress("fit", 1.0);
+    report.ranking =
+        materials::fit_laws(test, report.range, [&](double done, std::string_view law) { progress.update(done, law); });
   } catch (const io::InputError& error) {
     throw io::InputError(arguments.test.string() + ": " + error.what());
   }
@@ -120,6 +123,7 @@ int run(int argc, const char* const* argv) {
   folder.finish(parameter_text(arguments), {{arguments.test.string(), hash}});
 
   print(report);
+  for (const std::string& note : materials::cancelling_notes(report.ranking)) std::cout << "  " << note << '\n';
   if (!chart.written) std::cout << "no picture: " << chart.missing << '\n';
   const materials::LawFit* best = materials::recommended_fit(report.ranking);
   std::cout

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "materials/fit/fit_confidence.h"
@@ -73,18 +74,6 @@ void assess_residuals(LawFit& fit, const Rows& rows) {
   fit.aic = n * std::log(std::max(square, least_square) / n * 1e-12) + 2.0 * parameters;
 }
 
-bool has_cancelling_terms(const HyperelasticLaw& law) {
-  bool adds = false;
-  bool takes = false;
-  const auto note = [&](const OgdenTerm& term) {
-    adds = adds || term.part_of_shear_modulus_Pa() > 0.0;
-    takes = takes || term.part_of_shear_modulus_Pa() < 0.0;
-  };
-  if (const auto* two = std::get_if<Ogden<2>>(&law)) std::for_each(two->terms.begin(), two->terms.end(), note);
-  if (const auto* three = std::get_if<Ogden<3>>(&law)) std::for_each(three->terms.begin(), three->terms.end(), note);
-  return adds && takes;
-}
-
 constexpr std::array modes{LoadingMode::uniaxial, LoadingMode::equibiaxial, LoadingMode::planar};
 
 bool is_stable_in_tension(const HyperelasticLaw& law, double largest_stretch) {
@@ -109,7 +98,8 @@ void assess_law(LawFit& fit, double largest_stretch) {
   fit.unstable_compression = first_unstable_compression(fit.law);
   fit.stable = !fit.unstable_compression && is_stable_in_tension(fit.law, largest_stretch);
   fit.stable_with_margin = fit.stable && is_stable_in_tension(fit.law, 1.0 + strain_margin * (largest_stretch - 1.0));
-  fit.cancelling = has_cancelling_terms(fit.law);
+  fit.cancelled = cancelled_part(fit.law);
+  fit.cancelling = fit.cancelled > 1.0;
   fit.equibiaxial_ratio = equibiaxial_ratio(fit.law, ratio_stretch);
   fit.plausible = fit.equibiaxial_ratio && *fit.equibiaxial_ratio >= lowest_ratio && *fit.equibiaxial_ratio <= highest_ratio;
 }
@@ -128,7 +118,7 @@ bool is_determined(const LawFit& fit) {
 }
 
 bool is_usable(const LawFit& fit) {
-  return fit.status == io::RunStatus::completed && fit.stable_with_margin && fit.plausible && !fit.cancelling &&
+  return fit.status == io::RunStatus::completed && fit.stable_with_margin && fit.plausible && fit.cancelled == 0.0 &&
          is_determined(fit) && fit.relative_rmse <= close_enough;
 }
 
@@ -159,18 +149,32 @@ bool has_empty_term(const HyperelasticLaw& law) {
 
 }  // namespace
 
-std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range) {
+std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range,
+                             const std::function<void(double done, std::string_view law)>& progress) {
   const Rows rows = rows_in(test, range);
   const auto [smallest, largest] = std::minmax_element(rows.stretch.begin(), rows.stretch.end());
   const auto excess = [](double l) { return l * l + 2.0 / l - 3.0; };
   std::vector<LawFit> fits;
-  for (const LawFamily& family : law_families(std::max(excess(*smallest), excess(*largest)))) {
-    const std::optional<SeparableFit> found = fit_family(family, rows.stretch, rows.stress_Pa);
+  const std::vector<LawFamily> families = law_families(std::max(excess(*smallest), excess(*largest)));
+  // The work of a family grows with its starts and with the number of its moduli, on which each solution depends.
+  const auto work_of = [](const LawFamily& family) {
+    return static_cast<double>(family.starts.size() * (1 + family.shape_names.size()) * (family.non_negative ? 3 : 1));
+  };
+  double whole = 0.0;
+  for (const LawFamily& family : families) whole += work_of(family);
+  double done = 0.0;
+  for (const LawFamily& family : families) {
+    const auto tell = [&](double part) {
+      if (progress) progress((done + part * work_of(family)) / whole, family.name);
+    };
+    const std::optional<SeparableFit> found = fit_family(family, rows.stretch, rows.stress_Pa, tell);
+    done += work_of(family);
     if (!found || has_empty_term(found->law)) continue;
     LawFit fit;
     fit.name = family.name;
     fit.law = found->law;
     fit.status = found->status;
+    fit.skipped_count = found->skipped_count;
     fit.at_bound = parameters_at_bound(family, *found);
     assess_residuals(fit, rows);
     set_confidence(fit, rows.stretch);
@@ -181,11 +185,27 @@ std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range) 
   return fits;
 }
 
+std::vector<std::string> cancelling_notes(const std::vector<LawFit>& ranking) {
+  std::vector<std::string> notes;
+  for (const LawFit& fit : ranking) {
+    if (fit.skipped_count > 0) {
+      notes.push_back(fit.name + ": " + std::to_string(fit.skipped_count) +
+                      " closer fits are left out, whose terms cancel more than " + io::number_text(most_cancelled) +
+                      " times what they leave, less than any test resolves");
+    }
+    if (fit.cancelling && fit.stable && fit.plausible) {
+      notes.push_back(fit.name + ": its terms cancel " + io::shown(fit.cancelled, 2) +
+                      " times what they leave, so it is not counted among the laws that are close to the test");
+    }
+  }
+  return notes;
+}
+
 const LawFit* recommended_fit(const std::vector<LawFit>& ranking) {
   if (ranking.empty() || !is_usable(ranking.front())) return nullptr;
   double closest = ranking.front().relative_rmse;
   for (const LawFit& fit : ranking) {
-    if (fit.stable && fit.plausible) closest = std::min(closest, fit.relative_rmse);
+    if (fit.stable && fit.plausible && !fit.cancelling) closest = std::min(closest, fit.relative_rmse);
   }
   const double limit = std::max(closer_than_tests, as_close_as_best * closest);
   return ranking.front().relative_rmse <= limit ? ranking.data() : nullptr;

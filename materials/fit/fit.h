@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -52,9 +55,14 @@ struct LawFit {
   bool stable = false;              ///< stable in compression, and in tension up to the largest fitted stretch
   bool stable_with_margin = false;  ///< also stable in tension up to 1.25 times the largest fitted strain
 
-  /// Whether terms of Ogden's law have opposite signs (mu_p alpha_p > 0 and < 0) and partly cancel each other. A tensile test
-  /// alone does not determine such laws.
+  /// How many times more terms of opposite signs (mu_p alpha_p > 0 and < 0) of Ogden's law take from each other at rest than they
+  /// leave, see cancelled_part; 0 if there are none. A tensile test alone does not determine such laws.
+  double cancelled = 0.0;
+  /// Whether more is cancelled than left (cancelled > 1). An error of one modulus is then found more than once over in the law,
+  /// so that the freedom to cancel, and not the silicone, may be what brings it close to the test.
   bool cancelling = false;
+  /// Closer fits of this law that were left out, because their terms cancel beyond most_cancelled.
+  std::size_t skipped_count = 0;
 
   std::optional<double> equibiaxial_ratio;  ///< equibiaxial divided by uniaxial stress, at a stretch of 1.5
   bool plausible = false;                   ///< whether that ratio is in the range of silicone, 1.1 to 1.7
@@ -66,18 +74,23 @@ struct LawFit {
 /// solver did not converge come last; otherwise the fit with the smaller AIC comes first.
 ///
 /// A fit is usable if all of the following hold:
-/// - it is completed, stable with a margin and plausible, and has no cancelling terms;
+/// - it is completed, stable with a margin and plausible, and has no terms of opposite signs;
 /// - its RMSE is at most 5 % of the largest stress;
 /// - every parameter has a confidence interval that does not contain 0. A modulus that may not be negative may be 0.
 ///
 /// Ogden laws of several terms are left out if the modulus of a term is zero.
+/// @param progress called with the part of the work that is done, 0 to 1, and the name of the law; may be empty
 /// @throws io::InputError naming the range if it contains fewer than eight rows, only rows without strain or only rows without
 /// stress
-std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range);
+std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range,
+                             const std::function<void(double done, std::string_view law)>& progress = {});
+
+/// Says which fits were left out or do not count because their terms cancel, one sentence each.
+std::vector<std::string> cancelling_notes(const std::vector<LawFit>& ranking);
 
 /// Returns the first fit of a ranking if it is usable and close enough to the test; otherwise nullptr. In that case check a law
 /// of the list yourself before you use it. Close enough: its RMSE is at most three times that of the closest stable and plausible
-/// fit, or at most 0.5 % of the largest stress.
+/// fit that is not cancelling, or at most 0.5 % of the largest stress.
 const LawFit* recommended_fit(const std::vector<LawFit>& ranking);
 
 }  // namespace menger::materials

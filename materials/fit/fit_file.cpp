@@ -1,5 +1,6 @@
 #include "materials/fit/fit_file.h"
 
+#include <cmath>
 #include <optional>
 
 #include "io/text/csv_table.h"
@@ -58,6 +59,9 @@ std::string table_of(const LawFit& fit) {
   text += optional_line("unstable_from_planar_stretch", fit.unstable_planar);
   text += optional_line("unstable_from_compression_to_stretch", fit.unstable_compression);
   text += line("cancelling", fit.cancelling);
+  // A number of TOML that readers refuse must not stand here: all may cancel.
+  if (std::isfinite(fit.cancelled)) text += line("cancelled", fit.cancelled);
+  text += "closer_fits_left_out = " + std::to_string(fit.skipped_count) + "\n";
   text += line("plausible", fit.plausible);
   text += optional_line("equibiaxial_ratio", fit.equibiaxial_ratio);
   if (!fit.at_bound.empty()) text += line("at_bound", quoted_list(fit.at_bound));
@@ -88,6 +92,7 @@ std::string fit_text(const FitReport& report) {
   if (!report.strain_source.empty()) text += line("strain_source", io::toml_quoted(report.strain_source));
   text += line("repairs", quoted_list(report.repairs));
   text += line("lowest_strain", report.range.lowest) + line("highest_strain", report.range.highest);
+  text += line("notes", quoted_list(cancelling_notes(report.ranking)));
   if (const LawFit* best = recommended_fit(report.ranking)) text += line("recommended", io::toml_quoted(best->name));
   for (const LawFit& fit : report.ranking) text += table_of(fit);
   return text;

@@ -1,5 +1,6 @@
 #include "materials/fit/law_family.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace menger::materials {
@@ -80,6 +81,29 @@ std::vector<std::vector<double>> choices(Numbers exponents, std::size_t n) {
   return result;
 }
 
+/// Stress of one term with a part of 1 Pa in the shear modulus, 2/a (l^(a-1) - l^(-a/2-1)), and its derivative with respect to a.
+void ogden_column(double shape, const Stretches& at, std::span<double> stress, std::span<double> slope) {
+  const double exponent = usable(shape);
+  for (std::size_t i = 0; i < stress.size(); ++i) {
+    const double factor = 2.0 / (exponent * at.stretch[i]);
+    const double along = std::exp(exponent * at.logarithm[i]);
+    const double across = std::exp(-0.5 * exponent * at.logarithm[i]);
+    stress[i] = factor * (along - across);
+    slope[i] = factor * at.logarithm[i] * (along + 0.5 * across) - stress[i] / exponent;
+  }
+}
+
+/// Exponents that are as dense as tensile curves tell terms apart: by less where they are small.
+std::vector<double> exponents_of_grid() {
+  std::vector<double> exponents;
+  for (const double exponent : {0.7, 1.4, 2.1, 2.8, 3.5, 4.3, 5.2, 6.3, 7.6, 9.1, 10.9, 13.1, 15.7, 18.8, 22.5}) {
+    exponents.push_back(exponent);
+    exponents.push_back(-exponent);
+  }
+  std::sort(exponents.begin(), exponents.end());
+  return exponents;
+}
+
 template <std::size_t n>
 LawFamily ogden_family() {
   LawFamily family;
@@ -88,6 +112,8 @@ LawFamily ogden_family() {
   family.lowest_shape.assign(n, -largest_exponent);
   family.highest_shape.assign(n, largest_exponent);
   family.starts = choices(std::vector{-20.0, -8.0, -3.0, 0.9, 2.5, 5.0, 12.0}, n);
+  if (n > 1) family.grid = exponents_of_grid();
+  family.column = ogden_column;
   family.basis = [](Numbers shape) {
     std::vector<HyperelasticLaw> laws;
     for (const double exponent : shape) laws.emplace_back(Ogden<1>{{OgdenTerm::from_shear_modulus(1.0, usable(exponent))}});

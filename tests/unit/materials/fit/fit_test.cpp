@@ -9,8 +9,10 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "io/text/input_error.h"
 #include "io/text/toml_document.h"
@@ -173,6 +175,81 @@ TEST(Fit, PutsCancellingTermsBehind) {
   EXPECT_FALSE(ranking.front().cancelling);
   EXPECT_NE(recommended_fit(ranking), nullptr);
   EXPECT_TRUE(fit_named(ranking, "ogden2").cancelling);
+}
+
+TEST(Fit, MeasuresWhatTermsTakeFromEachOther) {
+  EXPECT_EQ(cancelled_part(Ogden<2>{{OgdenTerm{20e3, 2.0}, OgdenTerm{-3e3, -4.0}}}), 0.0) << "both parts are positive";
+  // Parts of 60 kPa and -20 kPa: 20 of them are cancelled, 40 are left.
+  EXPECT_NEAR(cancelled_part(Ogden<2>{{OgdenTerm{60e3, 2.0}, OgdenTerm{-10e3, 4.0}}}), 0.5, 1e-12);
+  EXPECT_GT(cancelled_part(Ogden<3>{{OgdenTerm{-5e8, 7.9636620}, OgdenTerm{22e3, 3.475}, OgdenTerm{5e8, 7.9636621}}}),
+            most_cancelled);
+  EXPECT_EQ(cancelled_part(NeoHookean{50e3}), 0.0);
+}
+
+/// Its exponents are equal to six digits and its moduli cancel: that it is close says nothing of a law that is recommended.
+TEST(Fit, CountsNoCancellingLawAsTheClosest) {
+  std::vector<LawFit> ranking = fit_laws(curve_of(Ogden<1>{{OgdenTerm{25e3, 3.25}}}, 900.0), {0.0, 1.2});
+  ASSERT_NE(recommended_fit(ranking), nullptr);
+  const LawFit& recommended = ranking.front();
+  ASSERT_GT(recommended.relative_rmse, 5e-3);
+  LawFit closer = recommended;
+  closer.name = "ogden3";
+  closer.law = Ogden<3>{{OgdenTerm{-5e8, 7.9636620}, OgdenTerm{22e3, 3.475}, OgdenTerm{5e8, 7.9636621}}};
+  closer.relative_rmse = 0.1 * recommended.relative_rmse;
+  closer.confidence_95.clear();
+  ranking.push_back(closer);
+  EXPECT_EQ(recommended_fit(ranking), nullptr) << "a law of sound terms would count";
+  ranking.back().cancelled = cancelled_part(closer.law);
+  ranking.back().cancelling = true;
+  EXPECT_NE(recommended_fit(ranking), nullptr);
+  ASSERT_EQ(cancelling_notes(ranking).size(), 1U);
+  EXPECT_EQ(cancelling_notes(ranking)[0].rfind("ogden3: its terms cancel ", 0), 0U) << cancelling_notes(ranking)[0];
+}
+
+TEST(Fit, TellsHowFarItIs) {
+  double last = 0.0;
+  std::set<std::string> laws;
+  (void)fit_laws(curve_of(NeoHookean{50e3}), {0.0, 1.2}, [&](double done, std::string_view law) {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1.0 + 1e-12);
+    last = done;
+    laws.emplace(law);
+  });
+  EXPECT_NEAR(last, 1.0, 1e-12);
+  EXPECT_EQ(laws.size(), 12U);
+}
+
+/// Many rows are thinned for the search only: the result is that of all.
+TEST(Fit, EndsOnAllRowsOfALongRecord) {
+  const HyperelasticLaw law = Ogden<2>{{OgdenTerm::from_shear_modulus(40e3, 3.2), OgdenTerm::from_shear_modulus(10e3, -2.0)}};
+  std::vector<double> stretch;
+  std::vector<double> stress_Pa;
+  for (int i = 1; i <= 3000; ++i) {
+    stretch.push_back(1.0 + 1e-3 * i);
+    stress_Pa.push_back(nominal_stress(law, LoadingMode::uniaxial, stretch.back()).stress_Pa + (i % 7 == 0 ? 300.0 : -50.0));
+  }
+  for (const LawFamily& family : law_families(20.0)) {
+    if (family.name != "ogden1" && family.name != "ogden2") continue;
+    const std::optional<SeparableFit> fit = fit_family(family, stretch, stress_Pa);
+    ASSERT_TRUE(fit) << family.name;
+    const auto square_of = [&](const HyperelasticLaw& of) {
+      double square = 0.0;
+      for (std::size_t i = 0; i < stretch.size(); ++i)
+        square += std::pow(nominal_stress(of, LoadingMode::uniaxial, stretch[i]).stress_Pa - stress_Pa[i], 2);
+      return square;
+    };
+    // At the least squares of all rows no parameter can be moved to lower them.
+    const double least = square_of(fit->law);
+    std::vector<double> values;
+    for (const auto& [name, value] : parameters_of(fit->law)) values.push_back(value);
+    for (std::size_t p = 0; p < values.size(); ++p) {
+      for (const double factor : {0.999, 1.001}) {
+        std::vector<double> moved = values;
+        moved[p] *= factor;
+        EXPECT_GT(square_of(with_parameters(fit->law, moved)), least) << family.name << ' ' << p;
+      }
+    }
+  }
 }
 
 TEST(Fit, RecommendsNothingForACurveThatNoStableLawHas) {
@@ -352,6 +429,25 @@ TEST(Fit, ReproducesTheKnownFitsOfAMeasuredCurve) {
       EXPECT_NEAR(fit.aic, known.aic, 1e-4) << known.name;
     }
   }
+}
+
+/// The other code's best minima of several terms, which their parameters do not determine: RMSE in Pa. And what is recommended up
+/// to a strain of 3, where a law whose terms cancel used to stand in the way.
+TEST(Fit, FindsTheBestMinimaOfSeveralTermsOfAMeasuredCurve) {
+  const char* folder = std::getenv("MENGER_TENSILE_DATA");
+  if (folder == nullptr) GTEST_SKIP() << "MENGER_TENSILE_DATA names no folder with the curves of the database";
+  const TensileTest test = read_tensile_test(fs::path(folder) / "Dragon Skin 10 MEDIUM.csv");
+  const std::map<double, std::map<std::string, double>> known{{1.0, {{"ogden2", 514.5}, {"ogden3", 347.0}}},
+                                                              {2.0, {{"ogden2", 645.5}, {"ogden3", 506.5}}}};
+  for (const auto& [highest, rmse_Pa] : known) {
+    const std::vector<LawFit> ranking = fit_laws(test, {0.0, highest});
+    for (const auto& [name, value] : rmse_Pa) EXPECT_LE(fit_named(ranking, name).rmse_Pa, value) << name << ' ' << highest;
+  }
+  const std::vector<LawFit> wide = fit_laws(test, {0.0, 3.0});
+  const LawFit* best = recommended_fit(wide);
+  ASSERT_NE(best, nullptr);
+  EXPECT_EQ(best->name, "ogden1");
+  for (const LawFit& fit : wide) EXPECT_LE(fit.cancelled, most_cancelled) << fit.name;
 }
 
 /// Which laws of the same fits the other code found stable.
