@@ -29,19 +29,20 @@ meshes::ChamberLayout chamber_layout(const TradeStudy& study) {
   return study.chambers == "single" ? meshes::ChamberLayout::single : meshes::ChamberLayout::per_phase;
 }
 
-meshes::HollowBodyOptions hollow_options(const TradeStudy& study, int elements_through_wall) {
+meshes::HollowBodyOptions hollow_options(const TradeStudy& study, const ElementFidelity& fidelity) {
   meshes::HollowBodyOptions options;
   options.wall_thickness_m = study.wall_thickness_m;
-  options.elements_through_wall = elements_through_wall;
+  options.elements_through_wall = fidelity.elements_through_wall;
   options.chambers = chamber_layout(study);
   options.level = study.level;
+  if (fidelity.thin_walls) fem::set_elements({.fidelity = *fidelity.thin_walls}, options);
   return options;
 }
 
-ElementCount count_elements(const TradeStudy& study, int degree, int elements_through_wall) {
-  const meshes::HexahedralMesh mesh = meshes::hollow_polycube(study.design, hollow_options(study, elements_through_wall)).mesh;
+ElementCount count_elements(const TradeStudy& study, const ElementFidelity& fidelity) {
+  const meshes::HexahedralMesh mesh = meshes::hollow_polycube(study.design, hollow_options(study, fidelity)).mesh;
   ElementCount count{.elements = mesh.elements.size(), .unknowns = 3 * mesh.points.size()};
-  if (degree == 2) {
+  if (fidelity.degree == 2) {
     const std::uint64_t faces = (6 * mesh.elements.size() + mesh.faces.size()) / 2;  // inner ones belong to two elements
     count.unknowns += 3 * (edge_count(mesh) + faces + mesh.elements.size());
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "evolution/trade_off/trade_off_elements.h"
 #include "evolution/trade_off/trade_off_study.h"
 #include "meshes/design/hollow_body_options.h"
 
@@ -10,7 +11,7 @@ namespace menger::evolution {
 meshes::ChamberLayout chamber_layout(const TradeStudy& study);
 
 /// Returns how the design of a study is cast and meshed.
-meshes::HollowBodyOptions hollow_options(const TradeStudy& study, int elements_through_wall);
+meshes::HollowBodyOptions hollow_options(const TradeStudy& study, const ElementFidelity& fidelity);
 
 /// The size of a finite-element problem on a mesh of the design, known before anything is computed.
 struct ElementCount {
@@ -20,6 +21,6 @@ struct ElementCount {
 };
 
 /// Meshes the design and counts elements and unknowns. @throws io::InputError as meshes::hollow_polycube does
-ElementCount count_elements(const TradeStudy& study, int degree, int elements_through_wall);
+ElementCount count_elements(const TradeStudy& study, const ElementFidelity& fidelity);
 
 }  // namespace menger::evolution

@@ -25,7 +25,10 @@ std::string group_of(const TradeRow& row) {
     const auto found = row.fidelity.find(column);
     return found == row.fidelity.end() ? std::string() : found->second;
   };
-  if (row.model != "voxels") return row.model + (value("degree") == "1" ? ", Q1/P0" : ", Q2/P1");
+  if (row.model != "voxels") {
+    if (!value("thin_walls").empty()) return row.model + ", thin walls";
+    return row.model + (value("degree") == "1" ? ", Q1/P0" : ", Q2/P1");
+  }
   std::string group = "voxels, " + value("number");
   if (const std::string parts = value("voxels_per_cell"); !parts.empty()) group += ", " + parts + " per cell edge";
   return group;

@@ -22,9 +22,14 @@ namespace fs = std::filesystem;
 std::string inflation_text(const TradeStudy& study, const ElementFidelity& fidelity, double pressure_Pa) {
   io::TomlText text;
   text.table("design").add("file", "design.toml");
-  text.lines(meshes::hollow_body_text(hollow_options(study, fidelity.elements_through_wall), "design"));
+  if (fidelity.thin_walls) {
+    text.add("wall_thickness_m", study.wall_thickness_m).add("chambers", study.chambers).add("level", study.level);
+    text.table("elements").add("kind", "thin_wall").add("fidelity", std::string(fem::to_string(*fidelity.thin_walls)));
+  } else {
+    text.lines(meshes::hollow_body_text(hollow_options(study, fidelity), "design"));
+    text.table("element").add("degree", fidelity.degree);
+  }
   text.table("material").add("silicone", "silicone.toml").add("bulk_modulus_Pa", fidelity.bulk_ratio * study.shear_modulus_Pa);
-  text.table("element").add("degree", fidelity.degree);
   text.table("supports").add("kind", "free");
   text.table("path").add("pressure_Pa", std::vector<double>{0.0, pressure_Pa});
   text.table("solver").add("force_tolerance", fidelity.force_tolerance);
@@ -53,17 +58,30 @@ double observed(TradeObservable observable, const io::CsvContents& curves) {
 }
 
 auto fineness(const ElementFidelity& f) {
-  return std::tuple(f.degree * f.elements_through_wall, f.degree, f.bulk_ratio, -f.force_tolerance);
+  return std::tuple(!f.thin_walls, f.thin_walls, f.degree * f.elements_through_wall, f.degree, f.bulk_ratio, -f.force_tolerance);
+}
+
+std::string elements_text(const ElementFidelity& fidelity) {
+  if (fidelity.thin_walls) return "thin walls, " + std::string(fem::to_string(*fidelity.thin_walls));
+  return (fidelity.degree == 1 ? "Q1/P0, elements through the wall: " : "Q2/P1, elements through the wall: ") +
+         std::to_string(fidelity.elements_through_wall);
 }
 
 }  // namespace
 
 std::vector<ElementFidelity> element_fidelities(const ElementChoice& choice) {
-  std::vector<ElementFidelity> all;
+  std::vector<ElementFidelity> meshes;
+  for (const fem::Fidelity fidelity : choice.thin_walls) meshes.push_back({.thin_walls = fidelity});
   for (const int degree : choice.degrees) {
-    for (const int through : choice.elements_through_wall) {
-      for (const double ratio : choice.bulk_ratios) {
-        for (const double tolerance : choice.force_tolerances) all.push_back({degree, through, ratio, tolerance});
+    for (const int through : choice.elements_through_wall) meshes.push_back({.degree = degree, .elements_through_wall = through});
+  }
+  std::vector<ElementFidelity> all;
+  for (ElementFidelity fidelity : meshes) {
+    for (const double ratio : choice.bulk_ratios) {
+      for (const double tolerance : choice.force_tolerances) {
+        fidelity.bulk_ratio = ratio;
+        fidelity.force_tolerance = tolerance;
+        all.push_back(fidelity);
       }
     }
   }
@@ -73,13 +91,16 @@ std::vector<ElementFidelity> element_fidelities(const ElementChoice& choice) {
 
 TradeRow element_row(const ElementFidelity& fidelity) {
   TradeRow row{.model = "finite elements", .label = {}};
-  row.label = (fidelity.degree == 1 ? "Q1/P0, elements through the wall: " : "Q2/P1, elements through the wall: ") +
-              std::to_string(fidelity.elements_through_wall) + ", bulk ratio " + io::number_text(fidelity.bulk_ratio) +
-              ", tolerance " + io::number_text(fidelity.force_tolerance);
-  row.fidelity = {{"degree", std::to_string(fidelity.degree)},
-                  {"elements_through_wall", std::to_string(fidelity.elements_through_wall)},
-                  {"bulk_ratio", io::number_text(fidelity.bulk_ratio)},
+  row.label = elements_text(fidelity) + ", bulk ratio " + io::number_text(fidelity.bulk_ratio) + ", tolerance " +
+              io::number_text(fidelity.force_tolerance);
+  row.fidelity = {{"bulk_ratio", io::number_text(fidelity.bulk_ratio)},
                   {"force_tolerance", io::number_text(fidelity.force_tolerance)}};
+  if (fidelity.thin_walls) {
+    row.fidelity["thin_walls"] = fem::to_string(*fidelity.thin_walls);
+  } else {
+    row.fidelity["degree"] = std::to_string(fidelity.degree);
+    row.fidelity["elements_through_wall"] = std::to_string(fidelity.elements_through_wall);
+  }
   return row;
 }
 

@@ -12,16 +12,18 @@ namespace menger::evolution {
 
 /// The fidelity of a computation by finite elements.
 struct ElementFidelity {
-  int degree = 1;
+  int degree = 1;  ///< of three-field elements, as is the next
   int elements_through_wall = 1;
   double bulk_ratio = 50.0;
   double force_tolerance = 1e-7;
+  std::optional<fem::Fidelity> thin_walls{};  ///< of thin-wall elements; degree and elements through the wall are then 1
 
   bool operator==(const ElementFidelity&) const = default;
 };
 
-/// Returns all combinations of a choice, from coarse to fine: by degree times elements through the wall, then by degree, then by
-/// bulk ratio, then by tolerance from large to small. The last that completes is the reference.
+/// Returns all combinations of a choice, from coarse to fine: thin walls by their fidelity; then three-field elements by degree
+/// times elements through the wall, then by degree; then by bulk ratio, then by tolerance from large to small. The last that
+/// completes is the reference.
 std::vector<ElementFidelity> element_fidelities(const ElementChoice& choice);
 
 /// Makes a row without a result yet.

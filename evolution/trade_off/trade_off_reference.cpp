@@ -29,17 +29,20 @@ class Neighbours {
   [[nodiscard]] double difference(std::size_t run) const { return std::abs(value(reference_) - value(run)); }
 
   [[nodiscard]] bool same_mesh(const ElementFidelity& f) const {
-    return f.degree == finest_.degree && f.elements_through_wall == finest_.elements_through_wall;
+    return f.degree == finest_.degree && f.elements_through_wall == finest_.elements_through_wall &&
+           f.thin_walls == finest_.thin_walls;
   }
   [[nodiscard]] bool same_bulk(const ElementFidelity& f) const { return f.bulk_ratio == finest_.bulk_ratio; }
   [[nodiscard]] bool same_tolerance(const ElementFidelity& f) const { return f.force_tolerance == finest_.force_tolerance; }
   [[nodiscard]] bool same_but_mesh(const ElementFidelity& f) const { return same_bulk(f) && same_tolerance(f); }
 
-  /// Returns the finest run other than the reference that has a value and for which `fits` is true.
+  /// Returns the finest run of the reference's kind of elements, other than the reference, that has a value and for which `fits`
+  /// is true.
   template <class Fits>
   [[nodiscard]] std::optional<std::size_t> finest_run(const Fits& fits) const {
     for (std::size_t run = rows_.size(); run-- > 0;) {
-      if (run != reference_ && rows_[run].values[observable_] && fits(fidelities_[run])) return run;
+      const bool same_kind = fidelities_[run].thin_walls.has_value() == finest_.thin_walls.has_value();
+      if (run != reference_ && same_kind && rows_[run].values[observable_] && fits(fidelities_[run])) return run;
     }
     return std::nullopt;
   }

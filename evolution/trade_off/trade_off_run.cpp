@@ -150,6 +150,7 @@ class Trade {
 
   /// Returns the number of unknowns of a mesh, or a lower bound from a coarser mesh if that bound is above the limit already.
   double least_unknowns(const ElementFidelity& fidelity) {
+    if (fidelity.thin_walls) return static_cast<double>(count_elements(study_, fidelity).unknowns);
     const std::pair mesh(fidelity.degree, fidelity.elements_through_wall);
     if (const auto known = unknowns_.find(mesh); known != unknowns_.end()) return known->second;
     double least = 0.0;
@@ -159,7 +160,7 @@ class Trade {
       least = std::max(least, unknowns * finer_by * finer_by);  // a finer mesh divides walls along at least two directions
     }
     const bool is_too_fine = least > study_.elements->largest_unknowns;
-    const double count = is_too_fine ? least : static_cast<double>(count_elements(study_, mesh.first, mesh.second).unknowns);
+    const double count = is_too_fine ? least : static_cast<double>(count_elements(study_, fidelity).unknowns);
     unknowns_[mesh] = count;
     return count;
   }
@@ -219,9 +220,10 @@ class Trade {
       runner_.fill(body_rows_[n], element_run(n, result_.pressure_Pa),
                    [&](const io::ProgramJobResult& result, TradeRow& row) { read_element_result(study_, result, row); });
     }
-    TradeTable table{.observables = observable_columns(study_),
-                     .fidelity_columns = {"degree", "elements_through_wall", "bulk_ratio", "force_tolerance", "number", "damping",
-                                          "time_step_fraction", "exclusion_depth", "voxels_per_cell", "parameters"}};
+    TradeTable table{
+        .observables = observable_columns(study_),
+        .fidelity_columns = {"thin_walls", "degree", "elements_through_wall", "bulk_ratio", "force_tolerance", "number",
+                             "damping", "time_step_fraction", "exclusion_depth", "voxels_per_cell", "parameters"}};
     const auto reference = finest_completed(body_rows_);
     std::vector<std::optional<double>> errors;
     if (reference) errors = element_reference_errors(fidelities_, body_rows_, *reference);
@@ -284,7 +286,7 @@ class Trade {
   TradeResult result_;
   std::vector<ElementFidelity> fidelities_;
   std::vector<TradeRow> body_rows_;
-  std::map<std::pair<int, int>, double> unknowns_;  ///< by degree and elements through the wall
+  std::map<std::pair<int, int>, double> unknowns_;  ///< of three-field elements, by degree and elements through the wall
   std::vector<VoxelFidelity> settling_;
   std::map<fs::path, SettledBody> bodies_;
   std::vector<VoxelFidelity> gait_;

@@ -177,13 +177,13 @@ class SearchTrader {
 }  // namespace
 
 void inflate_champion(TradeStudy study, double pressure_Pa, TradeRunner& runner, SearchRow& row) {
-  if (!study.elements) study.elements = ElementChoice{.degrees = {1}, .elements_through_wall = {1}};
+  if (!study.elements) study.elements = ElementChoice{.thin_walls = {}, .degrees = {1}, .elements_through_wall = {1}};
   study.observables = {TradeObservable::volume_change, TradeObservable::extent_x};
   const ElementFidelity fidelity = element_fidelities(*study.elements).front();
   TradeRow element = element_row(fidelity);
   element.values.assign(2, std::nullopt);
   try {
-    const std::uint64_t unknowns = count_elements(study, fidelity.degree, fidelity.elements_through_wall).unknowns;
+    const std::uint64_t unknowns = count_elements(study, fidelity).unknowns;
     if (static_cast<double>(unknowns) > study.elements->largest_unknowns) {
       element.reason =
           std::to_string(unknowns) + " unknowns, but largest_unknowns is " + io::number_text(study.elements->largest_unknowns);

@@ -55,8 +55,9 @@ void describe_integers(io::StudyVisitor& visitor, const io::Key& key, std::vecto
 }
 
 template <class Value>
-void describe_words(io::StudyVisitor& visitor, const io::Key& key, std::vector<Value>& values, const io::Words<Value>& words) {
-  visitor.words(key, values, words, some);
+void describe_words(io::StudyVisitor& visitor, const io::Key& key, std::vector<Value>& values, const io::Words<Value>& words,
+                    const io::Count& count = some) {
+  visitor.words(key, values, words, count);
   require_different(visitor, key.name, values);
 }
 
@@ -80,9 +81,12 @@ void describe_body(io::StudyVisitor& visitor, TradeStudy& study) {
 }
 
 void describe_elements(io::StudyVisitor& visitor, ElementChoice& choice) {
-  describe_integers(visitor, {"degrees", "Q1/P0 or Q2/P1."}, choice.degrees, io::within(1, 2));
-  describe_integers(visitor, {"elements_through_wall", "Elements through a wall."}, choice.elements_through_wall,
-                    io::within(1, 64));
+  describe_words(visitor, {"thin_walls", "Fidelities of thin-wall elements; [] for none."}, choice.thin_walls,
+                 fem::fidelity_words(), {});
+  describe_integers(visitor, {"degrees", "Three-field elements: Q1/P0 or Q2/P1."}, choice.degrees, io::within(1, 2));
+  describe_integers(visitor,
+                    {"elements_through_wall", "Three-field elements: how many lie in a wall, from one face to the other."},
+                    choice.elements_through_wall, io::within(1, 64));
   describe_numbers(visitor, {"bulk_ratios", "Bulk modulus divided by shear modulus, at rest."}, choice.bulk_ratios,
                    io::within(1.0, 1e6));
   describe_numbers(visitor, {"force_tolerances", "Relative tolerances of Newton's method."}, choice.force_tolerances,

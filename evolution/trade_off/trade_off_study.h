@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fem/thin_walls/element_choice.h"
 #include "io/study/study_visitor.h"
 #include "meshes/design/design_file.h"
 
@@ -26,9 +27,10 @@ enum class TradeObservable {
 std::string column_of(TradeObservable observable);  ///< "volume_change", "extent_change_x_m", ...
 std::size_t axis_of(TradeObservable observable);    ///< axis of an extent: 0, 1 or 2. Precondition: not volume_change
 
-/// Finite-element fidelities: every combination is run.
+/// Finite-element fidelities: every combination is run, of thin-wall elements and of three-field elements.
 struct ElementChoice {
-  std::vector<int> degrees{1, 2};  ///< Q1/P0, Q2/P1
+  std::vector<fem::Fidelity> thin_walls{fem::Fidelity::draft, fem::Fidelity::standard, fem::Fidelity::fine};
+  std::vector<int> degrees{1, 2};  ///< of three-field elements, as are the next: Q1/P0, Q2/P1
   std::vector<int> elements_through_wall{1, 2, 4};
   std::vector<double> bulk_ratios{50.0};       ///< bulk modulus / shear modulus
   std::vector<double> force_tolerances{1e-7};  ///< of Newton's method, relative

@@ -8,15 +8,15 @@
 namespace menger::fem {
 namespace {
 
-const io::Words<Fidelity>& fidelity_words() {
-  static const io::Words<Fidelity> words{{"draft", Fidelity::draft}, {"standard", Fidelity::standard}, {"fine", Fidelity::fine}};
-  return words;
-}
-
 /// 2, 3, 4.
 int elements_per_span(Fidelity fidelity) { return 2 + static_cast<int>(fidelity); }
 
 }  // namespace
+
+const io::Words<Fidelity>& fidelity_words() {
+  static const io::Words<Fidelity> words{{"draft", Fidelity::draft}, {"standard", Fidelity::standard}, {"fine", Fidelity::fine}};
+  return words;
+}
 
 std::string_view to_string(Fidelity fidelity) {
   return std::ranges::find(fidelity_words(), fidelity, [](const auto& word) { return word.second; })->first;

@@ -59,7 +59,8 @@ constexpr double contact_modulus_Pa(double shear_modulus_Pa) { return 20.0 * she
 /// the key is not offered @param kind_key name of the key of the kind, where the table has another "kind"
 void describe(io::StudyVisitor& visitor, ElementChoice& choice, bool has_precision, std::string_view kind_key = "kind");
 
-/// The word of a fidelity in files.
+/// The words of fidelities in files.
+const io::Words<Fidelity>& fidelity_words();
 std::string_view to_string(Fidelity fidelity);
 
 /// Cuts a hollow body as the fidelity of thin walls says: one layer through every wall, and 2, 3 or 4 elements for the span

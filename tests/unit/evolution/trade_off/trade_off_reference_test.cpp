@@ -22,8 +22,11 @@ std::vector<TradeRow> rows_of(const std::vector<ElementFidelity>& fidelities,
 }
 
 TEST(ReferenceError, FidelitiesAscendInFineness) {
-  const auto all = element_fidelities(
-      {.degrees = {2, 1}, .elements_through_wall = {1, 2}, .bulk_ratios = {250, 50}, .force_tolerances = {1e-8, 1e-4}});
+  const auto all = element_fidelities({.thin_walls = {},
+                                       .degrees = {2, 1},
+                                       .elements_through_wall = {1, 2},
+                                       .bulk_ratios = {250, 50},
+                                       .force_tolerances = {1e-8, 1e-4}});
   ASSERT_EQ(all.size(), 16U);
   EXPECT_EQ(all.front(), (ElementFidelity{1, 1, 50, 1e-4}));
   EXPECT_EQ(all[4], (ElementFidelity{1, 2, 50, 1e-4}));
@@ -31,7 +34,7 @@ TEST(ReferenceError, FidelitiesAscendInFineness) {
 }
 
 TEST(ReferenceError, ThreeMeshesGiveTheExactErrorOfAPureOrder) {
-  const auto all = element_fidelities({.degrees = {1}, .elements_through_wall = {1, 2, 4}});
+  const auto all = element_fidelities({.thin_walls = {}, .degrees = {1}, .elements_through_wall = {1, 2, 4}});
   for (const double order : {1.0, 2.0, 3.0}) {
     const auto rows = rows_of(all, [&](const ElementFidelity& f) { return 1.0 + std::pow(f.elements_through_wall, -order); });
     const double exact = std::pow(4.0, -order) / rows.back().values[0].value();
@@ -40,25 +43,43 @@ TEST(ReferenceError, ThreeMeshesGiveTheExactErrorOfAPureOrder) {
 }
 
 TEST(ReferenceError, TwoMeshesGiveTheirDifference) {
-  const auto all = element_fidelities({.degrees = {1}, .elements_through_wall = {1, 2}});
+  const auto all = element_fidelities({.thin_walls = {}, .degrees = {1}, .elements_through_wall = {1, 2}});
   const auto rows = rows_of(all, [](const ElementFidelity& f) { return 1.0 + 1.0 / f.elements_through_wall; });
   EXPECT_NEAR(element_reference_errors(all, rows, 1)[0].value(), 0.5 / 1.5, rounding);
 }
 
 TEST(ReferenceError, AnOtherDegreeServesWhereThereIsNoOtherMesh) {
-  const auto all = element_fidelities({.degrees = {1, 2}, .elements_through_wall = {1}});
+  const auto all = element_fidelities({.thin_walls = {}, .degrees = {1, 2}, .elements_through_wall = {1}});
   const auto rows = rows_of(all, [](const ElementFidelity& f) { return f.degree; });
   EXPECT_NEAR(element_reference_errors(all, rows, 1)[0].value(), 0.5, rounding);
 }
 
 TEST(ReferenceError, CompressibilityIsExtrapolatedToTheIncompressible) {
-  const auto all = element_fidelities({.degrees = {1}, .elements_through_wall = {1}, .bulk_ratios = {50, 250}});
+  const auto all = element_fidelities({.thin_walls = {}, .degrees = {1}, .elements_through_wall = {1}, .bulk_ratios = {50, 250}});
   const auto rows = rows_of(all, [](const ElementFidelity& f) { return 1.0 + 5.0 / f.bulk_ratio; });
   EXPECT_NEAR(element_reference_errors(all, rows, 1)[0].value(), 0.02 / 1.02, rounding);
 }
 
+TEST(ReferenceError, ThinWallsAreCoarserAndSayNothingOfTheReference) {
+  const auto all = element_fidelities(
+      {.thin_walls = {fem::Fidelity::fine, fem::Fidelity::draft}, .degrees = {1}, .elements_through_wall = {1, 2}});
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[0].thin_walls, fem::Fidelity::draft);
+  EXPECT_EQ(all[1].thin_walls, fem::Fidelity::fine);
+  EXPECT_FALSE(all[2].thin_walls || all[3].thin_walls);
+  const auto rows =
+      rows_of(all, [](const ElementFidelity& f) { return f.thin_walls ? 7.0 : 1.0 + 1.0 / f.elements_through_wall; });
+  EXPECT_NEAR(element_reference_errors(all, rows, 3)[0].value(), 0.5 / 1.5, rounding);
+}
+
+TEST(ReferenceError, OfThinWallsTheNextFidelityTells) {
+  const auto all = element_fidelities({.thin_walls = {fem::Fidelity::standard, fem::Fidelity::fine}, .degrees = {1}});
+  const auto rows = rows_of(all, [](const ElementFidelity& f) { return f.thin_walls == fem::Fidelity::fine ? 2.0 : 3.0; });
+  EXPECT_NEAR(element_reference_errors(all, rows, 1)[0].value(), 0.5, rounding);
+}
+
 TEST(ReferenceError, NothingTellsWithoutASecondRun) {
-  const auto all = element_fidelities({.degrees = {1}, .elements_through_wall = {1, 2}});
+  const auto all = element_fidelities({.thin_walls = {}, .degrees = {1}, .elements_through_wall = {1, 2}});
   auto rows = rows_of(all, [](const ElementFidelity&) { return 1.0; });
   rows[0].values = {std::nullopt};
   EXPECT_FALSE(element_reference_errors(all, rows, 1)[0]);

@@ -58,7 +58,7 @@ class TradeRunTest : public testing::Test {
   }
 
   [[nodiscard]] TradeStudy study(const std::string& text =
-                                     "pressure_Pa = 1000\n[finite_elements]\ndegrees = [1, 2]\n"
+                                     "pressure_Pa = 1000\n[finite_elements]\nthin_walls = []\ndegrees = [1, 2]\n"
                                      "elements_through_wall = [1, 2]\n[gait]\n[voxels]\n"
                                      "numbers = [\"float64\"]\ndampings = [\"velocity\"]\n"
                                      "time_step_fractions = [0.5, 0.25]\nexclusion_depths = [\"1\"]\n") const {
@@ -131,6 +131,24 @@ TEST_F(TradeRunTest, WithoutAReferenceTheTableStandsAlone) {
   EXPECT_EQ(io::read_csv(folder_ / "out/tradeoff.csv").row_count(), 4U);
 }
 
+TEST_F(TradeRunTest, ThinWallsRunBesideThreeFieldElementsAndAreNoReference) {
+  add_program("menger-inflate", "if grep -q thin_wall inflate.toml; then degree=1; through=2; else\n" +
+                                    fake_inflate("").substr(0, fake_inflate("").find("pressure=")) + "\nfi\n" +
+                                    fake_inflate("").substr(fake_inflate("").find("pressure=")));
+  const TradeResult result =
+      run(study("pressure_Pa = 1000\n[finite_elements]\nthin_walls = [\"fine\", \"draft\"]\ndegrees = [1]\n"
+                "elements_through_wall = [1, 4]\n"));
+  ASSERT_EQ(result.body->rows.size(), 4U);
+  EXPECT_EQ(result.body->rows[0].fidelity.at("thin_walls"), "draft");
+  EXPECT_EQ(result.body->rows[1].fidelity.at("thin_walls"), "fine");
+  EXPECT_FALSE(result.body->rows[0].fidelity.contains("degree"));
+  EXPECT_EQ(result.body->reference, 3U);
+  // 1 + 1/4 and 1 + 1/16 of the same growth
+  EXPECT_NEAR(result.body->rows[0].error.value(), 1.25 / 1.0625 - 1.0, 1e-8);
+  EXPECT_EQ(result.body->rows[0].label, "thin walls, draft, bulk ratio 50, tolerance 1e-07");
+  EXPECT_EQ(io::read_csv(folder_ / "out/tradeoff.csv").text(1, "thin_walls"), "fine");
+}
+
 TEST_F(TradeRunTest, RunsThatTakeTooLongAreEnded) {
   add_program("menger-simulate", "exec sleep 60\n");
   TradeStudy limited = study();
@@ -172,7 +190,7 @@ TEST_F(TradeRunTest, WithoutAStatedPressureItStaysBelowTheLimit) {
   add_program("menger-inflate", fake_inflate(R"(if [ $pressure = 6000 ]; then mkdir result
 printf 'status = "limit_point"\nunknowns = 7\naccepted_newton_iterations = 5\n[[limit_points]]\npressure_Pa = 5000\n' >result/result.toml
 exit 3; fi)"));
-  const TradeResult result = run(study("[finite_elements]\ndegrees = [1]\nelements_through_wall = [1]\n"));
+  const TradeResult result = run(study("[finite_elements]\nthin_walls = []\ndegrees = [1]\nelements_through_wall = [1]\n"));
   EXPECT_EQ(result.pressure_Pa, 4000.0);
   EXPECT_NEAR(result.body->rows[0].values[0].value(), 8e-3, 1e-8);
   EXPECT_EQ(result.notes.size(), 1U);
@@ -250,7 +268,7 @@ TEST_F(TradeRunTest, ParametersOfAnotherBodyAreRefusedBeforeAnythingRuns) {
 
 TEST_F(TradeRunTest, TwoParametersFilesForTheSameVoxelsAreRefused) {
   const std::string text =
-      "pressure_Pa = 1000\n[finite_elements]\ndegrees = [1]\nelements_through_wall = [1]\n"
+      "pressure_Pa = 1000\n[finite_elements]\nthin_walls = []\ndegrees = [1]\nelements_through_wall = [1]\n"
       "[settling]\nparameters = [\"a.toml\", \"b.toml\"]\n";
   voxel::SurrogateParameters parameters = tests::surrogate_example();
   parameters.cell_edge_m = 0.02;

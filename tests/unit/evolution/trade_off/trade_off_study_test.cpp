@@ -117,9 +117,11 @@ TEST_F(TradeStudyTest, WrongInputIsNamed) {
 TEST_F(TradeStudyTest, UnknownsOfAHollowCubeAreThoseOfTheGrid) {
   // 20 mm with walls of 2 mm: 11^3 nodes without 7^3 inside the chamber, or with middles 21^3 without 15^3; three unknowns each
   const TradeStudy study = read("[finite_elements]\n");
-  EXPECT_EQ(count_elements(study, 1, 1).unknowns, 3U * (11 * 11 * 11 - 7 * 7 * 7));
-  EXPECT_EQ(count_elements(study, 2, 1).unknowns, 3U * (21 * 21 * 21 - 15 * 15 * 15));
-  EXPECT_EQ(count_elements(study, 1, 1).elements, 10U * 10 * 10 - 8 * 8 * 8);
+  EXPECT_EQ(count_elements(study, {}).unknowns, 3U * (11 * 11 * 11 - 7 * 7 * 7));
+  EXPECT_EQ(count_elements(study, {.degree = 2}).unknowns, 3U * (21 * 21 * 21 - 15 * 15 * 15));
+  EXPECT_EQ(count_elements(study, {}).elements, 10U * 10 * 10 - 8 * 8 * 8);
+  // two layers of walls and two elements between them
+  EXPECT_EQ(count_elements(study, {.thin_walls = fem::Fidelity::draft}).unknowns, 3U * (5 * 5 * 5 - 1));
 }
 
 TEST_F(TradeStudyTest, AVariantChangesItsKeysAndNoOthers) {
