@@ -71,7 +71,7 @@ void SelfContact::find_touches(std::span<const double> positions_m, const BlockL
     for (std::size_t n = begin; n < end; ++n) {
       if (followed_path_ < clear_until_[n]) continue;
       found_[n] = touch_of(n, past);
-      if (!found_[n]) clear_until_[n] = followed_path_ + smallest_distance_m(n);
+      if (!found_[n]) clear_until_[n] = followed_path_ + clearance_m(n);
     }
   });
   set_memories(past);
@@ -125,12 +125,20 @@ void SelfContact::follow_candidates() {
   for (const std::uint32_t node : followed_nodes_) followed_mesh_nodes_.push_back(surfaces_.mesh_node(node));
 }
 
-/// Returns the smallest distance of a candidate from its faces; at most the reach, m.
-double SelfContact::smallest_distance_m(std::size_t candidate) const {
+/// Returns how far a candidate that touches nothing is in front of all of its faces: their smallest distance, at most the reach,
+/// m. It is 0 where the node is not in front of one of them. There it may be behind the face and touch nothing all the same, as
+/// beside the end of a limb (see depth_of); the least turn or slip changes that.
+double SelfContact::clearance_m(std::size_t candidate) const {
   const Point& point = points_[candidates_.nodes[candidate]];
   double smallest_square = reach_m() * reach_m();
-  for (std::size_t f = candidates_.offsets[candidate]; f < candidates_.offsets[candidate + 1]; ++f)
-    smallest_square = smaller_square_m2(smallest_square, surfaces_.corners(candidates_.faces[f], points_), point);
+  for (std::size_t f = candidates_.offsets[candidate]; f < candidates_.offsets[candidate + 1]; ++f) {
+    const std::uint32_t face = candidates_.faces[f];
+    const FaceCorners corners = surfaces_.corners(face, points_);
+    const Point middle = centre(corners);
+    const double warp = std::abs(dot(difference(corners[0], middle), normals_[face]));
+    if (dot(difference(point, middle), normals_[face]) <= warp) return 0.0;
+    smallest_square = smaller_square_m2(smallest_square, corners, point);
+  }
   return std::sqrt(smallest_square);
 }
 

@@ -91,7 +91,7 @@ struct SelfTouch {
 /// each other by d. Paths bound that: twice the largest one. Where the paths are long enough, the distances of pairs that were
 /// near are measured anew, and the displacements of the others are looked up, since parts that lie near each other move together
 /// and bodies swing back; only where neighbours have approached each other too far, the search runs again. Where some pairs are
-/// near, each node that is behind no face is passed over in the same way until it may have come to its nearest face.
+/// near, each node that is in front of all near faces is passed over in the same way until it may have come to the nearest.
 class SelfContact {
  public:
   /// @param with_outside false: only the walls of chambers are searched
@@ -146,7 +146,7 @@ class SelfContact {
   };
   void look(std::vector<Point> points, const BlockLoop& loop);
   void follow_candidates();
-  [[nodiscard]] double smallest_distance_m(std::size_t candidate) const;
+  [[nodiscard]] double clearance_m(std::size_t candidate) const;
   [[nodiscard]] std::optional<Found> touch_of(std::size_t candidate, const ContactPast* past) const;
   [[nodiscard]] double spring_N_per_m(std::size_t node, std::size_t face, const std::array<double, 4>& weights) const;
   [[nodiscard]] ContactMemory memory_behind(std::size_t node, std::size_t face, double depth_m, double spring_N_per_m,

@@ -427,6 +427,27 @@ TEST(SelfContact, PassingOverMissesNoTouch) {
   EXPECT_GT(counts.size(), 4U) << "nodes meet after each other";
 }
 
+// The upper block is as deep in the lower one, and shifted past its flush side by as much, that its nodes at the rim count as
+// beside it. A small slip back brings them in: they touch at once, although they have not moved by their distance.
+TEST(SelfContact, NodesBesideARimAreNotPassedOver) {
+  const meshes::HexahedralMesh mesh = two_blocks();
+  const double depth = 0.3 * edge;
+  const auto slipped = [&](double past_side) { return moved(mesh, {0.0, past_side, -4e-3 - depth}); };
+  SelfContact followed(mesh, stiffness);
+  std::set<std::size_t> counts;
+  double before = 0.12 * depth;
+  for (double past_side = before; past_side > 0.0; past_side -= 0.01 * depth) {
+    followed.moved(before - past_side);
+    before = past_side;
+    followed.find_touches(slipped(past_side), alone);
+    SelfContact fresh(mesh, stiffness);
+    fresh.find_touches(slipped(past_side), alone);
+    EXPECT_EQ(followed.touches().size(), fresh.touches().size()) << past_side / depth;
+    counts.insert(fresh.touches().size());
+  }
+  EXPECT_GT(counts.size(), 1U) << "some nodes were beside the rim and came in";
+}
+
 TEST(ContactSearch, FollowsTheBodyWithTheTreesOfItsStart) {
   const meshes::HexahedralMesh mesh = two_blocks();
   const ContactSurfaces surfaces(mesh);
