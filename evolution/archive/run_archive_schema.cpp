@@ -3,6 +3,7 @@
 #include <array>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "evolution/archive/run_archive.h"
 #include "io/text/content_hash.h"
@@ -103,12 +104,38 @@ int version_of(const SQLite::Database& connection) {
   return row.getColumn(0).getInt();
 }
 
+/// Returns the columns of a table that hold real numbers.
+std::vector<std::string> real_columns(const SQLite::Database& connection, const std::string& table) {
+  std::vector<std::string> names;
+  SQLite::Statement column(connection, "SELECT name FROM pragma_table_info(?) WHERE type = 'REAL'");
+  column.bind(1, table);
+  while (column.executeStep()) names.push_back(column.getColumn(0).getString());
+  return names;
+}
+
+/// Refuses an archive with an infinite number anywhere. SQLite keeps one that is not a number as NULL.
+void require_finite_numbers(const fs::path& file, const SQLite::Database& connection) {
+  SQLite::Statement table(connection, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name");
+  while (table.executeStep()) {
+    const std::string name = table.getColumn(0).getString();
+    for (const std::string& column : real_columns(connection, name)) {
+      SQLite::Statement infinite(connection,
+                                 "SELECT " + column + " > 0 FROM " + name + " WHERE abs(" + column + ") >= 9e999 LIMIT 1");
+      if (!infinite.executeStep()) continue;
+      const bool is_positive = infinite.getColumn(0).getInt() != 0;
+      refuse_archive(file,
+                     "is damaged: " + name + "." + column + " = " + (is_positive ? "inf" : "-inf") + ": must be a finite number");
+    }
+  }
+}
+
 /// Refuses an archive whose rows contradict each other. SQLite's own check does not find these faults.
 void require_consistent_rows(const fs::path& file, SQLite::Database& connection) {
   const auto none = [&](const char* wrong_rows, const char* what) {
     if (connection.execAndGet(std::string("SELECT COUNT(*) FROM ") + wrong_rows).getInt() > 0)
       refuse_archive(file, std::string("is damaged: ") + what);
   };
+  require_finite_numbers(file, connection);
   none("evaluation WHERE (status = 'completed') != (dx_m IS NOT NULL AND dy_m IS NOT NULL AND dz_m IS NOT NULL)",
        "an evaluation has a displacement without being completed, or none although it is");
   none("individual WHERE parent >= id", "an individual is older than its parent");

@@ -14,6 +14,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double least_singular_value = 1e-6;  // columns from differences are no more accurate
+constexpr double least_influence = 1e-6;       // standard deviations, above the remaining error of equilibria
 
 bool is_at_bound(const FittedValue& value) {
   constexpr double near = 1e-6;  // of the width between the bounds
@@ -22,6 +23,13 @@ bool is_at_bound(const FittedValue& value) {
   const double high = p.unknown_of(p.bounds.highest);
   const double at = p.unknown_of(value.value);
   return at <= low + near * (high - low) || at >= high - near * (high - low);
+}
+
+/// Whether the whole range of a value changes no residual: what it had an effect on may have vanished on the way of the fit.
+bool is_without_influence(const FittedValue& value, const Eigen::VectorXd& column) {
+  const FittedParameter& p = value.parameter;
+  const double width = p.unknown_of(p.bounds.highest) - p.unknown_of(p.bounds.lowest);
+  return column.lpNorm<Eigen::Infinity>() * width <= least_influence;
 }
 
 std::vector<Index> free_columns(const CalibrationFit& fit) {
@@ -74,7 +82,14 @@ void set_interval(FittedValue& value, double half_width) {
 
 void set_confidence(CalibrationFit& fit, const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& weights) {
   for (std::size_t v = 0; v < fit.parameter_count; ++v) {
-    if (is_at_bound(fit.values[v])) fit.values[v].determination = Determination::at_bound;
+    FittedValue& value = fit.values[v];
+    if (is_at_bound(value)) {
+      value.determination = Determination::at_bound;
+    } else if (!jacobian.allFinite()) {
+      value.determination = Determination::not_separable;
+    } else if (is_without_influence(value, jacobian.col(static_cast<Index>(v)))) {
+      value.determination = Determination::no_influence;
+    }
   }
   fit.correlation.assign(fit.parameter_count, std::vector<std::optional<double>>(fit.parameter_count));
   const std::vector<Index> columns = free_columns(fit);
@@ -91,7 +106,8 @@ void set_confidence(CalibrationFit& fit, const Eigen::MatrixXd& jacobian, const 
     const auto at = static_cast<Index>(i);
     FittedValue& value = fit.values[static_cast<std::size_t>(columns[i])];
     const double variance = covariance.matrix(at, at);
-    if (covariance.undetermined[at] >= 0.5 * variance) {
+    // The comparison is false for a variance beyond all numbers, too.
+    if (!std::isfinite(factor * variance) || covariance.undetermined[at] >= 0.5 * variance) {
       value.determination = Determination::not_separable;
       continue;
     }

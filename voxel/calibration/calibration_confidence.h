@@ -19,6 +19,8 @@ namespace menger::voxel {
 /// such combinations is not separable and gets no interval. The other values keep what such combinations add to their variance,
 /// at its least, so that their intervals are lower bounds. If the stated uncertainties do not explain the residuals, the
 /// covariance is multiplied by chi2 per degree of freedom, and Student's quantile replaces the normal one.
+/// A value whose whole range changes no residual where the fit ended has no influence. Without finite derivatives no value is
+/// separable. Every interval consists of finite numbers.
 /// @param fit with values, chi2, residual_count and parameter_count set
 /// @param jacobian of the weighted residuals, W^(1/2) J: one column per fitted value, with respect to its unknown
 /// @param weights of the squares of the residuals, the diagonal of W, > 0

@@ -19,7 +19,8 @@ enum class Determination {
   wide,           ///< its interval is larger than the value itself
   at_bound,       ///< the fit ended with the value at a bound, and counts it as known
   not_separable,  ///< other values can compensate a change of it, so it has no interval
-  no_influence    ///< no load case depends on it; it keeps its value from before the fit
+  /// No load case depends on it: not before the fit, whose value it then keeps, or not where the fit ended.
+  no_influence
 };
 std::string_view to_string(Determination determination);
 

@@ -76,7 +76,11 @@ std::string parameters_text(const Calibration& calibration, const CalibrationStu
   add_determination(text, fit);
   text.table("fit.confidence_95");
   for (const FittedValue& value : fit.values) {
-    if (value.confidence_95) text.add(value.parameter.name, std::array{value.confidence_95->first, value.confidence_95->second});
+    if (value.confidence_95) {
+      text.add(value.parameter.name, std::array{value.confidence_95->first, value.confidence_95->second});
+    } else {
+      text.add(value.parameter.name, not_determined);
+    }
   }
   for (const StudyCurve& curve : study.curves) {
     const meshes::LoadCase& load_case = curve.curve.provenance.load_case;

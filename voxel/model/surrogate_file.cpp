@@ -6,6 +6,7 @@
 
 #include "io/study/study_reader.h"
 #include "io/study/study_text.h"
+#include "io/text/finite_numbers.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/range.h"
@@ -134,6 +135,20 @@ void leave_unread(const io::TomlTable& top, std::string_view key) {
   if (top.asks_for(key) && !top.is_table(key)) throw top.error(key, "must be a table");
 }
 
+/// Checks that the report of a fit has no interval for a value that the curves do not determine, but the word for it.
+void check_intervals(const io::TomlTable& fit) {
+  const auto intervals = fit.optional_table("confidence_95");
+  if (!intervals) return;
+  for (const char* list : {"at_bound", "not_separable", "no_influence"}) {
+    if (!fit.has(list)) continue;
+    for (const std::string& name : fit.texts(list)) {
+      if (!intervals->has(name)) continue;  // as in files of earlier versions
+      const std::string reason = "must be " + io::toml_quoted(not_determined) + ", because fit." + list + " names it";
+      if (!intervals->is_text(name) || intervals->text(name) != not_determined) throw intervals->error(name, reason);
+    }
+  }
+}
+
 }  // namespace
 
 std::string_view to_string(meshes::ChamberLayout layout) {
@@ -188,9 +203,12 @@ SurrogateParameters read_surrogate(const std::filesystem::path& file) {
   describe(reader, parameters);
   leave_unread(top, "fit");
   top.finish();
-  // Only the status of the report matters. The report is read separately so that its other keys are not refused.
+  // Only status and intervals of the report matter. It is read separately so that its other keys are not refused; but a number
+  // that is none, anywhere in it, tells of a fit that failed.
+  io::require_finite_numbers(file);
   const io::TomlTable again = io::read_toml(file);
   if (const auto fit = again.optional_table("fit")) {
+    check_intervals(*fit);
     const std::string status = fit->text_or("status", "completed");
     if (status != "completed") throw fit->error("status", "the calibration did not complete: do not use its parameters");
   }

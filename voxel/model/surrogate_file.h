@@ -9,6 +9,9 @@
 
 namespace menger::voxel {
 
+/// Stands in place of an interval in the report of a fit, for a value that the curves do not determine.
+inline constexpr std::string_view not_determined = "not determined";
+
 std::string_view to_string(meshes::ChamberLayout layout);  ///< "single" or "per-phase"
 
 /// Describes the keys of voxel parameters. Lists of seven numbers are ordered by wall class.
@@ -22,7 +25,8 @@ void describe(io::StudyVisitor& visitor, SurrogateParameters& parameters);
 std::string surrogate_text(const SurrogateParameters& parameters);
 
 /// Reads voxel parameters, also files that earlier versions wrote. A table `[fit]`, in which a calibration reports how it found
-/// them, is not read except for its status. A file whose status is not "completed" is refused.
+/// them, is not read except for its status and for intervals that are not determined. A file
+/// whose status is not "completed" is refused, and one with a number that is not finite, wherever it stands.
 /// @throws io::InputError with file, key and value
 SurrogateParameters read_surrogate(const std::filesystem::path& file);
 

@@ -315,6 +315,19 @@ TEST_F(Archive, RefusesRowsThatContradictEachOther) {
   }
 }
 
+TEST_F(Archive, RefusesInfiniteNumbersWithTableAndColumn) {
+  fill();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE evaluation SET dx_m = 9e999 WHERE design_hash = 'design 7'");
+  expect_refused({"evaluation.dx_m = inf: must be a finite number"});
+  EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError);
+  fs::remove(file_);
+  fill();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE evaluation SET seconds = -9e999 WHERE design_hash = 'design 7'");
+  expect_refused({"evaluation.seconds = -inf: must be a finite number"});
+}
+
 TEST_F(Archive, RefusesPlacesWhereNoFileCanBe) {
   io::write_whole(folder_ / "file", "x");
   EXPECT_THROW((void)RunArchive::open(folder_ / "file/run.sqlite", study, 1), io::InputError);

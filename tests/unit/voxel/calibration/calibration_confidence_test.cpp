@@ -82,5 +82,28 @@ TEST(CalibrationConfidence, GivesNoIntervalToASmallPartOfAnUndeterminedCombinati
   EXPECT_NEAR(half_width(fit.values[1]), normal_quantile_95 * std::sqrt(covariance(1, 1)), 1e-6 * half_width(fit.values[1]));
 }
 
+/// A value may lose its influence on the way of a fit: its column is then zero, or so small that its square is.
+TEST(CalibrationConfidence, GivesNoIntervalToAValueWithoutInfluenceWhereTheFitEnds) {
+  for (const double influence : {0.0, 1e-200, 1e-310}) {
+    Eigen::MatrixXd jacobian(4, 2);
+    jacobian << 1, influence, 1, 0, 1, 0, 1, 0;
+    CalibrationFit fit = fit_of(2, 4);
+    set_confidence(fit, jacobian, Eigen::VectorXd::Ones(4));
+    ASSERT_TRUE(fit.values[0].confidence_95) << influence;
+    EXPECT_NEAR(half_width(fit.values[0]), normal_quantile_95 / 2.0, 1e-9) << influence;
+    EXPECT_EQ(fit.values[1].determination, Determination::no_influence) << influence;
+    EXPECT_FALSE(fit.values[1].confidence_95) << influence;
+    EXPECT_FALSE(fit.correlation[1][1]) << influence;
+  }
+}
+
+TEST(CalibrationConfidence, GivesNoIntervalsWithoutFiniteDerivatives) {
+  Eigen::MatrixXd jacobian(3, 2);
+  jacobian << 1, 1, 1, 2, 1, std::nan("");
+  CalibrationFit fit = fit_of(2, 3);
+  set_confidence(fit, jacobian, Eigen::VectorXd::Ones(3));
+  for (const FittedValue& value : fit.values) EXPECT_FALSE(value.confidence_95);
+}
+
 }  // namespace
 }  // namespace menger::voxel

@@ -108,6 +108,31 @@ TEST_F(SurrogateFile, LeavesTheReportOfTheFitUnread) {
   EXPECT_EQ(read(surrogate_text(example()) + report), example());
 }
 
+/// A report may say anything, but a number that is none there tells of a fit that failed.
+TEST_F(SurrogateFile, RefusesNumbersThatAreNoneAnywhere) {
+  const auto message = [&](const std::string& report) -> std::string {
+    try {
+      read(surrogate_text(example()) + report);
+    } catch (const io::InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  for (const auto& [report, expected] :
+       {std::pair{"[fit.confidence_95]\naxial_Pa = [-nan, 2.0]\n", "fit.confidence_95.axial_Pa[1] = "},
+        std::pair{"[fit]\nchi2 = inf\n", "fit.chi2 = inf: must be a finite number"},
+        std::pair{"[[fit.curves]]\nname = \"a\"\nrms = nan\n", "fit.curves[1].rms = nan: must be a finite number"},
+        std::pair{"[fit]\nat_bound = [\"axial_Pa\"]\n[fit.confidence_95]\naxial_Pa = [1.0, 2.0]\n",
+                  "fit.confidence_95.axial_Pa = [...]: must be \"not determined\""}}) {
+    const std::string found = message(report);
+    EXPECT_NE(found.find(expected), std::string::npos) << found;
+    EXPECT_NE(found.find("surrogate.toml:"), std::string::npos) << found;
+  }
+  EXPECT_EQ(message("[fit]\nat_bound = [\"axial_Pa\", \"torsion_Pa\"]\n[fit.confidence_95]\naxial_Pa = \"not determined\"\n"
+                    "bending_Pa = [1.0, 2.0]\n"),
+            "");
+}
+
 TEST_F(SurrogateFile, NamesWhatIsWrong) {
   const auto expect = [&](const std::string& part, const std::string& by, const std::string& message) {
     const std::string found = fault(part, by);

@@ -143,6 +143,17 @@ TEST_F(SceneFile, RefusesBadValuesNamingFileKeyAndValue) {
                  ": energy_ledger = true: needs number = \"float64\"");
 }
 
+TEST_F(SceneFile, RefusesMoreFrictionWhileSlidingThanAtRest) {
+  const auto with = [](const std::string& lines) { return lines + "\n" + bar; };
+  expect_refused(with("ground = {static_friction = 0.4, kinetic_friction = 0.6}"),
+                 ": ground.static_friction = 0.4: is less than kinetic_friction = 0.6");
+  expect_refused(with("ground.static_friction = 0.4"), ": ground.static_friction = 0.4: is less than kinetic_friction = 0.5");
+  expect_refused(with("ground.kinetic_friction = 1.5"), ": ground.kinetic_friction = 1.5: is more than static_friction = 1");
+  expect_refused(with("materials.material_2.kinetic_friction = 2.0"),
+                 ": materials.material_2.kinetic_friction = 2.0: is more than static_friction = 1");
+  EXPECT_EQ(read(with("ground = {static_friction = 0.4, kinetic_friction = 0.4}")).physics.materials[0].static_friction, 0.4);
+}
+
 TEST_F(SceneFile, RefusesValuesThatNoMachineNumberCanSimulate) {
   const auto with = [](const std::string& lines) { return lines + "\n" + bar; };
   expect_refused(with("materials.youngs_modulus_Pa = 1e200"), "youngs_modulus_Pa = 1e+200");
