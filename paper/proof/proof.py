@@ -41,7 +41,7 @@ RESAMPLES = 10000
 MOST_ARRANGEMENTS = 2_000_000  # that an exact rank-sum test counts; eleven seeds have 705432
 GRID = 60  # costs at which lines of progress are drawn
 
-OUTCOMES = ["arm", "seed", "budget_element_steps", "cost_element_steps", "generations", "evaluations", "search_body_lengths", "individual",
+OUTCOMES = ["arm", "seed", "budget_element_steps", "voxel_steps_per_element_step", "cost_element_steps", "generations", "evaluations", "search_body_lengths", "individual",
             "design", "cells", "first_body_lengths", "best_body_lengths", "reason"]
 PROGRESS = ["arm", "seed", "generation", "cost_element_steps", "champion", "body_lengths"]
 
@@ -145,6 +145,7 @@ def outcome_of(results, arm, seed):
     judged = robots_of(read_table(results / f"{name}.fine.csv"))
     best = max(judged.values(), key=score, default=None)
     row = {"arm": arm, "seed": seed, "budget_element_steps": number(budget["element_steps"]),
+           "voxel_steps_per_element_step": number(budget.get("voxel_steps_per_element_step")),
            "cost_element_steps": number(summed_costs(results / name, budget)[-1]), "generations": len(generations) - 1,
            "evaluations": sum(int(one["evaluations"]) for one in generations), "search_body_lengths": generations[-1]["best_fitness_body_lengths"],
            "first_body_lengths": number(score(judged[1]) if judged else 0.0), "best_body_lengths": number(score(best) if best else 0.0)}
@@ -194,14 +195,21 @@ def add_rows(file, columns, arm, seed, new):
 
 def outcomes_by_arm(tables):
     rows = read_table(tables / "outcomes.csv")
+    # Budgets follow from size.toml and cost.csv: searches from before one of them was changed had another cost.
+    for column in ("budget_element_steps", "voxel_steps_per_element_step"):
+        values = {row[column] for row in rows} - {""}
+        if len(values) > 1:
+            raise InputError(f"{tables}/outcomes.csv: {column}: searches of different cost are not compared: {', '.join(sorted(values))}")
     return {arm: [float(row["best_body_lengths"]) for row in rows if row["arm"] == arm] for arm in ARMS}
 
 
 def rank_sum_p(a, b):
     """The two-sided p of Wilcoxon's rank-sum test, exact also with equal values: the share of all arrangements of the values in two
-    groups of these sizes whose rank sum is at least as far from its mean. None for an empty group, or too many arrangements."""
-    if not a or not b or math.comb(len(a) + len(b), len(a)) > MOST_ARRANGEMENTS:
+    groups of these sizes whose rank sum is at least as far from its mean. None for an empty group."""
+    if not a or not b:
         return None
+    if math.comb(len(a) + len(b), len(a)) > MOST_ARRANGEMENTS:
+        raise InputError(f"{len(a)} and {len(b)} searches: an exact rank-sum test takes eleven of each at most")
     ordered = sorted([*a, *b])
     # twice the mid-ranks, which are whole
     ranks = {x: 2 * ordered.index(x) + ordered.count(x) + 1 for x in set(ordered)}
@@ -218,9 +226,12 @@ def superiority(a, b):
 
 
 def interval_of_two(a, b, statistic):
-    """The 95 % interval of a statistic of two groups, by a bootstrap over both. The same values give the same interval."""
+    """The 95 % interval of a statistic of two groups, by a bootstrap over both; (None, None) where all resamples have one value. The
+    same values give the same interval."""
     draw = random.Random(1)
     found = [statistic(draw.choices(a, k=len(a)), draw.choices(b, k=len(b))) for _ in range(RESAMPLES)]
+    if min(found) == max(found):  # groups apart from each other: resampling does not tell how far the value is known
+        return None, None
     return quantile(found, 0.025), quantile(found, 0.975)
 
 
@@ -229,10 +240,28 @@ def difference_of_medians(a, b):
 
 
 STATISTICS = ["arm", "than", "searches", "searches_than", "median_body_lengths", "median_than_body_lengths", "difference_body_lengths",
-              "difference_low", "difference_high", "superiority", "superiority_low", "superiority_high", "rank_sum_p"]
+              "difference_low", "difference_high", "superiority", "superiority_low", "superiority_high", "rank_sum_p", "holm_p"]
+
+
+def holm(p_values):
+    """The p of several tests at once by Holm's method: the least times their number, the next times one less, and so on, never
+    falling and at most 1. None stays None."""
+    order = sorted((n for n, p in enumerate(p_values) if p is not None), key=lambda n: p_values[n])
+    adjusted = [None] * len(p_values)
+    largest = 0.0
+    for place, n in enumerate(order):
+        largest = max(largest, min(1.0, (len(order) - place) * p_values[n]))
+        adjusted[n] = largest
+    return adjusted
 
 
 def statistics_rows(outcomes):
+    rows = list(compared_arms(outcomes))
+    for row, p in zip(rows, holm([value(row.get("rank_sum_p", "")) for row in rows])):
+        yield row | {"holm_p": number(p)}
+
+
+def compared_arms(outcomes):
     for arm, than in COMPARISONS:
         a, b = outcomes[arm], outcomes[than]
         row = {"arm": arm, "than": than, "searches": len(a), "searches_than": len(b)}
@@ -265,9 +294,11 @@ def layer_rows(results, tables):
         file = results / f"{name}.layers.csv"
         if not file.exists():
             continue
-        two = read_table(file)[0]
-        one = next(found for found in read_table(results / f"{name}.fine.csv")
-                   if found["individual"] == row["individual"] and found["friction"] == two["friction"])
+        two = next(iter(read_table(file)), None)
+        one = next((found for found in read_table(results / f"{name}.fine.csv")
+                    if two and found["individual"] == row["individual"] and found["friction"] == two["friction"]), None)
+        if one is None:
+            raise InputError(f"{file}: has no walk, or {name}.fine.csv none of individual {row['individual']} at its friction")
         cells = {"arm": row["arm"], "seed": row["seed"], "individual": row["individual"], "one_body_lengths": one["body_lengths"],
                  "two_body_lengths": two["body_lengths"], "reason": two["reason"]}
         if one["dx_m"] and two["dx_m"]:

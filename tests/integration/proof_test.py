@@ -47,6 +47,15 @@ class Statistics(unittest.TestCase):
         self.assertLess(sum(p <= 0.05 for p in found) / len(found), 0.05)
         self.assertGreater(sum(p <= 0.05 for p in found) / len(found), 0.005)
 
+    def test_several_tests_by_holms_method(self):
+        # Holm 1979, doi 10.2307/4615733: the least times 3, the next times 2, never falling
+        self.assertEqual([round(p, 12) for p in proof.holm([0.01, 0.04, 0.03])], [0.03, 0.06, 0.06])
+        self.assertEqual(proof.holm([None, 0.4, 0.6]), [None, 0.8, 0.8])
+
+    def test_more_searches_than_an_exact_test_takes_are_refused(self):
+        with self.assertRaises(proof.InputError):
+            proof.rank_sum_p(list(range(12)), list(range(12)))
+
     def test_superiority(self):
         self.assertEqual(proof.superiority([2, 3], [0, 1]), 1.0)
         self.assertEqual(proof.superiority([1, 2], [1, 2]), 0.5)
@@ -160,7 +169,10 @@ class Searches(unittest.TestCase):
         self.assertEqual(summary.returncode, 0, summary.stderr)
         rows = {(row["arm"], row["than"]): row for row in table_of(self.tables / "statistics.csv")}
         self.assertAlmostEqual(float(rows["elements", "voxels"]["rank_sum_p"]), 2 / 252, 6)
+        self.assertAlmostEqual(float(rows["elements", "voxels"]["holm_p"]), 3 * 2 / 252, 6)
         self.assertEqual(float(rows["elements", "voxels"]["superiority"]), 1.0)
+        self.assertEqual(rows["elements", "voxels"]["superiority_low"], "", "groups apart have no interval by resampling")
+        self.assertNotEqual(rows["both", "elements"]["superiority_low"], "")
         self.assertAlmostEqual(float(rows["elements", "voxels"]["difference_body_lengths"]), 0.2)
         self.assertAlmostEqual(float(rows["both", "elements"]["difference_body_lengths"]), -0.02)
         self.assertLess(float(rows["both", "elements"]["difference_low"]), 0.0)
@@ -171,6 +183,25 @@ class Searches(unittest.TestCase):
         self.call("summary", self.tables)
         self.assertEqual((self.tables / "proof.svg").read_text(), picture, "the same searches give the same bytes")
         self.assertEqual(self.call("winners", self.tables).stdout.splitlines()[0], "elements 1 5")
+
+    def test_searches_of_different_cost_are_not_compared(self):
+        self.make("elements", 1, 0.07)
+        self.make("elements", 2, 0.08)
+        study = self.results / "studies" / "elements_2.toml"
+        study.write_text(study.read_text().replace("element_steps = ", "element_steps = 1"))
+        for seed in (1, 2):
+            self.assertEqual(self.call("take", self.results, self.tables, "elements", seed).returncode, 0)
+        summary = self.call("summary", self.tables)
+        self.assertEqual(summary.returncode, 2)
+        self.assertIn("budget_element_steps", summary.stderr)
+
+    def test_a_walk_that_is_missing_is_named(self):
+        self.make("elements", 1, 0.07)
+        self.call("take", self.results, self.tables, "elements", 1)
+        self.put("elements_1.layers.csv", "rank individual friction dx_m dy_m body_lengths reason", [])
+        outcome = self.call("layers", self.results, self.tables)
+        self.assertEqual(outcome.returncode, 2)
+        self.assertIn("elements_1.layers.csv", outcome.stderr)
 
     def test_winners_on_two_layers(self):
         self.make("elements", 1, 0.07)
