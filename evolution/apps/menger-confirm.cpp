@@ -25,6 +25,7 @@
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 
 namespace {
@@ -62,35 +63,70 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("study", arguments.study, "Study of a search on finite elements: how the robots walk and are scored")
       ->required();
   app.add_option("-o,--output", arguments.table, "Table of scores")->capture_default_str();
-  app.add_option("--top", arguments.top, "Number of robots: the best that differ by more than their pose")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  CLI::Option* champions = app.add_flag("--champions", arguments.champions, "The best robot of every generation instead");
-  app.add_option("--individuals", arguments.individuals, "These individuals instead")->excludes(champions);
+  CLI::Option* top = app.add_option("--top", arguments.top, "Number of robots: the best that differ by more than their pose")
+                         ->check(CLI::Range(1, 1000000))
+                         ->capture_default_str();
+  CLI::Option* champions =
+      app.add_flag("--champions", arguments.champions, "The best robot of every generation instead")->excludes(top);
+  app.add_option("--individuals", arguments.individuals, "These individuals instead")->excludes(champions)->excludes(top);
   app.add_option("-t,--threads", arguments.threads, "Threads; the result does not depend on them")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   return io::parse_arguments(app, argc, argv);
 }
 
-std::vector<FitDesign> chosen_robots(const Arguments& arguments, const Study& search, const RunArchive& archive) {
-  if (arguments.champions) return champions(view_of(archive, search));
-  if (arguments.individuals.empty()) return different_robots(search, archive, arguments.top);
+/// Returns individuals of an archive with the fitness of their body, each body once.
+std::vector<FitDesign> individuals(const std::vector<std::uint64_t>& ids, const RunArchive& archive) {
   const std::vector<FitDesign> all = archive.fit_designs();
   std::vector<FitDesign> chosen;
-  for (const std::uint64_t id : arguments.individuals) {
-    const auto found = std::ranges::find(all, id, &FitDesign::individual);
-    if (found == all.end()) {
-      throw io::InputError("--individuals " + std::to_string(id) + ": " + archive.file().string() +
-                           " has no fitness of it, or an earlier individual has the same body");
-    }
+  for (const std::uint64_t id : ids) {
+    const auto fault = [&](const std::string& reason) {
+      return io::InputError("--individuals " + std::to_string(id) + ": " + archive.file().string() + reason);
+    };
+    if (id >= archive.next_id()) throw fault(" has individuals 0 to " + std::to_string(archive.next_id() - 1));
+    const Phenotype phenotype = archive.individual(id).phenotype;
+    // The list has the first individual of each body; later ones have its fitness.
+    const auto found = std::ranges::find(all, phenotype, &FitDesign::phenotype);
+    if (found == all.end()) throw fault(" has no fitness of it");
+    if (std::ranges::find(chosen, phenotype, &FitDesign::phenotype) != chosen.end()) continue;
     chosen.push_back(*found);
+    chosen.back().individual = id;
   }
   return chosen;
 }
 
+std::vector<FitDesign> chosen_robots(const Arguments& arguments, const Study& search, const RunArchive& archive) {
+  if (arguments.champions) return champions(view_of(archive, search));
+  if (arguments.individuals.empty()) return different_robots(search, archive, arguments.top);
+  return individuals(arguments.individuals, archive);
+}
+
+/// @throws io::InputError if the table would take the place of what is read
+void require_other_file(const Arguments& arguments) {
+  for (const fs::path& read : {arguments.archive, arguments.study}) {
+    std::error_code error;  // a table that is not there yet is no other file
+    if (fs::equivalent(arguments.table, read, error))
+      throw io::InputError("--output " + arguments.table.string() + ": is read: choose another file");
+  }
+}
+
+/// Returns which robots walk, as a table of the manifest.
+std::string robots_text(const Arguments& arguments) {
+  io::TomlText text;
+  text.table("robots");
+  if (arguments.champions) {
+    text.add("champions", true);
+  } else if (arguments.individuals.empty()) {
+    text.add("top", arguments.top);
+  } else {
+    text.add("individuals", std::vector<std::int64_t>(arguments.individuals.begin(), arguments.individuals.end()));
+  }
+  return text.text();
+}
+
 int confirm_robots(const Arguments& arguments) {
   const auto start = Clock::now();
+  require_other_file(arguments);
   const Study judge = read_study(arguments.study);
   RunArchive archive = RunArchive::open_to_extend(arguments.archive);
   const Study search = archived_study(archive);
@@ -115,10 +151,11 @@ int confirm_robots(const Arguments& arguments) {
   }
   judgement_table(judge, robots, archive).write(arguments.table);
   io::Manifest manifest{.program = "menger-confirm",
-                        .parameters = resolved_text(judge),
+                        .parameters = resolved_text(judge) + "\n" + robots_text(arguments),
                         .seed = search.search.seed,
                         .seconds = std::chrono::duration<double>(Clock::now() - start).count(),
                         .inputs = {}};
+  io::note_input(manifest.inputs, arguments.archive);
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
   io::write_manifest_file(fs::path(arguments.table).replace_extension(".manifest.json"), manifest);
   std::cout << robots.size() << (robots.size() == 1 ? " robot: " : " robots: ") << arguments.table.string() << std::endl;

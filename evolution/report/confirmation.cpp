@@ -56,9 +56,11 @@ std::vector<Confirmation> confirmations(const Study& study, const RunArchive& ar
   const std::vector<FitDesign> robots = different_robots(study, archive, made.count());
   for (std::size_t n = 0; n < robots.size(); ++n) {
     const Phenotype simulated = as_simulated(study.search, robots[n].phenotype);
+    const std::string design = design_hash(simulated, level);
+    // A robot that has walked on some of the elements only, as another study asked, is not confirmed.
+    if (std::ranges::any_of(protocols, [&](const auto& one) { return !made.in_scenarios(one.second, design); })) continue;
     for (const auto& [fidelity, texts] : protocols) {
-      const std::optional<KnownResults> results = made.in_scenarios(texts, design_hash(simulated, level));
-      if (!results) continue;
+      const std::optional<KnownResults> results = made.in_scenarios(texts, design);
       const KnownScore score = known_score(study.search, *results);
       Confirmation one{.rank = n + 1, .design = robots[n], .fidelity = fidelity};
       if (!score.is_failed) one.score = score.at_most;

@@ -9,8 +9,9 @@
 namespace menger::evolution {
 namespace {
 
-/// Adds the steps of screening the new individuals of a generation. A walk that went on after its first half has that half among
-/// its own steps.
+/// Adds the steps of screening the new individuals of a generation. A walk that went on in the same generation has its first half
+/// among its own steps. One that went on in a later generation is counted whole there, although its first half was counted
+/// before: whether that half had to be made anew depends on interruptions, and the count must not.
 void add_screening(const RunView& run, int generation, GenerationCost& cost) {
   if (run.screening_physics.empty()) return;
   const bool by_halves = run.plan.screening->by == Screener::half_walks;

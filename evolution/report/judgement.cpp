@@ -15,7 +15,8 @@ std::vector<FitDesign> champions(const RunView& run) {
     const auto champion = summarise_generation(run, generation).champion;
     if (!champion || !champion->fitness) continue;
     const Individual& individual = champion->individual;
-    if (all.empty() || all.back().individual != individual.id)
+    // A former champion may come back.
+    if (std::ranges::find(all, individual.id, &FitDesign::individual) == all.end())
       all.push_back({.individual = individual.id, .phenotype = individual.phenotype, .fitness = *champion->fitness});
   }
   return all;

@@ -57,8 +57,11 @@ std::unique_ptr<DesignEvaluator> screening_evaluator_of(const Study& study) { re
 SearchEvaluators search_evaluators_of(const Study& study) {
   std::shared_ptr<PausedWalks> paused;
   if (are_halved(study)) {
+    // Each takes some megabytes. A walk that is not kept begins anew, which takes time and changes no result.
+    constexpr int most_paused = 200;
     const SearchPlan& plan = study.search;
-    paused = std::make_shared<PausedWalks>(static_cast<std::size_t>(std::max(plan.survivors, plan.mutants + plan.newcomers)));
+    const int born = std::max(plan.survivors, plan.mutants + plan.newcomers);
+    paused = std::make_shared<PausedWalks>(static_cast<std::size_t>(std::min(born, most_paused)));
   }
   return {.evaluator = evaluator_with(study, paused), .screening = screening_with(study, paused)};
 }

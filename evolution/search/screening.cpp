@@ -164,7 +164,14 @@ std::optional<ScreeningRound> Screening::screen(int generation, std::span<const 
     const auto known = archive_->evaluation({design, plan_->levels().front(), physics_hash_});
     // A result of this generation comes from an interrupted run, and must not change what passes.
     const bool is_known = known && known->generation < generation;
-    if (!is_known && place->second.surrogate) line.push_back(&place->second);
+    if (is_known) continue;
+    if (place->second.surrogate) {
+      line.push_back(&place->second);
+    } else if (plan_->screening->by == Screener::half_walks) {
+      // A body that fell or failed in the first half of its walk has no fitness, however it goes on.
+      place->second.outcome = Screened::left_out;
+      place->second.probability = 0.0;
+    }
   }
   std::ranges::stable_sort(line, std::ranges::greater{}, [](const ScreenedIndividual* one) { return *one->surrogate; });
   const auto passing = static_cast<std::size_t>(std::ceil(round.share * static_cast<double>(line.size())));

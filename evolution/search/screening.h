@@ -59,7 +59,8 @@ class Screening {
   Screening(const SearchPlan& plan, const DesignEvaluator& surrogate, const std::string& physics, RunArchive& archive);
 
   /// Evaluates new individuals by the surrogate and decides which pass. One whose result the archive has already passes, and so
-  /// does one that the surrogate cannot evaluate. Equal designs have one place, and one outcome.
+  /// does one that a surrogate cannot evaluate; one without a score of half a walk does not. Equal designs have one place, and
+  /// one outcome.
   /// @param born those that the search would evaluate without a screening
   /// @param commits incremented with every result that is added to the archive
   /// @return nothing if it was stopped

@@ -53,7 +53,7 @@ struct Budget {
   double element_steps = 1e10;
 
   /// What a step of a finite element costs in steps of a voxel, > 0: measured once for all machines on which a search may go on.
-  double voxel_steps_per_element_step = 0.25;
+  double voxel_steps_per_element_step = 0.5;
 
   bool operator==(const Budget&) const = default;
 };

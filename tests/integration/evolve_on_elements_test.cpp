@@ -336,8 +336,9 @@ TEST_F(EvolveOnElements, ARobotThatFallsOnFinerElementsIsNotTheChampion) {
                                  .variant = "confirmed on standard elements",
                                  .duration_s = finer.duration_s,
                                  .result = {}};
-    fall.result.status = io::RunStatus::diverged;
+    fall.result.status = io::RunStatus::fell;
     fall.result.reason = "it falls over";
+    fall.result.left_out_m = {0.01, 0.0, 0.0};
     archive.add_reevaluations({&fall, 1});
   }
   text.replace(text.find("confirm = 0"), 11, "confirm = 2");
@@ -445,7 +446,7 @@ TEST_F(EvolveOnElements, RobotsOfAnySearchWalkAsAnotherStudySays) {
   for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(champions.text(2 * n, "individual"), expected[n]);
 
   const std::string second = best.text(2, "individual");
-  ASSERT_EQ(run("confirm", {"voxels.sqlite", "judge.toml", "--individuals", second, "-o", "one.csv"}).code, 0);
+  ASSERT_EQ(run("confirm", {"voxels.sqlite", "judge.toml", "--individuals", second, second, "-o", "one.csv"}).code, 0);
   const io::CsvContents one = io::read_csv(folder_ / "one.csv");
   ASSERT_EQ(one.row_count(), 2U);
   EXPECT_EQ(one.text(0, "individual"), second);
@@ -465,6 +466,15 @@ TEST_F(EvolveOnElements, RobotsOfAnySearchWalkAsAnotherStudySays) {
   };
   expect_refused("wall_thickness_m = 0.002", "wall_thickness_m = 0.002\ncell_edge_m = 0.012", "body.cell_edge_m = 0.012");
   EXPECT_EQ(run("confirm", {"voxels.sqlite", "voxels.toml"}).code, 2);
+  EXPECT_EQ(run("confirm", {"voxels.sqlite", "judge.toml", "--top", "2", "--individuals", second}).code, 2);
+  const std::string judge = io::read_whole(folder_ / "judge.toml");
+  for (const char* read : {"voxels.sqlite", "./judge.toml"}) {
+    const Outcome refused = run("confirm", {"voxels.sqlite", "judge.toml", "-o", read});
+    EXPECT_EQ(refused.code, 2) << "the table would take the place of what is read";
+    EXPECT_NE(refused.err.find(read), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(io::read_whole(folder_ / "judge.toml"), judge);
+  EXPECT_EQ(run("confirm", {"voxels.sqlite", "judge.toml", "--individuals", second, "-o", "one.csv"}).code, 0);
 }
 
 TEST_F(EvolveOnElements, TheTableAndTheManifestBelongToTheirArchive) {

@@ -114,6 +114,19 @@ TEST_F(ConfirmationTest, IsTheSameForTwoThreadsAndAfterAStop) {
   EXPECT_EQ(confirmations(study, archive).size(), 4U) << "a score over the scenarios";
 }
 
+// Another study may have asked for walks on fine elements only, which say nothing of standard ones.
+TEST_F(ConfirmationTest, WalksOnSomeOfTheFinerElementsConfirmNothing) {
+  const Study study = read();
+  make("run.sqlite", study, {hook, bar});
+  RunArchive archive = RunArchive::open_to_extend(folder_ / "run.sqlite");
+  WalksAgain fine{.study = study, .variant = "on fine elements"};
+  fine.study.silicone.elements.fidelity = fem::Fidelity::fine;
+  ASSERT_EQ(walk_again({&fine, 1}, archive.fit_designs(), archive, {}), io::RunStatus::completed);
+  EXPECT_TRUE(confirmations(study, archive).empty());
+  ASSERT_EQ(confirm(study, archive, {}), io::RunStatus::completed);
+  EXPECT_EQ(confirmations(study, archive).size(), 4U);
+}
+
 TEST_F(ConfirmationTest, ABodyOfSeveralRobotsWalksOnce) {
   const Study study = read();
   make("run.sqlite", study, {hook, bar});

@@ -149,6 +149,27 @@ TEST_F(ScreenedSearch, LeavesOutWhatTheSurrogateRanksLow) {
   EXPECT_GT(drawn, 0U);
 }
 
+// A body that fell or failed in the first half of its walk has no score of it; the second half could not give it one.
+TEST_F(ScreenedSearch, BodiesWithoutAScoreOfTheirFirstHalfGoNoFurther) {
+  SearchPlan halves = plan();
+  halves.screening->by = Screener::half_walks;
+  ASSERT_EQ(run("halves", halves), io::RunStatus::completed);
+  ASSERT_EQ(run("surrogate", plan()), io::RunStatus::completed);
+  const auto without_score = [&](const std::string& name) {
+    const RunArchive archive = open(name);
+    std::map<Screened, std::size_t> counts;
+    for (const ScreenedIndividual& one : archive.screened_individuals())
+      if (!one.surrogate) ++counts[one.outcome];
+    return counts;
+  };
+  const auto of_halves = without_score("halves");
+  ASSERT_TRUE(of_halves.contains(Screened::left_out));
+  EXPECT_EQ(of_halves.size(), 1U);
+  const auto of_surrogate = without_score("surrogate");
+  ASSERT_TRUE(of_surrogate.contains(Screened::passed)) << "what voxels cannot evaluate, finite elements may";
+  EXPECT_EQ(of_surrogate.size(), 1U);
+}
+
 TEST_F(ScreenedSearch, IsTheSameForAnyThreadsAndAfterStops) {
   std::size_t commits = 0;
   SearchOptions counting;
