@@ -61,7 +61,7 @@ constexpr const char* example =
     "Example:\n"
     "  menger evolve paper/demo/study.toml -o demo/run.sqlite --threads 4\n"
     "  menger export demo/run.sqlite -o demo/champion\n"
-    "Exit codes: 0 done, 2 wrong input, 130 interrupted.";
+    "Exit codes: 0 done, 2 wrong input, 3 no robot has a fitness, 130 interrupted.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   CLI::App app(description, "menger evolve");
@@ -179,11 +179,13 @@ void print_expected_error(const Study& study, const VoxelErrors& errors, const m
   for (const std::string& line : expected_error_text(errors.known, calibrated, body)) std::cout << line << "\n";
 }
 
-void print_champion(const RunView& run, const Study& study, int last, const std::optional<VoxelErrors>& errors) {
+/// @return whether there is a champion
+bool print_champion(const RunView& run, const Study& study, int last, const std::optional<VoxelErrors>& errors) {
   const std::optional<Champion> champion = champion_of(run, study, last, confirmations(study, *run.archive));
   if (!champion) {
-    std::cout << "No design has a fitness.\n";
-    return;
+    std::cout
+        << "No design has a fitness: every evaluation failed. The archive has the reason of each; menger export writes tables.\n";
+    return false;
   }
   if (!champion->note.empty()) std::cout << "note: " << champion->note << "\n";
   const DesignSummary& design = champion->design;
@@ -192,6 +194,7 @@ void print_champion(const RunView& run, const Study& study, int last, const std:
   if (!design.outside_validity.empty())
     std::cout << "The champion is outside the range of validity of its model: " << design.outside_validity << "\n";
   if (errors && !uses_elements(study)) print_expected_error(study, *errors, design.individual.phenotype.body);
+  return true;
 }
 
 /// Prints how many results are extrapolations, if there are any.
@@ -299,7 +302,6 @@ int evolve(const Arguments& arguments) {
   if (last) print_history(run, *last);
 
   io::RunStatus status = io::RunStatus::completed;
-  io::catch_interrupts();
   if (!finished) {
     io::remove_if_there(confirmation_file(arguments));  // of an earlier run
     Log log(run, expenses, study.search.generations);
@@ -317,6 +319,7 @@ int evolve(const Arguments& arguments) {
     status = run_search(study.search, *evaluator, archive, options, study.search.step_checks ? half_step.get() : nullptr,
                         screening.get());
     log.close();
+    if (status == io::RunStatus::stopped) io::come_to_stop();
     manifest.seconds = seconds_since(start);
     write_manifest(arguments, manifest);
   }
@@ -325,12 +328,12 @@ int evolve(const Arguments& arguments) {
     std::cout << "Stopped. Finished evaluations are kept. Run the same command again to resume." << std::endl;
     return io::exit_code::interrupted;
   }
-  print_champion(run, study, *archive.last_generation(), errors);
+  const bool has_champion = print_champion(run, study, *archive.last_generation(), errors);
   print_validity(run, *archive.last_generation());
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";
   if (uses_elements(study))
     std::cout << "      menger reevaluate " << arguments.archive.string() << " --top 5   (on finer elements)\n";
-  return io::exit_code::done;
+  return has_champion ? io::exit_code::done : io::exit_code::numerical;
 }
 
 }  // namespace

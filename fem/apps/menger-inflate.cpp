@@ -115,7 +115,6 @@ int run(int argc, const char* const* argv, bool speaks) {
   if (arguments.no_pictures) study.output.pictures = false;
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
 
-  io::catch_interrupts(io::LateStop::leave);
   std::unique_ptr<io::Progress> progress;
   fem::InflationOptions options{.restart = arguments.restart, .strict = arguments.strict, .stop = &io::interrupted()};
   options.progress = [&](const fem::PathPoint& point, double start_s, double end_s) {
@@ -143,6 +142,7 @@ int run(int argc, const char* const* argv, bool speaks) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  io::hold_interrupts();
   // made before the arguments are read: it removes those for MPI
   const menger::fem::ParallelSession session(argc, argv);
   return menger::fem::run_parallel_program("menger-inflate", [&](int rank, int) { return run(argc, argv, rank == 0); });

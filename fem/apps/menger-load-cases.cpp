@@ -105,7 +105,6 @@ int run(int argc, const char* const* argv) {
   if (arguments.folder.empty()) arguments.folder = arguments.set.stem();
   for (const std::string& note : study.notes) std::cout << "  " << note << '\n';
 
-  io::catch_interrupts(io::LateStop::leave);
   io::Progress progress(arguments.set.stem().string(), static_cast<double>(study.cases.size()));
   fem::SetOptions options{.stop = &io::interrupted(), .pictures = !arguments.no_pictures, .fields = arguments.fields};
   options.progress = [&](std::size_t index, double part, const std::string& note) {
@@ -124,6 +123,7 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  io::hold_interrupts();
   const menger::fem::ParallelSession session(argc, argv);
   return menger::io::run_program("menger-load-cases", [&] { return run(argc, argv); });
 }

@@ -11,6 +11,7 @@
 
 int main(int argc, char** argv) {
   using namespace menger;
+  io::hold_interrupts();
   const fem::ParallelSession session(argc, argv);
   const auto refuse = [](const std::filesystem::path& study) -> int {
     throw io::InputError(study.string() + ": dynamics.method is not \"implicit\": run menger-locomote");

@@ -10,6 +10,8 @@
 
 #include "fem/locomotion/locomotion_program.h"
 #include "io/process/child_program.h"
+#include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/text/input_error.h"
 
@@ -27,6 +29,8 @@ int main(int argc, char** argv) {
   using namespace menger;
   const auto become_implicit = [&](const std::filesystem::path& study) -> int {
     const std::filesystem::path program = io::program_in(io::own_program_folder(), "menger-locomote-implicit");
+    io::hold_interrupts();
+    if (io::interrupted()) return io::exit_code::interrupted;
     ::execv(program.c_str(), argv);
     throw io::InputError(study.string() + ": " + program.string() +
                          " cannot be started: " + std::generic_category().message(errno));

@@ -91,7 +91,6 @@ int run(int argc, const char* const* argv) {
   if (arguments.no_pictures) study.output.pictures = false;
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem().string() + "_modes";
 
-  io::catch_interrupts(io::LateStop::leave);
   auto progress = std::make_unique<io::Progress>(arguments.study.stem().string(), 1.0);
   arguments.options.stop = &io::interrupted();
   arguments.options.progress = [&](double part, const std::string& note) { progress->update(part, note); };
@@ -104,6 +103,7 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  io::hold_interrupts();
   // made before the arguments are read: it removes those for MPI
   const menger::fem::ParallelSession session(argc, argv);
   return io::run_program("menger-modes", [&] { return run(argc, argv); });

@@ -104,7 +104,6 @@ int run(int argc, const char* const* argv) {
   const io::RunFolder folder("menger-stall-map", arguments.folder);
   folder.remove({"stall_map.csv", "isobars.csv", "travel.csv", "stall_map.png", "manifest.json"});
 
-  io::catch_interrupts();
   auto progress = std::make_unique<io::Progress>(arguments.study.stem().string(), 1.0);
   const fem::StallMap map = fem::stall_map(study, &io::interrupted(), [&](double part) { progress->update(part); });
   progress.reset();

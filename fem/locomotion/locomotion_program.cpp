@@ -161,7 +161,6 @@ int locomotion_program(int argc, const char* const* argv, const LocomotionMethod
     for (const std::string& note : study.notes) std::cout << "  " << note << '\n';
     std::cout << std::flush;
   }
-  io::catch_interrupts(io::LateStop::leave);
   if (method.help) {
     method.help(study);
     return io::exit_code::done;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/text/input_error.h"
 #include "io/text/near_miss.h"
@@ -110,6 +111,7 @@ int dispatch(int argc, char** argv) {
     print_help(std::cerr);
     return io::exit_code::bad_input;
   }
+  io::hold_interrupts();  // until the program has loaded its libraries
   ::execv(program.c_str(), argv + 1);
   throw io::InputError(program.string() + ": cannot be run: " + std::generic_category().message(errno));
 }

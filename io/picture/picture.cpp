@@ -4,6 +4,7 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include "io/picture/offscreen_display.h"
@@ -18,7 +19,7 @@ namespace menger::io {
 
 PictureOutcome write_picture(const std::filesystem::path& file, const PictureStyle& style,
                              const std::function<void(vtkRenderWindow&)>& fill) {
-  PendingFile pending(file);
+  require_writable_folder(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
 #ifdef __SANITIZE_ADDRESS__
   // Graphics drivers never free some memory and are then unloaded, so that a leak check cannot find its owner.
   const __lsan::ScopedDisabler no_leak_check;
@@ -45,11 +46,16 @@ PictureOutcome write_picture(const std::filesystem::path& file, const PictureSty
   smooth->AveragingOn();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(smooth->GetOutputPort());
-  writer->SetFileName(pending.temporary().c_str());
+  // The picture is made in memory: on a full disk, the library would print its own errors.
+  writer->WriteToMemoryOn();
   writer->Write();
-  if (writer->GetErrorCode() != 0) throw InputError(file.string() + ": cannot be written");
-  pending.commit();
+  if (writer->GetErrorCode() != 0) throw InputError(file.string() + ": VTK cannot write it");
+  vtkUnsignedCharArray& bytes = *writer->GetResult();
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): a picture is bytes
+  const std::string_view content(reinterpret_cast<const char*>(bytes.GetPointer(0)),
+                                 static_cast<std::size_t>(bytes.GetNumberOfValues()));
   window->Finalize();
+  write_whole(file, content);
   return {.written = true, .missing = {}};
 }
 

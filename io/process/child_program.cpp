@@ -62,6 +62,9 @@ class Descriptor {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // NOLINT(cppcoreguidelines-pro-type-vararg): POSIX
   ::signal(SIGINT, SIG_DFL);
   ::signal(SIGTERM, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
   if (*folder != '\0' && ::chdir(folder) != 0) give_up();
   for (int stream = 0; stream < 3; ++stream) {
     if (::dup2(streams.at(static_cast<std::size_t>(stream)), stream) < 0) give_up();

@@ -25,9 +25,21 @@ bool is_file(int descriptor, const std::filesystem::path& file) {
          held.st_dev == named.st_dev;
 }
 
+/// Returns the name of the lock: beside the file itself, so that all symbolic links to it have the same lock.
+std::filesystem::path lock_of(const std::filesystem::path& target) {
+  constexpr int most_links = 40;
+  std::error_code error;
+  std::filesystem::path file = target;
+  // A link may lead to a file that is yet to be made.
+  for (int link = 0; link < most_links && std::filesystem::is_symlink(file, error); ++link)
+    file = file.parent_path() / std::filesystem::read_symlink(file, error);
+  const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
+  return error ? target.string() + ".lock" : real.string() + ".lock";
+}
+
 }  // namespace
 
-FileLock::FileLock(const std::filesystem::path& target) : file_(target.string() + ".lock") {
+FileLock::FileLock(const std::filesystem::path& target) : file_(lock_of(target)) {
   while (true) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // NOLINT(cppcoreguidelines-pro-type-vararg)
     if (descriptor_ < 0) {

@@ -5,7 +5,7 @@
 namespace menger::io {
 
 /// A lock that keeps other processes from writing to the same file or folder. It locks a file named `<target>.lock` beside the
-/// target.
+/// target, or beside the file that a symbolic link leads to.
 ///
 /// The lock is released when the process ends, even if it crashes. The lock needs a file of its own because SQLite loses its
 /// locks as soon as any descriptor of the database is closed.

@@ -70,6 +70,15 @@ void watch() {
   }
 }
 
+/// The signals with which people stop a program.
+sigset_t stop_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  return signals;
+}
+
 void start_watching() {
   // Signals are for the other threads.
   sigset_t all;
@@ -80,17 +89,29 @@ void start_watching() {
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
-}  // namespace
-
-void catch_interrupts(LateStop late) {
+void start_catching() {
   sem_init(&interrupt_came, 0, 0);
-  if (late == LateStop::leave) start_watching();
+  start_watching();
   struct sigaction action {};
   action.sa_handler = note_interrupt;  // NOLINT(cppcoreguidelines-pro-type-union-access): the interface of POSIX
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // the second signal has the default action and ends the program
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  static std::atomic<bool> is_called{false};
+  if (!is_called.exchange(true)) start_catching();
+  const sigset_t signals = stop_signals();
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+void hold_interrupts() {
+  const sigset_t signals = stop_signals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
 const std::atomic<bool>& interrupted() { return interrupt_flag; }

@@ -4,17 +4,18 @@
 
 namespace menger::io {
 
-/// What happens if a program does not come to a stopping point after Ctrl-C.
-enum class LateStop {
-  wait,  ///< it is waited for: for programs that have others to end, or whose stopping points are never far apart
-  /// The program leaves with exit code 130 about a second later, with one line on standard error. For programs that may be in a
-  /// call of a library for minutes. Files are whole, since those that were being written are removed (see remove_pending_files).
-  leave
-};
-
 /// Makes the first Ctrl-C or SIGTERM set interrupted() instead of ending the program. A second one ends the program at once.
-/// Called once.
-void catch_interrupts(LateStop late = LateStop::wait);
+/// Further calls only end hold_interrupts(). run_program calls this first of all.
+///
+/// A program that does not come to a stopping point leaves with exit code 130 about a second later, with one line on standard
+/// error: it may be in a call of a library for minutes. It leaves after three seconds at the latest, also where it waits for
+/// other programs, which end with it. Files are whole, since those that were being written are removed (see
+/// remove_pending_files).
+void catch_interrupts();
+
+/// Keeps Ctrl-C and SIGTERM waiting until catch_interrupts(), also in a program that takes the place of this one. For the time in
+/// which libraries are loaded and started, when nothing can answer them.
+void hold_interrupts();
 
 /// Returns whether the user asked to stop. Long loops check it and return with RunStatus::stopped.
 const std::atomic<bool>& interrupted();

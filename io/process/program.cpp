@@ -10,6 +10,8 @@
 #include <new>
 
 #include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
+#include "io/process/standard_streams.h"
 #include "io/text/input_error.h"
 #include "io/text/near_miss.h"
 #include "io/text/version.h"
@@ -31,9 +33,7 @@ std::string meant_option(const CLI::App& app, int argc, const char* const* argv)
   return "";
 }
 
-}  // namespace
-
-int run_program(std::string_view name, const std::function<int()>& body) {
+int guarded(std::string_view name, const std::function<int()>& body) {
   try {
     return body();
   } catch (const InputError& error) {
@@ -50,6 +50,20 @@ int run_program(std::string_view name, const std::function<int()>& body) {
     std::cerr << name << ": internal error: " << error.what() << '\n';
     return 1;
   }
+}
+
+}  // namespace
+
+int run_program(std::string_view name, const std::function<int()>& body) {
+  set_up_standard_streams();
+  catch_interrupts();
+  int code = guarded(name, body);
+  if (interrupted() && (code == exit_code::done || code == exit_code::numerical)) code = exit_code::interrupted;
+  come_to_stop();
+  const std::string lost = lost_output();
+  if (lost.empty()) return code;
+  std::cerr << name << ": error: standard output: cannot be written: " << lost << '\n';
+  return code == exit_code::done ? exit_code::bad_input : code;
 }
 
 std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* argv) {

@@ -11,9 +11,13 @@ class App;
 namespace menger::io {
 
 /// Runs the body of a program. An exception becomes a message `name: error: ...` on standard error and an exit code.
+///
+/// Ctrl-C is caught from the start (see catch_interrupts). A run goes on if nobody reads its output any more, and a file that
+/// grows beyond the limit of the process is an error like a full disk, not the end of the process.
 /// @param body returns the exit code of the program
-/// @return the exit code of the body; exit_code::bad_input after InputError or if memory ran out; 1 after any other exception (a
-/// fault of menger)
+/// @return the exit code of the body; exit_code::bad_input after InputError, if memory ran out, or if printed text was lost, as
+/// on a full disk; exit_code::interrupted instead of done or numerical after Ctrl-C; 1 after any other exception (a fault of
+/// menger)
 int run_program(std::string_view name, const std::function<int()>& body);
 
 /// Parses the arguments of a program and adds the option --version.

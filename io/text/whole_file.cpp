@@ -1,12 +1,16 @@
 #include "io/text/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <fstream>
 #include <mutex>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -34,6 +38,62 @@ fs::path temporary_name(const fs::path& target) {
   name.append(target.stem().string()).append(".").append(std::to_string(::getpid()));
   name.append("-").append(std::to_string(counter++)).append(".partial").append(target.extension().string());
   return folder_of(target) / name;
+}
+
+/// Whether a file has the form of a temporary name: ".stem.PROCESS-NUMBER.partial.extension".
+bool is_temporary_name(const std::string& name) {
+  const auto end = name.rfind(".partial");
+  if (!name.starts_with('.') || end == std::string::npos) return false;
+  const auto begin = name.rfind('.', end - 1);
+  if (end == 0 || begin == std::string::npos) return false;
+  const std::string numbers = name.substr(begin + 1, end - begin - 1);
+  const auto dash = numbers.find('-');
+  const auto is_number = [](const std::string& text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return '0' <= c && c <= '9'; });
+  };
+  return dash != std::string::npos && is_number(numbers.substr(0, dash)) && is_number(numbers.substr(dash + 1));
+}
+
+/// Whether a descriptor still belongs to the file of this name: another process may have removed it.
+bool is_file(int descriptor, const fs::path& file) {
+  struct stat held {};
+  struct stat named {};
+  return ::fstat(descriptor, &held) == 0 && ::lstat(file.c_str(), &named) == 0 && held.st_ino == named.st_ino &&
+         held.st_dev == named.st_dev;
+}
+
+/// Makes a temporary file and locks it, where the file system has locks. @return its descriptor
+int locked_file(const fs::path& temporary, const fs::path& target) {
+  while (true) {
+    const int flags = O_RDWR | O_CREAT | O_CLOEXEC;
+    const int descriptor = ::open(temporary.c_str(), flags, 0666);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+    if (descriptor < 0) throw InputError(target.string() + ": cannot be written: " + reason_of(errno));
+    const bool is_locked = ::flock(descriptor, LOCK_EX) == 0;
+    if (!is_locked || is_file(descriptor, temporary)) return descriptor;
+    ::close(descriptor);
+  }
+}
+
+/// Removes the temporary files of a folder that no process holds, once for each folder.
+void remove_left_over_files(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> cleaned;
+  {
+    const std::lock_guard lock(mutex);
+    if (!cleaned.insert(folder).second) return;
+  }
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (is_temporary_name(entry->path().filename().string())) found.push_back(entry->path());
+  for (const fs::path& file : found) {
+    const int flags = O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+    const int descriptor = ::open(file.c_str(), flags);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+    if (descriptor < 0) continue;
+    const bool is_left_over = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_file(descriptor, file);
+    if (is_left_over) fs::remove(file, error);
+    ::close(descriptor);
+  }
 }
 
 /// Flushes a file or folder to disk. The data must reach the disk before the name does; otherwise a crash could leave an empty
@@ -72,7 +132,9 @@ std::vector<fs::path> matching_files(const fs::path& pattern) {
 PendingFile::PendingFile(fs::path target) : target_(std::move(target)), temporary_(temporary_name(target_)) {
   if (fs::is_directory(target_)) throw InputError(target_.string() + ": cannot be written: it is a folder");
   require_writable_folder(folder_of(target_));
+  remove_left_over_files(folder_of(target_));
   const std::lock_guard lock(pending_mutex);
+  lock_ = locked_file(temporary_, target_);
   older_ = newest_pending;
   newest_pending = this;
 }
@@ -84,11 +146,14 @@ PendingFile::~PendingFile() {
   *link = older_;
   std::error_code ignored;
   if (!committed_) fs::remove(temporary_, ignored);
+  ::close(lock_);
 }
 
-void PendingFile::commit() {
+void PendingFile::commit(bool may_be_empty) {
   flush_to_disk(temporary_, O_RDWR);
   std::error_code error;
+  if (!may_be_empty && fs::file_size(temporary_, error) == 0)
+    throw InputError(target_.string() + ": cannot be written: nothing was written to it");
   {
     const std::lock_guard lock(pending_mutex);
     fs::rename(temporary_, target_, error);
@@ -110,7 +175,7 @@ void write_whole(const fs::path& file, std::string_view content) {
   out.write(content.data(), static_cast<std::streamsize>(content.size()));
   out.close();
   if (!out) throw InputError(file.string() + ": cannot be written: " + reason_of(errno));
-  pending.commit();
+  pending.commit(content.empty());
 }
 
 void remove_if_there(const fs::path& file) {

@@ -10,6 +10,9 @@ namespace menger::io {
 /// A file that appears under its name only when it is complete. It is written under a temporary name in the same folder, flushed
 /// to disk and then renamed.
 ///
+/// A process that is killed leaves its temporary files. The next process that writes into the folder removes them. It knows them
+/// by their locks: each process holds those of its own files until it ends.
+///
 /// Use it for libraries that write to a file name: let them write to `temporary()`, then call `commit()`. Without `commit()` the
 /// temporary file is removed, and a file that already had the name stays unchanged.
 class PendingFile {
@@ -23,12 +26,15 @@ class PendingFile {
   /// Returns the temporary name to write to. It has the extension of the target.
   [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
 
-  /// Renames the file to its target and replaces a file of that name. @throws InputError naming path and reason
-  void commit();
+  /// Renames the file to its target and replaces a file of that name.
+  /// @param may_be_empty false: an empty file is an error, since a library may not have written to it
+  /// @throws InputError naming path and reason
+  void commit(bool may_be_empty = false);
 
  private:
   std::filesystem::path target_;
   std::filesystem::path temporary_;
+  int lock_ = -1;  ///< descriptor of the temporary file
   bool committed_ = false;
   PendingFile* older_ = nullptr;  ///< the next one in the list of all
 

@@ -85,7 +85,6 @@ int run(int argc, const char* const* argv) {
   if (const auto code = io::parse_arguments(app, argc, argv)) return *code;
   const std::vector<std::string> parts = chosen_parts(arguments.part);
   io::require_writable_folder(arguments.folder);
-  io::catch_interrupts();
 
   io::Progress progress("extremes", static_cast<double>(parts.size()));
   int worst = io::exit_code::done;

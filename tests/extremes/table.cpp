@@ -57,7 +57,6 @@ std::filesystem::path part_file(const std::filesystem::path& folder, const std::
 int run_part(const Part& part, bool is_full, const std::filesystem::path& folder) {
   io::require_writable_folder(folder);
   std::filesystem::remove(part_file(folder, part.name));
-  io::catch_interrupts();
   std::vector<Row> rows;
   std::copy_if(part.rows.begin(), part.rows.end(), std::back_inserter(rows),
                [&](const Row& row) { return is_full || !row.is_slow; });

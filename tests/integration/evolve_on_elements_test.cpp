@@ -298,6 +298,16 @@ TEST_F(EvolveOnElements, RobustRobotsWalkInEveryScenarioOrCannotSurvive) {
   EXPECT_EQ(run("reevaluate", {"one.sqlite", "--top", "1", "-o", "again", "--no-pictures"}).code, 0);
 }
 
+TEST_F(EvolveOnElements, SearchInWhichEveryRobotFailsIsANumericalOutcome) {
+  std::string text = tests::walking_study_text();
+  text.replace(text.find("[0, 6000]"), 9, "[0, 6000000]");
+  io::write_whole(folder_ / "study.toml", text);
+  const Outcome outcome = run("evolve", {"study.toml"});
+  EXPECT_EQ(outcome.code, 3) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("No design has a fitness: every evaluation failed"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run("evolve", {"study.toml"}).code, 3) << "also when it is finished already";
+}
+
 TEST_F(EvolveOnElements, TheBestAreConfirmedOnFinerElements) {
   std::string text = tests::walking_study_text();
   text.replace(text.find("confirm = 0"), 11, "confirm = 2");

@@ -176,6 +176,18 @@ TEST_F(Evolve, InterruptedItEndsCleanlyAndGoesOnLater) {
   EXPECT_EQ(archive_content(archive_), archive_content(folder_ / "whole.sqlite"));
 }
 
+// A population of this size is grown for minutes before the first robot walks.
+TEST_F(Evolve, InterruptedWhileItGrowsAnEnormousPopulationItLeavesAWholeArchive) {
+  io::write_whole(folder_ / "large.toml",
+                  "preset = \"paper\"\ngenerations = 1\n[population]\nsurvivors = 500000\nmutants = 500000\n");
+  const ProgramRun running = start({"large.toml", "-o", "large.sqlite"});
+  while (running.processor_seconds() < 1.0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  running.send(SIGINT);
+  const Outcome stopped = running.wait();
+  EXPECT_EQ(stopped.code, 130) << stopped.signal << stopped.err;
+  EXPECT_FALSE(evolution::RunArchive::open_to_read(folder_ / "large.sqlite").last_generation());
+}
+
 TEST_F(Evolve, RefusesBadStudies) {
   change_study("generations", "generation");
   expect_refused({"study.toml"}, {"study.toml:2: ", "generation: unknown key", "generations"});

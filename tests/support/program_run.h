@@ -9,6 +9,7 @@
 #include <ctime>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "io/text/whole_file.h"
@@ -54,6 +55,12 @@ class ProgramRun {
   [[nodiscard]] std::string printed() const { return io::read_whole(folder_ / "stdout.txt"); }
 
   void send(int signal) const { kill(child_, signal); }
+
+  /// Returns the name of the program that the process runs at present: it may become another one.
+  [[nodiscard]] std::string name() const {
+    std::error_code unknown;
+    return std::filesystem::read_symlink("/proc/" + std::to_string(child_) + "/exe", unknown).filename().string();
+  }
 
   /// Returns the processor time that it has used so far. It has not been waited for.
   [[nodiscard]] double processor_seconds() const {

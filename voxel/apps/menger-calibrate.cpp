@@ -146,7 +146,6 @@ int run(int argc, const char* const* argv) {
   const voxel::CalibrationStudy study = voxel::read_calibration_study(arguments.study, arguments.curves);
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
 
-  io::catch_interrupts();
   io::Progress progress(arguments.study.stem().string(), 1.0);
   voxel::CalibrationRunOptions options{
       .pictures = !arguments.no_pictures, .identifiability_fits = arguments.identifiability_fits, .stop = &io::interrupted()};

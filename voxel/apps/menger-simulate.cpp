@@ -177,7 +177,6 @@ int run(int argc, const char* const* argv) {
   const io::RunFolder folder("menger-simulate", arguments.folder);
   const std::vector<std::string> expected_error = print_expected_error(scene, arguments.scene, inputs);
 
-  io::catch_interrupts();
   io::Progress progress(scene.design.name, scene.duration_s);
   voxel::RunOptions options;
   options.kernel = arguments.kernel;

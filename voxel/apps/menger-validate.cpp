@@ -114,7 +114,6 @@ int run(int argc, const char* const* argv) {
   const voxel::SurrogateParameters parameters = voxel::read_surrogate(study.parameters);
   const voxel::FitRecord record = voxel::read_fit_record(study.parameters);
 
-  io::catch_interrupts();
   const io::RunFolder folder("menger-validate", arguments.folder);
   if (study.load_cases) {
     const fs::path curves = voxel::load_case_folder(study, arguments.folder / "curves");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "io/process/interrupt.h"
 #include "io/process/run_folder.h"
 #include "io/text/whole_file.h"
 #include "voxel/calibration/calibration_chart.h"
@@ -106,7 +107,10 @@ CalibrationRunResult run_calibration(const CalibrationStudy& study, const Respon
   if (options.identifiability_fits > 0 && !is_stopped && fit.parameter_count > 0)
     result.identifiability = test_identifiability(problem, fit, options);
 
-  if (is_stopped) result.frequency_response.clear();
+  if (is_stopped) {
+    io::come_to_stop();
+    result.frequency_response.clear();
+  }
   if (!result.frequency_response.empty()) {
     compute_frequency_response(result.frequency_response, *study.frequency_response,
                                reported_parameters(result.calibration, study));

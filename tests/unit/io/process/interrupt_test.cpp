@@ -67,7 +67,7 @@ TEST(LateStop, ProgramInALongCallLeavesAboutASecondLater) {
   const Clock::time_point start = Clock::now();
   EXPECT_EXIT(
       {
-        catch_interrupts(LateStop::leave);
+        catch_interrupts();
         std::raise(SIGINT);
         compute_for(minutes);
       },
@@ -80,7 +80,7 @@ TEST(LateStop, ProgramInALongCallLeavesAboutASecondLater) {
 TEST(LateStop, ProgramThatWaitsForOthersLeavesToo) {
   EXPECT_EXIT(
       {
-        catch_interrupts(LateStop::leave);
+        catch_interrupts();
         std::raise(SIGTERM);
         std::this_thread::sleep_for(minutes);
       },
@@ -89,7 +89,7 @@ TEST(LateStop, ProgramThatWaitsForOthersLeavesToo) {
 
 TEST(LateStop, ProgramThatCameToAStoppingPointIsWaitedFor) {
   EXPECT_EQ(code_of([] {
-              catch_interrupts(LateStop::leave);
+              catch_interrupts();
               std::raise(SIGINT);
               come_to_stop();
               compute_for(std::chrono::seconds(2));
@@ -99,7 +99,7 @@ TEST(LateStop, ProgramThatCameToAStoppingPointIsWaitedFor) {
 
 TEST(LateStop, StoppingPointBeforeTheInterruptDoesNotCount) {
   EXPECT_EQ(code_of([] {
-              catch_interrupts(LateStop::leave);
+              catch_interrupts();
               come_to_stop();
               std::raise(SIGINT);
               compute_for(minutes);
@@ -107,11 +107,23 @@ TEST(LateStop, StoppingPointBeforeTheInterruptDoesNotCount) {
             130);
 }
 
+TEST(Interrupt, BeforeAProgramCanAnswerWaitsForIt) {
+  EXPECT_EXIT(
+      {
+        hold_interrupts();
+        std::raise(SIGTERM);
+        const bool before = interrupted();
+        catch_interrupts();
+        std::_Exit(!before && interrupted() ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
 TEST(LateStop, LeavesNoPartOfAFileAndNoLaterOne) {
   const tests::TestFolder folder;
   write_whole(folder / "whole.txt", "before");
   EXPECT_EQ(code_of([&] {
-              catch_interrupts(LateStop::leave);
+              catch_interrupts();
               PendingFile first(folder / "whole.txt");
               PendingFile second(folder / "new.txt");
               std::ofstream(first.temporary()) << "half";

@@ -1,7 +1,9 @@
 #include "io/process/machine_memory.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <string>
 
@@ -23,6 +25,16 @@ TEST(MachineMemory, DoesNotChangeWithItsUse) {
   const double before = machine_memory_bytes();
   const std::string used(100'000'000, 'x');
   EXPECT_EQ(machine_memory_bytes(), before) << used.back();
+}
+
+TEST(MachineMemory, IsAtMostTheLimitOfTheProcess) {
+  constexpr rlim_t bytes = 3'000'000'000;
+  const auto limited = [] {
+    const rlimit limit{.rlim_cur = bytes, .rlim_max = bytes};
+    setrlimit(RLIMIT_DATA, &limit);
+    std::_Exit(machine_memory_bytes() <= static_cast<double>(bytes) ? 0 : 1);
+  };
+  EXPECT_EXIT(limited(), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -1,19 +1,30 @@
 #include "io/process/program.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <array>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
 #include <new>
 #include <stdexcept>
 
 #include "io/process/exit_code.h"
+#include "io/process/interrupt.h"
 #include "io/process/study_help.h"
 #include "io/text/input_error.h"
 #include "io/text/version.h"
+#include "io/text/whole_file.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::io {
 namespace {
@@ -51,6 +62,81 @@ TEST(Program, LeavesWithOneOnItsOwnFault) {
   const Outcome outcome = outcome_of([]() -> int { throw std::logic_error("odd"); });
   EXPECT_EQ(outcome.code, 1);
   EXPECT_EQ(outcome.message, "menger-x: internal error: odd\n");
+}
+
+TEST(Program, LeavesWithOneHundredThirtyThoughItWasDoneAfterAnInterrupt) {
+  const auto interrupted_one = [](int code) {
+    std::_Exit(run_program("menger-x", [&] {
+      std::raise(SIGINT);
+      return code;
+    }));
+  };
+  EXPECT_EXIT(interrupted_one(exit_code::done), testing::ExitedWithCode(130), "");
+  EXPECT_EXIT(interrupted_one(exit_code::numerical), testing::ExitedWithCode(130), "");
+  EXPECT_EXIT(interrupted_one(exit_code::bad_input), testing::ExitedWithCode(2), "");
+}
+
+TEST(Program, AnswersAnInterruptThatCameWhileItsLibrariesWereLoaded) {
+  EXPECT_EXIT(
+      {
+        hold_interrupts();
+        std::raise(SIGINT);
+        std::_Exit(run_program("menger-x", [] { return exit_code::done; }));
+      },
+      testing::ExitedWithCode(130), "");
+}
+
+/// Runs a program that prints a line to a descriptor, and ends the process with its exit code.
+[[noreturn]] void print_to(int descriptor) {
+  ::dup2(descriptor, STDOUT_FILENO);
+  std::_Exit(run_program("menger-x", [] {
+    std::cout << "a result" << std::endl;
+    return exit_code::done;
+  }));
+}
+
+TEST(Program, SaysThatItsOutputWasLostOnAFullDisk) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
+  EXPECT_EXIT(print_to(::open("/dev/full", O_WRONLY)), testing::ExitedWithCode(2),
+              "menger-x: error: standard output: cannot be written: No space left on device");
+}
+
+TEST(Program, GoesOnIfTheReaderOfItsOutputHasGone) {
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe(pipe.data()), 0);
+  ::close(pipe[0]);
+  EXPECT_EXIT(print_to(pipe[1]), testing::ExitedWithCode(0), "^$");
+  ::close(pipe[1]);
+}
+
+TEST(Program, WritesNoPrintedTextIntoAResultIfItsOutputIsClosed) {
+  const tests::TestFolder folder;
+  EXPECT_EXIT(
+      {
+        ::close(STDOUT_FILENO);
+        std::_Exit(run_program("menger-x", [&] {
+          std::ofstream result(folder / "result.txt");
+          result << "a result" << std::flush;
+          std::cout << "printed" << std::endl;
+          return exit_code::done;
+        }));
+      },
+      testing::ExitedWithCode(0), "");
+  EXPECT_EQ(read_whole(folder / "result.txt"), "a result");
+}
+
+TEST(Program, NamesTheFileThatMayNotGrow) {
+  const tests::TestFolder folder;
+  const auto write_much = [&] {
+    const rlimit small{.rlim_cur = 1000, .rlim_max = 1000};
+    setrlimit(RLIMIT_FSIZE, &small);
+    std::_Exit(run_program("menger-x", [&] {
+      write_whole(folder / "large.csv", std::string(10'000, 'x'));
+      return exit_code::done;
+    }));
+  };
+  EXPECT_EXIT(write_much(), testing::ExitedWithCode(2), "large.csv: cannot be written: File too large");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 class Arguments : public testing::Test {

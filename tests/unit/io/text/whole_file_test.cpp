@@ -1,7 +1,11 @@
 #include "io/text/whole_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 #include "io/text/input_error.h"
@@ -96,6 +100,47 @@ TEST_F(WholeFile, CannotBeCommittedUnwritten) {
   PendingFile pending(folder_ / "a.txt");
   EXPECT_THROW(pending.commit(), InputError);
   EXPECT_FALSE(fs::exists(folder_ / "a.txt"));
+}
+
+/// Starts to write a file in a process that is killed.
+void begin_and_die(const fs::path& file) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const PendingFile pending(file);
+    std::ofstream(pending.temporary()) << "half";
+    std::raise(SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+}
+
+TEST_F(WholeFile, OfAKilledProcessIsRemovedByTheNextOne) {
+  begin_and_die(folder_ / "a.b.csv");
+  ASSERT_EQ(files(), 1U);
+  begin_and_die(folder_ / "c");
+  ASSERT_EQ(files(), 1U) << "it has removed the first and left its own";
+  write_whole(folder_ / "d.txt", "x");
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(WholeFile, OfARunningProcessStays) {
+  const PendingFile pending(folder_ / "a.txt");
+  const pid_t child = fork();
+  if (child == 0) {
+    write_whole(folder_ / "../" / folder_.path().filename() / "b.txt", "x");  // a name of the folder that is new to this process
+    std::_Exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(fs::exists(pending.temporary()));
+}
+
+TEST_F(WholeFile, OfAUserWithASimilarNameStays) {
+  begin_and_die(folder_ / "a.txt");
+  for (const char* name : {".a.partial.txt", ".a.7.partial.txt", ".a.7-x.partial.txt", "a.7-1.partial.txt", ".partial"})
+    std::ofstream(folder_ / name) << "mine";
+  write_whole(folder_ / "b.txt", "x");
+  EXPECT_EQ(files(), 6U);
 }
 
 TEST_F(WholeFile, CannotStandBelowAFile) {

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <thread>
 
 #include "io/text/csv_table.h"
 #include "io/text/whole_file.h"
@@ -13,6 +16,7 @@
 #include "meshes/files/vtu_mesh.h"
 #include "meshes/hexahedra/boundary_labels.h"
 #include "tests/support/paraview_files.h"
+#include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::meshes {
@@ -37,6 +41,17 @@ class MeshProgram : public testing::Test {
 
   const tests::TestFolder folder_;
 };
+
+TEST_F(MeshProgram, LeavesSoonAfterAnInterruptAndWritesNothing) {
+  const test_support::ProgramRun program(folder_, MENGER_PROGRAM_DIR "/menger-mesh",
+                                         {"bar.toml", "--elements-through-wall", "60"});
+  while (program.processor_seconds() < 0.5) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.send(SIGINT);
+  const test_support::Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.code, 130) << outcome.signal << outcome.err;
+  EXPECT_NE(outcome.err.find("stopped in the middle"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "bar.vtu"));
+}
 
 TEST_F(MeshProgram, WritesMeshQualityAndManifest) {
   ASSERT_EQ(run("bar.toml"), 0) << text("err");
