@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "evolution/archive/archive_log.h"
 #include "evolution/archive/run_archive.h"
 #include "evolution/report/judgement.h"
 #include "evolution/report/study_view.h"
@@ -128,14 +129,14 @@ int confirm_robots(const Arguments& arguments) {
   const auto start = Clock::now();
   require_other_file(arguments);
   const Study judge = read_study(arguments.study);
-  RunArchive archive = RunArchive::open_to_extend(arguments.archive);
+  const bool is_extended = can_be_extended(arguments.archive);
+  RunArchive archive = is_extended ? RunArchive::open_to_extend(arguments.archive) : RunArchive::open_to_read(arguments.archive);
   const Study search = archived_study(archive);
   if (const std::string problem = unusable_judge(search, judge); !problem.empty())
     throw io::InputError(arguments.study.string() + ": " + problem);
   if (!archive.last_generation()) throw io::InputError(arguments.archive.string() + ": has no finished generation");
   io::require_writable_folder(arguments.table.has_parent_path() ? arguments.table.parent_path() : fs::path("."));
   const std::vector<FitDesign> robots = chosen_robots(arguments, search, archive);
-  io::catch_interrupts();
   std::unique_ptr<io::Progress> bar;
   WalksAgainOptions options{.threads = arguments.threads, .stop = &io::interrupted()};
   options.progress = [&](std::size_t done, std::size_t total) {
@@ -143,9 +144,14 @@ int confirm_robots(const Arguments& arguments) {
     bar->update(static_cast<double>(done), std::to_string(done) + "/" + std::to_string(total) + " walks");
   };
   const WalksAgain asked{.study = judge, .variant = "as " + arguments.study.filename().string() + " says"};
+  if (const std::size_t missing = is_extended ? 0 : missing_walk_count(asked, robots, archive); missing > 0) {
+    throw io::InputError(arguments.archive.string() + ": cannot be written to, and lacks " + std::to_string(missing) +
+                         " of the walks: copy it to another folder");
+  }
   const io::RunStatus status = walk_again({&asked, 1}, robots, archive, options);
   bar.reset();
   if (status == io::RunStatus::stopped) {
+    io::come_to_stop();
     std::cout << "Stopped. Finished walks are kept. Run the same command again to go on." << std::endl;
     return io::exit_code::interrupted;
   }

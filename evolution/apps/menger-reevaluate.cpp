@@ -90,7 +90,6 @@ int reevaluate_archive(const Arguments& arguments) {
   const ReevaluationStudy study = read_reevaluation_study(arguments.request, archive);
   std::map<std::string, std::string> inputs = study.inputs;
   io::note_input(inputs, arguments.request.archive.string() + " (study)", archive.study());
-  io::catch_interrupts();
   std::unique_ptr<io::Progress> bar;
   ReevaluationOptions options{.jobs = arguments.jobs > 0 ? arguments.jobs : usual_jobs(study),
                               .stop = &io::interrupted(),
@@ -102,6 +101,7 @@ int reevaluate_archive(const Arguments& arguments) {
   const ReevaluationResult result = reevaluate(study, std::move(archive), arguments.folder, options);
   bar.reset();
   if (result.status == io::RunStatus::stopped) {
+    io::come_to_stop();
     std::cout << "Stopped. Finished runs are kept. Run the same command again to resume." << std::endl;
     return io::exit_code_of(result.status);
   }

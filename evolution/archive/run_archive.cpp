@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "evolution/archive/archive_log.h"
 #include "evolution/archive/run_archive_schema.h"
 #include "io/process/file_lock.h"
 #include "io/text/content_hash.h"
@@ -19,6 +20,8 @@ namespace menger::evolution {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int patience_ms = 10'000;  ///< with others who hold the database for a moment
 
 constexpr std::array known_words{Knowledge::evaluated, Knowledge::failed,    Knowledge::bounded,
                                  Knowledge::duplicate, Knowledge::penalised, Knowledge::screened};
@@ -355,6 +358,11 @@ class RunArchive::Database {
         lock_(std::move(held)),
         connection_(std::move(opened)),
         has_earlier_keys_(has_earlier_keys(connection_)) {}
+  ~Database() {
+    if (lock_) end_log(connection_);
+  }
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
 
   [[nodiscard]] const fs::path& file() const { return file_; }
 
@@ -419,19 +427,23 @@ RunArchive RunArchive::open(const fs::path& file, std::string_view study, int ge
   io::FileLock lock(file);
   // A process that died while it made the archive leaves no file, an empty file or an empty database.
   std::error_code missing;
-  if (fs::exists(file, missing) && fs::file_size(file, missing) > 0) require_database_header(file);
+  const bool has_content = fs::exists(file, missing) && fs::file_size(file, missing) > 0;
+  if (has_content) require_database_header(file);
   try {
-    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    if (has_content) require_log(file);
+    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience_ms);
+    distrust(connection);
     if (!is_empty_database(connection)) {
       require_archive(file, connection);
       require_present_keys(file, connection);
       require_same_study(file, connection.execAndGet("SELECT resolved FROM study").getString(), study);
     }
-    connection.exec("PRAGMA journal_mode = WAL");
+    // Before the log begins, so that the file itself is an archive from the first moment.
+    if (is_empty_database(connection)) create_schema(connection, study, generations);
+    begin_log(connection);
     // Committed changes survive the death of the process. A power failure may lose the last commits; the search then makes the
     // same again. Flushing every commit would make searches of small bodies a tenth slower.
     connection.exec("PRAGMA synchronous = NORMAL");
-    if (is_empty_database(connection)) create_schema(connection, study, generations);
     if (connection.execAndGet("SELECT generations FROM study").getInt() != generations) {
       SQLite::Statement update(connection, "UPDATE study SET generations = ?");
       update.bind(1, generations);
@@ -449,9 +461,11 @@ RunArchive RunArchive::open_to_extend(const fs::path& file) {
   io::FileLock lock(file);
   require_database_header(file);
   try {
-    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE);
+    require_log(file);
+    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE, patience_ms);
+    distrust(connection);
     require_archive(file, connection);
-    connection.exec("PRAGMA journal_mode = WAL");
+    begin_log(connection);
     upgrade(connection);
     return RunArchive(std::make_unique<Database>(file, std::move(lock), std::move(connection)));
   } catch (const SQLite::Exception& error) {
@@ -464,7 +478,8 @@ RunArchive RunArchive::open_to_read(const fs::path& file) {
   if (!fs::is_regular_file(file, missing)) refuse_archive(file, "there is no such file");
   require_database_header(file);
   try {
-    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READONLY, 10000);
+    SQLite::Database connection = open_for_reading(file);
+    distrust(connection);
     require_archive(file, connection);
     // One long read transaction sees one state, whatever another process adds meanwhile.
     connection.exec("BEGIN");

@@ -121,9 +121,10 @@ struct GenerationRecord {
 /// scenarios and checks of the time step have tables of their own. Only the archives of searches with such data have these
 /// tables.
 ///
-/// Every change is one transaction. Once the call returns, it survives the end of the process (write-ahead log). Rows have
-/// natural keys only, so that two runs of a study have the same content, apart from the columns named `seconds`. One process
-/// writes, any number may read at the same time. Calls from several threads must not overlap.
+/// Every change is one transaction. Once the call returns, it survives the end of the process: by a write-ahead log, a second
+/// file `<archive>-wal`. A process that ends regularly leaves the archive as one file without a log; after a kill both belong
+/// together. Rows have natural keys only, so that two runs of a study have the same content, apart from the columns named
+/// `seconds`. One process writes, any number may read at the same time. Calls from several threads must not overlap.
 class RunArchive {
  public:
   /// The version of the tables and of the keys of studies. The studies of archives of earlier versions have earlier names of
@@ -136,14 +137,15 @@ class RunArchive {
   /// Opens the archive of a study for writing. Makes it if there is none.
   /// @param study identity_text of the study
   /// @param generations the number that the run is to reach; kept for readers
-  /// @throws io::InputError if the file is not an archive, is damaged, has another schema version, belongs to another study (with
+  /// @throws io::InputError if the file is not an archive, is damaged, has triggers, views or tables that no archive has, is only
+  /// a part of an archive because its log is missing, has another schema version, belongs to another study (with
   /// the first difference), is being written by another process, or cannot be written. It stays as it is
   static RunArchive open(const std::filesystem::path& file, std::string_view study, int generations);
 
   /// Opens an existing archive to add re-evaluations to it. @throws io::InputError as open does
   static RunArchive open_to_extend(const std::filesystem::path& file);
 
-  /// Opens an existing archive for reading. @throws io::InputError as open does
+  /// Opens an existing archive for reading, also on a medium that cannot be written to. @throws io::InputError as open does
   static RunArchive open_to_read(const std::filesystem::path& file);
 
   ~RunArchive();

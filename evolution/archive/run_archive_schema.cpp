@@ -1,5 +1,6 @@
 #include "evolution/archive/run_archive_schema.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string>
@@ -126,6 +127,24 @@ void require_finite_numbers(const fs::path& file, const SQLite::Database& connec
       refuse_archive(file,
                      "is damaged: " + name + "." + column + " = " + (is_positive ? "inf" : "-inf") + ": must be a finite number");
     }
+  }
+}
+
+/// Refuses a database with objects that no archive has: they could hide or change what menger reads.
+void require_own_objects(const fs::path& file, SQLite::Database& connection) {
+  constexpr std::array known{"study",         "evaluation",   "individual", "contender", "generation",
+                             "protocol",      "reevaluation", "left_out",   "screening", "period_displacement",
+                             "element_count", "scenario",     "step_check", "judgement", "under_way"};
+  SQLite::Statement object(connection, "SELECT type, name, COALESCE(sql, '') FROM sqlite_schema");
+  while (object.executeStep()) {
+    const std::string type = object.getColumn(0).getString();
+    const std::string name = object.getColumn(1).getString();
+    const std::string sql = object.getColumn(2).getString();
+    if (name.starts_with("sqlite_")) continue;  // SQLite's own: nobody else can give such names
+    const bool is_virtual = sql.starts_with("CREATE VIRTUAL");
+    if (type == "table" && !is_virtual && std::ranges::find(known, name) != known.end()) continue;
+    refuse_archive(
+        file, "has a " + std::string(is_virtual ? "virtual " : "") + type + " \"" + name + "\", which no archive of menger has");
   }
 }
 
@@ -270,6 +289,7 @@ void require_archive(const fs::path& file, SQLite::Database& connection) {
   if (connection.execAndGet("PRAGMA application_id").getInt() != application_id) {
     refuse_archive(file, "is not an archive of menger: an SQLite database of something else");
   }
+  require_own_objects(file, connection);
   const int version = version_of(connection);
   if (version < version_without_reevaluations || version > RunArchive::schema_version) {
     refuse_archive(file, "is an archive of schema version " + std::to_string(version) + ", this menger has version " +

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "evolution/archive/archive_log.h"
 #include "evolution/genome/balance.h"
 #include "evolution/reevaluation/reevaluation_chart.h"
 #include "evolution/reevaluation/reevaluation_scene.h"
@@ -84,7 +85,12 @@ class Reevaluator {
         options_(options) {}
 
   ReevaluationResult run() {
-    { const io::FileLock lock(archive_file_); }  // throws before the work begins if another process writes to the archive
+    const bool is_extended = can_be_extended(archive_file_);
+    if (is_extended) {
+      const io::FileLock lock(archive_file_);  // throws before the work begins if another process writes to the archive
+    } else {
+      result_.notes.push_back(archive_file_.string() + ": cannot be written to: the results are not added to it");
+    }
     choose();
     io::require_writable_folder(folder_);
     if (!walk_surrogates() || !walk_elements()) {
@@ -98,7 +104,7 @@ class Reevaluator {
       result_.status = io::RunStatus::not_converged;
       result_.notes.emplace_back("no design completed in both models");
     }
-    RunArchive::open_to_extend(archive_file_).add_reevaluations(archive_rows());
+    if (is_extended) RunArchive::open_to_extend(archive_file_).add_reevaluations(archive_rows());
     write_reevaluation(study_, folder_, options_.pictures, findings(), shown_, result_.notes);
     return std::move(result_);
   }

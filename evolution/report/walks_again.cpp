@@ -28,12 +28,19 @@ std::vector<FitDesign> different_robots(const Study& study, const RunArchive& ar
   return robots;
 }
 
-io::RunStatus walk_again(std::span<const WalksAgain> asked, std::span<const FitDesign> robots, RunArchive& archive,
-                         const WalksAgainOptions& options) {
-  const MadeWalks made(archive);
-  std::vector<std::unique_ptr<DesignEvaluator>> evaluators;
-  std::vector<Reevaluation> rows;
+namespace {
+
+/// The walks that an archive lacks.
+struct MissingWalks {
+  std::vector<std::unique_ptr<DesignEvaluator>> evaluators;  ///< of all scenarios
   std::vector<EvaluationTask> tasks;
+  std::vector<Reevaluation> rows;  ///< of the tasks, without results
+};
+
+MissingWalks missing_walks(std::span<const WalksAgain> asked, std::span<const FitDesign> robots, const RunArchive& archive) {
+  const MadeWalks made(archive);
+  MissingWalks missing;
+  auto& [evaluators, tasks, rows] = missing;
   std::set<std::pair<std::string, std::string>> asked_for;  // several robots may have the same body
   for (const WalksAgain& one : asked) {
     for (std::unique_ptr<DesignEvaluator>& scenario : scenario_evaluators_of(one.study)) {
@@ -53,8 +60,22 @@ io::RunStatus walk_again(std::span<const WalksAgain> asked, std::span<const FitD
       evaluators.push_back(std::move(scenario));
     }
   }
+  return missing;
+}
+
+}  // namespace
+
+std::size_t missing_walk_count(const WalksAgain& asked, std::span<const FitDesign> robots, const RunArchive& archive) {
+  return missing_walks({&asked, 1}, robots, archive).tasks.size();
+}
+
+io::RunStatus walk_again(std::span<const WalksAgain> asked, std::span<const FitDesign> robots, RunArchive& archive,
+                         const WalksAgainOptions& options) {
+  MissingWalks missing = missing_walks(asked, robots, archive);
+  const std::vector<EvaluationTask>& tasks = missing.tasks;
+  std::vector<Reevaluation>& rows = missing.rows;
   if (tasks.empty()) return io::RunStatus::completed;
-  const ScenarioEvaluator all(std::move(evaluators));
+  const ScenarioEvaluator all(std::move(missing.evaluators));
   std::size_t done = 0;
   return WorkerPool(all, options.threads).run(tasks, options.stop, [&](std::size_t task, const Evaluation& result) {
     rows[task].result = result;

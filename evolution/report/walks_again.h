@@ -40,6 +40,9 @@ std::vector<FitDesign> different_robots(const Study& study, const RunArchive& ar
 io::RunStatus walk_again(std::span<const WalksAgain> asked, std::span<const FitDesign> robots, RunArchive& archive,
                          const WalksAgainOptions& options);
 
+/// Returns how many walks walk_again would make.
+std::size_t missing_walk_count(const WalksAgain& asked, std::span<const FitDesign> robots, const RunArchive& archive);
+
 /// The walks of this kind that an archive has.
 class MadeWalks {
  public:

@@ -169,10 +169,10 @@ TEST_F(ArchiveReevaluations, AreAddedWholeOrNotAtAll) {
   (void)open();
   Reevaluation broken = completed_run("b", "protocol");
   broken.result.reason = std::string("cut off");
+  RunArchive archive = RunArchive::open_to_extend(file_);  // it would refuse the trigger
   SQLite::Database(file_.string(), SQLite::OPEN_READWRITE)
       .exec(
           "CREATE TRIGGER full BEFORE INSERT ON reevaluation WHEN NEW.design_hash = 'b' BEGIN SELECT RAISE(ABORT, 'full'); END");
-  RunArchive archive = RunArchive::open_to_extend(file_);
   EXPECT_THROW(archive.add_reevaluations(std::vector{completed_run("a", "protocol"), broken}), io::InputError);
   EXPECT_TRUE(archive.reevaluations().empty());
 }

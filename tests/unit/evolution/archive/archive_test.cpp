@@ -1,8 +1,16 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "evolution/archive/run_archive.h"
@@ -326,6 +334,172 @@ TEST_F(Archive, RefusesInfiniteNumbersWithTableAndColumn) {
   SQLite::Database(file_.string(), SQLite::OPEN_READWRITE)
       .exec("UPDATE evaluation SET seconds = -9e999 WHERE design_hash = 'design 7'");
   expect_refused({"evaluation.seconds = -inf: must be a finite number"});
+}
+
+/// The journal mode in the header of a database: 1 without a log, 2 with one.
+int header_version(const fs::path& file) { return io::read_whole(file).at(18); }
+
+TEST_F(Archive, IsOneFileWithoutALogOnceItIsClosed) {
+  fill();
+  EXPECT_EQ(header_version(file_), 1);
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder_)) files.push_back(entry.path());
+  EXPECT_EQ(files, std::vector{file_});
+  RunArchive::open_to_extend(file_).add_reevaluations({});
+  EXPECT_EQ(header_version(file_), 1);
+}
+
+TEST_F(Archive, KeepsItsLogWhileOthersReadIt) {
+  auto writer = std::make_unique<RunArchive>(open());
+  writer->add_generation({0, 0, 0, 0, 0.0, "a", "b"}, {}, {});
+  const RunArchive reader = RunArchive::open_to_read(file_);
+  writer->add_generation({1, 0, 0, 0, 0.0, "a", "b"}, {}, {});
+  writer.reset();
+  EXPECT_EQ(reader.last_generation(), 0);
+  EXPECT_EQ(RunArchive::open_to_read(file_).last_generation(), 1);
+}
+
+TEST_F(Archive, IsWrittenWhileOthersReadItAfterItWasClosed) {
+  { open().add_generation({0, 0, 0, 0, 0.0, "a", "b"}, {}, {}); }
+  const RunArchive reader = RunArchive::open_to_read(file_);
+  open().add_generation({1, 0, 0, 0, 0.0, "a", "b"}, {}, {});
+  EXPECT_EQ(reader.last_generation(), 0);
+  EXPECT_EQ(RunArchive::open_to_read(file_).last_generation(), 1);
+  EXPECT_EQ(header_version(file_), 1);
+}
+
+TEST_F(Archive, OfAKilledProcessIsRefusedWithoutItsLog) {
+  const fs::path copy = folder_ / "copy.sqlite";
+  {
+    RunArchive writer = open();
+    writer.add_generation({0, 0, 0, 0, 0.0, "a", "b"}, {}, {});
+    fs::copy_file(file_, copy);  // as a kill leaves it at this moment
+    fs::copy_file(file_.string() + "-wal", folder_ / "log");
+  }
+  fs::rename(copy, file_);
+  expect_refused({"is only a part of an archive", file_.string() + "-wal is missing"});
+  EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError);
+  EXPECT_THROW((void)RunArchive::open_to_extend(file_), io::InputError);
+  EXPECT_FALSE(fs::exists(file_.string() + "-wal"));
+
+  fs::rename(folder_ / "log", file_.string() + "-wal");
+  EXPECT_EQ(open().last_generation(), 0) << "both files together are the archive";
+}
+
+TEST_F(Archive, IsNotBegunOverADatabaseWhoseTablesAreInAMissingLog) {
+  {
+    SQLite::Database half(file_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    half.exec("PRAGMA journal_mode = WAL");
+    half.exec("CREATE TABLE study (row INTEGER)");
+    fs::copy_file(file_, folder_ / "copy.sqlite");
+  }
+  fs::rename(folder_ / "copy.sqlite", file_);
+  expect_refused({"is only a part of an archive", "-wal is missing"});
+}
+
+TEST_F(Archive, WithALogThatWasClosedAsByEarlierVersionsIsReadAndContinued) {
+  fill();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA journal_mode = WAL");
+  ASSERT_EQ(header_version(file_), 2);
+  EXPECT_TRUE(RunArchive::open_to_read(file_).evaluation({"design 7", 1, "physics"}));
+  EXPECT_EQ(open().study(), study);
+  EXPECT_EQ(header_version(file_), 1);
+}
+
+TEST_F(Archive, RefusesTriggersViewsAndTablesThatNoArchiveHas) {
+  for (const auto& [change, name] : std::map<std::string, std::string>{
+           {"CREATE TRIGGER spy AFTER INSERT ON evaluation BEGIN DELETE FROM evaluation; END", "trigger \"spy\""},
+           {"CREATE VIEW best AS SELECT * FROM evaluation", "view \"best\""},
+           {"CREATE TABLE mine (row INTEGER)", "table \"mine\""},
+           {"CREATE INDEX fast ON evaluation (steps)", "index \"fast\""},
+           {"ALTER TABLE generation RENAME TO hidden; CREATE VIEW generation AS SELECT * FROM hidden", "\""}}) {
+    fs::remove(file_);
+    fill();
+    SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec(change);
+    expect_refused({"which no archive of menger has", name});
+    EXPECT_THROW((void)RunArchive::open_to_read(file_), io::InputError) << change;
+    EXPECT_THROW((void)RunArchive::open_to_extend(file_), io::InputError) << change;
+  }
+}
+
+TEST_F(Archive, IsLockedUnderAllItsNames) {
+  fs::create_symlink(file_, folder_ / "link.sqlite");
+  const RunArchive writer = open();
+  EXPECT_THROW((void)RunArchive::open(folder_ / "link.sqlite", study, 3), io::InputError);
+  EXPECT_THROW((void)RunArchive::open_to_extend(folder_ / "link.sqlite"), io::InputError);
+}
+
+/// A folder as on a medium that cannot be written to, also for root: a bind mount that is read-only, in a mount namespace of the
+/// process that runs the test. @return whether the system lets this process make one
+bool mount_read_only(const fs::path& folder) {
+  const std::string name = folder.string();
+  return ::unshare(CLONE_NEWNS) == 0 && ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+         ::mount(name.c_str(), name.c_str(), nullptr, MS_BIND, nullptr) == 0 &&
+         ::mount("none", name.c_str(), nullptr, MS_REMOUNT | MS_BIND | MS_RDONLY, nullptr) == 0;
+}
+
+/// Reads an archive in a process that cannot write to its folder.
+/// @return what went wrong; nothing if the system does not let it make such a folder
+std::optional<std::string> reading_without_writing(const fs::path& file) {
+  constexpr int not_possible = 77;
+  const fs::path report = file.parent_path().parent_path() / (file.parent_path().filename().string() + ".report");
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!mount_read_only(file.parent_path())) std::_Exit(not_possible);
+    try {
+      const bool is_there = RunArchive::open_to_read(file).evaluation({"design 7", 1, "physics"}).has_value();
+      io::write_whole(report, is_there ? "" : "an evaluation is missing");
+    } catch (const std::exception& error) {
+      io::write_whole(report, error.what());
+    }
+    std::_Exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WEXITSTATUS(status) == not_possible) return std::nullopt;
+  const std::string found = io::read_whole(report);
+  fs::remove(report);
+  return found;
+}
+
+class ArchiveOnReadOnlyMedium : public Archive {
+ protected:
+  ArchiveOnReadOnlyMedium() { fs::create_directory(folder_ / "medium"); }
+  void move_to_medium() const {
+    for (const char* end : {"", "-wal"})
+      if (fs::exists(file_.string() + end)) fs::rename(file_.string() + end, medium_.string() + end);
+  }
+  const fs::path medium_ = folder_ / "medium/run 100%?.sqlite";
+};
+
+TEST_F(ArchiveOnReadOnlyMedium, IsRead) {
+  fill();
+  move_to_medium();
+  const auto wrong = reading_without_writing(medium_);
+  if (!wrong) GTEST_SKIP() << "no mount namespaces here";
+  EXPECT_EQ(*wrong, "");
+}
+
+TEST_F(ArchiveOnReadOnlyMedium, OfAnEarlierVersionIsRead) {
+  fill();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("PRAGMA journal_mode = WAL");
+  move_to_medium();
+  const auto wrong = reading_without_writing(medium_);
+  if (!wrong) GTEST_SKIP() << "no mount namespaces here";
+  EXPECT_EQ(*wrong, "");
+}
+
+TEST_F(ArchiveOnReadOnlyMedium, WithItsLogIsRefusedWithWhatToDo) {
+  fill();
+  {
+    RunArchive writer = open();
+    writer.add_generation({0, 0, 0, 0, 0.0, "a", "b"}, {}, {});
+    fs::copy_file(file_, medium_);
+    fs::copy_file(file_.string() + "-wal", medium_.string() + "-wal");
+  }
+  const auto wrong = reading_without_writing(medium_);
+  if (!wrong) GTEST_SKIP() << "no mount namespaces here";
+  EXPECT_NE(wrong->find("copy it and " + medium_.string() + "-wal to another folder"), std::string::npos) << *wrong;
 }
 
 TEST_F(Archive, RefusesPlacesWhereNoFileCanBe) {
