@@ -78,7 +78,6 @@ int export_archive(Arguments& arguments) {
       throw io::InputError("--levels " + std::to_string(level) + ": the search has single modules on finite elements: must be 1");
     }
   }
-  io::catch_interrupts();
   std::unique_ptr<io::Progress> bar;
   int level_shown = 0;
   arguments.options.stop = &io::interrupted();
@@ -87,7 +86,7 @@ int export_archive(Arguments& arguments) {
     level_shown = level;
     bar->update(progress.time_s);
   };
-  folder.begin({});
+  arguments.options.begins = [&] { folder.begin({}); };
   const ExportResult result = export_run(archive, arguments.folder, arguments.options);
   bar.reset();
 

@@ -91,7 +91,6 @@ int trade(Arguments& arguments) {
   const TradeStudy study = read(arguments);
   if (arguments.folder.empty()) arguments.folder = study.file.stem();
   const io::RunFolder folder("menger-tradeoff", arguments.folder);
-  io::catch_interrupts();
   std::unique_ptr<io::Progress> bar;
   double bar_total = 0.0;
   TradeOptions options{.programs = arguments.programs, .stop = &io::interrupted(), .pictures = !arguments.no_pictures};
@@ -101,10 +100,11 @@ int trade(Arguments& arguments) {
     bar_total = total;
     bar->update(done, name);
   };
-  folder.begin({});
+  options.begins = [&] { folder.begin({}); };
   const TradeResult result = run_trade_off(study, arguments.folder, options);
   bar.reset();
   if (result.status == io::RunStatus::stopped) {
+    io::come_to_stop();
     std::cout << "Stopped. Finished runs are kept. Run the same command again to resume." << std::endl;
     return io::exit_code_of(result.status);
   }

@@ -69,26 +69,15 @@ class Exporter {
       if (!champion->note.empty()) add_note(champion->note + " (confirmed.csv)");
     }
     if (result_.champion) require_levels();
+    // Everything is read from the archive before a file of an earlier export is touched: reading may find a fault in it.
+    make_tables(confirmed);
+    if (result_.champion && uses_elements(study_)) make_walk();
     io::require_writable_folder(folder_);
+    if (options_.begins) options_.begins();
     for (const char* name : {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv",
                              "confirmed.csv", "falls.csv", "niches.csv", "periods.csv", "champion_walk.toml"})
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
-    generations_table(run_).write(folder_ / "generations.csv");
-    cost_table(run_).write(folder_ / "costs.csv");
-    if (was_corrected(archive_)) {
-      add_note(
-          "finite elements corrected the scores of this search: its fitness is the corrected one, and costs.csv leaves these "
-          "finite elements out; their walks are among the re-evaluations of the archive");
-    }
-    if (study_.search.map_elites) niche_table(run_).write(folder_ / "niches.csv");
-    if (study_.robust) scenario_table(run_, study_).write(folder_ / "scenarios.csv");
-    if (tells_falls(study_)) fall_table(run_).write(folder_ / "falls.csv");
-    if (options_.timings) {
-      timing_table(run_).write(folder_ / "timings.csv");
-      schedule_table(run_, options_.workers).write(folder_ / "schedule.csv");
-    }
-    if (study_.search.step_checks) step_check_table(run_).write(folder_ / "check_dt.csv");
-    if (!confirmed.empty()) confirmation_table(study_, confirmed).write(folder_ / "confirmed.csv");
+    for (const auto& [name, table] : tables_) table.write(folder_ / name);
     if (result_.champion) write_champion();
     return std::move(result_);
   }
@@ -96,6 +85,29 @@ class Exporter {
  private:
   [[nodiscard]] const Individual& champion() const { return result_.champion->individual; }
   [[nodiscard]] bool arranged() const { return champion().phenotype.has_arrangements(); }
+
+  void make_tables(const std::vector<Confirmation>& confirmed) {
+    const auto add = [&](const char* name, io::CsvTable table) { tables_.emplace_back(name, std::move(table)); };
+    add("generations.csv", generations_table(run_));
+    add("costs.csv", cost_table(run_));
+    if (was_corrected(archive_)) {
+      add_note(
+          "finite elements corrected the scores of this search: its fitness is the corrected one, and costs.csv leaves these "
+          "finite elements out; their walks are among the re-evaluations of the archive");
+    }
+    if (study_.search.map_elites) add("niches.csv", niche_table(run_));
+    if (study_.robust) add("scenarios.csv", scenario_table(run_, study_));
+    if (tells_falls(study_)) add("falls.csv", fall_table(run_));
+    if (options_.timings) {
+      add("timings.csv", timing_table(run_));
+      add("schedule.csv", schedule_table(run_, options_.workers));
+    }
+    if (study_.search.step_checks) add("check_dt.csv", step_check_table(run_));
+    if (!confirmed.empty()) add("confirmed.csv", confirmation_table(study_, confirmed));
+    if (!result_.champion) return;
+    add("lineage.csv", lineage_table(run_, champion().id));
+    if (std::optional<io::CsvTable> periods = period_table()) add("periods.csv", std::move(*periods));
+  }
 
   /// Returns the champion as the search simulated it.
   [[nodiscard]] Phenotype simulated() const { return as_simulated(study_.search, champion().phenotype); }
@@ -115,9 +127,7 @@ class Exporter {
   }
 
   void write_champion() {
-    lineage_table(run_, champion().id).write(folder_ / "lineage.csv");
     write_design(folder_ / "champion.toml", design(1));
-    write_periods();
     if (uses_elements(study_)) return walk_champion();
     if (std::vector<LevelResult> there = finished_levels(); there.size() == options_.levels.size()) {
       result_.levels = std::move(there);
@@ -133,8 +143,8 @@ class Exporter {
     if (options_.pictures) draw();
   }
 
-  /// Writes the champion's displacement in every period, by level, if the archive has it.
-  void write_periods() const {
+  /// Returns the champion's displacement in every period, by level, if the archive has it.
+  [[nodiscard]] std::optional<io::CsvTable> period_table() const {
     io::CsvTable table({"level", "period", "dx_m", "dy_m", "dz_m", "body_lengths"});
     bool has_rows = false;
     for (const int level : study_.search.levels()) {
@@ -147,7 +157,7 @@ class Exporter {
         has_rows = true;
       }
     }
-    if (has_rows) table.write(folder_ / "periods.csv");
+    return has_rows ? std::optional(std::move(table)) : std::nullopt;
   }
 
   /// Returns the scenario that decided the champion's score, if one has.
@@ -162,9 +172,9 @@ class Exporter {
     return in_scenario(study_, scenarios_of(study_).at(champion_scenario().value_or(0)));
   }
 
-  /// Writes the walk of the champion on the finite elements of the search, and its study for menger locomote.
-  void walk_champion() {
-    fem::LocomotionStudy walk;
+  /// Makes the walk of the champion on the finite elements of the search, and checks it.
+  void make_walk() {
+    fem::LocomotionStudy& walk = walk_;
     static_cast<fem::WalkInput&>(walk) = walk_of(study_of_champion(), simulated().body);
     walk.design = design(1);
     walk.file = folder_ / "champion_walk.toml";
@@ -172,9 +182,15 @@ class Exporter {
     walk.output.pictures = options_.pictures;
     const double records = std::round(options_.record_interval_s / walk.record_interval_s);
     walk.output.records_per_frame = static_cast<std::size_t>(std::max(1.0, records));
-    io::remove_if_there(folder_ / "champion.png");  // of an export of another search
-    io::write_whole(walk.file, io::described_text(walk));
+    walk_text_ = io::described_text(walk);
     fem::prepare(walk);
+  }
+
+  /// Writes that walk, and its study for menger locomote.
+  void walk_champion() {
+    const fem::LocomotionStudy& walk = walk_;
+    io::remove_if_there(folder_ / "champion.png");  // of an export of another search
+    io::write_whole(walk.file, walk_text_);
     fem::LocomotionRunOptions run{.restart = true, .stop = options_.stop};
     if (options_.progress)
       run.progress = [&](double time_s) { options_.progress(1, {.time_s = time_s, .duration_s = walk.duration_s}); };
@@ -308,6 +324,9 @@ class Exporter {
   Study study_;
   RunView run_;
   ExportResult result_;
+  std::vector<std::pair<std::string, io::CsvTable>> tables_;  ///< by the name of their file
+  fem::LocomotionStudy walk_;                                 ///< of the champion, of a search on finite elements
+  std::string walk_text_;
 };
 
 }  // namespace

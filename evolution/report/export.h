@@ -23,6 +23,7 @@ struct ExportOptions {
   std::vector<std::size_t> workers{2, 8, 64};  ///< of schedule.csv, each >= 1
   const std::atomic<bool>* stop = nullptr;
   std::function<void(int level, const voxel::RunProgress&)> progress;
+  std::function<void()> begins{};  ///< called when everything is checked, before the first file is written
 };
 
 /// The champion's simulation at one level.

@@ -104,6 +104,7 @@ class Trade {
     bodies_ = settled_bodies(study_);
     if (study_.pressure_Pa) require_sizes(*study_.pressure_Pa);
     io::require_writable_folder(folder_);
+    if (runner_.options().begins) runner_.options().begins();
     choose_pressure();
     plan_voxels();
     if (study_.elements && !study_.only_search) run_body();

@@ -24,6 +24,8 @@ struct TradeOptions {
 
   /// Called before, during and after every run. @param done, total estimated seconds of work @param name of the run
   std::function<void(double done, double total, const std::string& name)> progress{};
+
+  std::function<void()> begins{};  ///< called when the study is checked, before the first file is written
 };
 
 /// Reads the summary of a run, `result/result.toml`, and writes its status and reason into a row.

@@ -1,5 +1,6 @@
 #include "evolution/report/export.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,6 +61,21 @@ class Export : public testing::Test {
 
   const tests::TestFolder folder_;
 };
+
+TEST_F(Export, RefusesADamagedArchiveBeforeItTouchesAnEarlierExport) {
+  evolve("run.sqlite");
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
+  const std::string champion = io::read_csv(folder_ / "out/generations.csv").text(3, "champion");
+  const auto before = contents("out");
+  const std::string manifest = io::read_whole(folder_ / "out/manifest.json");
+  SQLite::Database((folder_ / "run.sqlite").string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE individual SET genome = 'no genome' WHERE id = (SELECT parent FROM individual WHERE id = " + champion +
+            "); UPDATE individual SET genome = 'no genome' WHERE id = " + champion);
+  const Outcome outcome = export_run("run.sqlite", "out", {"--levels", "1"});
+  EXPECT_EQ(outcome.code, 2) << outcome.out;
+  EXPECT_EQ(contents("out"), before);
+  EXPECT_EQ(io::read_whole(folder_ / "out/manifest.json"), manifest);
+}
 
 TEST_F(Export, WritesTablesDesignAndSimulationsOfTheChampion) {
   evolve("run.sqlite");

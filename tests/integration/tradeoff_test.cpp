@@ -68,6 +68,16 @@ TEST_F(TradeoffProgram, ComparesTwoFidelitiesOfACubeAndRepeatsNothing) {
   EXPECT_NE(again.out.find("0 runs made"), std::string::npos) << again.out;
 }
 
+TEST_F(TradeoffProgram, RefusalLeavesTheResultsOfAnEarlierRunWhole) {
+  ASSERT_EQ(run({"study.toml", "-o", "out", "--no-pictures"}).code, 0);
+  fs::create_directory(folder_ / "empty");
+  const Outcome outcome = run({"study.toml", "-o", "out", "--programs", "empty"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("there is no such program"), std::string::npos) << outcome.err;
+  for (const char* name : {"manifest.json", "tradeoff.csv", "recommendation.txt"})
+    EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
+}
+
 TEST_F(TradeoffProgram, ASettledCellOfVoxelsIsWithinATenthOfFiniteElements) {
   // The pressure is in the middle of the range of the fit. The fit weighs residuals by the largest value of a curve, so at small
   // pressures the same residual is a larger relative error. The body is free in both models, so that only the models differ. It
