@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "fem/inflation/inflation_problem.h"
 #include "fem/space/rank_agreement.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
@@ -107,6 +108,11 @@ std::vector<InflationResult> run_convergence(const InflationStudy& study, int re
   if (study.has_thin_walls() && refinements > 0)
     throw io::InputError(study.file.string() +
                          ": elements.kind \"thin_wall\": walls of one element are not split; compare fidelities");
+  on_every_rank(options.communicator, [&] {  // before the coarse meshes are computed
+    InflationStudy finest = study;
+    finest.refinements += refinements;
+    require_memory(finest, make_problem(study).mesh);
+  });
   std::vector<InflationResult> results;
   for (int n = 0; n <= refinements; ++n) {
     if (begun) begun(n);

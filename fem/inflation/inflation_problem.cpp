@@ -10,6 +10,8 @@
 
 #include "fem/inflation/coarse_walls.h"
 #include "fem/statics/free_supports.h"
+#include "fem/statics/memory_estimate.h"
+#include "io/process/machine_memory.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "meshes/files/gmsh_mesh.h"
@@ -384,5 +386,20 @@ class ProblemBuilder {
 }  // namespace
 
 InflationProblem make_problem(const InflationStudy& study) { return ProblemBuilder(study).build(); }
+
+void require_memory(const InflationStudy& study, const meshes::HexahedralMesh& mesh, int bodies) {
+  const int degree = study.space_degree();
+  const std::string obstacle = obstacle_of_memory(body_size(mesh, degree, study.refinements), degree, study.solver.linear,
+                                                  io::machine_memory_bytes() / bodies);
+  if (obstacle.empty()) return;
+  std::string advice = "; lower ";
+  if (study.refinements > 0) advice += "element.refinements = " + std::to_string(study.refinements) + " (or --refine), ";
+  if (const auto* design = std::get_if<DesignSource>(&study.source); design != nullptr && !study.has_thin_walls())
+    advice += "design.elements_through_wall = " + std::to_string(design->options.elements_through_wall) + ", ";
+  if (!study.has_thin_walls()) advice += "element.degree = " + std::to_string(degree) + ", ";
+  if (study.solver.linear.method == LinearMethod::direct) advice += "set solver.linear to \"automatic\", ";
+  throw io::InputError(study.file.string() + ": " + obstacle + advice +
+                       "or give design.largest_element_m or elements.kind = \"thin_wall\"");
+}
 
 }  // namespace menger::fem

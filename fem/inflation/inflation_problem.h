@@ -52,4 +52,9 @@ struct InflationProblem {
 /// common
 InflationProblem make_problem(const InflationStudy& study);
 
+/// Refuses a body that would not fit into the memory of this machine as finite elements (see estimated_memory_bytes). The message
+/// names the keys that decide its size. @param bodies how many of its equilibria are kept at once
+/// @throws io::InputError
+void require_memory(const InflationStudy& study, const meshes::HexahedralMesh& mesh, int bodies = 1);
+
 }  // namespace menger::fem

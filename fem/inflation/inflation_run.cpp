@@ -45,7 +45,10 @@ bool is_vacuum(const PlenumDrive& drive) {
 /// Makes the problem on every rank, and throws on all of them if one fails: a file may be unreadable for one rank only.
 InflationProblem agreed_problem(const InflationStudy& study, MPI_Comm communicator) {
   InflationProblem problem;
-  on_every_rank(communicator, [&] { problem = make_problem(study); });
+  on_every_rank(communicator, [&] {
+    problem = make_problem(study);
+    require_memory(study, problem.mesh);
+  });
   return problem;
 }
 

@@ -67,13 +67,20 @@ Body without_point_supports(Body body) {
   return body;
 }
 
+/// Makes the problem. Two bodies are kept at once: the one that is inflated, and the one that vibrates.
+InflationProblem checked_problem(const InflationStudy& study) {
+  InflationProblem problem = make_problem(study);
+  require_memory(study, problem.mesh, 2);
+  return problem;
+}
+
 class ModesRun {
  public:
   ModesRun(const InflationStudy& study, const fs::path& folder, const ModesOptions& options)
       : study_(with_pressure(study, options)),
         folder_("menger-modes", folder),
         options_(options),
-        problem_(make_problem(study_)),
+        problem_(checked_problem(study_)),
         space_(make_space(problem_.mesh, study_.space_degree(), study_.refinements, MPI_COMM_SELF)),
         points_(locate_points(space_, problem_.points)),
         equilibrium_(space_, problem_.body, study_.solver),

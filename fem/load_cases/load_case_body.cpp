@@ -6,6 +6,8 @@
 
 #include "fem/inflation/wall_points.h"
 #include "fem/statics/free_supports.h"
+#include "fem/statics/memory_estimate.h"
+#include "io/process/machine_memory.h"
 #include "io/text/input_error.h"
 #include "materials/laws/hyperelastic_law.h"
 #include "meshes/hexahedra/hollow_polycube.h"
@@ -257,6 +259,14 @@ std::vector<double> LoadCaseBody::ordinates(const PathPoint& point, const BodySt
   return {};
 }
 
-void require_meshable(const LoadCase& load_case, const LoadCaseElements& elements) { (void)make_mesh(load_case, elements); }
+void require_meshable(const LoadCase& load_case, const LoadCaseElements& elements) {
+  const meshes::HexahedralMesh mesh = make_mesh(load_case, elements);
+  const int degree = elements.space_degree();
+  const std::string obstacle = obstacle_of_memory(body_size(mesh, degree, 0), degree, {}, io::machine_memory_bytes());
+  if (obstacle.empty()) return;
+  throw io::InputError("load case \"" + load_case.name + "\": " + obstacle + "; lower elements.degree = " +
+                       std::to_string(elements.degree) + " or elements.through_wall = " + std::to_string(elements.through_wall) +
+                       ", or give elements.largest_element_m or elements.kind = \"thin_wall\"");
+}
 
 }  // namespace menger::fem

@@ -56,8 +56,8 @@ class LoadCaseBody {
   double rest_volume_m3_ = 0.0;
 };
 
-/// Checks that the body of a case can be meshed.
-/// @throws io::InputError naming the case and what cannot be meshed
+/// Checks that the body of a case can be meshed and fits into the memory of this machine (see estimated_memory_bytes).
+/// @throws io::InputError naming the case and what cannot be meshed, or the keys that decide its size
 void require_meshable(const meshes::LoadCase& load_case, const LoadCaseElements& elements);
 
 }  // namespace menger::fem

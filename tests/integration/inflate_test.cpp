@@ -396,6 +396,34 @@ TEST_F(InflateProgram, FullDiskEndsTheRunWithAMessageAndKeepsWhatWasThere) {
   EXPECT_EQ(curves_text.back(), '\n') << "a table that was there is whole";
 }
 
+// While its libraries are loaded and started, nothing in the program can answer: the signal waits.
+TEST_F(InflateProgram, InterruptedBeforeItsFirstLineLeavesAsAlways) {
+  write_study("pressure_Pa = [0, 3000]");
+  const ProgramRun program(folder_, MENGER_PROGRAM_DIR "/menger", {"inflate", "study.toml", "-o", "out"});
+  while (program.name() != "menger-inflate") std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  program.send(SIGTERM);
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.code, 130) << "signal " << outcome.signal << ": " << outcome.err;
+}
+
+// Refused after meshing, which is all that the test takes time for.
+TEST_F(InflateProgram, BodyThatDoesNotFitIntoMemoryIsRefusedWithTheKeysThatDecideIt) {
+  write_study("pressure_Pa = [0, 3000]", "[supports]\nkind = \"ground_held\"\n", 2);
+  std::string study = io::read_whole(folder_ / "study.toml");
+  study.replace(study.find("[material]"), 0, "elements_through_wall = 8\n");
+  study.replace(study.find("bulk_modulus_Pa"), 0, "density_kg_per_m3 = 1070\n");
+  io::write_whole(folder_ / "study.toml", study);
+  for (const char* command : {"menger-inflate", "menger-modes"}) {
+    const std::string limited = std::string("ulimit -d 3000000; exec '" MENGER_PROGRAM_DIR "/") + command + "' study.toml -o out";
+    const Outcome outcome = ProgramRun(folder_, "/bin/sh", {"-c", limited}).wait();
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    for (const char* words :
+         {"study.toml", "unknowns of", "GB of memory", "element.degree = 2", "design.elements_through_wall = 8"})
+      EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_TRUE(!has("out") || fs::is_empty(folder_ / "out"));
+  }
+}
+
 TEST_F(InflateProgram, HelpShowsAnExample) {
   const Outcome outcome = run({"--help"});
   EXPECT_EQ(outcome.code, 0);

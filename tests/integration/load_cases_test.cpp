@@ -97,6 +97,17 @@ TEST_F(LoadCasesProgram, RefusesWrongInputAndWritesNothing) {
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
+TEST_F(LoadCasesProgram, BodyThatDoesNotFitIntoMemoryIsRefusedBeforeAnyCaseIsComputed) {
+  write_set(cell("pull", "stretch", stretch) +
+            cell("fine", "stretch", stretch + "element_kind = \"three_field\"\ndegree = 2\nthrough_wall = 10\n"));
+  const std::string limited = "ulimit -d 3000000; exec '" MENGER_PROGRAM_DIR "/menger-load-cases' set.toml -o out";
+  const Outcome outcome = ProgramRun(folder_, "/bin/sh", {"-c", limited}).wait();
+  EXPECT_EQ(outcome.code, 2) << outcome.err << outcome.out;
+  for (const char* words : {"load case \"fine\"", "unknowns of", "GB of memory", "through_wall = 10"})
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(LoadCasesProgram, ComputesOnlyTheCasesThatAreNamed) {
   write_set(cell("pull", "stretch", stretch) + cell("hold", "blocked", "pressures_Pa = [1000]\n"));
   ASSERT_EQ(run({"set.toml", "-o", "out", "--only", "hold", "--no-pictures"}).code, 0);
