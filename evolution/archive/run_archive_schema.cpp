@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
+#include "io/text/whole_file.h"
 
 namespace menger::evolution {
 
@@ -175,10 +175,7 @@ void refuse_archive(const fs::path& file, const std::string& reason) { throw io:
 
 void require_database_header(const fs::path& file) {
   constexpr std::string_view header("SQLite format 3\0", 16);
-  std::array<char, header.size()> begin{};
-  std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
-  if (std::string_view(begin.data(), begin.size()) != header)
-    refuse_archive(file, "is not an archive of menger: not an SQLite database");
+  if (io::read_start(file, header.size()) != header) refuse_archive(file, "is not an archive of menger: not an SQLite database");
 }
 
 bool is_empty_database(SQLite::Database& connection) {

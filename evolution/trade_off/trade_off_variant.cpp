@@ -8,6 +8,7 @@
 #include "evolution/trade_off/trade_off_voxels.h"
 #include "io/process/program_job.h"
 #include "io/text/input_error.h"
+#include "io/text/toml_depth.h"
 #include "io/text/whole_file.h"
 
 namespace menger::evolution {
@@ -29,8 +30,10 @@ TomlVariant::TomlVariant() : content_(std::make_unique<Content>()) {}
 
 TomlVariant::TomlVariant(const std::filesystem::path& file) : content_(std::make_unique<Content>()) {
   content_->file = file;
+  const std::string text = io::read_whole(file);
+  io::require_shallow_toml(text, file);
   try {
-    content_->top = toml::parse(io::read_whole(file), file.string());
+    content_->top = toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw io::InputError(file.string() + ":" + std::to_string(error.source().begin.line) + ": " +
                          std::string(error.description()));

@@ -11,6 +11,7 @@
 
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
+#include "io/process/plain_output.h"
 #include "io/process/standard_streams.h"
 #include "io/text/input_error.h"
 #include "io/text/near_miss.h"
@@ -33,7 +34,14 @@ std::string meant_option(const CLI::App& app, int argc, const char* const* argv)
   return "";
 }
 
+/// The arguments of the program as its user wrote them, for a message that knows nothing else of the input.
+std::string& given_arguments() {
+  static std::string arguments;
+  return arguments;
+}
+
 int guarded(std::string_view name, const std::function<int()>& body) {
+  const PlainOutput plain;
   try {
     return body();
   } catch (const InputError& error) {
@@ -44,7 +52,8 @@ int guarded(std::string_view name, const std::function<int()>& body) {
     std::cerr << name << ": error: " << error.what() << '\n';
     return exit_code::bad_input;
   } catch (const std::bad_alloc&) {
-    std::cerr << name << ": error: not enough memory for this input\n";
+    std::cerr << name << ": error: not enough memory for " << (given_arguments().empty() ? "this input" : given_arguments())
+              << '\n';
     return exit_code::bad_input;
   } catch (const std::exception& error) {
     std::cerr << name << ": internal error: " << error.what() << '\n';
@@ -68,6 +77,8 @@ int run_program(std::string_view name, const std::function<int()>& body) {
 
 std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* argv) {
   if (app.get_version_ptr() == nullptr) app.set_version_flag("--version", std::string(version()), "Print the version and exit");
+  given_arguments().clear();
+  for (int n = 1; n < argc; ++n) given_arguments().append(n > 1 ? " " : "").append(argv[n]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

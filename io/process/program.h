@@ -10,7 +10,8 @@ class App;
 
 namespace menger::io {
 
-/// Runs the body of a program. An exception becomes a message `name: error: ...` on standard error and an exit code.
+/// Runs the body of a program. An exception becomes a message `name: error: ...` on standard error and an exit code. Meanwhile
+/// all that is written to std::cout and std::cerr is printable (PlainOutput).
 ///
 /// Ctrl-C is caught from the start (see catch_interrupts). A run goes on if nobody reads its output any more, and a file that
 /// grows beyond the limit of the process is an error like a full disk, not the end of the process.

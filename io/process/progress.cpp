@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
+#include <ostream>
 #include <utility>
+
+#include "io/process/plain_output.h"
+#include "io/text/printable.h"
 
 namespace menger::io {
 
@@ -20,7 +23,7 @@ std::string two_digits(long long value) { return std::string(value < 10 ? "0" : 
 
 ProgressStyle terminal_progress() {
   ProgressStyle style;
-  if (::isatty(STDERR_FILENO) == 1) style.out = &std::cerr;
+  if (::isatty(STDERR_FILENO) == 1) style.out = &terminal();
   return style;
 }
 
@@ -54,11 +57,11 @@ void Progress::clear_line() {
 std::string progress_line(std::string_view title, double fraction, double elapsed_s, std::string_view note, int width) {
   const double part = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
   const auto filled = static_cast<std::size_t>(std::floor(part * bar_width));
-  std::string line(title);
+  std::string line = printable(title);
   line += " [" + std::string(filled, '#') + std::string(bar_width - filled, '.') + "] ";
   line += std::to_string(static_cast<int>(std::floor(100.0 * part))) + " %";
   if (part > 0.0) line += ", " + duration_text(elapsed_s * (1.0 - part) / part) + " left";
-  if (!note.empty()) line += ", " + std::string(note);
+  if (!note.empty()) line += ", " + printable(note);
   return line.substr(0, static_cast<std::size_t>(std::max(width, 0)));
 }
 

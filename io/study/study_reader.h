@@ -1,5 +1,7 @@
 #pragma once
 
+#include <new>
+
 #include "io/study/earlier_names.h"
 #include "io/study/study_visitor.h"
 
@@ -70,8 +72,12 @@ void read_described(const TomlTable& table, Study& study,
       describe(visitor, usual);
     });
   }
-  StudyReader reader(table, earlier_names);
-  describe(reader, study);
+  try {
+    StudyReader reader(table, earlier_names);
+    describe(reader, study);
+  } catch (const std::bad_alloc&) {
+    throw InputError(table.file().string() + ": needs more memory than there is");
+  }
   table.finish();
 }
 

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include "io/text/csv_table.h"
+#include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 
 namespace menger::io {
@@ -82,12 +84,22 @@ class RecordReader {
   std::size_t line_ = 1;
 };
 
+/// Returns a cell for a message, on one line.
+std::string shown_cell(const std::string& text) {
+  return text.find_first_of("\n\r") == std::string::npos ? text : toml_quoted(text);
+}
+
 }  // namespace
 
 CsvContents read_csv(const std::filesystem::path& file) { return parse_csv(read_whole(file), file); }
 
 CsvContents parse_csv(std::string_view text, const std::filesystem::path& file) {
-  std::vector<Record> records = RecordReader(text, file).records();
+  std::vector<Record> records;
+  try {
+    records = RecordReader(text, file).records();
+  } catch (const std::bad_alloc&) {
+    throw InputError(file.string() + ": does not fit into memory");
+  }
   if (records.empty()) throw InputError(file.string() + ": is empty: a header of column names is needed");
   CsvContents contents;
   contents.file_ = file;
@@ -122,8 +134,8 @@ std::optional<double> CsvContents::optional_number(std::size_t row, std::string_
   const std::string& text = this->text(row, column);
   if (text.empty()) return std::nullopt;
   const auto fault = [&](const std::string& reason) {
-    return InputError(file_.string() + ":" + std::to_string(lines_[row]) + ": " + std::string(column) + " = " + text + ": " +
-                      reason);
+    return InputError(file_.string() + ":" + std::to_string(lines_[row]) + ": " + std::string(column) + " = " + shown_cell(text) +
+                      ": " + reason);
   };
   double value = 0.0;
   const char* first = text.data() + (text.front() == '+' ? 1 : 0);

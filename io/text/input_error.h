@@ -11,7 +11,8 @@ namespace menger::io {
 /// overwritten.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(const std::string& message) : std::runtime_error(message) {}
+  /// @param message may hold text of the input as it is: what cannot be shown on a terminal is escaped here (io::printable)
+  explicit InputError(const std::string& message);
 };
 
 }  // namespace menger::io

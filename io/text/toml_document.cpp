@@ -3,9 +3,11 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <new>
 #include <sstream>
 #include <utility>
 
+#include "io/text/toml_depth.h"
 #include "io/text/toml_node.h"
 #include "io/text/whole_file.h"
 
@@ -14,6 +16,7 @@ namespace menger::io {
 TomlTable read_toml(const std::filesystem::path& file) { return parse_toml(read_whole(file), file); }
 
 TomlTable parse_toml(std::string_view text, const std::filesystem::path& file) {
+  require_shallow_toml(text, file);
   try {
     auto source = std::make_shared<TomlTable::Source>(TomlTable::Source{file, toml::parse(text, file.string())});
     TomlTable::Node node{.source = source, .table = &source->top, .prefix = {}, .asked = {}, .children = {}};
@@ -21,6 +24,8 @@ TomlTable parse_toml(std::string_view text, const std::filesystem::path& file) {
   } catch (const toml::parse_error& error) {
     throw InputError(file.string() + ":" + std::to_string(error.source().begin.line) +
                      ": not TOML: " + std::string(error.description()));
+  } catch (const std::bad_alloc&) {
+    throw InputError(file.string() + ": does not fit into memory");
   }
 }
 

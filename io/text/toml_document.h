@@ -97,6 +97,16 @@ class TomlTable {
   /// @param entry position inside nested arrays, counted from 0 (written from 1)
   [[nodiscard]] InputError error(std::string_view key, std::string_view reason, std::span<const std::size_t> entry = {}) const;
 
+  /// Calls `read`, which reads the file that a key names. If the file is refused, the message begins with the place of the key.
+  template <class Read>
+  auto reading(std::string_view key, const Read& read) const -> decltype(read()) {
+    try {
+      return read();
+    } catch (const InputError& refusal) {
+      throw error(key, refusal.what());
+    }
+  }
+
   /// Returns the error for several missing keys of which one is needed: `file:line: table.side or label is missing: ...`.
   [[nodiscard]] InputError missing(std::string_view keys, std::string_view reason) const;
 

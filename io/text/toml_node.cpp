@@ -1,20 +1,37 @@
 #include "io/text/toml_node.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <utility>
 
 #include "io/text/near_miss.h"
+#include "io/text/number_text.h"
 
 namespace menger::io {
 
 namespace {
 
+/// Returns a number in the fewest digits that read back as the same, and so that it is seen to be no integer.
+std::string float_text(double value) {
+  const std::string text = number_text(value);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+/// Returns a key as a file may hold it: with quotes unless it consists of letters, digits, "_" and "-".
+std::string key_text(std::string_view key) {
+  const auto is_plain = [](char sign) {
+    return std::isalnum(static_cast<unsigned char>(sign)) != 0 || sign == '_' || sign == '-';
+  };
+  return !key.empty() && std::all_of(key.begin(), key.end(), is_plain) ? std::string(key) : toml_quoted(key);
+}
+
 std::string value_text(const toml::node& node) {
   if (node.is_table()) return "{...}";
   if (node.is_array()) return "[...]";
   if (const auto* string = node.as_string()) return toml_quoted(string->get());
+  if (const auto* number = node.as_floating_point()) return float_text(number->get());
   std::ostringstream text;
   text << toml::node_view<const toml::node>(node);
   return text.str();
@@ -84,7 +101,7 @@ void TomlTable::Node::collect_unasked(std::vector<std::string>& faults) const {
       faults.emplace_back(fault(key, node, "belongs to " + elsewhere->second).what());
       continue;
     }
-    std::string message = where(node) + prefix + std::string(key) + ": unknown key";
+    std::string message = where(node) + prefix + key_text(key) + ": unknown key";
     if (const auto nearest = near_miss(key, known)) message += ", did you mean " + *nearest + "?";
     faults.push_back(std::move(message));
   }

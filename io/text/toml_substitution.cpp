@@ -6,6 +6,7 @@
 
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
+#include "io/text/toml_depth.h"
 
 namespace menger::io {
 namespace {
@@ -33,6 +34,7 @@ std::string with_number(std::string_view text, std::string_view key, double valu
   const auto fault = [&](const std::string& reason) {
     return InputError(file.string() + ": " + std::string(key) + ": " + reason);
   };
+  require_shallow_toml(text, file);
   toml::table table;
   try {
     table = toml::parse(text);

@@ -9,9 +9,11 @@
 #include <atomic>
 #include <cerrno>
 #include <fstream>
+#include <limits>
 #include <mutex>
+#include <new>
 #include <set>
-#include <sstream>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -108,6 +110,18 @@ void flush_to_disk(const fs::path& path, int flags) {
   if (failed != 0 && error != EINVAL) throw InputError(path.string() + ": cannot be written: " + reason_of(error));
 }
 
+/// A file descriptor that is closed at the end of its scope.
+class OpenFile {
+ public:
+  explicit OpenFile(int number) : number_(number) {}
+  ~OpenFile() { ::close(number_); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+ private:
+  int number_;
+};
+
 /// Finds the files whose name matches a pattern: the folder of `pattern`, and the text before and after the star of its last
 /// part.
 std::vector<fs::path> matching_files(const fs::path& pattern) {
@@ -191,15 +205,33 @@ void remove_files(const fs::path& folder, const std::vector<std::string_view>& n
   }
 }
 
-std::string read_whole(const fs::path& file) {
-  std::error_code ignored;
-  if (fs::is_directory(file, ignored)) throw InputError(file.string() + ": cannot be read: it is a folder");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be read: " + reason_of(errno));
-  std::ostringstream content;
-  if (in.peek() != std::ifstream::traits_type::eof()) content << in.rdbuf();
-  if (in.bad() || content.bad()) throw InputError(file.string() + ": cannot be read: " + reason_of(errno));
-  return std::move(content).str();
+std::string read_whole(const fs::path& file) { return read_start(file, std::numeric_limits<std::size_t>::max()); }
+
+std::string read_start(const fs::path& file, std::size_t most_bytes) {
+  const auto fault = [&](const std::string& reason) { return InputError(file.string() + ": cannot be read: " + reason); };
+  const int number = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg): POSIX
+  if (number < 0) throw fault(reason_of(errno));
+  const OpenFile in(number);
+  struct stat known {};
+  if (::fstat(number, &known) != 0) throw fault(reason_of(errno));
+  if (S_ISDIR(known.st_mode)) throw fault("it is a folder");
+  try {
+    std::string content;
+    if (S_ISREG(known.st_mode)) content.reserve(std::min(most_bytes, static_cast<std::size_t>(known.st_size)));
+    std::vector<char> piece(std::size_t{1} << 16U);
+    while (content.size() < most_bytes) {
+      const ssize_t got = ::read(number, piece.data(), std::min(piece.size(), most_bytes - content.size()));
+      if (got == 0) break;
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) throw fault(reason_of(errno));
+      content.append(piece.data(), static_cast<std::size_t>(got));
+    }
+    return content;
+  } catch (const std::bad_alloc&) {
+    throw fault("it does not fit into memory");
+  } catch (const std::length_error&) {
+    throw fault("it does not fit into memory");
+  }
 }
 
 void require_writable_folder(const fs::path& folder) {

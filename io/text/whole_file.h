@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -56,8 +57,12 @@ void remove_if_there(const std::filesystem::path& file);
 /// @throws InputError naming path and reason
 void remove_files(const std::filesystem::path& folder, const std::vector<std::string_view>& names);
 
-/// Returns all bytes of a file. @throws InputError if it is missing, a folder or unreadable
+/// Returns all bytes of a file: all or an error, never a part. Every reader of menger takes its files from here.
+/// @throws InputError naming path and reason if it is missing, a folder, cannot be read to its end, or does not fit into memory
 std::string read_whole(const std::filesystem::path& file);
+
+/// Returns the first bytes of a file, at most `most_bytes`. @throws InputError like read_whole
+std::string read_start(const std::filesystem::path& file, std::size_t most_bytes);
 
 /// Creates a folder with its parents and checks that a file can be made in it. @throws InputError naming path and reason
 void require_writable_folder(const std::filesystem::path& folder);

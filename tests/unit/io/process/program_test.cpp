@@ -139,6 +139,18 @@ TEST(Program, NamesTheFileThatMayNotGrow) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(Program, WritesNothingThatATerminalObeys) {
+  testing::internal::CaptureStdout();
+  const Outcome outcome = outcome_of([]() -> int {
+    std::cout << "silicone \x1b[2J\n"
+              << "\xC3" << std::flush << "\xA4\n"
+              << 'a' << 1.5 << '\r' << std::endl;
+    throw std::runtime_error("x\x1b[1m");
+  });
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "silicone \\u001B[2J\n\xC3\xA4\na1.5\\u000D\n");
+  EXPECT_EQ(outcome.message, "menger-x: internal error: x\\u001B[1m\n");
+}
+
 class Arguments : public testing::Test {
  protected:
   Arguments() { app_.add_option("file", file_)->required(); }
@@ -199,6 +211,11 @@ TEST_F(Arguments, AskingForTheKeysOfAStudyEndTheProgram) {
   EXPECT_NE(printed_.find("\"exclusiveMinimum\": 0.0"), std::string::npos) << printed_;
   EXPECT_EQ(parse(std::array{"menger-x", "--keys"}), exit_code::done);
   EXPECT_NE(printed_.find("duration_s  number  s     2        > 0     How long.\n"), std::string::npos) << printed_;
+}
+
+TEST_F(Arguments, AreNamedWhenMemoryRunsOut) {
+  EXPECT_FALSE(parse(std::array{"menger-x", "large.toml"}));
+  EXPECT_EQ(outcome_of([]() -> int { throw std::bad_alloc(); }).message, "menger-x: error: not enough memory for large.toml\n");
 }
 
 }  // namespace

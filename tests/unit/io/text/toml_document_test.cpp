@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "io/text/toml_substitution.h"
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
 
@@ -269,6 +270,48 @@ TEST(TomlFile, IsReadFromDisk) {
   const TomlTable table = read_toml(file);
   EXPECT_EQ(table.integer("a"), 1);
   EXPECT_EQ(table.file(), file);
+}
+
+std::string repeated(std::string_view part, std::size_t times) {
+  std::string text;
+  for (std::size_t n = 0; n < times; ++n) text += part;
+  return text;
+}
+
+TEST(TomlDepth, IsBoundedBeforeTheTextIsParsed) {
+  const std::string refused = "folder/study.toml:2: keys, tables or arrays lie more than 100 levels deep";
+  const auto message_of = [](const std::string& text) { return message([&] { (void)parsed(text); }); };
+  EXPECT_EQ(message_of("b = 1\na" + repeated(".a", 50000) + " = 1\n"), refused) << "dotted keys";
+  EXPECT_EQ(message_of("b = 1\n[a" + repeated(" . 'a'", 50000) + "]\n"), refused) << "the name of a table";
+  EXPECT_EQ(message_of("b = 1\na = " + repeated("[", 50000)), refused) << "arrays";
+  EXPECT_EQ(message_of("b = 1\na = " + repeated("{a.a.a.a = ", 26) + "1" + repeated("}", 26) + "\n"), refused) << "inline tables";
+  EXPECT_EQ(message([] { (void)with_number("a" + repeated(".a", 50000) + " = 1\n", "a", 1.0, "b.toml"); }),
+            "b.toml:1: keys, tables or arrays lie more than 100 levels deep");
+}
+
+TEST(TomlDepth, CountsNoDotsOutsideOfKeys) {
+  const std::string dots = repeated(".", 500);
+  const std::string quotes(3, '"');
+  std::string text = "a = \"" + dots + "\\\"" + dots + "\"\nb = '" + dots + "'\n# " + dots + "\n";
+  text.append("c = ").append(quotes).append("\n").append(dots).append("\"\"\n").append(dots).append(quotes).append("\"\n");
+  text.append("d = '''").append(dots).append("\n'''\n");
+  text.append("e = [").append(repeated("1.5, ", 500)).append("]\n").append(repeated("[[f.g]]\nh = 1.5\n", 200));
+  text.append("i = {a.b = 1, c.d = 2}\n");
+  EXPECT_EQ(message([&] { (void)parsed(text); }), "");
+}
+
+TEST(TomlMessage, ShowsNumbersInTheFewestDigits) {
+  const auto read = [](const TomlTable& table) { return table.number("g", positive()); };
+  EXPECT_EQ(refusal("g = -9.81", read), "folder/study.toml:1: g = -9.81: must be > 0");
+  EXPECT_EQ(refusal("g = -0.1", read), "folder/study.toml:1: g = -0.1: must be > 0");
+  EXPECT_EQ(refusal("n = 5.0", [](const TomlTable& table) { return table.integer("n"); }),
+            "folder/study.toml:1: n = 5.0: must be an integer");
+}
+
+TEST(TomlMessage, QuotesOddKeysAndEscapesControlCharacters) {
+  const std::string found = message([] { parsed("\"a\\nb.toml:7: c = 1: \\u001B[2J\" = 1").finish(); });
+  EXPECT_EQ(found.find_first_of("\n\x1b"), std::string::npos) << found;
+  EXPECT_EQ(found.find("folder/study.toml:1: \"a\\nb.toml:7"), 0U) << found;
 }
 
 TEST(TomlText, IsQuotedSoThatItReadsBack) {

@@ -1,12 +1,14 @@
 #include "io/text/whole_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 
 #include "io/text/input_error.h"
 #include "tests/support/test_folder.h"
@@ -177,6 +179,43 @@ TEST_F(WholeFile, ReadingNamesWhatIsMissingOrAFolder) {
   EXPECT_EQ(message([&] { (void)read_whole(folder_ / "absent"); }),
             (folder_ / "absent").string() + ": cannot be read: No such file or directory");
   EXPECT_EQ(message([&] { (void)read_whole(folder_); }), folder_.path().string() + ": cannot be read: it is a folder");
+}
+
+TEST_F(WholeFile, IsReadToItsEndOrRefused) {
+  EXPECT_EQ(message([&] { (void)read_whole(folder_); }), folder_.path().string() + ": cannot be read: it is a folder");
+  EXPECT_EQ(message([] { (void)read_whole("/proc/self/mem"); }), "/proc/self/mem: cannot be read: Input/output error")
+      << "there is nothing at address 0";
+  EXPECT_EQ(message([&] { (void)read_whole(folder_ / "none"); }),
+            (folder_ / "none").string() + ": cannot be read: No such file or directory");
+}
+
+TEST_F(WholeFile, ThatDoesNotFitIntoMemoryIsNotReadInPart) {
+  const fs::path file = folder_ / "long.toml";
+  {
+    std::ofstream out(file);
+    out << "a = 1\n";
+    const std::string comments = "#" + std::string(std::size_t{1} << 20U, '.') + "\n";
+    for (int n = 0; n < 64; ++n) out << comments;
+    out << "an error\n";
+  }
+  const auto read_with_little_memory = [&] {
+    // A sanitizer takes terabytes of addresses, which cannot be bounded; it refuses single large pieces instead.
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t used = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+    const rlimit limit{used + (rlim_t{16} << 20U), RLIM_INFINITY};
+    (void)::setrlimit(RLIMIT_AS, &limit);
+    const std::string refusal = message([&] { (void)read_whole(file); });
+    std::cerr << refusal;
+    ::_exit(refusal.empty() ? 0 : 3);
+  };
+  EXPECT_EXIT(read_with_little_memory(), testing::ExitedWithCode(3), "long.toml: cannot be read: it does not fit into memory");
+}
+
+TEST_F(WholeFile, GivesItsStartAlone) {
+  write_whole(folder_ / "a.txt", "0123456789");
+  EXPECT_EQ(read_start(folder_ / "a.txt", 4), "0123");
+  EXPECT_EQ(read_start(folder_ / "a.txt", 40), "0123456789");
 }
 
 }  // namespace
