@@ -15,6 +15,8 @@
 
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
+#include "meshes/files/child_reading.h"
+#include "meshes/files/mesh_bytes.h"
 #include "meshes/hexahedra/circular_corners.h"
 #include "meshes/hexahedra/element_geometry.h"
 #include "meshes/hexahedra/mesh_assembly.h"
@@ -47,12 +49,15 @@ class GmshMeshReader {
 
   HexahedralMesh read() {
     check_content(io::read_whole(file_));
-    const GmshSession session;
-    open();
-    read_points();
-    read_volumes();
-    read_surfaces();
-    return assemble_mesh(std::move(result_), file_.string());
+    const std::string bytes = read_in_child(file_, "Gmsh", [&] {
+      const GmshSession session;
+      open();
+      read_points();
+      read_volumes();
+      read_surfaces();
+      return mesh_bytes(result_);
+    });
+    return assemble_mesh(mesh_of_bytes<NamedHexahedra>(bytes), file_.string());
   }
 
  private:
@@ -134,6 +139,8 @@ class GmshMeshReader {
                wanted + " can be used");
       }
       const std::size_t width = nodes[i].size() / std::max<std::size_t>(1, tags[i].size());
+      if (nodes[i].size() != width * tags[i].size() || width < kind_points(kinds[i]))
+        refuse("has elements without all of their points");
       for (std::size_t element = 0; element < tags[i].size(); ++element) visit(kinds[i], &nodes[i][element * width]);
     }
   }
@@ -144,6 +151,13 @@ class GmshMeshReader {
     std::vector<double> local;
     gmsh::model::mesh::getElementProperties(kind, name, dimension, order, count, local, primary_count);
     return name;
+  }
+
+  /// Returns the number of points of an element of a kind that is read.
+  static std::size_t kind_points(int kind) {
+    static const std::map<int, std::size_t> counts{{triangle_3, 3}, {quadrilateral_4, 4}, {hexahedron_8, 8},
+                                                   {triangle_6, 6}, {quadrilateral_9, 9}, {hexahedron_27, 27}};
+    return counts.at(kind);
   }
 
   void read_volumes() {

@@ -17,6 +17,8 @@
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
+#include "meshes/files/child_reading.h"
+#include "meshes/files/mesh_bytes.h"
 #include "meshes/files/vtu_mesh.h"
 #include "meshes/hexahedra/boundary_check.h"
 #include "meshes/hexahedra/chamber_surface.h"
@@ -42,7 +44,6 @@ class QuietVtk {
 class VtuMeshReader {
  public:
   explicit VtuMeshReader(const std::filesystem::path& file) : file_(file) {
-    static_cast<void>(io::read_whole(file));  // reports why a file cannot be read
     const QuietVtk quiet;
     reader_->SetFileName(file.c_str());
     if (reader_->CanReadFile(file.c_str()) == 0) refuse("is not a VTK file of unstructured cells (.vtu)");
@@ -51,6 +52,7 @@ class VtuMeshReader {
     if (reader_->GetErrorCode() != 0 || grid_->GetNumberOfCells() == 0) refuse("cannot be read, or contains no cells");
   }
 
+  /// Returns what the file says. Whether it is a mesh that can be used is not checked.
   HexahedralMesh read() {
     mesh_.region_names = names("region_names");
     mesh_.label_names = names("label_names");
@@ -58,9 +60,6 @@ class VtuMeshReader {
     read_cells();
     if (grid_->GetFieldData()->HasArray("chamber_names") != 0) read_chambers();
     read_geometry();
-    require_no_inverted_elements(mesh_, file_.string());
-    require_whole_boundary(mesh_, file_.string());
-    require_closed_chambers(mesh_, file_.string());
     return std::move(mesh_);
   }
 
@@ -111,12 +110,34 @@ class VtuMeshReader {
     }
   }
 
+  /// Checks what VTK does not: that the arrays of cells belong together, and that each cell is a part of them.
+  void require_cells() const {
+    vtkCellArray* cells = grid_->GetCells();
+    if (cells == nullptr || cells->GetNumberOfCells() != grid_->GetNumberOfCells() || !cells->IsValid())
+      refuse("has offsets of cells that do not fit their corners");
+    for (const char* name : {"region", "label"}) {
+      const vtkDataArray& data = cell_data(name);
+      if (data.GetNumberOfTuples() != grid_->GetNumberOfCells() || data.GetNumberOfComponents() != 1)
+        refuse(std::string(name) + " must have one number for each cell");
+    }
+  }
+
+  void require_corners(vtkIdType cell, vtkIdType found) const {
+    const vtkIdType wanted = grid_->GetCellType(cell) == VTK_HEXAHEDRON ? 8 : 4;
+    const bool is_known = grid_->GetCellType(cell) == VTK_HEXAHEDRON || grid_->GetCellType(cell) == VTK_QUAD;
+    if (is_known && found != wanted)
+      refuse("cell " + std::to_string(cell) + " has " + std::to_string(found) + " corners, its type has " +
+             std::to_string(wanted));
+  }
+
   void read_cells() {
     vtkDataArray& region = cell_data("region");
     vtkDataArray& label = cell_data("label");
     vtkNew<vtkIdList> corners;
+    require_cells();
     for (vtkIdType cell = 0; cell < grid_->GetNumberOfCells(); ++cell) {
       grid_->GetCellPoints(cell, corners);
+      require_corners(cell, corners->GetNumberOfIds());
       const auto corner = [&](std::size_t c) {
         return index("a cell", static_cast<double>(corners->GetId(static_cast<vtkIdType>(c))), mesh_.points.size());
       };
@@ -170,6 +191,14 @@ class VtuMeshReader {
 
 }  // namespace
 
-HexahedralMesh read_vtu_mesh(const std::filesystem::path& file) { return VtuMeshReader(file).read(); }
+HexahedralMesh read_vtu_mesh(const std::filesystem::path& file) {
+  static_cast<void>(io::read_whole(file));  // reports why a file cannot be read
+  const auto mesh =
+      mesh_of_bytes<HexahedralMesh>(read_in_child(file, "VTK", [&] { return mesh_bytes(VtuMeshReader(file).read()); }));
+  require_no_inverted_elements(mesh, file.string());
+  require_whole_boundary(mesh, file.string());
+  require_closed_chambers(mesh, file.string());
+  return mesh;
+}
 
 }  // namespace menger::meshes

@@ -216,5 +216,21 @@ TEST_F(GmshMesh, RefusesOpenChambersAndInvertedElements) {
   EXPECT_NE(refusal(msh_text(inverted, 1.0)).find("elements are inverted"), std::string::npos);
 }
 
+TEST_F(GmshMesh, RefusesElementsWithPointsThatAreNotThere) {
+  const std::string whole = msh_text(box({1.0, 1.0, 1.0}, {1, 1, 1}), 1.0);
+  const std::size_t end = whole.rfind("\n$EndElements");
+  const std::size_t last = whole.rfind(' ', end);
+  for (const char* point : {"9", "77", "4000000000", "-1", "0"}) {
+    const std::string message = refusal(whole.substr(0, last + 1) + point + whole.substr(end));
+    EXPECT_TRUE(message.starts_with((folder_ / "a.msh").string())) << point << ": " << message;
+  }
+}
+
+TEST_F(GmshMesh, RefusesMorePointsThanMemoryHolds) {
+  std::string text = msh_text(box({1.0, 1.0, 1.0}, {1, 1, 1}), 1.0);
+  text.replace(text.find("$Nodes\n8\n"), 9, "$Nodes\n900000000000\n");
+  EXPECT_TRUE(refusal(text).starts_with((folder_ / "a.msh").string())) << refusal(text);
+}
+
 }  // namespace
 }  // namespace menger::meshes

@@ -250,5 +250,37 @@ TEST_F(VtuMesh, APlaceUnderAFileIsRefused) {
   EXPECT_EQ(io::read_whole(folder_ / "file"), "text");
 }
 
+/// A mesh of one element as VTK's text, which a test can damage.
+std::string text_of_a_box(const fs::path& folder) {
+  write_vtu_mesh(folder / "box.vtu", box({1.0, 1.0, 1.0}, {1, 1, 1}));
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((folder / "box.vtu").c_str());
+  reader->Update();
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(reader->GetOutput());
+  writer->SetDataModeToAscii();
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  return writer->GetOutputString();
+}
+
+TEST_F(VtuMesh, RefusesArraysThatVtkDoesNotCheck) {
+  const fs::path file = folder_ / "mesh.vtu";
+  const std::string whole = text_of_a_box(folder_);
+  const auto refused = [&](const std::string& found, const std::string& replaced) {
+    std::string text = whole;
+    const std::size_t at = text.find(found);
+    EXPECT_NE(at, std::string::npos) << found << " is not in\n" << text;
+    if (at != std::string::npos) text.replace(at, found.size(), replaced);
+    io::write_whole(file, text);
+    return refusal(file);
+  };
+  EXPECT_EQ(refused("VTKFile", "VTKFile"), "accepted");
+  EXPECT_TRUE(refused("<Array type=\"String\"", "<Array type=\"Strange\"").starts_with(file.string())) << refusal(file);
+  EXPECT_EQ(refused("8 12 16 20 24 28", "4 12 16 20 24 28"), file.string() + ": cell 0 has 4 corners, its type has 8");
+  EXPECT_TRUE(refused("8 12 16 20 24 28", "8 12 16 20 24 9999").starts_with(file.string())) << refusal(file);
+  EXPECT_TRUE(refused("8 12 16 20 24 28", "8 4 16 20 24 28").starts_with(file.string())) << refusal(file);
+}
+
 }  // namespace
 }  // namespace menger::meshes
