@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <sstream>
 #include <utility>
 
@@ -397,13 +398,19 @@ class RunArchive::Database {
   }
 
  private:
-  /// Turns an error of the database into an InputError that names the archive.
+  /// Turns an error of the database, or of a text in it, into an InputError that names the archive.
   template <class Work>
   auto guarded(const char* doing, const Work& work) -> decltype(work()) {
     try {
       return work();
     } catch (const SQLite::Exception& error) {
       refuse_archive(file_, std::string(doing) + ": " + error.what());
+    } catch (const io::InputError& error) {
+      const std::string message = error.what();
+      if (message.starts_with(file_.string())) throw;
+      refuse_archive(file_, "is damaged: " + message);
+    } catch (const std::bad_alloc&) {
+      refuse_archive(file_, "does not fit into memory");
     }
   }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -50,6 +51,16 @@ class Search {
 
  private:
   void restore() {
+    try {
+      restore_last_generation();
+    } catch (const io::InputError& error) {
+      const std::string file = archive_.file().string();
+      if (std::string_view(error.what()).starts_with(file)) throw;
+      throw io::InputError(file + ": is damaged: " + error.what());  // of a text in it, which does not know its archive
+    }
+  }
+
+  void restore_last_generation() {
     const auto last = archive_.last_generation();
     if (!last) return;
     next_generation_ = *last + 1;

@@ -156,7 +156,8 @@ void check_whole(const io::TomlTable& table, const TradeStudy& study) {
 
 void read_silicone(const io::TomlTable& table, TradeStudy& study) {
   study.silicone_file = materials::silicone_file(table, "silicone", study.silicone);
-  const materials::SiliconeRecord record = materials::read_silicone(study.silicone_file);
+  const materials::SiliconeRecord record =
+      table.reading("silicone", [&] { return materials::read_silicone(study.silicone_file); });
   study.silicone_name = record.name;
   study.law = materials::law_line(record.recommended.law);
   study.shear_modulus_Pa = materials::shear_modulus_at_rest_Pa(record.recommended.law);

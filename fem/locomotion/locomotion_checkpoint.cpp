@@ -203,6 +203,43 @@ std::string content_of(const WalkProgress& progress) {
   return bytes;
 }
 
+/// Passes over all values of a text of CBOR and stops where they lie deeper than any checkpoint: the parser, which calls itself
+/// for every level, would run out of stack.
+class DepthCheck : public nlohmann::json_sax<Json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(number_integer_t /*value*/) override { return true; }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+  bool string(string_t& /*value*/) override { return true; }
+  bool binary(binary_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*elements*/) override { return ++depth_ <= most_levels; }
+  bool key(string_t& /*value*/) override { return true; }
+  bool end_object() override { return leave(); }
+  bool start_array(std::size_t /*elements*/) override { return ++depth_ <= most_levels; }
+  bool end_array() override { return leave(); }
+  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*error*/) override {
+    return false;
+  }
+  [[nodiscard]] bool is_too_deep() const { return depth_ > most_levels; }
+
+ private:
+  static constexpr std::size_t most_levels = 32;
+  bool leave() {
+    --depth_;
+    return true;
+  }
+  std::size_t depth_ = 0;
+};
+
+bool is_too_deep(std::string_view bytes) {
+  DepthCheck check;
+  (void)Json::sax_parse(bytes, &check, Json::input_format_t::cbor);
+  return check.is_too_deep();
+}
+
 WalkProgress progress_from(std::string_view bytes) {
   const Json json = Json::from_cbor(bytes);
   WalkProgress progress{.state = state_from(json.at(0)), .records = {}, .outcome = {}, .seconds = json.at(3).get<double>()};
@@ -227,6 +264,7 @@ std::optional<WalkProgress> read_locomotion_checkpoint(const std::filesystem::pa
   const io::CheckpointFile checkpoint(file, title, identity);
   const std::optional<std::string> content = checkpoint.read();
   if (!content) return std::nullopt;
+  if (is_too_deep(*content)) throw checkpoint.error("has values inside values to a depth that no checkpoint has");
   try {
     return progress_from(*content);
   } catch (const Json::exception&) {  // the content is undamaged, but another build arranged it differently

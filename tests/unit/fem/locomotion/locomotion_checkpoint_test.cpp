@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "io/text/checkpoint_file.h"
 #include "io/text/whole_file.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
@@ -199,6 +200,25 @@ TEST(LocomotionCheckpoint, RefusesDamageAndOtherStudies) {
   EXPECT_NE(message("study").find("is damaged"), std::string::npos);
   io::write_whole(file, "nonsense");
   EXPECT_NE(message("study").find("is not a checkpoint"), std::string::npos);
+}
+
+/// A checkpoint whose content is whole and of the study, but may be anything.
+std::string refusal_of_content(const fs::path& file, const std::string& content) {
+  io::CheckpointFile(file, "menger locomotion checkpoint 8", "study").write(content);
+  return message_of([&] { (void)read_locomotion_checkpoint(file, "study"); });
+}
+
+TEST(LocomotionCheckpoint, RefusesContentThatNoCheckpointHas) {
+  const tests::TestFolder folder;
+  const fs::path file = folder / "run.checkpoint";
+  const std::string start_again = "; give --restart to start again from the beginning";
+  const std::string other_build = file.string() + ": is of another build of menger" + start_again;
+  EXPECT_EQ(refusal_of_content(file, ""), other_build);
+  EXPECT_EQ(refusal_of_content(file, "\x84\x80\x80\xF6\x00"), other_build);
+  // Lists in lists, 200,000 deep: the parser calls itself for each.
+  EXPECT_EQ(refusal_of_content(file, std::string(200000, '\x81')),
+            file.string() + ": has values inside values to a depth that no checkpoint has" + start_again);
+  EXPECT_EQ(refusal_of_content(file, std::string(200000, '\xA1')), other_build) << "objects need keys";
 }
 
 }  // namespace
