@@ -59,7 +59,7 @@ void describe_design_file(io::StudyVisitor& visitor, CaseRequest& request) {
   fs::path file;
   visitor.path({"design", "A design file. Its cell edge is not used.", "\"design.toml\""}, file);
   if (visitor.source() == nullptr) return;
-  const meshes::Polycube body = meshes::read_design(file).body;
+  const meshes::Polycube body = visitor.source()->reading("design", [&] { return meshes::read_design(file).body; });
   request.load_case.cells = {body.nx(), body.ny(), body.nz()};
   request.load_case.digits = body.digits();
   request.design_file = file;

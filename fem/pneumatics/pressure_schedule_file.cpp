@@ -87,7 +87,7 @@ void describe(io::StudyVisitor& visitor, PlenumSchedule& schedule, std::optional
       visitor.path({"file", "A CSV table with the columns time_s and pressure_Pa.", "\"pressure.csv\""}, named);
       if (visitor.source() == nullptr) return;
       file = named;
-      table = read_pressure_table(named);
+      table = visitor.source()->reading("file", [&] { return read_pressure_table(named); });
     };
     visitor.one_of({{"times_s", !table.times_s.empty(), keep, [&] { describe_points(visitor, table); }},
                     {"file", false, keep, describe_file}},

@@ -52,9 +52,12 @@ void describe_plenum(io::StudyVisitor& visitor, StallMapStudy& study) {
   const auto describe_file = [&] {
     visitor.path({"curve", "A CSV table with the columns pressure_Pa and volume_m3.", "\"curve.csv\""}, file);
     if (visitor.source() == nullptr) return;
-    const std::string text = io::read_whole(file);
-    io::note_input(study.inputs, file, text);
-    curve = read_curve(text, file);
+    const auto read = [&] {
+      const std::string text = io::read_whole(file);
+      io::note_input(study.inputs, file, text);
+      return read_curve(text, file);
+    };
+    curve = visitor.source()->reading("curve", read);
   };
   visitor.one_of({{"pressures_Pa", !curve.pressures_Pa.empty(), keep, [&] { describe_points(visitor, curve); }},
                   {"curve", false, keep, describe_file}},
@@ -178,7 +181,7 @@ void describe_walker(io::StudyVisitor& visitor, StallWalker& walker, std::map<st
                 [&] { describe_walker_design(visitor, walker, inputs); });
   visitor.path({"parameters", "Voxel parameters of its cells.", "\"parameters.toml\""}, walker.parameters);
   if (visitor.source() != nullptr) {
-    walker.parameters_text = io::read_whole(walker.parameters);
+    walker.parameters_text = visitor.source()->reading("parameters", [&] { return io::read_whole(walker.parameters); });
     io::note_input(inputs, walker.parameters, walker.parameters_text);
   }
   visitor.number({"kinetic_friction", "Coefficient of friction while sliding."}, walker.kinetic_friction, io::non_negative());

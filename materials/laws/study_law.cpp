@@ -137,8 +137,9 @@ void describe_silicone(io::StudyVisitor& visitor, StudyLaw& law) {
                   io::at_least(1));
   const io::TomlTable* table = visitor.source();
   if (table == nullptr) return take_example(silicone, law);
-  law.file = silicone_file(*table, table->has("silicone") ? "silicone" : "record");
-  law.record = read_silicone(law.file);
+  const std::string_view key = table->has("silicone") ? "silicone" : "record";
+  law.file = silicone_file(*table, key);
+  law.record = table->reading(key, [&] { return read_silicone(law.file); });
   choose_from_record(*table, law_name, law);
 }
 

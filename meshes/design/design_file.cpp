@@ -142,7 +142,7 @@ void describe_design(io::StudyVisitor& visitor, Design& design, std::optional<st
     visitor.path({"file", "A design file.", "\"design.toml\""}, named);
     if (visitor.source() == nullptr) return;
     file = named;
-    design = read_design(named);
+    design = visitor.source()->reading("file", [&] { return read_design(named); });
   };
   visitor.one_of({{"layers", is_drawn, keep, [&] { describe_layers(visitor, design); }},
                   {"digits", false, keep, [&] { describe_digits(visitor, design); }},

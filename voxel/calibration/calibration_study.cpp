@@ -144,7 +144,7 @@ void read_record(const io::TomlTable& top, CalibrationStudy& study) {
     return;
   }
   const fs::path file = materials::silicone_file(top, "silicone");
-  const materials::SiliconeRecord record = materials::read_silicone(file);
+  const materials::SiliconeRecord record = top.reading("silicone", [&] { return materials::read_silicone(file); });
   const std::string& wanted = study.subject.silicone;
   if (record.name != wanted) throw top.error("silicone", "is " + record.name + ", but the study is for " + wanted);
   io::note_input(study.inputs, file);

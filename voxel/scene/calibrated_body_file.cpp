@@ -23,7 +23,8 @@ void describe_parameters(io::StudyVisitor& visitor, CalibratedBody& body) {
     if (const io::TomlTable* table = visitor.source(); table != nullptr && table->is_table("parameters")) return in_place();
     std::filesystem::path file;
     visitor.path({"parameters", "File of voxel parameters that menger calibrate wrote.", "\"parameters.toml\""}, file);
-    if (visitor.source() != nullptr) body.parameters = read_surrogate(file);
+    if (const io::TomlTable* table = visitor.source())
+      body.parameters = table->reading("parameters", [&] { return read_surrogate(file); });
   };
   const auto keep = [] {};
   visitor.one_of({{"parameters", false, keep, in_file}, {"values", has_parameters(body), keep, in_place, "", true}},

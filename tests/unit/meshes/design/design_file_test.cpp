@@ -11,6 +11,7 @@
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/connectivity.h"
+#include "meshes/design/hollow_body_file.h"
 #include "meshes/design/reference_shapes.h"
 #include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
@@ -183,6 +184,16 @@ TEST(DescribeDesign, NamesBadInput) {
            {"digits = \"000\"\ncells = [3, 1, 1]\ncell_edge_m = 1", "the body is empty"},
            {"layers = [[\"13\"]]\ncell_edge_m = 1", "layers[1][1] = \"13\": must hold only 0, 1 and 2"}})
     EXPECT_NE(message(text).find(part), std::string::npos) << message(text);
+}
+
+TEST(NamedDesign, IsRefusedWithThePlaceOfItsName) {
+  const tests::TestFolder folder;
+  io::write_whole(folder / "study.toml", "[design]\nfile = \"broken.toml\"\n");
+  io::write_whole(folder / "broken.toml", "name = 1\n");
+  const std::string message = tests::message_of([&] { (void)read_mesh_study(folder / "study.toml"); });
+  const std::string study = (folder / "study.toml").string();
+  const std::string design = (folder / "broken.toml").string();
+  EXPECT_EQ(message, study + ":2: design.file = \"broken.toml\": " + design + ":1: name = 1: must be a string");
 }
 
 }  // namespace
