@@ -1,0 +1,89 @@
+// All files that fuzzers began with or found, read in the builds that users have. A file may be refused; nothing else may happen.
+
+#include <glob.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "io/text/whole_file.h"
+#include "tests/fuzz/readers.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_like(const std::string& pattern) {
+  glob_t found{};
+  std::vector<fs::path> files;
+  if (::glob((MENGER_SOURCE_DIR "/" + pattern).c_str(), 0, nullptr, &found) == 0)
+    files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  ::globfree(&found);
+  return files;
+}
+
+/// Returns the files that tests/fuzz/seeds.txt lists for a reader.
+std::vector<fs::path> seeds_of(std::string_view reader) {
+  std::vector<fs::path> seeds;
+  std::istringstream lines(io::read_whole(MENGER_SOURCE_DIR "/tests/fuzz/seeds.txt"));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
+    if (!(words >> word) || word != reader) continue;
+    while (words >> word) {
+      const std::vector<fs::path> files = files_like(word);
+      EXPECT_FALSE(files.empty()) << "tests/fuzz/seeds.txt: " << word << " names no file";
+      seeds.insert(seeds.end(), files.begin(), files.end());
+    }
+  }
+  return seeds;
+}
+
+class FuzzedReaders : public testing::TestWithParam<FuzzedReader> {
+ protected:
+  [[nodiscard]] std::string refusal_of(const fs::path& input) const {
+    return read_fuzzed(GetParam(), folder_, place_, io::read_whole(input));
+  }
+
+  const TestFolder folder_;
+  const fs::path place_ = fuzzed_place(GetParam(), folder_);
+};
+
+TEST_P(FuzzedReaders, AcceptASeedAndRefuseOthersByName) {
+  const std::vector<fs::path> seeds = seeds_of(GetParam().name);
+  std::string refusals;
+  bool accepts = false;
+  for (const fs::path& seed : seeds) {
+    std::string refusal;
+    ASSERT_NO_THROW(refusal = refusal_of(seed)) << seed;
+    accepts = accepts || refusal.empty();
+    refusals += seed.string() + ": " + refusal + "\n";
+  }
+  EXPECT_TRUE(accepts) << "a fuzzer that begins with files of another form finds nothing\n" << refusals;
+}
+
+TEST_P(FuzzedReaders, RefuseOrAcceptWhatFuzzersFound) {
+  for (const fs::path& input : files_like("tests/fuzz/corpus/" + std::string(GetParam().name) + "/*"))
+    EXPECT_NO_THROW((void)refusal_of(input)) << input;
+}
+
+std::string name_of(const testing::TestParamInfo<FuzzedReader>& info) {
+  std::string name(info.param.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FuzzedReaders, testing::ValuesIn(fuzzed_readers().begin(), fuzzed_readers().end()), name_of);
+
+TEST(FuzzedCorpus, BelongsToReaders) {
+  for (const fs::path& folder : files_like("tests/fuzz/corpus/*"))
+    EXPECT_NE(fuzzed_reader(folder.filename().string()), nullptr) << folder << " is of no reader";
+}
+
+}  // namespace
+}  // namespace menger::tests
