@@ -15,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int patience_ms = 10'000;
 constexpr std::uintmax_t largest_copy_bytes = 1'000'000'000;
 
 /// SQLite puts the log beside the file that a symbolic link leads to.

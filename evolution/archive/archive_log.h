@@ -6,6 +6,9 @@
 
 namespace menger::evolution {
 
+/// How long menger waits for others who hold a database for a moment, ms.
+inline constexpr int patience_ms = 10'000;
+
 /// The write-ahead log of an archive: the file `<archive>-wal`, which has the latest changes while a process writes, and after
 /// this process was killed. An archive that is closed has none and is a single file.
 

@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int patience_ms = 10'000;  ///< with others who hold the database for a moment
-
 constexpr std::array known_words{Knowledge::evaluated, Knowledge::failed,    Knowledge::bounded,
                                  Knowledge::duplicate, Knowledge::penalised, Knowledge::screened};
 constexpr std::array screening_words{Screened::passed, Screened::drawn, Screened::left_out};

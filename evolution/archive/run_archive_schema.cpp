@@ -120,12 +120,14 @@ void require_finite_numbers(const fs::path& file, const SQLite::Database& connec
   while (table.executeStep()) {
     const std::string name = table.getColumn(0).getString();
     for (const std::string& column : real_columns(connection, name)) {
-      SQLite::Statement infinite(connection,
-                                 "SELECT " + column + " > 0 FROM " + name + " WHERE abs(" + column + ") >= 9e999 LIMIT 1");
+      std::string query("SELECT ");
+      query.append(column).append(" > 0 FROM ").append(name).append(" WHERE abs(").append(column).append(") >= 9e999 LIMIT 1");
+      SQLite::Statement infinite(connection, query);
       if (!infinite.executeStep()) continue;
       const bool is_positive = infinite.getColumn(0).getInt() != 0;
-      refuse_archive(file,
-                     "is damaged: " + name + "." + column + " = " + (is_positive ? "inf" : "-inf") + ": must be a finite number");
+      std::string reason("is damaged: ");
+      reason.append(name).append(".").append(column).append(is_positive ? " = inf" : " = -inf");
+      refuse_archive(file, reason.append(": must be a finite number"));
     }
   }
 }
@@ -143,8 +145,9 @@ void require_own_objects(const fs::path& file, SQLite::Database& connection) {
     if (name.starts_with("sqlite_")) continue;  // SQLite's own: nobody else can give such names
     const bool is_virtual = sql.starts_with("CREATE VIRTUAL");
     if (type == "table" && !is_virtual && std::ranges::find(known, name) != known.end()) continue;
-    refuse_archive(
-        file, "has a " + std::string(is_virtual ? "virtual " : "") + type + " \"" + name + "\", which no archive of menger has");
+    std::string reason(is_virtual ? "has a virtual " : "has a ");
+    reason.append(type).append(" \"").append(name).append("\", which no archive of menger has");
+    refuse_archive(file, reason);
   }
 }
 

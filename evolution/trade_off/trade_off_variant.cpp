@@ -8,7 +8,7 @@
 #include "evolution/trade_off/trade_off_voxels.h"
 #include "io/process/program_job.h"
 #include "io/text/input_error.h"
-#include "io/text/toml_depth.h"
+#include "io/text/toml_checks.h"
 #include "io/text/whole_file.h"
 
 namespace menger::evolution {

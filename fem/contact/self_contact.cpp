@@ -125,19 +125,24 @@ void SelfContact::follow_candidates() {
   for (const std::uint32_t node : followed_nodes_) followed_mesh_nodes_.push_back(surfaces_.mesh_node(node));
 }
 
-/// Returns how far a candidate that touches nothing is in front of all of its faces: their smallest distance, at most the reach,
-/// m. It is 0 where the node is not in front of one of them. There it may be behind the face and touch nothing all the same, as
-/// beside the end of a limb (see depth_of); the least turn or slip changes that.
+/// Returns the path on which a candidate that touches nothing surely meets no face: its smallest distance from its faces, at most
+/// the reach, m. It is 0 where the node is behind a face that faces it, or would after a turn of some degrees. There it touches
+/// nothing although it is behind, as beside the rim of a face (see depth_of), and a small slip changes that.
 double SelfContact::clearance_m(std::size_t candidate) const {
-  const Point& point = points_[candidates_.nodes[candidate]];
+  constexpr double largest_cosine = -0.05;
+  const std::uint32_t node = candidates_.nodes[candidate];
+  const Point& point = points_[node];
+  const auto around = surfaces_.faces_around(node);
   double smallest_square = reach_m() * reach_m();
   for (std::size_t f = candidates_.offsets[candidate]; f < candidates_.offsets[candidate + 1]; ++f) {
     const std::uint32_t face = candidates_.faces[f];
-    const FaceCorners corners = surfaces_.corners(face, points_);
-    const Point middle = centre(corners);
-    const double warp = std::abs(dot(difference(corners[0], middle), normals_[face]));
-    if (dot(difference(point, middle), normals_[face]) <= warp) return 0.0;
-    smallest_square = smaller_square_m2(smallest_square, corners, point);
+    const NearestOnFace nearest = nearest_on_face(surfaces_.corners(face, points_), point);
+    const Point& normal = normals_[face];
+    const bool is_behind = dot(difference(point, nearest.point), normal) < 0.0;
+    if (is_behind &&
+        std::any_of(around.begin(), around.end(), [&](std::uint32_t own) { return dot(normals_[own], normal) < largest_cosine; }))
+      return 0.0;
+    smallest_square = std::min(smallest_square, nearest.distance_square_m2);
   }
   return std::sqrt(smallest_square);
 }

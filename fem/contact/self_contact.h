@@ -91,7 +91,7 @@ struct SelfTouch {
 /// each other by d. Paths bound that: twice the largest one. Where the paths are long enough, the distances of pairs that were
 /// near are measured anew, and the displacements of the others are looked up, since parts that lie near each other move together
 /// and bodies swing back; only where neighbours have approached each other too far, the search runs again. Where some pairs are
-/// near, each node that is in front of all near faces is passed over in the same way until it may have come to the nearest.
+/// near, each node that is behind no face that faces it is passed over in the same way until it may have come to the nearest.
 class SelfContact {
  public:
   /// @param with_outside false: only the walls of chambers are searched

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "fem/inflation/coarse_walls.h"
+#include "fem/inflation/memory_estimate.h"
 #include "fem/statics/free_supports.h"
-#include "fem/statics/memory_estimate.h"
 #include "io/process/machine_memory.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "fem/space/rank_agreement.h"
-#include "io/text/checkpoint_file.h"
+#include "io/process/checkpoint_file.h"
 #include "io/text/input_error.h"
 
 namespace menger::fem {

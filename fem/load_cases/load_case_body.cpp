@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/inflation/memory_estimate.h"
 #include "fem/inflation/wall_points.h"
 #include "fem/statics/free_supports.h"
-#include "fem/statics/memory_estimate.h"
 #include "io/process/machine_memory.h"
 #include "io/text/input_error.h"
 #include "materials/laws/hyperelastic_law.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/text/checkpoint_file.h"
+#include "io/process/checkpoint_file.h"
 #include "io/text/version.h"
 
 namespace menger::fem {

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "io/text/toml_depth.h"
+#include "io/text/toml_checks.h"
 #include "io/text/toml_node.h"
 #include "io/text/whole_file.h"
 

@@ -6,7 +6,7 @@
 
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
-#include "io/text/toml_depth.h"
+#include "io/text/toml_checks.h"
 
 namespace menger::io {
 namespace {

@@ -193,8 +193,7 @@ class VtuMeshReader {
 
 HexahedralMesh read_vtu_mesh(const std::filesystem::path& file) {
   static_cast<void>(io::read_whole(file));  // reports why a file cannot be read
-  const auto mesh =
-      mesh_of_bytes<HexahedralMesh>(read_in_child(file, "VTK", [&] { return mesh_bytes(VtuMeshReader(file).read()); }));
+  auto mesh = mesh_of_bytes<HexahedralMesh>(read_in_child(file, "VTK", [&] { return mesh_bytes(VtuMeshReader(file).read()); }));
   require_no_inverted_elements(mesh, file.string());
   require_whole_boundary(mesh, file.string());
   require_closed_chambers(mesh, file.string());

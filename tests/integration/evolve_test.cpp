@@ -181,7 +181,7 @@ TEST_F(Evolve, InterruptedWhileItGrowsAnEnormousPopulationItLeavesAWholeArchive)
   io::write_whole(folder_ / "large.toml",
                   "preset = \"paper\"\ngenerations = 1\n[population]\nsurvivors = 500000\nmutants = 500000\n");
   const ProgramRun running = start({"large.toml", "-o", "large.sqlite"});
-  while (running.processor_seconds() < 1.0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  running.wait_for_processor_seconds(1.0);
   running.send(SIGINT);
   const Outcome stopped = running.wait();
   EXPECT_EQ(stopped.code, 130) << stopped.signal << stopped.err;

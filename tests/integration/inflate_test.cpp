@@ -193,8 +193,7 @@ TEST_F(InflateProgram, LeavesALongFactorisationAndGoesOnToTheSameBytes) {
   ASSERT_EQ(run({"thick.toml", "-o", "whole"}).code, 0);
   const ProgramRun program(folder_, MENGER_PROGRAM_DIR "/menger-inflate", {"thick.toml", "-o", "parts"});
   while (!has("parts/path.checkpoint")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  const double enough_s = program.processor_seconds() + 0.3;
-  while (program.processor_seconds() < enough_s) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.wait_for_processor_seconds(program.processor_seconds() + 0.3);
   const auto start = std::chrono::steady_clock::now();
   program.send(SIGINT);
   const Outcome stopped = program.wait();

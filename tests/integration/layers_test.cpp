@@ -247,7 +247,7 @@ TEST(Rooms, WalksNeedNoMeshLibraryPicturesOrFiles) {
     ++looked_at;
     Words there = includes(file, true);
     there.merge(includes(file, false));
-    for (const char* of_files : {"filesystem", "fstream", "io/text/whole_file.h", "io/text/checkpoint_file.h",
+    for (const char* of_files : {"filesystem", "fstream", "io/text/whole_file.h", "io/process/checkpoint_file.h",
                                  "io/text/toml_document.h", "io/text/csv_table.h"})
       EXPECT_FALSE(there.contains(of_files)) << file << " includes " << of_files;
   }

@@ -5,11 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <ctime>
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "io/text/whole_file.h"
@@ -68,6 +70,16 @@ class ProgramRun {
     timespec time{};
     if (clock_getcpuclockid(child_, &clock) == 0) clock_gettime(clock, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  /// Waits until it has used so much processor time, or has ended before.
+  void wait_for_processor_seconds(double seconds) const {
+    while (processor_seconds() < seconds) {
+      siginfo_t ended{};
+      const bool is_known = waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0;
+      if (!is_known || ended.si_pid != 0) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
   }
 
   /// Waits until the program ends.

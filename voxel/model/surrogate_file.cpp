@@ -6,10 +6,10 @@
 
 #include "io/study/study_reader.h"
 #include "io/study/study_text.h"
-#include "io/text/finite_numbers.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/range.h"
+#include "io/text/toml_checks.h"
 #include "io/text/toml_document.h"
 #include "meshes/design/hollow_body_file.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "io/text/checkpoint_file.h"
+#include "io/process/checkpoint_file.h"
 #include "io/text/whole_file.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"

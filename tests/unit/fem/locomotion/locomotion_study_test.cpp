@@ -232,7 +232,7 @@ TEST(LocomotionStudy, RefusesWhatImplicitDynamicsHasNot) {
   expect_refused(cube_study + implicit + "threads = 2\n", {"dynamics.threads = 2"});
   expect_refused(cube_study + implicit + "degree = 3\n", {"dynamics.degree = 3"});
   expect_refused(cube_study + implicit + "tolerance = 0\n", {"dynamics.tolerance = 0"});
-  expect_refused(cube_study + "[dynamics]\ntolerance = 1e-4\n", {"dynamics.tolerance = 0.0001", "method = \"implicit\""});
+  expect_refused(cube_study + "[dynamics]\ntolerance = 1e-4\n", {"dynamics.tolerance = 1e-04", "method = \"implicit\""});
   const std::string piston =
       "[[pressure]]\nplenum = \"plenum 0\"\nsupply = \"piston\"\npiston = \"cam\"\nresistance_Pa_s_per_m3 = 1e8\n"
       "[[piston]]\nname = \"cam\"\nbore_m = 0.02\ncylinder_length_m = 0.05\nstroke_m = 0.03\nfrequency_Hz = 1\n";

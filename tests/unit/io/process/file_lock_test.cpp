@@ -25,7 +25,8 @@ TEST(FileLock, BelongsToTheFileAndNotToItsName) {
   const tests::TestFolder folder;
   fs::create_directory(folder / "real");
   fs::create_symlink("real/a", folder / "link");
-  fs::create_directory_symlink("real", folder / "folder");
+  const fs::path real = "real";
+  fs::create_directory_symlink(real, folder / "folder");
   const FileLock lock(folder / "real/a");
   EXPECT_THROW(FileLock(folder / "link"), InputError);
   EXPECT_THROW(FileLock(folder / "folder/a"), InputError);

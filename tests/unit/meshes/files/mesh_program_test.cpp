@@ -44,8 +44,8 @@ class MeshProgram : public testing::Test {
 
 TEST_F(MeshProgram, LeavesSoonAfterAnInterruptAndWritesNothing) {
   const test_support::ProgramRun program(folder_, MENGER_PROGRAM_DIR "/menger-mesh",
-                                         {"bar.toml", "--elements-through-wall", "60"});
-  while (program.processor_seconds() < 0.5) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+                                         {"bar.toml", "--elements-through-wall", "50"});
+  program.wait_for_processor_seconds(0.5);
   program.send(SIGINT);
   const test_support::Outcome outcome = program.wait();
   EXPECT_EQ(outcome.code, 130) << outcome.signal << outcome.err;

@@ -1,4 +1,4 @@
-#include "fem/statics/memory_estimate.h"
+#include "fem/inflation/memory_estimate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "io/text/checkpoint_file.h"
+#include "io/process/checkpoint_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,0 @@
-#include "io/text/input_error.h"
-
-#include "io/text/printable.h"
-
-namespace menger::io {
-
-InputError::InputError(const std::string& message) : std::runtime_error(printable(message)) {}
-
-}  // namespace menger::io
