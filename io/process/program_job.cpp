@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* record_name = "run.toml";
-constexpr std::size_t hash_length = 16;  ///< of 64 digits: enough for folder names
+constexpr std::size_t name_length = 16;  ///< of 64 digits: enough for folder names
 
 const Words<ChildEnd>& end_words() {
   static const Words<ChildEnd> words{{"exited", ChildEnd::exited}, {"timed_out", ChildEnd::timed_out}};
@@ -91,7 +91,7 @@ std::string job_hash(const ProgramJob& job) {
   std::string text = file_hash(job.program) + "\n";
   for (const std::string& argument : job.arguments) text += content_hash(argument) + "\n";
   for (const auto& [name, content] : job.inputs) text += name + "\n" + content_hash(content) + "\n";
-  return content_hash(text).substr(0, hash_length);
+  return content_hash(text).substr(0, name_length);
 }
 
 ProgramJobResult run_job(const ProgramJob& job, const ProgramJobOptions& options) {
