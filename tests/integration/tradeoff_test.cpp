@@ -30,7 +30,7 @@ class TradeoffProgram : public testing::Test {
     io::write_whole(folder_ / "cube.toml", "name = \"cube\"\ncell_edge_m = 0.02\nlayers = [[\"1\"]]\n");
     io::write_whole(folder_ / "study.toml",
                     "pressure_Pa = 3000\n[design]\nfile = \"cube.toml\"\nwall_thickness_m = 0.004\n"
-                    "[finite_elements]\ndegrees = [1, 2]\nelements_through_wall = [1]\n");
+                    "[finite_elements]\nthin_walls = []\ndegrees = [1, 2]\nelements_through_wall = [1]\n");
   }
 
   [[nodiscard]] Outcome run(std::vector<std::string> arguments) const {
@@ -85,7 +85,7 @@ TEST_F(TradeoffProgram, ASettledCellOfVoxelsIsWithinATenthOfFiniteElements) {
   io::write_whole(folder_ / "cell.toml", "name = \"cell\"\ncell_edge_m = 0.01\nlayers = [[\"1\"]]\n");
   io::write_whole(
       folder_ / "settled.toml",
-      "pressure_Pa = 20000\n[design]\nfile = \"cell.toml\"\n[finite_elements]\ndegrees = [2]\nelements_through_wall = [1]\n"
+      "pressure_Pa = 20000\n[design]\nfile = \"cell.toml\"\n[finite_elements]\nthin_walls = []\ndegrees = [2]\nelements_through_wall = [1]\n"
       "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
       "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled", "--no-pictures"});
@@ -105,7 +105,7 @@ TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
   io::write_whole(folder_ / "bar.toml", "name = \"bar\"\ncell_edge_m = 0.01\nlayers = [[\"11\"]]\n");
   io::write_whole(
       folder_ / "settled.toml",
-      "pressure_Pa = 6000\n[design]\nfile = \"bar.toml\"\n[finite_elements]\ndegrees = [1]\nelements_through_wall = [1]\n"
+      "pressure_Pa = 6000\n[design]\nfile = \"bar.toml\"\n[finite_elements]\nthin_walls = []\ndegrees = [1]\nelements_through_wall = [1]\n"
       "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
       "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\", \"" MENGER_REFINED_PARAMETERS "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled", "--no-pictures"});
@@ -139,7 +139,7 @@ TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
 
 TEST_F(TradeoffProgram, ParametersOfAnotherCellEndWithTwo) {
   io::write_whole(folder_ / "settled.toml",
-                  "[design]\nfile = \"cube.toml\"\n[finite_elements]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
+                  "[design]\nfile = \"cube.toml\"\n[finite_elements]\nthin_walls = []\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled"});
   EXPECT_EQ(outcome.code, 2);
   for (const char* word : {"dragon_skin_10_1cm.toml", "cell_edge_m", "0.01", "0.02"})
