@@ -17,10 +17,10 @@ std::streambuf* unfiltered_error = nullptr;  ///< set while std::cerr is filtere
 /// Stands between a stream and its buffer. A character of UTF-8 that is written in parts waits for its end.
 class PlainOutput::Filter : public std::streambuf {
  public:
-  explicit Filter(std::ostream& stream) : stream_(&stream), under_(stream.rdbuf(this)) {}
+  explicit Filter(std::ostream& stream) : stream_(&stream), under_(stream.rdbuf()) { put_before_stream(this); }
   ~Filter() override {
     (void)write_on(unfinished_);
-    stream_->rdbuf(under_);
+    put_before_stream(under_);
   }
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
@@ -43,6 +43,12 @@ class PlainOutput::Filter : public std::streambuf {
   int sync() override { return under_->pubsync(); }
 
  private:
+  /// Sets the buffer of the stream and keeps its state, which says whether it is silenced, as on all ranks but the first.
+  void put_before_stream(std::streambuf* buffer) {
+    const std::ios::iostate state = stream_->rdstate();
+    stream_->rdbuf(buffer);
+    stream_->clear(state);
+  }
   [[nodiscard]] bool write_on(std::string_view text) const {
     const std::string shown = printable(text);
     const auto count = static_cast<std::streamsize>(shown.size());

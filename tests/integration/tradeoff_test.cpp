@@ -83,11 +83,11 @@ TEST_F(TradeoffProgram, ASettledCellOfVoxelsIsWithinATenthOfFiniteElements) {
   // pressures the same residual is a larger relative error. The body is free in both models, so that only the models differ. It
   // is Q2/P1, because with one element through the wall Q1/P0 itself has an error of a quarter.
   io::write_whole(folder_ / "cell.toml", "name = \"cell\"\ncell_edge_m = 0.01\nlayers = [[\"1\"]]\n");
-  io::write_whole(
-      folder_ / "settled.toml",
-      "pressure_Pa = 20000\n[design]\nfile = \"cell.toml\"\n[finite_elements]\nthin_walls = []\ndegrees = [2]\nelements_through_wall = [1]\n"
-      "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
-      "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
+  io::write_whole(folder_ / "settled.toml",
+                  "pressure_Pa = 20000\n[design]\nfile = \"cell.toml\"\n[finite_elements]\nthin_walls = []\ndegrees = "
+                  "[2]\nelements_through_wall = [1]\n"
+                  "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
+                  "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled", "--no-pictures"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const io::CsvContents table = io::read_csv(folder_ / "settled/tradeoff.csv");
@@ -103,11 +103,12 @@ TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
   // Compares the equilibrium by Newton's method with the frames of a run that settles. Both are the same model; the tolerance of
   // 0.5 % is for a run that is not quite at rest. The end voxels bulge to one side only.
   io::write_whole(folder_ / "bar.toml", "name = \"bar\"\ncell_edge_m = 0.01\nlayers = [[\"11\"]]\n");
-  io::write_whole(
-      folder_ / "settled.toml",
-      "pressure_Pa = 6000\n[design]\nfile = \"bar.toml\"\n[finite_elements]\nthin_walls = []\ndegrees = [1]\nelements_through_wall = [1]\n"
-      "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
-      "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\", \"" MENGER_REFINED_PARAMETERS "\"]\n");
+  io::write_whole(folder_ / "settled.toml",
+                  "pressure_Pa = 6000\n[design]\nfile = \"bar.toml\"\n[finite_elements]\nthin_walls = []\ndegrees = "
+                  "[1]\nelements_through_wall = [1]\n"
+                  "[voxels]\nnumbers = [\"float64\"]\ndampings = [\"velocity\"]\ntime_step_fractions = [0.9]\n"
+                  "exclusion_depths = [\"off\"]\n[settling]\nparameters = [\"" MENGER_PARAMETERS
+                  "\", \"" MENGER_REFINED_PARAMETERS "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled", "--no-pictures"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const io::CsvContents table = io::read_csv(folder_ / "settled/tradeoff.csv");
@@ -138,8 +139,10 @@ TEST_F(TradeoffProgram, ASettledBarIsWhereItsParametersPutIt) {
 }
 
 TEST_F(TradeoffProgram, ParametersOfAnotherCellEndWithTwo) {
-  io::write_whole(folder_ / "settled.toml",
-                  "[design]\nfile = \"cube.toml\"\n[finite_elements]\nthin_walls = []\n[settling]\nparameters = [\"" MENGER_PARAMETERS "\"]\n");
+  io::write_whole(
+      folder_ / "settled.toml",
+      "[design]\nfile = \"cube.toml\"\n[finite_elements]\nthin_walls = []\n[settling]\nparameters = [\"" MENGER_PARAMETERS
+      "\"]\n");
   const Outcome outcome = run({"settled.toml", "-o", "settled"});
   EXPECT_EQ(outcome.code, 2);
   for (const char* word : {"dragon_skin_10_1cm.toml", "cell_edge_m", "0.01", "0.02"})
