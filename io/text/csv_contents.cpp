@@ -130,19 +130,22 @@ const std::string& CsvContents::text(std::size_t row, std::string_view column) c
   return rows_.at(row)[column_index(column)];
 }
 
+InputError CsvContents::fault(std::size_t row, std::string_view column, const std::string& reason) const {
+  return InputError(file_.string() + ":" + std::to_string(lines_[row]) + ": " + std::string(column) + " = " +
+                    shown_cell(text(row, column)) + ": " + reason);
+}
+
 std::optional<double> CsvContents::optional_number(std::size_t row, std::string_view column, const Range& range) const {
   const std::string& text = this->text(row, column);
   if (text.empty()) return std::nullopt;
-  const auto fault = [&](const std::string& reason) {
-    return InputError(file_.string() + ":" + std::to_string(lines_[row]) + ": " + std::string(column) + " = " + shown_cell(text) +
-                      ": " + reason);
-  };
   double value = 0.0;
-  const char* first = text.data() + (text.front() == '+' ? 1 : 0);
+  const bool has_plus = text.front() == '+' && !text.starts_with("+-");  // from_chars knows no plus
+  const char* first = text.data() + (has_plus ? 1 : 0);
   const char* last = text.data() + text.size();
   const auto result = std::from_chars(first, last, value);
-  if (result.ec != std::errc{} || result.ptr != last || !std::isfinite(value)) throw fault("must be a finite number");
-  if (!range.contains(value)) throw fault(range.demand());
+  if (result.ec != std::errc{} || result.ptr != last || !std::isfinite(value))
+    throw fault(row, column, "must be a finite number");
+  if (!range.contains(value)) throw fault(row, column, range.demand());
   return value;
 }
 
@@ -151,6 +154,12 @@ double CsvContents::number(std::size_t row, std::string_view column, const Range
   if (!value)
     throw InputError(file_.string() + ":" + std::to_string(lines_[row]) + ": " + std::string(column) + ": a number is missing");
   return *value;
+}
+
+std::size_t CsvContents::count(std::size_t row, std::string_view column) const {
+  const double value = number(row, column, within(0.0, 0x1p53));
+  if (value != std::floor(value)) throw fault(row, column, "must be a whole number");
+  return static_cast<std::size_t>(value);
 }
 
 std::vector<double> CsvContents::numbers(std::string_view column, const Range& range) const {

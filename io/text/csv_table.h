@@ -71,12 +71,16 @@ class CsvContents {
   [[nodiscard]] std::optional<double> optional_number(std::size_t row, std::string_view column,
                                                       const Range& range = any_number()) const;
 
+  /// Returns a count: a whole number of at least 0. @throws InputError like number(), and above 2^53, where doubles have gaps
+  [[nodiscard]] std::size_t count(std::size_t row, std::string_view column) const;
+
   /// Returns a whole column of numbers.
   [[nodiscard]] std::vector<double> numbers(std::string_view column, const Range& range = any_number()) const;
 
  private:
   friend CsvContents parse_csv(std::string_view text, const std::filesystem::path& file);
   [[nodiscard]] std::size_t column_index(std::string_view column) const;
+  [[nodiscard]] InputError fault(std::size_t row, std::string_view column, const std::string& reason) const;
 
   std::filesystem::path file_;
   std::vector<std::string> columns_;

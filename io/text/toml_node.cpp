@@ -62,7 +62,8 @@ InputError TomlTable::Node::fault(std::string_view name, const toml::node& node,
 
 double TomlTable::Node::number(const std::string& name, const toml::node& node, const Range& range) const {
   if (!node.is_number()) throw fault(name, node, "must be a number");
-  const double value = node.value<double>().value_or(static_cast<double>(node.value_or(std::int64_t{0})));
+  const toml::value<double>* floating = node.as_floating_point();
+  const double value = floating != nullptr ? floating->get() : static_cast<double>(node.as_integer()->get());
   if (!std::isfinite(value)) throw fault(name, node, "must be a finite number");
   if (!range.contains(value)) throw fault(name, node, range.demand());
   return value;

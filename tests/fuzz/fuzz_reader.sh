@@ -18,10 +18,12 @@ done
 folders=("$work" "$seeds")
 [ ! -d "tests/fuzz/corpus/$reader" ] || folders+=("tests/fuzz/corpus/$reader")
 
+options=()
+[ -z "${MENGER_FUZZ_SEED:-}" ] || options+=("-seed=$MENGER_FUZZ_SEED")
 [ ! -w /dev/shm ] || export TMPDIR=/dev/shm  # each execution writes a file
 log=$found/$reader.log
-if ! build/fuzz/bin/fuzz-readers "$reader" "${folders[@]}" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3000 -print_final_stats=1 \
-  -artifact_prefix="$found/$reader-" >"$log" 2>&1; then
+if ! build/fuzz/bin/fuzz-readers "$reader" "${folders[@]}" "${options[@]}" -max_total_time="$seconds" -timeout=20 \
+  -rss_limit_mb=3000 -print_final_stats=1 -artifact_prefix="$found/$reader-" >"$log" 2>&1; then
   tail -n 40 "$log" >&2
   printf 'fuzz: %s: a fault; the file is in %s, all messages in %s\n' "$reader" "$found" "$log" >&2
   exit 1

@@ -28,19 +28,15 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-std::size_t count_in(const io::CsvContents& table, std::size_t row, std::string_view column) {
-  return static_cast<std::size_t>(table.number(row, column, io::non_negative()));
-}
-
 KindErrors kind_errors(const io::CsvContents& table, std::size_t row) {
   KindErrors errors{.bodies = words_of(table.text(row, "bodies"))};
-  errors.displacements = count_in(table, row, "displacements");
-  errors.volumes = count_in(table, row, "volumes");
+  errors.displacements = table.count(row, "displacements");
+  errors.volumes = table.count(row, "volumes");
   errors.displacement_median = table.optional_number(row, "displacement_median", io::non_negative());
   errors.displacement_ninth_decile = table.optional_number(row, "displacement_ninth_decile", io::non_negative());
   errors.volume_median = table.optional_number(row, "volume_median", io::non_negative());
-  errors.signs = count_in(table, row, "signs");
-  errors.wrong_signs = count_in(table, row, "wrong_signs");
+  errors.signs = table.count(row, "signs");
+  errors.wrong_signs = table.count(row, "wrong_signs");
   return errors;
 }
 

@@ -84,6 +84,14 @@ TEST(CsvContents, NameLineColumnAndValueOfABadNumber) {
   EXPECT_EQ(message([&] { (void)contents.numbers("note"); }), "curve.csv:2: note = x: must be a finite number");
 }
 
+TEST(CsvContents, CountOnlyWholeNumbers) {
+  const CsvContents table = parse_csv("bodies\n0\n9007199254740992\n2.5\n-1\n1e308\n+-1\n", table_file);
+  EXPECT_EQ(table.count(0, "bodies"), 0U);
+  EXPECT_EQ(table.count(1, "bodies"), 9007199254740992U);
+  EXPECT_EQ(message([&] { (void)table.count(2, "bodies"); }), "curve.csv:4: bodies = 2.5: must be a whole number");
+  for (std::size_t row = 3; row < table.row_count(); ++row) EXPECT_THROW((void)table.count(row, "bodies"), InputError) << row;
+}
+
 TEST(CsvContents, RefuseRowsOfAnotherLength) {
   EXPECT_EQ(refusal("a,b\n1,2\n3\n"), "curve.csv:3: 1 cells where the header has 2");
   EXPECT_EQ(refusal("a,b\n1,2,3\n"), "curve.csv:2: 3 cells where the header has 2");
