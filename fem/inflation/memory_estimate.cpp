@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
-#include <vector>
 
 #include "io/text/formatted.h"
+#include "meshes/hexahedra/mesh_counts.h"
 
 namespace menger::fem {
 namespace {
@@ -29,35 +27,12 @@ constexpr Costs quadratic_costs{.direct = 2000.0, .fill = 130.0, .iterative = 40
 /// Where the solver chooses, it analyses the factors first, and then keeps more than the iterative method needs.
 constexpr double analysis_share = 1.7;
 
-/// Counts the edges of the elements, each once.
-std::size_t edge_count(const meshes::HexahedralMesh& mesh) {
-  std::vector<std::pair<std::size_t, std::size_t>> edges;
-  edges.reserve(12 * mesh.elements.size());
-  for (const meshes::ElementCorners& corners : mesh.elements) {
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-      for (const std::size_t step : {1U, 2U, 4U})
-        if ((corner & step) == 0U) edges.emplace_back(std::minmax(corners[corner], corners[corner | step]));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  return static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
-}
-
 }  // namespace
 
 BodySize body_size(const meshes::HexahedralMesh& mesh, int degree, int refinements) {
-  auto elements = static_cast<double>(mesh.elements.size());
-  auto points = static_cast<double>(mesh.points.size());
-  auto edges = static_cast<double>(edge_count(mesh));
-  double faces = 0.5 * (6.0 * elements + static_cast<double>(mesh.faces.size()));
-  for (int n = 0; n < refinements; ++n) {
-    points += edges + faces + elements;
-    edges = 2.0 * edges + 4.0 * faces + 6.0 * elements;
-    faces = 4.0 * faces + 12.0 * elements;
-    elements *= 8.0;
-  }
-  const double nodes = degree == 1 ? points : points + edges + faces + elements;
-  return {.elements = elements, .unknowns = 3.0 * nodes};
+  meshes::MeshCounts counts = meshes::mesh_counts(mesh);
+  for (int n = 0; n < refinements; ++n) counts = meshes::refined(counts);
+  return {.elements = static_cast<double>(counts.elements), .unknowns = 3.0 * static_cast<double>(counts.nodes(degree))};
 }
 
 double estimated_memory_bytes(const BodySize& size, int degree, const LinearOptions& options) {

@@ -71,6 +71,15 @@ void set_axis(vtkAxis& axis, const ChartScale& scale, int font_size) {
   axis.GetGridPen()->SetWidth(supersampling);
 }
 
+std::size_t drawn_points(const ChartSeries& series) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < series.x.size(); ++i) count += std::isfinite(series.x[i]) && std::isfinite(series.y[i]) ? 1U : 0U;
+  return count;
+}
+
+/// A line through one point would be neither seen nor accepted by VTK: the point is drawn.
+Marks shown_marks(const ChartSeries& series) { return drawn_points(series) == 1 ? Marks::points : series.marks; }
+
 vtkPlot* add_curve(vtkChartXY& chart, const ChartSeries& series, const Scales& scales, const Colour& colour) {
   vtkNew<vtkTable> table;
   for (const auto& [name, values, scale] :
@@ -80,7 +89,8 @@ vtkPlot* add_curve(vtkChartXY& chart, const ChartSeries& series, const Scales& s
     for (const double value : *values) column->InsertNextValue(std::isfinite(value) ? scale->coordinate(value) : value);
     table->AddColumn(column);
   }
-  const bool points_only = series.marks == Marks::points;
+  const Marks marks = shown_marks(series);
+  const bool points_only = marks == Marks::points;
   auto& plot = *vtkPlotPoints::SafeDownCast(chart.AddPlot(points_only ? vtkChart::POINTS : vtkChart::LINE));
   plot.SetInputData(table, 0, 1);
   plot.SetLabel(" " + series.name);  // the legend puts no space between line and name
@@ -88,7 +98,7 @@ vtkPlot* add_curve(vtkChartXY& chart, const ChartSeries& series, const Scales& s
   plot.SetColor(colour[0], colour[1], colour[2], 255);
   plot.SetWidth(line_width);
   plot.GetPen()->SetLineType(series.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
-  plot.SetMarkerStyle(series.marks == Marks::line ? vtkPlotPoints::NONE : vtkPlotPoints::CIRCLE);
+  plot.SetMarkerStyle(marks == Marks::line ? vtkPlotPoints::NONE : vtkPlotPoints::CIRCLE);
   plot.SetMarkerSize(dot_width);
   return &plot;
 }
@@ -176,6 +186,7 @@ void add_panel(vtkContextScene& scene, vtkRenderer& renderer, const ChartPanel& 
   set_axis(*chart->GetAxis(vtkAxis::LEFT), scales.second, font);
   // Each below those before it.
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
+    if (drawn_points(panel.series[i]) == 0) continue;  // VTK reports an error for each
     chart->LowerPlot(add_curve(*chart, panel.series[i], scales, panel.series[i].colour.value_or(chart_colour(i))));
   }
   for (const ChartMarker& marker : panel.markers) chart->LowerPlot(add_marker(*chart, marker, scales));

@@ -1,15 +1,18 @@
-// All files that fuzzers began with or found, read in the builds that users have. A file may be refused; nothing else may happen.
+// All files that fuzzers begin with or found, and the same few hundred changes of them in each run, read in the builds that users
+// have. A file may be refused; nothing else may happen.
 
 #include <glob.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "io/text/whole_file.h"
+#include "tests/fuzz/line_mutation.h"
 #include "tests/fuzz/readers.h"
 #include "tests/support/test_folder.h"
 
@@ -44,10 +47,21 @@ std::vector<fs::path> seeds_of(std::string_view reader) {
   return seeds;
 }
 
+bool is_text(const std::string& content) { return content.find('\0') == std::string::npos; }
+
+/// Changes a text by lines and values, and other files by a few bytes.
+std::string mutated(std::string content, std::minstd_rand& random) {
+  if (is_text(content)) return mutated_lines(content, static_cast<std::uint32_t>(random()));
+  for (std::size_t n = 1 + random() % 4; n > 0 && !content.empty(); --n)
+    content[random() % content.size()] = static_cast<char>(random() % 256);
+  return content;
+}
+
 class FuzzedReaders : public testing::TestWithParam<FuzzedReader> {
  protected:
-  [[nodiscard]] std::string refusal_of(const fs::path& input) const {
-    return read_fuzzed(GetParam(), folder_, place_, io::read_whole(input));
+  [[nodiscard]] std::string refusal_of(const fs::path& input) const { return refusal_of_text(io::read_whole(input)); }
+  [[nodiscard]] std::string refusal_of_text(const std::string& content) const {
+    return read_fuzzed(GetParam(), folder_, place_, content);
   }
 
   const TestFolder folder_;
@@ -70,6 +84,21 @@ TEST_P(FuzzedReaders, AcceptASeedAndRefuseOthersByName) {
 TEST_P(FuzzedReaders, RefuseOrAcceptWhatFuzzersFound) {
   for (const fs::path& input : files_like("tests/fuzz/corpus/" + std::string(GetParam().name) + "/*"))
     EXPECT_NO_THROW((void)refusal_of(input)) << input;
+}
+
+/// Changes pile up from seed to seed, up to four of them on one file.
+TEST_P(FuzzedReaders, BearChangesOfSeeds) {
+  const bool has_child = GetParam().name == "vtu" || GetParam().name == "msh";  // a process for each file
+  const int count = has_child ? 20 : 400;
+  const std::vector<fs::path> seeds = seeds_of(GetParam().name);
+  ASSERT_FALSE(seeds.empty());
+  std::minstd_rand random(1);
+  std::string content;
+  for (int n = 0; n < count; ++n) {
+    if (n % 4 == 0) content = io::read_whole(seeds[random() % seeds.size()]);
+    content = mutated(content, random);
+    ASSERT_NO_THROW((void)refusal_of_text(content)) << "after change " << n << ":\n" << content;
+  }
 }
 
 std::string name_of(const testing::TestParamInfo<FuzzedReader>& info) {

@@ -141,6 +141,35 @@ TEST_F(ValidateProgram, LeavesWithThreeWhereTheSurrogateHasNoEquilibrium) {
   EXPECT_EQ(summary.number(row, "without_equilibrium"), 4.0) << "three extents and the top, at a pressure beyond the range";
 }
 
+/// Charts of one row, and of a surrogate without any: nothing of VTK's may reach the user.
+TEST_F(ValidateProgram, DrawsACurveOfOneRow) {
+  for (const double pressure_Pa : {3e3, 0.0}) {
+    const std::string place = pressure_Pa > 0.0 ? "one" : "rest";
+    write_curve(place, "bar_inflation", LoadCaseKind::inflation, {pressure_Pa}, {});
+    const auto outcome = run({"study.toml", "--curves", place, "-o", place + "_out"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "") << pressure_Pa;
+  }
+  voxel::SurrogateParameters parameters = truth();
+  parameters.validity.set_pressures(-5e3, 1e3);
+  for (voxel::PressureLaw& law : parameters.extension) law.pressure_softening_per_Pa = 5e-4;  // a pole at 2 kPa
+  write_parameters(parameters);
+  const auto outcome = run({"study.toml", "--curves", "one", "-o", "none_out"});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(ValidateProgram, SumsUpByHowTheSurrogateEnded) {
+  voxel::SurrogateParameters parameters = truth();
+  for (voxel::PressureLaw& law : parameters.bulge) law.slope_per_Pa = 2e-4;  // walls meet at -1.5 kPa: 0.6 of a cell between them
+  write_parameters(parameters);
+  const auto outcome = run({"study.toml", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  EXPECT_NE(outcome.out.find("(wall_contact, chamber walls across"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("wall_contact: 3 curves"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("not_converged"), std::string::npos) << outcome.out;
+}
+
 TEST_F(ValidateProgram, LeavesWithTwoAndWritesNothingOnBadInput) {
   const auto refuses = [&](const std::string& message) {
     const auto outcome = run({"study.toml", "-o", "out"});

@@ -5,7 +5,11 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <set>
 #include <tuple>
+
+#include "io/text/joined_text.h"
 
 namespace menger::voxel {
 
@@ -38,6 +42,22 @@ std::string without_kind(std::string name, LoadCaseKind kind) {
     name.erase(0, word.size() + 1);
   }
   return name;
+}
+
+/// One name for a body whose curves have several: their common beginning, as far as it ends where words join; all names if there
+/// is none, so that no curve passes for one of another body.
+std::string common_name(const std::vector<std::string>& names) {
+  std::string common = names.front();
+  for (const std::string& name : names) {
+    const auto differ = std::mismatch(common.begin(), common.end(), name.begin(), name.end());
+    const bool ends_a_word =
+        differ.first == common.end() && (differ.second == name.end() || *differ.second == '_' || *differ.second == '-');
+    if (ends_a_word) continue;
+    common.erase(differ.first, common.end());
+    const auto join = common.find_last_of("_-");
+    common.resize(join == std::string::npos ? 0 : join);
+  }
+  return common.empty() ? io::joined(names, "+") : common;
 }
 
 double largest_magnitude(const std::vector<double>& values) {
@@ -182,7 +202,10 @@ void add_column(CurveComparison& comparison, std::size_t column, double scale, c
 /// Adds the responses to some rows of the curve, which were computed in this order.
 void add_responses(CurveComparison& comparison, const std::vector<std::size_t>& rows, const LoadCaseResponse& part) {
   LoadCaseResponse& response = comparison.response;
-  if (response.status == io::RunStatus::completed) response.status = part.status;
+  if (response.status == io::RunStatus::completed) {
+    response.status = part.status;
+    response.reason = part.reason;
+  }
   response.smallest_strain = std::min(response.smallest_strain, part.smallest_strain);
   response.largest_strain = std::max(response.largest_strain, part.largest_strain);
   response.values.resize(comparison.curve.columns.size());  // without any state reached there may be no columns
@@ -238,20 +261,31 @@ std::string_view to_string(ObservableKind kind) {
 }
 
 std::vector<std::string> body_names(const std::vector<ResponseCurve>& curves) {
-  std::vector<std::string> names;
-  for (const ResponseCurve& curve : curves) {
-    const LoadCase& load_case = curve.provenance.load_case;
-    std::string name = without_kind(load_case.name, load_case.kind);
-    for (std::size_t other = 0; other < names.size(); ++other) {
-      if (identity(curves[other].provenance.load_case) == identity(load_case)) {
-        name = names[other];
-        break;
-      }
-      if (names[other] == name) name = load_case.name + "_" + std::to_string(names.size() + 1);
-    }
-    names.push_back(name);
+  // The place of the first curve of the same body, for each curve; and the distinct names at these places.
+  std::vector<std::size_t> firsts;
+  std::map<std::size_t, std::vector<std::string>> candidates;
+  for (std::size_t n = 0; n < curves.size(); ++n) {
+    const LoadCase& load_case = curves[n].provenance.load_case;
+    std::size_t first = 0;
+    while (identity(curves[first].provenance.load_case) != identity(load_case)) ++first;
+    firsts.push_back(first);
+    std::vector<std::string>& known = candidates[first];
+    const std::string name = without_kind(load_case.name, load_case.kind);
+    if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
   }
-  return names;
+  std::map<std::size_t, std::string> names;
+  std::set<std::string> taken;
+  for (const auto& [first, known] : candidates) {
+    std::string name = common_name(known);
+    if (taken.contains(name)) name = curves[first].provenance.load_case.name + "_" + std::to_string(first + 1);
+    taken.insert(name);
+    taken.insert(known.begin(), known.end());  // a part of one body's name must not be another's
+    names.emplace(first, std::move(name));
+  }
+  std::vector<std::string> of_curves;
+  of_curves.reserve(firsts.size());
+  for (const std::size_t first : firsts) of_curves.push_back(names.at(first));
+  return of_curves;
 }
 
 std::vector<std::vector<double>> states_of(const ResponseCurve& curve) {

@@ -66,7 +66,8 @@ struct CurveComparison {
 };
 
 /// Names for the bodies of curves: the name of the case without the word for its kind ("menger_inflation": "menger"). Curves of
-/// equal bodies (cells, digits, level, chambers) get the name of the first of them. Different bodies get different names.
+/// equal bodies (cells, digits, level, chambers) share a name: if theirs differ, the common beginning ("table" of "table_low" and
+/// "table_high"), or all of them ("table+desk"). Different bodies get different names.
 std::vector<std::string> body_names(const std::vector<meshes::ResponseCurve>& curves);
 
 /// The states of a curve: rows of abscissae.

@@ -1,6 +1,7 @@
 #include "voxel/validation/validation_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "io/text/whole_file.h"
@@ -44,6 +45,14 @@ void compare_all(ValidationResult& result, const SurrogateParameters& parameters
   }
 }
 
+/// Returns which of two ends says less about the surrogate: contact of walls is a result of it, no convergence a failure.
+io::RunStatus worse_of(io::RunStatus a, io::RunStatus b) {
+  using enum io::RunStatus;
+  constexpr std::array order{completed, wall_contact, limit_point};
+  const auto rank = [&](io::RunStatus status) { return std::find(order.begin(), order.end(), status) - order.begin(); };
+  return rank(a) < rank(b) ? b : a;
+}
+
 void add_notes(ValidationResult& result, const FitRecord& record) {
   if (record.curve_count == 0) {
     result.notes.emplace_back(
@@ -62,10 +71,11 @@ void add_notes(ValidationResult& result, const FitRecord& record) {
                              "): " + std::to_string(comparison.curve.row_count()) + " states are compared");
     }
     if (comparison.response.status == io::RunStatus::completed) continue;
-    result.status = io::RunStatus::not_converged;
+    result.status = worse_of(result.status, comparison.response.status);
     result.notes.push_back(name + ": the surrogate ends after " + std::to_string(comparison.response.values.front().size()) +
                            " of " + std::to_string(comparison.curve.row_count()) + " states (" +
-                           std::string(io::to_string(comparison.response.status)) + ")");
+                           std::string(io::to_string(comparison.response.status)) +
+                           (comparison.response.reason.empty() ? "" : ", " + comparison.response.reason) + ")");
   }
 }
 

@@ -230,7 +230,20 @@ TEST(Validation, NamesBodiesAfterTheirCases) {
       bar_curve("modes", LoadCaseKind::modes, {}), bar_curve("bar3_blocked", LoadCaseKind::blocked, {})};
   curves[2].provenance.load_case.digits = "110";
   curves[3].provenance.load_case.digits = "121";
-  EXPECT_EQ(body_names(curves), (std::vector<std::string>{"bar3", "bar3", "modes", "bar3_blocked_4"}));
+  EXPECT_EQ(body_names(curves), (std::vector<std::string>{"bar3+long", "bar3+long", "modes", "bar3_blocked_4"}));
+}
+
+TEST(Validation, NamesABodyWithSeveralNamesByWhatTheyShare) {
+  const std::vector<std::vector<double>> table{{0.0}, {0.0}, {0.0}};
+  const auto names_of = [&](const std::vector<std::string>& cases) {
+    std::vector<meshes::ResponseCurve> curves;
+    for (const std::string& name : cases) curves.push_back(bar_curve(name, LoadCaseKind::blocked, table));
+    return body_names(curves);
+  };
+  EXPECT_EQ(names_of({"bar_low_blocked", "bar_high_blocked"}), (std::vector<std::string>{"bar", "bar"}));
+  EXPECT_EQ(names_of({"bar_blocked", "beam_blocked"}), (std::vector<std::string>{"bar+beam", "bar+beam"}));
+  EXPECT_EQ(names_of({"bar_blocked", "barrel_blocked"}), (std::vector<std::string>{"bar+barrel", "bar+barrel"}));
+  EXPECT_EQ(names_of({"bar_blocked", "bar_again_blocked"}), (std::vector<std::string>{"bar", "bar"}));
 }
 
 TEST(ValidationSummary, InterpolatesQuantiles) {
