@@ -190,6 +190,9 @@ TEST_F(WholeFile, IsReadToItsEndOrRefused) {
 }
 
 TEST_F(WholeFile, ThatDoesNotFitIntoMemoryIsNotReadInPart) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer ends a program that finds no memory";
+#endif
   const fs::path file = folder_ / "long.toml";
   {
     std::ofstream out(file);
@@ -199,7 +202,6 @@ TEST_F(WholeFile, ThatDoesNotFitIntoMemoryIsNotReadInPart) {
     out << "an error\n";
   }
   const auto read_with_little_memory = [&] {
-    // A sanitizer takes terabytes of addresses, which cannot be bounded; it refuses single large pieces instead.
     std::size_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
     const rlim_t used = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
