@@ -53,6 +53,11 @@ io::RunStatus worse_of(io::RunStatus a, io::RunStatus b) {
   return rank(a) < rank(b) ? b : a;
 }
 
+/// "wall_contact, two walls touch"
+std::string end_text(io::RunStatus status, const std::string& reason) {
+  return std::string(io::to_string(status)) + (reason.empty() ? "" : ", " + reason);
+}
+
 void add_notes(ValidationResult& result, const FitRecord& record) {
   if (record.curve_count == 0) {
     result.notes.emplace_back(
@@ -66,16 +71,14 @@ void add_notes(ValidationResult& result, const FitRecord& record) {
     const std::string& name = comparison.load_case().name;
     const meshes::CurveProvenance& provenance = comparison.curve.provenance;
     if (provenance.status != io::RunStatus::completed) {
-      result.notes.push_back(name + ": finite elements ended early (" + std::string(io::to_string(provenance.status)) +
-                             (provenance.reason.empty() ? "" : ", " + provenance.reason) +
+      result.notes.push_back(name + ": finite elements ended early (" + end_text(provenance.status, provenance.reason) +
                              "): " + std::to_string(comparison.curve.row_count()) + " states are compared");
     }
     if (comparison.response.status == io::RunStatus::completed) continue;
     result.status = worse_of(result.status, comparison.response.status);
     result.notes.push_back(name + ": the surrogate ends after " + std::to_string(comparison.response.values.front().size()) +
                            " of " + std::to_string(comparison.curve.row_count()) + " states (" +
-                           std::string(io::to_string(comparison.response.status)) +
-                           (comparison.response.reason.empty() ? "" : ", " + comparison.response.reason) + ")");
+                           end_text(comparison.response.status, comparison.response.reason) + ")");
   }
 }
 
