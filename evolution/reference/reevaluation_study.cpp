@@ -339,7 +339,10 @@ ReevaluationStudy read_reevaluation_study(const ReevaluationRequest& request, co
   if (uses_elements(search)) study.elements = elements_of_search(search);
   io::read_described(table, study);
   if (study.search.physics.surrogate) study.search.physics.surrogate->level = study.level;
-  uses_elements(search) ? require_silicone_of_search(study) : require_calibrated_silicone(study);
+  const auto require_silicone = [&] {
+    uses_elements(search) ? require_silicone_of_search(study) : require_calibrated_silicone(study);
+  };
+  table.has("silicone") ? table.reading("silicone", require_silicone) : require_silicone();
   require_enough_periods(study);
   return study;
 }

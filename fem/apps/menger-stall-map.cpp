@@ -78,20 +78,18 @@ std::optional<std::vector<fem::StallTravel>> walk(const Arguments& arguments, co
                              .progress = [&](std::size_t done) { progress.update(static_cast<double>(done)); }});
 }
 
-/// Writes the results.
-/// @return whether the run finished without being stopped by the user
-bool write(const Arguments& arguments, const fem::StallMapStudy& study, const fem::StallMap& map) {
+/// Writes the results. @param travels the walks; empty if the user stopped them
+void write(const Arguments& arguments, const fem::StallMapStudy& study, const fem::StallMap& map,
+           const std::optional<std::vector<fem::StallTravel>>& travels) {
   fem::stall_map_table(study, map).write(arguments.folder / "stall_map.csv");
-  if (map.status != io::RunStatus::completed) return false;
+  if (map.status != io::RunStatus::completed) return;
   fem::isobars_table(study, map).write(arguments.folder / "isobars.csv");
-  const auto travels = walk(arguments, study, map);
   if (travels && study.walker) fem::travel_table(map, *travels).write(arguments.folder / "travel.csv");
   if (!arguments.no_pictures) {
     const io::PictureOutcome picture =
         fem::draw_stall_map(arguments.folder / "stall_map.png", study, map, travels.value_or(std::vector<fem::StallTravel>{}));
     if (!picture.written) std::cout << "  no picture: " << picture.missing << '\n';
   }
-  return travels.has_value();
 }
 
 int run(int argc, const char* const* argv) {
@@ -102,17 +100,20 @@ int run(int argc, const char* const* argv) {
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
   io::require_writable_folder(arguments.folder);
   const io::RunFolder folder("menger-stall-map", arguments.folder);
-  folder.remove({"stall_map.csv", "isobars.csv", "travel.csv", "stall_map.png", "manifest.json"});
 
   auto progress = std::make_unique<io::Progress>(arguments.study.stem().string(), 1.0);
   const fem::StallMap map = fem::stall_map(study, &io::interrupted(), [&](double part) { progress->update(part); });
   progress.reset();
-  const bool is_whole = write(arguments, study, map);
+  std::optional<std::vector<fem::StallTravel>> travels;
+  if (map.status == io::RunStatus::completed) travels = walk(arguments, study, map);
+  // Only now, since walks may still find that the study is wrong: results of an earlier run stay then.
+  folder.remove({"stall_map.csv", "isobars.csv", "travel.csv", "stall_map.png", "manifest.json"});
+  write(arguments, study, map, travels);
   folder.finish(io::described_text(study), study.inputs);
   print(study, map, folder.seconds());
-  if (!is_whole) std::cout << "Stopped. Finished runs are kept. Run the same command again to resume.\n";
+  if (!travels) std::cout << "Stopped. Finished runs are kept. Run the same command again to resume.\n";
   std::cout << "results in " << arguments.folder.string() << '\n' << std::flush;
-  return is_whole ? io::exit_code::done : io::exit_code::interrupted;
+  return travels ? io::exit_code::done : io::exit_code::interrupted;
 }
 
 }  // namespace

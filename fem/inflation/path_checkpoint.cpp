@@ -9,6 +9,7 @@
 #include "fem/space/rank_agreement.h"
 #include "io/process/checkpoint_file.h"
 #include "io/text/input_error.h"
+#include "io/text/run_status_words.h"
 
 namespace menger::fem {
 namespace {
@@ -143,7 +144,7 @@ void transfer(Transfer& stream, Value& value) {
   } else if constexpr (std::is_same_v<Plain, io::RunStatus>) {
     auto number = static_cast<int>(value);
     stream(number);
-    if constexpr (!std::is_const_v<Value>) value = static_cast<io::RunStatus>(number);
+    if constexpr (!std::is_const_v<Value>) value = io::run_status_of(number);
   } else if constexpr (std::is_same_v<Plain, PointObservation>) {
     for (auto& component : value.displacement_m) stream(component);
     stream(value.largest_stretch);

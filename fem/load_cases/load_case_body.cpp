@@ -57,13 +57,6 @@ meshes::HexahedralMesh make_mesh(const LoadCase& load_case, const LoadCaseElemen
   return mesh;
 }
 
-/// Returns the corner of the mesh nearest to a point.
-Point nearest_corner(const meshes::HexahedralMesh& mesh, const Point& point) {
-  return *std::min_element(mesh.points.begin(), mesh.points.end(), [&](const Point& a, const Point& b) {
-    return norm(difference(a, point)) < norm(difference(b, point));
-  });
-}
-
 }  // namespace
 
 LoadCaseBody::LoadCaseBody(const LoadCase& load_case, const StudyMaterial& material, const LoadCaseElements& elements,
@@ -88,12 +81,9 @@ LoadCaseBody::LoadCaseBody(const LoadCase& load_case, const StudyMaterial& mater
   space_ = make_space(mesh, elements.space_degree(), 0, communicator);
   equilibrium_ = std::make_unique<Equilibrium>(space_, body_, EquilibriumOptions{});
   ends_ = std::make_unique<BodyEnds>(space_, low_, high_);
-  const Point top{0.5 * (low_[0] + high_[0]), 0.5 * (low_[1] + high_[1]), high_[2]};
-  try {
-    top_ = locate_points(space_, {{"top centre", top}});
-  } catch (const io::InputError&) {  // the point is not in the body
-    top_ = locate_points(space_, {{"top centre", nearest_corner(mesh, top)}});
-  }
+  std::vector<NamedPoint> top;
+  for (const Point& cells : top_of(load_case).points) top.push_back({"top centre", scaled(load_case.cell_edge_m, cells)});
+  top_ = locate_points(space_, top);
   add_soles();
   rest_volume_m3_ = equilibrium_->plenum_volumes(equilibrium_->totals(equilibrium_->rest())).front();
 }
@@ -194,22 +184,28 @@ PathDrives LoadCaseBody::impose(double value) const {
 }
 
 Point LoadCaseBody::top_displacement_m(const BodyState& state) const {
-  const LocatedPoint& point = top_.front();
-  Point displacement_m{};
-  for (std::size_t n = 0; n < point.nodes.size(); ++n) {
-    for (std::size_t i = 0; i < 3; ++i)
-      displacement_m[i] += point.weights[n] * state.displacements_m[3 * static_cast<std::size_t>(point.nodes[n]) + i];
+  std::vector<PointObservation> top;
+  for (const LocatedPoint& point : top_) {
+    Point displacement_m{};
+    for (std::size_t n = 0; n < point.nodes.size(); ++n) {
+      for (std::size_t i = 0; i < 3; ++i)
+        displacement_m[i] += point.weights[n] * state.displacements_m[3 * static_cast<std::size_t>(point.nodes[n]) + i];
+    }
+    MPI_Bcast(displacement_m.data(), 3, MPI_DOUBLE, point.rank, space_.communicator);
+    top.push_back({.displacement_m = displacement_m});
   }
-  MPI_Bcast(displacement_m.data(), 3, MPI_DOUBLE, point.rank, space_.communicator);
-  std::vector<PointObservation> top{{.displacement_m = displacement_m}};
   if (body_.thin_walls) add_wall_rises(equilibrium_->assembly(), top_, state, top);
-  return top.front().displacement_m;
+  Point mean{};
+  for (const PointObservation& point : top) mean = sum(mean, scaled(1.0 / static_cast<double>(top.size()), point.displacement_m));
+  return mean;
 }
 
 double LoadCaseBody::top_rise_m(const BodyState& state) const {
   const Point& bottom = ends_->at_rest()[2][0];
   const meshes::EndPoints ends = ends_->deformed(state.displacements_m);
-  const Point at_rest = difference(top_.front().point.position, bottom);
+  Point top{};
+  for (const LocatedPoint& located : top_) top = sum(top, scaled(1.0 / static_cast<double>(top_.size()), located.point.position));
+  const Point at_rest = difference(top, bottom);
   const Point moved = sum(at_rest, difference(top_displacement_m(state), difference(ends[2][0], bottom)));
   const auto height = [&](const meshes::EndPoints& present, const Point& offset) {
     const auto R = meshes::rotation_of_body(ends_->at_rest(), present);

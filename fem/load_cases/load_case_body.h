@@ -40,8 +40,8 @@ class LoadCaseBody {
   void add_grips(const meshes::HexahedralMesh& mesh);
   void add_soles();
   [[nodiscard]] Point top_displacement_m(const BodyState& state) const;
-  /// Returns how much the height of the top centre over the mean of the bottom faces has grown, after the rotation of the body is
-  /// removed.
+  /// Returns how much the height of the top (the mean of its points) over the mean of the bottom faces has grown, after the
+  /// rotation of the body is removed.
   [[nodiscard]] double top_rise_m(const BodyState& state) const;
 
   meshes::LoadCase load_case_;
@@ -51,8 +51,8 @@ class LoadCaseBody {
   Space space_;
   std::unique_ptr<Equilibrium> equilibrium_;
   std::unique_ptr<BodyEnds> ends_;
-  std::vector<LocatedPoint> top_;
-  std::vector<FaceMean> soles_;  ///< of the feet, where response_columns asks for them
+  std::vector<LocatedPoint> top_;  ///< see meshes::top_of
+  std::vector<FaceMean> soles_;    ///< of the feet, where response_columns asks for them
   double rest_volume_m3_ = 0.0;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fem/inflation/inflation_study.h"
+#include "meshes/load_cases/body_top.h"
 #include "meshes/load_cases/load_case.h"
 
 namespace menger::fem {
@@ -16,9 +17,9 @@ struct LoadCaseElements {
   ElementChoice choice{.kind = ElementKind::three_field};
   int degree = 2;        ///< 1: Q1/P0, 2: Q2/P1; of three-field elements, as are the next three; see space_degree
   int through_wall = 1;  ///< elements, at least
-  /// Edge up to which elements grow away from walls; empty: as in the wall.
+  /// Edge up to which elements grow away from walls; empty: see meant_elements.
   std::optional<double> largest_element_m{};
-  double growth = 1.5;  ///< largest ratio of neighbouring edges
+  double growth = 4.0;  ///< largest ratio of neighbouring edges
 
   [[nodiscard]] bool has_thin_walls() const { return choice.kind == ElementKind::thin_wall; }
   /// Degree of the displacements.
@@ -50,6 +51,14 @@ struct CaseRequest {
   LoadCaseElements elements;
   std::optional<std::filesystem::path> design_file;  ///< file of the body, if there is one
 };
+
+/// Returns the elements of a case as its study means them where it names no largest edge. Quadratic elements with one through the
+/// wall may then grow to the span between two walls, where that takes as many elements as equal ones: small ones at the walls,
+/// where the shape bends, and a large one in the middle. Other elements stay as in the wall.
+LoadCaseElements meant_elements(const CaseRequest& request);
+
+/// Where the height of the top of a case's body is measured.
+meshes::BodyTop top_of(const meshes::LoadCase& load_case);
 
 /// The part of the limit pressure up to which bodies are driven.
 inline constexpr double safe_share = 0.8;

@@ -41,9 +41,14 @@ void describe(io::StudyVisitor& visitor, LoadCaseElements& elements, std::string
   visitor.only_if(!elements.has_thin_walls(), condition, [&] {
     visitor.integer({"degree", "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1."}, elements.degree, io::within(1, 2));
     visitor.integer({"through_wall", "Least number of elements through a wall."}, elements.through_wall, io::within(1, 100));
-    visitor.optional_number({"largest_element_m", "Edge that elements may grow to away from walls.", "0.005"},
-                            elements.largest_element_m, io::positive());
-    visitor.number({"growth", "Largest ratio of neighbouring edges while they grow."}, elements.growth, io::at_least(1.0));
+    visitor.optional_number(
+        {"largest_element_m",
+         "Edge that elements may grow to away from walls. If it is not given: with degree = 2 and through_wall = 1 the span "
+         "between two walls, where that takes no fewer elements; otherwise the edge in the wall.",
+         "0.005"},
+        elements.largest_element_m, io::positive());
+    visitor.number({"growth", "Largest ratio of neighbouring edges while they grow; 1: all are equal."}, elements.growth,
+                   io::at_least(1.0));
   });
 }
 
@@ -191,6 +196,7 @@ LoadCaseStudy read_load_case_study(const fs::path& file) {
   for (const CaseRequest& request : study.cases) {
     if (request.design_file) io::note_input(study.inputs, *request.design_file);
   }
+  for (CaseRequest& request : study.cases) request.elements = meant_elements(request);
   study.notes = study.material.notes;
   return study;
 }

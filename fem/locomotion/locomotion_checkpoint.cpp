@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "io/process/checkpoint_file.h"
+#include "io/text/input_error.h"
+#include "io/text/run_status_words.h"
 #include "io/text/version.h"
 
 namespace menger::fem {
@@ -245,7 +247,7 @@ WalkProgress progress_from(std::string_view bytes) {
   WalkProgress progress{.state = state_from(json.at(0)), .records = {}, .outcome = {}, .seconds = json.at(3).get<double>()};
   for (const Json& record : json.at(1)) progress.records.push_back(record_from(record));
   if (const Json& end = json.at(2); !end.is_null())
-    progress.outcome = {static_cast<io::RunStatus>(end.at(0).get<int>()), end.at(1).get<std::string>()};
+    progress.outcome = {io::run_status_of(end.at(0).get<int>()), end.at(1).get<std::string>()};
   return progress;
 }
 
@@ -269,6 +271,8 @@ std::optional<WalkProgress> read_locomotion_checkpoint(const std::filesystem::pa
     return progress_from(*content);
   } catch (const Json::exception&) {  // the content is undamaged, but another build arranged it differently
     throw checkpoint.error("is of another build of menger");
+  } catch (const io::InputError& error) {
+    throw checkpoint.error(error.what());
   }
 }
 

@@ -37,9 +37,21 @@ std::filesystem::path lock_of(const std::filesystem::path& target) {
   return error ? target.string() + ".lock" : real.string() + ".lock";
 }
 
+/// Refuses a file with several names (hard links). Each name would have a lock of its own, so that two processes could write to
+/// the file at once; SQLite, too, keeps its journal beside the name.
+void require_one_name(const std::filesystem::path& target) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(target, error)) return;
+  const auto names = std::filesystem::hard_link_count(target, error);
+  if (error || names <= 1) return;
+  throw InputError(target.string() + ": has " + std::to_string(names) +
+                   " names (hard links), through which two processes could write to it: give the run a copy (cp)");
+}
+
 }  // namespace
 
 FileLock::FileLock(const std::filesystem::path& target) : file_(lock_of(target)) {
+  require_one_name(target);
   while (true) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // NOLINT(cppcoreguidelines-pro-type-vararg)
     if (descriptor_ < 0) {

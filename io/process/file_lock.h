@@ -11,7 +11,8 @@ namespace menger::io {
 /// locks as soon as any descriptor of the database is closed.
 class FileLock {
  public:
-  /// @throws InputError if another process holds the lock or the lock file cannot be created
+  /// @throws InputError if another process holds the lock, the lock file cannot be created or the target is a file with several
+  ///     names (hard links)
   explicit FileLock(const std::filesystem::path& target);
   ~FileLock();
   FileLock(FileLock&& other) noexcept;

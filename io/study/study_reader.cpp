@@ -1,6 +1,9 @@
 #include "io/study/study_reader.h"
 
+#include <array>
 #include <utility>
+
+#include "io/study/magnitude.h"
 
 namespace menger::io {
 namespace {
@@ -47,7 +50,17 @@ std::vector<std::int64_t> read_integers(const TomlTable& table, const StudyEntry
 std::vector<double> read_numbers(const TomlTable& table, const StudyEntry& entry) {
   std::vector<double> values = table.numbers(entry.key.name, entry.range);
   check_count(table, entry, "numbers", values.size());
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    if (const std::string fault = fault_of_magnitude(entry, values[n]); !fault.empty())
+      throw table.error(entry.key.name, fault, std::array{n});
+  }
   return values;
+}
+
+double read_number(const TomlTable& table, const StudyEntry& entry) {
+  const double value = table.number(entry.key.name, entry.range);
+  if (const std::string fault = fault_of_magnitude(entry, value); !fault.empty()) throw table.error(entry.key.name, fault);
+  return value;
 }
 
 std::vector<std::string> read_texts(const TomlTable& table, const StudyEntry& entry) {
@@ -82,7 +95,7 @@ StudyValue read_study_value(const TomlTable& table, const StudyEntry& entry) {
     case ValueKind::integer:
       return entry.words.empty() ? StudyValue(read_integer(table, entry)) : read_integer_or_word(table, entry);
     case ValueKind::number:
-      return table.number(name, entry.range);
+      return read_number(table, entry);
     case ValueKind::text:
       return read_text(table, entry);
     case ValueKind::path:

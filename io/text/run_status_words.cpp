@@ -18,6 +18,13 @@ const Words<RunStatus>& run_status_words() {
   return words;
 }
 
+RunStatus run_status_of(int number) {
+  const Words<RunStatus>& words = run_status_words();
+  const auto found = std::ranges::find_if(words, [&](const auto& known) { return static_cast<int>(known.second) == number; });
+  if (found == words.end()) throw InputError(std::to_string(number) + " is not the number of a status of a run");
+  return found->second;
+}
+
 RunStatus run_status_of(std::string_view word) {
   const Words<RunStatus>& words = run_status_words();
   const auto found = std::ranges::find(words, word, &std::pair<std::string_view, RunStatus>::first);

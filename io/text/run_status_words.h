@@ -10,6 +10,9 @@ namespace menger::io {
 /// Returns all statuses with their words in files.
 const Words<RunStatus>& run_status_words();
 
+/// Returns the status of a number, as checkpoints hold it. @throws InputError if there is no such status
+RunStatus run_status_of(int number);
+
 /// Returns the status for a word. @throws InputError if there is no such status
 RunStatus run_status_of(std::string_view word);
 

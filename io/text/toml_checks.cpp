@@ -10,8 +10,6 @@
 
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
-#include "io/text/toml_document.h"
-#include "io/text/whole_file.h"
 
 namespace menger::io {
 namespace {
@@ -132,9 +130,7 @@ void require_shallow_toml(std::string_view text, const std::filesystem::path& fi
   }
 }
 
-void require_finite_numbers(const std::filesystem::path& file) {
-  const std::string text = read_whole(file);
-  static_cast<void>(parse_toml(text, file));  // tells what is no TOML
+void require_finite_numbers(std::string_view text, const std::filesystem::path& file) {
   require_finite(file, toml::parse(text, file.string()), "");
 }
 

@@ -11,9 +11,10 @@ namespace menger::io {
 /// @throws InputError with file and line
 void require_shallow_toml(std::string_view text, const std::filesystem::path& file);
 
-/// Checks every number of a TOML file, also in tables that nothing else reads.
-/// @throws InputError with file, line, key and value for the first that is infinite or not a number, and if the file cannot be
-/// read or is not TOML
-void require_finite_numbers(const std::filesystem::path& file);
+/// Checks every number of a TOML text, also in tables that nothing else reads.
+/// @param text that parse_toml accepts
+/// @param file source of the text, for the message
+/// @throws InputError with file, line, key and value for the first that is infinite or not a number
+void require_finite_numbers(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace menger::io

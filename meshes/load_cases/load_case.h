@@ -77,7 +77,7 @@ int longest_side_modules(int longest_side_cells, int level);
 /// - volume_change: volume of all chambers divided by their volume at rest, minus 1
 /// - extent_x_m, extent_y_m, extent_z_m: growth of the distance between the mean positions of the two end faces of an axis (mean
 ///   over the area of the faces that, at rest, lie in the planes of the bounding box)
-/// - top_m: growth of the height of the middle of the body's top face ("top centre") above the mean of the bottom faces
+/// - top_m: growth of the height of the middle of the top (meshes/load_cases/body_top.h) above the mean of the bottom faces
 /// - tip_m: mean displacement of the tip faces along z (sag)
 /// - frequency_1_Hz ... frequency_3_Hz (modes), ascending
 ///

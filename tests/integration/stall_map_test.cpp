@@ -67,6 +67,18 @@ TEST_F(StallMapProgram, BadInputLeavesResultsAlone) {
   EXPECT_EQ(io::read_whole(folder_ / "out/stall_map.csv"), first);
 }
 
+TEST_F(StallMapProgram, ARobotThatCannotWalkLeavesResultsAlone) {
+  ASSERT_EQ(run({"study.toml", "-o", "out", "--no-pictures"}).code, 0);
+  const std::string first = io::read_whole(folder_ / "out/stall_map.csv");
+  io::write_whole(folder_ / "leg.toml", "name = 'leg'\ncell_edge_m = 0.5\nlayers = [['100','000','000'],['111','000','000']]\n");
+  write_study("[travel]\ndesign = {file = 'leg.toml'}\nparameters = '" MENGER_PARAMETERS
+              "'\nperiods = 2\nevery_resistance = 2\nevery_stroke = 4\n");
+  const Outcome outcome = run({"study.toml", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_EQ(io::read_whole(folder_ / "out/stall_map.csv"), first);
+  EXPECT_TRUE(fs::exists(folder_ / "out/isobars.csv"));
+}
+
 TEST_F(StallMapProgram, RunsItsTemplate) {
   const Outcome outcome = run({"--template"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -11,6 +11,7 @@
 #include "io/text/range.h"
 #include "io/text/toml_checks.h"
 #include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
 #include "meshes/design/hollow_body_file.h"
 
 namespace menger::voxel {
@@ -197,17 +198,17 @@ void describe(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
 std::string surrogate_text(const SurrogateParameters& parameters) { return io::described_text(parameters); }
 
 SurrogateParameters read_surrogate(const std::filesystem::path& file) {
-  const io::TomlTable top = io::read_toml(file);
+  const std::string text = io::read_whole(file);
+  const io::TomlTable top = io::parse_toml(text, file);
   SurrogateParameters parameters;
   io::StudyReader reader(top, io::StudyReader::EarlierNames::read);
   describe(reader, parameters);
   leave_unread(top, "fit");
   top.finish();
-  // Only status and intervals of the report matter. It is read separately so that its other keys are not refused; but a number
-  // that is none, anywhere in it, tells of a fit that failed.
-  io::require_finite_numbers(file);
-  const io::TomlTable again = io::read_toml(file);
-  if (const auto fit = again.optional_table("fit")) {
+  // Only status and intervals of the report matter, and its other keys are not refused. But a number that is none, anywhere in
+  // it, tells of a fit that failed.
+  io::require_finite_numbers(text, file);
+  if (const auto fit = top.unasked().optional_table("fit")) {
     check_intervals(*fit);
     const std::string status = fit->text_or("status", "completed");
     if (status != "completed") throw fit->error("status", "the calibration did not complete: do not use its parameters");

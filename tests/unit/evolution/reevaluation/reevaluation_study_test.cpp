@@ -353,6 +353,8 @@ TEST_F(ReevaluationStudyTest, WrongInputIsNamed) {
   EXPECT_NE(refusal("[time]\nrecord_interval_s = 0.02\nframe_interval_s = 0.03\n").find("frame_interval_s"), std::string::npos);
   EXPECT_NE(refusal("[ground]\nkinetic_friction = 1.5\n").find("kinetic_friction = 1.5"), std::string::npos);
   EXPECT_NE(refusal("silicone = \"ecoflex_00_30\"\n").find("calibrated for"), std::string::npos);
+  EXPECT_NE(refusal("silicone = \"/\"\n").find("silicone = \"/\": /: cannot be read"), std::string::npos)
+      << refusal("silicone = \"/\"\n");
   EXPECT_NE(message_of([&] { (void)read("", tests::silicone_study(), 0); }).find("--top"), std::string::npos);
 }
 

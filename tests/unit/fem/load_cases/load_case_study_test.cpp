@@ -216,9 +216,29 @@ TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
       "needs density_kg_per_m3");
 }
 
+// Measured against Q2/P1 with two elements through the wall, at 6 kPa, the volume of a cell of 10 mm with 2 mm walls is 9.2 % off
+// with equal elements, and 1.9 % with as many graded ones; that of a bar of three cells 8.9 and 2.6 %.
+TEST_F(LoadCaseStudyFile, GradesQuadraticElementsThatNoKeySays) {
+  const std::string material = "silicone = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n";
+  const auto elements_of = [&](const std::string& elements, const std::string& of_case = "") {
+    return read(material + elements + "[[case]]\nname = \"a\"\nkind = \"inflation\"\n" + bar + of_case).cases.front().elements;
+  };
+  const LoadCaseElements open = elements_of("");
+  ASSERT_TRUE(open.largest_element_m);
+  EXPECT_NEAR(*open.largest_element_m, 0.006, 1e-15);
+  EXPECT_EQ(open.growth, 4.0);
+  EXPECT_NE(elements_text(open).find("largest 0.006"), std::string::npos) << elements_text(open);
+  EXPECT_EQ(elements_of("[elements]\nlargest_element_m = 0.003\n").largest_element_m, 0.003);
+  EXPECT_FALSE(elements_of("[elements]\ndegree = 1\n").largest_element_m);
+  EXPECT_FALSE(elements_of("[elements]\nthrough_wall = 2\n").largest_element_m);
+  EXPECT_FALSE(elements_of("", "wall_thickness_m = 0.001\n").largest_element_m) << "it would take fewer";
+}
+
 TEST(CaseText, TellsApartWhatAnswersDifferentlyAndNothingElse) {
   CaseRequest request;
   request.load_case.kind = LoadCaseKind::stretch;
+  request.load_case.cells = {1, 1, 1};
+  request.load_case.digits = "1";
   request.load_case.cell_edge_m = 0.01;
   request.load_case.wall_thickness_m = 0.002;
   request.load_case.pressures_Pa = {0.0};
@@ -239,6 +259,15 @@ TEST(CaseText, TellsApartWhatAnswersDifferentlyAndNothingElse) {
   others[5].elements.through_wall = 2;
   others[6].elements.largest_element_m = 0.003;
   for (std::size_t n = 0; n < others.size(); ++n) EXPECT_NE(case_text(others[n], material), text) << n;
+  const auto inflation_text = [&](const std::string& digits) {
+    CaseRequest inflation = request;
+    inflation.load_case.kind = LoadCaseKind::inflation;
+    inflation.load_case.cells = {3, 3, 1};
+    inflation.load_case.digits = digits;
+    return case_text(inflation, material);
+  };
+  EXPECT_NE(inflation_text("111101111").find("top beside its open middle"), std::string::npos);
+  EXPECT_EQ(inflation_text("111111111").find("top beside"), std::string::npos) << "curves of earlier versions stay";
   CaseRequest thin = request;
   thin.elements.choice.kind = ElementKind::thin_wall;
   CaseRequest fine = thin;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
 
 #include "io/text/input_error.h"
+#include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::io {
@@ -31,6 +33,24 @@ TEST(FileLock, BelongsToTheFileAndNotToItsName) {
   EXPECT_THROW(FileLock(folder / "link"), InputError);
   EXPECT_THROW(FileLock(folder / "folder/a"), InputError);
   EXPECT_THROW(FileLock(folder / "real/../real/a"), InputError);
+}
+
+TEST(FileLock, RefusesAFileOfSeveralNames) {
+  const tests::TestFolder folder;
+  write_whole(folder / "a", "content");
+  { const FileLock lock(folder / "a"); }
+  fs::create_hard_link(folder / "a", folder / "b");
+  for (const char* name : {"a", "b"}) {
+    try {
+      const FileLock lock(folder / name);
+      ADD_FAILURE() << name << " was locked";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("has 2 names"), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(fs::exists(folder / (std::string(name) + ".lock")));
+  }
+  fs::remove(folder / "b");
+  const FileLock lock(folder / "a");
 }
 
 }  // namespace

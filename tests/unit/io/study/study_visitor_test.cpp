@@ -148,6 +148,21 @@ TEST(StudyReader, NamesFileKeyAndValueOfBadInput) {
   for (const auto& [text, expected] : cases) EXPECT_NE(message(text).find(expected), std::string::npos) << message(text);
 }
 
+TEST(StudyReader, RefusesNumbersThatNoModelBears) {
+  const std::vector<std::array<std::string, 2>> cases{
+      {"size_m = 1e300", "garden.toml:1: size_m = 1e+300: must be at most 1e+06 m in magnitude: no model bears more"},
+      {"size_m = 1e-200", "size_m = 1e-200: must be at least 1e-09 m: no model bears less"},
+      {"size_m = 1\nheight_m = 1e-200", "height_m = 1e-200: must be at least 1e-09 m or 0: no model bears less"},
+      {"size_m = 1\n[soil]\nfrequency_Hz = 1e300", "soil.frequency_Hz = 1e+300: must be at most 1e+09 Hz in magnitude"},
+      {"size_m = 1\nmethod = \"iterative\"\ntolerance = 1e300", "tolerance = 1e+300: must be at most 1e+18 in magnitude"},
+      {"size_m = 1\npressure_Pa = -1e300", "pressure_Pa = -1e+300: must be at most 1e+30 Pa in magnitude"},
+      {"size_m = 1\ncentre_m = [0, 1, -1e7]", "centre_m[3] = -1e+07: must be at most 1e+06 m in magnitude"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_NE(message(text).find(expected), std::string::npos) << message(text);
+  EXPECT_EQ(read("size_m = 1e6\nheight_m = 0\ncentre_m = [1e-300, -1e-300, 0]").centre_m[0], 1e-300)
+      << "of numbers that may be negative, small ones are as good as 0";
+}
+
 TEST(StudyReader, KeepsEveryDigitOfIntegers) {
   struct Seeds {
     std::vector<std::int64_t> seeds;

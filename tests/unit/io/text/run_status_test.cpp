@@ -24,5 +24,11 @@ TEST(RunStatus, IsFoundByItsWord) {
   EXPECT_THROW(run_status_of("done"), InputError);
 }
 
+TEST(RunStatus, IsFoundByItsNumber) {
+  for (const auto& [word, status] : run_status_words()) EXPECT_EQ(run_status_of(static_cast<int>(status)), status) << word;
+  EXPECT_THROW(run_status_of(-1), InputError);
+  EXPECT_THROW(run_status_of(static_cast<int>(run_status_words().size())), InputError);
+}
+
 }  // namespace
 }  // namespace menger::io
