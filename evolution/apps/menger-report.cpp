@@ -64,7 +64,7 @@ int report(Arguments& arguments) {
   for (const fs::path& animation : result.animations) std::cout << "written to " << animation.string() << "\n";
   std::cout << "written to " << result.file.string() << " (" << io::shown(1e-6 * static_cast<double>(result.bytes), 3) << " MB)"
             << std::endl;
-  return io::exit_code::done;
+  return result.stopped ? io::exit_code::interrupted : io::exit_code::done;
 }
 
 }  // namespace

@@ -317,7 +317,7 @@ class BodyMotion {
     adds_displacements_ = is_undeformed(*first, *last);
     chambers_ = chamber_count(*first, surface_);
     body_.name = request_.name;
-    body_.materials = materials_of(*first, surface_, request_.body);
+    if (request_.has_phases) body_.materials = materials_of(*first, surface_, request_.body);
     for (const std::size_t n : chosen)
       add_frame(n == 0 ? *first : *(n == chosen.back() ? last : read_grid(request_.frames[n].file)), request_.frames[n], *first);
     if (body_.pressures_Pa.empty() || body_.pressures_Pa.front().size() != chosen.size())

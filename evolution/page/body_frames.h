@@ -32,6 +32,7 @@ struct BodyRequest {
   std::vector<BodyFrame> frames;
   std::size_t most_bytes = 0;        ///< that surface and positions may take; frames are left out to keep to it
   std::size_t most_frames = 120;     ///< likewise
+  bool has_phases = true;            ///< false: all cells are driven at once, and materials mean nothing
   std::optional<ManifestBody> body;  ///< whose cells give the materials, for files without them
 };
 

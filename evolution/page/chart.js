@@ -37,7 +37,7 @@ function niceStep(span, count) {
 }
 
 // An axis that maps values to pixels: {low, high, ticks, at(value)}.
-function scaleOf(values, logarithmic, pixels, count) {
+function scaleOf(values, logarithmic, pixels, count, tight) {
   let low = Math.min(...values), high = Math.max(...values);
   if (!values.length) { low = logarithmic ? 1 : 0; high = logarithmic ? 10 : 1; }
   if (logarithmic) {
@@ -59,6 +59,7 @@ function scaleOf(values, logarithmic, pixels, count) {
   const step = niceStep(high - low, count);
   const scale = {low: Math.floor(low / step + 1e-9) * step, high: Math.ceil(high / step - 1e-9) * step, ticks: []};
   for (let n = Math.round(scale.low / step); n * step <= scale.high + step * 1e-6; ++n) scale.ticks.push(Number((n * step).toPrecision(12)));
+  if (tight) { scale.low = low; scale.high = high; scale.ticks = scale.ticks.filter((t) => t >= low - 1e-9 * step && t <= high + 1e-9 * step); }
   scale.at = (value) => pixels[0] + (value - scale.low) / (scale.high - scale.low) * (pixels[1] - pixels[0]);
   return scale;
 }
@@ -103,7 +104,7 @@ function drawPlot(chart, picture, width) {
   if (chart.diagonal && xs.length) { const all = [Math.min(...xs, ...ys), Math.max(...xs, ...ys)]; if (chart.equal) { xs.push(...all); ys.push(...all); } }
   if (!chart.y.log && ys.length && Math.min(...ys) > 0 && Math.min(...ys) < 0.35 * Math.max(...ys)) ys.push(0);
   const left = 58, right = 14, top = 24, bottom = 42;
-  let height = Math.max(230, Math.min(340, width * 0.62));
+  const height = chart.equal ? Math.max(260, Math.min(430, width * 0.75)) : Math.max(230, Math.min(340, width * 0.62));
   if (chart.equal && xs.length) {
     // One unit has the same length on both axes: the shorter one is widened.
     const middle = (values) => 0.5 * (Math.min(...values) + Math.max(...values));
@@ -115,7 +116,8 @@ function drawPlot(chart, picture, width) {
   }
   picture.setAttribute('viewBox', `0 0 ${width} ${height}`);
   picture.setAttribute('height', height);
-  const x = scaleOf(xs, chart.x.log, [left, width - right], width / 80);
+  const tight = chart.series.every((s) => s.marks !== 'points');  // points on the border would be cut
+  const x = scaleOf(xs, chart.x.log, [left, width - right], width / 80, tight);
   const y = scaleOf(ys, chart.y.log, [height - bottom, top], height / 55);
   if (chart.equal) {  // exactly: no rounding of the ends
     const exact = (scale, values, pixels) => {

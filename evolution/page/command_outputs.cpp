@@ -70,6 +70,16 @@ std::string drive_of(const json& drive) {
   return same.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
+/// Whether parameters, or those of the search in them, say that all cells are driven at once.
+bool drives_in_phase(const json& parameters) {
+  for (const char* table : {"design", "surrogate", "body"})
+    if (const json* found = object_of(parameters, table); found != nullptr && text_of(*found, "chambers") == "single")
+      return true;
+  if (const json* drive = object_of(parameters, "drive"); drive != nullptr && text_of(*drive, "mode") == "in_phase") return true;
+  const json* search = object_of(parameters, "search");
+  return search != nullptr && drives_in_phase(*search);
+}
+
 /// Parses JSON; values nested deeper than any manifest are left out, since writing them again could overflow the stack.
 json parsed(const std::string& text) {
   constexpr int deepest = 64;
@@ -160,6 +170,8 @@ std::optional<CommandOutput> read_command_output(const fs::path& manifest) {
       output.body_name = text_of(*design, "name");
       output.body = body_of(*design);
     }
+    output.is_calibrated = object_of(*parameters, "surrogate") != nullptr;
+    output.is_in_phase = drives_in_phase(*parameters);
     if (const json* drive = object_of(*parameters, "drive")) output.drive = drive_of(*drive);
   }
   return output;

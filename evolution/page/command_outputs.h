@@ -30,6 +30,8 @@ struct CommandOutput {
   std::string parameters{};            ///< JSON
   std::string body_name{};             ///< of the design, empty if the parameters name none
   std::optional<ManifestBody> body{};  ///< if the parameters have a design of level 1
+  bool is_calibrated = false;          ///< whether its voxels stand for hollow silicone
+  bool is_in_phase = false;            ///< whether all cells are driven at once: by one chamber, or by a drive in phase
   std::string drive{};                 ///< mode, pressures and frequency of the drive as JSON; empty without one
 };
 

@@ -20,7 +20,7 @@ function drawTable(table, parent) {
   }
   const holder = element('div', {class: 'table', tabindex: '0', role: 'region', 'aria-label': table.title}, null, into);
   const made = element('table', {}, null, holder);
-  const isNumber = table.columns.map((_, n) => table.rows.length > 0 && table.rows.every((row) => row[n] === '' || row[n] === '\u2013' || /^-?[0-9.]+(e[-+]?[0-9]+)?$/.test(row[n])));
+  const isNumber = table.columns.map((_, n) => table.rows.length > 0 && table.rows.every((row) => row[n] === '' || row[n] === '\u2013' || (row[n].length < 13 && /^-?[0-9.]+(e[-+]?[0-9]+)?$/.test(row[n]))));
   const head = element('tr', {}, null, element('thead', {}, null, made));
   table.columns.forEach((column, n) => element('th', {scope: 'col', ...(isNumber[n] ? {class: 'number'} : {})}, column, head));
   const body = element('tbody', {}, null, made);

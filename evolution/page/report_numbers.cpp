@@ -93,13 +93,16 @@ ShownColumn shown_column(const std::string& name) {
 }
 
 std::string shown_cell(const io::CsvContents& table, std::size_t row, const ShownColumn& column) {
+  constexpr std::size_t most_digits = 12;  // more without a point are no count: a body's digits
+  const std::string text = text_in(table, row, column.name);
+  if (text.size() > most_digits && text.find('.') == std::string::npos) return text;
   if (const std::optional<double> value = number_in(table, row, column.name)) {
     const double shown = *value * column.factor;
     // Counts keep all their digits.
     if (shown == std::round(shown) && std::abs(shown) < 1e9) return io::formatted("%.0f", shown);
     return io::shown(shown, 4);
   }
-  return text_in(table, row, column.name);
+  return text;
 }
 
 }  // namespace menger::evolution

@@ -12,6 +12,7 @@
 #include "evolution/page/report_sections.h"
 #include "evolution/page/result_facts.h"
 #include "evolution/page/verdict.h"
+#include "evolution/page/walk_animation.h"
 #include "io/text/input_error.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
@@ -87,6 +88,42 @@ std::string title_of_folder(const fs::path& folder) {
   return "Report: " + (whole.filename().empty() ? folder.string() : whole.filename().string());
 }
 
+/// "walk.gif", "walk_2.gif", ...
+std::string animation_name(std::size_t number) {
+  return number == 0 ? "walk.gif" : "walk_" + std::to_string(number + 1) + ".gif";
+}
+
+/// Draws the walks of the page beside it.
+void animate(const ReportPage& page, const ReportOptions& options, ReportResult& result) {
+  constexpr std::size_t most_names = 16;
+  const fs::path folder = result.file.has_parent_path() ? result.file.parent_path() : fs::path(".");
+  for (std::size_t n = 0; n < most_names; ++n) io::remove_if_there(folder / animation_name(n));  // of an earlier report
+  std::vector<const PageScene*> walks;
+  for (const PageScene& scene : page.scenes)
+    if (scene.ground_m && scene.unit == "s") walks.push_back(&scene);
+  const std::size_t count = std::min({walks.size(), options.most_animations, most_names});
+  if (count < walks.size())
+    result.notes.push_back("of " + std::to_string(walks.size()) + " walks, the first " + std::to_string(count) + " are animated");
+  for (std::size_t n = 0; n < count; ++n) {
+    const fs::path file = folder / animation_name(n);
+    const auto progress = [&](double share) {
+      if (options.progress)
+        options.progress(animation_name(n), 0.5 + 0.5 * (static_cast<double>(n) + share) / static_cast<double>(count));
+    };
+    const AnimationOutcome outcome = write_walk_animation(file, *walks[n], find_ffmpeg(), options.stop, progress);
+    if (outcome.stopped) {
+      result.stopped = true;
+      return;
+    }
+    if (!outcome.written) {
+      result.notes.push_back("no animation of walks: " + outcome.missing);
+      return;
+    }
+    result.animations.push_back(file);
+    result.notes.push_back(animation_name(n) + " shows: " + walks[n]->title);
+  }
+}
+
 }  // namespace
 
 ReportResult write_report(const fs::path& folder, const ReportOptions& options) {
@@ -105,7 +142,7 @@ ReportResult write_report(const fs::path& folder, const ReportOptions& options) 
   page.sections = report_sections(outputs, page.notes);
   tell("read motions", 0.1);
   // In base64 bytes take a third more; the rest is for three.js, tables and pictures.
-  page.scenes = read_scenes(outputs, options.most_bytes / 2, page.notes);
+  page.scenes = read_scenes(outputs, options.most_bytes / 20 * 11, page.notes);
   page.pictures = read_pictures(outputs, options.most_bytes / 5, page.notes);
   if (!options.three.code) page.notes.push_back(options.three.missing);
   std::set<std::string> known;
@@ -117,6 +154,7 @@ ReportResult write_report(const fs::path& folder, const ReportOptions& options) 
   result.verdict = page.verdict;
   result.has_motion = options.three.code && !page.scenes.empty();
   result.notes = page.notes;
+  if (options.most_animations > 0) animate(page, options, result);
   return result;
 }
 

@@ -29,8 +29,9 @@ struct ReportResult {
   Verdict verdict;
   std::size_t outputs = 0;  ///< of commands, that were found
   bool has_motion = false;  ///< whether the page shows bodies that move
-  std::vector<std::filesystem::path> animations;
-  std::vector<std::string> notes;  ///< what could not be shown or made, and why
+  bool stopped = false;     ///< by the user: animations are missing
+  std::vector<std::filesystem::path> animations{};
+  std::vector<std::string> notes{};  ///< what could not be shown or made, and why
 };
 
 /// Writes a page on all that commands of menger left in a folder and its sub-folders: report.html, whole or not at all, and an

@@ -31,6 +31,7 @@ struct ScenePlan {
     std::string name;
     fs::path collection;
     int part = 0;
+    bool has_phases = true;
     std::optional<ManifestBody> body;
     fs::path trajectory{};  ///< the table of the centre of mass; empty if there is none
   };
@@ -49,8 +50,11 @@ bool walks(const CommandOutput& output, const char* command) {
 
 ScenePlan::Part walking(const CommandOutput& output) {
   const bool on_elements = command_of(output) == "locomote";
-  return {.name = on_elements ? "finite elements" : "voxels",
+  return {.name = on_elements            ? "finite elements"
+                  : output.is_calibrated ? "surrogate"
+                                         : "voxels",
           .collection = output.folder / "frames.pvd",
+          .has_phases = !output.is_in_phase,
           .body = output.body,
           .trajectory = output.folder / "trajectory.csv"};
 }
@@ -65,7 +69,7 @@ void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan
     });
     if (other == outputs.end()) continue;
     paired.insert(paired.end(), {&elements, &*other});
-    plans.push_back({.scene = {.title = "Walk of " + title_of(elements) + ": finite elements and voxels",
+    plans.push_back({.scene = {.title = "Walk of " + title_of(elements) + ": finite elements and " + walking(*other).name,
                                .source = source_of(elements, "frames.pvd") + ", " + source_of(*other, "frames.pvd")},
                      .parts = {walking(elements), walking(*other)},
                      .apart = true,
@@ -87,11 +91,17 @@ void plan_reevaluations(const std::vector<CommandOutput>& outputs, std::vector<S
   for (const CommandOutput& output : outputs) {
     const fs::path both = output.folder / "winner" / "both.pvd";
     if (command_of(output) != "reevaluate" || !is_file(both)) continue;
-    plans.push_back({.scene = {.title = "Winner of the re-evaluation: finite elements and the model of the search",
-                               .source = source_of(output, "winner/both.pvd")},
-                     .parts = {{.name = "finite elements", .collection = both, .part = 0, .body = std::nullopt},
-                               {.name = "model of the search", .collection = both, .part = 1, .body = std::nullopt}},
-                     .on_ground = true});
+    plans.push_back(
+        {.scene = {.title = "Winner of the re-evaluation: finite elements and the model of the search",
+                   .source = source_of(output, "winner/both.pvd")},
+         .parts =
+             {{.name = "finite elements", .collection = both, .part = 0, .has_phases = !output.is_in_phase, .body = std::nullopt},
+              {.name = "model of the search",
+               .collection = both,
+               .part = 1,
+               .has_phases = !output.is_in_phase,
+               .body = std::nullopt}},
+         .on_ground = true});
   }
 }
 
@@ -99,11 +109,12 @@ void plan_inflations(const std::vector<CommandOutput>& outputs, std::vector<Scen
   for (const CommandOutput& output : outputs) {
     const fs::path fields = output.folder / "fields.pvd";
     if (command_of(output) != "inflate" || !is_file(fields)) continue;
-    plans.push_back({.scene = {.title = "Inflation of " + title_of(output),
-                               .source = source_of(output, "fields.pvd"),
-                               .clock = "path parameter",
-                               .unit = ""},
-                     .parts = {{.name = "finite elements", .collection = fields, .body = output.body}}});
+    plans.push_back(
+        {.scene = {.title = "Inflation of " + title_of(output),
+                   .source = source_of(output, "fields.pvd"),
+                   .clock = "path parameter",
+                   .unit = ""},
+         .parts = {{.name = "finite elements", .collection = fields, .has_phases = !output.is_in_phase, .body = output.body}}});
   }
 }
 
@@ -175,6 +186,13 @@ void move_apart(std::vector<PageBody>& bodies) {
   }
 }
 
+std::size_t bytes_of(const PageScene& scene) {
+  std::size_t bytes = 0;
+  for (const PageBody& body : scene.bodies)
+    bytes += sizeof(std::int16_t) * body.positions.size() + sizeof(body.faces.front()) * body.faces.size();
+  return bytes;
+}
+
 std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes, std::vector<std::string>& notes) {
   PageScene scene = plan.scene;
   for (const ScenePlan::Part& part : plan.parts) {
@@ -182,8 +200,15 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
       const std::vector<BodyFrames> bodies = read_body_frames(part.collection);
       const auto found = std::ranges::find(bodies, part.part, &BodyFrames::part);
       if (found == bodies.end()) continue;
-      PageBody body = read_page_body(
-          {.name = part.name, .frames = found->frames, .most_bytes = most_bytes / plan.parts.size(), .body = part.body});
+      PageBody body = read_page_body({.name = part.name,
+                                      .frames = found->frames,
+                                      .most_bytes = most_bytes / plan.parts.size(),
+                                      .has_phases = part.has_phases,
+                                      .body = part.body});
+      if (body.times.size() < found->frames.size()) {
+        scene.note = std::to_string(body.times.size()) + " of " + std::to_string(found->frames.size()) +
+                     " frames are shown; between them the motion is a guess along straight lines.";
+      }
       if (!part.trajectory.empty()) body.travelled_m = travelled_m(part.trajectory, body.times);
       scene.bodies.push_back(std::move(body));
     } catch (const io::InputError& error) {
@@ -215,8 +240,14 @@ std::vector<PageScene> read_scenes(const std::vector<CommandOutput>& outputs, st
     plans.resize(most_scenes);
   }
   std::vector<PageScene> scenes;
-  for (const ScenePlan& plan : plans)
-    if (std::optional<PageScene> scene = scene_of(plan, most_bytes / plans.size(), notes)) scenes.push_back(std::move(*scene));
+  std::size_t left = most_bytes;
+  for (std::size_t n = 0; n < plans.size(); ++n) {
+    // What small scenes do not need, large ones may have.
+    std::optional<PageScene> scene = scene_of(plans[n], left / (plans.size() - n), notes);
+    if (!scene) continue;
+    left -= std::min(left, bytes_of(*scene));
+    scenes.push_back(std::move(*scene));
+  }
   return scenes;
 }
 

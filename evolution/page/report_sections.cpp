@@ -37,7 +37,7 @@ std::string file_of(const CommandOutput& output, const std::string& file) {
 
 std::string heading_of(const CommandOutput& output) {
   if (output.body_name.empty()) return output.name.empty() ? command_of(output) : output.name;
-  return output.body_name + (output.name.empty() ? "" : " (" + output.name + ")");
+  return output.body_name + (output.name.empty() || output.name == output.body_name ? "" : " (" + output.name + ")");
 }
 
 std::vector<std::string> ending_with(const io::CsvContents& table, std::string_view ending) {
@@ -102,7 +102,10 @@ bool is_walk(const CommandOutput& output) {
   return (command_of(output) == "locomote" || command_of(output) == "simulate") && has_file(output, "trajectory.csv");
 }
 
-std::string model_of(const CommandOutput& output) { return command_of(output) == "locomote" ? "finite elements" : "voxels"; }
+std::string model_of(const CommandOutput& output) {
+  if (command_of(output) == "locomote") return "finite elements";
+  return output.is_calibrated ? "surrogate" : "voxels";
+}
 
 /// All walks in one chart of distance over time, one of paths seen from above, and one table.
 PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes) {

@@ -1,7 +1,7 @@
 'use strict';
 // Bodies in 3-D on one clock, drawn by three.js. Needs element() and shown() of chart.js.
 
-const ramp = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];  // viridis
+const ramp = [[244, 240, 220], [161, 218, 180], [65, 182, 196], [44, 127, 184], [37, 52, 148]];  // light to dark, also for the colour-blind
 const plainColours = [[0.80, 0.77, 0.70], [0.56, 0.69, 0.82]];
 const phaseColours = [[0.62, 0.62, 0.62], [0.34, 0.71, 0.91], [0.84, 0.37, 0.0]];
 
@@ -64,6 +64,13 @@ class Body {
   between(values, time) {
     const [n, part] = this.at(time);
     return values.length > n + 1 ? values[n] + part * (values[n + 1] - values[n]) : values[n];
+  }
+
+  // The horizontal displacement of the centre of mass, or where that is not known of the middle of the surface, in m.
+  moved(time) {
+    if (this.travelled.length) return this.between(this.travelled, time);
+    const [n, part] = this.at(time), next = this.centres[Math.min(n + 1, this.centres.length - 1)];
+    return Math.hypot(...[0, 1].map((axis) => this.centres[n][axis] + part * (next[axis] - this.centres[n][axis]) - this.centres[0][axis]));
   }
 
   place(time, into) {
@@ -241,8 +248,8 @@ function drawMotion(data, parent) {
   const world = new THREE.Scene();
   const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -100, 100);
   camera.up.set(0, 0, 1);
-  world.add(new THREE.HemisphereLight(0xffffff, 0x8a8a8a, 0.75));
-  const sun = new THREE.DirectionalLight(0xffffff, 0.5);
+  world.add(new THREE.HemisphereLight(0xffffff, 0xb8b8b8, 0.85));
+  const sun = new THREE.DirectionalLight(0xffffff, 0.38);
   world.add(sun);
 
   const state = {scene: null, bodies: [], ways: [], way: null, from: 0, to: 1, time: 0, playing: false, last: 0, view: null, fit: null, extras: [], trails: [], labels: [], dirty: false};
@@ -315,7 +322,7 @@ function drawMotion(data, parent) {
     const pressed = state.bodies.find((b) => b.pressures.length);
     if (pressed) parts.push('pressure ' + pressed.pressures.map((p) => `${(pressed.between(p, state.time) / 1000).toFixed(2)} kPa`).slice(0, 4).join(', '));
     readoutTime.textContent = parts.join(' \u00b7 ');
-    readoutMoved.textContent = state.bodies.filter((b) => b.travelled.length).map((b) => `${b.name}: centre moved ${(1000 * b.between(b.travelled, state.time)).toFixed(1)} mm`).join(' \u00b7 ');
+    readoutMoved.textContent = scene.ground === null ? '' : state.bodies.map((b) => `${b.name}: ${b.travelled.length ? 'centre of mass' : 'middle'} moved ${(1000 * b.moved(state.time)).toFixed(1)} mm`).join(' \u00b7 ');
     slider.setAttribute('aria-valuetext', readoutTime.textContent);
   }
 

@@ -19,8 +19,15 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// "0.8 body lengths a minute"
-std::string speed_text(double per_minute) { return io::shown(per_minute, 2) + " body lengths a minute"; }
+/// A line of a program as a sentence.
+std::string sentence_of(std::string line) {
+  if (!line.empty() && line.front() >= 'a' && line.front() <= 'z') line.front() = static_cast<char>(line.front() - 'a' + 'A');
+  return line + ".";
+}
+
+/// "0.8", and "0.8 body lengths a minute"
+std::string speed_number(double per_minute) { return io::shown(per_minute, per_minute < 100.0 ? 2 : 3); }
+std::string speed_text(double per_minute) { return speed_number(per_minute) + " body lengths a minute"; }
 
 /// The name of a body before a sentence, where there are several.
 std::string of_body(const std::string& name, bool several) { return several && !name.empty() ? name + ": " : ""; }
@@ -68,7 +75,7 @@ Finding calibration_finding(const CalibrationFacts& facts) {
   text += ".";
   if (facts.status != io::RunStatus::completed) text += " The fit ended early (" + with_reason(facts.status, facts.reason) + ").";
   if (!facts.explained) text += " This is more than the uncertainty of the curves explains: the surrogate differs in shape.";
-  const bool good = facts.status == io::RunStatus::completed && *facts.median_error <= judged_by::good_error;
+  const bool good = facts.explained && facts.status == io::RunStatus::completed && *facts.median_error <= judged_by::good_error;
   return {good ? Tone::good : Tone::caution, text, facts.source};
 }
 
@@ -132,16 +139,16 @@ double angle_between(double a_deg, double b_deg) {
 /// What a comparison of walks in both models says, and what follows for the surrogate.
 struct WalkJudgement {
   Finding finding;
-  bool is_trusted = false;
+  std::optional<Tone> surrogate{};  ///< of the surrogate for this walk; nothing if this cannot be said
 };
 
 WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, bool several) {
   WalkJudgement judged{.finding = {Tone::bad, of_body(elements.name, several), elements.source + ", " + surrogate.source}};
   std::string& text = judged.finding.text;
   const std::string other = surrogate.model == WalkModel::voxels ? "as voxels" : "in the surrogate";
-  const auto conclude = [&](Tone tone, bool trusted, const std::string& words) {
+  const auto conclude = [&](Tone tone, std::optional<Tone> trust, const std::string& words) {
     judged.finding.tone = tone;
-    judged.is_trusted = trusted;
+    judged.surrogate = trust;
     text += words;
     return judged;
   };
@@ -149,28 +156,29 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
   if (!both) {
     text += "One of both models did not complete the walk (finite elements: " + with_reason(elements.status, elements.reason) +
             "; surrogate: " + with_reason(surrogate.status, surrogate.reason) + "): they cannot be compared.";
+    if (elements.per_minute) judged.surrogate = Tone::bad;
     return judged;
   }
-  text += "It walks " + speed_text(*elements.per_minute) + " on finite elements and " + io::shown(*surrogate.per_minute, 2) +
+  text += "It walks " + speed_text(*elements.per_minute) + " on finite elements and " + speed_number(*surrogate.per_minute) +
           " " + other;
   if (goes_nowhere(elements) && goes_nowhere(surrogate))
-    return conclude(Tone::caution, false, ": both go nowhere, so they cannot be compared.");
+    return conclude(Tone::caution, std::nullopt, ": both go nowhere, so they cannot be compared.");
   if (goes_nowhere(elements) || goes_nowhere(surrogate))
-    return conclude(Tone::bad, false,
+    return conclude(Tone::bad, Tone::bad,
                     std::string(": ") + (goes_nowhere(elements) ? "on finite elements" : other) +
                         " it goes nowhere. Do not trust the surrogate for the walk of this body.");
   double angle_deg = 0.0;
   if (elements.direction_deg && surrogate.direction_deg) {
     angle_deg = angle_between(*elements.direction_deg, *surrogate.direction_deg);
     text += angle_deg > judged_by::same_direction_deg ? ", in another direction (" : ", in about the same direction (";
-    text += io::formatted("%.0f", angle_deg) + " degrees apart)";
+    text += io::formatted("%.0f", angle_deg) + (io::formatted("%.0f", angle_deg) == "1" ? " degree apart)" : " degrees apart)");
   }
   const double ratio = *surrogate.per_minute / *elements.per_minute;
   const bool same_speed = ratio <= judged_by::same_speed && ratio >= 1.0 / judged_by::same_speed;
   const bool same_direction = angle_deg <= judged_by::same_direction_deg;
-  if (same_speed && same_direction) return conclude(Tone::good, true, ". Both models agree on this walk.");
-  if (same_direction) return conclude(Tone::caution, false, ". The surrogate tells where this body goes, not how fast.");
-  return conclude(Tone::bad, false, ". Do not trust the surrogate for the walk of this body.");
+  if (same_speed && same_direction) return conclude(Tone::good, Tone::good, ". Both models agree on this walk.");
+  if (same_direction) return conclude(Tone::caution, Tone::caution, ". The surrogate tells where this body goes, not how fast.");
+  return conclude(Tone::bad, Tone::bad, ". Do not trust the surrogate for the walk of this body.");
 }
 
 Finding ranking_finding(const RankingFacts& facts) {
@@ -195,7 +203,7 @@ Finding ranking_finding(const RankingFacts& facts) {
                                       : ": it hardly tells which robot walks better.";
     }
   } else {
-    text = "Too few robots completed in both models (" + of + ") to compare their ranking.";
+    text = "Too few robots completed in both models to compare their ranking: " + of + ".";
   }
   if (facts.within_45_deg && facts.with_direction && *facts.with_direction > 0)
     text += " " + std::to_string(*facts.within_45_deg) + " of " + std::to_string(*facts.with_direction) +
@@ -206,12 +214,14 @@ Finding ranking_finding(const RankingFacts& facts) {
   return {tone, text, facts.source};
 }
 
-Finding search_finding(const SearchFacts& facts) {
+Finding search_finding(const SearchFacts& facts, bool several) {
+  const std::string begin = several ? "Search " + facts.source + ": " : "";
   if (!facts.last_fitness)
-    return {Tone::bad,
-            "The search found no robot with a fitness in " + counted(facts.generations, "generation", "generations") + ".",
-            facts.source};
-  std::string text = "The best robot of the search has a fitness of " + shown_number(facts.last_fitness) + " " + facts.unit +
+    return {
+        Tone::bad,
+        begin + "The search found no robot with a fitness in " + counted(facts.generations, "generation", "generations") + ".",
+        facts.source};
+  std::string text = begin + "The best robot has a fitness of " + shown_number(facts.last_fitness) + " " + facts.unit +
                      " after " + counted(facts.generations, "generation", "generations");
   if (facts.first_fitness) text += "; the best of the first had " + shown_number(facts.first_fitness);
   text += ".";
@@ -241,15 +251,14 @@ std::vector<WalkPair> pairs_of(const std::vector<WalkFacts>& walks) {
 }
 
 /// Adds the findings on walks. @return whether the surrogate can be trusted for them; nothing if this cannot be said
-std::optional<bool> add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
-  std::optional<bool> trusted;
+std::optional<Tone> add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
+  std::optional<Tone> trusted;
   const std::vector<WalkPair> pairs = pairs_of(facts.walks);
-  const bool several = facts.walks.size() > (pairs.empty() ? 1U : 2U);
+  const bool several = facts.walks.size() > (pairs.empty() ? 0U : 2U);
   for (const auto& [elements, surrogate] : pairs) {
     const WalkJudgement judged = judge_pair(*elements, *surrogate, several);
     findings.push_back(judged.finding);
-    if (elements->per_minute && surrogate->per_minute && !(goes_nowhere(*elements) && goes_nowhere(*surrogate)))
-      trusted = trusted.value_or(true) && judged.is_trusted;
+    if (judged.surrogate) trusted = trusted ? std::max(*trusted, *judged.surrogate) : *judged.surrogate;  // the worst
   }
   for (const WalkFacts& walk : facts.walks) {
     const bool is_paired =
@@ -259,8 +268,7 @@ std::optional<bool> add_walks(const ReportFacts& facts, std::vector<Finding>& fi
       findings.push_back(
           {Tone::caution, of_body(walk.name, several) + "Beyond what the surrogate was fitted to: " + line + ".", walk.source});
     for (const std::string& line : walk.expected_error) {
-      const bool is_warning = line.starts_with("warning");
-      findings.push_back({is_warning ? Tone::caution : Tone::good, of_body(walk.name, several) + line + ".", walk.source});
+      findings.push_back({Tone::caution, of_body(walk.name, several) + sentence_of(line), walk.source});
     }
   }
   const auto has = [&](auto is) { return std::ranges::any_of(facts.walks, is); };
@@ -287,14 +295,15 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
   return "Known up to " + reached + " only. ";
 }
 
-std::string trust_headline(const ReportFacts& facts, std::optional<bool> trusted, Tone& tone) {
+std::string trust_headline(const ReportFacts& facts, std::optional<Tone> trusted, Tone& tone) {
   const auto worse = [&](Tone other) {
     if (tone == Tone::missing || other == Tone::bad || (other == Tone::caution && tone == Tone::good)) tone = other;
   };
   if (trusted) {
-    worse(*trusted ? Tone::good : Tone::bad);
-    return *trusted ? "The surrogate walks as finite elements do."
-                    : "Do not trust the surrogate for the walk of this body: let finite elements decide.";
+    worse(*trusted);
+    if (*trusted == Tone::good) return "The surrogate walks as finite elements do.";
+    return *trusted == Tone::caution ? "The surrogate tells where this body walks, not how fast: let finite elements decide."
+                                     : "Do not trust the surrogate for the walk of this body: let finite elements decide.";
   }
   if (!facts.rankings.empty()) {
     const Finding ranking = ranking_finding(facts.rankings.front());
@@ -336,12 +345,12 @@ Verdict verdict_of(const ReportFacts& facts) {
   const bool several = facts.inflations.size() > 1;
   for (const InflationFacts& inflation : facts.inflations) findings.push_back(inflation_finding(inflation, several));
   if (facts.inflations.empty()) findings.push_back(missing("The pressure that the body bears", "inflate"));
-  const std::optional<bool> trusted = add_walks(facts, findings);
+  const std::optional<Tone> trusted = add_walks(facts, findings);
   for (const ValidationFacts& validation : facts.validations) findings.push_back(validation_finding(validation));
   if (facts.validations.empty()) findings.push_back(missing("How far the surrogate's shapes are off", "validate"));
   for (const CalibrationFacts& calibration : facts.calibrations) findings.push_back(calibration_finding(calibration));
   if (facts.calibrations.empty()) findings.push_back(missing("A calibration of the surrogate", "calibrate"));
-  for (const SearchFacts& search : facts.searches) findings.push_back(search_finding(search));
+  for (const SearchFacts& search : facts.searches) findings.push_back(search_finding(search, facts.searches.size() > 1));
   for (const RankingFacts& ranking : facts.rankings) findings.push_back(ranking_finding(ranking));
   if (!facts.searches.empty() && facts.rankings.empty())
     findings.push_back(missing("Whether the robots of the search walk on finer elements", "reevaluate"));
