@@ -228,10 +228,12 @@ int digit_behind(vtkUnstructuredGrid& rest, const FaceIds& face, const ManifestB
 Place lowest_corner(vtkUnstructuredGrid& rest, const ManifestBody& body) {
   std::array<std::size_t, 3> first{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max(),
                                    std::numeric_limits<std::size_t>::max()};
-  for (std::size_t z = 0; z < body.layers.size(); ++z)
-    for (std::size_t y = 0; y < body.layers[z].size(); ++y)
+  for (std::size_t z = 0; z < body.layers.size(); ++z) {
+    for (std::size_t y = 0; y < body.layers[z].size(); ++y) {
       for (std::size_t x = 0; x < body.layers[z][y].size(); ++x)
         if (body.layers[z][y][x] != '0') first = {std::min(first[0], x), std::min(first[1], y), std::min(first[2], z)};
+    }
+  }
   std::array<double, 6> bounds{};
   rest.GetBounds(bounds.data());
   Place lowest{};
@@ -389,10 +391,12 @@ class BodyMotion {
     constexpr double middle = 32768.0;
     body_.origin_m = box.low;
     body_.scale_m = extent > 0.0 ? extent / steps : 1.0;
-    for (const Place& place : positions_)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        body_.positions.push_back(
-            static_cast<std::int16_t>(std::lround((place[axis] - box.low[axis]) / body_.scale_m) - std::lround(middle)));
+    for (const Place& place : positions_) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const long step = std::lround((place[axis] - box.low[axis]) / body_.scale_m) - std::lround(middle);
+        body_.positions.push_back(static_cast<std::int16_t>(step));
+      }
+    }
   }
 
   const BodyRequest& request_;

@@ -94,7 +94,7 @@ ShownColumn shown_column(const std::string& name) {
 
 std::string shown_cell(const io::CsvContents& table, std::size_t row, const ShownColumn& column) {
   constexpr std::size_t most_digits = 12;  // more without a point are no count: a body's digits
-  const std::string text = text_in(table, row, column.name);
+  std::string text = text_in(table, row, column.name);
   if (text.size() > most_digits && text.find('.') == std::string::npos) return text;
   if (const std::optional<double> value = number_in(table, row, column.name)) {
     const double shown = *value * column.factor;

@@ -159,7 +159,7 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
                             shown_number(lengths && end_s > 0.0 ? std::optional(60.0 * *lengths / end_s) : std::nullopt),
                             direction, file_of(output, file)});
       if (const std::string reason = result.text_or("reason", ""); !reason.empty())
-        section.words.push_back(name + ": " + reason + ".");
+        section.words.push_back(std::string(name).append(": ").append(reason).append("."));
     } catch (const io::InputError& error) {
       notes.emplace_back(error.what());
     }
@@ -238,10 +238,11 @@ void add_calibration(const CommandOutput& output, PageSection& section) {
   section.tables.push_back(shown_table("Residuals", residuals,
                                        {"case", "kind", "body", "ordinate", "rms", "worst", "unit", "relative"},
                                        file_of(output, "residuals.csv")));
-  if (has_file(output, "parameters.csv"))
+  if (has_file(output, "parameters.csv")) {
     section.tables.push_back(shown_table("Fitted parameters with 95 % intervals", io::read_csv(output.folder / "parameters.csv"),
                                          {"parameter", "value", "lowest_95", "highest_95", "classes", "determination"},
                                          file_of(output, "parameters.csv")));
+  }
   if (const auto fit = io::read_toml(output.folder / "result.toml").optional_table("fit")) add_notes_of(*fit, section.words);
 }
 
@@ -274,12 +275,13 @@ void add_validation(const CommandOutput& output, PageSection& section) {
       "Errors by body; fractions of the largest value in a curve", io::read_csv(output.folder / "summary.csv"),
       {"body", "kind", "range", "count", "without_equilibrium", "median", "percentile_90", "worst", "worst_body", "worst_case"},
       file_of(output, "summary.csv")));
-  if (has_file(output, "volume_actuation.csv"))
+  if (has_file(output, "volume_actuation.csv")) {
     section.tables.push_back(shown_table("Change of volume by pressure, on finite elements",
                                          io::read_csv(output.folder / "volume_actuation.csv"),
                                          {"body", "chamber_share", "highest_pressure_Pa", "change_at_highest",
                                           "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"},
                                          file_of(output, "volume_actuation.csv")));
+  }
 }
 
 void add_load_cases(const CommandOutput& output, PageSection& section) {
@@ -374,15 +376,17 @@ void add_reevaluation(const CommandOutput& output, PageSection& section) {
                    "surrogate_direction_deg", "elements_status", "elements_body_lengths_per_minute", "elements_direction_deg",
                    "distance_ratio", "angle_deg", "surrogate_relative_error"},
                   file_of(output, "reevaluation.csv")));
-  if (has_file(output, "ranking.csv"))
+  if (has_file(output, "ranking.csv")) {
     section.tables.push_back(shown_table("How well the search ranks", io::read_csv(output.folder / "ranking.csv"),
                                          {"designs", "quantity", "value", "low_95", "high_95", "count", "of", "method"},
                                          file_of(output, "ranking.csv")));
-  if (has_file(output, "variants.csv"))
+  }
+  if (has_file(output, "variants.csv")) {
     section.tables.push_back(shown_table(
         "How far the finite elements themselves can be known", io::read_csv(output.folder / "variants.csv"),
         {"rank", "variant", "kind", "status", "body_lengths_per_minute", "direction_deg", "relative_change", "change_angle_deg"},
         file_of(output, "variants.csv")));
+  }
 }
 
 void add_confirmation(const CommandOutput& output, PageSection& section) {

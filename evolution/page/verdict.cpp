@@ -50,11 +50,12 @@ Finding inflation_finding(const InflationFacts& facts, bool several) {
   }
   if (facts.status == io::RunStatus::completed)
     return {Tone::good, begin + "Inflated to " + reached + ", without a limit point up to there." + growth, facts.source};
-  if (facts.status == io::RunStatus::limit_point)
+  if (facts.status == io::RunStatus::limit_point) {
     return {
         Tone::caution,
         begin + "Usable up to " + reached + ". Beyond it no equilibrium was found (limit point): the body balloons or buckles.",
         facts.source};
+  }
   if (facts.status == io::RunStatus::wall_contact)
     return {Tone::caution, begin + "Walls of chambers touch beyond " + reached + ". The finite elements end there.",
             facts.source};
@@ -114,11 +115,12 @@ Finding walk_finding(const WalkFacts& walk, bool several) {
                                      : walk.model == WalkModel::voxels  ? "as "
                                                                         : "on ") +
                          to_string(walk.model);
-  if (!walk.body_lengths || !walk.per_minute)
+  if (!walk.body_lengths || !walk.per_minute) {
     return {Tone::bad,
             begin + "The walk " + on + " ended after " + io::shown(walk.time_s, 3) + " s (" +
                 with_reason(walk.status, walk.reason) + ").",
             walk.source};
+  }
   std::string text = begin + "It moves " + io::shown(*walk.body_lengths, 2) + " body lengths " + on + " in " +
                      io::shown(walk.time_s, 3) + " s, " + speed_text(*walk.per_minute);
   if (goes_nowhere(walk)) return {Tone::caution, text + ": it goes nowhere.", walk.source};
@@ -163,10 +165,11 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
           " " + other;
   if (goes_nowhere(elements) && goes_nowhere(surrogate))
     return conclude(Tone::caution, std::nullopt, ": both go nowhere, so they cannot be compared.");
-  if (goes_nowhere(elements) || goes_nowhere(surrogate))
+  if (goes_nowhere(elements) || goes_nowhere(surrogate)) {
     return conclude(Tone::bad, Tone::bad,
                     std::string(": ") + (goes_nowhere(elements) ? "on finite elements" : other) +
                         " it goes nowhere. Do not trust the surrogate for the walk of this body.");
+  }
   double angle_deg = 0.0;
   if (elements.direction_deg && surrogate.direction_deg) {
     angle_deg = angle_between(*elements.direction_deg, *surrogate.direction_deg);
@@ -216,11 +219,12 @@ Finding ranking_finding(const RankingFacts& facts) {
 
 Finding search_finding(const SearchFacts& facts, bool several) {
   const std::string begin = several ? "Search " + facts.source + ": " : "";
-  if (!facts.last_fitness)
+  if (!facts.last_fitness) {
     return {
         Tone::bad,
         begin + "The search found no robot with a fitness in " + counted(facts.generations, "generation", "generations") + ".",
         facts.source};
+  }
   std::string text = begin + "The best robot has a fitness of " + shown_number(facts.last_fitness) + " " + facts.unit +
                      " after " + counted(facts.generations, "generation", "generations");
   if (facts.first_fitness) text += "; the best of the first had " + shown_number(facts.first_fitness);
@@ -282,10 +286,27 @@ std::optional<Tone> add_walks(const ReportFacts& facts, std::vector<Finding>& fi
   return trusted;
 }
 
+/// Whether there are inflations, all of one body.
+bool are_of_one_body(const std::vector<InflationFacts>& inflations) {
+  if (inflations.size() <= 1) return inflations.size() == 1;
+  return std::ranges::all_of(inflations,
+                             [&](const InflationFacts& one) { return one.body && one.body == inflations.front().body; });
+}
+
+/// Which of several inflations of a body says how far it can be used: that with the lowest limit pressure, or else the highest
+/// pressure.
+const InflationFacts& decisive(const std::vector<InflationFacts>& inflations) {
+  return *std::ranges::min_element(inflations, [](const InflationFacts& a, const InflationFacts& b) {
+    if (a.limit && b.limit) return a.limit->pressure_Pa < b.limit->pressure_Pa;
+    if (a.limit || b.limit) return a.limit.has_value();
+    return a.highest_pressure_Pa.value_or(0.0) > b.highest_pressure_Pa.value_or(0.0);
+  });
+}
+
 /// The sentence of the headline on pressure; empty if there is none.
 std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
-  if (facts.inflations.size() != 1) return {};
-  const InflationFacts& one = facts.inflations.front();
+  if (!are_of_one_body(facts.inflations)) return {};
+  const InflationFacts& one = decisive(facts.inflations);
   tone = inflation_finding(one, false).tone;
   if (one.limit) return "Usable up to " + shown_pressure(one.limit->pressure_Pa) + ", where the body balloons or buckles. ";
   if (!one.highest_pressure_Pa) return {};
@@ -342,7 +363,7 @@ const char* to_string(Tone tone) {
 Verdict verdict_of(const ReportFacts& facts) {
   Verdict verdict{.headline = {}};
   std::vector<Finding>& findings = verdict.findings;
-  const bool several = facts.inflations.size() > 1;
+  const bool several = facts.inflations.size() > 1 && !are_of_one_body(facts.inflations);
   for (const InflationFacts& inflation : facts.inflations) findings.push_back(inflation_finding(inflation, several));
   if (facts.inflations.empty()) findings.push_back(missing("The pressure that the body bears", "inflate"));
   const std::optional<Tone> trusted = add_walks(facts, findings);
@@ -355,7 +376,7 @@ Verdict verdict_of(const ReportFacts& facts) {
   if (!facts.searches.empty() && facts.rankings.empty())
     findings.push_back(missing("Whether the robots of the search walk on finer elements", "reevaluate"));
   for (const ModesFacts& modes : facts.modes) findings.push_back(modes_finding(modes));
-  std::ranges::stable_partition(findings, [](const Finding& finding) { return finding.tone != Tone::missing; });
+  std::stable_partition(findings.begin(), findings.end(), [](const Finding& finding) { return finding.tone != Tone::missing; });
   verdict.headline = pressure_headline(facts, verdict.tone);
   verdict.headline += trust_headline(facts, trusted, verdict.tone);
   return verdict;

@@ -113,12 +113,14 @@ class WalkPictures {
       to_ = std::max(to_, body.times.back());
       for (std::size_t frame = 0; frame < body.times.size(); ++frame) {
         const auto [low, high] = box_of(body, frame);
-        for (const double x : {low[0], high[0]})
-          for (const double y : {low[1], high[1]})
+        for (const double x : {low[0], high[0]}) {
+          for (const double y : {low[1], high[1]}) {
             for (const double z : {low[2], high[2]}) {
               world_.add({x, y, z});
               seen_.add(view_.coordinates({x, y, z}));
             }
+          }
+        }
       }
     }
     pace_ = pace_of(to_ - from_);

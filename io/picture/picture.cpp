@@ -73,7 +73,7 @@ PictureOutcome write_picture(const std::filesystem::path& file, const PictureSty
   require_writable_folder(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
   bool is_drawn = false;
   std::string content;
-  const PictureOutcome outcome = draw_pictures(
+  PictureOutcome outcome = draw_pictures(
       style, fill, [&] { return !std::exchange(is_drawn, true); }, [&](const std::string& png) { content = png; });
   if (outcome.written) write_whole(file, content);
   return outcome;

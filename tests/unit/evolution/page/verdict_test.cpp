@@ -85,6 +85,20 @@ TEST(Verdict, HasNoPressureInTheHeadlineForSeveralBodies) {
   EXPECT_NE(finding_with(verdict, "table: Inflated to 3 kPa").text, "");
 }
 
+TEST(Verdict, TakesTheLimitPressureOfAnyInflationOfOneBody) {
+  ReportFacts facts;
+  facts.inflations = {{.name = "table", .status = io::RunStatus::completed, .highest_pressure_Pa = 2000.0, .body = table},
+                      {.name = "table",
+                       .status = io::RunStatus::limit_point,
+                       .highest_pressure_Pa = 3042.0,
+                       .limit = LimitFact{3042.0, "plenum 0"},
+                       .body = table}};
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to 3.04 kPa, where"));
+  facts.inflations.back().limit.reset();
+  facts.inflations.back().status = io::RunStatus::completed;
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 3.04 kPa."));
+}
+
 TEST(Verdict, TrustsASurrogateThatWalksAlike) {
   const Verdict verdict = verdict_of(two_walks(0.8, 10.0, 0.9, -10.0));
   EXPECT_EQ(verdict.headline, "The surrogate walks as finite elements do.");
