@@ -48,6 +48,7 @@ constexpr std::array commands{
     Command{"confirm", "let the best robots of a search walk as another study says", "menger confirm run.sqlite study.toml"},
     Command{"compare-searches", "compare results of searches on finite elements, and their costs", "menger compare-searches a b"},
     Command{"reevaluate", "evaluate the winners of a run again with finite elements", "menger reevaluate run.sqlite --top 5"},
+    Command{"report", "write one page on the results in a folder", "menger report demo"},
 };
 
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/page/command_outputs.h"
 #include "evolution/reevaluation/search_comparison.h"
 #include "evolution/reference/reevaluation_study.h"
 #include "evolution/study/study_file.h"
@@ -102,6 +103,11 @@ void read_checkpoint(const fs::path& file) {
   drop(fem::read_locomotion_checkpoint(file, identity));
 }
 
+void read_manifest(const fs::path& file) {
+  drop(io::program_of_manifest(file));
+  drop(evolution::read_command_output(file));
+}
+
 /// Reads all that an archive holds.
 void read_archive(const fs::path& file) {
   const evolution::RunArchive archive = evolution::RunArchive::open_to_read(file);
@@ -156,7 +162,7 @@ constexpr std::array all_readers{
     FuzzedReader{"costs", "search/costs.csv", read_costs},
     FuzzedReader{"reevaluation", "search/reevaluation.csv", read_reevaluation_table},
     FuzzedReader{"collection", "fuzzed.pvd", [](const fs::path& file) { drop(voxel::read_collection(file)); }},
-    FuzzedReader{"manifest", "manifest.json", [](const fs::path& file) { drop(io::program_of_manifest(file)); }},
+    FuzzedReader{"manifest", "manifest.json", read_manifest},
     FuzzedReader{"vtu", "fuzzed.vtu", [](const fs::path& file) { drop(meshes::read_vtu_mesh(file)); }},
     FuzzedReader{"msh", "fuzzed.msh", [](const fs::path& file) { drop(meshes::read_gmsh_mesh(file)); }},
     FuzzedReader{"checkpoint", "checkpoint.bin", read_checkpoint},

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "io/picture/offscreen_display.h"
+#include "io/picture/picture_series.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
@@ -68,6 +69,22 @@ class Picture : public testing::Test {
   fs::path file_ = folder_ / "green.png";
   PictureStyle small_{.width_px = 32, .height_px = 20};
 };
+
+TEST_F(Picture, OfASeriesShowsItsOwnScene) {
+  vtkNew<vtkRenderer> renderer;
+  int made = 0;
+  const auto next = [&] {
+    renderer->SetBackground(0.0, made == 0 ? 1.0 : 0.0, made == 1 ? 1.0 : 0.0);
+    return made < 2;
+  };
+  const PictureOutcome outcome = draw_pictures(
+      small_, [&](vtkRenderWindow& window) { window.AddRenderer(renderer); }, next,
+      [&](const std::string& png) { write_whole(folder_ / (std::to_string(made++) + ".png"), png); });
+  if (!outcome.written) GTEST_SKIP() << outcome.missing;
+  EXPECT_EQ(PictureContents(folder_ / "0.png").count({0, 255, 0}), 32 * 20);
+  EXPECT_EQ(PictureContents(folder_ / "1.png").count({0, 0, 255}), 32 * 20);
+  EXPECT_FALSE(fs::exists(folder_ / "2.png"));
+}
 
 TEST_F(Picture, HasTheSizeAndTheContentAskedFor) {
   const PictureOutcome outcome = write_picture(file_, small_, fill_green);

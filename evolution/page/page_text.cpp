@@ -1,0 +1,286 @@
+#include "evolution/page/page_text.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "evolution/page/verdict.h"
+#include "io/text/input_error.h"
+#include "io/text/printable.h"
+#include "io/text/whole_file.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Six digits: more are not seen, and take space.
+json rounded(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  if (value == 0.0) return 0;
+  const double power = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
+  return std::isfinite(power) && power > 0.0 ? std::round(value * power) / power : value;
+}
+
+json rounded(const std::vector<double>& values) {
+  json list = json::array();
+  for (const double value : values) list.push_back(rounded(value));
+  return list;
+}
+
+const char* word_of(PageMarks marks) {
+  switch (marks) {
+    case PageMarks::line:
+      return "line";
+    case PageMarks::points:
+      return "points";
+    case PageMarks::line_and_points:
+      return "line and points";
+  }
+  return "line";
+}
+
+json json_of(const PageChart& chart) {
+  json series = json::array();
+  for (const PageSeries& one : chart.series) {
+    series.push_back({{"name", one.name},
+                      {"x", rounded(one.x)},
+                      {"y", rounded(one.y)},
+                      {"marks", word_of(one.marks)},
+                      {"dashed", one.dashed},
+                      {"labels", one.labels}});
+  }
+  json markers = json::array();
+  for (const PageMarker& marker : chart.markers)
+    markers.push_back({{"vertical", marker.vertical}, {"at", rounded(marker.at)}, {"label", marker.label}});
+  const auto axis = [](const PageAxis& one) { return json{{"title", one.title}, {"log", one.logarithmic}}; };
+  return {{"title", chart.title}, {"x", axis(chart.x)},         {"y", axis(chart.y)},         {"series", series},
+          {"markers", markers},   {"equal", chart.equal_scale}, {"diagonal", chart.diagonal}, {"note", chart.note}};
+}
+
+json json_of(const PageTable& table) {
+  return {{"title", table.title}, {"columns", table.columns}, {"rows", table.rows}, {"note", table.note}};
+}
+
+json json_of(const PageSection& section) {
+  json charts = json::array();
+  for (const PageChart& chart : section.charts) charts.push_back(json_of(chart));
+  json tables = json::array();
+  for (const PageTable& table : section.tables) tables.push_back(json_of(table));
+  return {{"title", section.title}, {"id", section.id}, {"words", section.words}, {"charts", charts}, {"tables", tables}};
+}
+
+/// Collects the binary parts of a page, each in an element of its own.
+class PageBlobs {
+ public:
+  /// @return the id of the element
+  std::string add(std::string_view bytes) {
+    const std::string id = "blob-" + std::to_string(count_++);
+    text_ += "<script type=\"text/plain\" id=\"" + id + "\">" + base64_text(bytes) + "</script>\n";
+    return id;
+  }
+  template <class Value>
+  std::string add_values(const std::vector<Value>& values) {
+    std::string bytes(values.size() * sizeof(Value), '\0');
+    if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+    return add(bytes);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::size_t count_ = 0;
+};
+
+json json_of(const PageBody& body, PageBlobs& blobs) {
+  json centres = json::array();
+  for (const auto& centre : body.centres_m) centres.push_back({rounded(centre[0]), rounded(centre[1]), rounded(centre[2])});
+  json pressures = json::array();
+  for (const std::vector<double>& one : body.pressures_Pa) pressures.push_back(rounded(one));
+  const auto bytes = [&](const std::vector<std::uint8_t>& values) {
+    return values.empty() ? json(nullptr) : json(blobs.add_values(values));
+  };
+  return {{"name", body.name},
+          {"corners", body.corners},
+          {"faces", blobs.add_values(body.faces)},
+          {"positions", blobs.add_values(body.positions)},
+          {"times", rounded(body.times)},
+          {"origin", body.origin_m},
+          {"scale", body.scale_m},
+          {"materials", bytes(body.materials)},
+          {"chambers", bytes(body.chambers)},
+          {"pressures", pressures},
+          {"centres", centres},
+          {"travelled", rounded(body.travelled_m)}};
+}
+
+json json_of(const PageScene& scene, PageBlobs& blobs) {
+  json bodies = json::array();
+  for (const PageBody& body : scene.bodies) bodies.push_back(json_of(body, blobs));
+  return {{"title", scene.title},
+          {"source", scene.source},
+          {"clock", scene.clock},
+          {"unit", scene.unit},
+          {"ground", scene.ground_m ? json(*scene.ground_m) : json(nullptr)},
+          {"bodies", bodies},
+          {"note", scene.note}};
+}
+
+/// JSON that can stand in a script element: without "<", so that nothing in it can end the element, and in ASCII.
+std::string script_json(const json& data) {
+  const std::string text = data.dump(-1, ' ', true, json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<' || c == '>' || c == '&') {
+      safe += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : "\\u0026";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+const char* badge_of(Tone tone) {
+  switch (tone) {
+    case Tone::good:
+      return "holds";
+    case Tone::caution:
+      return "with care";
+    case Tone::bad:
+      return "does not hold";
+    case Tone::missing:
+      return "not computed";
+  }
+  return "";
+}
+
+std::string verdict_html(const Verdict& verdict) {
+  std::string text = "<h2 id=\"verdict-title\">Verdict</h2>\n<p class=\"headline " + std::string(to_string(verdict.tone)) +
+                     "\">" + html_text(verdict.headline) + "</p>\n<ul class=\"findings\">\n";
+  for (const Finding& finding : verdict.findings) {
+    text += "<li><span class=\"badge " + std::string(to_string(finding.tone)) + "\">" + badge_of(finding.tone) +
+            "</span><div><p>" + html_text(finding.text) + "</p>";
+    if (!finding.source.empty())
+      text += "<p class=\"source\">" + std::string(finding.tone == Tone::missing ? "computed by " : "from ") +
+              html_text(finding.source) + "</p>";
+    text += "</div></li>\n";
+  }
+  text += "</ul>\n<details><summary>How this is judged</summary><ul class=\"words\">\n";
+  for (const std::string& words : judging_words()) text += "<li>" + html_text(words) + "</li>\n";
+  return text + "</ul></details>";
+}
+
+/// Replaces the marks of a template, each once, from left to right: what is put in is not searched.
+std::string filled(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& parts) {
+  std::string made;
+  while (!text.empty()) {
+    std::size_t first = std::string_view::npos;
+    const std::pair<std::string_view, std::string>* next = nullptr;
+    for (const auto& part : parts) {
+      const std::size_t at = text.find(part.first);
+      if (at < first) {
+        first = at;
+        next = &part;
+      }
+    }
+    if (next == nullptr) break;
+    made.append(text.substr(0, first)).append(next->second);
+    text.remove_prefix(first + next->first.size());
+  }
+  return made.append(text);
+}
+
+}  // namespace
+
+std::string html_text(std::string_view text) {
+  std::string safe;
+  for (const char c : io::printable(text)) {
+    switch (c) {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string base64_text(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
+    std::uint32_t group = 0;
+    for (std::size_t n = 0; n < 3; ++n) group = group << 8U | (n < count ? static_cast<unsigned char>(bytes[at + n]) : 0U);
+    for (std::size_t n = 0; n < 4; ++n) text += n <= count ? digits[group >> (18U - 6U * n) & 63U] : '=';
+  }
+  return text;
+}
+
+std::string page_text(const ReportPage& page, const std::optional<std::string>& three) {
+  PageBlobs blobs;
+  json scenes = json::array();
+  if (three)
+    for (const PageScene& scene : page.scenes) scenes.push_back(json_of(scene, blobs));
+  json sections = json::array();
+  for (const PageSection& section : page.sections) sections.push_back(json_of(section));
+  json pictures = json::array();
+  for (const PagePicture& picture : page.pictures)
+    pictures.push_back({{"caption", picture.caption}, {"blob", blobs.add(picture.png)}});
+  const json data{{"scenes", scenes}, {"sections", sections}, {"pictures", pictures}, {"notes", page.notes}};
+  std::string script;
+  for (const char* name : {"chart.js", "scene.js", "page.js"}) script.append(page_source(name));
+  const std::string title = html_text(page.title);
+  return filled(page_source("page.html"),
+                {{"<!--menger:title-->", title},
+                 {"<!--menger:made-->", html_text(page.made)},
+                 {"/*menger:style*/", std::string(page_source("page.css"))},
+                 {"<!--menger:verdict-->", verdict_html(page.verdict)},
+                 {"<!--menger:data-->",
+                  blobs.text() + "<script type=\"application/json\" id=\"report-data\">" + script_json(data) + "</script>"},
+                 {"/*menger:three*/", three.value_or("")},
+                 {"/*menger:script*/", script}});
+}
+
+ThreeCode read_three(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) continue;
+    std::string code = io::read_whole(file);
+    // Code that could end its element would be no three.js.
+    if (code.find("</script") != std::string::npos) return {std::nullopt, file.string() + ": is not the code of three.js"};
+    return {std::move(code), {}};
+  }
+  return {std::nullopt,
+          "no 3-D: three.js is missing (" + (files.empty() ? "" : files.front().string()) + "): install the package libjs-three"};
+}
+
+ThreeCode read_three() {
+  return read_three(
+      {MENGER_THREE_JS, "/usr/share/javascript/three/build/three.min.js", "/usr/share/nodejs/three/build/three.min.js"});
+}
+
+}  // namespace menger::evolution

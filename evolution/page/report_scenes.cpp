@@ -1,0 +1,254 @@
+#include "evolution/page/report_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <system_error>
+
+#include "evolution/page/body_frames.h"
+#include "evolution/page/report_numbers.h"
+#include "io/text/csv_table.h"
+#include "io/text/input_error.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_scenes = 12;
+
+bool is_file(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
+
+/// What a scene is made from, before its files are read.
+struct ScenePlan {
+  PageScene scene;  ///< without bodies
+  struct Part {
+    std::string name;
+    fs::path collection;
+    int part = 0;
+    bool has_phases = true;
+    std::optional<ManifestBody> body;
+    fs::path trajectory{};  ///< the table of the centre of mass; empty if there is none
+  };
+  std::vector<Part> parts;
+  bool apart = false;      ///< whether the bodies have to be moved beside each other
+  bool on_ground = false;  ///< whether they stand on the ground
+};
+
+std::string title_of(const CommandOutput& output) { return output.body_name.empty() ? output.name : output.body_name; }
+
+std::string source_of(const CommandOutput& output, const char* file) { return (fs::path(output.name) / file).generic_string(); }
+
+bool walks(const CommandOutput& output, const char* command) {
+  return command_of(output) == command && is_file(output.folder / "frames.pvd");
+}
+
+ScenePlan::Part walking(const CommandOutput& output) {
+  const bool on_elements = command_of(output) == "locomote";
+  return {.name = on_elements            ? "finite elements"
+                  : output.is_calibrated ? "surrogate"
+                                         : "voxels",
+          .collection = output.folder / "frames.pvd",
+          .has_phases = !output.is_in_phase,
+          .body = output.body,
+          .trajectory = output.folder / "trajectory.csv"};
+}
+
+void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
+  std::vector<const CommandOutput*> paired;
+  std::vector<ScenePlan> single;
+  for (const CommandOutput& elements : outputs) {
+    if (!walks(elements, "locomote")) continue;
+    const auto other = std::ranges::find_if(outputs, [&](const CommandOutput& output) {
+      return walks(output, "simulate") && elements.body && output.body == elements.body && output.drive == elements.drive;
+    });
+    if (other == outputs.end()) continue;
+    paired.insert(paired.end(), {&elements, &*other});
+    plans.push_back({.scene = {.title = "Walk of " + title_of(elements) + ": finite elements and " + walking(*other).name,
+                               .source = source_of(elements, "frames.pvd") + ", " + source_of(*other, "frames.pvd")},
+                     .parts = {walking(elements), walking(*other)},
+                     .apart = true,
+                     .on_ground = true});
+  }
+  for (const CommandOutput& output : outputs) {
+    if ((!walks(output, "locomote") && !walks(output, "simulate")) || std::ranges::find(paired, &output) != paired.end())
+      continue;
+    const ScenePlan::Part part = walking(output);
+    single.push_back(
+        {.scene = {.title = "Walk of " + title_of(output) + ": " + part.name, .source = source_of(output, "frames.pvd")},
+         .parts = {part},
+         .on_ground = true});
+  }
+  plans.insert(plans.end(), single.begin(), single.end());
+}
+
+void plan_reevaluations(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
+  for (const CommandOutput& output : outputs) {
+    const fs::path both = output.folder / "winner" / "both.pvd";
+    if (command_of(output) != "reevaluate" || !is_file(both)) continue;
+    plans.push_back(
+        {.scene = {.title = "Winner of the re-evaluation: finite elements and the model of the search",
+                   .source = source_of(output, "winner/both.pvd")},
+         .parts =
+             {{.name = "finite elements", .collection = both, .part = 0, .has_phases = !output.is_in_phase, .body = std::nullopt},
+              {.name = "model of the search",
+               .collection = both,
+               .part = 1,
+               .has_phases = !output.is_in_phase,
+               .body = std::nullopt}},
+         .on_ground = true});
+  }
+}
+
+void plan_inflations(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
+  for (const CommandOutput& output : outputs) {
+    const fs::path fields = output.folder / "fields.pvd";
+    if (command_of(output) != "inflate" || !is_file(fields)) continue;
+    plans.push_back(
+        {.scene = {.title = "Inflation of " + title_of(output),
+                   .source = source_of(output, "fields.pvd"),
+                   .clock = "path parameter",
+                   .unit = ""},
+         .parts = {{.name = "finite elements", .collection = fields, .has_phases = !output.is_in_phase, .body = output.body}}});
+  }
+}
+
+void plan_validations(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
+  for (const CommandOutput& output : outputs) {
+    const fs::path worst = output.folder / "worst.pvd";
+    if (command_of(output) != "validate" || !is_file(worst)) continue;
+    plans.push_back({.scene = {.title = "Worst case of the validation: finite elements and surrogate",
+                               .source = source_of(output, "worst.pvd"),
+                               .clock = "state",
+                               .unit = ""},
+                     .parts = {{.name = "finite elements", .collection = worst, .part = 0, .body = std::nullopt},
+                               {.name = "surrogate", .collection = worst, .part = 1, .body = std::nullopt}}});
+  }
+}
+
+void plan_champions(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
+  constexpr int most_levels = 5;
+  for (const CommandOutput& output : outputs) {
+    if (command_of(output) != "export") continue;
+    for (int level = 1; level <= most_levels; ++level) {
+      const std::string name = "level_" + std::to_string(level);
+      const fs::path place = output.folder / name;
+      // A walk on finite elements has a manifest, and is found as any other.
+      if (!is_file(place / "frames.pvd") || is_file(place / "manifest.json")) continue;
+      plans.push_back({.scene = {.title = "Champion of the search at level " + std::to_string(level),
+                                 .source = source_of(output, (name + "/frames.pvd").c_str())},
+                       .parts = {{.name = "voxels",
+                                  .collection = place / "frames.pvd",
+                                  .body = std::nullopt,
+                                  .trajectory = place / "trajectory.csv"}},
+                       .on_ground = true});
+    }
+  }
+}
+
+/// The horizontal displacement of the centre of mass at the times of the frames, by interpolation.
+std::vector<double> travelled_m(const fs::path& trajectory, const std::vector<double>& times_s) {
+  if (!is_file(trajectory)) return {};
+  const io::CsvContents table = io::read_csv(trajectory);
+  std::vector<double> travelled;
+  std::size_t row = 0;
+  for (const double time_s : times_s) {
+    while (row + 1 < table.row_count() && number_in(table, row + 1, "time_s").value_or(time_s) <= time_s) ++row;
+    const auto here = row < table.row_count() ? number_in(table, row, "horizontal_displacement_m") : std::nullopt;
+    if (!here) return {};
+    const auto from = number_in(table, row, "time_s");
+    const bool is_last = row + 1 >= table.row_count();
+    const auto next = is_last ? std::nullopt : number_in(table, row + 1, "horizontal_displacement_m");
+    const auto to = is_last ? std::nullopt : number_in(table, row + 1, "time_s");
+    const bool between = from && next && to && *to > *from && time_s > *from;
+    travelled.push_back(between ? *here + (*next - *here) * (time_s - *from) / (*to - *from) : *here);
+  }
+  return travelled;
+}
+
+/// Moves the second body of a scene beside the first: both begin at the same place but for a shift along -y.
+void move_apart(std::vector<PageBody>& bodies) {
+  for (std::size_t n = 1; n < bodies.size(); ++n) {
+    const auto [low, high] = box_of(bodies.front(), 0);
+    const auto [own_low, own_high] = box_of(bodies[n], 0);
+    const double aside_m = 1.6 * static_cast<double>(n) * std::max(high[0] - low[0], high[1] - low[1]);
+    const std::array<double, 3> shift{0.5 * (low[0] + high[0] - own_low[0] - own_high[0]),
+                                      0.5 * (low[1] + high[1] - own_low[1] - own_high[1]) - aside_m, low[2] - own_low[2]};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bodies[n].origin_m.at(axis) += shift.at(axis);
+      for (auto& centre : bodies[n].centres_m) centre.at(axis) += shift.at(axis);
+    }
+  }
+}
+
+std::size_t bytes_of(const PageScene& scene) {
+  std::size_t bytes = 0;
+  for (const PageBody& body : scene.bodies)
+    bytes += sizeof(std::int16_t) * body.positions.size() + sizeof(body.faces.front()) * body.faces.size();
+  return bytes;
+}
+
+std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes, std::vector<std::string>& notes) {
+  PageScene scene = plan.scene;
+  for (const ScenePlan::Part& part : plan.parts) {
+    try {
+      const std::vector<BodyFrames> bodies = read_body_frames(part.collection);
+      const auto found = std::ranges::find(bodies, part.part, &BodyFrames::part);
+      if (found == bodies.end()) continue;
+      PageBody body = read_page_body({.name = part.name,
+                                      .frames = found->frames,
+                                      .most_bytes = most_bytes / plan.parts.size(),
+                                      .has_phases = part.has_phases,
+                                      .body = part.body});
+      if (body.times.size() < found->frames.size()) {
+        scene.note = std::to_string(body.times.size()) + " of " + std::to_string(found->frames.size()) +
+                     " frames are shown; between them the motion is a guess along straight lines.";
+      }
+      if (!part.trajectory.empty()) body.travelled_m = travelled_m(part.trajectory, body.times);
+      scene.bodies.push_back(std::move(body));
+    } catch (const io::InputError& error) {
+      notes.push_back(std::string("not shown in 3-D: ") + error.what());
+    }
+  }
+  if (scene.bodies.empty()) return std::nullopt;
+  if (plan.apart) move_apart(scene.bodies);
+  if (plan.on_ground) {
+    for (const PageBody& body : scene.bodies)
+      scene.ground_m = std::min(scene.ground_m.value_or(box_of(body, 0).first[2]), box_of(body, 0).first[2]);
+  }
+  return scene;
+}
+
+}  // namespace
+
+std::vector<PageScene> read_scenes(const std::vector<CommandOutput>& outputs, std::size_t most_bytes,
+                                   std::vector<std::string>& notes) {
+  std::vector<ScenePlan> plans;
+  plan_walks(outputs, plans);
+  plan_reevaluations(outputs, plans);
+  plan_inflations(outputs, plans);
+  plan_champions(outputs, plans);
+  plan_validations(outputs, plans);
+  if (plans.size() > most_scenes) {
+    notes.push_back("of " + std::to_string(plans.size()) + " motions, the first " + std::to_string(most_scenes) +
+                    " are shown in 3-D");
+    plans.resize(most_scenes);
+  }
+  std::vector<PageScene> scenes;
+  std::size_t left = most_bytes;
+  for (std::size_t n = 0; n < plans.size(); ++n) {
+    // What small scenes do not need, large ones may have.
+    std::optional<PageScene> scene = scene_of(plans[n], left / (plans.size() - n), notes);
+    if (!scene) continue;
+    left -= std::min(left, bytes_of(*scene));
+    scenes.push_back(std::move(*scene));
+  }
+  return scenes;
+}
+
+}  // namespace menger::evolution

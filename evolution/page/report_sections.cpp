@@ -1,0 +1,534 @@
+#include "evolution/page/report_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+#include "evolution/page/report_numbers.h"
+#include "evolution/page/search_tables.h"
+#include "evolution/page/shown_table.h"
+#include "io/text/csv_table.h"
+#include "io/text/formatted.h"
+#include "io/text/input_error.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Notes = std::vector<std::string>;
+
+bool has_file(const CommandOutput& output, const char* file) {
+  std::error_code ignored;
+  return fs::is_regular_file(output.folder / file, ignored);
+}
+
+std::string file_of(const CommandOutput& output, const std::string& file) {
+  return (fs::path(output.name) / file).generic_string();
+}
+
+std::string heading_of(const CommandOutput& output) {
+  if (output.body_name.empty()) return output.name.empty() ? command_of(output) : output.name;
+  return output.body_name + (output.name.empty() || output.name == output.body_name ? "" : " (" + output.name + ")");
+}
+
+std::vector<std::string> ending_with(const io::CsvContents& table, std::string_view ending) {
+  std::vector<std::string> columns;
+  for (const std::string& column : table.columns())
+    if (column.ends_with(ending)) columns.push_back(column);
+  return columns;
+}
+
+std::string without_ending(const std::string& column, std::string_view ending) {
+  std::string name = column.substr(0, column.size() - ending.size());
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+void add_notes_of(const io::TomlTable& table, std::vector<std::string>& words) {
+  if (!table.has("notes")) return;
+  for (const std::string& note : table.texts("notes")) words.push_back(note + ".");
+}
+
+/// Pressure against volume of every plenum, with the limit pressures.
+void add_inflation(const CommandOutput& output, PageSection& section) {
+  const io::CsvContents curves = io::read_csv(output.folder / "curves.csv");
+  const io::TomlTable result = io::read_toml(output.folder / "result.toml");
+  PageChart chart{.title = "Pressure against volume: " + heading_of(output),
+                  .x = {.title = "volume of the chamber (cm\u00b3)"},
+                  .y = {.title = "gauge pressure (kPa)"},
+                  .series = {},
+                  .note = "From " + file_of(output, "curves.csv") + "."};
+  for (const std::string& pressure : ending_with(curves, "_pressure_Pa")) {
+    const std::string plenum = pressure.substr(0, pressure.size() - std::string_view("_pressure_Pa").size());
+    chart.series.push_back({.name = without_ending(pressure, "_pressure_Pa"),
+                            .x = column_of(curves, plenum + "_volume_m3", 1e6),
+                            .y = column_of(curves, pressure, 1e-3),
+                            .marks = PageMarks::line_and_points});
+  }
+  for (const io::TomlTable& limit : result.optional_tables("limit_points")) {
+    const double pressure_Pa = limit.number("pressure_Pa");
+    chart.markers.push_back(
+        {.vertical = false, .at = 1e-3 * pressure_Pa, .label = "limit pressure " + shown_pressure(pressure_Pa)});
+  }
+  section.charts.push_back(std::move(chart));
+  PageTable table{.title = heading_of(output),
+                  .columns = {"quantity", "value"},
+                  .rows = {},
+                  .note = "From " + file_of(output, "result.toml") + "."};
+  const auto add = [&](const std::string& name, const std::string& value) { table.rows.push_back({name, value}); };
+  add("status", result.text("status"));
+  if (result.has("reason")) add("reason", result.text("reason"));
+  add("elements", shown_number(result.optional_number("elements")));
+  add("unknowns", io::formatted("%.0f", result.optional_number("unknowns").value_or(0.0)));
+  add("size of an element (mm)", shown_number(1e3 * result.optional_number("element_size_m").value_or(0.0)));
+  for (const io::TomlTable& limit : result.optional_tables("limit_points")) {
+    add("limit pressure of " + limit.text_or("plenum", "the chamber"), shown_pressure(limit.number("pressure_Pa")));
+    if (limit.has("volume_m3")) add("volume there (cm\u00b3)", shown_number(1e6 * limit.number("volume_m3")));
+  }
+  section.tables.push_back(std::move(table));
+  add_notes_of(result, section.words);
+}
+
+bool is_walk(const CommandOutput& output) {
+  return (command_of(output) == "locomote" || command_of(output) == "simulate") && has_file(output, "trajectory.csv");
+}
+
+std::string model_of(const CommandOutput& output) {
+  if (command_of(output) == "locomote") return "finite elements";
+  return output.is_calibrated ? "surrogate" : "voxels";
+}
+
+/// All walks in one chart of distance over time, one of paths seen from above, and one table.
+PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes) {
+  PageSection section{.title = "Walks", .id = "walks"};
+  PageChart distance{.title = "Distance over time",
+                     .x = {.title = "time (s)"},
+                     .y = {.title = "horizontal displacement of the centre of mass (mm)"},
+                     .series = {}};
+  PageChart path{.title = "Paths seen from above",
+                 .x = {.title = "x (mm)"},
+                 .y = {.title = "y (mm)"},
+                 .series = {},
+                 .equal_scale = true,
+                 .note = "Every path begins at 0, 0."};
+  PageChart energy{.title = "Energy that finite elements lose or gain by numerical error",
+                   .x = {.title = "time (s)"},
+                   .y = {.title = "imbalance of energy (mJ)"},
+                   .series = {}};
+  PageTable table{.title = "Walks",
+                  .columns = {"body", "model", "status", "time (s)", "distance (mm)", "distance (body lengths)",
+                              "speed (body lengths / min)", "direction (degrees from x)", "from"},
+                  .rows = {}};
+  for (const CommandOutput& output : outputs) {
+    if (!is_walk(output)) continue;
+    try {
+      const io::CsvContents walk = io::read_csv(output.folder / "trajectory.csv");
+      const std::string name = heading_of(output) + ", " + model_of(output);
+      const bool dashed = command_of(output) == "simulate";
+      const std::vector<double> time_s = column_of(walk, "time_s");
+      std::vector<double> x_mm = column_of(walk, "centre_of_mass_x_m", 1e3);
+      std::vector<double> y_mm = column_of(walk, "centre_of_mass_y_m", 1e3);
+      for (std::vector<double>* values : {&x_mm, &y_mm})
+        for (const double first = values->empty() ? 0.0 : values->front(); double& value : *values) value -= first;
+      distance.series.push_back(
+          {.name = name, .x = time_s, .y = column_of(walk, "horizontal_displacement_m", 1e3), .dashed = dashed});
+      path.series.push_back({.name = name, .x = x_mm, .y = y_mm, .dashed = dashed});
+      if (walk.has("imbalance_J")) energy.series.push_back({.name = name, .x = time_s, .y = column_of(walk, "imbalance_J", 1e3)});
+      const char* file = command_of(output) == "locomote" ? "locomotion.toml" : "result.toml";
+      const io::TomlTable result = io::read_toml(output.folder / file);
+      const auto lengths = result.optional_number("horizontal_displacement_body_lengths");
+      const auto moved_m = result.optional_number("horizontal_displacement_m");
+      const double end_s = result.number("time_s");
+      std::string direction = shown_number(std::optional<double>());
+      if (result.has("displacement_m")) {
+        const std::vector<double> vector_m = result.numbers("displacement_m");
+        if (vector_m.size() == 3)
+          direction = io::formatted("%.0f", std::atan2(vector_m[1], vector_m[0]) * 180.0 / std::acos(-1.0));
+      }
+      table.rows.push_back({heading_of(output), model_of(output), result.text("status"), shown_number(end_s),
+                            shown_number(moved_m ? std::optional(1e3 * *moved_m) : std::nullopt), shown_number(lengths),
+                            shown_number(lengths && end_s > 0.0 ? std::optional(60.0 * *lengths / end_s) : std::nullopt),
+                            direction, file_of(output, file)});
+      if (const std::string reason = result.text_or("reason", ""); !reason.empty())
+        section.words.push_back(std::string(name).append(": ").append(reason).append("."));
+    } catch (const io::InputError& error) {
+      notes.emplace_back(error.what());
+    }
+  }
+  if (table.rows.empty()) return section;
+  section.charts = {std::move(distance), std::move(path)};
+  if (!energy.series.empty()) section.charts.push_back(std::move(energy));
+  section.tables.push_back(std::move(table));
+  return section;
+}
+
+/// The names of a column without repetition, in the order in which they appear.
+std::vector<std::string> distinct(const io::CsvContents& table, const std::string& column) {
+  std::vector<std::string> names;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const std::string name = text_in(table, row, column);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+void add_calibration(const CommandOutput& output, PageSection& section) {
+  const io::CsvContents residuals = io::read_csv(output.folder / "residuals.csv");
+  PageChart chart{.title = "Residuals: " + file_of(output, "residuals.csv"),
+                  .x = {.title = "number of the fitted quantity"},
+                  .y = {.title = "root mean square error / largest value (%)"},
+                  .series = {},
+                  .note = "One point per curve and quantity. Point at one to see which. The order is that of the table below."};
+  std::map<std::string, PageSeries> by_kind;
+  for (std::size_t row = 0; row < residuals.row_count(); ++row) {
+    const auto relative = number_in(residuals, row, "relative");
+    if (!relative) continue;
+    PageSeries& series = by_kind[text_in(residuals, row, "kind")];
+    series.x.push_back(static_cast<double>(row + 1));
+    series.y.push_back(100.0 * *relative);
+    series.labels.push_back(text_in(residuals, row, "case") + ", " + shown_column(text_in(residuals, row, "ordinate")).title);
+  }
+  for (auto& [kind, series] : by_kind) {
+    series.name = kind;
+    series.marks = PageMarks::points;
+    chart.series.push_back(std::move(series));
+  }
+  section.charts.push_back(std::move(chart));
+  if (has_file(output, "responses.csv")) {
+    const io::CsvContents responses = io::read_csv(output.folder / "responses.csv");
+    PageChart agreement{
+        .title = "Fitted values: surrogate against finite elements",
+        .x = {.title = "finite elements / largest value of the curve"},
+        .y = {.title = "surrogate / largest value of the curve"},
+        .series = {},
+        .equal_scale = true,
+        .diagonal = true,
+        .note = "Both axes are divided by the largest value of finite elements in the curve of a case and quantity. From " +
+                file_of(output, "responses.csv") + "."};
+    std::map<std::pair<std::string, std::string>, double> largest;
+    const auto key = [&](std::size_t row) {
+      return std::pair(text_in(responses, row, "case"), text_in(responses, row, "ordinate"));
+    };
+    for (std::size_t row = 0; row < responses.row_count(); ++row)
+      largest[key(row)] = std::max(largest[key(row)], std::abs(number_in(responses, row, "reference").value_or(0.0)));
+    for (const std::string& kind : distinct(responses, "kind")) {
+      PageSeries series{.name = kind, .x = {}, .y = {}, .marks = PageMarks::points};
+      for (std::size_t row = 0; row < responses.row_count(); ++row) {
+        const auto reference = number_in(responses, row, "reference");
+        const auto surrogate = number_in(responses, row, "surrogate");
+        const double scale = largest[key(row)];
+        if (text_in(responses, row, "kind") != kind || !reference || !surrogate || !(scale > 0.0)) continue;
+        series.x.push_back(*reference / scale);
+        series.y.push_back(*surrogate / scale);
+        series.labels.push_back(text_in(responses, row, "case") + ", " + shown_column(text_in(responses, row, "ordinate")).title);
+      }
+      agreement.series.push_back(std::move(series));
+    }
+    section.charts.push_back(std::move(agreement));
+  }
+  section.tables.push_back(shown_table("Residuals", residuals,
+                                       {"case", "kind", "body", "ordinate", "rms", "worst", "unit", "relative"},
+                                       file_of(output, "residuals.csv")));
+  if (has_file(output, "parameters.csv")) {
+    section.tables.push_back(shown_table("Fitted parameters with 95 % intervals", io::read_csv(output.folder / "parameters.csv"),
+                                         {"parameter", "value", "lowest_95", "highest_95", "classes", "determination"},
+                                         file_of(output, "parameters.csv")));
+  }
+  if (const auto fit = io::read_toml(output.folder / "result.toml").optional_table("fit")) add_notes_of(*fit, section.words);
+}
+
+void add_validation(const CommandOutput& output, PageSection& section) {
+  const io::CsvContents errors = io::read_csv(output.folder / "errors.csv");
+  PageChart chart{.title = "Surrogate against finite elements, displacements of bodies that no fit has seen",
+                  .x = {.title = "finite elements (mm)"},
+                  .y = {.title = "surrogate (mm)"},
+                  .series = {},
+                  .equal_scale = true,
+                  .diagonal = true,
+                  .note = "Inside the range of the fit, one series per body. From " + file_of(output, "errors.csv") + "."};
+  for (const std::string& body : distinct(errors, "body")) {
+    PageSeries series{.name = body, .x = {}, .y = {}, .marks = PageMarks::points};
+    for (std::size_t row = 0; row < errors.row_count(); ++row) {
+      const auto elements = number_in(errors, row, "finite_elements");
+      const auto surrogate = number_in(errors, row, "surrogate");
+      if (text_in(errors, row, "body") != body || text_in(errors, row, "kind") != "displacement" ||
+          text_in(errors, row, "validity") != "inside" || !elements || !surrogate)
+        continue;
+      series.x.push_back(1e3 * *elements);
+      series.y.push_back(1e3 * *surrogate);
+      series.labels.push_back(text_in(errors, row, "case") + ", " + shown_column(text_in(errors, row, "observable")).title +
+                              " at " + shown_pressure(number_in(errors, row, "pressure_Pa").value_or(0.0)));
+    }
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  if (!chart.series.empty()) section.charts.push_back(std::move(chart));
+  section.tables.push_back(shown_table(
+      "Errors by body; fractions of the largest value in a curve", io::read_csv(output.folder / "summary.csv"),
+      {"body", "kind", "range", "count", "without_equilibrium", "median", "percentile_90", "worst", "worst_body", "worst_case"},
+      file_of(output, "summary.csv")));
+  if (has_file(output, "volume_actuation.csv")) {
+    section.tables.push_back(shown_table("Change of volume by pressure, on finite elements",
+                                         io::read_csv(output.folder / "volume_actuation.csv"),
+                                         {"body", "chamber_share", "highest_pressure_Pa", "change_at_highest",
+                                          "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"},
+                                         file_of(output, "volume_actuation.csv")));
+  }
+}
+
+void add_load_cases(const CommandOutput& output, PageSection& section) {
+  PageTable table{.title = "Load cases: " + heading_of(output),
+                  .columns = {"case", "kind", "status", "reason", "states"},
+                  .rows = {},
+                  .note = "One .toml and one .csv per case in " + file_of(output, "") + "."};
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(output.folder, ignored))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::ranges::sort(files);
+  for (const fs::path& file : files) {
+    const io::TomlTable curve = io::read_toml(file);
+    const auto load_case = curve.optional_table("case");
+    if (!load_case || !curve.has("status")) continue;
+    const fs::path rows = fs::path(file).replace_extension(".csv");
+    const bool has_rows = fs::is_regular_file(rows, ignored);
+    table.rows.push_back({load_case->text_or("name", file.stem().string()), load_case->text_or("kind", ""), curve.text("status"),
+                          curve.text_or("reason", ""), has_rows ? std::to_string(io::read_csv(rows).row_count()) : "0"});
+  }
+  if (!table.rows.empty()) section.tables.push_back(std::move(table));
+}
+
+void add_search(const CommandOutput& output, PageSection& section) {
+  const SearchTables tables = read_search_tables(output);
+  const std::string best = fitness_column(tables.generations);
+  const std::string unit = best.ends_with("_body_lengths") ? "body lengths" : "m\u00b2";
+  const std::vector<double> generations = column_of(tables.generations, "generation");
+  PageChart chart{.title = "Progress of the search: " + tables.source,
+                  .x = {.title = "generation"},
+                  .y = {.title = "fitness (" + unit + ")"},
+                  .series = {}};
+  chart.series.push_back({.name = "best of the generation",
+                          .x = generations,
+                          .y = column_of(tables.generations, best),
+                          .marks = PageMarks::line_and_points});
+  if (const auto means = std::ranges::find_if(tables.generations.columns(),
+                                              [](const std::string& column) { return column.starts_with("mean_fitness_"); });
+      means != tables.generations.columns().end())
+    chart.series.push_back(
+        {.name = "mean of the survivors", .x = generations, .y = column_of(tables.generations, *means), .dashed = true});
+  section.charts.push_back(std::move(chart));
+  std::vector<std::string> columns = tables.generations.columns();
+  section.tables.push_back(shown_table("Generations", tables.generations, columns, tables.source));
+  if (!tables.lineage || tables.lineage->row_count() == 0) return;
+  const io::CsvContents& lineage = *tables.lineage;
+  const auto fitness =
+      std::ranges::find_if(lineage.columns(), [](const std::string& column) { return column.starts_with("fitness_"); });
+  if (fitness != lineage.columns().end()) {
+    PageSeries line{.name = "ancestors of the champion, the eldest first",
+                    .x = column_of(lineage, "generation"),
+                    .y = column_of(lineage, *fitness),
+                    .marks = PageMarks::line_and_points};
+    for (std::size_t row = 0; row < lineage.row_count(); ++row)
+      line.labels.push_back("individual " + text_in(lineage, row, "individual") + ", " + text_in(lineage, row, "cells") +
+                            " cells, " + text_in(lineage, row, "phenotype"));
+    section.charts.push_back({.title = "Lineage of the champion",
+                              .x = {.title = "generation of birth"},
+                              .y = {.title = "fitness (" + unit + ")"},
+                              .series = {std::move(line)},
+                              .note = "Each point is the parent of the next."});
+  }
+  section.tables.push_back(shown_table("Lineage of the champion", lineage, lineage.columns(), tables.source));
+}
+
+void add_reevaluation(const CommandOutput& output, PageSection& section) {
+  const io::CsvContents designs = io::read_csv(output.folder / "reevaluation.csv");
+  PageChart chart{.title = "Speeds of robots in both models",
+                  .x = {.title = "model of the search (body lengths / min)"},
+                  .y = {.title = "finite elements (body lengths / min)"},
+                  .series = {},
+                  .diagonal = true,
+                  .note = "A robot on the diagonal walks as fast in both. From " + file_of(output, "reevaluation.csv") + "."};
+  for (const std::string& selection : distinct(designs, "selection")) {
+    PageSeries series{
+        .name = selection == "top" ? "best of the search" : selection, .x = {}, .y = {}, .marks = PageMarks::points};
+    for (std::size_t row = 0; row < designs.row_count(); ++row) {
+      const auto x = number_in(designs, row, "surrogate_body_lengths_per_minute");
+      const auto y = number_in(designs, row, "elements_body_lengths_per_minute");
+      if (text_in(designs, row, "selection") != selection || !x || !y) continue;
+      series.x.push_back(*x);
+      series.y.push_back(*y);
+      series.labels.push_back("rank " + text_in(designs, row, "rank") + ", individual " + text_in(designs, row, "individual"));
+    }
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  if (!chart.series.empty()) section.charts.push_back(std::move(chart));
+  section.tables.push_back(
+      shown_table("Robots in both models", designs,
+                  {"rank", "individual", "selection", "cells", "surrogate_status", "surrogate_body_lengths_per_minute",
+                   "surrogate_direction_deg", "elements_status", "elements_body_lengths_per_minute", "elements_direction_deg",
+                   "distance_ratio", "angle_deg", "surrogate_relative_error"},
+                  file_of(output, "reevaluation.csv")));
+  if (has_file(output, "ranking.csv")) {
+    section.tables.push_back(shown_table("How well the search ranks", io::read_csv(output.folder / "ranking.csv"),
+                                         {"designs", "quantity", "value", "low_95", "high_95", "count", "of", "method"},
+                                         file_of(output, "ranking.csv")));
+  }
+  if (has_file(output, "variants.csv")) {
+    section.tables.push_back(shown_table(
+        "How far the finite elements themselves can be known", io::read_csv(output.folder / "variants.csv"),
+        {"rank", "variant", "kind", "status", "body_lengths_per_minute", "direction_deg", "relative_change", "change_angle_deg"},
+        file_of(output, "variants.csv")));
+  }
+}
+
+void add_confirmation(const CommandOutput& output, PageSection& section) {
+  // The table lies beside its manifest: scores.csv beside scores.manifest.json.
+  const std::string name = output.manifest.filename().string();
+  const std::string table =
+      name.substr(0, name.size() - std::min(name.size(), std::string_view(".manifest.json").size())) + ".csv";
+  const io::CsvContents scores = io::read_csv(output.folder / table);
+  const fs::path file = fs::path(output.name).parent_path() / table;
+  section.tables.push_back(
+      shown_table("Robots as another study lets them walk", scores, scores.columns(), file.generic_string()));
+}
+
+void add_modes(const CommandOutput& output, PageSection& section) {
+  const io::CsvContents modes = io::read_csv(output.folder / "modes.csv");
+  section.tables.push_back(
+      shown_table("Natural frequencies: " + heading_of(output), modes, modes.columns(), file_of(output, "modes.csv")));
+  PageChart chart{.title = "Natural frequencies under pressure: " + heading_of(output),
+                  .x = {.title = "path parameter"},
+                  .y = {.title = "frequency (Hz)"},
+                  .series = {}};
+  const std::vector<std::string> pressures = ending_with(modes, "_pressure_Pa");
+  const std::string abscissa = pressures.size() == 1 ? pressures.front() : "path_parameter";
+  if (pressures.size() == 1) chart.x.title = "gauge pressure (kPa)";
+  for (const std::string& mode : distinct(modes, "mode")) {
+    PageSeries series{.name = "mode " + mode, .x = {}, .y = {}, .marks = PageMarks::line_and_points};
+    for (std::size_t row = 0; row < modes.row_count(); ++row) {
+      const auto x = number_in(modes, row, abscissa);
+      const auto y = number_in(modes, row, "frequency_Hz");
+      if (text_in(modes, row, "mode") != mode || !x || !y) continue;
+      series.x.push_back(*x * (pressures.size() == 1 ? 1e-3 : 1.0));
+      series.y.push_back(*y);
+    }
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  if (!chart.series.empty()) section.charts.push_back(std::move(chart));
+}
+
+void add_trade_off(const CommandOutput& output, PageSection& section) {
+  if (has_file(output, "tradeoff.csv")) {
+    const io::CsvContents rows = io::read_csv(output.folder / "tradeoff.csv");
+    PageChart chart{.title = "Error against run time: " + heading_of(output),
+                    .x = {.title = "processor time (s)", .logarithmic = true},
+                    .y = {.title = "error (%)", .logarithmic = true},
+                    .series = {},
+                    .note = "From " + file_of(output, "tradeoff.csv") +
+                            ". Settings without an error or with an error of 0, such as the reference, are left out."};
+    for (const std::string& model : distinct(rows, "model")) {
+      PageSeries series{.name = model, .x = {}, .y = {}, .marks = PageMarks::points};
+      for (std::size_t row = 0; row < rows.row_count(); ++row) {
+        const auto x = number_in(rows, row, "cpu_seconds");
+        const auto y = number_in(rows, row, "relative_error");
+        if (text_in(rows, row, "model") != model || !x || !y || !(*x > 0.0) || !(*y > 0.0)) continue;
+        series.x.push_back(*x);
+        series.y.push_back(100.0 * *y);
+        series.labels.push_back(text_in(rows, row, "role") + " " + text_in(rows, row, "status"));
+      }
+      if (!series.x.empty()) chart.series.push_back(std::move(series));
+    }
+    if (!chart.series.empty()) section.charts.push_back(std::move(chart));
+    section.tables.push_back(shown_table("All settings", rows, rows.columns(), file_of(output, "tradeoff.csv")));
+  }
+  if (!has_file(output, "recommendation.txt")) return;
+  const std::string text = io::read_whole(output.folder / "recommendation.txt");
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (end > at) section.words.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+}
+
+PageSection provenance_section(const std::vector<CommandOutput>& outputs) {
+  PageSection section{.title = "Where it comes from", .id = "provenance"};
+  PageTable runs{.title = "Runs",
+                 .columns = {"folder", "command", "version of menger", "wall time (s)", "seed", "input files"},
+                 .rows = {},
+                 .note = "From the manifest of each folder, which also has every parameter."};
+  PageTable inputs{.title = "Input files", .columns = {"read by", "file", "SHA-256"}, .rows = {}};
+  for (const CommandOutput& output : outputs) {
+    runs.rows.push_back({output.name.empty() ? "." : output.name, command_of(output), output.version,
+                         shown_number(output.seconds), output.seed ? std::to_string(*output.seed) : "\u2013",
+                         std::to_string(output.inputs.size())});
+    for (const auto& [file, hash] : output.inputs)
+      inputs.rows.push_back({output.name.empty() ? "." : output.name, file, hash.substr(0, 16)});
+    for (const std::string& note : output.notes)
+      section.words.push_back((output.name.empty() ? command_of(output) : output.name) + ": " + note + ".");
+  }
+  section.tables.push_back(std::move(runs));
+  constexpr std::size_t most_inputs = 300;
+  if (inputs.rows.size() > most_inputs) {
+    inputs.note = "The first " + std::to_string(most_inputs) + " of " + std::to_string(inputs.rows.size()) + ". ";
+    inputs.rows.resize(most_inputs);
+  }
+  inputs.note += "Of the hash, the first 16 of 64 digits.";
+  if (!inputs.rows.empty()) section.tables.push_back(std::move(inputs));
+  return section;
+}
+
+/// Words that repeat, as notes of several runs do, are shown once.
+void keep_distinct(std::vector<std::string>& words) {
+  std::set<std::string> known;
+  std::erase_if(words, [&](const std::string& word) { return !known.insert(word).second; });
+}
+
+}  // namespace
+
+std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outputs, Notes& notes) {
+  std::vector<PageSection> sections;
+  const auto keep = [&](PageSection section) {
+    keep_distinct(section.words);
+    if (!section.charts.empty() || !section.tables.empty() || !section.words.empty()) sections.push_back(std::move(section));
+  };
+  using Add = void (*)(const CommandOutput&, PageSection&);
+  const auto each = [&](const char* title, const char* id, const std::map<std::string, Add>& commands) {
+    PageSection section{.title = title, .id = id};
+    for (const CommandOutput& output : outputs) {
+      const auto add = commands.find(command_of(output));
+      if (add == commands.end()) continue;
+      try {
+        add->second(output, section);
+      } catch (const io::InputError& error) {
+        notes.emplace_back(error.what());
+      }
+    }
+    keep(std::move(section));
+  };
+  each("Inflation", "inflation", {{"inflate", add_inflation}});
+  keep(walk_section(outputs, notes));
+  each("Shapes of the surrogate", "validation", {{"validate", add_validation}});
+  each("Calibration", "calibration", {{"calibrate", add_calibration}});
+  const bool has_archive =
+      std::ranges::any_of(outputs, [](const CommandOutput& output) { return command_of(output) == "evolve"; });
+  if (has_archive)
+    each("Search", "search", {{"evolve", add_search}, {"confirm", add_confirmation}});
+  else
+    each("Search", "search", {{"export", add_search}, {"confirm", add_confirmation}});
+  each("Robots of the search on finite elements", "ranking", {{"reevaluate", add_reevaluation}});
+  each("Natural frequencies", "modes", {{"modes", add_modes}});
+  each("Error against cost", "tradeoff", {{"tradeoff", add_trade_off}});
+  each("Load cases", "load-cases", {{"load-cases", add_load_cases}});
+  keep(provenance_section(outputs));
+  return sections;
+}
+
+}  // namespace menger::evolution

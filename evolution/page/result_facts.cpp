@@ -1,0 +1,237 @@
+#include "evolution/page/result_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "evolution/page/report_numbers.h"
+#include "evolution/page/search_tables.h"
+#include "io/text/csv_table.h"
+#include "io/text/input_error.h"
+#include "io/text/run_status_words.h"
+#include "io/text/toml_document.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string relative_file(const CommandOutput& output, const char* file) {
+  return output.name.empty() ? file : (fs::path(output.name) / file).generic_string();
+}
+
+/// The name of the body of an output: that of its design, or else its folder.
+std::string body_name(const CommandOutput& output) { return output.body_name.empty() ? output.name : output.body_name; }
+
+std::vector<std::string> lines_of(const io::TomlTable& table, const char* key) {
+  return table.has(key) ? table.texts(key) : std::vector<std::string>();
+}
+
+InflationFacts inflation_facts(const CommandOutput& output) {
+  InflationFacts facts{.name = body_name(output), .source = relative_file(output, "result.toml"), .body = output.body};
+  const io::TomlTable result = io::read_toml(output.folder / "result.toml");
+  facts.status = result.word("status", io::run_status_words());
+  facts.reason = result.text_or("reason", "");
+  for (const io::TomlTable& limit : result.optional_tables("limit_points")) {
+    const double pressure_Pa = limit.number("pressure_Pa");
+    if (pressure_Pa > 0.0 && (!facts.limit || pressure_Pa < facts.limit->pressure_Pa))
+      facts.limit = LimitFact{pressure_Pa, limit.text_or("plenum", "")};
+  }
+  const io::CsvContents curves = io::read_csv(output.folder / "curves.csv");
+  for (const std::string& column : curves.columns()) {
+    if (!column.ends_with("_pressure_Pa")) continue;
+    const std::string volume = column.substr(0, column.size() - std::string_view("_pressure_Pa").size()) + "_volume_m3";
+    const auto at_rest = curves.row_count() > 0 ? number_in(curves, 0, volume) : std::nullopt;
+    for (std::size_t row = 0; row < curves.row_count(); ++row) {
+      const auto pressure_Pa = number_in(curves, row, column);
+      if (!pressure_Pa || (facts.highest_pressure_Pa && *pressure_Pa <= *facts.highest_pressure_Pa)) continue;
+      facts.highest_pressure_Pa = pressure_Pa;
+      const auto now = number_in(curves, row, volume);
+      if (at_rest && now && *at_rest > 0.0) facts.volume_growth = *now / *at_rest - 1.0;
+    }
+  }
+  return facts;
+}
+
+CalibrationFacts calibration_facts(const CommandOutput& output) {
+  CalibrationFacts facts{.source = relative_file(output, "residuals.csv"), .reason = {}};
+  const io::TomlTable fit = io::read_toml(output.folder / "result.toml").table("fit");
+  facts.status = fit.word("status", io::run_status_words());
+  facts.reason = fit.text_or("reason", "");
+  facts.explained = fit.boolean_or("explained", true);
+  const io::CsvContents residuals = io::read_csv(output.folder / "residuals.csv");
+  std::vector<double> errors;
+  std::set<std::string> curves;
+  for (std::size_t row = 0; row < residuals.row_count(); ++row) {
+    const auto error = number_in(residuals, row, "relative");
+    curves.insert(text_in(residuals, row, "case"));
+    if (!error) continue;
+    errors.push_back(*error);
+    if (facts.worst_error && *error <= *facts.worst_error) continue;
+    facts.worst_error = error;
+    facts.worst_case = text_in(residuals, row, "case") + ", " + shown_column(text_in(residuals, row, "ordinate")).title;
+  }
+  facts.curves = curves.size();
+  facts.median_error = median_of(errors);
+  return facts;
+}
+
+std::size_t count_in(const io::CsvContents& table, std::size_t row, const char* column) {
+  return static_cast<std::size_t>(std::max(0.0, number_in(table, row, column).value_or(0.0)));
+}
+
+ValidationFacts validation_facts(const CommandOutput& output) {
+  ValidationFacts facts{.source = relative_file(output, "summary.csv"), .displacement = {}, .volume = {}};
+  const io::CsvContents summary = io::read_csv(output.folder / "summary.csv");
+  std::set<std::string> bodies;
+  for (std::size_t row = 0; row < summary.row_count(); ++row) {
+    const std::string kind = text_in(summary, row, "kind");
+    if (text_in(summary, row, "body") != "all") {
+      bodies.insert(text_in(summary, row, "body"));
+      continue;
+    }
+    if (text_in(summary, row, "range") != "inside") {
+      facts.outside += count_in(summary, row, "count") + count_in(summary, row, "without_equilibrium");
+      continue;
+    }
+    if (kind != "displacement" && kind != "volume") continue;
+    (kind == "volume" ? facts.volume : facts.displacement) =
+        ErrorFact{.count = count_in(summary, row, "count"),
+                  .without_equilibrium = count_in(summary, row, "without_equilibrium"),
+                  .median = number_in(summary, row, "median"),
+                  .worst = number_in(summary, row, "worst"),
+                  .worst_body = text_in(summary, row, "worst_body")};
+  }
+  facts.bodies = bodies.size();
+  return facts;
+}
+
+WalkFacts walk_facts(const CommandOutput& output) {
+  const bool on_elements = command_of(output) == "locomote";
+  const char* file = on_elements ? "locomotion.toml" : "result.toml";
+  WalkFacts facts{.name = body_name(output),
+                  .folder = output.name,
+                  .source = relative_file(output, file),
+                  .model = on_elements ? WalkModel::elements : WalkModel::voxels,
+                  .reason = {},
+                  .body = output.body,
+                  .drive = output.drive};
+  const io::TomlTable result = io::read_toml(output.folder / file);
+  facts.status = result.word("status", io::run_status_words());
+  facts.reason = result.text_or("reason", "");
+  facts.time_s = result.number("time_s", io::non_negative());
+  facts.body_lengths = result.optional_number("horizontal_displacement_body_lengths");
+  if (facts.body_lengths && facts.time_s > 0.0) facts.per_minute = 60.0 * *facts.body_lengths / facts.time_s;
+  if (result.has("displacement_m")) {
+    const std::vector<double> moved_m = result.numbers("displacement_m");
+    if (moved_m.size() == 3) facts.direction_deg = std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi;
+  }
+  if (const auto surrogate = result.optional_table("surrogate")) {
+    facts.model = WalkModel::surrogate;
+    facts.expected_error = lines_of(*surrogate, "expected_error");
+    facts.outside_validity = lines_of(*surrogate, "outside_validity");
+  }
+  return facts;
+}
+
+RankingFacts ranking_facts(const CommandOutput& output) {
+  RankingFacts facts{.source = relative_file(output, "ranking.csv"), .best_design = {}};
+  const io::CsvContents designs = io::read_csv(output.folder / "reevaluation.csv");
+  facts.designs = designs.row_count();
+  std::vector<double> errors;
+  for (std::size_t row = 0; row < designs.row_count(); ++row) {
+    if (const auto error = number_in(designs, row, "surrogate_relative_error")) errors.push_back(*error);
+    const auto speed = number_in(designs, row, "elements_body_lengths_per_minute");
+    if (speed && number_in(designs, row, "surrogate_body_lengths_per_minute")) ++facts.compared;
+    if (!speed || (facts.best_per_minute && *speed <= *facts.best_per_minute)) continue;
+    facts.best_per_minute = speed;
+    facts.best_design = "rank " + text_in(designs, row, "rank") + " of the search";
+  }
+  facts.median_error = median_of(errors);
+  const io::CsvContents ranking = io::read_csv(output.folder / "ranking.csv");
+  for (std::size_t row = 0; row < ranking.row_count(); ++row) {
+    if (text_in(ranking, row, "designs") != "all") continue;
+    const auto value = number_in(ranking, row, "value");
+    const std::string quantity = text_in(ranking, row, "quantity");
+    if (quantity == "spearman" && value)
+      facts.spearman = IntervalFact{*value, number_in(ranking, row, "low_95"), number_in(ranking, row, "high_95")};
+    if (quantity == "direction_within_45_deg" && value) {
+      facts.within_45_deg = count_in(ranking, row, "count");
+      facts.with_direction = count_in(ranking, row, "of");
+    }
+  }
+  return facts;
+}
+
+SearchFacts search_facts(const CommandOutput& output) {
+  const SearchTables tables = read_search_tables(output);
+  SearchFacts facts{.source = tables.source, .unit = {}};
+  const io::CsvContents& generations = tables.generations;
+  facts.generations = generations.row_count();
+  const std::string fitness = fitness_column(generations);
+  facts.unit = fitness.ends_with("_body_lengths") ? "body lengths" : "m\u00b2";
+  double evaluations = 0.0;
+  for (std::size_t row = 0; row < generations.row_count(); ++row) {
+    const auto value = number_in(generations, row, fitness);
+    if (value && !facts.first_fitness) facts.first_fitness = value;
+    if (value) facts.last_fitness = value;
+    evaluations += number_in(generations, row, "evaluations").value_or(0.0);
+  }
+  facts.evaluations = evaluations;
+  return facts;
+}
+
+ModesFacts modes_facts(const CommandOutput& output) {
+  ModesFacts facts{.source = relative_file(output, "modes.csv")};
+  facts.status = io::read_toml(output.folder / "result.toml").word("status", io::run_status_words());
+  const io::CsvContents modes = io::read_csv(output.folder / "modes.csv");
+  if (modes.row_count() > 0) facts.first_frequency_Hz = number_in(modes, 0, "frequency_Hz");
+  return facts;
+}
+
+/// Whether an output stands for a search. Of an archive and its export in one report, the archive does.
+bool stands_for_search(const CommandOutput& output, const std::vector<CommandOutput>& outputs) {
+  if (command_of(output) == "evolve") return true;
+  return command_of(output) == "export" && std::ranges::none_of(outputs, [&](const CommandOutput& other) {
+           return command_of(other) == "evolve" && is_of_archive(output, other);
+         });
+}
+
+}  // namespace
+
+const char* to_string(WalkModel model) {
+  switch (model) {
+    case WalkModel::elements:
+      return "finite elements";
+    case WalkModel::surrogate:
+      return "the surrogate";
+    case WalkModel::voxels:
+      return "voxels";
+  }
+  return "";
+}
+
+ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<std::string>& notes) {
+  ReportFacts facts;
+  for (const CommandOutput& output : outputs) {
+    const std::string command = command_of(output);
+    try {
+      if (command == "inflate") facts.inflations.push_back(inflation_facts(output));
+      if (command == "calibrate") facts.calibrations.push_back(calibration_facts(output));
+      if (command == "validate") facts.validations.push_back(validation_facts(output));
+      if (command == "simulate" || command == "locomote") facts.walks.push_back(walk_facts(output));
+      if (command == "reevaluate") facts.rankings.push_back(ranking_facts(output));
+      if (stands_for_search(output, outputs)) facts.searches.push_back(search_facts(output));
+      if (command == "modes") facts.modes.push_back(modes_facts(output));
+    } catch (const io::InputError& error) {
+      notes.emplace_back(error.what());
+    }
+  }
+  return facts;
+}
+
+}  // namespace menger::evolution

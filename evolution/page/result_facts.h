@@ -1,0 +1,136 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evolution/page/command_outputs.h"
+#include "io/text/run_status.h"
+
+namespace menger::evolution {
+
+/// A pressure beyond which a body balloons or buckles.
+struct LimitFact {
+  double pressure_Pa = 0.0;
+  std::string plenum{};
+};
+
+/// What an inflation says.
+struct InflationFacts {
+  std::string name{};    ///< of the body
+  std::string source{};  ///< files, relative to the folder of the report
+  io::RunStatus status = io::RunStatus::stopped;
+  std::string reason{};
+  std::optional<double> highest_pressure_Pa{};  ///< of an equilibrium that was found
+  std::optional<LimitFact> limit{};             ///< the lowest one above 0
+  std::optional<double> volume_growth{};        ///< of the plenum that grows most, at the highest pressure, as a fraction
+  std::optional<ManifestBody> body{};
+};
+
+/// What a calibration says.
+struct CalibrationFacts {
+  std::string source{};
+  io::RunStatus status = io::RunStatus::stopped;
+  std::string reason{};
+  bool explained = true;  ///< whether the uncertainties of the curves explain the residuals
+  std::size_t curves = 0;
+  std::optional<double> median_error{};  ///< of the fitted quantities, as a fraction of their largest value
+  std::optional<double> worst_error{};
+  std::string worst_case{};
+};
+
+/// The errors of one kind of numbers inside the range of validity.
+struct ErrorFact {
+  std::size_t count = 0;
+  std::size_t without_equilibrium = 0;
+  std::optional<double> median{};
+  std::optional<double> worst{};
+  std::string worst_body{};
+};
+
+/// What a validation says.
+struct ValidationFacts {
+  std::string source{};
+  std::size_t bodies = 0;
+  ErrorFact displacement{};
+  ErrorFact volume{};
+  std::size_t outside = 0;  ///< numbers outside the range of validity
+};
+
+enum class WalkModel { elements, surrogate, voxels };
+
+/// Returns the words for a model: "finite elements", "the surrogate", "voxels".
+const char* to_string(WalkModel model);
+
+/// What a walk says.
+struct WalkFacts {
+  std::string name{};    ///< of the body
+  std::string folder{};  ///< relative to that of the report
+  std::string source{};
+  WalkModel model = WalkModel::elements;
+  io::RunStatus status = io::RunStatus::stopped;
+  std::string reason{};
+  double time_s = 0.0;
+  std::optional<double> body_lengths{};  ///< horizontal displacement; exists if completed
+  std::optional<double> per_minute{};    ///< body lengths per minute
+  std::optional<double> direction_deg{};
+  std::vector<std::string> expected_error{};    ///< of a surrogate
+  std::vector<std::string> outside_validity{};  ///< of a surrogate
+  std::optional<ManifestBody> body{};
+  std::string drive{};
+};
+
+/// A number with its 95 % interval.
+struct IntervalFact {
+  double value = 0.0;
+  std::optional<double> low{};
+  std::optional<double> high{};
+};
+
+/// What a re-evaluation says.
+struct RankingFacts {
+  std::string source{};
+  std::string compared_with = "the surrogate";
+  std::size_t designs = 0;   ///< re-evaluated
+  std::size_t compared = 0;  ///< completed in both models
+  std::optional<IntervalFact> spearman{};
+  std::optional<std::size_t> within_45_deg{};
+  std::optional<std::size_t> with_direction{};
+  std::optional<double> median_error{};  ///< of the displacement of the surrogate, as a fraction
+  std::optional<double> best_per_minute{};
+  std::string best_design{};  ///< "rank 2 of the search"
+};
+
+/// What a search says.
+struct SearchFacts {
+  std::string source{};
+  std::size_t generations = 0;  ///< finished, the first included
+  std::optional<double> first_fitness{};
+  std::optional<double> last_fitness{};
+  std::string unit{};  ///< of the fitness, for people
+  std::optional<double> evaluations{};
+};
+
+/// What natural frequencies say.
+struct ModesFacts {
+  std::string source{};
+  io::RunStatus status = io::RunStatus::stopped;
+  std::optional<double> first_frequency_Hz{};  ///< the lowest at the first pressure
+};
+
+/// What all outputs in a folder say.
+struct ReportFacts {
+  std::vector<InflationFacts> inflations{};
+  std::vector<CalibrationFacts> calibrations{};
+  std::vector<ValidationFacts> validations{};
+  std::vector<WalkFacts> walks{};
+  std::vector<RankingFacts> rankings{};
+  std::vector<SearchFacts> searches{};
+  std::vector<ModesFacts> modes{};
+};
+
+/// Reads what the outputs say. @param notes gets a sentence for every file that is missing or cannot be read
+ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<std::string>& notes);
+
+}  // namespace menger::evolution

@@ -1,0 +1,66 @@
+#include "evolution/page/search_tables.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "evolution/archive/run_archive.h"
+#include "evolution/report/generation_summary.h"
+#include "evolution/report/study_view.h"
+#include "evolution/study/study_file.h"
+#include "io/text/input_error.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The archive beside its manifest: run.sqlite beside run.manifest.json.
+fs::path archive_of(const CommandOutput& evolved) {
+  constexpr std::string_view ending = ".manifest.json";
+  const std::string name = evolved.manifest.filename().string();
+  return evolved.folder / (name.substr(0, name.size() - std::min(name.size(), ending.size())) + ".sqlite");
+}
+
+SearchTables tables_of_archive(const CommandOutput& evolved) {
+  const fs::path file = archive_of(evolved);
+  const RunArchive archive = RunArchive::open_to_read(file);
+  const RunView run = view_of(archive, archived_study(archive));
+  const auto last = archive.last_generation();
+  if (!last) throw io::InputError(file.string() + ": has no finished generation");
+  SearchTables tables{.source = (fs::path(evolved.name).parent_path() / file.filename()).generic_string(),
+                      .generations = io::parse_csv(generations_table(run).text(), file),
+                      .lineage = std::nullopt};
+  if (const auto champion = summarise_generation(run, *last).champion)
+    tables.lineage = io::parse_csv(lineage_table(run, champion->individual.id).text(), file);
+  return tables;
+}
+
+SearchTables exported_tables(const CommandOutput& exported) {
+  SearchTables tables{.source = (fs::path(exported.name) / "generations.csv").generic_string(),
+                      .generations = io::read_csv(exported.folder / "generations.csv"),
+                      .lineage = std::nullopt};
+  const fs::path lineage = exported.folder / "lineage.csv";
+  std::error_code ignored;
+  if (fs::exists(lineage, ignored)) tables.lineage = io::read_csv(lineage);
+  return tables;
+}
+
+}  // namespace
+
+SearchTables read_search_tables(const CommandOutput& output) {
+  return command_of(output) == "evolve" ? tables_of_archive(output) : exported_tables(output);
+}
+
+bool is_of_archive(const CommandOutput& exported, const CommandOutput& evolved) {
+  const std::string name = archive_of(evolved).filename().string() + " (study)";
+  return std::ranges::any_of(exported.inputs,
+                             [&](const auto& input) { return fs::path(input.first).filename().string() == name; });
+}
+
+std::string fitness_column(const io::CsvContents& generations) {
+  for (const std::string& column : generations.columns())
+    if (column.starts_with("best_fitness_")) return column;
+  return {};
+}
+
+}  // namespace menger::evolution

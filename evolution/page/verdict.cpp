@@ -1,0 +1,399 @@
+#include "evolution/page/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "evolution/page/report_numbers.h"
+#include "io/text/formatted.h"
+
+namespace menger::evolution {
+namespace {
+
+std::string with_reason(io::RunStatus status, const std::string& reason) {
+  return std::string(io::to_string(status)) + (reason.empty() ? "" : ", " + reason);
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// A line of a program as a sentence.
+std::string sentence_of(std::string line) {
+  if (!line.empty() && line.front() >= 'a' && line.front() <= 'z') line.front() = static_cast<char>(line.front() - 'a' + 'A');
+  return line + ".";
+}
+
+/// "0.8", and "0.8 body lengths a minute"
+std::string speed_number(double per_minute) { return io::shown(per_minute, per_minute < 100.0 ? 2 : 3); }
+std::string speed_text(double per_minute) { return speed_number(per_minute) + " body lengths a minute"; }
+
+/// The name of a body before a sentence, where there are several.
+std::string of_body(const std::string& name, bool several) { return several && !name.empty() ? name + ": " : ""; }
+
+Finding missing(const std::string& what, const std::string& command) {
+  return {Tone::missing, what + " was not computed.", "menger " + command};
+}
+
+Finding inflation_finding(const InflationFacts& facts, bool several) {
+  const std::string begin = of_body(facts.name, several);
+  const std::string reached = facts.highest_pressure_Pa ? shown_pressure(*facts.highest_pressure_Pa) : "no pressure";
+  const std::string growth =
+      facts.volume_growth ? " Its chamber then has " + io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
+                          : "";
+  if (facts.limit) {
+    return {Tone::caution,
+            begin + "Usable up to " + shown_pressure(facts.limit->pressure_Pa) +
+                ". There the pressure stops rising while the volume grows (limit point): the body balloons or buckles.",
+            facts.source};
+  }
+  if (facts.status == io::RunStatus::completed)
+    return {Tone::good, begin + "Inflated to " + reached + ", without a limit point up to there." + growth, facts.source};
+  if (facts.status == io::RunStatus::limit_point) {
+    return {
+        Tone::caution,
+        begin + "Usable up to " + reached + ". Beyond it no equilibrium was found (limit point): the body balloons or buckles.",
+        facts.source};
+  }
+  if (facts.status == io::RunStatus::wall_contact)
+    return {Tone::caution, begin + "Walls of chambers touch beyond " + reached + ". The finite elements end there.",
+            facts.source};
+  return {Tone::caution,
+          begin + "Inflated to " + reached + " only (" + with_reason(facts.status, facts.reason) +
+              "). What happens beyond is not known.",
+          facts.source};
+}
+
+Finding calibration_finding(const CalibrationFacts& facts) {
+  if (!facts.median_error)
+    return {Tone::bad, "The calibration of the surrogate gave no result (" + with_reason(facts.status, facts.reason) + ").",
+            facts.source};
+  std::string text = "The fitted surrogate is " + shown_percent(*facts.median_error) +
+                     " off the curves of finite elements it was fitted to (median of " +
+                     counted(facts.curves, "curve", "curves") + ")";
+  if (facts.worst_error) text += "; the worst is " + shown_percent(*facts.worst_error) + " off (" + facts.worst_case + ")";
+  text += ".";
+  if (facts.status != io::RunStatus::completed) text += " The fit ended early (" + with_reason(facts.status, facts.reason) + ").";
+  if (!facts.explained) text += " This is more than the uncertainty of the curves explains: the surrogate differs in shape.";
+  const bool good = facts.explained && facts.status == io::RunStatus::completed && *facts.median_error <= judged_by::good_error;
+  return {good ? Tone::good : Tone::caution, text, facts.source};
+}
+
+Tone tone_of_error(double median) {
+  if (median <= judged_by::good_error) return Tone::good;
+  return median <= judged_by::usable_error ? Tone::caution : Tone::bad;
+}
+
+Finding validation_finding(const ValidationFacts& facts) {
+  const ErrorFact& shapes = facts.displacement;
+  if (!shapes.median) {
+    return {
+        Tone::caution,
+        "Whether the surrogate takes the right shapes is not known: no displacement was compared inside the range of its fit.",
+        facts.source};
+  }
+  std::string text = "The surrogate's shapes are " + shown_percent(*shapes.median) + " off finite elements (median of " +
+                     counted(shapes.count, "displacement", "displacements") + " of " + counted(facts.bodies, "body", "bodies") +
+                     ", inside the range of the fit";
+  if (shapes.worst) text += "; the worst, " + shown_percent(*shapes.worst) + ", is of " + shapes.worst_body;
+  text += ")";
+  if (facts.volume.median) text += ", its volumes " + shown_percent(*facts.volume.median);
+  text += ".";
+  if (shapes.without_equilibrium > 0)
+    text += " In " + counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
+  if (facts.outside > 0)
+    text += " " + counted(facts.outside, "number", "numbers") + " outside the range of the fit do not count here.";
+  return {tone_of_error(*shapes.median), text, facts.source};
+}
+
+bool goes_nowhere(const WalkFacts& walk) { return walk.body_lengths && *walk.body_lengths < judged_by::least_body_lengths; }
+
+Finding walk_finding(const WalkFacts& walk, bool several) {
+  const std::string begin = of_body(walk.name, several);
+  const std::string on = std::string(walk.model == WalkModel::surrogate ? "in "
+                                     : walk.model == WalkModel::voxels  ? "as "
+                                                                        : "on ") +
+                         to_string(walk.model);
+  if (!walk.body_lengths || !walk.per_minute) {
+    return {Tone::bad,
+            begin + "The walk " + on + " ended after " + io::shown(walk.time_s, 3) + " s (" +
+                with_reason(walk.status, walk.reason) + ").",
+            walk.source};
+  }
+  std::string text = begin + "It moves " + io::shown(*walk.body_lengths, 2) + " body lengths " + on + " in " +
+                     io::shown(walk.time_s, 3) + " s, " + speed_text(*walk.per_minute);
+  if (goes_nowhere(walk)) return {Tone::caution, text + ": it goes nowhere.", walk.source};
+  if (walk.direction_deg) text += ", towards " + io::formatted("%.0f", *walk.direction_deg) + " degrees from x";
+  text += ".";
+  if (walk.model == WalkModel::elements) return {Tone::good, text, walk.source};
+  text += walk.model == WalkModel::surrogate ? " Its distances are not to be trusted without finite elements beside them."
+                                             : " These are solid voxels, not hollow silicone.";
+  return {Tone::caution, text, walk.source};
+}
+
+/// The angle between two directions, 0 to 180 degrees.
+double angle_between(double a_deg, double b_deg) {
+  const double turned = std::fmod(std::abs(a_deg - b_deg), 360.0);
+  return std::min(turned, 360.0 - turned);
+}
+
+/// What a comparison of walks in both models says, and what follows for the surrogate.
+struct WalkJudgement {
+  Finding finding;
+  std::optional<Tone> surrogate{};  ///< of the surrogate for this walk; nothing if this cannot be said
+};
+
+WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, bool several) {
+  WalkJudgement judged{.finding = {Tone::bad, of_body(elements.name, several), elements.source + ", " + surrogate.source}};
+  std::string& text = judged.finding.text;
+  const std::string other = surrogate.model == WalkModel::voxels ? "as voxels" : "in the surrogate";
+  const auto conclude = [&](Tone tone, std::optional<Tone> trust, const std::string& words) {
+    judged.finding.tone = tone;
+    judged.surrogate = trust;
+    text += words;
+    return judged;
+  };
+  const bool both = elements.per_minute && surrogate.per_minute;
+  if (!both) {
+    text += "One of both models did not complete the walk (finite elements: " + with_reason(elements.status, elements.reason) +
+            "; surrogate: " + with_reason(surrogate.status, surrogate.reason) + "): they cannot be compared.";
+    if (elements.per_minute) judged.surrogate = Tone::bad;
+    return judged;
+  }
+  text += "It walks " + speed_text(*elements.per_minute) + " on finite elements and " + speed_number(*surrogate.per_minute) +
+          " " + other;
+  if (goes_nowhere(elements) && goes_nowhere(surrogate))
+    return conclude(Tone::caution, std::nullopt, ": both go nowhere, so they cannot be compared.");
+  if (goes_nowhere(elements) || goes_nowhere(surrogate)) {
+    return conclude(Tone::bad, Tone::bad,
+                    std::string(": ") + (goes_nowhere(elements) ? "on finite elements" : other) +
+                        " it goes nowhere. Do not trust the surrogate for the walk of this body.");
+  }
+  double angle_deg = 0.0;
+  if (elements.direction_deg && surrogate.direction_deg) {
+    angle_deg = angle_between(*elements.direction_deg, *surrogate.direction_deg);
+    text += angle_deg > judged_by::same_direction_deg ? ", in another direction (" : ", in about the same direction (";
+    text += io::formatted("%.0f", angle_deg) + (io::formatted("%.0f", angle_deg) == "1" ? " degree apart)" : " degrees apart)");
+  }
+  const double ratio = *surrogate.per_minute / *elements.per_minute;
+  const bool same_speed = ratio <= judged_by::same_speed && ratio >= 1.0 / judged_by::same_speed;
+  const bool same_direction = angle_deg <= judged_by::same_direction_deg;
+  if (same_speed && same_direction) return conclude(Tone::good, Tone::good, ". Both models agree on this walk.");
+  if (same_direction) return conclude(Tone::caution, Tone::caution, ". The surrogate tells where this body goes, not how fast.");
+  return conclude(Tone::bad, Tone::bad, ". Do not trust the surrogate for the walk of this body.");
+}
+
+Finding ranking_finding(const RankingFacts& facts) {
+  std::string text;
+  Tone tone = Tone::caution;
+  const std::string of = std::to_string(facts.compared) + " of " + counted(facts.designs, "robot", "robots");
+  if (facts.spearman) {
+    const IntervalFact& rank = *facts.spearman;
+    text = "Over " + of + ", the rank correlation of the search's distances with those on finite elements is " +
+           io::formatted("%.2f", rank.value);
+    const bool has_interval = rank.low && rank.high;
+    if (has_interval)
+      text += " (95 % interval " + io::formatted("%.2f", *rank.low) + " to " + io::formatted("%.2f", *rank.high) + ")";
+    if (!has_interval) {
+      text += ": too few robots to say more.";
+    } else if (*rank.low <= 0.0) {
+      text += ": this can be chance.";
+    } else {
+      tone = rank.value >= judged_by::good_rank ? Tone::good : rank.value >= judged_by::usable_rank ? Tone::caution : Tone::bad;
+      text += tone == Tone::good      ? ": it tells which robot walks better."
+              : tone == Tone::caution ? ": it tells in part which robot walks better."
+                                      : ": it hardly tells which robot walks better.";
+    }
+  } else {
+    text = "Too few robots completed in both models to compare their ranking: " + of + ".";
+  }
+  if (facts.within_45_deg && facts.with_direction && *facts.with_direction > 0)
+    text += " " + std::to_string(*facts.within_45_deg) + " of " + std::to_string(*facts.with_direction) +
+            " go the same way within 45 degrees.";
+  if (facts.median_error) text += " Displacements are " + shown_percent(*facts.median_error) + " off (median).";
+  if (facts.best_per_minute)
+    text += " The best on finite elements is " + facts.best_design + ", with " + speed_text(*facts.best_per_minute) + ".";
+  return {tone, text, facts.source};
+}
+
+Finding search_finding(const SearchFacts& facts, bool several) {
+  const std::string begin = several ? "Search " + facts.source + ": " : "";
+  if (!facts.last_fitness) {
+    return {
+        Tone::bad,
+        begin + "The search found no robot with a fitness in " + counted(facts.generations, "generation", "generations") + ".",
+        facts.source};
+  }
+  std::string text = begin + "The best robot has a fitness of " + shown_number(facts.last_fitness) + " " + facts.unit +
+                     " after " + counted(facts.generations, "generation", "generations");
+  if (facts.first_fitness) text += "; the best of the first had " + shown_number(facts.first_fitness);
+  text += ".";
+  const bool improved = facts.first_fitness && *facts.last_fitness > *facts.first_fitness;
+  if (!improved && facts.generations > 1) text += " It did not improve.";
+  return {improved || facts.generations <= 1 ? Tone::good : Tone::caution, text, facts.source};
+}
+
+Finding modes_finding(const ModesFacts& facts) {
+  if (!facts.first_frequency_Hz)
+    return {Tone::caution, "No natural frequency was found (" + std::string(io::to_string(facts.status)) + ").", facts.source};
+  return {Tone::good, "The lowest natural frequency is " + shown_number(*facts.first_frequency_Hz) + " Hz.", facts.source};
+}
+
+/// Two walks of one body, driven alike, in both models.
+using WalkPair = std::pair<const WalkFacts*, const WalkFacts*>;
+
+std::vector<WalkPair> pairs_of(const std::vector<WalkFacts>& walks) {
+  std::vector<WalkPair> pairs;
+  for (const WalkFacts& elements : walks) {
+    if (elements.model != WalkModel::elements || !elements.body) continue;
+    for (const WalkFacts& other : walks)
+      if (other.model != WalkModel::elements && other.body == elements.body && other.drive == elements.drive)
+        pairs.emplace_back(&elements, &other);
+  }
+  return pairs;
+}
+
+/// Adds the findings on walks. @return whether the surrogate can be trusted for them; nothing if this cannot be said
+std::optional<Tone> add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
+  std::optional<Tone> trusted;
+  const std::vector<WalkPair> pairs = pairs_of(facts.walks);
+  const bool several = facts.walks.size() > (pairs.empty() ? 0U : 2U);
+  for (const auto& [elements, surrogate] : pairs) {
+    const WalkJudgement judged = judge_pair(*elements, *surrogate, several);
+    findings.push_back(judged.finding);
+    if (judged.surrogate) trusted = trusted ? std::max(*trusted, *judged.surrogate) : *judged.surrogate;  // the worst
+  }
+  for (const WalkFacts& walk : facts.walks) {
+    const bool is_paired =
+        std::ranges::any_of(pairs, [&](const WalkPair& pair) { return pair.first == &walk || pair.second == &walk; });
+    if (!is_paired) findings.push_back(walk_finding(walk, several));
+    for (const std::string& line : walk.outside_validity)
+      findings.push_back(
+          {Tone::caution, of_body(walk.name, several) + "Beyond what the surrogate was fitted to: " + line + ".", walk.source});
+    for (const std::string& line : walk.expected_error) {
+      findings.push_back({Tone::caution, of_body(walk.name, several) + sentence_of(line), walk.source});
+    }
+  }
+  const auto has = [&](auto is) { return std::ranges::any_of(facts.walks, is); };
+  const bool has_elements = has([](const WalkFacts& walk) { return walk.model == WalkModel::elements; });
+  const bool has_other = has([](const WalkFacts& walk) { return walk.model != WalkModel::elements; });
+  if (!has_elements) findings.push_back(missing("A walk on finite elements", "locomote"));
+  if (!has_other) findings.push_back(missing("A walk in the surrogate", "simulate"));
+  if (has_elements && has_other && pairs.empty())
+    findings.push_back({Tone::missing, "No body walks in both models with the same drive, so the walks cannot be compared.",
+                        "menger simulate, menger locomote"});
+  return trusted;
+}
+
+/// Whether there are inflations, all of one body.
+bool are_of_one_body(const std::vector<InflationFacts>& inflations) {
+  if (inflations.size() <= 1) return inflations.size() == 1;
+  return std::ranges::all_of(inflations,
+                             [&](const InflationFacts& one) { return one.body && one.body == inflations.front().body; });
+}
+
+/// Which of several inflations of a body says how far it can be used: that with the lowest limit pressure, or else the highest
+/// pressure.
+const InflationFacts& decisive(const std::vector<InflationFacts>& inflations) {
+  return *std::ranges::min_element(inflations, [](const InflationFacts& a, const InflationFacts& b) {
+    if (a.limit && b.limit) return a.limit->pressure_Pa < b.limit->pressure_Pa;
+    if (a.limit || b.limit) return a.limit.has_value();
+    return a.highest_pressure_Pa.value_or(0.0) > b.highest_pressure_Pa.value_or(0.0);
+  });
+}
+
+/// The sentence of the headline on pressure; empty if there is none.
+std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
+  if (!are_of_one_body(facts.inflations)) return {};
+  const InflationFacts& one = decisive(facts.inflations);
+  tone = inflation_finding(one, false).tone;
+  if (one.limit) return "Usable up to " + shown_pressure(one.limit->pressure_Pa) + ", where the body balloons or buckles. ";
+  if (!one.highest_pressure_Pa) return {};
+  const std::string reached = shown_pressure(*one.highest_pressure_Pa);
+  if (one.status == io::RunStatus::completed) return "Usable up to at least " + reached + ". ";
+  if (one.status == io::RunStatus::limit_point) return "Usable up to " + reached + ", where the body balloons or buckles. ";
+  return "Known up to " + reached + " only. ";
+}
+
+std::string trust_headline(const ReportFacts& facts, std::optional<Tone> trusted, Tone& tone) {
+  const auto worse = [&](Tone other) {
+    if (tone == Tone::missing || other == Tone::bad || (other == Tone::caution && tone == Tone::good)) tone = other;
+  };
+  if (trusted) {
+    worse(*trusted);
+    if (*trusted == Tone::good) return "The surrogate walks as finite elements do.";
+    return *trusted == Tone::caution ? "The surrogate tells where this body walks, not how fast: let finite elements decide."
+                                     : "Do not trust the surrogate for the walk of this body: let finite elements decide.";
+  }
+  if (!facts.rankings.empty()) {
+    const Finding ranking = ranking_finding(facts.rankings.front());
+    worse(ranking.tone);
+    if (ranking.tone == Tone::good) return "The search's ranking holds on finite elements.";
+    return ranking.tone == Tone::bad ? "The search's ranking does not hold on finite elements."
+                                     : "The search's ranking is to be checked on finite elements, robot by robot.";
+  }
+  if (facts.validations.size() == 1 && facts.validations.front().displacement.median) {
+    const Tone shapes = validation_finding(facts.validations.front()).tone;
+    worse(shapes);
+    if (shapes == Tone::good) return "The surrogate's shapes can be used; its walks were not compared.";
+    return shapes == Tone::caution ? "The surrogate's shapes are rough; its walks were not compared."
+                                   : "Do not trust the surrogate's shapes; its walks were not compared.";
+  }
+  worse(Tone::missing);
+  return "Whether the surrogate can be trusted for this body was not computed.";
+}
+
+}  // namespace
+
+const char* to_string(Tone tone) {
+  switch (tone) {
+    case Tone::good:
+      return "good";
+    case Tone::caution:
+      return "caution";
+    case Tone::bad:
+      return "bad";
+    case Tone::missing:
+      return "missing";
+  }
+  return "";
+}
+
+Verdict verdict_of(const ReportFacts& facts) {
+  Verdict verdict{.headline = {}};
+  std::vector<Finding>& findings = verdict.findings;
+  const bool several = facts.inflations.size() > 1 && !are_of_one_body(facts.inflations);
+  for (const InflationFacts& inflation : facts.inflations) findings.push_back(inflation_finding(inflation, several));
+  if (facts.inflations.empty()) findings.push_back(missing("The pressure that the body bears", "inflate"));
+  const std::optional<Tone> trusted = add_walks(facts, findings);
+  for (const ValidationFacts& validation : facts.validations) findings.push_back(validation_finding(validation));
+  if (facts.validations.empty()) findings.push_back(missing("How far the surrogate's shapes are off", "validate"));
+  for (const CalibrationFacts& calibration : facts.calibrations) findings.push_back(calibration_finding(calibration));
+  if (facts.calibrations.empty()) findings.push_back(missing("A calibration of the surrogate", "calibrate"));
+  for (const SearchFacts& search : facts.searches) findings.push_back(search_finding(search, facts.searches.size() > 1));
+  for (const RankingFacts& ranking : facts.rankings) findings.push_back(ranking_finding(ranking));
+  if (!facts.searches.empty() && facts.rankings.empty())
+    findings.push_back(missing("Whether the robots of the search walk on finer elements", "reevaluate"));
+  for (const ModesFacts& modes : facts.modes) findings.push_back(modes_finding(modes));
+  std::stable_partition(findings.begin(), findings.end(), [](const Finding& finding) { return finding.tone != Tone::missing; });
+  verdict.headline = pressure_headline(facts, verdict.tone);
+  verdict.headline += trust_headline(facts, trusted, verdict.tone);
+  return verdict;
+}
+
+std::vector<std::string> judging_words() {
+  return {
+      "Shapes can be relied on up to a median error of " + shown_percent(judged_by::good_error) + ", and not above " +
+          shown_percent(judged_by::usable_error) + ".",
+      "A walk below " + io::shown(judged_by::least_body_lengths) +
+          " body lengths goes nowhere. Walks of both models agree if neither is more than " + io::shown(judged_by::same_speed) +
+          " times as fast as the other and their directions are within " + io::shown(judged_by::same_direction_deg) + " degrees.",
+      "A ranking can be relied on from a rank correlation of " + io::shown(judged_by::good_rank) + ", and not below " +
+          io::shown(judged_by::usable_rank) + " or where its 95 % interval reaches 0.",
+      "These limits are choices of this page. Finite elements are not measurements: damping and friction of silicone are "
+      "assumed.",
+  };
+}
+
+}  // namespace menger::evolution

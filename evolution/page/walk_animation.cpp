@@ -1,0 +1,259 @@
+#include "evolution/page/walk_animation.h"
+
+#include <unistd.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "evolution/page/body_frames.h"
+#include "io/picture/picture_series.h"
+#include "io/process/child_program.h"
+#include "io/text/formatted.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "voxel/picture/picture_parts.h"
+#include "voxel/picture/picture_view.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+using BodyColour = std::array<unsigned char, 3>;
+
+constexpr io::PictureStyle animation_style{.width_px = 720, .height_px = 440};
+constexpr std::array<BodyColour, 2> body_colours{{{222, 205, 172}, {140, 178, 214}}};
+constexpr std::array<BodyColour, 2> material_colours_of_walk{{{72, 196, 212}, {232, 86, 80}}};
+
+/// A folder for pictures that are joined, which ends with this object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string pattern = (fs::temp_directory_path() / "menger-animation-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw io::InputError(pattern + ": cannot be made");
+    path_ = pattern;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Where a time lies among frames: the frame before it and the share of the way to the next one.
+std::pair<std::size_t, double> place_in_time(const PageBody& body, double time) {
+  const auto after = std::ranges::upper_bound(body.times, time);
+  if (after == body.times.begin() || body.times.size() < 2) return {0, 0.0};
+  if (after == body.times.end()) return {body.times.size() - 2, 1.0};
+  const auto n = static_cast<std::size_t>(after - body.times.begin()) - 1;
+  return {n, (time - body.times[n]) / (body.times[n + 1] - body.times[n])};
+}
+
+vtkSmartPointer<vtkPolyData> surface_at(const PageBody& body, double time, std::size_t number) {
+  const auto [frame, share] = place_in_time(body, time);
+  const std::size_t next = std::min(frame + 1, body.times.size() - 1);
+  vtkNew<vtkPoints> points;
+  for (std::size_t c = 0; c < body.corners; ++c) {
+    const std::array<double, 3> a = corner_m(body, frame, c);
+    const std::array<double, 3> b = corner_m(body, next, c);
+    points->InsertNextPoint(a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2]));
+  }
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const auto& face = body.faces[f];
+    const int count = face[3] == face[2] ? 3 : 4;
+    cells->InsertNextCell(count);
+    for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) cells->InsertCellPoint(static_cast<vtkIdType>(face.at(n)));
+    const bool has_material = !body.materials.empty() && (body.materials[f] == 1 || body.materials[f] == 2);
+    const BodyColour& colour =
+        has_material ? material_colours_of_walk.at(body.materials[f] - 1U) : body_colours.at(number % body_colours.size());
+    colours->InsertNextTypedTuple(colour.data());
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(cells);
+  surface->GetCellData()->SetScalars(colours);
+  return surface;
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is not above a length.
+double round_length(double most) {
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double part : {5.0, 2.0, 1.0})
+    if (part * power <= most) return part * power;
+  return power;
+}
+
+/// Draws the pictures of a walk.
+class WalkPictures {
+ public:
+  explicit WalkPictures(const PageScene& scene) : scene_(scene), view_(voxel::isometric_view()) {
+    for (const PageBody& body : scene.bodies) {
+      from_ = std::min(from_, body.times.front());
+      to_ = std::max(to_, body.times.back());
+      for (std::size_t frame = 0; frame < body.times.size(); ++frame) {
+        const auto [low, high] = box_of(body, frame);
+        for (const double x : {low[0], high[0]}) {
+          for (const double y : {low[1], high[1]}) {
+            for (const double z : {low[2], high[2]}) {
+              world_.add({x, y, z});
+              seen_.add(view_.coordinates({x, y, z}));
+            }
+          }
+        }
+      }
+    }
+    pace_ = pace_of(to_ - from_);
+  }
+
+  [[nodiscard]] const AnimationPace& pace() const { return pace_; }
+
+  void fill(vtkRenderWindow& window) {
+    renderer_->SetBackground(1.0, 1.0, 1.0);
+    window.AddRenderer(renderer_);
+    voxel::add_light(*renderer_);
+  }
+
+  void draw(std::size_t picture) {
+    const double time =
+        from_ + (to_ - from_) * static_cast<double>(picture) / static_cast<double>(std::max<std::size_t>(1, pace_.pictures - 1));
+    renderer_->RemoveAllViewProps();
+    const double size = std::max({world_.size(0), world_.size(1), world_.size(2)});
+    const double ground_m = scene_.ground_m.value_or(world_.low[2]);
+    const auto below = [&](int layers) { return ground_m - 0.001 * layers * size; };
+    voxel::Extent floor = world_;
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+      floor.low.at(axis) -= 0.25 * size;
+      floor.high.at(axis) += 0.25 * size;
+    }
+    voxel::add_floor(*renderer_, floor, below(4));
+    for (std::size_t n = 0; n < scene_.bodies.size(); ++n) {
+      const PageBody& body = scene_.bodies[n];
+      const vtkSmartPointer<vtkPolyData> surface = surface_at(body, time, n);
+      voxel::add_shadow(*renderer_, *surface, ground_m, below(3));
+      voxel::add_trail(*renderer_, trail_of(body, time, below(2)));
+      voxel::add_robot(*renderer_, *surface, 1.0);
+    }
+    const double bar_m = round_length(0.3 * std::max(world_.size(0), world_.size(1)));
+    const voxel::Vector begin{floor.low[0], floor.low[1], below(1)};
+    voxel::add_trail(*renderer_, std::vector<voxel::Vector>{begin, {begin[0] + bar_m, begin[1], begin[2]}});
+    voxel::add_caption(*renderer_, caption_of(time, bar_m), 0.5, 15);
+    voxel::Extent seen = seen_;
+    for (const double x : {floor.low[0], floor.high[0]})
+      for (const double y : {floor.low[1], floor.high[1]}) seen.add(view_.coordinates({x, y, ground_m}));
+    voxel::aim(*renderer_, view_, seen, static_cast<double>(animation_style.width_px) / animation_style.height_px, 0.03);
+  }
+
+ private:
+  [[nodiscard]] static std::vector<voxel::Vector> trail_of(const PageBody& body, double time, double height) {
+    std::vector<voxel::Vector> trail;
+    for (std::size_t n = 0; n < body.times.size() && body.times[n] <= time; ++n)
+      trail.push_back({body.centres_m[n][0], body.centres_m[n][1], height});
+    return trail;
+  }
+
+  [[nodiscard]] std::string caption_of(double time, double bar_m) const {
+    std::string text;
+    if (scene_.bodies.size() == 2) text = scene_.bodies[0].name + " behind, " + scene_.bodies[1].name + " in front, ";
+    if (scene_.bodies.size() == 1) text = scene_.bodies[0].name + ", ";
+    text += io::formatted("%.2f s", time);
+    if (pace_.slower > 1) text += ", shown " + std::to_string(pace_.slower) + " times slower";
+    return text + ", bar " + io::shown(1e3 * bar_m) + " mm";
+  }
+
+  const PageScene& scene_;
+  voxel::View view_;
+  voxel::Extent world_;
+  voxel::Extent seen_;
+  double from_ = std::numeric_limits<double>::max();
+  double to_ = std::numeric_limits<double>::lowest();
+  AnimationPace pace_;
+  vtkNew<vtkRenderer> renderer_;
+};
+
+}  // namespace
+
+AnimationPace pace_of(double duration_s) {
+  constexpr double least_s = 4.0;
+  constexpr std::size_t most_pictures = 120;
+  AnimationPace pace{.slower = 1, .pictures = 2, .pictures_per_s = 12.5};
+  while (pace.slower < 8 && duration_s * pace.slower < least_s) pace.slower *= 2;
+  const double wanted = std::max(2.0, std::ceil(duration_s * pace.slower * pace.pictures_per_s));
+  pace.pictures = wanted < static_cast<double>(most_pictures) ? static_cast<std::size_t>(wanted) : most_pictures;
+  if (pace.pictures == most_pictures) pace.pictures_per_s = static_cast<double>(most_pictures) / (duration_s * pace.slower);
+  return pace;
+}
+
+std::optional<fs::path> find_ffmpeg() {
+  const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): nothing changes the environment
+  std::string_view folders = path == nullptr ? "/usr/bin" : path;
+  while (!folders.empty()) {
+    const std::size_t end = std::min(folders.find(':'), folders.size());
+    const fs::path file = fs::path(folders.substr(0, end)) / "ffmpeg";
+    std::error_code ignored;
+    if (end > 0 && fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0) return file;
+    folders.remove_prefix(std::min(end + 1, folders.size()));
+  }
+  return std::nullopt;
+}
+
+AnimationOutcome write_walk_animation(const fs::path& file, const PageScene& scene, const std::optional<fs::path>& ffmpeg,
+                                      const std::atomic<bool>* stop, const std::function<void(double share)>& progress) {
+  if (!ffmpeg) return {.missing = "ffmpeg is missing: install the package ffmpeg"};
+  WalkPictures pictures(scene);
+  const ScratchFolder scratch;
+  std::size_t drawn = 0;
+  const auto is_stopped = [&] { return stop != nullptr && *stop; };
+  const io::PictureOutcome outcome = io::draw_pictures(
+      animation_style, [&](vtkRenderWindow& window) { pictures.fill(window); },
+      [&] {
+        if (drawn >= pictures.pace().pictures || is_stopped()) return false;
+        pictures.draw(drawn);
+        return true;
+      },
+      [&](const std::string& png) {
+        io::write_whole(scratch.path() / ("frame_" + io::padded(drawn++, 4) + ".png"), png);
+        if (progress) progress(0.9 * static_cast<double>(drawn) / static_cast<double>(pictures.pace().pictures));
+      });
+  if (!outcome.written) return {.missing = outcome.missing};
+  if (is_stopped()) return {.stopped = true};
+  io::PendingFile target(file);
+  const fs::path log = scratch.path() / "ffmpeg.log";
+  const io::ChildOutcome joined = io::run_child(
+      {.program = *ffmpeg,
+       .arguments =
+           {"-nostdin", "-loglevel", "error", "-framerate", io::formatted("%.6g", pictures.pace().pictures_per_s), "-i",
+            "frame_%04d.png", "-vf",
+            "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle",
+            "-loop", "0", "-y", fs::absolute(target.temporary()).string()},
+       .folder = scratch.path(),
+       .out = log,
+       .err = log,
+       .stop = stop});
+  if (is_stopped()) return {.stopped = true};
+  if (joined.exit_code != 0) return {.missing = ffmpeg->string() + " failed: " + io::read_start(log, 400)};
+  target.commit();
+  return {.written = true};
+}
+
+}  // namespace menger::evolution

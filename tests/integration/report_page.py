@@ -1,0 +1,180 @@
+"""Opens pages of menger report in a headless Chromium: report_page.py MENGER_REPORT SCRATCH [PAGE ...]
+
+Makes a small folder of results, whose names try to be markup, lets menger report make its page, and looks at it: no errors and no
+network, the canvas is not blank, the slider, the keys and Play move the bodies, nothing is wider than a phone. Further pages are
+checked in the same way. Leaves with 77, which ctest takes for skipped, where there is no Chromium or no three.js."""
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+from headless_browser import Browser, find_browser, pixels  # noqa: E402
+
+SKIPPED = 77
+HOSTILE = "</script><script>window.harmed=1</script><img src=x onerror='window.harmed=2'>"
+
+
+def write(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def grid(x):
+    """A cube of 1 cm at x (m), and a smaller one on it."""
+    points, corners = "", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    for size, z in ((0.01, 0.0), (0.006, 0.01)):
+        points += "\n".join(f"{x + size * a} {size * b} {z + size * c}" for a, b, c in corners) + "\n"
+    return f"""<VTKFile type="UnstructuredGrid" version="0.1"><UnstructuredGrid><Piece NumberOfPoints="16" NumberOfCells="2">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{points}</DataArray></Points>
+<Cells><DataArray type="Int32" Name="connectivity" format="ascii">{' '.join(map(str, range(16)))}</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">8 16</DataArray><DataArray type="UInt8" Name="types" format="ascii">12 12</DataArray></Cells>
+<CellData><DataArray type="UInt8" Name="material" format="ascii">1 2</DataArray></CellData>
+</Piece></UnstructuredGrid></VTKFile>"""
+
+
+def write_walk(folder, program, speed):
+    """A walk of 2 s with 5 frames."""
+    json_name = HOSTILE.replace('"', '\\"')
+    write(folder + "/manifest.json", f'{{"program": "{program}", "version": "0.1.0", "seconds": 1, "inputs_sha256": {{"{json_name}": "00"}}, "parameters": '
+          f'{{"design": {{"name": "{json_name}", "cell_edge_m": 0.01, "layers": [["1"], ["2"]]}}, "drive": {{"mode": "phases"}}}}}}')
+    result = "locomotion.toml" if program == "menger-locomote" else "result.toml"
+    write(f"{folder}/{result}", f'status = "completed"\ntime_s = 2\ndisplacement_m = [{2 * speed}, 0, 0]\nhorizontal_displacement_m = {2 * speed}\n'
+          f'horizontal_displacement_body_lengths = {200 * speed}\n')
+    rows, files = "", ""
+    for n in range(5):
+        time_s = 0.5 * n
+        rows += f"{time_s},{speed * time_s},0,0.005,{speed * time_s}\n"
+        write(f"{folder}/frames/frame_{n}.vtu", grid(speed * time_s))
+        files += f'<DataSet timestep="{time_s}" part="0" file="frames/frame_{n}.vtu"/>'
+    write(folder + "/trajectory.csv", "time_s,centre_of_mass_x_m,centre_of_mass_y_m,centre_of_mass_z_m,horizontal_displacement_m\n" + rows)
+    write(folder + "/frames.pvd", f'<VTKFile type="Collection" version="0.1"><Collection>{files}</Collection></VTKFile>')
+
+
+def colours(png):
+    """The colours of a picture with how often they occur."""
+    _, _, channels, rows = pixels(png)
+    counts = {}
+    for row in rows:
+        for at in range(0, len(row), channels):
+            colour = row[at:at + 3]
+            counts[colour] = counts.get(colour, 0) + 1
+    return counts
+
+
+def difference(a, b):
+    """The number of pixels that differ between two pictures of one size."""
+    wide, high, channels, rows_a = pixels(a)
+    other = pixels(b)
+    assert (wide, high, channels) == other[:3]
+    return sum(row_a[at:at + 3] != row_b[at:at + 3] for row_a, row_b in zip(rows_a, other[3]) for at in range(0, len(row_a), channels))
+
+
+class Check:
+    def __init__(self):
+        self.failed = 0
+
+    def that(self, holds, claim):
+        print(("ok      " if holds else "FAILED  ") + claim, flush=True)
+        self.failed += not holds
+
+
+def check_motion(browser, check, name):
+    """The canvas, the slider, the keys and Play."""
+    browser.value("document.getElementById('motion').scrollIntoView()")
+    browser.settle()
+    stage = browser.box(".stage")
+    browser.value("document.getElementById('time').focus()")
+    browser.key("Home")
+    browser.settle()
+    first = browser.picture(clip=stage)
+    counts = colours(first)
+    shaded = sum(count for colour, count in counts.items() if count < max(counts.values()))
+    check.that(len(counts) > 20 and shaded > 0.02 * sum(counts.values()), f"{name}: the canvas is not blank ({len(counts)} colours)")
+    before = browser.value("document.getElementById('scene-time').textContent")
+    browser.key("End")
+    browser.settle()
+    last = browser.picture(clip=stage)
+    after = browser.value("document.getElementById('scene-time').textContent")
+    check.that(difference(first, last) > 200, f"{name}: the slider moves the bodies ({difference(first, last)} pixels differ)")
+    check.that(before != after, f"{name}: the time is shown ({before!r}, then {after!r})")
+    browser.key("Home")
+    browser.settle()
+    check.that(difference(first, browser.picture(clip=stage)) < 50, f"{name}: the slider brings them back")
+    browser.value("document.getElementById('scene').focus()")
+    browser.key("ArrowRight", count=5)
+    browser.settle()
+    check.that(difference(first, browser.picture(clip=stage)) > 200, f"{name}: arrow keys turn the view")
+    browser.value("document.getElementById('play').focus()")
+    browser.key("Enter")
+    if browser.value("document.getElementById('play').textContent") != "Pause":
+        browser.value("document.getElementById('play').click()")
+    position = browser.value("document.getElementById('time').value")
+    end = time.monotonic() + 20
+    while browser.value("document.getElementById('time').value") == position and time.monotonic() < end:
+        time.sleep(0.05)
+    check.that(browser.value("document.getElementById('time').value") != position, f"{name}: Play moves the slider")
+    browser.value("document.getElementById('play').click()")
+
+
+def check_page(browser, check, page, name):
+    for scheme in ("light", "dark"):
+        browser.prefer(scheme)
+        for width, height in ((1400, 1000), (390, 844)):
+            browser.resize(width, height)
+            browser.open(page)
+            browser.settle()
+            wide = browser.value("document.documentElement.scrollWidth")
+            check.that(wide <= width, f"{name}: {scheme}, {width} pixels: nothing is wider than the screen ({wide})")
+            check.that(browser.value("document.querySelectorAll('figure > svg').length > 0 && [...document.querySelectorAll('figure > svg')].every(s => s.children.length > 3)"),
+                       f"{name}: {scheme}, {width} pixels: charts are drawn")
+    browser.prefer("light")
+    browser.resize(1400, 1000)
+    browser.open(page)
+    unnamed = browser.value("[...document.querySelectorAll('button,select,input,canvas')].filter(e => !e.hidden && !(e.labels && e.labels.length) && !e.textContent && !e.getAttribute('aria-label')).length")
+    check.that(unnamed == 0, f"{name}: every control has a name ({unnamed} have none)")
+    outline = browser.value("(() => { document.getElementById('play').focus({focusVisible: true}); return getComputedStyle(document.getElementById('play')).outlineStyle; })()")
+    check.that(outline == "solid", f"{name}: the focus is visible")
+    check_motion(browser, check, name)
+
+
+def main():
+    program, scratch, pages = sys.argv[1], os.path.abspath(sys.argv[2]), sys.argv[3:]
+    chromium = find_browser()
+    if chromium is None:
+        print("skipped: Chromium is missing: install the package chromium")
+        return SKIPPED
+    shutil.rmtree(scratch, ignore_errors=True)
+    os.makedirs(scratch)
+    write_walk(scratch + "/results/locomote", "menger-locomote", 0.01)
+    write_walk(scratch + "/results/simulate", "menger-simulate", 0.02)
+    made = subprocess.run([program, scratch + "/results", "--no-animations"], capture_output=True, text=True, check=False)
+    print(made.stdout + made.stderr, flush=True)
+    if made.returncode != 0:
+        return 1
+    if "three.js is missing" in made.stdout:
+        print("skipped: three.js is missing: install the package libjs-three")
+        return SKIPPED
+    check = Check()
+    browser = Browser(chromium, scratch)
+    try:
+        for page in [scratch + "/results/report.html"] + pages:
+            check_page(browser, check, page, os.path.basename(os.path.dirname(page)))
+        browser.open(scratch + "/results/report.html")
+        check.that(browser.value("typeof window.harmed") == "undefined", "names of files run no code")
+        check.that(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "names of files make no elements")
+        check.that(HOSTILE in browser.value("document.body.textContent"), "names of files are shown as they are")
+        complaints = browser.complaints()
+        check.that(not complaints, f"the console has no error or warning, and nothing is loaded: {complaints}")
+    finally:
+        browser.close()
+    if check.failed == 0:
+        shutil.rmtree(scratch, ignore_errors=True)
+    return 1 if check.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,174 @@
+#include "evolution/page/body_frames.h"
+
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/text/whole_file.h"
+#include "io/vtk/vtk_file.h"
+#include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
+#include "voxel/picture/vtk_output.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t plenty = 1'000'000;
+
+/// A block of n x n x n cubes of edge 1 from the origin; a cube is left out where `hole` says so.
+vtkSmartPointer<vtkUnstructuredGrid> block(int n, bool hole, double shift_x, double displacement_x) {
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> moved;
+  moved->SetName("displacement_m");
+  moved->SetNumberOfComponents(3);
+  for (int z = 0; z <= n; ++z)
+    for (int y = 0; y <= n; ++y)
+      for (int x = 0; x <= n; ++x) {
+        points->InsertNextPoint(x + shift_x, y, z);
+        moved->InsertNextTuple3(displacement_x, 0.0, 0.0);
+      }
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(moved);
+  const auto at = [&](int x, int y, int z) { return static_cast<vtkIdType>((z * (n + 1) + y) * (n + 1) + x); };
+  for (int z = 0; z < n; ++z)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) {
+        if (hole && x == 1 && y == 1 && z == 1) continue;
+        const std::array<vtkIdType, 8> ids{at(x, y, z),     at(x + 1, y, z),     at(x + 1, y + 1, z),     at(x, y + 1, z),
+                                           at(x, y, z + 1), at(x + 1, y, z + 1), at(x + 1, y + 1, z + 1), at(x, y + 1, z + 1)};
+        grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
+      }
+  vtkNew<vtkDoubleArray> pressure;
+  pressure->SetName("plenum_pressures_Pa");
+  pressure->InsertNextValue(1000.0 * (shift_x + displacement_x));
+  grid->GetFieldData()->AddArray(pressure);
+  return grid;
+}
+
+class BodyFramesTest : public testing::Test {
+ protected:
+  BodyFrame add(vtkUnstructuredGrid& grid) {
+    const fs::path file = folder_ / ("frame_" + std::to_string(frames_.size()) + ".vtu");
+    io::write_vtu(file, grid);
+    frames_.push_back({0.5 * static_cast<double>(frames_.size()), file});
+    return frames_.back();
+  }
+  PageBody read(std::size_t most_bytes = plenty, std::size_t most_frames = 100) {
+    return read_page_body(
+        {.name = "block", .frames = frames_, .most_bytes = most_bytes, .most_frames = most_frames, .body = body_});
+  }
+  tests::TestFolder folder_;
+  std::vector<BodyFrame> frames_;
+  std::optional<ManifestBody> body_;
+};
+
+TEST_F(BodyFramesTest, HaveTheFacesThatBelongToOneElement) {
+  add(*block(2, false, 0.0, 0.0));
+  const PageBody body = read();
+  EXPECT_EQ(body.faces.size(), 24U);
+  EXPECT_EQ(body.corners, 26U);
+  EXPECT_EQ(body.times, std::vector<double>{0.0});
+}
+
+TEST_F(BodyFramesTest, LeaveOutTheWallsOfAClosedChamber) {
+  add(*block(3, true, 0.0, 0.0));
+  EXPECT_EQ(read().faces.size(), 54U);
+}
+
+TEST_F(BodyFramesTest, AddDisplacementsToPointsThatDoNotMove) {
+  add(*block(1, false, 0.0, 0.0));
+  add(*block(1, false, 0.0, 0.25));
+  const PageBody body = read();
+  EXPECT_NEAR(box_of(body, 1).first[0], 0.25, 1e-4);
+  EXPECT_NEAR(box_of(body, 1).second[0], 1.25, 1e-4);
+  EXPECT_NEAR(box_of(body, 0).first[0], 0.0, 1e-4);
+}
+
+TEST_F(BodyFramesTest, AddNoDisplacementsToPointsThatMove) {
+  add(*block(1, false, 0.0, 0.0));
+  add(*block(1, false, 0.25, 0.25));
+  EXPECT_NEAR(box_of(read(), 1).first[0], 0.25, 1e-4);
+}
+
+TEST_F(BodyFramesTest, RoundPositionsToAPartOfTheMotion) {
+  add(*block(2, false, 0.0, 0.0));
+  add(*block(2, false, 98.0, 0.0));
+  const PageBody body = read();
+  // Half of a step of the largest extent, 100, in 16 bits.
+  const double most = 0.5 * 100.0 / 65535.0 * 1.0001;
+  EXPECT_NEAR(box_of(body, 1).second[0], 100.0, most);
+  for (std::size_t c = 0; c < body.corners; ++c) {
+    const auto place = corner_m(body, 0, c);
+    for (const double x : place) EXPECT_NEAR(x, std::round(x), most);
+  }
+}
+
+TEST_F(BodyFramesTest, HaveThePressureOfTheOnlyPlenum) {
+  add(*block(1, false, 0.0, 0.0));
+  add(*block(1, false, 0.0, 3.0));
+  const PageBody body = read();
+  ASSERT_EQ(body.pressures_Pa.size(), 1U);
+  EXPECT_EQ(body.pressures_Pa[0], (std::vector<double>{0.0, 3000.0}));
+  EXPECT_EQ(body.chambers, std::vector<std::uint8_t>(6, 0));
+}
+
+TEST_F(BodyFramesTest, TakeMaterialsFromTheCellsOfTheBody) {
+  add(*block(2, false, 0.0, 0.0));
+  body_ = ManifestBody{.layers = {{"12", "11"}, {"11", "11"}}, .cell_edge_m = 1.0};
+  const PageBody body = read();
+  // The second cell of the first row has three faces outside.
+  EXPECT_EQ(std::ranges::count(body.materials, 2), 3);
+  EXPECT_EQ(std::ranges::count(body.materials, 1), 21);
+}
+
+TEST_F(BodyFramesTest, LeaveOutFramesThatDoNotFit) {
+  for (int n = 0; n < 9; ++n) add(*block(1, false, n, 0.0));
+  EXPECT_EQ(read(plenty, 3).times, (std::vector<double>{0.0, 2.0, 4.0}));
+  // Six faces of 16 bytes, and 48 bytes per frame.
+  EXPECT_EQ(read(6 * 16 + 2 * 48).times, (std::vector<double>{0.0, 4.0}));
+  EXPECT_NE(tests::message_of([&] { read(6 * 16 + 48); }).find("too large for the page"), std::string::npos);
+}
+
+TEST_F(BodyFramesTest, RefuseFilesThatAreNoGridOrOfAnotherMesh) {
+  add(*block(1, false, 0.0, 0.0));
+  add(*block(2, false, 0.0, 0.0));
+  EXPECT_NE(tests::message_of([&] { read(); }).find("another mesh"), std::string::npos);
+  io::write_whole(frames_[1].file, "<VTKFile");
+  EXPECT_NE(tests::message_of([&] { read(); }).find("frame_1.vtu: is no grid"), std::string::npos);
+  fs::remove(frames_[1].file);
+  EXPECT_NE(tests::message_of([&] { read(); }).find("frame_1.vtu: is no grid"), std::string::npos);
+}
+
+TEST_F(BodyFramesTest, AreReadByPartInOrderOfTime) {
+  voxel::write_collection(folder_ / "both.pvd", {{1.0, "b.vtu", 0}, {0.0, "a.vtu", 0}, {0.0, "c.vtu", 1}});
+  const std::vector<BodyFrames> parts = read_body_frames(folder_ / "both.pvd");
+  ASSERT_EQ(parts.size(), 2U);
+  ASSERT_EQ(parts[0].frames.size(), 2U);
+  EXPECT_EQ(parts[0].frames[0].file, folder_ / "a.vtu");
+  EXPECT_EQ(parts[1].part, 1);
+}
+
+TEST(ShownFrames, AreEvenlySpacedWithTheFirstAndTheLast) {
+  EXPECT_EQ(shown_frames(3, 5), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(shown_frames(101, 3), (std::vector<std::size_t>{0, 50, 100}));
+  EXPECT_TRUE(shown_frames(0, 3).empty());
+}
+
+}  // namespace
+}  // namespace menger::evolution

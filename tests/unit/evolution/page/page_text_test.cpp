@@ -1,0 +1,109 @@
+#include "evolution/page/page_text.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+const std::string hostile = "</script><script>window.harmed = 1</script><img src=x onerror=\"window.harmed = 2\">&'\x1b";
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+ReportPage hostile_page() {
+  ReportPage page{
+      .title = hostile, .made = hostile, .verdict = {.headline = hostile, .findings = {{Tone::bad, hostile, hostile}}}};
+  page.sections = {{.title = hostile,
+                    .id = "walks",
+                    .words = {hostile},
+                    .charts = {{.title = hostile,
+                                .x = {hostile},
+                                .y = {hostile},
+                                .series = {{.name = hostile, .x = {1.0}, .y = {2.0}, .labels = {hostile}}},
+                                .note = hostile}},
+                    .tables = {{.title = hostile, .columns = {hostile}, .rows = {{hostile}}, .note = hostile}}}};
+  page.pictures = {{.caption = hostile, .png = "\x89PNG"}};
+  page.notes = {hostile};
+  return page;
+}
+
+TEST(PageText, IsBase64AsOthersWriteIt) {
+  EXPECT_EQ(base64_text(""), "");
+  EXPECT_EQ(base64_text("f"), "Zg==");
+  EXPECT_EQ(base64_text("fo"), "Zm8=");
+  EXPECT_EQ(base64_text("foo"), "Zm9v");
+  EXPECT_EQ(base64_text("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64_text(std::string("\xff\xfe\x00", 3)), "//4A");
+}
+
+TEST(PageText, EscapesMarkupAndControlCharacters) {
+  EXPECT_EQ(html_text("<b>\"a\" & 'b'</b>"), "&lt;b&gt;&quot;a&quot; &amp; &#39;b&#39;&lt;/b&gt;");
+  EXPECT_EQ(html_text("\x1b[2J"), "\\u001B[2J");
+}
+
+TEST(PageText, MakesNoMarkupOfTexts) {
+  const std::string harmless = page_text({.title = "t",
+                                          .made = "m",
+                                          .verdict = {.headline = "h", .findings = {{Tone::bad, "f", "s"}}},
+                                          .pictures = {{.caption = "c", .png = "\x89PNG"}}},
+                                         std::nullopt);
+  const std::string text = page_text(hostile_page(), std::nullopt);
+  EXPECT_EQ(text.find("<script>window.harmed"), std::string::npos);
+  EXPECT_EQ(text.find("<img"), std::string::npos);
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  // Hostile texts bring no element that harmless ones do not.
+  EXPECT_EQ(count_of(text, "<script"), count_of(harmless, "<script"));
+  EXPECT_EQ(count_of(text, "</script"), count_of(harmless, "</script"));
+}
+
+TEST(PageText, SearchesNoMarkInWhatIsPutIn) {
+  const ReportPage page{.title = "/*menger:script*/<!--menger:data-->", .made = "/*menger:style*/", .verdict = {.headline = "h"}};
+  const std::string text = page_text(page, "/*menger:script*/");
+  EXPECT_EQ(count_of(text, "function drawPage()"), 1U);
+  EXPECT_EQ(count_of(text, "id=\"report-data\""), 1U);
+  EXPECT_EQ(count_of(text, "--paper: #ffffff"), 1U);
+}
+
+TEST(PageText, LoadsNothingFromElsewhere) {
+  const std::string text = page_text(hostile_page(), std::nullopt);
+  EXPECT_NE(text.find("default-src 'none'"), std::string::npos);
+  for (const char* name : {"page.html", "page.css", "chart.js", "scene.js", "page.js"}) {
+    const std::string source(page_source(name));
+    ASSERT_FALSE(source.empty()) << name;
+    for (const char* from : {"src=\"http", "href=\"http", "url(", "import(", "fetch(", "innerHTML", "document.write"})
+      EXPECT_EQ(source.find(from), std::string::npos) << name << " has " << from;
+  }
+}
+
+TEST(PageText, HasMotionsOnlyWithTheCodeThatMovesThem) {
+  ReportPage page{.title = "t", .made = "m", .verdict = {.headline = "h"}};
+  page.scenes = {
+      {.title = "a walk",
+       .source = "s",
+       .bodies = {
+           {.name = "b", .faces = {{0, 1, 2, 2}}, .corners = 3, .times = {0.0}, .positions = std::vector<std::int16_t>(9)}}}};
+  EXPECT_EQ(page_text(page, std::nullopt).find("a walk"), std::string::npos);
+  EXPECT_NE(page_text(page, "var THREE;").find("a walk"), std::string::npos);
+}
+
+TEST(PageText, SaysWhatIsMissingFor3d) {
+  const tests::TestFolder folder;
+  const ThreeCode none = read_three({folder / "three.min.js"});
+  EXPECT_FALSE(none.code);
+  EXPECT_NE(none.missing.find("install the package libjs-three"), std::string::npos);
+  io::write_whole(folder / "three.min.js", "var THREE;");
+  EXPECT_EQ(read_three({folder / "missing.js", folder / "three.min.js"}).code, "var THREE;");
+  io::write_whole(folder / "three.min.js", "</script>");
+  EXPECT_FALSE(read_three({folder / "three.min.js"}).code);
+}
+
+}  // namespace
+}  // namespace menger::evolution

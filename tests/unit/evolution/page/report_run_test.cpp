@@ -1,0 +1,210 @@
+#include "evolution/page/report_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "evolution/page/report_numbers.h"
+#include "evolution/page/walk_animation.h"
+#include "io/text/csv_table.h"
+#include "io/text/manifest.h"
+#include "io/text/whole_file.h"
+#include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One cube that moves along x, as an ASCII file.
+std::string cube_at(double x) {
+  std::string points;
+  for (const char* corner : {"0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 0 1", "1 0 1", "1 1 1", "0 1 1"}) {
+    points += std::to_string(x + (corner[0] - '0')) + std::string(corner + 1) + "\n";
+  }
+  return "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"><UnstructuredGrid><Piece NumberOfPoints=\"8\" "
+         "NumberOfCells=\"1\"><Points>"
+         "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">" +
+         points +
+         "</DataArray></Points><Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2 3 4 5 6 "
+         "7</DataArray>"
+         "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">8</DataArray><DataArray type=\"UInt8\" Name=\"types\" "
+         "format=\"ascii\">12</DataArray>"
+         "</Cells></Piece></UnstructuredGrid></VTKFile>\n";
+}
+
+/// Writes the walk of a cube as a command would.
+void write_walk(const fs::path& folder, const std::string& program, const std::string& name, const std::string& end_s = "2") {
+  const std::string result =
+      "status = \"completed\"\ntime_s = 2\nhorizontal_displacement_m = 0.5\nhorizontal_displacement_body_lengths = "
+      "0.5\ndisplacement_m = [0.5, 0, 0]\n";
+  io::write_whole(folder / (program == "menger-locomote" ? "locomotion.toml" : "result.toml"), result);
+  io::write_whole(folder / "trajectory.csv",
+                  "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n0,0,0,0\n2,0.5,0,0.5\n");
+  io::write_whole(folder / "frames/a.vtu", cube_at(0.0));
+  io::write_whole(folder / "frames/b.vtu", cube_at(0.5));
+  io::write_whole(folder / "frames.pvd",
+                  "<VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" file=\"frames/a.vtu\"/><DataSet timestep=\"" +
+                      end_s + "\" file=\"frames/b.vtu\"/></Collection></VTKFile>");
+  io::write_manifest(folder, {.program = program,
+                              .parameters = "[design]\nname = '" + name +
+                                            "'\ncell_edge_m = 1\nlayers = [[\"1\"]]\n[drive]\nmode = \"in_phase\"\n",
+                              .seed = std::nullopt,
+                              .inputs = {}});
+}
+
+ReportOptions quick() {
+  ReportOptions options;
+  options.most_animations = 0;
+  options.three = {.code = "var THREE;", .missing = {}};
+  return options;
+}
+
+bool has_note(const ReportResult& result, const std::string& text) {
+  return std::ranges::any_of(result.notes, [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+TEST(ReportRun, ShowsAWalkInBothModelsOnOneClock) {
+  const tests::TestFolder folder;
+  write_walk(folder / "locomote", "menger-locomote", "cube");
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  const ReportResult result = write_report(folder, quick());
+  EXPECT_EQ(result.file, folder / "report.html");
+  EXPECT_TRUE(result.has_motion);
+  EXPECT_TRUE(result.notes.empty()) << result.notes.front();
+  const std::string text = io::read_whole(result.file);
+  EXPECT_EQ(text.size(), result.bytes);
+  EXPECT_NE(text.find("Walk of cube: finite elements and voxels"), std::string::npos);
+  EXPECT_EQ(result.verdict.headline, "The surrogate walks as finite elements do.");
+}
+
+TEST(ReportRun, RefusesAFolderWithoutResultsAndKeepsItsPage) {
+  const tests::TestFolder folder;
+  io::write_whole(folder / "report.html", "mine");
+  EXPECT_NE(tests::message_of([&] { write_report(folder, quick()); }).find("holds no results"), std::string::npos);
+  EXPECT_EQ(io::read_whole(folder / "report.html"), "mine");
+}
+
+TEST(ReportRun, MakesNoMarkupOfNamesInResults) {
+  const tests::TestFolder folder;
+  const std::string hostile = "</script><script>window.harmed=1</script><b>";
+  write_walk(folder / "a<b>c", "menger-simulate", hostile);
+  const std::string text = io::read_whole(write_report(folder, quick()).file);
+  EXPECT_EQ(text.find("<script>window"), std::string::npos);
+  EXPECT_EQ(text.find("a<b>"), std::string::npos);
+}
+
+TEST(ReportRun, SaysWhatCannotBeReadAndShowsTheRest) {
+  const tests::TestFolder folder;
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  io::write_manifest(folder / "inflate", {.program = "menger-inflate", .parameters = "", .seed = std::nullopt, .inputs = {}});
+  io::write_manifest(folder / "calibrate", {.program = "menger-calibrate", .parameters = "", .seed = std::nullopt, .inputs = {}});
+  io::write_whole(folder / "calibrate/result.toml", "[fit]\nstatus = \"splendid\"\n");
+  io::write_manifest(folder / "evolve", {.program = "menger-evolve", .parameters = "", .seed = std::nullopt, .inputs = {}});
+  io::write_whole(folder / "simulate/frames/b.vtu", "no grid");
+  const ReportResult result = write_report(folder, quick());
+  EXPECT_TRUE(has_note(result, "inflate/result.toml"));
+  EXPECT_TRUE(has_note(result, "status = \"splendid\""));
+  EXPECT_TRUE(has_note(result, "evolve"));
+  EXPECT_TRUE(has_note(result, "frames/b.vtu: is no grid"));
+  EXPECT_FALSE(result.has_motion);
+  EXPECT_NE(io::read_whole(result.file).find("It moves 0.5 body lengths"), std::string::npos);
+}
+
+TEST(ReportRun, WritesThePageWithout3d) {
+  const tests::TestFolder folder;
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  io::write_whole(folder / "simulate/robot.png", "\x89PNG\r\n\x1a\n...");
+  ReportOptions options = quick();
+  options.three = {.code = std::nullopt, .missing = "no 3-D: install the package libjs-three"};
+  const ReportResult result = write_report(folder, options);
+  EXPECT_FALSE(result.has_motion);
+  EXPECT_TRUE(has_note(result, "libjs-three"));
+  EXPECT_NE(io::read_whole(result.file).find("simulate/robot.png"), std::string::npos);
+}
+
+TEST(ReportRun, KeepsThePageBelowItsLimit) {
+  const tests::TestFolder folder;
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  const std::string picture = "\x89PNG\r\n\x1a\n" + std::string(100'000, 'x');
+  io::write_whole(folder / "simulate/robot.png", picture);
+  ReportOptions options = quick();
+  const std::size_t whole = write_report(folder, options).bytes;
+  options.most_bytes = whole - 1;
+  const ReportResult less = write_report(folder, options);
+  EXPECT_LE(less.bytes, options.most_bytes);
+  EXPECT_TRUE(less.has_motion);
+  EXPECT_TRUE(has_note(less, "picture"));
+  options.most_bytes = less.bytes - 1;
+  const ReportResult least = write_report(folder, options);
+  EXPECT_FALSE(least.has_motion);
+  EXPECT_LE(least.bytes, options.most_bytes);
+  options.most_bytes = 1000;
+  EXPECT_NE(tests::message_of([&] { write_report(folder, options); }).find("must have at most 1000"), std::string::npos);
+}
+
+TEST(ReportRun, SaysThatFfmpegIsMissing) {
+  const tests::TestFolder folder;
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  const char* path = std::getenv("PATH");
+  const std::string before = path == nullptr ? "" : path;
+  ::setenv("PATH", folder.path().c_str(), 1);
+  ReportOptions options = quick();
+  options.most_animations = 1;
+  const ReportResult result = write_report(folder, options);
+  ::setenv("PATH", before.c_str(), 1);
+  EXPECT_TRUE(has_note(result, "install the package ffmpeg"));
+  EXPECT_TRUE(result.animations.empty());
+}
+
+TEST(ReportRun, AnimatesAWalk) {
+  if (!find_ffmpeg()) GTEST_SKIP() << "ffmpeg is missing: install the package ffmpeg";
+  const tests::TestFolder folder;
+  write_walk(folder / "simulate", "menger-simulate", "cube", "0.05");  // five pictures
+  ReportOptions options = quick();
+  options.most_animations = 1;
+  const ReportResult result = write_report(folder, options);
+  if (result.animations.empty()) GTEST_SKIP() << "nothing can be drawn: " << result.notes.back();
+  EXPECT_EQ(result.animations.front(), folder / "walk.gif");
+  EXPECT_TRUE(io::read_whole(folder / "walk.gif").starts_with("GIF89a"));
+}
+
+TEST(AnimationPace, ShowsShortWalksSlower) {
+  EXPECT_EQ(pace_of(5.0).slower, 1);
+  EXPECT_EQ(pace_of(2.0).slower, 2);
+  EXPECT_EQ(pace_of(2.0).pictures, 50U);
+  EXPECT_EQ(pace_of(0.1).slower, 8);
+  EXPECT_EQ(pace_of(1000.0).pictures, 120U);
+  EXPECT_DOUBLE_EQ(pace_of(1000.0).pictures_per_s, 0.12);
+  EXPECT_EQ(pace_of(0.0).pictures, 2U);
+}
+
+TEST(ReportNumbers, HaveTheUnitOfTheirName) {
+  EXPECT_EQ(shown_column("plenum_0_pressure_Pa").title, "plenum 0 pressure (kPa)");
+  EXPECT_DOUBLE_EQ(shown_column("plenum_0_pressure_Pa").factor, 1e-3);
+  EXPECT_EQ(shown_column("elements_body_lengths_per_minute").title, "elements (body lengths / min)");
+  EXPECT_EQ(shown_column("seconds").title, "s");
+  EXPECT_EQ(shown_column("status").title, "status");
+  EXPECT_EQ(shown_column("volume_m3").title, "volume (cm\u00b3)");
+}
+
+TEST(ReportNumbers, KeepCountsAndDigitsOfBodies) {
+  const io::CsvContents table = io::parse_csv("a,b_m,c,d\n22500,0.0123456,2122120002122122,\n", "t.csv");
+  EXPECT_EQ(shown_cell(table, 0, shown_column("a")), "22500");
+  EXPECT_EQ(shown_cell(table, 0, shown_column("b_m")), "12.35");
+  EXPECT_EQ(shown_cell(table, 0, shown_column("c")), "2122120002122122");
+  EXPECT_EQ(shown_cell(table, 0, shown_column("d")), "");
+}
+
+TEST(ReportNumbers, TakeTheMiddleOfSomeNumbers) {
+  EXPECT_FALSE(median_of({}));
+  EXPECT_EQ(median_of({3.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(median_of({4.0, 1.0, 2.0, 3.0}), 2.5);
+}
+
+}  // namespace
+}  // namespace menger::evolution

@@ -1,0 +1,186 @@
+#include "evolution/page/report_sections.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "evolution/page/result_facts.h"
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReportSectionsTest : public testing::Test {
+ protected:
+  /// An output of a command whose files the test writes.
+  CommandOutput output(const std::string& command) {
+    return {.program = "menger-" + command,
+            .folder = folder_ / command,
+            .manifest = folder_ / command / "manifest.json",
+            .name = command,
+            .version = "0.1.0"};
+  }
+  void write(const std::string& file, const std::string& text) { io::write_whole(folder_ / file, text); }
+
+  PageSection section(const std::vector<CommandOutput>& outputs, const std::string& id) {
+    notes_.clear();
+    for (PageSection& one : report_sections(outputs, notes_))
+      if (one.id == id) return one;
+    return {};
+  }
+  tests::TestFolder folder_;
+  std::vector<std::string> notes_;
+};
+
+TEST_F(ReportSectionsTest, DrawPressureAgainstVolumeWithTheLimitPressure) {
+  write("inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,2e-6\n2,2500,4e-6\n");
+  write("inflate/result.toml",
+        "status = \"completed\"\nnotes = [\"coarse\"]\n[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = 3042\nvolume_m3 = "
+        "2.1e-6\n[[limit_points]]\nplenum = \"plenum "
+        "0\"\npressure_Pa = -200\nvolume_m3 = 5e-7\n");
+  const PageSection inflation = section({output("inflate")}, "inflation");
+  ASSERT_EQ(inflation.charts.size(), 1U);
+  const PageChart& chart = inflation.charts.front();
+  ASSERT_EQ(chart.series.size(), 1U);
+  EXPECT_EQ(chart.series.front().name, "plenum 0");
+  EXPECT_EQ(chart.series.front().y, (std::vector<double>{0.0, 3.0, 2.5}));
+  EXPECT_NEAR(chart.series.front().x[2], 4.0, 1e-12);
+  ASSERT_EQ(chart.markers.size(), 2U);
+  EXPECT_FALSE(chart.markers.front().vertical);
+  EXPECT_EQ(chart.markers.front().label, "limit pressure 3.04 kPa");
+  EXPECT_EQ(inflation.words, std::vector<std::string>{"coarse."});
+  // The verdict takes the lowest limit pressure above 0, and the growth at the highest pressure.
+  const ReportFacts facts = read_facts({output("inflate")}, notes_);
+  ASSERT_EQ(facts.inflations.size(), 1U);
+  EXPECT_EQ(facts.inflations.front().limit->pressure_Pa, 3042.0);
+  EXPECT_NEAR(*facts.inflations.front().volume_growth, 1.0, 1e-12);
+}
+
+TEST_F(ReportSectionsTest, ShowResidualsAndFittedValuesOfACalibration) {
+  write("calibrate/result.toml", "[fit]\nstatus = \"completed\"\nexplained = false\nnotes = []\n");
+  write("calibrate/residuals.csv",
+        "case,kind,body,ordinate,rms,worst,unit,relative\na,stretch,3x1x1,force_N,1,1,N,0.02\nb,inflation,3x1x1,extent_y_m,1,1,m,"
+        "0.39\na,stretch,3x1x1,volume_change,1,1,,0.04\n");
+  write("calibrate/responses.csv",
+        "case,kind,body,pressure_Pa,imposed,ordinate,reference,surrogate,sigma\na,stretch,3x1x1,0,1,force_N,-4,-3,1\na,stretch,"
+        "3x1x1,0,1,force_N,2,2,1\n");
+  const PageSection calibration = section({output("calibrate")}, "calibration");
+  ASSERT_EQ(calibration.charts.size(), 2U);
+  ASSERT_EQ(calibration.charts[0].series.size(), 2U);
+  EXPECT_EQ(calibration.charts[0].series[0].labels, std::vector<std::string>{"b, extent y (mm)"});
+  EXPECT_EQ(calibration.charts[1].series[0].x, (std::vector<double>{-1.0, 0.5}));
+  EXPECT_EQ(calibration.charts[1].series[0].y, (std::vector<double>{-0.75, 0.5}));
+  const CalibrationFacts facts = read_facts({output("calibrate")}, notes_).calibrations.at(0);
+  EXPECT_EQ(facts.curves, 2U);
+  EXPECT_EQ(facts.median_error, 0.04);
+  EXPECT_EQ(facts.worst_error, 0.39);
+  EXPECT_FALSE(facts.explained);
+}
+
+TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
+  write("validate/errors.csv",
+        "case,body,kind,observable,pressure_Pa,imposed,finite_elements,surrogate,error,pointwise_error,validity\nc,bar,"
+        "displacement,extent_x_m,3000,,0.001,0.0012,0.2,0.2,inside\n"
+        "c,bar,displacement,extent_x_m,9000,,0.002,0.0012,0.2,0.2,outside\n");
+  write("validate/summary.csv",
+        "body,kind,range,count,without_equilibrium,median,percentile_90,worst,pointwise_median,worst_body,worst_case\nall,"
+        "displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n"
+        "all,displacement,outside,1,3,0.4,,0.4,0.4,bar,c\nbar,displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n");
+  const PageSection validation = section({output("validate")}, "validation");
+  ASSERT_EQ(validation.charts.size(), 1U);
+  EXPECT_EQ(validation.charts[0].series[0].x, std::vector<double>{1.0});
+  const ValidationFacts facts = read_facts({output("validate")}, notes_).validations.at(0);
+  EXPECT_EQ(facts.displacement.median, 0.2);
+  EXPECT_EQ(facts.displacement.without_equilibrium, 2U);
+  EXPECT_EQ(facts.outside, 4U);
+  EXPECT_EQ(facts.bodies, 1U);
+}
+
+TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
+  write("reevaluate/reevaluation.csv",
+        "rank,individual,selection,cells,surrogate_body_lengths_per_minute,elements_body_lengths_per_minute,surrogate_relative_"
+        "error\n1,7,top,20,3,1,2\n2,9,top,21,2,,\n3,4,sample,20,1,4,0.5\n");
+  write("reevaluate/ranking.csv",
+        "designs,quantity,value,low_95,high_95,count,of,method\ntop,spearman,1,,,2,2,m\nall,spearman,-0.5,-0.9,0.2,2,3,m\nall,"
+        "direction_within_45_deg,0.5,0.1,0.9,1,2,m\n");
+  const PageSection ranking = section({output("reevaluate")}, "ranking");
+  ASSERT_EQ(ranking.charts.size(), 1U);
+  ASSERT_EQ(ranking.charts[0].series.size(), 2U);
+  EXPECT_EQ(ranking.charts[0].series[0].y, std::vector<double>{1.0});
+  const RankingFacts facts = read_facts({output("reevaluate")}, notes_).rankings.at(0);
+  EXPECT_EQ(facts.designs, 3U);
+  EXPECT_EQ(facts.compared, 2U);
+  EXPECT_EQ(facts.spearman->value, -0.5);
+  EXPECT_EQ(facts.within_45_deg, 1U);
+  EXPECT_EQ(facts.median_error, 1.25);
+  EXPECT_EQ(facts.best_design, "rank 3 of the search");
+}
+
+TEST_F(ReportSectionsTest, ShowTheProgressAndLineageOfAnExportedSearch) {
+  write("export/generations.csv",
+        "generation,best_fitness_body_lengths,champion,mean_fitness_body_lengths,evaluations\n0,0.1,1,0.05,4\n1,0.3,7,0.1,5\n");
+  write("export/lineage.csv",
+        "generation,individual,parent,fitness_body_lengths,cells,phenotype\n0,1,,0.1,20,111000\n1,7,1,0.3,21,111100\n");
+  const PageSection search = section({output("export")}, "search");
+  ASSERT_EQ(search.charts.size(), 2U);
+  EXPECT_EQ(search.charts[0].series[0].y, (std::vector<double>{0.1, 0.3}));
+  EXPECT_EQ(search.charts[1].series[0].labels[1], "individual 7, 21 cells, 111100");
+  const SearchFacts facts = read_facts({output("export")}, notes_).searches.at(0);
+  EXPECT_EQ(facts.first_fitness, 0.1);
+  EXPECT_EQ(facts.last_fitness, 0.3);
+  EXPECT_EQ(facts.evaluations, 9.0);
+}
+
+TEST_F(ReportSectionsTest, ShowFrequenciesUnderPressure) {
+  write("modes/result.toml", "status = \"completed\"\n");
+  write("modes/modes.csv",
+        "path_parameter,plenum_0_pressure_Pa,rigid_modes,mode,frequency_Hz\n0,0,0,1,12\n0,0,0,2,20\n1,1000,0,1,10\n");
+  const PageSection modes = section({output("modes")}, "modes");
+  ASSERT_EQ(modes.charts.size(), 1U);
+  EXPECT_EQ(modes.charts[0].series[0].x, (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(modes.charts[0].series[0].y, (std::vector<double>{12.0, 10.0}));
+  EXPECT_EQ(read_facts({output("modes")}, notes_).modes.at(0).first_frequency_Hz, 12.0);
+}
+
+TEST_F(ReportSectionsTest, DrawErrorAgainstCostWithoutTheReference) {
+  write("tradeoff/tradeoff.csv",
+        "model,relative_error,cpu_seconds,role,status\nvoxels,0.48,0.07,front,completed\nelements,0,12,reference,"
+        "completed\nelements,0.1,1.2,front,completed\n");
+  write("tradeoff/recommendation.txt", "Take voxels.\n\nOr elements.\n");
+  const PageSection trade_off = section({output("tradeoff")}, "tradeoff");
+  ASSERT_EQ(trade_off.charts.size(), 1U);
+  ASSERT_EQ(trade_off.charts[0].series.size(), 2U);
+  EXPECT_EQ(trade_off.charts[0].series[1].x, std::vector<double>{1.2});
+  EXPECT_EQ(trade_off.words, (std::vector<std::string>{"Take voxels.", "Or elements."}));
+}
+
+TEST_F(ReportSectionsTest, ListLoadCasesWithTheirStatus) {
+  write("load-cases/stretch.toml",
+        "status = \"wall_contact\"\nreason = \"two walls touch\"\n[case]\nname = \"stretch\"\nkind = \"stretch\"\n");
+  write("load-cases/stretch.csv", "a\n1\n2\n");
+  write("load-cases/other.toml", "x = 1\n");
+  const PageSection cases = section({output("load-cases")}, "load-cases");
+  ASSERT_EQ(cases.tables.size(), 1U);
+  EXPECT_EQ(cases.tables[0].rows,
+            (std::vector<std::vector<std::string>>{{"stretch", "stretch", "wall_contact", "two walls touch", "2"}}));
+}
+
+TEST_F(ReportSectionsTest, SayWhatCannotBeReadAndGoOn) {
+  write("inflate/curves.csv", "step\n0,1\n");
+  write("modes/modes.csv", "mode,frequency_Hz\n1,12\n");
+  std::vector<std::string> ids;
+  for (const PageSection& one : report_sections({output("inflate"), output("modes"), output("simulate")}, notes_))
+    ids.push_back(one.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"modes", "provenance"}));
+  ASSERT_EQ(notes_.size(), 1U);
+  EXPECT_NE(notes_[0].find("inflate/curves.csv"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace menger::evolution

@@ -1,0 +1,216 @@
+#include "evolution/page/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace menger::evolution {
+namespace {
+
+const ManifestBody table{.layers = {{"101"}, {"111"}}, .cell_edge_m = 0.012};
+
+WalkFacts walk(WalkModel model, double body_lengths, double direction_deg) {
+  return {.name = "table",
+          .source = model == WalkModel::elements ? "locomote/locomotion.toml" : "simulate/result.toml",
+          .model = model,
+          .status = io::RunStatus::completed,
+          .time_s = 2.0,
+          .body_lengths = body_lengths,
+          .per_minute = 30.0 * body_lengths,
+          .direction_deg = direction_deg,
+          .body = table,
+          .drive = "{}"};
+}
+
+ReportFacts two_walks(double elements, double elements_deg, double surrogate, double surrogate_deg) {
+  ReportFacts facts;
+  facts.walks = {walk(WalkModel::elements, elements, elements_deg), walk(WalkModel::surrogate, surrogate, surrogate_deg)};
+  return facts;
+}
+
+/// The finding that has a text; an empty one if none has.
+Finding finding_with(const Verdict& verdict, const std::string& text) {
+  const auto found = std::ranges::find_if(verdict.findings,
+                                          [&](const Finding& finding) { return finding.text.find(text) != std::string::npos; });
+  return found == verdict.findings.end() ? Finding{} : *found;
+}
+
+TEST(Verdict, SaysThatNothingWasComputed) {
+  const Verdict verdict = verdict_of({});
+  EXPECT_EQ(verdict.headline, "Whether the surrogate can be trusted for this body was not computed.");
+  EXPECT_EQ(verdict.tone, Tone::missing);
+  ASSERT_EQ(verdict.findings.size(), 5U);
+  for (const Finding& finding : verdict.findings) {
+    EXPECT_EQ(finding.tone, Tone::missing);
+    EXPECT_TRUE(finding.text.ends_with("was not computed.")) << finding.text;
+    EXPECT_TRUE(finding.source.starts_with("menger ")) << finding.source;
+  }
+}
+
+TEST(Verdict, StatesTheLowestLimitPressure) {
+  ReportFacts facts;
+  facts.inflations = {{.name = "table",
+                       .source = "inflate/result.toml",
+                       .status = io::RunStatus::limit_point,
+                       .highest_pressure_Pa = 3042.0,
+                       .limit = LimitFact{3042.0, "plenum 0"}}};
+  const Verdict verdict = verdict_of(facts);
+  EXPECT_TRUE(verdict.headline.starts_with("Usable up to 3.04 kPa, where the body balloons or buckles. ")) << verdict.headline;
+  const Finding finding = finding_with(verdict, "Usable up to 3.04 kPa. There the pressure stops rising");
+  EXPECT_EQ(finding.tone, Tone::caution);
+  EXPECT_EQ(finding.source, "inflate/result.toml");
+}
+
+TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
+  ReportFacts facts;
+  facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0, .volume_growth = 0.68}};
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 6 kPa. "));
+  EXPECT_NE(finding_with(verdict_of(facts), "1.68 times its volume at rest").text, "");
+  facts.inflations.front().status = io::RunStatus::not_converged;
+  facts.inflations.front().reason = "the step became too small";
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Known up to 6 kPa only. "));
+  EXPECT_EQ(finding_with(verdict_of(facts), "not_converged, the step became too small").tone, Tone::caution);
+  facts.inflations.front().status = io::RunStatus::wall_contact;
+  EXPECT_NE(finding_with(verdict_of(facts), "Walls of chambers touch beyond 6 kPa").text, "");
+}
+
+TEST(Verdict, HasNoPressureInTheHeadlineForSeveralBodies) {
+  ReportFacts facts;
+  facts.inflations = {{.name = "cube", .status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0},
+                      {.name = "table", .status = io::RunStatus::completed, .highest_pressure_Pa = 3000.0}};
+  const Verdict verdict = verdict_of(facts);
+  EXPECT_EQ(verdict.headline.find("kPa"), std::string::npos);
+  EXPECT_NE(finding_with(verdict, "cube: Inflated to 6 kPa").text, "");
+  EXPECT_NE(finding_with(verdict, "table: Inflated to 3 kPa").text, "");
+}
+
+TEST(Verdict, TakesTheLimitPressureOfAnyInflationOfOneBody) {
+  ReportFacts facts;
+  facts.inflations = {{.name = "table", .status = io::RunStatus::completed, .highest_pressure_Pa = 2000.0, .body = table},
+                      {.name = "table",
+                       .status = io::RunStatus::limit_point,
+                       .highest_pressure_Pa = 3042.0,
+                       .limit = LimitFact{3042.0, "plenum 0"},
+                       .body = table}};
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to 3.04 kPa, where"));
+  facts.inflations.back().limit.reset();
+  facts.inflations.back().status = io::RunStatus::completed;
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 3.04 kPa."));
+}
+
+TEST(Verdict, TrustsASurrogateThatWalksAlike) {
+  const Verdict verdict = verdict_of(two_walks(0.8, 10.0, 0.9, -10.0));
+  EXPECT_EQ(verdict.headline, "The surrogate walks as finite elements do.");
+  EXPECT_EQ(verdict.tone, Tone::good);
+  const Finding finding = finding_with(verdict, "Both models agree");
+  EXPECT_EQ(finding.text,
+            "It walks 24 body lengths a minute on finite elements and 27 in the surrogate, in about the same direction (20 "
+            "degrees apart). Both models agree "
+            "on this walk.");
+  EXPECT_EQ(finding.source, "locomote/locomotion.toml, simulate/result.toml");
+}
+
+TEST(Verdict, DoesNotTrustASurrogateThatGoesAnotherWay) {
+  const Verdict verdict = verdict_of(two_walks(0.8, 170.0, 0.8, -60.0));
+  EXPECT_EQ(verdict.headline, "Do not trust the surrogate for the walk of this body: let finite elements decide.");
+  EXPECT_EQ(verdict.tone, Tone::bad);
+  EXPECT_NE(finding_with(verdict, "in another direction (130 degrees apart)").text, "");
+}
+
+TEST(Verdict, TrustsTheDirectionAloneOfASurrogateThatIsTooFast) {
+  const Verdict verdict = verdict_of(two_walks(0.3, 90.0, 0.8, 89.0));
+  EXPECT_EQ(verdict.headline, "The surrogate tells where this body walks, not how fast: let finite elements decide.");
+  EXPECT_NE(finding_with(verdict, "(1 degree apart)").text, "");
+}
+
+TEST(Verdict, ComparesNoWalksThatGoNowhere) {
+  EXPECT_EQ(verdict_of(two_walks(0.01, 0.0, 0.02, 180.0)).headline,
+            "Whether the surrogate can be trusted for this body was not computed.");
+  const Verdict one_goes = verdict_of(two_walks(0.01, 0.0, 0.8, 0.0));
+  EXPECT_EQ(one_goes.tone, Tone::bad);
+  EXPECT_EQ(finding_with(one_goes, "on finite elements it goes nowhere").tone, Tone::bad);
+}
+
+TEST(Verdict, ComparesOnlyWalksOfOneBodyAndDrive) {
+  ReportFacts facts = two_walks(0.8, 0.0, 0.8, 0.0);
+  facts.walks[1].drive = "{\"frequency_Hz\":5}";
+  EXPECT_EQ(finding_with(verdict_of(facts), "No body walks in both models with the same drive").tone, Tone::missing);
+  facts = two_walks(0.8, 0.0, 0.8, 0.0);
+  facts.walks[1].body->cell_edge_m = 0.01;
+  EXPECT_NE(finding_with(verdict_of(facts), "No body walks in both models").text, "");
+}
+
+TEST(Verdict, DoesNotTrustASurrogateWhoseWalkEndedEarly) {
+  ReportFacts facts = two_walks(0.8, 0.0, 0.8, 0.0);
+  facts.walks[1].status = io::RunStatus::diverged;
+  facts.walks[1].reason = "voxel 3 is too fast";
+  facts.walks[1].body_lengths.reset();
+  facts.walks[1].per_minute.reset();
+  const Verdict verdict = verdict_of(facts);
+  EXPECT_EQ(verdict.tone, Tone::bad);
+  EXPECT_NE(finding_with(verdict, "surrogate: diverged, voxel 3 is too fast").text, "");
+}
+
+TEST(Verdict, RepeatsTheExpectedErrorOfTheSurrogate) {
+  ReportFacts facts;
+  facts.walks = {walk(WalkModel::surrogate, 0.8, 0.0)};
+  facts.walks[0].expected_error = {"expected error for a plate on legs: 9.1 % in displacement"};
+  facts.walks[0].outside_validity = {"level 1: pressure 7 kPa"};
+  const Verdict verdict = verdict_of(facts);
+  EXPECT_NE(finding_with(verdict, "Expected error for a plate on legs: 9.1 % in displacement.").text, "");
+  EXPECT_NE(finding_with(verdict, "Beyond what the surrogate was fitted to: level 1: pressure 7 kPa.").text, "");
+}
+
+TEST(Verdict, JudgesShapesByTheirMedianError) {
+  ReportFacts facts;
+  facts.validations = {{.source = "validate/summary.csv",
+                        .bodies = 2,
+                        .displacement = {.count = 28, .median = 0.078, .worst = 1.53, .worst_body = "plane"},
+                        .volume = {.median = 0.031}}};
+  const Verdict good = verdict_of(facts);
+  EXPECT_EQ(good.headline, "The surrogate's shapes can be used; its walks were not compared.");
+  EXPECT_EQ(finding_with(good, "The surrogate's shapes are").text,
+            "The surrogate's shapes are 7.8 % off finite elements (median of 28 displacements of 2 bodies, inside the range of "
+            "the fit; the worst, 153 %, is of "
+            "plane), its volumes 3.1 %.");
+  facts.validations.front().displacement.median = 0.3;
+  EXPECT_EQ(verdict_of(facts).headline, "Do not trust the surrogate's shapes; its walks were not compared.");
+  facts.validations.front().displacement.median.reset();
+  EXPECT_NE(finding_with(verdict_of(facts), "no displacement was compared inside the range of its fit").text, "");
+}
+
+TEST(Verdict, CallsARankingChanceWhereItsIntervalReachesZero) {
+  ReportFacts facts;
+  facts.rankings = {{.source = "reevaluate/ranking.csv", .designs = 8, .compared = 8, .spearman = IntervalFact{0.5, -0.3, 0.9}}};
+  EXPECT_EQ(finding_with(verdict_of(facts), "0.50 (95 % interval -0.30 to 0.90): this can be chance.").tone, Tone::caution);
+  facts.rankings.front().spearman = IntervalFact{0.8, 0.6, 0.9};
+  EXPECT_EQ(verdict_of(facts).headline, "The search's ranking holds on finite elements.");
+  facts.rankings.front().spearman = IntervalFact{0.2, 0.1, 0.3};
+  EXPECT_EQ(verdict_of(facts).headline, "The search's ranking does not hold on finite elements.");
+}
+
+TEST(Verdict, SaysWhetherASearchImproved) {
+  ReportFacts facts;
+  facts.searches = {
+      {.source = "run.sqlite", .generations = 13, .first_fitness = 0.278, .last_fitness = 0.622, .unit = "body lengths"}};
+  EXPECT_EQ(finding_with(verdict_of(facts), "0.622 body lengths after 13 generations").tone, Tone::good);
+  EXPECT_EQ(finding_with(verdict_of(facts), "walk on finer elements was not computed").source, "menger reevaluate");
+  facts.searches.front().last_fitness = 0.278;
+  EXPECT_EQ(finding_with(verdict_of(facts), "It did not improve.").tone, Tone::caution);
+  facts.searches.push_back(facts.searches.front());
+  EXPECT_NE(finding_with(verdict_of(facts), "Search run.sqlite: The best robot").text, "");
+  facts.searches.pop_back();
+  facts.searches.front().last_fitness.reset();
+  EXPECT_EQ(finding_with(verdict_of(facts), "found no robot with a fitness").tone, Tone::bad);
+}
+
+TEST(Verdict, SaysWhatIsMissingLast) {
+  const Verdict verdict = verdict_of(two_walks(0.8, 0.0, 0.8, 0.0));
+  const auto first = std::ranges::find(verdict.findings, Tone::missing, &Finding::tone);
+  EXPECT_NE(first, verdict.findings.begin());
+  EXPECT_TRUE(std::all_of(first, verdict.findings.end(), [](const Finding& finding) { return finding.tone == Tone::missing; }));
+}
+
+}  // namespace
+}  // namespace menger::evolution
