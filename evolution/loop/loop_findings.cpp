@@ -253,6 +253,8 @@ bool agree(const Walk& one, const Walk& other) {
 }
 
 std::string both(const Walk& one, const Walk& other) {
+  if (std::max(one.body_lengths, other.body_lengths) < least_body_lengths)
+    return "it stays where it is, within 1 % of its length";
   return millimetres(one.distance_m()) + " and " + millimetres(other.distance_m()) + ", " +
          io::formatted("%.0f", angle_deg(one, other)) + " degrees apart";
 }

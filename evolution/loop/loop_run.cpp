@@ -226,6 +226,14 @@ class LoopRun {
       return io::exit_code::done;  // the stage that it needs has told its own
     }
     if (stage.needs_body) meshes::take_champion(robot_, places_);
+    for (const meshes::RobotStudy study : stage.studies) {
+      // Of a body that a search found this is known only now.
+      const std::string reason = meshes::missing_because(robot_, study);
+      if (reason.empty()) continue;
+      out_ << label(n) << "  left out: " << reason << std::endl;
+      state_->set(stage.name, {.status = StageStatus::left_out, .finding = reason});
+      return io::exit_code::done;
+    }
     meshes::write_studies(robot_, stage.studies, places_);
     const std::string key = key_of(stage);
     const StageRecord* earlier = state_->find(stage.name);

@@ -68,16 +68,19 @@ class Stages {
   }
 
   void add_surrogate() {
-    LoopStage& validate = add(RobotStudy::validate, "menger-validate", validate_s);
-    validate.studies.push_back(RobotStudy::validate_load_cases);
-    // Parameters that come with menger have a table of errors of many bodies; those that were fitted here get one of this body.
-    if (parameter_source(robot_) == meshes::ParameterSource::fitted) validate.arguments.push_back("--keep");
-    add_parameters(validate);
+    const bool is_validated = missing_because(robot_, RobotStudy::validate).empty();
+    if (is_validated) {
+      LoopStage& validate = add(RobotStudy::validate, "menger-validate", validate_s);
+      validate.studies.push_back(RobotStudy::validate_load_cases);
+      // Parameters that come with menger have a table of errors of many bodies; those that were fitted here get one of this body.
+      if (parameter_source(robot_) == meshes::ParameterSource::fitted) validate.arguments.emplace_back("--keep");
+      add_parameters(validate);
+    }
     if (!robot_.walks) return;
     LoopStage& simulate = add(RobotStudy::simulate, "menger-simulate", simulate_s);
     add_parameters(simulate);
     // It repeats the errors that the validation found.
-    if (parameter_source(robot_) == meshes::ParameterSource::fitted) simulate.follows.push_back("validate");
+    if (is_validated && parameter_source(robot_) == meshes::ParameterSource::fitted) simulate.follows.emplace_back("validate");
   }
 
   void add_walks() {

@@ -1,5 +1,6 @@
 #include "meshes/robot/calibration_cases.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -117,6 +118,15 @@ std::string calibration_cases_text(const Robot& robot) {
     add_numbers(text, "pressures_Pa", pressures_Pa);
   }
   return text.text();
+}
+
+bool is_fitted_body(const Robot& robot) {
+  const Polycube& body = robot.design.body;
+  const std::array<std::int64_t, 3> cells{body.nx(), body.ny(), body.nz()};
+  const std::vector<CalibrationCase> cases = all_cases();
+  return robot.chambers == ChamberLayout::single && std::any_of(cases.begin(), cases.end(), [&](const CalibrationCase& load) {
+           return load.kind == "inflation" && load.level == 1 && load.cells == cells && load.digits == body.digits();
+         });
 }
 
 std::vector<std::string> calibration_case_names() {

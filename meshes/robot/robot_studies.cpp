@@ -313,6 +313,9 @@ bool needs_body(RobotStudy study) {
 std::string missing_because(const Robot& robot, RobotStudy study) {
   const bool is_fit = study == RobotStudy::load_cases || study == RobotStudy::calibrate;
   if (is_fit && parameter_source(robot) == ParameterSource::given) return "surrogate.parameters names a file: nothing is fitted";
+  const bool is_check = study == RobotStudy::validate || study == RobotStudy::validate_load_cases;
+  if (is_check && parameter_source(robot) != ParameterSource::given && is_fitted_body(robot))
+    return "the parameters of the voxels were fitted to this very body, so it cannot test them";
   const bool is_walk = study == RobotStudy::simulate || study == RobotStudy::locomote || study == RobotStudy::locomote_finer;
   if (is_walk && !robot.walks) return "walk.present = false";
   if (study == RobotStudy::locomote_finer && robot.fidelity == RobotFidelity::fine)

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* robot_text = R"([robot]
 name = "bar"
-layers = [["111"]]
+layers = [["1111"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 )";
@@ -114,9 +114,15 @@ TEST_F(LoopRunTest, ChangedKeyRunsOnlyWhatDependsOnIt) {
   add("[drive]\npressure_Pa = [0, 5000]\n");
   EXPECT_EQ(run(), io::exit_code::done);
   EXPECT_EQ(called(), (Names{"inflate", "validate", "simulate", "locomote", "locomote"}));
-  change("\"111\"", "\"11\"");
+  change("\"1111\"", "\"11\"");
   EXPECT_EQ(run(), io::exit_code::done);
   EXPECT_EQ(called(), all_of_bar);
+}
+
+TEST_F(LoopRunTest, BodyOfTheFitIsNotValidated) {
+  change("\"1111\"", "\"111\"");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"mesh", "inflate", "inflate", "simulate", "locomote", "locomote"}));
 }
 
 TEST_F(LoopRunTest, ChangedProgramOrMissingResultRunsAgain) {
@@ -218,7 +224,7 @@ TEST_F(LoopRunTest, UntilEndsThereAndOnlyRunsOneStage) {
 }
 
 TEST_F(LoopRunTest, SearchThatFindsTheBodyComesFirst) {
-  change("layers = [[\"111\"]]", "design = \"evolve\"");
+  change("layers = [[\"1111\"]]", "design = \"evolve\"");
   const std::string design = "name = \\\"c\\\"\\ncell_edge_m = 0.01\\nlayers = [[\\\"101\\\"], [\\\"111\\\"]]\\n";
   write_program("export", "printf \"" + design + "\" > export/champion.toml");
   EXPECT_EQ(run(), io::exit_code::done);
@@ -253,7 +259,7 @@ TEST_F(LoopRunTest, ReportIsTheLastStageIfItsProgramIsThere) {
 }
 
 TEST_F(LoopRunTest, FirstLinesRepeatTheExpectedErrorOfSimulate) {
-  change("layers = [[\"111\"]]", "layers = [[\"000\", \"101\", \"000\"], [\"111\", \"111\", \"111\"]]");
+  change("layers = [[\"1111\"]]", "layers = [[\"000\", \"101\", \"000\"], [\"111\", \"111\", \"111\"]]");
   ASSERT_EQ(run("mesh"), io::exit_code::done);
   EXPECT_NE(out_.str().find("bar: 11 cells of 10 mm with walls of 2 mm, Dragon Skin 10, one chamber, 0 to 6 kPa at 3 Hz"),
             std::string::npos)

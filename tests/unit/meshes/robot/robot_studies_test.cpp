@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* body = "[robot]\nlayers = [[\"111\"]]\n";
+constexpr const char* body = "[robot]\nlayers = [[\"1111\"]]\n";
 const fs::path source(MENGER_SOURCE_DIR);
 
 Robot robot_of(const tests::TestFolder& folder, const std::string& cells) {
@@ -83,6 +83,16 @@ TEST(CalibrationCases, TheirNamesAreFitted) {
   std::vector<std::string> made;
   for (const io::TomlTable& load : load_cases_of(robot).tables("case")) made.push_back(load.text("name"));
   EXPECT_EQ(made, calibration_case_names());
+}
+
+TEST(CalibrationCases, BodiesOfTheFitCannotTestIt) {
+  const tests::TestFolder folder;
+  Robot robot = robot_of(folder, dragon_skin_1cm);
+  EXPECT_EQ(missing_because(robot, RobotStudy::validate), "");
+  robot.design.body = Polycube::from_digits(2, 2, 1, "1110");
+  EXPECT_NE(missing_because(robot, RobotStudy::validate).find("fitted to this very body"), std::string::npos);
+  robot.parameters = "mine.toml";
+  EXPECT_EQ(missing_because(robot, RobotStudy::validate), "");
 }
 
 TEST(CalibrationCases, ScaleWithCellsAndWalls) {
