@@ -133,10 +133,12 @@ class StudyTexts {
     text_.table("evaluation").add("model", to_string(search.model)).add("measure", to_string(search.measure)).add("stand", true);
     if (has_elements) text_.add("confirm", search.evaluated_best);
     text_.table("body").raw("levels", "[1]").add("cell_edge_m", robot_.design.cell_edge_m).add("castable", true);
-    if (has_elements) text_.add("wall_thickness_m", robot_.wall_thickness_m).add("chambers", word_of(robot_.chambers));
+    // Otherwise [surrogate] says so.
+    const bool has_voxels = search.model != RobotSearchModel::finite_elements;
+    if (!has_voxels) text_.add("wall_thickness_m", robot_.wall_thickness_m).add("chambers", word_of(robot_.chambers));
     text_.table("time");
     text_.add("duration_s", std::ceil(search_periods / robot_.frequency_Hz * duration_digits_per_s) / duration_digits_per_s);
-    surrogate();
+    if (has_voxels) surrogate();
     if (has_elements) {
       text_.table("material").add("silicone", silicone());
       text_.table("elements").add("fidelity", "draft");
@@ -148,7 +150,7 @@ class StudyTexts {
   }
 
   std::string reevaluate() {
-    if (robot_.search->model != RobotSearchModel::voxels) text_.add("compare_with", "voxels");
+    if (robot_.search->model == RobotSearchModel::both) text_.add("compare_with", "voxels");
     text_.table("elements").add("fidelity", to_string(robot_.fidelity));
     return text_.text();
   }

@@ -23,14 +23,11 @@ layers = [["101", "000", "101"], ["111", "111", "111"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 )"},
-    StartingPoint{"crawler", "an inchworm of two chambers that swell in turn", R"(
+    StartingPoint{"crawler", "a hook of three cells, which crawls", R"(
 [robot]
-layers = [["102"], ["112"]]
+layers = [["11"], ["10"]]
 cell_edge_m = 0.01
-chambers = "per-phase"
 silicone = "dragon_skin_10"
-[drive]
-mode = "antiphase"
 )"},
     StartingPoint{"finger", "a gripper finger: a bar with bellows on top, which bends when it is inflated; it does not walk", R"(
 [robot]
