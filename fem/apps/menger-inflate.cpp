@@ -23,6 +23,7 @@
 #include "io/process/run_folder.h"
 #include "io/process/study_help.h"
 #include "io/text/formatted.h"
+#include "meshes/robot/command_study.h"
 
 namespace {
 
@@ -49,7 +50,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     fem::InflationStudy study;
     describe(visitor, study);
   });
-  app.add_option("study", arguments.study, "study file (TOML)")->required();
+  app.add_option("study", arguments.study, "study file, or robot.toml of menger init")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--refine", arguments.refinements,
                  "also run on this many finer meshes and compare; each mesh splits every element into eight")
@@ -111,9 +112,13 @@ int run(int argc, const char* const* argv, bool speaks) {
   fem::on_every_rank(MPI_COMM_WORLD, [&] { code = parse(argc, argv, arguments); });
   if (code) return *code;
   fem::InflationStudy study;
-  fem::on_every_rank(MPI_COMM_WORLD, [&] { study = fem::read_inflation_study(arguments.study); });
+  fem::on_every_rank(MPI_COMM_WORLD, [&] {
+    const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::inflate);
+    arguments.study = command.study;
+    if (arguments.folder.empty()) arguments.folder = command.folder;
+    study = fem::read_inflation_study(arguments.study);
+  });
   if (arguments.no_pictures) study.output.pictures = false;
-  if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
 
   std::unique_ptr<io::Progress> progress;
   fem::InflationOptions options{.restart = arguments.restart, .strict = arguments.strict, .stop = &io::interrupted()};

@@ -21,6 +21,7 @@
 #include "io/process/study_help.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "meshes/robot/command_study.h"
 
 namespace {
 
@@ -51,7 +52,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     fem::LoadCaseStudy study;
     describe(visitor, study);
   });
-  app.add_option("set", arguments.set, "set of load cases (TOML)")->required();
+  app.add_option("set", arguments.set, "set of load cases, or robot.toml of menger init: those that its voxels are fitted to")
+      ->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the set file)");
   app.add_option("--only", arguments.only, "names of the cases to compute; the other cases stay as they are")->delimiter(',');
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
@@ -100,9 +102,11 @@ int run(int argc, const char* const* argv) {
   if (rank_count > 1) throw io::InputError("runs as one process: do not use mpirun; share the cases of a set with --only");
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
+  const meshes::CommandStudy command = meshes::command_study(arguments.set, meshes::RobotStudy::load_cases);
+  arguments.set = command.study;
+  if (arguments.folder.empty()) arguments.folder = command.folder;
   fem::LoadCaseStudy study = fem::read_load_case_study(arguments.set);
   keep_only(study, arguments.only);
-  if (arguments.folder.empty()) arguments.folder = arguments.set.stem();
   for (const std::string& note : study.notes) std::cout << "  " << note << '\n';
 
   io::Progress progress(arguments.set.stem().string(), static_cast<double>(study.cases.size()));

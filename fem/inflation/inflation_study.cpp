@@ -283,10 +283,23 @@ void describe_plate(io::StudyVisitor& visitor, StudyPlate& plate, std::size_t kn
   describe_motions(visitor, plate, knots);
 }
 
+void describe_end(io::StudyVisitor& visitor, PathOptions& path) {
+  bool ends_at_limit_point = static_cast<bool>(path.ends_at);
+  visitor.boolean(
+      {"end_at_limit_point",
+       "Whether the path ends, completed, once it has passed a limit point: the largest pressure that the chambers bear. "
+       "Only a path of volumes or of gas passes one."},
+      ends_at_limit_point);
+  path.ends_at = {};
+  if (ends_at_limit_point)
+    path.ends_at = [](const PathPoint&, const std::vector<LimitPoint>& limit_points) { return !limit_points.empty(); };
+}
+
 void describe_path(io::StudyVisitor& visitor, InflationStudy& study) {
   visitor.table({"path", "The path of equilibria, which goes through knots."}, [&] {
     describe_drives(visitor, study);
     describe_steps(visitor, study.path, knot_count(study));
+    describe_end(visitor, study.path);
   });
   visitor.tables({"plates", "Rigid plates on faces of the body. Supports do not act on what a plate holds."}, study.plates,
                  [&](StudyPlate& plate) {

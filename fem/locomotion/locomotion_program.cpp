@@ -17,6 +17,7 @@
 #include "io/process/run_folder.h"
 #include "io/process/study_help.h"
 #include "io/text/formatted.h"
+#include "meshes/robot/command_study.h"
 
 namespace menger::fem {
 namespace {
@@ -46,7 +47,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     LocomotionStudy study;
     describe(visitor, study);
   });
-  app.add_option("study", arguments.study, "study file (TOML)")->required();
+  app.add_option("study", arguments.study, "study file, or robot.toml of menger init")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--threads", arguments.threads, "threads, instead of the study's; results do not depend on them")
       ->check(CLI::Range(1, 1024));
@@ -148,7 +149,12 @@ int locomotion_program(int argc, const char* const* argv, const LocomotionMethod
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
   LocomotionStudy study;
-  method.on_every_process([&] { study = read_locomotion_study(arguments.study); });
+  method.on_every_process([&] {
+    const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::locomote);
+    arguments.study = command.study;
+    if (arguments.folder.empty()) arguments.folder = command.folder;
+    study = read_locomotion_study(arguments.study);
+  });
   if (study.implicit.has_value() != method.is_implicit) return method.pass_on(arguments.study);
   if (arguments.threads) {
     if (study.implicit) throw io::InputError("--threads: " + study.file.string() + ": implicit dynamics has no threads");
@@ -156,7 +162,6 @@ int locomotion_program(int argc, const char* const* argv, const LocomotionMethod
   }
   refuse_processes(study, method.process_count);
   if (arguments.no_pictures) study.output.pictures = false;
-  if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
   if (!arguments.quiet) {
     for (const std::string& note : study.notes) std::cout << "  " << note << '\n';
     std::cout << std::flush;

@@ -31,6 +31,8 @@ struct Command {
 };
 
 constexpr std::array commands{
+    Command{"init", "write the file of a robot to begin with", "menger init my_robot"},
+    Command{"loop", "compute everything that a robot's file asks for", "menger loop my_robot/robot.toml"},
     Command{"fit", "fit a hyperelastic law to tensile tests", "menger fit tensile.csv"},
     Command{"mesh", "mesh a design as a hollow silicone body", "menger mesh mesh.toml"},
     Command{"inflate", "inflate the chambers of a finite-element body", "menger inflate inflate.toml"},

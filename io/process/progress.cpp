@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/process/plain_output.h"
+#include "io/process/told_progress.h"
 #include "io/text/printable.h"
 
 namespace menger::io {
@@ -33,13 +34,15 @@ Progress::Progress(std::string title, double total, const ProgressStyle& style)
 Progress::~Progress() { clear_line(); }
 
 void Progress::update(double done, std::string_view note) {
-  if (style_.out == nullptr) return;
+  if (style_.out == nullptr && !is_asked_for_progress()) return;
   const std::scoped_lock lock(mutex_);
   const auto now = Clock::now();
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
   const double pause_s = std::chrono::duration<double>(now - last_drawn_).count();
-  if (elapsed_s < style_.quiet_s || pause_s < style_.interval_s) return;
+  if (pause_s < style_.interval_s || (style_.out != nullptr && elapsed_s < style_.quiet_s)) return;
   last_drawn_ = now;
+  tell_progress(done / total_, note);
+  if (style_.out == nullptr) return;
   *style_.out << '\r' << progress_line(title_, done / total_, elapsed_s, note, style_.width) << "\x1b[K" << std::flush;
   on_screen_ = true;
 }

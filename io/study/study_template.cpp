@@ -32,7 +32,7 @@ bool StudyTemplateWriter::takes_next(const std::string& name) {
 void StudyTemplateWriter::comment(std::string_view text) { section_->lines.append("# ").append(text).append("\n"); }
 
 void StudyTemplateWriter::visit(const StudyEntry& entry, std::optional<StudyValue>& value) {
-  if (entry.is_required() && !(has_defaults_ && value)) value = example_of(entry);
+  if (entry.is_required() && !((has_defaults_ || (keeps_values_ && !is_comment_)) && value)) value = example_of(entry);
   bool is_default = has_defaults_;
   const auto take = [&](StudyValue other) {
     value = std::move(other);

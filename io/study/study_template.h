@@ -20,6 +20,9 @@ class StudyTemplateWriter : public StudyVisitor {
   /// of several keys. See alternative_count().
   explicit StudyTemplateWriter(std::optional<std::size_t> enabled = std::nullopt) : enabled_(enabled) {}
 
+  /// From now on keys without a default are written with the value that the study has, not with their example.
+  void keep_values() { keeps_values_ = true; }
+
   [[nodiscard]] std::string text() const { return top_.text("\n"); }
   /// Returns the number of alternatives that were visited.
   [[nodiscard]] std::size_t alternative_count() const { return alternatives_; }
@@ -54,6 +57,7 @@ class StudyTemplateWriter : public StudyVisitor {
   std::string enabled_name_{};
   std::size_t alternatives_ = 0;
   bool is_comment_ = false;
+  bool keeps_values_ = false;
   bool has_defaults_ = false;  ///< whether an earlier key gives the defaults, so that only other values are written
   StudySection top_{};
   StudySection* section_ = &top_;

@@ -19,6 +19,8 @@
 #include "meshes/files/vtu_mesh.h"
 #include "meshes/hexahedra/hollow_polycube.h"
 #include "meshes/hexahedra/mesh_quality.h"
+#include "meshes/robot/command_study.h"
+#include "meshes/robot/robot_file.h"
 
 namespace {
 
@@ -57,7 +59,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     meshes::MeshStudy study;
     describe(visitor, study);
   });
-  app.add_option("input", arguments.input, "design or mesh study (TOML), or mesh of Gmsh (.msh)")->required();
+  app.add_option("input", arguments.input, "design, mesh study or robot (TOML), or mesh of Gmsh (.msh)")->required();
   app.add_option("-o,--output", arguments.output, "mesh to write (default: the name of the input with .vtu, here)");
   app.add_option("--wall-thickness-m", arguments.wall_thickness_m, "thickness of every wall (default: 0.002)");
   app.add_option("--elements-through-wall", arguments.elements_through_wall, "elements through every wall (default: 1)");
@@ -131,6 +133,12 @@ int run(int argc, const char* const* argv) {
   if (is_gmsh && has_design_options(arguments))
     throw io::InputError(arguments.input.string() + ": options of a design do not apply to a mesh of Gmsh");
   if (!is_gmsh && arguments.length_unit_m) throw io::InputError("--length-unit-m: applies to a mesh of Gmsh (.msh) only");
+  if (!is_gmsh) {
+    const bool is_robot = meshes::is_robot_file(arguments.input);
+    const meshes::CommandStudy command = meshes::command_study(arguments.input, meshes::RobotStudy::mesh);
+    arguments.input = command.study;
+    if (is_robot && arguments.output.empty()) arguments.output = command.folder / "mesh.vtu";
+  }
   if (arguments.output.empty()) arguments.output = arguments.input.stem().string() + ".vtu";
   if (arguments.output.extension() != ".vtu") throw io::InputError(arguments.output.string() + ": the output must end in .vtu");
   const auto start = std::chrono::steady_clock::now();

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/loop/loop_state.h"
 #include "evolution/page/command_outputs.h"
 #include "evolution/reevaluation/search_comparison.h"
 #include "evolution/reference/reevaluation_study.h"
@@ -30,6 +31,7 @@
 #include "meshes/files/gmsh_mesh.h"
 #include "meshes/files/vtu_mesh.h"
 #include "meshes/load_cases/response_curve.h"
+#include "meshes/robot/robot_file.h"
 #include "voxel/calibration/calibration_frequency.h"
 #include "voxel/calibration/calibration_study.h"
 #include "voxel/model/expected_errors.h"
@@ -149,6 +151,8 @@ constexpr std::array all_readers{
     FuzzedReader{"tradeoff", "paper/trade_off/fuzzed.toml",
                  [](const fs::path& file) { drop(evolution::read_trade_study(file)); }},
     FuzzedReader{"mesh", "fem/studies/fuzzed.toml", [](const fs::path& file) { drop(meshes::read_mesh_study(file)); }},
+    FuzzedReader{"robot", "robots/fuzzed.toml", [](const fs::path& file) { drop(meshes::read_robot(file)); }},
+    FuzzedReader{"loop", "robots/loop.json", [](const fs::path& file) { drop(evolution::LoopState(file)); }},
     FuzzedReader{"design", "meshes/designs/fuzzed.toml", [](const fs::path& file) { drop(meshes::read_design(file)); }},
     FuzzedReader{"parameters", "voxel/parameters/fuzzed.toml", [](const fs::path& file) { drop(voxel::read_surrogate(file)); }},
     FuzzedReader{"silicone", "materials/data/fuzzed.toml", [](const fs::path& file) { drop(materials::read_silicone(file)); }},

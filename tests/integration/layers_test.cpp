@@ -292,9 +292,9 @@ std::string needed_libraries(const std::string& program) {
 
 TEST(Programs, OnlyProgramsOfFiniteElementsLoadTheirLibraries) {
   for (const char* program :
-       {"menger-evolve", "menger-simulate", "menger-export", "menger-calibrate", "menger-validate", "menger-tradeoff",
-        "menger-reevaluate", "menger-report", "menger-compare-searches", "menger-confirm", "menger-locomote", "menger-stall-map",
-        "menger-extremes-voxel", "menger-extremes-calibration"}) {
+       {"menger-evolve", "menger-init", "menger-loop", "menger-simulate", "menger-export", "menger-calibrate", "menger-validate",
+        "menger-tradeoff", "menger-reevaluate", "menger-report", "menger-compare-searches", "menger-confirm", "menger-locomote",
+        "menger-stall-map", "menger-extremes-voxel", "menger-extremes-calibration"}) {
     const std::string libraries = needed_libraries(program);
     EXPECT_NE(libraries.find("libstdc++"), std::string::npos) << libraries;
     EXPECT_EQ(libraries.find("libdeal"), std::string::npos) << program;

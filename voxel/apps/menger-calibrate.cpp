@@ -14,6 +14,7 @@
 #include "io/process/program.h"
 #include "io/process/progress.h"
 #include "io/process/study_help.h"
+#include "meshes/robot/command_study.h"
 #include "voxel/calibration/calibration_report.h"
 #include "voxel/calibration/calibration_run.h"
 #include "voxel/calibration/calibration_tables.h"
@@ -44,7 +45,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     voxel::CalibrationStudy study;
     describe(visitor, study);
   });
-  app.add_option("study", arguments.study, "study file (TOML)")->required();
+  app.add_option("study", arguments.study, "study file, or robot.toml of menger init")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--curves", arguments.curves, "files or folders of response curves, instead of those of the study");
   app.add_option("--identifiability", arguments.identifiability_fits,
@@ -143,8 +144,10 @@ int exit_code_of(const voxel::CalibrationRunResult& result) {
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
+  const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::calibrate);
+  arguments.study = command.study;
+  if (arguments.folder.empty()) arguments.folder = command.folder;
   const voxel::CalibrationStudy study = voxel::read_calibration_study(arguments.study, arguments.curves);
-  if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
 
   io::Progress progress(arguments.study.stem().string(), 1.0);
   voxel::CalibrationRunOptions options{

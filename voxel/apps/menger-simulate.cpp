@@ -18,6 +18,7 @@
 #include "io/text/input_error.h"
 #include "io/text/toml_document.h"
 #include "meshes/load_cases/observables.h"
+#include "meshes/robot/command_study.h"
 #include "voxel/kernels/instruction_sets.h"
 #include "voxel/kernels/kernel_choice.h"
 #include "voxel/model/expected_errors.h"
@@ -65,7 +66,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     voxel::Scene scene;
     describe(visitor, scene);
   });
-  app.add_option("scene", arguments.scene, "scene file (TOML)")->required();
+  app.add_option("scene", arguments.scene, "scene file, or robot.toml of menger init")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the scene file)");
   app.add_option("--level", arguments.level, "level of the fractal, instead of the scene's");
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
@@ -164,6 +165,9 @@ std::vector<std::string> print_expected_error(const voxel::Scene& scene, const s
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
+  const meshes::CommandStudy command = meshes::command_study(arguments.scene, meshes::RobotStudy::simulate);
+  arguments.scene = command.study;
+  if (arguments.folder.empty()) arguments.folder = command.folder;
   auto [scene, files] = voxel::read_scene(arguments.scene, arguments.level);
   std::map<std::string, std::string> inputs;
   for (const std::filesystem::path& file : files) io::note_input(inputs, file);  // now: they may be edited during the simulation
@@ -173,7 +177,6 @@ int run(int argc, const char* const* argv) {
     throw io::InputError(arguments.scene.string() + ": the energy balance needs integration.number = \"float64\"");
   }
   choose_kernels(arguments);
-  if (arguments.folder.empty()) arguments.folder = arguments.scene.stem();
   const io::RunFolder folder("menger-simulate", arguments.folder);
   const std::vector<std::string> expected_error = print_expected_error(scene, arguments.scene, inputs);
 

@@ -19,6 +19,7 @@
 #include "io/text/input_error.h"
 #include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
+#include "meshes/robot/command_study.h"
 #include "voxel/model/surrogate_file.h"
 #include "voxel/validation/validation_run.h"
 
@@ -54,7 +55,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     voxel::ValidationStudy study;
     describe(visitor, study);
   });
-  app.add_option("study", arguments.study, "study file (TOML)")->required();
+  app.add_option("study", arguments.study, "study file, or robot.toml of menger init")->required();
   app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
   app.add_option("--parameters", arguments.places.parameters, "voxel parameters, instead of the study's");
   app.add_option("--curves", arguments.places.curves, "folders or files of response curves, instead of the study's");
@@ -109,8 +110,10 @@ std::map<std::string, std::string> inputs_of(const voxel::ValidationStudy& study
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
+  const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::validate);
+  arguments.study = command.study;
+  if (arguments.folder.empty()) arguments.folder = command.folder;
   voxel::ValidationStudy study = voxel::read_validation_study(arguments.study, arguments.places);
-  if (arguments.folder.empty()) arguments.folder = arguments.study.stem();
   const voxel::SurrogateParameters parameters = voxel::read_surrogate(study.parameters);
   const voxel::FitRecord record = voxel::read_fit_record(study.parameters);
 

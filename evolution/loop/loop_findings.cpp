@@ -1,0 +1,318 @@
+#include "evolution/loop/loop_findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <system_error>
+
+#include "io/text/csv_table.h"
+#include "io/text/formatted.h"
+#include "io/text/input_error.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string millimetres(double length_m) { return io::shown(1e3 * length_m, 3) + " mm"; }
+std::string kilopascals(double pressure_Pa) { return io::shown(1e-3 * pressure_Pa, 3) + " kPa"; }
+std::string percents(double share) { return io::shown(100.0 * share, 2) + " %"; }
+
+bool is_there(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
+
+std::optional<io::TomlTable> table_at(const fs::path& file) {
+  if (!is_there(file)) return std::nullopt;
+  return io::read_toml(file);
+}
+
+/// Status and reason of a result, where it did not complete: "diverged: ..."
+std::string early_end(const io::TomlTable& result) {
+  const std::string status = result.text("status");
+  const std::string reason = result.text_or("reason", "");
+  return status == "completed" ? "" : status + (reason.empty() ? "" : ": " + reason);
+}
+
+/// A walk of either model.
+struct Walk {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double body_lengths = 0.0;
+  double time_s = 0.0;
+
+  [[nodiscard]] double distance_m() const { return std::hypot(x_m, y_m); }
+};
+
+/// @param file result.toml of simulate or locomotion.toml of locomote; both have the same names
+std::optional<Walk> walk_at(const fs::path& file) {
+  const auto result = table_at(file);
+  if (!result || !result->has("displacement_m")) return std::nullopt;
+  const std::vector<double> moved_m = result->numbers("displacement_m");
+  if (moved_m.size() != 3) return std::nullopt;
+  return Walk{moved_m[0], moved_m[1], result->number("horizontal_displacement_body_lengths"), result->number("time_s")};
+}
+
+std::string walk_text(const fs::path& file) {
+  const auto result = table_at(file);
+  if (!result) return "";
+  const std::optional<Walk> walk = walk_at(file);
+  if (!walk) return early_end(*result);
+  std::string text = "it moves " + millimetres(walk->distance_m()) + " (" + io::shown(walk->body_lengths, 2) +
+                     " body lengths) in " + io::shown(walk->time_s, 3) + " s";
+  if (const std::string end = early_end(*result); !end.empty()) text += "; " + end;
+  return text;
+}
+
+std::string mesh_text(const fs::path& results) {
+  const io::CsvContents table = io::read_csv(results / "mesh/mesh_quality.csv");
+  double solid_m3 = 0.0;
+  double air_m3 = 0.0;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const std::string& quantity = table.text(row, "quantity");
+    if (quantity.ends_with("volume_m3")) (quantity.starts_with("chamber") ? air_m3 : solid_m3) += table.number(row, "value");
+  }
+  return io::shown(1e6 * solid_m3, 3) + " cm3 of silicone around " + io::shown(1e6 * air_m3, 3) + " cm3 of air";
+}
+
+/// Volume of all chambers in the states of an inflation, m3.
+std::vector<double> chamber_volumes_m3(const io::CsvContents& curves) {
+  std::vector<double> volumes(curves.row_count(), 0.0);
+  for (const std::string& column : curves.columns()) {
+    if (!column.starts_with("plenum") || !column.ends_with("_volume_m3")) continue;
+    for (std::size_t row = 0; row < volumes.size(); ++row) volumes[row] += curves.number(row, column);
+  }
+  return volumes;
+}
+
+std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
+  const auto result = table_at(results / "inflate/result.toml");
+  if (!result) return "";
+  const std::string end = early_end(*result);
+  const std::vector<double> volumes_m3 = chamber_volumes_m3(io::read_csv(results / "inflate/curves.csv"));
+  if (!end.empty() || volumes_m3.size() < 2) return end;
+  const double change = volumes_m3.back() / volumes_m3.front() - 1.0;
+  return "at " + kilopascals(drive_pressure_Pa(robot)[1]) + " it holds " + io::formatted("%.0f", 100.0 * std::abs(change)) +
+         (change < 0.0 ? " % less air" : " % more air");
+}
+
+/// The least limit pressure of the chambers, Pa.
+std::optional<double> limit_pressure_Pa(const fs::path& results) {
+  const auto result = table_at(results / "limit/result.toml");
+  if (!result) return std::nullopt;
+  std::optional<double> least_Pa;
+  for (const io::TomlTable& limit : result->optional_tables("limit_points")) {
+    const double pressure_Pa = limit.number("pressure_Pa");
+    least_Pa = std::min(least_Pa.value_or(pressure_Pa), pressure_Pa);
+  }
+  return least_Pa;
+}
+
+std::string limit_text(const fs::path& results, const meshes::Robot& robot) {
+  const auto result = table_at(results / "limit/result.toml");
+  if (!result) return "";
+  const double drive_Pa = drive_pressure_Pa(robot)[1];
+  if (const auto limit_Pa = limit_pressure_Pa(results)) {
+    return "it balloons at " + kilopascals(*limit_Pa) + "; the drive of " + kilopascals(drive_Pa) + " is " +
+           percents(drive_Pa / *limit_Pa) + " of that";
+  }
+  const io::CsvContents curves = io::read_csv(results / "limit/curves.csv");
+  double highest_Pa = 0.0;
+  for (const std::string& column : curves.columns()) {
+    if (!column.starts_with("plenum") || !column.ends_with("_pressure_Pa")) continue;
+    for (const double pressure_Pa : curves.numbers(column)) highest_Pa = std::max(highest_Pa, pressure_Pa);
+  }
+  return "no limit pressure was found up to " + kilopascals(highest_Pa) + "; " + result->text("status");
+}
+
+std::string calibrate_text(const fs::path& results) {
+  const auto result = table_at(results / "calibrate/result.toml");
+  if (!result) return "";
+  if (const std::string end = early_end(*result); !end.empty()) return end;
+  const io::CsvContents curves = io::read_csv(results / "calibrate/residuals.csv");
+  double squares = 0.0;
+  for (const double error : curves.numbers("relative")) squares += error * error;
+  if (curves.row_count() == 0) return "";
+  return "the fit misses its curves by " + percents(std::sqrt(squares / static_cast<double>(curves.row_count()))) + " (RMS)";
+}
+
+/// What the validation found of the robot itself, inside the range of the parameters, or outside if nothing lies inside.
+struct ShapeErrors {
+  std::optional<double> displacement{};
+  std::optional<double> volume{};
+  bool is_inside = true;
+  std::size_t signs = 0;
+  std::size_t wrong_signs = 0;
+};
+
+std::optional<ShapeErrors> shape_errors(const fs::path& results) {
+  if (!is_there(results / "validate/summary.csv")) return std::nullopt;
+  const io::CsvContents summary = io::read_csv(results / "validate/summary.csv");
+  ShapeErrors errors;
+  for (const std::string range : {"inside", "outside"}) {
+    for (std::size_t row = 0; row < summary.row_count(); ++row) {
+      if (summary.text(row, "body") != "all" || summary.text(row, "range") != range) continue;
+      const bool is_volume = summary.text(row, "kind") == "volume";
+      (is_volume ? errors.volume : errors.displacement) = summary.optional_number(row, "median");
+    }
+    errors.is_inside = range == "inside";
+    if (errors.displacement || errors.volume) break;
+  }
+  const io::CsvContents signs = io::read_csv(results / "validate/signs.csv");
+  for (std::size_t row = 0; row < signs.row_count(); ++row) {
+    errors.signs += signs.count(row, "count");
+    errors.wrong_signs += signs.count(row, "wrong");
+  }
+  return errors;
+}
+
+std::string validate_text(const fs::path& results) {
+  const auto errors = shape_errors(results);
+  if (!errors) return "";
+  if (!errors->displacement && !errors->volume) return "the voxels have no equilibrium where they were compared";
+  std::string text = "shape of this very body: ";
+  if (errors->displacement) text += percents(*errors->displacement) + " off in displacements";
+  if (errors->volume) text += (errors->displacement ? ", " : "") + percents(*errors->volume) + " in chamber volume";
+  text += " (medians)";
+  if (!errors->is_inside) text += ", all outside the range of the parameters";
+  if (errors->wrong_signs > 0)
+    text +=
+        "; " + std::to_string(errors->wrong_signs) + " of " + std::to_string(errors->signs) + " displacements go the wrong way";
+  return text;
+}
+
+/// Returns the last line of a log that begins with a word.
+std::string line_of(const fs::path& log, const std::string& beginning) {
+  if (!is_there(log)) return "";
+  const std::string text = "\n" + io::read_whole(log);
+  const std::size_t start = text.rfind("\n" + beginning);
+  if (start == std::string::npos) return "";
+  return text.substr(start + 1, text.find('\n', start + 1) - start - 1);
+}
+
+std::string load_cases_text(const fs::path& results) {
+  std::size_t cases = 0;
+  std::size_t completed = 0;
+  std::error_code error;
+  for (fs::directory_iterator entry(results / "load_cases", error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().extension() != ".toml") continue;
+    ++cases;
+    completed += early_end(io::read_toml(entry->path())).empty() ? 1U : 0U;
+  }
+  std::string text = std::to_string(cases) + " load cases";
+  if (completed < cases) text += ", " + std::to_string(cases - completed) + " of which ended early and count as far as they go";
+  return text;
+}
+
+std::string export_text(const fs::path& results) {
+  const fs::path champion = results / "export/champion.toml";
+  if (!is_there(champion)) return "no robot has a fitness";
+  return "the best robot has " + std::to_string(meshes::read_design(champion).body.count()) + " cells; export/champion.toml";
+}
+
+std::string finding_of(const std::string& stage, const fs::path& results, const meshes::Robot& robot) {
+  if (stage == "mesh") return mesh_text(results);
+  if (stage == "inflate") return inflate_text(results, robot);
+  if (stage == "limit") return limit_text(results, robot);
+  if (stage == "load_cases") return load_cases_text(results);
+  if (stage == "calibrate") return calibrate_text(results);
+  if (stage == "validate") return validate_text(results);
+  if (stage == "simulate") return walk_text(results / "simulate/result.toml");
+  if (stage == "locomote" || stage == "locomote_finer") return walk_text(results / stage / "locomotion.toml");
+  if (stage == "evolve") return line_of(results / "logs/evolve.txt", "Champion: ");
+  if (stage == "export") return export_text(results);
+  if (stage == "reevaluate") return "ranking in reevaluate/reevaluation.csv";
+  return "";
+}
+
+/// Angle between two walks, degrees.
+double angle_deg(const Walk& one, const Walk& other) {
+  const double cross = one.x_m * other.y_m - one.y_m * other.x_m;
+  const double dot = one.x_m * other.x_m + one.y_m * other.y_m;
+  return std::abs(std::atan2(cross, dot)) * 180.0 / std::numbers::pi;
+}
+
+/// Distances that differ by more than this share of the longer one, and directions by more than the angle, are no agreement.
+constexpr double largest_difference = 0.5;
+constexpr double largest_angle_deg = 45.0;
+/// A walk shorter than this share of a body length has no direction.
+constexpr double least_body_lengths = 0.01;
+/// Above this share of the limit pressure small faults of a cast wall decide.
+constexpr double largest_safe_share = 0.8;
+
+bool agree(const Walk& one, const Walk& other) {
+  const double longer_m = std::max(one.distance_m(), other.distance_m());
+  if (std::min(one.body_lengths, other.body_lengths) < least_body_lengths)
+    return std::max(one.body_lengths, other.body_lengths) < least_body_lengths;
+  return std::abs(one.distance_m() - other.distance_m()) <= largest_difference * longer_m &&
+         angle_deg(one, other) <= largest_angle_deg;
+}
+
+std::string both(const Walk& one, const Walk& other) {
+  if (std::max(one.body_lengths, other.body_lengths) < least_body_lengths)
+    return "it stays where it is, within 1 % of its length";
+  return millimetres(one.distance_m()) + " and " + millimetres(other.distance_m()) + ", " +
+         io::formatted("%.0f", angle_deg(one, other)) + " degrees apart";
+}
+
+std::string shape_verdict(const ShapeErrors& errors) {
+  if (!errors.displacement) return "The surrogate gives this body no shape that can be compared.";
+  const bool is_good = *errors.displacement <= 0.15 && errors.wrong_signs == 0 && errors.is_inside;
+  return is_good ? "The surrogate takes the shape of this body well."
+                 : "Do not trust the surrogate for this body: its shape is " + percents(*errors.displacement) +
+                       " off in the median, and " + std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) +
+                       " displacements go the wrong way; see validate/worst.png.";
+}
+
+}  // namespace
+
+std::string stage_finding(const std::string& stage, const fs::path& results, const meshes::Robot& robot) {
+  try {
+    return finding_of(stage, results, robot);
+  } catch (const io::InputError&) {
+    return "";  // results of another version; the log has what the program said
+  }
+}
+
+std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Robot& robot) {
+  std::vector<std::string> lines;
+  try {
+    if (const auto limit_Pa = limit_pressure_Pa(results)) {
+      const double drive_Pa = drive_pressure_Pa(robot)[1];
+      if (drive_Pa > *limit_Pa)
+        lines.push_back("The body balloons before it gets the pressure of its drive: lower drive.pressure_Pa below " +
+                        kilopascals(*limit_Pa) + ".");
+      else if (drive_Pa > largest_safe_share * *limit_Pa)
+        lines.push_back("The pressure is within " + percents(1.0 - drive_Pa / *limit_Pa) +
+                        " of ballooning: a thin spot in a cast wall decides.");
+      else
+        lines.push_back("The body bears its pressure: up to " + kilopascals(largest_safe_share * *limit_Pa) +
+                        " it is 20 % or more below ballooning.");
+    }
+    if (const auto errors = shape_errors(results)) lines.push_back(shape_verdict(*errors));
+    const auto voxels = walk_at(results / "simulate/result.toml");
+    const auto elements = walk_at(results / "locomote/locomotion.toml");
+    const auto finer = walk_at(results / "locomote_finer/locomotion.toml");
+    if (elements && finer && !agree(*elements, *finer)) {
+      lines.push_back("How it walks is not known: finite elements of a coarser and a finer mesh give " + both(*elements, *finer) +
+                      ". Chance decides such a walk; a body that is not alike to both sides walks more surely.");
+    } else if (elements && finer) {
+      lines.push_back("Finite elements of a coarser and a finer mesh agree on the walk: " + both(*elements, *finer) + ".");
+    }
+    const auto& reference = finer ? finer : elements;
+    if (voxels && reference) {
+      lines.push_back((agree(*voxels, *reference) ? "The surrogate walks as finite elements do: "
+                                                  : "The surrogate does not walk as finite elements do: ") +
+                      both(*voxels, *reference) + " (voxels and finite elements).");
+    }
+  } catch (const io::InputError&) {
+    lines.push_back("Some results cannot be read; run the loop again.");
+  }
+  return lines;
+}
+
+}  // namespace menger::evolution

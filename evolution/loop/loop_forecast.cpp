@@ -1,0 +1,70 @@
+#include "evolution/loop/loop_forecast.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "io/text/formatted.h"
+#include "voxel/model/expected_errors.h"
+#include "voxel/model/surrogate_file.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string of_these_cells(const meshes::Robot& robot) {
+  return "cells of " + io::shown(1e3 * robot.design.cell_edge_m) + " mm with walls of " +
+         io::shown(1e3 * robot.wall_thickness_m) + " mm in " + robot.record.name;
+}
+
+std::string source_text(const meshes::Robot& robot, const fs::path& parameters) {
+  switch (parameter_source(robot)) {
+    case meshes::ParameterSource::given:
+      return "surrogate: voxels with the parameters of " + parameters.string();
+    case meshes::ParameterSource::known:
+      return "surrogate: voxels with the parameters that come with menger for " + of_these_cells(robot) + " (" +
+             parameters.filename().string() + "); --fit fits them anew";
+    case meshes::ParameterSource::fitted:
+      return "surrogate: " +
+             std::string(robot.fits_anew ? "parameters are fitted anew for " : "menger comes with no parameters for ") +
+             of_these_cells(robot) + (robot.fits_anew ? " (minutes)" : ": they are fitted (minutes)");
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes::RobotPlaces& places) {
+  const fs::path file = parameters_of(robot, places);
+  std::vector<std::string> lines{source_text(robot, file)};
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) {
+    if (parameter_source(robot) == meshes::ParameterSource::given)
+      static_cast<void>(voxel::read_surrogate(file));  // says what is wrong
+    lines.emplace_back(
+        "expected error: not known before the fit; the stage validate measures it on this very body. Shapes are often within 15 "
+        "%, "
+        "walks are not: distances of the surrogate cannot be trusted");
+    return lines;
+  }
+  voxel::CalibratedBody body;
+  if (parameter_source(robot) == meshes::ParameterSource::fitted) {
+    // A fit that failed leaves parameters that nothing may use; its stage says so.
+    try {
+      body.parameters = voxel::read_surrogate(file);
+    } catch (const io::InputError&) {
+      return lines;
+    }
+  } else {
+    body.parameters = voxel::read_surrogate(file);
+  }
+  body.pressure_Pa = drive_pressure_Pa(robot);
+  body.chambers = robot.chambers;
+  const voxel::KnownErrors known = voxel::known_errors(body.parameters, file);
+  const std::vector<std::string> expected =
+      robot.has_body() ? expected_error_text(known, body, robot.design.body) : expected_error_text(known, false);
+  lines.insert(lines.end(), expected.begin(), expected.end());
+  return lines;
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,403 @@
+#include "evolution/loop/loop_run.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <set>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "evolution/loop/loop_findings.h"
+#include "evolution/loop/loop_forecast.h"
+#include "evolution/loop/loop_stages.h"
+#include "evolution/loop/loop_state.h"
+#include "io/process/child_program.h"
+#include "io/process/exit_code.h"
+#include "io/process/file_lock.h"
+#include "io/process/interrupt.h"
+#include "io/process/progress.h"
+#include "io/process/told_progress.h"
+#include "io/study/study_text.h"
+#include "io/text/content_hash.h"
+#include "io/text/input_error.h"
+#include "io/text/joined_text.h"
+#include "io/text/manifest.h"
+#include "io/text/printable.h"
+#include "io/text/whole_file.h"
+#include "meshes/robot/command_study.h"
+#include "meshes/robot/robot_file.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Lines of a log that are shown where a program failed.
+constexpr std::size_t shown_log_lines = 3;
+
+bool is_file(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
+
+/// Returns the last lines of a log, each after two spaces.
+std::string end_of_log(const fs::path& log) {
+  if (!is_file(log)) return "";
+  const std::string text = io::read_whole(log);
+  std::vector<std::string> lines;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back("  " + io::printable(text.substr(start, end - start)) + "\n");
+    start = end + 1;
+  }
+  if (lines.size() > shown_log_lines) lines.erase(lines.begin(), lines.end() - shown_log_lines);
+  return io::joined(lines, "");
+}
+
+/// The files below a folder, counted from `results`. Archives grow and shrink files of their own.
+std::vector<std::string> files_below(const fs::path& folder, const fs::path& results) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    const bool is_passing =
+        name.find(".sqlite-") != std::string::npos || name.ends_with(".lock") || name.find("checkpoint") != std::string::npos;
+    if (entry->is_regular_file(error) && !is_passing) files.push_back(entry->path().lexically_relative(results).string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Runs the stages of one loop.
+class LoopRun {
+ public:
+  LoopRun(const LoopRequest& request, meshes::Robot robot, std::ostream& out)
+      : request_(request),
+        robot_(std::move(robot)),
+        places_(fs::absolute(request.robot).lexically_normal(),
+                request.results.empty() ? fs::path() : fs::absolute(request.results)),
+        stages_(loop_stages(robot_, places_, is_file(request.programs / "menger-report"))),
+        out_(out) {
+    if (!request_.until.empty()) {
+      last_ = &stage_named(stages_, "--until", request_.until);
+    }
+    if (!request_.only.empty()) only_ = &stage_named(stages_, "--only", request_.only);
+    for (const LoopStage& stage : stages_) static_cast<void>(io::program_in(request_.programs, stage.program));
+  }
+
+  int write_studies() {
+    meshes::take_champion(robot_, places_);
+    std::vector<meshes::RobotStudy> studies;
+    for (const meshes::RobotStudy study : meshes::robot_studies()) {
+      if (meshes::missing_because(robot_, study).empty() && (robot_.has_body() || !needs_body(study))) studies.push_back(study);
+    }
+    meshes::write_studies(robot_, studies, places_);
+    for (const meshes::RobotStudy study : studies) out_ << shown(places_.study(study)) << '\n';
+    if (!robot_.has_body()) out_ << "the other studies need the body, which the stages evolve and export find\n";
+    out_ << "Run one as " << shown(places_.results) << " has it, for example:\n  cd " << shown(places_.results) << "\n";
+    for (const LoopStage& stage : stages_) {
+      if (stage.program == "menger-report") continue;
+      out_ << "  menger " << stage.program.substr(std::string("menger-").size()) << ' ' << io::joined(stage.arguments, " ")
+           << '\n';
+    }
+    out_ << std::flush;
+    return io::exit_code::done;
+  }
+
+  int run() {
+    io::require_writable_folder(places_.results / "logs");
+    const io::FileLock lock(places_.results / "loop");
+    state_.emplace(places_.results / "loop.json");
+    tell_plan();
+    io::ask_for_progress(told_file());
+    int code = io::exit_code::done;
+    for (std::size_t n = 0; n < stages_.size(); ++n) {
+      const LoopStage& stage = stages_[n];
+      if (only_ == nullptr || only_ == &stage) {
+        const int ended = run_stage(stage, n);
+        if (ended == io::exit_code::interrupted) return leave_interrupted();
+        code = worse(code, ended);
+      }
+      if (last_ == &stage) break;
+    }
+    io::remove_if_there(told_file());
+    write_manifest();
+    tell_end(code);
+    return code;
+  }
+
+ private:
+  /// A path as a person who stands in the present folder writes it.
+  static std::string shown(const fs::path& path) {
+    const fs::path near = path.lexically_proximate(fs::current_path());
+    return (near.empty() || *near.begin() == ".." ? path : near).string();
+  }
+
+  [[nodiscard]] fs::path told_file() const { return places_.results / "logs" / ".progress"; }
+  [[nodiscard]] fs::path log_of(const LoopStage& stage) const { return places_.results / "logs" / (stage.name + ".txt"); }
+  [[nodiscard]] fs::path from_results(const fs::path& path) const { return path.is_absolute() ? path : places_.results / path; }
+
+  static int worse(int one, int other) {
+    for (const int code : {1, io::exit_code::bad_input, io::exit_code::numerical}) {
+      if (one == code || other == code) return code;
+    }
+    return io::exit_code::done;
+  }
+
+  void tell_plan() {
+    out_ << meshes::summary_of(robot_) << "; results in " << shown(places_.results) << '\n';
+    meshes::Robot body = robot_;
+    meshes::take_champion(body, places_);
+    for (const std::string& line : loop_forecast(body, places_)) out_ << line << '\n';
+    out_ << std::flush;
+  }
+
+  std::string label(std::size_t n) const {
+    const std::string whole = std::to_string(stages_.size());
+    std::string number = std::to_string(n + 1);
+    number.insert(0, whole.size() - number.size(), ' ');
+    std::string name = stages_[n].name;
+    std::size_t width = 0;
+    for (const LoopStage& stage : stages_) width = std::max(width, stage.name.size());
+    name.resize(width, ' ');
+    return number + " of " + whole + "  " + name;
+  }
+
+  /// Returns what decides the results of a stage. A change of any of it changes the text.
+  std::string key_of(const LoopStage& stage) {
+    std::string text = stage.program + " " + io::joined(stage.arguments, " ") + "\n" + program_hash(stage.program) + "\n";
+    for (const meshes::RobotStudy study : stage.studies) text += study_text(robot_, study, places_) + "\n";
+    for (const fs::path& file : stage.reads) {
+      const fs::path whole = from_results(file);
+      text += file.string() + " " + (is_file(whole) ? io::file_hash(whole) : "missing") + "\n";
+    }
+    for (const std::string& name : stage.follows) {
+      const StageRecord* record = state_->find(name);
+      text += name + " " + (record == nullptr ? "missing" : record->key + " " + std::string(to_string(record->status))) + "\n";
+    }
+    return io::content_hash(text);
+  }
+
+  std::string program_hash(const std::string& program) {
+    std::string& hash = program_hashes_[program];
+    if (hash.empty()) hash = io::file_hash(request_.programs / program);
+    return hash;
+  }
+
+  [[nodiscard]] std::string manifest_hash(const LoopStage& stage) const {
+    const fs::path file = places_.results / stage.manifest;
+    return stage.manifest.empty() || !is_file(file) ? "" : io::file_hash(file);
+  }
+
+  /// Whether a stage has ended before with the same key, and its files are still there.
+  [[nodiscard]] bool is_current(const LoopStage& stage, const StageRecord* record, const std::string& key) const {
+    return record != nullptr && record->has_ended() && record->key == key && record->manifest_hash == manifest_hash(stage) &&
+           std::all_of(record->files.begin(), record->files.end(),
+                       [&](const std::string& file) { return is_file(places_.results / file); });
+  }
+
+  /// Returns which stage that this one needs has no result, with the reason; empty if none.
+  [[nodiscard]] std::string lacks(const LoopStage& stage) const {
+    for (const std::string& name : stage.needs) {
+      const auto needed = std::ranges::find(stages_, name, &LoopStage::name);
+      const StageRecord* record = state_->find(name);
+      const bool is_usable = record != nullptr && (record->status == StageStatus::done ||
+                                                   (record->status == StageStatus::numerical && needed->is_usable_early));
+      if (is_usable && !(name == "export" && !is_file(places_.champion()))) continue;
+      return name;
+    }
+    return "";
+  }
+
+  /// @return the exit code of the stage
+  int run_stage(const LoopStage& stage, std::size_t n) {
+    if (const std::string lacking = lacks(stage); !lacking.empty()) {
+      const std::string reason = "needs a result of " + lacking;
+      if (only_ != nullptr)
+        throw io::InputError("--only " + stage.name + ": " + reason + ": first menger loop --until " + lacking);
+      out_ << label(n) << "  left out: " << reason << std::endl;
+      state_->set(stage.name, {.status = StageStatus::left_out, .finding = reason});
+      return io::exit_code::done;  // the stage that it needs has told its own
+    }
+    if (stage.needs_body) meshes::take_champion(robot_, places_);
+    for (const meshes::RobotStudy study : stage.studies) {
+      // Of a body that a search found this is known only now.
+      const std::string reason = meshes::missing_because(robot_, study);
+      if (reason.empty()) continue;
+      out_ << label(n) << "  left out: " << reason << std::endl;
+      state_->set(stage.name, {.status = StageStatus::left_out, .finding = reason});
+      return io::exit_code::done;
+    }
+    meshes::write_studies(robot_, stage.studies, places_);
+    const std::string key = key_of(stage);
+    const StageRecord* earlier = state_->find(stage.name);
+    if (is_current(stage, earlier, key)) {
+      out_ << label(n) << "  as before: " << earlier->finding << std::endl;
+      return earlier->status == StageStatus::numerical ? io::exit_code::numerical : io::exit_code::done;
+    }
+    return run_program(stage, n, key);
+  }
+
+  int run_program(const LoopStage& stage, std::size_t n, const std::string& key) {
+    const StageRecord* earlier = state_->find(stage.name);
+    const bool goes_on = earlier != nullptr && earlier->key == key && !earlier->has_ended();
+    StageRecord record{.key = key};
+    if (goes_on) record.seconds = earlier->seconds;
+    const double expected_s = earlier != nullptr && earlier->has_ended() ? std::max(earlier->seconds, 1.0) : stage.expected_s;
+    state_->set(stage.name, record);
+    std::vector<std::string> arguments = stage.arguments;
+    if (stage.may_restart && !goes_on) arguments.emplace_back("--restart");
+    const bool has_terminal = ::isatty(STDERR_FILENO) == 1;
+    if (!has_terminal) out_ << label(n) << "  " << std::flush;
+
+    io::ChildOutcome outcome = start(stage, n, arguments, expected_s);
+    if (outcome.exit_code == io::exit_code::bad_input && stage.is_set_aside && set_aside(stage))
+      outcome = start(stage, n, arguments, expected_s);
+    record.seconds += outcome.wall_s;
+    record.status = status_of(outcome);
+    const bool has_ended = record.has_ended();
+    if (has_ended) {
+      record.finding = stage_finding(stage.name, places_.results, robot_);
+      record.manifest_hash = manifest_hash(stage);
+      record.files = files_below(places_.results / stage.name, places_.results);
+    } else {
+      record.finding = std::string(to_string(record.status));
+    }
+    state_->set(stage.name, record);
+
+    if (has_terminal) out_ << label(n) << "  ";
+    tell(stage, record, outcome);
+    if (record.status == StageStatus::interrupted) return io::exit_code::interrupted;
+    if (record.status == StageStatus::refused) return io::exit_code::bad_input;
+    if (record.status == StageStatus::failed) return 1;
+    return outcome.exit_code;
+  }
+
+  io::ChildOutcome start(const LoopStage& stage, std::size_t n, const std::vector<std::string>& arguments, double expected_s) {
+    io::remove_if_there(told_file());
+    io::ChildProgram child{.program = request_.programs / stage.program,
+                           .arguments = arguments,
+                           .folder = places_.results,
+                           .out = log_of(stage),
+                           .err = log_of(stage)};
+    child.stop = request_.stop;
+    io::Progress bar(label(n), 1.0);
+    child.waiting = [&](double seconds) {
+      const std::optional<io::ToldProgress> told = io::told_progress(told_file());
+      // A program that has told nothing yet is taken to need as long as expected.
+      bar.update(told ? told->part : std::min(seconds / expected_s, 0.99), told ? told->note : "");
+    };
+    return io::run_child(child);
+  }
+
+  static StageStatus status_of(const io::ChildOutcome& outcome) {
+    if (outcome.end == io::ChildEnd::stopped || outcome.exit_code == io::exit_code::interrupted) return StageStatus::interrupted;
+    if (outcome.end != io::ChildEnd::exited) return StageStatus::failed;
+    if (outcome.exit_code == io::exit_code::done) return StageStatus::done;
+    if (outcome.exit_code == io::exit_code::numerical) return StageStatus::numerical;
+    return outcome.exit_code == io::exit_code::bad_input ? StageStatus::refused : StageStatus::failed;
+  }
+
+  void tell(const LoopStage& stage, const StageRecord& record, const io::ChildOutcome& outcome) {
+    const std::string log = shown(log_of(stage));
+    switch (record.status) {
+      case StageStatus::done:
+      case StageStatus::numerical:
+        out_ << io::duration_text(record.seconds) << (record.finding.empty() ? "" : ": " + record.finding);
+        if (record.status == StageStatus::numerical) out_ << " (ended early; see " << log << ")";
+        out_ << '\n';
+        break;
+      case StageStatus::interrupted:
+        out_ << "stopped\n";
+        break;
+      case StageStatus::refused:
+      case StageStatus::failed:
+        out_ << (record.status == StageStatus::refused ? "refused its input" : "failed");
+        if (outcome.signal != 0) out_ << " by signal " << outcome.signal;
+        out_ << "; the end of " << log << ":\n" << end_of_log(log_of(stage));
+        break;
+      case StageStatus::begun:
+      case StageStatus::left_out:
+        break;
+    }
+    out_ << std::flush;
+  }
+
+  /// Moves the folder of a stage to earlier/, so that another study can take its place. @return whether there was one
+  bool set_aside(const LoopStage& stage) {
+    const fs::path folder = places_.results / stage.name;
+    std::error_code error;
+    if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) return false;
+    fs::path aside;
+    for (int number = 1; aside.empty() || fs::exists(aside, error); ++number)
+      aside = places_.results / "earlier" / (stage.name + "_" + std::to_string(number));
+    fs::create_directories(aside.parent_path(), error);
+    fs::rename(folder, aside, error);
+    if (error) throw io::InputError(folder.string() + ": cannot be moved to " + aside.string() + ": " + error.message());
+    out_ << "(its earlier results are now in " << shown(aside) << ") ";
+    return true;
+  }
+
+  int leave_interrupted() {
+    io::come_to_stop();
+    io::remove_if_there(told_file());
+    out_ << "Stopped. Finished stages are kept. Run the same command again to go on." << std::endl;
+    return io::exit_code::interrupted;
+  }
+
+  void write_manifest() const {
+    io::Manifest manifest{.program = "menger-loop", .parameters = io::described_text(robot_), .seed = std::nullopt, .inputs = {}};
+    if (robot_.search) manifest.seed = robot_.search->seed;
+    io::note_input(manifest.inputs, request_.robot);
+    io::note_input(manifest.inputs, robot_.silicone_file);
+    for (const LoopStage& stage : stages_) {
+      if (const StageRecord* record = state_->find(stage.name)) manifest.seconds += record->seconds;
+    }
+    io::write_manifest(places_.results, manifest);
+  }
+
+  void tell_end(int code) {
+    const std::vector<std::string> verdict = loop_verdict(places_.results, robot_);
+    if (!verdict.empty() && only_ == nullptr && last_ == nullptr) {
+      out_ << "\nWhat came out:\n";
+      for (const std::string& line : verdict) out_ << "- " << line << '\n';
+    }
+    std::vector<std::string> files;
+    for (const char* file : {"report.html", "inflate/chamber.png", "limit/pv_curve.png", "validate/worst.png",
+                             "locomote/robot.png", "locomote/frames.pvd", "export/champion.png"}) {
+      if (is_file(places_.results / file)) files.push_back(shown(places_.results / file));
+    }
+    if (!files.empty() && only_ == nullptr && last_ == nullptr) out_ << "Look at " << io::joined(files) << ".\n";
+    if (code == io::exit_code::numerical) out_ << "Some stages ended early; their lines above say why.\n";
+    out_ << std::flush;
+  }
+
+  const LoopRequest& request_;
+  meshes::Robot robot_;
+  meshes::RobotPlaces places_;
+  std::vector<LoopStage> stages_;
+  std::ostream& out_;
+  std::optional<LoopState> state_;
+  const LoopStage* last_ = nullptr;
+  const LoopStage* only_ = nullptr;
+  std::map<std::string, std::string> program_hashes_;
+};
+
+}  // namespace
+
+int run_loop(const LoopRequest& request, std::ostream& out) {
+  meshes::Robot robot = meshes::read_robot(request.robot);
+  if (request.fits_anew && robot.parameters)
+    throw io::InputError("--fit: " + request.robot.string() + ": surrogate.parameters names a file: nothing is fitted");
+  if (request.fits_anew) robot.fits_anew = true;
+  LoopRun run(request, std::move(robot), out);
+  return request.only_studies ? run.write_studies() : run.run();
+}
+
+}  // namespace menger::evolution

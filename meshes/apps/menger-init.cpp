@@ -1,0 +1,92 @@
+// menger init NAME: writes the file of a robot to begin with.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "io/process/exit_code.h"
+#include "io/process/program.h"
+#include "io/text/input_error.h"
+#include "io/text/joined_text.h"
+#include "io/text/near_miss.h"
+#include "io/text/whole_file.h"
+#include "meshes/robot/robot_file.h"
+#include "meshes/robot/starting_points.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace io = menger::io;
+using namespace menger::meshes;
+
+struct Arguments {
+  std::string name;
+  std::string start = "table";
+  bool list = false;
+};
+
+std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
+  CLI::App app("Makes a folder with robot.toml, the file of a robot to begin with. Nothing is ever written over.", "menger init");
+  app.footer(
+      "Example:\n  menger init my_robot --from crawler\n  menger loop my_robot/robot.toml\n"
+      "Exit codes: 0 done, 2 wrong input.");
+  app.add_option("name", arguments.name, "Name of the robot and its folder");
+  app.add_option("--from", arguments.start, "Robot to begin with; --list shows them")->capture_default_str();
+  app.add_flag("--list", arguments.list, "Show the robots to begin with");
+  return io::parse_arguments(app, argc, argv);
+}
+
+void print_list() {
+  std::size_t width = 0;
+  for (const StartingPoint& start : starting_points()) width = std::max(width, start.name.size());
+  for (const StartingPoint& start : starting_points())
+    std::cout << start.name << std::string(width + 2 - start.name.size(), ' ') << start.purpose << '\n';
+  std::cout << "Begin with one of them: menger init NAME --from " << starting_points().front().name << '\n';
+}
+
+const StartingPoint& start_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const StartingPoint& start : starting_points()) {
+    if (start.name == name) return start;
+    names.emplace_back(start.name);
+  }
+  const std::optional<std::string> meant = io::near_miss(name, names);
+  throw io::InputError("--from " + name + ": there is no such robot" + (meant ? ", did you mean " + *meant + "?" : "") +
+                       " There are: " + io::joined(names));
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.list) {
+    print_list();
+    return io::exit_code::done;
+  }
+  if (arguments.name.empty()) throw io::InputError("name is missing: menger init NAME, or menger init --list");
+  const StartingPoint& start = start_named(arguments.start);
+  const fs::path folder(arguments.name);
+  const fs::path file = folder / "robot.toml";
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(file, ignored)))
+    throw io::InputError(file.string() + ": is there already, and is not written over");
+  const fs::path last =
+      folder.lexically_normal().has_filename() ? folder.lexically_normal() : folder.lexically_normal().parent_path();
+  io::write_whole(file, robot_template(start, last.filename().string()));
+  std::cout << "wrote " << file.string() << ": " << summary_of(read_robot(file)) << "\n"
+            << "Next: change it to your robot, then\n"
+            << "  menger loop " << file.string() << " --until limit   (seconds: its mesh, and the pressure that it bears)\n"
+            << "  menger loop " << file.string() << "                 (minutes: everything that the file asks for)\n";
+  return io::exit_code::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return io::run_program("menger-init", [&]() -> int {
+    Arguments arguments;
+    if (const auto code = parse(arguments, argc, argv)) return *code;
+    return run(arguments);
+  });
+}

@@ -1,0 +1,38 @@
+#include "meshes/robot/command_study.h"
+
+#include <array>
+#include <system_error>
+
+#include "io/text/input_error.h"
+#include "meshes/robot/robot_file.h"
+
+namespace menger::meshes {
+
+namespace fs = std::filesystem;
+
+void take_champion(Robot& robot, const RobotPlaces& places) {
+  std::error_code ignored;
+  if (!robot.evolves || !fs::is_regular_file(places.champion(), ignored)) return;
+  robot.design.body = read_design(places.champion()).body;
+}
+
+CommandStudy command_study(const fs::path& given, RobotStudy study) {
+  if (!is_robot_file(given)) return {given, given.stem()};
+  Robot robot = read_robot(given);
+  const RobotPlaces places(given);
+  if (const std::string reason = missing_because(robot, study); !reason.empty())
+    throw io::InputError(given.string() + ": " + reason);
+  if (needs_body(study)) take_champion(robot, places);
+  if (needs_body(study) && !robot.has_body()) {
+    throw io::InputError(given.string() + ": robot.design = \"evolve\": no search has found a body yet: first menger loop " +
+                         given.string() + " --until export");
+  }
+  if (study == RobotStudy::validate) {
+    write_studies(robot, std::array{study, RobotStudy::validate_load_cases}, places);
+  } else {
+    write_studies(robot, std::array{study}, places);
+  }
+  return {places.study(study), places.folder(study)};
+}
+
+}  // namespace menger::meshes

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+#include "meshes/robot/robot_studies.h"
+
+namespace menger::meshes {
+
+/// The study that a command reads, and the folder that it writes to if the user names none.
+struct CommandStudy {
+  std::filesystem::path study;
+  std::filesystem::path folder;
+};
+
+/// Returns the study of a command that was given a file. A study is used as it is; its folder has its name. From a robot
+/// (is_robot_file) the study is derived and written where `menger loop` has it; so is the folder. If a search finds the body, it
+/// is that of the search's champion.
+/// @throws io::InputError if the robot is wrong, has no such study, or has no body yet
+CommandStudy command_study(const std::filesystem::path& given, RobotStudy study);
+
+/// Gives a robot whose body a search finds the body that it found; does nothing to others, and nothing if no search has ended.
+void take_champion(Robot& robot, const RobotPlaces& places);
+
+}  // namespace menger::meshes

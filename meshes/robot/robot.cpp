@@ -1,0 +1,95 @@
+#include "meshes/robot/robot.h"
+
+#include <cmath>
+
+#include "io/text/formatted.h"
+#include "materials/laws/hyperelastic_law.h"
+
+namespace menger::meshes {
+namespace {
+
+/// Dragon Skin 10 in cells of 10 mm with walls of 2 mm, at which the pressures below were chosen.
+constexpr double known_shear_modulus_Pa = 86.7e3;
+constexpr double known_slenderness = 2.0 / 6.0;  ///< wall thickness over span
+constexpr double known_drive_Pa = 6000.0;
+
+std::string millimetres(double length_m) { return io::shown(1e3 * length_m) + " mm"; }
+
+}  // namespace
+
+std::string_view to_string(RobotDrive drive) {
+  switch (drive) {
+    case RobotDrive::in_phase:
+      return "in_phase";
+    case RobotDrive::antiphase:
+      return "antiphase";
+    case RobotDrive::hold:
+      return "hold";
+  }
+  return "";
+}
+
+std::string_view to_string(RobotFidelity fidelity) {
+  switch (fidelity) {
+    case RobotFidelity::draft:
+      return "draft";
+    case RobotFidelity::standard:
+      return "standard";
+    case RobotFidelity::fine:
+      return "fine";
+  }
+  return "";
+}
+
+std::string_view to_string(RobotSearchModel model) {
+  switch (model) {
+    case RobotSearchModel::finite_elements:
+      return "finite_elements";
+    case RobotSearchModel::voxels:
+      return "voxels";
+    case RobotSearchModel::both:
+      return "both";
+  }
+  return "";
+}
+
+std::string_view to_string(RobotMeasure measure) {
+  switch (measure) {
+    case RobotMeasure::last_periods:
+      return "last_periods";
+    case RobotMeasure::net_displacement:
+      return "net_displacement";
+  }
+  return "";
+}
+
+double two_digits(double value) {
+  if (value == 0.0) return 0.0;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
+  return std::round(value / unit) * unit;
+}
+
+double scaled_pressure_Pa(const Robot& robot, double pressure_Pa) {
+  const double stiffness = materials::shear_modulus_at_rest_Pa(robot.record.recommended.law) / known_shear_modulus_Pa;
+  const double slenderness = robot.wall_thickness_m / robot.span_m() / known_slenderness;
+  return two_digits(pressure_Pa * stiffness * (pressure_Pa < 0.0 ? slenderness * slenderness : slenderness));
+}
+
+std::array<double, 2> drive_pressure_Pa(const Robot& robot) {
+  return robot.pressure_Pa.value_or(std::array{0.0, scaled_pressure_Pa(robot, known_drive_Pa)});
+}
+
+std::string summary_of(const Robot& robot) {
+  const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot);
+  std::string text = robot.design.name + ": ";
+  const std::size_t cells = robot.design.body.count();
+  text += robot.has_body() ? std::to_string(cells) + (cells == 1 ? " cell" : " cells") : "a body that a search finds, cells";
+  text += " of " + millimetres(robot.design.cell_edge_m) + " with walls of " + millimetres(robot.wall_thickness_m) + ", " +
+          robot.record.name + ", ";
+  text += robot.chambers == ChamberLayout::single ? "one chamber, " : "a chamber for each region of one material, ";
+  if (robot.drive == RobotDrive::hold) return text + "held at " + io::shown(1e-3 * highest_Pa) + " kPa";
+  return text + io::shown(1e-3 * lowest_Pa) + " to " + io::shown(1e-3 * highest_Pa) + " kPa at " + io::shown(robot.frequency_Hz) +
+         " Hz";
+}
+
+}  // namespace menger::meshes

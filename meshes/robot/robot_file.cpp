@@ -1,0 +1,152 @@
+#include "meshes/robot/robot_file.h"
+
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "io/study/study_reader.h"
+#include "io/text/input_error.h"
+#include "io/text/toml_document.h"
+#include "materials/laws/silicone_library.h"
+#include "meshes/design/hollow_body_file.h"
+
+namespace menger::meshes {
+namespace {
+
+namespace fs = std::filesystem;
+
+void describe_body(io::StudyVisitor& visitor, Robot& robot) {
+  std::optional<bool> evolves;
+  if (robot.evolves) evolves = true;
+  visitor.optional_word({"design", "In place of layers: the body is that of the best robot that a search finds.", "\"evolve\""},
+                        evolves, io::Words<bool>{{"evolve", true}});
+  robot.evolves = evolves.has_value();
+  if (robot.evolves) {
+    const io::TomlTable* table = visitor.source();
+    for (const std::string_view key : {"layers", "digits", "file"})
+      visitor.check(table == nullptr || !table->has(key), key, "cannot stand beside design = \"evolve\"");
+    robot.design.body = Polycube();
+    visitor.number({"cell_edge_m", "Edge of a cell.", "0.01"}, robot.design.cell_edge_m, io::positive());
+    if (robot.design.name.empty()) robot.design.name = "robot";
+    visitor.text({"name", "Name of the design."}, robot.design.name);
+  } else {
+    describe_design(visitor, robot.design, robot.design_file);
+  }
+  visitor.number({"wall_thickness_m", "Thickness of every wall."}, robot.wall_thickness_m, io::positive());
+  visitor.check(2.0 * robot.wall_thickness_m < robot.design.cell_edge_m, "wall_thickness_m",
+                "walls fill a cell: must be less than half of cell_edge_m");
+  visitor.word(
+      {"chambers", "Cells that share one chamber: all of them, or each connected region of cells of one material (per-phase)."},
+      robot.chambers, chamber_layout_words());
+  visitor.text({"silicone",
+                "Silicone to cast it from: dragon_skin_10, dragon_skin_20, dragon_skin_30, ecoflex_00_10, ecoflex_00_30, "
+                "ecoflex_00_50, or a file of your own (see materials/data).",
+                "\"dragon_skin_10\""},
+               robot.silicone);
+}
+
+void describe_drive(io::StudyVisitor& visitor, Robot& robot) {
+  std::optional<std::vector<double>> pressure_Pa;
+  if (robot.pressure_Pa) pressure_Pa.emplace(robot.pressure_Pa->begin(), robot.pressure_Pa->end());
+  visitor.optional_numbers({"pressure_Pa",
+                            "Lowest and highest pressure in the chambers, above that around them. Without it, 0 and what "
+                            "loads these walls as 6 kPa loads walls of 2 mm between cells of 10 mm in Dragon Skin 10.",
+                            "[0, 6000]"},
+                           pressure_Pa, io::any_number(), {.fewest = 2, .most = 2});
+  robot.pressure_Pa.reset();
+  if (pressure_Pa && pressure_Pa->size() == 2) robot.pressure_Pa = {pressure_Pa->front(), pressure_Pa->back()};
+  visitor.check(!robot.pressure_Pa || robot.pressure_Pa->front() <= robot.pressure_Pa->back(), "pressure_Pa",
+                "the lowest comes first");
+  visitor.check(!robot.pressure_Pa || robot.pressure_Pa->back() > 0.0, "pressure_Pa", "the highest must be > 0");
+  visitor.number({"frequency_Hz", "Strokes per second."}, robot.frequency_Hz, io::positive());
+  visitor.word({"mode",
+                "in_phase: all chambers at the same time; antiphase: those of material 2 half a period later, which needs "
+                "chambers = \"per-phase\"; hold: all have the highest pressure all the time."},
+               robot.drive, io::words_of(RobotDrive::in_phase, RobotDrive::antiphase, RobotDrive::hold));
+  visitor.check(robot.drive != RobotDrive::antiphase || robot.chambers == ChamberLayout::per_phase, "mode",
+                "needs robot.chambers = \"per-phase\": a chamber has one pressure");
+}
+
+void describe_search(io::StudyVisitor& visitor, RobotSearch& search) {
+  visitor.word(
+      {"model",
+       "What moves the robots of the search. finite_elements: silicone, slow and true; voxels: the surrogate, fast; both: "
+       "voxels choose which of them finite elements evaluate."},
+      search.model, io::words_of(RobotSearchModel::finite_elements, RobotSearchModel::voxels, RobotSearchModel::both));
+  visitor.word(
+      {"measure",
+       "What is rewarded. last_periods: the displacement in one stroke, so walking; net_displacement: that from start to "
+       "end, so also a fall."},
+      search.measure, io::words_of(RobotMeasure::last_periods, RobotMeasure::net_displacement));
+  visitor.boolean({"robust",
+                   "Whether a robot counts as much as in the worst of several frictions and losses of silicone, of which none is "
+                   "measured. Only on finite elements; six times the work."},
+                  search.robust);
+  visitor.check(
+      !search.robust || (search.model == RobotSearchModel::finite_elements && search.measure == RobotMeasure::last_periods),
+      "robust", "needs model = \"finite_elements\" and measure = \"last_periods\"");
+  visitor.integer({"generations", "Generations after the first."}, search.generations, io::non_negative());
+  visitor.integer({"survivors", "Robots that survive a generation."}, search.survivors, io::within(1, 1e6));
+  visitor.integer({"mutants", "Children in each generation."}, search.mutants, io::within(0, 1e6));
+  visitor.integer({"evaluated_best", "Robots that walk again on finer elements at the end."}, search.evaluated_best,
+                  io::within(1, 1e6));
+  visitor.integer({"seed", "Seed of the random numbers."}, search.seed, io::non_negative());
+}
+
+}  // namespace
+
+void describe(io::StudyVisitor& visitor, Robot& robot) {
+  visitor.table({"robot", "The body, and what it is cast from."}, [&] { describe_body(visitor, robot); });
+  visitor.table({"drive", "The air that drives it."}, [&] { describe_drive(visitor, robot); });
+  visitor.table({"ground", "The ground that it walks on. Friction of silicone is hardly measured: these are assumptions."}, [&] {
+    visitor.number({"static_friction", "Coefficient of friction at rest."}, robot.static_friction, io::non_negative());
+    visitor.number({"kinetic_friction", "Coefficient of friction while sliding, at most that at rest."}, robot.kinetic_friction,
+                   io::non_negative());
+    visitor.check(robot.kinetic_friction <= robot.static_friction, "kinetic_friction", "must be at most static_friction");
+  });
+  visitor.table({"walk", "The walk that both models compute."}, [&] {
+    visitor.boolean({"present", "Whether it is put on the ground and driven. false for a finger or a gripper."}, robot.walks);
+    visitor.number({"duration_s", "Simulated time."}, robot.duration_s, io::positive());
+    visitor.word({"fidelity",
+                  "How finely walls are cut into finite elements. The robot walks on the next finer ones, too, to show how well "
+                  "its walk is known."},
+                 robot.fidelity, io::words_of(RobotFidelity::draft, RobotFidelity::standard, RobotFidelity::fine));
+  });
+  visitor.table({"surrogate", "The fast stand-in of voxels."}, [&] {
+    visitor.optional_path(
+        {"parameters",
+         "Parameters of the voxels that menger calibrate wrote. Without it, those that come with menger for this "
+         "silicone, cell edge and wall, or else parameters that are fitted.",
+         "\"parameters.toml\""},
+        robot.parameters);
+    visitor.boolean({"fit_anew", "Whether parameters are fitted although menger comes with some (minutes)."}, robot.fits_anew);
+    visitor.check(!robot.parameters || !robot.fits_anew, "fit_anew", "cannot be true beside parameters");
+  });
+  visitor.optional_table({"search", "A search for a body that walks, of the same cells, walls, silicone, drive and ground."},
+                         robot.search, [&](RobotSearch& search) { describe_search(visitor, search); });
+}
+
+bool is_robot_file(const fs::path& file) {
+  std::error_code ignored;
+  if (file.extension() != ".toml" || !fs::is_regular_file(file, ignored)) return false;
+  try {
+    return io::read_toml(file).is_table("robot");
+  } catch (const io::InputError&) {
+    return false;
+  }
+}
+
+Robot read_robot(const fs::path& file) {
+  const io::TomlTable top = io::read_toml(file);
+  if (!top.is_table("robot")) throw io::InputError(file.string() + ": has no table [robot]; menger init writes a robot");
+  Robot robot;
+  io::read_described(top, robot);
+  robot.file = file;
+  if (robot.evolves && !robot.search) robot.search.emplace();
+  const io::TomlTable table = top.table("robot");
+  robot.silicone_file = materials::silicone_file(table, "silicone");
+  robot.record = table.reading("silicone", [&] { return materials::read_silicone(robot.silicone_file); });
+  return robot;
+}
+
+}  // namespace menger::meshes

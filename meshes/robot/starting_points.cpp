@@ -1,0 +1,85 @@
+#include "meshes/robot/starting_points.h"
+
+#include <array>
+
+#include "io/study/study_reader.h"
+#include "io/study/study_template.h"
+#include "io/text/toml_document.h"
+#include "meshes/robot/robot_file.h"
+
+namespace menger::meshes {
+namespace {
+
+constexpr std::array points{
+    StartingPoint{"table", "a table on two legs, 3 x 3 x 2 cells", R"(
+[robot]
+layers = [["000", "101", "000"], ["111", "111", "111"]]
+cell_edge_m = 0.01
+silicone = "dragon_skin_10"
+)"},
+    StartingPoint{"quadruped", "a plate on four feet, the paper's kind of walker", R"(
+[robot]
+layers = [["101", "000", "101"], ["111", "111", "111"]]
+cell_edge_m = 0.01
+silicone = "dragon_skin_10"
+)"},
+    StartingPoint{"crawler", "a hook of three cells, which crawls", R"(
+[robot]
+layers = [["11"], ["10"]]
+cell_edge_m = 0.01
+silicone = "dragon_skin_10"
+)"},
+    StartingPoint{"finger", "a gripper finger: a bar with bellows on top, which bends when it is inflated; it does not walk", R"(
+[robot]
+layers = [["11111"], ["10101"]]
+cell_edge_m = 0.01
+silicone = "dragon_skin_10"
+[drive]
+mode = "hold"
+[walk]
+present = false
+)"},
+    StartingPoint{"menger", "the Menger sponge, 20 cells", R"(
+[robot]
+layers = [["111", "101", "111"], ["101", "000", "101"], ["111", "101", "111"]]
+cell_edge_m = 0.01
+silicone = "dragon_skin_10"
+)"},
+    StartingPoint{"evolve", "no body yet: a search on finite elements finds one that walks (a quarter of an hour)", R"(
+[robot]
+design = "evolve"
+cell_edge_m = 0.01
+silicone = "dragon_skin_10"
+[search]
+)"},
+};
+
+/// Writes the layers of a body below one another, as design files have them. The writer of templates has shown other ways to give
+/// the body before, with bodies of their own.
+std::string with_drawn_layers(std::string text, const Design& design) {
+  const std::size_t start = text.find("\nlayers = [") + 1;
+  if (start == 0) return text;  // std::string::npos + 1
+  const std::string drawn = design_text(design);
+  return text.replace(start, text.find('\n', start) + 1 - start, drawn.substr(drawn.find("layers = [")));
+}
+
+}  // namespace
+
+std::span<const StartingPoint> starting_points() { return points; }
+
+std::string robot_template(const StartingPoint& start, const std::string& robot_name) {
+  Robot robot;
+  io::read_described(io::parse_toml(start.changes, "starting point"), robot);
+  robot.design.name = robot_name;
+  const Design design = robot.design;
+  io::StudyTemplateWriter writer;
+  writer.keep_values();
+  describe(writer, robot);
+  return "# A robot of silicone: " + std::string(start.purpose) +
+         ".\n#   menger loop robot.toml      computes what this file asks for, and writes results/\n"
+         "# Lengths are in metres, pressures in pascals (1 kPa = 1000 Pa). What stands behind a # is not used; remove the # to "
+         "use it.\n\n" +
+         with_drawn_layers(writer.text(), design);
+}
+
+}  // namespace menger::meshes

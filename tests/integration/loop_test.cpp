@@ -1,0 +1,129 @@
+// `menger init` and `menger loop` with the programs that they start, on a robot of two cells.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "evolution/loop/loop_state.h"
+#include "io/text/whole_file.h"
+#include "tests/support/program_run.h"
+#include "tests/support/test_folder.h"
+
+namespace menger {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::Outcome;
+
+constexpr const char* robot_text = R"([robot]
+name = "cell"
+layers = [["11"]]
+cell_edge_m = 0.01
+silicone = "dragon_skin_10"
+[drive]
+pressure_Pa = [0, 3000]
+frequency_Hz = 10
+[walk]
+duration_s = 0.2
+fidelity = "draft"
+)";
+
+class LoopProgram : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome run(std::vector<std::string> arguments) const {
+    return test_support::ProgramRun(folder_, fs::path(MENGER_PROGRAM_DIR) / "menger", std::move(arguments)).wait();
+  }
+
+  [[nodiscard]] bool is_there(const std::string& file) const { return fs::is_regular_file(folder_ / file); }
+
+  tests::TestFolder folder_;
+};
+
+void expect_has(const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; }
+
+TEST_F(LoopProgram, ComputesWhatARobotAsksForOnce) {
+  io::write_whole(folder_ / "robot.toml", robot_text);
+  const Outcome first = run({"loop", "robot.toml"});
+  EXPECT_EQ(first.code, 0) << first.out << first.err;
+  EXPECT_EQ(first.err, "");
+  expect_has(first.out, "cell: 2 cells of 10 mm with walls of 2 mm, Dragon Skin 10, one chamber, 0 to 3 kPa at 10 Hz");
+  expect_has(first.out, "parameters that come with menger");
+  expect_has(first.out, "expected error for ");
+  expect_has(first.out, " cm3 of silicone around ");
+  expect_has(first.out, "at 3 kPa it holds ");
+  expect_has(first.out, "it balloons at ");
+  expect_has(first.out, "shape of this very body: ");
+  expect_has(first.out, "it moves ");
+  expect_has(first.out, "What came out:\n- The body bears its pressure");
+  for (const char* file :
+       {"mesh/mesh.vtu", "inflate/manifest.json", "limit/pv_curve.png", "validate/worst.png", "simulate/frames.pvd",
+        "locomote/frames.pvd", "locomote_finer/locomotion.toml", "manifest.json", "loop.json", "logs/limit.txt"})
+    EXPECT_TRUE(is_there(std::string("results/") + file)) << file;
+
+  const std::string walk = io::read_whole(folder_ / "results/locomote/manifest.json");
+  const Outcome second = run({"loop", "robot.toml"});
+  EXPECT_EQ(second.code, 0) << second.out << second.err;
+  expect_has(second.out, "7 of 7  locomote_finer  as before: it moves ");
+  EXPECT_EQ(io::read_whole(folder_ / "results/locomote/manifest.json"), walk);
+}
+
+TEST_F(LoopProgram, RobotsAreStudiesOfTheOtherCommandsToo) {
+  io::write_whole(folder_ / "mine/robot.toml", robot_text);
+  for (const char* command : {"mesh", "inflate", "simulate", "locomote"}) {
+    const Outcome outcome = run({command, "mine/robot.toml"});
+    EXPECT_EQ(outcome.code, 0) << command << outcome.out << outcome.err;
+    expect_has(outcome.out, std::string("mine/results/") + command);
+  }
+  const Outcome none = run({"calibrate", "mine/robot.toml"});
+  EXPECT_EQ(none.code, 2);
+  expect_has(none.err, "load_cases: does not exist");
+}
+
+TEST_F(LoopProgram, GoesOnAfterCtrlC) {
+  io::write_whole(folder_ / "robot.toml", robot_text);
+  const fs::path program = fs::path(MENGER_PROGRAM_DIR) / "menger-loop";
+  const test_support::ProgramRun loop(folder_, program, {"robot.toml", "--until", "limit"});
+  while (!is_there("results/studies/inflate.toml")) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  loop.send(SIGINT);
+  const Outcome stopped = loop.wait();
+  EXPECT_EQ(stopped.code, 130) << stopped.out << stopped.err;
+  const Outcome outcome = run({"loop", "robot.toml", "--until", "limit"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  expect_has(outcome.out, "1 of 7  mesh            as before");
+  EXPECT_EQ(evolution::LoopState(folder_ / "results/loop.json").find("limit")->status, evolution::StageStatus::done);
+}
+
+TEST_F(LoopProgram, InitWritesARobotAndNeverOverOne) {
+  const Outcome list = run({"init", "--list"});
+  EXPECT_EQ(list.code, 0);
+  for (const char* start : {"table", "quadruped", "crawler", "finger", "menger", "evolve"})
+    expect_has(list.out, std::string(start) + " ");
+  const Outcome made = run({"init", "mine", "--from", "crawler"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  expect_has(made.out, "menger loop mine/robot.toml");
+  const std::string text = io::read_whole(folder_ / "mine/robot.toml");
+  expect_has(text, "name = \"mine\"");
+  const Outcome again = run({"init", "mine"});
+  EXPECT_EQ(again.code, 2);
+  expect_has(again.err, "mine/robot.toml: is there already");
+  EXPECT_EQ(io::read_whole(folder_ / "mine/robot.toml"), text);
+  EXPECT_EQ(run({"init"}).code, 2);
+  EXPECT_EQ(run({"init", "other", "--from", "cralwer"}).code, 2);
+  EXPECT_EQ(run({"loop", "mine/robot.toml", "--write-studies"}).code, 0);
+  EXPECT_TRUE(is_there("mine/results/studies/calibrate.toml"));
+  EXPECT_FALSE(is_there("mine/results/loop.json"));
+}
+
+TEST_F(LoopProgram, WrongRobotEndsWithFileKeyAndValue) {
+  io::write_whole(folder_ / "robot.toml", std::string(robot_text) + "[ground]\nkinetic_friction = 2\n");
+  const Outcome outcome = run({"loop", "robot.toml"});
+  EXPECT_EQ(outcome.code, 2);
+  expect_has(outcome.err, "robot.toml:");
+  expect_has(outcome.err, "ground.kinetic_friction = 2: must be at most static_friction");
+  EXPECT_FALSE(fs::exists(folder_ / "results"));
+}
+
+}  // namespace
+}  // namespace menger

@@ -1,0 +1,107 @@
+#include "evolution/loop/loop_findings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "io/text/joined_text.h"
+#include "io/text/whole_file.h"
+#include "meshes/robot/robot_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+class LoopFindings : public testing::Test {
+ protected:
+  LoopFindings() {
+    io::write_whole(
+        folder_ / "robot.toml",
+        "[robot]\nlayers = [[\"111\"]]\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n[drive]\npressure_Pa = [0, 3000]\n");
+    robot_ = meshes::read_robot(folder_ / "robot.toml");
+  }
+
+  void write_walk(const std::string& file, double x_m, double y_m) const {
+    io::write_whole(folder_ / file, "status = \"completed\"\ntime_s = 5.0\ndisplacement_m = [" + std::to_string(x_m) + ", " +
+                                        std::to_string(y_m) + ", 0.001]\nhorizontal_displacement_body_lengths = 0.5\n");
+  }
+
+  void write_limit(const std::string& pressure_Pa) const {
+    io::write_whole(folder_ / "limit/result.toml",
+                    "status = \"completed\"\n[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = " + pressure_Pa + "\n");
+  }
+
+  [[nodiscard]] std::string found(const std::string& stage) const { return stage_finding(stage, folder_, robot_); }
+  [[nodiscard]] std::string verdict() const { return io::joined(loop_verdict(folder_, robot_), "\n"); }
+
+  tests::TestFolder folder_;
+  meshes::Robot robot_;
+};
+
+void expect_has(const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; }
+
+TEST_F(LoopFindings, TellWhatTheFilesOfAStageHold) {
+  write_walk("simulate/result.toml", 0.03, 0.04);
+  EXPECT_EQ(found("simulate"), "it moves 50 mm (0.5 body lengths) in 5 s");
+  io::write_whole(folder_ / "locomote/locomotion.toml", "status = \"diverged\"\nreason = \"too fast\"\n");
+  EXPECT_EQ(found("locomote"), "diverged: too fast");
+  write_limit("12000.0");
+  EXPECT_EQ(found("limit"), "it balloons at 12 kPa; the drive of 3 kPa is 25 % of that");
+  io::write_whole(folder_ / "inflate/result.toml", "status = \"completed\"\n");
+  io::write_whole(folder_ / "inflate/curves.csv", "step,plenum_0_volume_m3\n0,1e-6\n1,1.5e-6\n");
+  EXPECT_EQ(found("inflate"), "at 3 kPa it holds 50 % more air");
+  io::write_whole(folder_ / "mesh/mesh_quality.csv",
+                  "quantity,value\nelements,3\nsolid volume_m3,2e-6\nchamber 0 volume_m3,1e-6\nchamber 1 volume_m3,1e-6\n");
+  EXPECT_EQ(found("mesh"), "2 cm3 of silicone around 2 cm3 of air");
+}
+
+TEST_F(LoopFindings, AreEmptyForResultsThatTheyCannotRead) {
+  EXPECT_EQ(found("simulate"), "");
+  io::write_whole(folder_ / "simulate/result.toml", "status = ");
+  EXPECT_EQ(found("simulate"), "");
+}
+
+TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
+  write_limit("12000.0");
+  expect_has(verdict(), "The body bears its pressure: up to 9.6 kPa");
+  write_limit("3500.0");
+  expect_has(verdict(), "within 14 % of ballooning");
+  write_limit("2500.0");
+  expect_has(verdict(), "lower drive.pressure_Pa below 2.5 kPa");
+}
+
+TEST_F(LoopFindings, VerdictComparesWalksOfBothModelsAndOfBothMeshes) {
+  write_walk("simulate/result.toml", 0.04, 0.0);
+  write_walk("locomote/locomotion.toml", -0.006, 0.0);
+  write_walk("locomote_finer/locomotion.toml", 0.024, 0.0);
+  expect_has(verdict(),
+             "How it walks is not known: finite elements of a coarser and a finer mesh give 6 mm and 24 mm, 180 degrees apart");
+  write_walk("locomote/locomotion.toml", 0.02, 0.0);
+  expect_has(verdict(), "Finite elements of a coarser and a finer mesh agree on the walk: 20 mm and 24 mm, 0 degrees apart.");
+  expect_has(verdict(), "The surrogate walks as finite elements do: 40 mm and 24 mm");
+  write_walk("simulate/result.toml", 0.0, 0.024);
+  expect_has(verdict(), "The surrogate does not walk as finite elements do: 24 mm and 24 mm, 90 degrees apart");
+}
+
+TEST_F(LoopFindings, VerdictWarnsOfShapesThatTheSurrogateMisses) {
+  const auto write = [&](const std::string& median, const std::string& wrong) {
+    io::write_whole(folder_ / "validate/summary.csv",
+                    "body,kind,range,median\nall,displacement,inside," + median + "\nall,volume,inside,0.05\n");
+    io::write_whole(folder_ / "validate/signs.csv",
+                    "body,observable,count,wrong\nrobot,extent_x_m,5," + wrong + "\nrobot,extent_y_m,5,0\n");
+  };
+  write("0.1", "0");
+  expect_has(verdict(), "The surrogate takes the shape of this body well.");
+  EXPECT_EQ(found("validate"), "shape of this very body: 10 % off in displacements, 5 % in chamber volume (medians)");
+  write("0.1", "5");
+  expect_has(verdict(),
+             "Do not trust the surrogate for this body: its shape is 10 % off in the median, and 5 of 10 displacements go the "
+             "wrong way");
+  write("0.3", "0");
+  expect_has(verdict(), "Do not trust the surrogate for this body: its shape is 30 % off");
+}
+
+}  // namespace
+}  // namespace menger::evolution

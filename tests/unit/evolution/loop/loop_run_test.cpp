@@ -1,0 +1,287 @@
+#include "evolution/loop/loop_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "evolution/loop/loop_state.h"
+#include "io/process/exit_code.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* robot_text = R"([robot]
+name = "bar"
+layers = [["1111"]]
+cell_edge_m = 0.01
+silicone = "dragon_skin_10"
+)";
+
+/// A folder with a robot, and with programs that stand in for those of menger: each notes its call in calls.txt, writes a
+/// manifest into the folder that it is told to write to, and ends with the exit code in the file codes/NAME, if there is one.
+class LoopRunTest : public testing::Test {
+ protected:
+  LoopRunTest() {
+    io::write_whole(folder_ / "robot.toml", robot_text);
+    fs::create_directories(folder_ / "codes");
+    for (const char* name :
+         {"mesh", "inflate", "load-cases", "calibrate", "validate", "simulate", "locomote", "evolve", "export", "reevaluate"})
+      write_program(name, "");
+  }
+
+  /// @param more what else it does, in bash
+  void write_program(const std::string& name, const std::string& more) const {
+    const std::string text = "#!/bin/bash\necho " + name + " \"$@\" >> '" + (folder_ / "calls.txt").string() + "'\n" +
+                             "out=; for ((i = 1; i <= $#; i++)); do [ \"${!i}\" = -o ] && j=$((i + 1)) && out=${!j}; done\n"
+                             "case $out in *.vtu | *.sqlite) mkdir -p ${out%/*}; echo {} > ${out%.*}_manifest.json; echo {} > "
+                             "${out%.*}.manifest.json ;;\n"
+                             "*) mkdir -p $out; echo {} > $out/manifest.json ;; esac\n" +
+                             more + "\nexit $(cat '" + (folder_ / "codes" / name).string() + "' 2>/dev/null || echo 0)\n";
+    const fs::path file = folder_ / "bin" / ("menger-" + name);
+    io::write_whole(file, text);
+    fs::permissions(file, fs::perms::owner_all);
+  }
+
+  void end_with(const std::string& name, int code) const { io::write_whole(folder_ / "codes" / name, std::to_string(code)); }
+
+  int run(const std::string& until = "", const std::string& only = "") {
+    out_.str("");
+    fs::remove(folder_ / "calls.txt");
+    LoopRequest request{
+        .robot = folder_ / "robot.toml", .until = until, .only = only, .programs = folder_ / "bin", .stop = &stop_};
+    return run_loop(request, out_);
+  }
+
+  /// The commands that the last run called.
+  [[nodiscard]] std::vector<std::string> calls() const {
+    std::vector<std::string> names;
+    if (!fs::exists(folder_ / "calls.txt")) return names;
+    std::istringstream lines(io::read_whole(folder_ / "calls.txt"));
+    for (std::string line; std::getline(lines, line);) names.push_back(line);
+    return names;
+  }
+
+  [[nodiscard]] std::vector<std::string> called() const {
+    std::vector<std::string> names;
+    for (const std::string& call : calls()) names.push_back(call.substr(0, call.find(' ')));
+    return names;
+  }
+
+  void change(const std::string& from, const std::string& to) const {
+    std::string text = io::read_whole(folder_ / "robot.toml");
+    text.replace(text.find(from), from.size(), to);
+    io::write_whole(folder_ / "robot.toml", text);
+  }
+
+  void add(const std::string& text) const {
+    io::write_whole(folder_ / "robot.toml", io::read_whole(folder_ / "robot.toml") + text);
+  }
+
+  using Names = std::vector<std::string>;
+  tests::TestFolder folder_;
+  std::ostringstream out_;
+  std::atomic<bool> stop_{false};
+};
+
+const std::vector<std::string> all_of_bar{"mesh", "inflate", "inflate", "validate", "simulate", "locomote", "locomote"};
+
+TEST_F(LoopRunTest, SecondRunDoesNothing) {
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), all_of_bar);
+  EXPECT_TRUE(fs::exists(folder_ / "results/manifest.json"));
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), Names{});
+  EXPECT_NE(out_.str().find("7 of 7  locomote_finer  as before"), std::string::npos) << out_.str();
+}
+
+TEST_F(LoopRunTest, ChangedKeyRunsOnlyWhatDependsOnIt) {
+  ASSERT_EQ(run(), io::exit_code::done);
+  add("[ground]\nkinetic_friction = 0.4\n");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"simulate", "locomote", "locomote"}));
+  add("[drive]\npressure_Pa = [0, 5000]\n");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"inflate", "validate", "simulate", "locomote", "locomote"}));
+  change("\"1111\"", "\"11\"");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), all_of_bar);
+}
+
+TEST_F(LoopRunTest, BodyOfTheFitIsNotValidated) {
+  change("\"1111\"", "\"111\"");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"mesh", "inflate", "inflate", "simulate", "locomote", "locomote"}));
+}
+
+TEST_F(LoopRunTest, ChangedProgramOrMissingResultRunsAgain) {
+  ASSERT_EQ(run(), io::exit_code::done);
+  write_program("simulate", "# another version");
+  fs::remove(folder_ / "results/mesh/mesh_manifest.json");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"mesh", "simulate"}));
+  io::write_whole(folder_ / "results/validate/manifest.json", "of another run\n");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"validate"}));
+}
+
+TEST_F(LoopRunTest, FitsWhereMengerHasNoParametersAndFollowsTheFit) {
+  change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
+  write_program("calibrate", "echo fitted > calibrate/parameters.toml");
+  ASSERT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(),
+            (Names{"mesh", "inflate", "inflate", "load-cases", "calibrate", "validate", "simulate", "locomote", "locomote"}));
+  EXPECT_NE(out_.str().find("menger comes with no parameters for cells of 11 mm"), std::string::npos) << out_.str();
+  // A fit that gives other parameters makes all follow that read them, and nothing else.
+  write_program("calibrate", "echo fitted otherwise > calibrate/parameters.toml");
+  ASSERT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"calibrate", "validate", "simulate"}));
+}
+
+TEST_F(LoopRunTest, NumericalOutcomeLeavesOutOnlyWhatNeedsIt) {
+  change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
+  end_with("inflate", io::exit_code::numerical);
+  end_with("load-cases", io::exit_code::numerical);  // curves count as far as they go
+  end_with("calibrate", io::exit_code::numerical);
+  EXPECT_EQ(run(), io::exit_code::numerical);
+  EXPECT_EQ(called(), (Names{"mesh", "inflate", "inflate", "load-cases", "calibrate", "locomote", "locomote"}));
+  EXPECT_NE(out_.str().find("left out: needs a result of calibrate"), std::string::npos) << out_.str();
+  EXPECT_EQ(run(), io::exit_code::numerical);  // an outcome is an outcome: nothing is repeated
+  EXPECT_EQ(called(), Names{});
+}
+
+TEST_F(LoopRunTest, RefusedInputAndFailuresAreToldWithTheEndOfTheirLog) {
+  write_program("locomote", "echo 'menger-locomote: error: a wrong key' >&2");
+  end_with("locomote", io::exit_code::bad_input);
+  EXPECT_EQ(run(), io::exit_code::bad_input);
+  EXPECT_NE(out_.str().find("refused its input; the end of "), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("  menger-locomote: error: a wrong key\n"), std::string::npos) << out_.str();
+  end_with("locomote", 0);
+  write_program("simulate", "kill -SEGV $$");
+  EXPECT_EQ(run(), 1);
+  EXPECT_NE(out_.str().find("failed by signal 11"), std::string::npos) << out_.str();
+  EXPECT_EQ(called(), (Names{"simulate", "locomote", "locomote"}));  // what failed is tried again
+}
+
+TEST_F(LoopRunTest, GoesOnAfterItWasStopped) {
+  write_program("validate", "echo begun > validate/begun; trap 'exit 130' INT; for ((n = 0; n < 600; n++)); do sleep 0.1; done");
+  std::thread user([&] {
+    while (!fs::exists(folder_ / "results/validate/begun")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    stop_ = true;
+  });
+  EXPECT_EQ(run(), io::exit_code::interrupted);
+  user.join();
+  stop_ = false;
+  EXPECT_NE(out_.str().find("Stopped. Finished stages are kept."), std::string::npos) << out_.str();
+  ASSERT_NE(LoopState(folder_ / "results/loop.json").find("validate"), nullptr);
+  EXPECT_EQ(LoopState(folder_ / "results/loop.json").find("validate")->status, StageStatus::interrupted);
+  write_program("validate", "");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"validate", "simulate", "locomote", "locomote"}));
+}
+
+TEST_F(LoopRunTest, StoppedStageGoesOnAndAChangedOneBeginsAnew) {
+  end_with("locomote", io::exit_code::interrupted);
+  EXPECT_EQ(run("locomote"), io::exit_code::interrupted);
+  EXPECT_NE(calls().back().find("--restart"), std::string::npos) << calls().back();
+  EXPECT_EQ(run("locomote"), io::exit_code::interrupted);
+  EXPECT_EQ(calls().back().find("--restart"), std::string::npos) << calls().back();
+  add("[ground]\nkinetic_friction = 0.4\n");
+  EXPECT_EQ(run("locomote"), io::exit_code::interrupted);
+  EXPECT_NE(calls().back().find("--restart"), std::string::npos) << calls().back();
+}
+
+TEST_F(LoopRunTest, StageThatWasKilledRunsAgain) {
+  ASSERT_EQ(run(), io::exit_code::done);
+  LoopState state(folder_ / "results/loop.json");
+  StageRecord record = *state.find("inflate");
+  record.status = StageStatus::begun;
+  state.set("inflate", record);
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"inflate"}));
+}
+
+TEST_F(LoopRunTest, UntilEndsThereAndOnlyRunsOneStage) {
+  EXPECT_EQ(run("inflate"), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"mesh", "inflate"}));
+  EXPECT_EQ(run("", "locomote"), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"locomote"}));
+  EXPECT_NE(tests::message_of([&] { run("inflat"); }).find("did you mean inflate?"), std::string::npos);
+  EXPECT_NE(tests::message_of([&] { run("calibrate"); }).find("this robot has no such stage"), std::string::npos);
+  change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
+  EXPECT_NE(tests::message_of([&] { run("", "simulate"); }).find("needs a result of calibrate"), std::string::npos);
+}
+
+TEST_F(LoopRunTest, SearchThatFindsTheBodyComesFirst) {
+  change("layers = [[\"1111\"]]", "design = \"evolve\"");
+  const std::string design = "name = \\\"c\\\"\\ncell_edge_m = 0.01\\nlayers = [[\\\"101\\\"], [\\\"111\\\"]]\\n";
+  write_program("export", "printf \"" + design + "\" > export/champion.toml");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"evolve", "export", "mesh", "inflate", "inflate", "validate", "simulate", "locomote", "locomote",
+                             "reevaluate"}));
+  EXPECT_NE(io::read_whole(folder_ / "results/studies/inflate.toml").find("digits = \"101111\""), std::string::npos);
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), Names{});
+}
+
+TEST_F(LoopRunTest, ArchiveOfAnotherSearchIsKeptAside) {
+  add("[search]\ngenerations = 1\n");
+  // As menger evolve does: an archive of another study is refused.
+  write_program("evolve", "cmp -s \"$1\" evolve/study || [ ! -e evolve/study ] || exit 2; cp \"$1\" evolve/study");
+  ASSERT_EQ(run(), io::exit_code::done);
+  change("generations = 1", "generations = 2");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"evolve", "evolve", "export", "reevaluate"}));
+  EXPECT_NE(io::read_whole(folder_ / "results/earlier/evolve_1/study").find("generations = 1"), std::string::npos);
+  EXPECT_NE(io::read_whole(folder_ / "results/evolve/study").find("generations = 2"), std::string::npos);
+}
+
+TEST_F(LoopRunTest, ReportIsTheLastStageIfItsProgramIsThere) {
+  write_program("report", "echo page > report.html");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(calls().back(), "report " + (folder_ / "results").string());
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), Names{});
+  add("[ground]\nkinetic_friction = 0.4\n");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"simulate", "locomote", "locomote", "report"}));
+}
+
+TEST_F(LoopRunTest, FirstLinesRepeatTheExpectedErrorOfSimulate) {
+  change("layers = [[\"1111\"]]", "layers = [[\"000\", \"101\", \"000\"], [\"111\", \"111\", \"111\"]]");
+  ASSERT_EQ(run("mesh"), io::exit_code::done);
+  EXPECT_NE(out_.str().find("bar: 11 cells of 10 mm with walls of 2 mm, Dragon Skin 10, one chamber, 0 to 6 kPa at 3 Hz"),
+            std::string::npos)
+      << out_.str();
+  EXPECT_NE(out_.str().find("(dragon_skin_10_1cm.toml)"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("expected error for a plate on legs: "), std::string::npos) << out_.str();
+}
+
+TEST_F(LoopRunTest, WrongInputWritesNothing) {
+  add("colour = 3\n");
+  EXPECT_NE(tests::message_of([&] { run(); }).find("colour"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "results"));
+  fs::remove(folder_ / "bin/menger-validate");
+  change("colour = 3\n", "");
+  EXPECT_NE(tests::message_of([&] { run(); }).find("menger-validate: there is no such program"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "results"));
+}
+
+TEST_F(LoopRunTest, RefusesAStateThatItCannotRead) {
+  io::write_whole(folder_ / "results/loop.json", "{\"stages\": {\"mesh\": 3}}");
+  EXPECT_NE(tests::message_of([&] { run(); }).find("loop.json: is no state of a loop"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace menger::evolution

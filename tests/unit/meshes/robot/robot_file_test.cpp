@@ -1,0 +1,129 @@
+#include "meshes/robot/robot_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "io/study/study_reader.h"
+#include "io/text/input_error.h"
+#include "io/text/whole_file.h"
+#include "meshes/robot/starting_points.h"
+#include "tests/support/described_study.h"
+#include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::meshes {
+namespace {
+
+constexpr const char* table = R"([robot]
+layers = [["000", "101", "000"], ["111", "111", "111"]]
+cell_edge_m = 0.012
+wall_thickness_m = 0.0025
+silicone = "ecoflex_00_30"
+)";
+
+Robot read_text(const tests::TestFolder& folder, const std::string& text) {
+  io::write_whole(folder / "robot.toml", text);
+  return read_robot(folder / "robot.toml");
+}
+
+TEST(RobotFile, NeedsNoMoreThanBodyCellsAndSilicone) {
+  const tests::TestFolder folder;
+  const Robot robot = read_text(folder, table);
+  EXPECT_EQ(robot.design.body.count(), 11U);
+  EXPECT_EQ(robot.record.name, "Ecoflex 00-30");
+  EXPECT_EQ(robot.design.name, "robot");
+  EXPECT_TRUE(robot.walks);
+  EXPECT_FALSE(robot.evolves);
+  EXPECT_FALSE(robot.search);
+}
+
+TEST(RobotFile, PressureOfTheDriveScalesWithSiliconeAndWalls) {
+  const tests::TestFolder folder;
+  const std::string known = "[robot]\nlayers = [[\"1\"]]\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n";
+  EXPECT_EQ(drive_pressure_Pa(read_text(folder, known))[1], 6000.0);
+  // 6 kPa x 39.4 / 86.7 x (2.5 / 7) / (2 / 6)
+  EXPECT_EQ(drive_pressure_Pa(read_text(folder, table))[1], 2900.0);
+  EXPECT_EQ(drive_pressure_Pa(read_text(folder, std::string(table) + "[drive]\npressure_Pa = [-100, 2000]\n"))[0], -100.0);
+}
+
+TEST(RobotFile, IsToldFromOtherStudiesByItsTable) {
+  const tests::TestFolder folder;
+  io::write_whole(folder / "robot.toml", table);
+  io::write_whole(folder / "design.toml", "[design]\nfile = \"robot.toml\"\n");
+  io::write_whole(folder / "broken.toml", "[robot\n");
+  io::write_whole(folder / "robot.msh", table);
+  EXPECT_TRUE(is_robot_file(folder / "robot.toml"));
+  EXPECT_FALSE(is_robot_file(folder / "design.toml"));
+  EXPECT_FALSE(is_robot_file(folder / "broken.toml"));
+  EXPECT_FALSE(is_robot_file(folder / "robot.msh"));
+  EXPECT_FALSE(is_robot_file(folder / "none.toml"));
+  EXPECT_FALSE(is_robot_file(folder));
+}
+
+TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
+  const tests::TestFolder folder;
+  const auto expect = [&](const std::string& text, const std::string& part) {
+    const std::string message = tests::message_of([&] { static_cast<void>(read_text(folder, text)); });
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    EXPECT_NE(message.find("robot.toml"), std::string::npos) << message;
+  };
+  const std::string head = "[robot]\nlayers = [[\"1\"]]\ncell_edge_m = 0.01\n";
+  const std::string whole = head + "silicone = \"dragon_skin_10\"\n";
+  expect("[design]\n", "has no table [robot]");
+  expect(head, "robot.silicone is missing");
+  expect(head + "silicone = \"rubber\"\n", "silicone = \"rubber\": is neither a file (.toml) nor one of dragon_skin_10");
+  expect(whole + "wall_thickness_m = 0.005\n", "wall_thickness_m = 0.005: walls fill a cell");
+  expect(whole + "wall_thicknes_m = 0.002\n", "did you mean wall_thickness_m?");
+  expect(whole + "[drive]\nmode = \"antiphase\"\n", "mode = \"antiphase\": needs robot.chambers = \"per-phase\"");
+  expect(whole + "[drive]\npressure_Pa = [3000, 1000]\n", "the lowest comes first");
+  expect(whole + "[drive]\npressure_Pa = [-2, 0]\n", "the highest must be > 0");
+  expect(whole + "[drive]\npressure_Pa = [1]\n", "pressure_Pa");
+  expect(whole + "[ground]\nstatic_friction = 0.4\n", "kinetic_friction");
+  expect(whole + "[surrogate]\nparameters = \"p.toml\"\nfit_anew = true\n", "fit_anew = true: cannot be true beside parameters");
+  expect(whole + "[search]\nmodel = \"voxels\"\nrobust = true\n", "robust = true: needs model");
+  expect(whole + "design = \"evolve\"\n", "layers");
+  expect("[robot]\ndesign = \"draw\"\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n", "design = \"draw\"");
+}
+
+TEST(RobotFile, EvolvedBodiesHaveASearch) {
+  const tests::TestFolder folder;
+  const Robot robot = read_text(folder, "[robot]\ndesign = \"evolve\"\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n");
+  EXPECT_TRUE(robot.evolves);
+  EXPECT_FALSE(robot.has_body());
+  ASSERT_TRUE(robot.search);
+  EXPECT_EQ(robot.search->model, RobotSearchModel::finite_elements);
+}
+
+Robot parse(const std::string& text) {
+  Robot robot;
+  io::read_described(io::parse_toml(text, "robot.toml"), robot);
+  return robot;
+}
+
+TEST(RobotFile, TemplateAndTextsAreRead) {
+  tests::expect_template_is_read<Robot>(parse,
+                                        {"robot.file", "drive.mode = \"antiphase\""});  // a file that is not there; one chamber
+  tests::expect_texts_are_read_back<Robot>(parse, 5);  // walls, pressures and frictions drawn by chance seldom fit together
+}
+
+TEST(StartingPoints, AreRobotsWithTheirOwnBodiesAndWholeComments) {
+  const tests::TestFolder folder;
+  ASSERT_GE(starting_points().size(), 5U);
+  for (const StartingPoint& start : starting_points()) {
+    const std::string text = robot_template(start, "mine");
+    const Robot read = read_text(folder, text);
+    const Robot meant = parse(std::string(start.changes));
+    EXPECT_EQ(read.design.body, meant.design.body) << start.name;
+    EXPECT_EQ(read.evolves, meant.evolves) << start.name;
+    EXPECT_EQ(read.chambers, meant.chambers) << start.name;
+    EXPECT_EQ(read.drive, meant.drive) << start.name;
+    EXPECT_EQ(read.walks, meant.walks) << start.name;
+    EXPECT_EQ(read.design.name, "mine");
+    EXPECT_NE(text.find("# Strokes per second."), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace menger::meshes

@@ -1,0 +1,171 @@
+#include "meshes/robot/robot_studies.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/text/input_error.h"
+#include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
+#include "meshes/robot/calibration_cases.h"
+#include "meshes/robot/command_study.h"
+#include "meshes/robot/known_parameters.h"
+#include "meshes/robot/robot_file.h"
+#include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::meshes {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* body = "[robot]\nlayers = [[\"1111\"]]\n";
+const fs::path source(MENGER_SOURCE_DIR);
+
+Robot robot_of(const tests::TestFolder& folder, const std::string& cells) {
+  io::write_whole(folder / "robot.toml", body + cells);
+  return read_robot(folder / "robot.toml");
+}
+
+const char* const dragon_skin_1cm = "cell_edge_m = 0.01\nwall_thickness_m = 0.002\nsilicone = \"dragon_skin_10\"\n";
+const char* const ecoflex_12mm = "cell_edge_m = 0.012\nwall_thickness_m = 0.0025\nsilicone = \"ecoflex_00_30\"\n";
+
+/// Compares two sets of load cases number by number.
+/// @param tolerance of pressures in pascals, relative
+void expect_same_cases(const io::TomlTable& made, const io::TomlTable& shipped, double tolerance) {
+  EXPECT_EQ(made.text("silicone"), shipped.text("silicone"));
+  for (const char* key : {"cell_edge_m", "wall_thickness_m"})
+    EXPECT_DOUBLE_EQ(made.table("body").number(key), shipped.table("body").number(key));
+  for (const char* key : {"degree", "largest_element_m", "growth"})
+    EXPECT_DOUBLE_EQ(made.table("elements").number(key), shipped.table("elements").number(key)) << key;
+  const std::vector<io::TomlTable> one = made.tables("case");
+  const std::vector<io::TomlTable> other = shipped.tables("case");
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t n = 0; n < one.size(); ++n) {
+    const std::string name = other[n].text("name");
+    for (const char* key : {"name", "kind", "digits"}) EXPECT_EQ(one[n].text(key), other[n].text(key)) << name;
+    EXPECT_EQ(one[n].integer_or<int>("level", 1), other[n].integer_or<int>("level", 1)) << name;
+    for (const char* key : {"cells", "pressure_fractions", "displacement_m", "angle_rad", "gravity_factor", "pressures_Pa"}) {
+      ASSERT_EQ(one[n].has(key), other[n].has(key)) << name << " " << key;
+      if (!one[n].has(key)) continue;
+      const std::vector<double> mine = one[n].numbers(key);
+      const std::vector<double> theirs = other[n].numbers(key);
+      ASSERT_EQ(mine.size(), theirs.size()) << name << " " << key;
+      const bool is_pressure = std::string(key) == "pressures_Pa";
+      for (std::size_t i = 0; i < mine.size(); ++i)
+        EXPECT_NEAR(mine[i], theirs[i], (is_pressure ? tolerance : 1e-12) * std::abs(theirs[i])) << name << " " << key;
+    }
+  }
+}
+
+io::TomlTable load_cases_of(const Robot& robot) {
+  return io::parse_toml(study_text(robot, RobotStudy::load_cases, RobotPlaces(robot.file)), "load_cases.toml");
+}
+
+TEST(CalibrationCases, AreThoseThatComeWithMengerForTheSameCells) {
+  const tests::TestFolder folder;
+  expect_same_cases(load_cases_of(robot_of(folder, dragon_skin_1cm)),
+                    io::read_toml(source / "fem/studies/load_cases/dragon_skin_10_1cm.toml"), 0.0);
+  // The pressures of its slab on legs were chosen by hand.
+  expect_same_cases(load_cases_of(robot_of(folder, ecoflex_12mm)),
+                    io::read_toml(source / "fem/studies/load_cases/ecoflex_00_30_12mm.toml"), 0.2);
+}
+
+TEST(CalibrationCases, TheirNamesAreFitted) {
+  const tests::TestFolder folder;
+  const Robot robot = robot_of(folder, dragon_skin_1cm);
+  const io::TomlTable fit = io::parse_toml(study_text(robot, RobotStudy::calibrate, RobotPlaces(robot.file)), "calibrate.toml");
+  EXPECT_EQ(fit.texts("cases"), calibration_case_names());
+  std::vector<std::string> made;
+  for (const io::TomlTable& load : load_cases_of(robot).tables("case")) made.push_back(load.text("name"));
+  EXPECT_EQ(made, calibration_case_names());
+}
+
+TEST(CalibrationCases, BodiesOfTheFitCannotTestIt) {
+  const tests::TestFolder folder;
+  Robot robot = robot_of(folder, dragon_skin_1cm);
+  EXPECT_EQ(missing_because(robot, RobotStudy::validate), "");
+  robot.design.body = Polycube::from_digits(2, 2, 1, "1110");
+  EXPECT_NE(missing_because(robot, RobotStudy::validate).find("fitted to this very body"), std::string::npos);
+  robot.parameters = "mine.toml";
+  EXPECT_EQ(missing_because(robot, RobotStudy::validate), "");
+}
+
+TEST(CalibrationCases, ScaleWithCellsAndWalls) {
+  const tests::TestFolder folder;
+  const io::TomlTable set =
+      load_cases_of(robot_of(folder, "cell_edge_m = 0.02\nwall_thickness_m = 0.003\nsilicone = \"dragon_skin_20\"\n"));
+  EXPECT_DOUBLE_EQ(set.table("elements").number("largest_element_m"), 0.014);
+  for (const io::TomlTable& load : set.tables("case")) {
+    if (load.text("name") != "cell_press") continue;
+    EXPECT_EQ(load.numbers("displacement_m"), (std::vector{0.0002, 0.0005, 0.001, 0.002}));
+  }
+}
+
+TEST(KnownParameters, AreThoseOfExactlyTheseCells) {
+  const tests::TestFolder folder;
+  const auto name = [&](const std::string& cells) {
+    const std::optional<fs::path> file = known_parameters(robot_of(folder, cells));
+    return file ? file->filename().string() : "";
+  };
+  EXPECT_EQ(name(dragon_skin_1cm), "dragon_skin_10_1cm.toml");
+  EXPECT_EQ(name(ecoflex_12mm), "ecoflex_00_30_12mm.toml");
+  EXPECT_EQ(name("cell_edge_m = 0.012\nwall_thickness_m = 0.0024\nsilicone = \"ecoflex_00_30\"\n"), "");
+  EXPECT_EQ(name("cell_edge_m = 0.012\nwall_thickness_m = 0.0025\nsilicone = \"ecoflex_00_50\"\n"), "");
+}
+
+TEST(RobotStudies, TakeTheParametersThatAreGivenKnownOrFitted) {
+  const tests::TestFolder folder;
+  const auto parameters = [&](const std::string& more) {
+    const Robot robot = robot_of(folder, dragon_skin_1cm + more);
+    return io::parse_toml(study_text(robot, RobotStudy::simulate, RobotPlaces(robot.file)), "x")
+        .table("surrogate")
+        .text("parameters");
+  };
+  EXPECT_EQ(parameters(""), (source / "voxel/parameters/dragon_skin_10_1cm.toml").string());
+  EXPECT_EQ(parameters("[surrogate]\nfit_anew = true\n"), "../calibrate/parameters.toml");
+  EXPECT_EQ(parameters("[surrogate]\nparameters = \"mine.toml\"\n"), "../../mine.toml");
+}
+
+TEST(RobotStudies, NameASiliconeOfTheUserFromTheirOwnFolder) {
+  const tests::TestFolder folder;
+  fs::copy_file(source / "materials/data/ecoflex_00_30.toml", folder / "mine.toml");
+  const Robot robot = robot_of(folder, "cell_edge_m = 0.01\nsilicone = \"./mine.toml\"\n");
+  const io::TomlTable study = io::parse_toml(study_text(robot, RobotStudy::inflate, RobotPlaces(robot.file)), "x");
+  EXPECT_EQ(study.table("material").text("silicone"), "../../mine.toml");
+}
+
+TEST(CommandStudy, DerivesStudyAndFolderFromARobotAlone) {
+  const tests::TestFolder folder;
+  const Robot robot = robot_of(folder, dragon_skin_1cm);
+  const CommandStudy derived = command_study(robot.file, RobotStudy::validate);
+  EXPECT_EQ(derived.study, folder / "results/studies/validate.toml");
+  EXPECT_EQ(derived.folder, folder / "results/validate");
+  EXPECT_EQ(io::read_whole(derived.study), study_text(robot, RobotStudy::validate, RobotPlaces(robot.file)));
+  EXPECT_TRUE(fs::exists(folder / "results/studies/validate_load_cases.toml"));
+  io::write_whole(folder / "study.toml", "[design]\n");
+  const CommandStudy own = command_study(folder / "study.toml", RobotStudy::validate);
+  EXPECT_EQ(own.study, folder / "study.toml");
+  EXPECT_EQ(own.folder, "study");
+}
+
+TEST(CommandStudy, SaysWhyARobotHasNoSuchStudy) {
+  const tests::TestFolder folder;
+  const auto message = [&](RobotStudy study) {
+    return tests::message_of([&] { static_cast<void>(command_study(folder / "robot.toml", study)); });
+  };
+  static_cast<void>(robot_of(folder, std::string(dragon_skin_1cm) + "[walk]\npresent = false\n"));
+  EXPECT_NE(message(RobotStudy::locomote).find("walk.present = false"), std::string::npos) << message(RobotStudy::locomote);
+  io::write_whole(folder / "robot.toml", std::string("[robot]\ndesign = \"evolve\"\n") + dragon_skin_1cm);
+  EXPECT_NE(message(RobotStudy::inflate).find("no search has found a body yet"), std::string::npos)
+      << message(RobotStudy::inflate);
+  io::write_whole(folder / "results/export/champion.toml", "name = \"c\"\ncell_edge_m = 0.01\nlayers = [[\"11\"]]\n");
+  EXPECT_EQ(io::read_toml(command_study(folder / "robot.toml", RobotStudy::inflate).study).table("design").text("digits"), "11");
+}
+
+}  // namespace
+}  // namespace menger::meshes
