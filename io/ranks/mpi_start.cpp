@@ -1,8 +1,13 @@
 #include "io/ranks/mpi_start.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace menger::io {
 
@@ -12,6 +17,17 @@ bool is_started_as_rank() {
   // A batch script has no number of tasks of a step.
   const char* const tasks = std::getenv("SLURM_STEP_NUM_TASKS");
   return tasks != nullptr && std::atoi(tasks) > 1;
+}
+
+void forget_mpi_start() {
+  std::vector<std::string> names;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view text(*entry);
+    const bool is_of_start =
+        text.starts_with("OMPI_") || text.starts_with("PMIX_") || text.starts_with("PMI_") || text.starts_with("SLURM_STEP");
+    if (is_of_start) names.emplace_back(text.substr(0, text.find('=')));
+  }
+  for (const std::string& name : names) unsetenv(name.c_str());
 }
 
 void keep_mpi_start_to_this_process() {

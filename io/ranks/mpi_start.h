@@ -10,4 +10,7 @@ bool is_started_as_rank();
 /// Sets Open MPI up so that its start depends only on this process, before MPI is started. What the user has set stays.
 void keep_mpi_start_to_this_process();
 
+/// Removes what tells a rank that it is one from the environment, once MPI has started, for programs that the rank starts.
+void forget_mpi_start();
+
 }  // namespace menger::io
