@@ -3,17 +3,22 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/ranks/rank_workers.h"
 #include "evolution/report/confirmation.h"
 #include "evolution/report/cost_table.h"
 #include "evolution/report/generation_summary.h"
@@ -23,11 +28,15 @@
 #include "evolution/study/scenarios.h"
 #include "evolution/study/study_file.h"
 #include "evolution/study/voxel_errors.h"
+#include "fem/elements/element_kernel.h"
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
 #include "io/process/study_help.h"
+#include "io/ranks/rank_program.h"
+#include "io/ranks/rank_team.h"
+#include "io/ranks/roll_call.h"
 #include "io/text/content_hash.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
@@ -46,7 +55,8 @@ using Clock = std::chrono::steady_clock;
 struct Arguments {
   fs::path study;
   fs::path archive = "run.sqlite";
-  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  int threads = 0;
+  double rank_patience_s = io::TeamOptions{}.patience_s;
   StudyOverrides overrides;
 };
 
@@ -61,6 +71,8 @@ constexpr const char* example =
     "Example:\n"
     "  menger evolve paper/demo/study.toml -o demo/run.sqlite --threads 4\n"
     "  menger export demo/run.sqlite -o demo/champion\n"
+    "On a cluster, mpirun or srun starts it several times: mpirun -n 16 menger-evolve study.toml. All of them evaluate, the\n"
+    "first one also searches and keeps the archive. The same results, whatever their number.\n"
     "Exit codes: 0 done, 2 wrong input, 3 no robot has a fitness, 130 interrupted.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
@@ -72,8 +84,13 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   });
   app.add_option("study", arguments.study, "Study file")->required();
   app.add_option("-o,--output", arguments.archive, "Archive of the run; made if it does not exist")->capture_default_str();
-  app.add_option("-t,--threads", arguments.threads, "Threads; the result does not depend on them")
-      ->check(CLI::Range(1, 1024))
+  app.add_option("-t,--threads", arguments.threads,
+                 "Threads, of each process under mpirun; the result does not depend on them (default: cores, shared by the "
+                 "processes of a machine)")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--rank-patience", arguments.rank_patience_s,
+                 "Under mpirun: seconds without a sign of life after which the others go on without a process")
+      ->check(CLI::Range(0.5, 1e6))
       ->capture_default_str();
   app.add_option("-g,--generations", arguments.overrides.generations, "Number of generations, instead of the study's");
   app.add_option("--levels", arguments.overrides.levels, "Levels, instead of the study's, e.g. --levels 1 2");
@@ -151,6 +168,12 @@ class Log {
 
   void close() { bar_.reset(); }
 
+  /// Prints a sentence beside the progress.
+  void note(const std::string& text) {
+    bar_.reset();
+    std::cout << "note: " << text << std::endl;
+  }
+
  private:
   RunView run_;
   const Expenses& expenses_;
@@ -212,10 +235,65 @@ void print_validity(const RunView& run, int last) {
             << "menger export for their generations.\n";
 }
 
-void require_memory(const Study& study, int threads) {
-  if (estimated_memory_bytes(study, threads) <= menger::voxel::machine_memory_bytes()) return;
-  throw io::InputError("--threads " + std::to_string(threads) + ": as many evaluations at once at level " +
-                       std::to_string(study.search.levels().back()) + " may need more memory than this machine has");
+/// @param processes on this machine, each with so many threads
+void require_memory(const Study& study, int threads, int processes) {
+  if (estimated_memory_bytes(study, threads * processes) <= menger::voxel::machine_memory_bytes()) return;
+  throw io::InputError("--threads " + std::to_string(threads) +
+                       (processes > 1 ? " of " + std::to_string(processes) + " processes on a machine" : "") +
+                       ": as many evaluations at once at level " + std::to_string(study.search.levels().back()) +
+                       " may need more memory than this machine has");
+}
+
+/// A search and what evaluates its bodies, on every rank.
+struct Search {
+  Search(const Arguments& arguments, const io::RankSession& ranks) : study(read_study(arguments.study, arguments.overrides)) {
+    require_memory(study, arguments.threads, ranks.count_on_machine());
+    evaluators = search_evaluators_of(study);
+    half_step = half_step_evaluator_of(study);
+    if (ranks.count() == 1) return;
+    confirming = confirmation_evaluators_of(study);
+    shared.add(*evaluators.evaluator);
+    if (evaluators.screening) shared.add(*evaluators.screening);
+    shared.add(*half_step);
+    for (const std::unique_ptr<DesignEvaluator>& one : confirming) shared.add(*one);
+  }
+
+  /// Returns what must be the same on all ranks.
+  [[nodiscard]] io::RankFacts facts(const Arguments& arguments, const io::RankSession& ranks) const {
+    std::map<std::string, std::string> deciding{{"study", resolved_text(study)}, {"physics", shared.physics()}};
+    // Voxels give the same bytes with every instruction set.
+    if (uses_elements(study)) deciding["instruction set"] = menger::fem::best_element_kernels().instruction_set;
+    return io::facts_of(ranks, arguments.threads, std::move(deciding));
+  }
+
+  Study study;
+  SearchEvaluators evaluators;
+  std::unique_ptr<DesignEvaluator> half_step;
+  std::vector<std::unique_ptr<DesignEvaluator>> confirming;
+  SharedEvaluators shared;
+
+  /// Evaluates bodies for the first rank, or for this one.
+  [[nodiscard]] io::RankWork work() const {
+    return [this](const std::string& task, const std::atomic<bool>& stop, const ThreadsNow& threads) {
+      return shared.evaluate(task, stop, threads);
+    };
+  }
+};
+
+/// Evaluates bodies for the first rank until there are no more.
+int evaluate_for_first_rank(const Arguments& arguments, io::RankSession& ranks) {
+  std::unique_ptr<Search> search;
+  io::RankFacts facts{.threads = arguments.threads, .machine = io::RankSession::machine(), .error = {}};
+  try {
+    search = std::make_unique<Search>(arguments, ranks);
+    facts = search->facts(arguments, ranks);
+  } catch (const std::exception& error) {  // the first rank says it, or has the same
+    facts.error = error.what();
+  }
+  io::answer_roll(ranks, facts);
+  if (search)
+    io::serve_first_rank(ranks, search->work(), {.threads = arguments.threads, .patience_s = arguments.rank_patience_s});
+  return search ? io::exit_code::done : io::exit_code::bad_input;
 }
 
 /// Returns the table of robots on finer elements. It and the manifest are named after the archive, because several runs may share
@@ -231,10 +309,11 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 /// Lets the best robots walk on finer elements, and writes the table of what the archive has of such walks beside it.
 /// @param manifest gets the time of walks that were made, and is written then
 /// @return completed or stopped
-io::RunStatus confirm_best(const Arguments& arguments, const Study& study, RunArchive& archive, io::Manifest& manifest) {
+io::RunStatus confirm_best(const Arguments& arguments, const Study& study, RunArchive& archive, const Workers* workers,
+                           io::Manifest& manifest) {
   const auto start = Clock::now();
   bool has_walked = false;
-  WalksAgainOptions options{.threads = arguments.threads, .stop = &io::interrupted()};
+  WalksAgainOptions options{.threads = arguments.threads, .stop = &io::interrupted(), .workers = workers};
   std::unique_ptr<io::Progress> bar;
   options.progress = [&](std::size_t done, std::size_t total) {
     has_walked = true;
@@ -270,11 +349,29 @@ void set_scenarios(RunArchive& archive, const Study& study, const DesignEvaluato
   archive.set_scenarios(archived);
 }
 
-int evolve(const Arguments& arguments) {
-  Study study = read_study(arguments.study, arguments.overrides);
-  require_memory(study, arguments.threads);
-  const auto [evaluator, screening] = search_evaluators_of(study);
-  const std::unique_ptr<DesignEvaluator> half_step = half_step_evaluator_of(study);
+/// Says on how many threads a search runs.
+std::string shown_threads(const Arguments& arguments, const std::optional<io::RankTeam>& team, const io::RankSession& ranks) {
+  if (team) return std::to_string(ranks.count()) + " processes with " + std::to_string(team->threads()) + " threads";
+  return std::to_string(arguments.threads) + (arguments.threads == 1 ? " thread" : " threads");
+}
+
+int evolve(const Arguments& arguments, io::RankSession& ranks) {
+  const Search search(arguments, ranks);
+  const Study& study = search.study;
+  const DesignEvaluator& evaluator = *search.evaluators.evaluator;
+  std::function<void(const std::string&)> tell = [](const std::string& text) { std::cout << "note: " << text << std::endl; };
+  std::optional<io::RankTeam> team;
+  std::optional<RankWorkers> workers;
+  if (ranks.count() > 1) {
+    std::vector<io::RankFacts> facts = io::call_roll(ranks, search.facts(arguments, ranks), arguments.rank_patience_s);
+    if (facts.empty()) return io::exit_code::interrupted;
+    team.emplace(ranks, search.work(), std::move(facts),
+                 io::TeamOptions{.threads = arguments.threads,
+                                 .patience_s = arguments.rank_patience_s,
+                                 .note = [&](const std::string& text) { tell(text); }});
+    workers.emplace(*team, search.shared);
+  }
+  const Workers* const others = workers ? &*workers : nullptr;
   io::Manifest manifest{
       .program = "menger-evolve", .parameters = resolved_text(study), .seed = study.search.seed, .seconds = 0.0, .inputs = {}};
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
@@ -283,7 +380,7 @@ int evolve(const Arguments& arguments) {
   if (errors) manifest.notes = errors->text;
   if (errors && errors->table) io::note_input(manifest.inputs, *errors->table);
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
-  set_scenarios(archive, study, *evaluator);
+  set_scenarios(archive, study, evaluator);
   const RunView run = view_of(archive, study);
 
   for (const std::string& note : study_notes(study)) std::cout << "note: " << note << "\n";
@@ -295,8 +392,8 @@ int evolve(const Arguments& arguments) {
     std::cout << arguments.archive.string() << " already has generations 0 to " << *last << ": nothing to do\n";
   } else {
     std::cout << (last ? "resuming " : "writing ") << arguments.archive.string() << ": up to generation "
-              << study.search.generations << (study.budget ? " or the end of the budget" : "") << ", on " << arguments.threads
-              << (arguments.threads == 1 ? " thread\n" : " threads\n");
+              << study.search.generations << (study.budget ? " or the end of the budget" : "") << ", on "
+              << shown_threads(arguments, team, ranks) << "\n";
   }
   std::cout << summary_header(run) << std::endl;
   if (last) print_history(run, *last);
@@ -307,6 +404,8 @@ int evolve(const Arguments& arguments) {
     Log log(run, expenses, study.search.generations);
     SearchOptions options;
     options.threads = arguments.threads;
+    options.workers = others;
+    tell = [&](const std::string& text) { log.note(text); };
     options.stop = &io::interrupted();
     options.generation_done = [&](const GenerationRecord& record) {
       expenses.add(record.number);
@@ -316,14 +415,15 @@ int evolve(const Arguments& arguments) {
     options.progress = [&](const SearchProgress& progress) { log.progress(progress); };
     options.screened = [&](const ScreeningRound& round) { log.screened(round); };
     const auto start = Clock::now();
-    status = run_search(study.search, *evaluator, archive, options, study.search.step_checks ? half_step.get() : nullptr,
-                        screening.get());
+    status = run_search(study.search, evaluator, archive, options, study.search.step_checks ? search.half_step.get() : nullptr,
+                        search.evaluators.screening.get());
     log.close();
+    tell = [](const std::string& text) { std::cout << "note: " << text << std::endl; };
     if (status == io::RunStatus::stopped) io::come_to_stop();
     manifest.seconds = seconds_since(start);
     write_manifest(arguments, manifest);
   }
-  if (status == io::RunStatus::completed) status = confirm_best(arguments, study, archive, manifest);
+  if (status == io::RunStatus::completed) status = confirm_best(arguments, study, archive, others, manifest);
   if (status == io::RunStatus::stopped) {
     std::cout << "Stopped. Finished evaluations are kept. Run the same command again to resume." << std::endl;
     return io::exit_code::interrupted;
@@ -339,9 +439,10 @@ int evolve(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return io::run_program("menger-evolve", [&]() -> int {
+  return io::run_rank_program("menger-evolve", [&](io::RankSession& ranks) -> int {
     Arguments arguments;
     if (const auto code = parse(arguments, argc, argv)) return *code;
-    return evolve(arguments);
+    if (arguments.threads == 0) arguments.threads = ranks.usual_threads();
+    return ranks.is_first() ? evolve(arguments, ranks) : evaluate_for_first_rank(arguments, ranks);
   });
 }

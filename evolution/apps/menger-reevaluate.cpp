@@ -3,13 +3,13 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "evolution/reevaluation/reevaluation_run.h"
@@ -21,6 +21,9 @@
 #include "io/process/progress.h"
 #include "io/process/run_folder.h"
 #include "io/process/study_help.h"
+#include "io/ranks/rank_program.h"
+#include "io/ranks/rank_session.h"
+#include "io/ranks/rank_team.h"
 #include "io/study/study_text.h"
 #include "io/text/content_hash.h"
 #include "io/text/toml_text.h"
@@ -36,6 +39,7 @@ struct Arguments {
   fs::path folder = "reevaluation";
   int jobs = 0;
   bool no_pictures = false;
+  double rank_patience_s = io::TeamOptions{}.patience_s;
 };
 
 constexpr const char* description =
@@ -67,14 +71,38 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
       ->capture_default_str();
   app.add_option("-s,--study", arguments.request.file, "Study of the re-evaluation (TOML); default: the values of the search");
   app.add_option("-o,--output", arguments.folder, "Folder of the results")->capture_default_str();
-  app.add_option("-j,--jobs", arguments.jobs, "Number of runs at the same time (default: cores / threads of a run)")
+  app.add_option("-j,--jobs", arguments.jobs,
+                 "Number of runs at the same time, of each process under mpirun (default: cores / threads of a run)")
       ->check(CLI::Range(1, 1024));
+  app.add_option("--rank-patience", arguments.rank_patience_s,
+                 "Under mpirun: seconds without a sign of life after which the others go on without a process")
+      ->check(CLI::Range(0.5, 1e6))
+      ->capture_default_str();
   app.add_flag("--no-pictures", arguments.no_pictures, "No PNG files");
   return io::parse_arguments(app, argc, argv);
 }
 
-int usual_jobs(const ReevaluationStudy& study) {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / study.elements.threads);
+/// Returns how this process makes its runs.
+ReevaluationOptions options_of(const Arguments& arguments, const ReevaluationStudy& study, io::RankSession& ranks) {
+  const int usual = std::max(1, ranks.usual_threads() / study.elements.threads);
+  return {.jobs = arguments.jobs > 0 ? arguments.jobs : usual,
+          .stop = &io::interrupted(),
+          .pictures = !arguments.no_pictures,
+          .ranks = &ranks,
+          .rank_patience_s = arguments.rank_patience_s};
+}
+
+/// Makes runs for the first rank until there are no more.
+int walk_for_first_rank(const Arguments& arguments, io::RankSession& ranks) {
+  try {
+    RunArchive archive = RunArchive::open_to_read(arguments.request.archive);
+    const ReevaluationStudy study = read_reevaluation_study(arguments.request, archive);
+    walk_for_first_rank(study, std::move(archive), arguments.folder, options_of(arguments, study, ranks));
+    return io::exit_code::done;
+  } catch (const std::exception& error) {  // the first rank says it, or has the same
+    refuse_locomotions(ranks, error.what());
+    return io::exit_code::bad_input;
+  }
 }
 
 std::string parameter_text(const ReevaluationStudy& study) {
@@ -84,16 +112,18 @@ std::string parameter_text(const ReevaluationStudy& study) {
   return io::TomlText().lines(resolved_text(study)).table("search").lines(search.text()).text();
 }
 
-int reevaluate_archive(const Arguments& arguments) {
+int reevaluate_archive(const Arguments& arguments, io::RankSession& ranks) {
   const io::RunFolder folder("menger-reevaluate", arguments.folder);
   RunArchive archive = RunArchive::open_to_read(arguments.request.archive);
   const ReevaluationStudy study = read_reevaluation_study(arguments.request, archive);
   std::map<std::string, std::string> inputs = study.inputs;
   io::note_input(inputs, arguments.request.archive.string() + " (study)", archive.study());
   std::unique_ptr<io::Progress> bar;
-  ReevaluationOptions options{.jobs = arguments.jobs > 0 ? arguments.jobs : usual_jobs(study),
-                              .stop = &io::interrupted(),
-                              .pictures = !arguments.no_pictures};
+  ReevaluationOptions options = options_of(arguments, study, ranks);
+  options.note = [&](const std::string& text) {
+    bar.reset();
+    std::cout << "note: " << text << std::endl;
+  };
   options.progress = [&](std::size_t done, std::size_t total, const std::string& name) {
     if (!bar) bar = std::make_unique<io::Progress>("reevaluate", static_cast<double>(total));
     bar->update(static_cast<double>(done), name);
@@ -115,9 +145,9 @@ int reevaluate_archive(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return io::run_program("menger-reevaluate", [&]() -> int {
+  return io::run_rank_program("menger-reevaluate", [&](io::RankSession& ranks) -> int {
     Arguments arguments;
     if (const auto code = parse(arguments, argc, argv)) return *code;
-    return reevaluate_archive(arguments);
+    return ranks.is_first() ? reevaluate_archive(arguments, ranks) : walk_for_first_rank(arguments, ranks);
   });
 }

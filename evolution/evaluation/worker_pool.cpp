@@ -15,16 +15,11 @@
 
 namespace menger::evolution {
 
-namespace {
-
-/// Positions of the tasks that a worker evaluates together.
-using Group = std::vector<std::size_t>;
-
-/// Returns the evaluator's groups, the costliest first.
-std::vector<Group> costliest_first(std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator, int workers) {
-  std::vector<Group> groups = evaluator.groups(tasks, workers);
+std::vector<TaskGroup> costliest_groups_first(std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator,
+                                              int workers) {
+  std::vector<TaskGroup> groups = evaluator.groups(tasks, workers);
   std::vector<double> costs;
-  for (const Group& group : groups) {
+  for (const TaskGroup& group : groups) {
     double cost = 0.0;
     for (const std::size_t task : group) cost += evaluator.cost(tasks[task].body, tasks[task].level);
     costs.push_back(cost);
@@ -32,13 +27,15 @@ std::vector<Group> costliest_first(std::span<const EvaluationTask> tasks, const 
   std::vector<std::size_t> order(groups.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
-  std::vector<Group> ordered;
+  std::vector<TaskGroup> ordered;
   ordered.reserve(groups.size());
   for (const std::size_t i : order) ordered.push_back(std::move(groups[i]));
   return ordered;
 }
 
-std::vector<Evaluation> evaluated(const Group& group, std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator,
+namespace {
+
+std::vector<Evaluation> evaluated(const TaskGroup& group, std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator,
                                   const std::atomic<bool>& stop, const ThreadsNow& threads) {
   std::vector<const EvaluationTask*> together;
   together.reserve(group.size());
@@ -48,15 +45,13 @@ std::vector<Evaluation> evaluated(const Group& group, std::span<const Evaluation
 
 }  // namespace
 
-WorkerPool::WorkerPool(const DesignEvaluator& evaluator, int threads) : evaluator_(&evaluator), threads_(threads) {
-  assert(threads >= 1);
-}
+WorkerPool::WorkerPool(int threads) : threads_(threads) { assert(threads >= 1); }
 
-io::RunStatus WorkerPool::run(std::span<const EvaluationTask> tasks, const std::atomic<bool>* stop_flag,
-                              const Finished& finished) const {
+io::RunStatus WorkerPool::run(const DesignEvaluator& evaluator, std::span<const EvaluationTask> tasks,
+                              const std::atomic<bool>* stop_flag, const Finished& finished) const {
   const std::atomic<bool> never{false};
   const std::atomic<bool>& stop = stop_flag != nullptr ? *stop_flag : never;
-  const std::vector<Group> groups = costliest_first(tasks, *evaluator_, threads_);
+  const std::vector<TaskGroup> groups = costliest_groups_first(tasks, evaluator, threads_);
   std::atomic<std::size_t> next{0};
   std::atomic<std::size_t> done{0};
   std::atomic<bool> failed{false};
@@ -69,7 +64,7 @@ io::RunStatus WorkerPool::run(std::span<const EvaluationTask> tasks, const std::
   const auto work = [&](int) {
     try {
       for (std::size_t i = next++; i < groups.size() && !stop && !failed; i = next++) {
-        const std::vector<Evaluation> results = evaluated(groups[i], tasks, *evaluator_, stop, threads);
+        const std::vector<Evaluation> results = evaluated(groups[i], tasks, evaluator, stop, threads);
         const std::lock_guard guard(finishing);
         for (std::size_t k = 0; k < results.size(); ++k) {
           if (results[k].status == io::RunStatus::stopped) continue;

@@ -2,41 +2,36 @@
 
 #include <atomic>
 #include <cstddef>
-#include <functional>
 #include <span>
+#include <vector>
 
 #include "evolution/evaluation/evaluator.h"
+#include "evolution/evaluation/workers.h"
 #include "io/text/run_status.h"
 
 namespace menger::evolution {
 
-/// Workers that evaluate bodies in parallel.
+/// Threads that evaluate bodies in parallel.
 ///
 /// A worker that finds no group of tasks left lends its thread to the others, which read their number of threads from ThreadsNow.
 /// Lending never makes more threads work than the machine has cores.
-///
-/// Tasks and results are plain data, so workers need not share memory with the caller: other processes with threads of their own
-/// could implement the same interface.
-class WorkerPool {
+class WorkerPool final : public Workers {
  public:
-  /// @param evaluator outlives the pool
   /// @param threads >= 1; may be more than the machine has cores
-  WorkerPool(const DesignEvaluator& evaluator, int threads);
+  explicit WorkerPool(int threads);
 
-  /// Receives the position of a task and its result.
-  using Finished = std::function<void(std::size_t task, const Evaluation& result)>;
-
-  /// Evaluates all tasks in the evaluator's groups, the costliest group first. Calls `finished` with every result that is not
-  /// `stopped`, one call at a time, in the order in which results arrive. An exception of an evaluation or of `finished` ends the
-  /// rest and is thrown again.
-  /// @param stop may be null: then nothing stops it
-  /// @return completed, or stopped if `stop` was set before all were done
-  [[nodiscard]] io::RunStatus run(std::span<const EvaluationTask> tasks, const std::atomic<bool>* stop,
-                                  const Finished& finished) const;
+  [[nodiscard]] io::RunStatus run(const DesignEvaluator& evaluator, std::span<const EvaluationTask> tasks,
+                                  const std::atomic<bool>* stop, const Finished& finished) const override;
 
  private:
-  const DesignEvaluator* evaluator_;
   int threads_;
 };
+
+/// Positions of tasks that are evaluated together.
+using TaskGroup = std::vector<std::size_t>;
+
+/// Returns the evaluator's groups of tasks, the costliest first. @param workers that share them, >= 1
+std::vector<TaskGroup> costliest_groups_first(std::span<const EvaluationTask> tasks, const DesignEvaluator& evaluator,
+                                              int workers);
 
 }  // namespace menger::evolution

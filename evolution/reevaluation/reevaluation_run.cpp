@@ -109,6 +109,13 @@ class Reevaluator {
     return std::move(result_);
   }
 
+  /// Makes walks for the first rank.
+  void serve() {
+    choose();
+    const std::vector<LocomotionJob> jobs = element_jobs();
+    serve_locomotions(jobs, run_options(jobs.size()));
+  }
+
  private:
   ReevaluationFindings& findings() { return result_.findings; }
 
@@ -163,8 +170,8 @@ class Reevaluator {
     return is_whole;
   }
 
-  /// Evaluates all designs and variants on finite elements. @return false if the user stopped it
-  bool walk_elements() {
+  /// Returns the walks of all designs and variants on finite elements.
+  std::vector<LocomotionJob> element_jobs() {
     std::vector<LocomotionJob> jobs;
     std::vector<ReevaluatedDesign>& designs = findings().designs;
     for (std::size_t n = 0; n < designs.size(); ++n) {
@@ -180,21 +187,35 @@ class Reevaluator {
         findings().variants.push_back({.design = n, .variant = variant, .run = {}});
       }
     }
-    const LocomotionRunOptions run_options{.walker = options_.walker,
-                                           .runs = folder_ / "runs",
-                                           .time_limit_s = study_.time_limit_s,
-                                           .jobs = options_.jobs,
-                                           .stop = options_.stop,
-                                           .progress = [&](std::size_t done, const std::string& name) {
-                                             if (options_.progress) options_.progress(done, jobs.size(), name);
-                                           }};
-    auto runs = run_locomotions(jobs, run_options);
+    return jobs;
+  }
+
+  /// @param count of jobs
+  [[nodiscard]] LocomotionRunOptions run_options(std::size_t count) const {
+    return {.walker = options_.walker,
+            .runs = folder_ / "runs",
+            .time_limit_s = study_.time_limit_s,
+            .jobs = options_.jobs,
+            .stop = options_.stop,
+            .ranks = options_.ranks,
+            .rank_patience_s = options_.rank_patience_s,
+            .note = options_.note,
+            .progress = [this, count](std::size_t done, const std::string& name) {
+              if (options_.progress) options_.progress(done, count, name);
+            }};
+  }
+
+  /// Evaluates all designs and variants on finite elements. @return false if the user stopped it
+  bool walk_elements() {
+    const std::vector<LocomotionJob> jobs = element_jobs();
+    const std::vector<ReevaluatedDesign>& designs = findings().designs;
+    auto runs = run_locomotions(jobs, run_options(jobs.size()));
     if (!runs) return false;
     require_accepted(*runs);
     result_.repeated = static_cast<std::size_t>(std::ranges::count(*runs, true, &LocomotionRun::is_repeated));
     for (std::size_t n = 0; n < runs->size(); ++n) {
       measure_as_search(study_, (*runs)[n]);
-      LocomotionRun& place = n < designs.size() ? designs[n].elements : findings().variants[n - designs.size()].run;
+      LocomotionRun& place = n < designs.size() ? findings().designs[n].elements : findings().variants[n - designs.size()].run;
       place = std::move((*runs)[n]);
     }
     return true;
@@ -249,8 +270,10 @@ fem::LocomotionResult walk_with_frames(const LocomotionJob& job, const fs::path&
   }
 }
 
-ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive, const fs::path& folder,
-                              const ReevaluationOptions& options) {
+namespace {
+
+Reevaluator reevaluator_of(const ReevaluationStudy& study, RunArchive archive, const fs::path& folder,
+                           const ReevaluationOptions& options) {
   fs::path file;
   std::vector<FitDesign> designs;
   std::optional<std::uint64_t> confirmed;
@@ -261,7 +284,19 @@ ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive
     const Study search = archived_study(read);  // the search of the re-evaluation may have another friction
     if (const auto best = best_confirmed(search, confirmations(search, read))) confirmed = best->design.individual;
   }  // the archive is closed from here on: an open reader would keep later changes in the log beside the file
-  return Reevaluator(study, std::move(file), std::move(designs), confirmed, folder, options).run();
+  return {study, std::move(file), std::move(designs), confirmed, folder, options};
+}
+
+}  // namespace
+
+ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive, const fs::path& folder,
+                              const ReevaluationOptions& options) {
+  return reevaluator_of(study, std::move(archive), folder, options).run();
+}
+
+void walk_for_first_rank(const ReevaluationStudy& study, RunArchive archive, const fs::path& folder,
+                         const ReevaluationOptions& options) {
+  reevaluator_of(study, std::move(archive), folder, options).serve();
 }
 
 }  // namespace menger::evolution

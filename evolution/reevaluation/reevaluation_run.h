@@ -11,6 +11,8 @@
 #include "evolution/reevaluation/reevaluation_table.h"
 #include "evolution/reference/reevaluation_runner.h"
 #include "evolution/reference/reevaluation_study.h"
+#include "io/ranks/rank_session.h"
+#include "io/ranks/rank_team.h"
 #include "io/text/run_status.h"
 
 namespace menger::evolution {
@@ -25,6 +27,10 @@ struct ReevaluationOptions {
   const std::atomic<bool>* stop = nullptr;
   bool pictures = true;
   Walker walker = walk_with_frames;  ///< makes the walks on finite elements
+
+  io::RankSession* ranks = nullptr;  ///< that make the walks on finite elements together; null: this process alone
+  double rank_patience_s = io::TeamOptions{}.patience_s;  ///< see io::TeamOptions
+  std::function<void(const std::string&)> note{};         ///< see io::TeamOptions
 
   /// Called during the runs. @param done, total numbers of runs of finite elements @param name a run that is being made
   std::function<void(std::size_t done, std::size_t total, const std::string& name)> progress{};
@@ -56,5 +62,10 @@ struct ReevaluationResult {
 /// another process writes to the archive, or a file cannot be written
 ReevaluationResult reevaluate(const ReevaluationStudy& study, RunArchive archive, const std::filesystem::path& folder,
                               const ReevaluationOptions& options);
+
+/// Makes walks on finite elements for the first rank, which is in reevaluate() with equal arguments, until there are no more.
+/// @throws io::InputError as reevaluate() does, before it makes any
+void walk_for_first_rank(const ReevaluationStudy& study, RunArchive archive, const std::filesystem::path& folder,
+                         const ReevaluationOptions& options);
 
 }  // namespace menger::evolution

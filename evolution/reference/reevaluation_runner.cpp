@@ -6,13 +6,16 @@
 #include <future>
 #include <map>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
 #include "evolution/reference/reevaluation_surrogate.h"
+#include "fem/elements/element_kernel.h"
 #include "fem/locomotion/locomotion_result.h"
 #include "io/process/file_lock.h"
 #include "io/process/side_by_side.h"
+#include "io/ranks/roll_call.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
@@ -215,6 +218,86 @@ void require_accepted(std::span<const LocomotionRun> runs) {
     throw io::InputError("finite elements refused every design, the first: " + runs.front().reason);
 }
 
+namespace {
+
+/// The runs of jobs, of which equal ones are made once.
+struct DifferentJobs {
+  explicit DifferentJobs(std::span<const LocomotionJob> jobs) {
+    for (std::size_t n = 0; n < jobs.size(); ++n) {
+      if (place_of.emplace(key_of(jobs[n]), first.size()).second) first.push_back(n);
+    }
+  }
+
+  std::map<std::string, std::size_t> place_of;
+  std::vector<std::size_t> first;  ///< of equal jobs
+};
+
+/// Returns a run as another rank tells it to the first one, which finds the rest in the folder of the run.
+std::string bytes_of(const LocomotionRun& run) {
+  std::string bytes;
+  nlohmann::json::to_cbor({run.status.has_value(), run.is_refused, run.is_repeated, run.seconds, run.reason}, bytes);
+  return bytes;
+}
+
+/// Makes a run on any rank. Jobs are told by their place among different ones. @return empty if it was stopped
+io::RankWork run_of(std::span<const LocomotionJob> jobs, const DifferentJobs& different, const LocomotionRunOptions& options) {
+  return [jobs, &different, &options](const std::string& task, const std::atomic<bool>& stop, const std::function<int()>&) {
+    LocomotionRunOptions here = options;
+    here.stop = &stop;
+    const auto run = run_locomotion(jobs[different.first.at(std::stoul(task))], here, [] {});
+    return run ? bytes_of(*run) : std::string();
+  };
+}
+
+/// Returns what must be the same on all ranks.
+io::RankFacts facts_of(const DifferentJobs& different, const LocomotionRunOptions& options) {
+  std::string texts;
+  for (const auto& [text, place] : different.place_of) texts += std::to_string(place) + "\n" + text;
+  return io::facts_of(*options.ranks, options.jobs,
+                      {{"re-evaluation", texts}, {"instruction set", std::string(fem::best_element_kernels().instruction_set)}});
+}
+
+/// Lets all ranks make the runs. @return whether all were made
+bool share_runs(std::span<const LocomotionJob> jobs, const DifferentJobs& different, const LocomotionRunOptions& options,
+                std::vector<LocomotionRun>& made, const std::function<void(std::size_t, const std::string&)>& tell) {
+  std::vector<io::RankFacts> facts = io::call_roll(*options.ranks, facts_of(different, options), options.rank_patience_s);
+  if (facts.empty()) return false;
+  io::RankTeam team(*options.ranks, run_of(jobs, different, options), std::move(facts),
+                    {.threads = options.jobs, .patience_s = options.rank_patience_s, .note = options.note});
+  std::vector<std::string> tasks;
+  for (std::size_t n = 0; n < different.first.size(); ++n) tasks.push_back(std::to_string(n));
+  bool is_whole = true;
+  const io::RunStatus status = team.run(std::move(tasks), options.stop, [&](std::size_t n, const std::string& bytes) {
+    if (bytes.empty()) {  // stopped
+      is_whole = false;
+      return std::vector<std::string>();
+    }
+    const nlohmann::json told = nlohmann::json::from_cbor(bytes);
+    const LocomotionJob& job = jobs[different.first[n]];
+    const bool has_status = told.at(0);
+    if (has_status) {
+      // Its files are there, so that it is read and not made.
+      auto run = run_locomotion(job, options, [] {});
+      if (!run) {
+        is_whole = false;
+        return std::vector<std::string>();
+      }
+      made[n] = std::move(*run);
+    } else {
+      made[n].folder = folder_of(job, options.runs) / result_folder;
+      made[n].is_refused = told.at(1);
+      made[n].seconds = told.at(3);
+      made[n].reason = told.at(4);
+    }
+    made[n].is_repeated = told.at(2);
+    tell(1, job.name);
+    return std::vector<std::string>();
+  });
+  return is_whole && status == io::RunStatus::completed;
+}
+
+}  // namespace
+
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
                                                           const LocomotionRunOptions& options) {
   std::optional<io::FileLock> lock;
@@ -222,12 +305,8 @@ std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const Locomo
     io::require_writable_folder(options.runs);
     lock.emplace(options.runs);
   }
-  // The first of equal jobs is run.
-  std::map<std::string, std::size_t> place_of;
-  std::vector<std::size_t> first;
-  for (std::size_t n = 0; n < jobs.size(); ++n) {
-    if (place_of.emplace(key_of(jobs[n]), first.size()).second) first.push_back(n);
-  }
+  const DifferentJobs different(jobs);
+  const std::vector<std::size_t>& first = different.first;
   std::vector<LocomotionRun> made(first.size());
   std::mutex mutex;
   std::size_t done = jobs.size() - first.size();
@@ -236,22 +315,36 @@ std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const Locomo
     done += finished;
     if (options.progress) options.progress(done, name);
   };
-  const bool is_whole = io::side_by_side(first.size(), options.jobs, options.stop, [&](std::size_t n) {
+  const auto make = [&](std::size_t n) {
     const LocomotionJob& job = jobs[first[n]];
     auto run = run_locomotion(job, options, [&] { tell(0, job.name); });
     if (!run) return false;
     made[n] = std::move(*run);
     tell(1, job.name);
     return true;
-  });
+  };
+  const bool is_shared = options.ranks != nullptr && options.ranks->count() > 1;
+  const bool is_whole = is_shared ? share_runs(jobs, different, options, made, tell)
+                                  : io::side_by_side(first.size(), options.jobs, options.stop, make);
   if (!is_whole) return std::nullopt;
   std::vector<LocomotionRun> runs;
   for (std::size_t n = 0; n < jobs.size(); ++n) {
-    const std::size_t place = place_of.at(key_of(jobs[n]));
+    const std::size_t place = different.place_of.at(key_of(jobs[n]));
     runs.push_back(made[place]);
     if (first[place] != n) runs.back().is_repeated = false;
   }
   return runs;
+}
+
+void serve_locomotions(std::span<const LocomotionJob> jobs, const LocomotionRunOptions& options) {
+  const DifferentJobs different(jobs);
+  io::answer_roll(*options.ranks, facts_of(different, options));
+  io::serve_first_rank(*options.ranks, run_of(jobs, different, options),
+                       {.threads = options.jobs, .patience_s = options.rank_patience_s});
+}
+
+void refuse_locomotions(io::RankSession& ranks, const std::string& reason) {
+  io::answer_roll(ranks, {.threads = 1, .machine = io::RankSession::machine(), .error = reason});
 }
 
 }  // namespace menger::evolution

@@ -16,6 +16,8 @@
 #include "evolution/reference/kept_walk.h"
 #include "evolution/reference/reevaluation_locomotion.h"
 #include "fem/locomotion/locomotion_result.h"
+#include "io/ranks/rank_session.h"
+#include "io/ranks/rank_team.h"
 #include "io/text/run_status.h"
 #include "voxel/scene/trajectory.h"
 
@@ -67,8 +69,14 @@ struct LocomotionRunOptions {
   /// Folder with a folder per job, whose name is the hash of this program and the study. Empty: nothing is kept.
   std::filesystem::path runs{};
   double time_limit_s = 3600.0;  ///< wall time of a run, over all calls
-  int jobs = 1;                  ///< number of runs at the same time
+  int jobs = 1;                  ///< number of runs at the same time, of each rank
   const std::atomic<bool>* stop = nullptr;
+
+  /// The ranks that make the runs together, see serve_locomotions; null or one: this process alone. All see the same folder of
+  /// runs, which is given.
+  io::RankSession* ranks = nullptr;
+  double rank_patience_s = io::TeamOptions{}.patience_s;  ///< see io::TeamOptions
+  std::function<void(const std::string&)> note{};         ///< see io::TeamOptions
 
   /// Called after every run and ten times a second in between, never twice at the same time.
   /// @param running name of a run that is being made
@@ -83,5 +91,12 @@ struct LocomotionRunOptions {
 /// @throws io::InputError if the folder cannot be written or another process runs jobs in it
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,
                                                           const LocomotionRunOptions& options);
+
+/// Makes runs for the first rank until there are no more. To be called by every other rank while the first one is in
+/// run_locomotions, with equal jobs and options.
+void serve_locomotions(std::span<const LocomotionJob> jobs, const LocomotionRunOptions& options);
+
+/// Tells the first rank, which is in run_locomotions or on its way there, why this rank can make no runs.
+void refuse_locomotions(io::RankSession& ranks, const std::string& reason);
 
 }  // namespace menger::evolution

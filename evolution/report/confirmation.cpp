@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "evolution/report/study_view.h"
 #include "io/text/formatted.h"
@@ -43,6 +44,17 @@ io::RunStatus confirm(const Study& study, RunArchive& archive, const WalksAgainO
     asked.back().study.silicone.elements.fidelity = fidelity;
   }
   return walk_again(asked, different_robots(study, archive, study.confirm), archive, options);
+}
+
+std::vector<std::unique_ptr<DesignEvaluator>> confirmation_evaluators_of(const Study& study) {
+  std::vector<std::unique_ptr<DesignEvaluator>> all;
+  if (study.confirm == 0) return all;
+  for (const fem::Fidelity fidelity : finer_fidelities(study)) {
+    Study finer = study;
+    finer.silicone.elements.fidelity = fidelity;
+    for (std::unique_ptr<DesignEvaluator>& scenario : scenario_evaluators_of(finer)) all.push_back(std::move(scenario));
+  }
+  return all;
 }
 
 std::vector<Confirmation> confirmations(const Study& study, const RunArchive& archive) {

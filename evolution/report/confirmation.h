@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/evaluation/evaluator.h"
 #include "evolution/report/generation_summary.h"
 #include "evolution/report/walks_again.h"
 #include "evolution/study/study.h"
@@ -21,6 +23,9 @@ namespace menger::evolution {
 /// @param study of the archive, with thin walls; as many robots as its `confirm`
 /// @return completed or stopped
 io::RunStatus confirm(const Study& study, RunArchive& archive, const WalksAgainOptions& options);
+
+/// Returns the evaluators of these walks, of all fidelities and scenarios; none for a study that confirms nothing.
+std::vector<std::unique_ptr<DesignEvaluator>> confirmation_evaluators_of(const Study& study);
 
 /// A robot of a search and its score on finer elements.
 struct Confirmation {

@@ -77,7 +77,9 @@ io::RunStatus walk_again(std::span<const WalksAgain> asked, std::span<const FitD
   if (tasks.empty()) return io::RunStatus::completed;
   const ScenarioEvaluator all(std::move(missing.evaluators));
   std::size_t done = 0;
-  return WorkerPool(all, options.threads).run(tasks, options.stop, [&](std::size_t task, const Evaluation& result) {
+  const WorkerPool own(options.threads);
+  const Workers& workers = options.workers != nullptr ? *options.workers : own;
+  return workers.run(all, tasks, options.stop, [&](std::size_t task, const Evaluation& result) {
     rows[task].result = result;
     archive.add_reevaluations({&rows[task], 1});
     ++done;

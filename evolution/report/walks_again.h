@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/evaluation/workers.h"
 #include "evolution/search/known_score.h"
 #include "evolution/study/study.h"
 #include "io/text/run_status.h"
@@ -25,10 +26,11 @@ struct WalksAgain {
 
 /// How such walks are made. It does not change their results.
 struct WalksAgainOptions {
-  int threads = 1;  ///< >= 1
+  int threads = 1;  ///< >= 1, of this process if it has no other workers
   const std::atomic<bool>* stop = nullptr;
   std::function<void(std::size_t done, std::size_t total)> progress{};
   std::function<void(std::size_t count)> after_commit{};  ///< called when the archive has grown for the count-th time, from 1
+  const Workers* workers = nullptr;                       ///< who evaluates; null: `threads` of this process
 };
 
 /// Returns the best designs of an archive that differ by more than their pose, the best first. @param study of the archive

@@ -10,12 +10,7 @@ namespace menger::evolution {
 
 PoolEvaluation::PoolEvaluation(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
                                const SearchOptions& options, int generation, std::size_t* commits)
-    : plan_(&plan),
-      archive_(&archive),
-      options_(&options),
-      generation_(generation),
-      commits_(commits),
-      workers_(evaluator, options.threads) {
+    : plan_(&plan), evaluator_(&evaluator), archive_(&archive), options_(&options), generation_(generation), commits_(commits) {
   for (const std::string& physics : evaluator.scenarios()) physics_hashes_.push_back(io::content_hash(physics));
   assert(physics_hashes_.size() == plan.scenarios);
 }
@@ -84,14 +79,15 @@ io::RunStatus PoolEvaluation::evaluate(const std::vector<Request>& requests) {
     if (options_->progress) options_->progress({generation_, finished, evaluations_});
   };
   report();
-  const io::RunStatus status = workers_.run(tasks, options_->stop, [&](std::size_t task, const Evaluation& result) {
+  const auto keep = [&](std::size_t task, const Evaluation& result) {
     archive_->add_evaluation(missing[task], {generation_, result});
     results_[missing[task]] = result;
     ++finished;
     ++*commits_;
     if (options_->after_commit) options_->after_commit(*commits_);
     report();
-  });
+  };
+  const io::RunStatus status = options_->evaluate(*evaluator_, tasks, keep);
   if (status != io::RunStatus::completed) return status;
   for (const auto& [position, stage] : requests) {
     Entry& entry = entries_[position];

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
-#include "evolution/evaluation/worker_pool.h"
 #include "evolution/search/known_score.h"
 #include "evolution/search/niches.h"
 #include "evolution/search/search.h"
@@ -63,12 +62,12 @@ class PoolEvaluation {
   void learn(Entry& entry, const EvaluationStage& stage, const Evaluation& result);
 
   const SearchPlan* plan_;
+  const DesignEvaluator* evaluator_;
   RunArchive* archive_;
   const SearchOptions* options_;
   std::vector<std::string> physics_hashes_;  ///< by scenario
   int generation_;
   std::size_t* commits_;
-  WorkerPool workers_;
   std::vector<Entry> entries_;
   std::map<EvaluationKey, Evaluation> results_;  ///< of this generation's requests
   std::uint64_t evaluations_ = 0;

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "evolution/evaluation/worker_pool.h"
 #include "evolution/genome/random_stream.h"
 #include "evolution/search/archived_score.h"
 #include "evolution/search/search.h"
@@ -137,8 +136,7 @@ bool Screening::evaluate(int generation, std::span<const Individual* const> born
     tasks.push_back({aggregate(as_simulated(*plan_, individual->phenotype), level), level});
     missing.push_back(std::move(key));
   }
-  const WorkerPool workers(*surrogate_, options.threads);
-  const io::RunStatus status = workers.run(tasks, options.stop, [&](std::size_t task, const Evaluation& result) {
+  const io::RunStatus status = options.evaluate(*surrogate_, tasks, [&](std::size_t task, const Evaluation& result) {
     archive_->add_evaluation(missing[task], {generation, result});
     ++*commits;
     if (options.after_commit) options.after_commit(*commits);

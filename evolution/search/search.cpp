@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "evolution/evaluation/worker_pool.h"
 #include "evolution/genome/random_stream.h"
 #include "evolution/search/niches.h"
 #include "evolution/search/pool_evaluation.h"
@@ -217,6 +218,12 @@ class Search {
 };
 
 }  // namespace
+
+io::RunStatus SearchOptions::evaluate(const DesignEvaluator& evaluator, std::span<const EvaluationTask> tasks,
+                                      const Workers::Finished& finished) const {
+  if (workers != nullptr) return workers->run(evaluator, tasks, stop, finished);
+  return WorkerPool(threads).run(evaluator, tasks, stop, finished);
+}
 
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
                          const SearchOptions& options, const DesignEvaluator* half_step, const DesignEvaluator* surrogate) {

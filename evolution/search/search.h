@@ -3,9 +3,11 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <span>
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/evaluation/evaluator.h"
+#include "evolution/evaluation/workers.h"
 #include "evolution/search/screening.h"
 #include "evolution/search/search_plan.h"
 #include "io/text/run_status.h"
@@ -21,7 +23,7 @@ struct SearchProgress {
 
 /// Options that decide how a search runs. They do not change its results.
 struct SearchOptions {
-  int threads = 1;                          ///< >= 1
+  int threads = 1;                          ///< >= 1, of this process if it has no other workers
   const std::atomic<bool>* stop = nullptr;  ///< when set, the search ends soon and drops the evaluations that are running
   std::function<void(const GenerationRecord&)> generation_done;
   std::function<void(const SearchProgress&)> progress;
@@ -32,6 +34,12 @@ struct SearchOptions {
   /// Called after every screening of new individuals.
   std::function<void(const ScreeningRound&)> screened{};
   std::function<void(std::size_t count)> after_commit;  ///< called when the archive has grown for the count-th time, from 1
+
+  const Workers* workers = nullptr;  ///< who evaluates; null: `threads` of this process
+
+  /// Lets the workers evaluate tasks, see Workers::run.
+  [[nodiscard]] io::RunStatus evaluate(const DesignEvaluator& evaluator, std::span<const EvaluationTask> tasks,
+                                       const Workers::Finished& finished) const;
 };
 
 /// Runs an age-fitness Pareto search, from where the archive stops until plan.generations are done, or options.ends_with ends it.

@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "evolution/evaluation/worker_pool.h"
 #include "evolution/search/search.h"
 #include "io/text/content_hash.h"
 
@@ -80,8 +79,7 @@ bool StepChecking::check(int generation, std::span<const Survivor> survivors, co
     if (options.progress) options.progress({generation, finished, tasks.size()});
   };
   report();
-  const WorkerPool workers(*half_, options.threads);
-  const io::RunStatus status = workers.run(tasks, options.stop, [&](std::size_t task, const Evaluation& result) {
+  const io::RunStatus status = options.evaluate(*half_, tasks, [&](std::size_t task, const Evaluation& result) {
     archive_->add_step_check(missing[task], {generation, result});
     ++finished;
     ++*commits;

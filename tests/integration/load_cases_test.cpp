@@ -13,6 +13,7 @@
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
+#include "tests/support/two_processes.h"
 
 namespace menger {
 namespace {
@@ -59,6 +60,37 @@ TEST_F(LoadCasesProgram, WritesCurvesWithProvenancePicturesAndManifest) {
   const Outcome again = run({"set.toml", "-o", "out", "--no-pictures"});
   EXPECT_EQ(again.code, 0);
   EXPECT_NE(again.out.find("from the cache"), std::string::npos) << again.out;
+}
+
+TEST_F(LoadCasesProgram, OnTwoRanksGivesWhatOneProcessGives) {
+  write_set(cell("pull", "stretch", stretch) + cell("hold", "blocked", "pressures_Pa = [-500, 1000]\n") +
+            cell("crush", "stretch", "pressures_Pa = [0]\ndisplacement_m = [-0.0099, 0.0005]\n"));
+  ASSERT_EQ(run({"set.toml", "-o", "alone", "--no-pictures"}).code, 3);
+  const auto on_ranks = [&] {
+    return test_support::start_two_processes(folder_, MENGER_PROGRAM_DIR "/menger-load-cases",
+                                             {"set.toml", "-o", "out", "--no-pictures"})
+        .wait();
+  };
+  const Outcome outcome = on_ranks();
+  ASSERT_EQ(outcome.code, 3) << outcome.err << outcome.out;
+  EXPECT_NE(outcome.out.find("3 cases on 2 processes"), std::string::npos) << outcome.out;
+  for (const char* file : {"pull.csv", "pull.toml", "hold.csv", "hold.toml", "crush.csv", "crush.toml"})
+    EXPECT_EQ(io::read_whole(folder_ / "out" / file), io::read_whole(folder_ / "alone" / file)) << file;
+  // All curves were made by the ranks.
+  std::size_t found = 0;
+  for (std::size_t at = outcome.out.find("from the cache"); at != std::string::npos;
+       at = outcome.out.find("from the cache", at + 1))
+    ++found;
+  EXPECT_EQ(found, 3U) << outcome.out;
+  for (const auto& entry : fs::directory_iterator(folder_ / "out/cache")) EXPECT_NE(entry.path().extension(), ".out");
+}
+
+TEST_F(LoadCasesProgram, OnRanksSaysWhatIsWrongWithTheSet) {
+  write_set(cell("pull", "stretch", stretch) + "depth = 3\n");
+  const Outcome outcome =
+      test_support::start_two_processes(folder_, MENGER_PROGRAM_DIR "/menger-load-cases", {"set.toml", "-o", "out"}).wait();
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_NE(outcome.err.find("depth"), std::string::npos) << outcome.err;
 }
 
 TEST_F(LoadCasesProgram, LeavesNoEarlierCurveOfACaseThatReachesNothing) {

@@ -58,6 +58,8 @@ class ProgramRun {
 
   void send(int signal) const { kill(child_, signal); }
 
+  [[nodiscard]] pid_t process() const { return child_; }
+
   /// Returns the name of the program that the process runs at present: it may become another one.
   [[nodiscard]] std::string name() const {
     std::error_code unknown;

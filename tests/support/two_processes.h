@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,15 +12,36 @@
 
 namespace menger::test_support {
 
-/// Starts a program as two processes of Open MPI. mpirun passes Ctrl-C on after five seconds, and kills processes that have not
-/// ended five seconds later. Its default is one second each, which is too short on a busy machine.
-inline ProgramRun start_two_processes(const std::filesystem::path& folder, const std::string& program,
-                                      std::vector<std::string> arguments) {
+/// Starts mpirun of Open MPI, with as many processes as its arguments say. It passes Ctrl-C on after five seconds, and kills
+/// processes that have not ended five seconds later. Its default is one second each, which is too short on a busy machine; a test
+/// may set it.
+inline ProgramRun start_under_mpirun(const std::filesystem::path& folder, std::vector<std::string> arguments) {
   setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
   setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-  setenv("OMPI_MCA_odls_base_sigkill_timeout", "5", 1);
-  arguments.insert(arguments.begin(), {"mpirun", "--oversubscribe", "-n", "2", program});
+  setenv("OMPI_MCA_odls_base_sigkill_timeout", "5", 0);
+  arguments.insert(arguments.begin(), {"mpirun", "--oversubscribe"});
   return {folder, "/usr/bin/env", std::move(arguments)};
+}
+
+/// Starts a program as two processes.
+inline ProgramRun start_two_processes(const std::filesystem::path& folder, const std::string& program,
+                                      std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"-n", "2", program});
+  return start_under_mpirun(folder, std::move(arguments));
+}
+
+/// Returns the processes that mpirun has started on this machine, by rank.
+inline std::map<int, pid_t> ranks_of(const ProgramRun& mpirun) {
+  std::map<int, pid_t> ranks;
+  const std::string process = std::to_string(mpirun.process());
+  std::ifstream children("/proc/" + process + "/task/" + process + "/children");
+  const std::string name = "OMPI_COMM_WORLD_RANK=";
+  for (pid_t child = 0; children >> child;) {
+    std::ifstream environment("/proc/" + std::to_string(child) + "/environ");
+    for (std::string entry; std::getline(environment, entry, '\0');)
+      if (entry.starts_with(name)) ranks[std::stoi(entry.substr(name.size()))] = child;
+  }
+  return ranks;
 }
 
 }  // namespace menger::test_support

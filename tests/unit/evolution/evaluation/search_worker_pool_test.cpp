@@ -31,7 +31,7 @@ TEST(WorkerPool, HandsOverEveryResultOnceUnderItsTask) {
   const std::vector<EvaluationTask> tasks = bars(40);
   for (const int threads : {1, 2, 8}) {
     std::vector<int> times(tasks.size(), 0);
-    const auto status = WorkerPool(evaluator, threads).run(tasks, nullptr, [&](std::size_t task, const Evaluation& result) {
+    const auto status = WorkerPool(threads).run(evaluator, tasks, nullptr, [&](std::size_t task, const Evaluation& result) {
       ++times[task];
       EXPECT_EQ(result.displacement_m, evaluator.evaluate(tasks[task].body, 1, never).displacement_m);
     });
@@ -43,7 +43,7 @@ TEST(WorkerPool, HandsOverEveryResultOnceUnderItsTask) {
 TEST(WorkerPool, BeginsWithTheCostliest) {
   const FakeEvaluator evaluator;
   std::vector<std::size_t> order;
-  ASSERT_EQ(WorkerPool(evaluator, 1).run(bars(5), nullptr, [&](std::size_t task, const Evaluation&) { order.push_back(task); }),
+  ASSERT_EQ(WorkerPool(1).run(evaluator, bars(5), nullptr, [&](std::size_t task, const Evaluation&) { order.push_back(task); }),
             io::RunStatus::completed);
   EXPECT_EQ(order, (std::vector<std::size_t>{4, 3, 2, 1, 0}));
 }
@@ -54,14 +54,14 @@ TEST(WorkerPool, HasAsManyWorkersAsAskedFor) {
   FakeEvaluator::Options options;
   options.before_result = [&](std::uint64_t) { meeting.arrive_and_wait(); };
   const FakeEvaluator evaluator(options);
-  EXPECT_EQ(WorkerPool(evaluator, 4).run(bars(8), nullptr, [](std::size_t, const Evaluation&) {}), io::RunStatus::completed);
+  EXPECT_EQ(WorkerPool(4).run(evaluator, bars(8), nullptr, [](std::size_t, const Evaluation&) {}), io::RunStatus::completed);
 }
 
 TEST(WorkerPool, StopsSoonAndHandsOverNothingStopped) {
   const FakeEvaluator evaluator;
   std::atomic<bool> stop{false};
   int finished = 0;
-  const auto status = WorkerPool(evaluator, 1).run(bars(10), &stop, [&](std::size_t, const Evaluation& result) {
+  const auto status = WorkerPool(1).run(evaluator, bars(10), &stop, [&](std::size_t, const Evaluation& result) {
     EXPECT_NE(result.status, io::RunStatus::stopped);
     stop = ++finished == 3;
   });
@@ -77,7 +77,7 @@ TEST(WorkerPool, PassesOnWhatAnEvaluationThrows) {
     if (call > 3) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   };
   const FakeEvaluator evaluator(options);
-  EXPECT_THROW((void)WorkerPool(evaluator, 2).run(bars(100), nullptr, [](std::size_t, const Evaluation&) {}), std::runtime_error);
+  EXPECT_THROW((void)WorkerPool(2).run(evaluator, bars(100), nullptr, [](std::size_t, const Evaluation&) {}), std::runtime_error);
   EXPECT_LT(evaluator.calls(), 100U);
 }
 
@@ -115,7 +115,7 @@ TEST(WorkerPool, EvaluatesAGroupAtATimeAndHandsOverEachResultUnderItsTask) {
   const GroupingEvaluator evaluator;
   const std::vector<EvaluationTask> tasks = bars(9);
   std::vector<std::size_t> order;
-  const auto status = WorkerPool(evaluator, 1).run(tasks, nullptr, [&](std::size_t task, const Evaluation& result) {
+  const auto status = WorkerPool(1).run(evaluator, tasks, nullptr, [&](std::size_t task, const Evaluation& result) {
     order.push_back(task);
     EXPECT_EQ(result.displacement_m, evaluator.evaluate(tasks[task].body, 1, never).displacement_m);
   });
@@ -128,7 +128,7 @@ TEST(WorkerPool, HandsOverWhatOfAGroupWasDoneWhenItStopped) {
   const GroupingEvaluator evaluator;
   std::vector<std::size_t> done;
   const auto status =
-      WorkerPool(evaluator, 1).run(bars(5), nullptr, [&](std::size_t task, const Evaluation&) { done.push_back(task); });
+      WorkerPool(1).run(evaluator, bars(5), nullptr, [&](std::size_t task, const Evaluation&) { done.push_back(task); });
   EXPECT_EQ(status, io::RunStatus::stopped);
   EXPECT_EQ(done, (std::vector<std::size_t>{0, 4, 1, 3}));
 }
@@ -162,16 +162,16 @@ class PatientEvaluator final : public DesignEvaluator {
 TEST(WorkerPool, GivesThreadsWithoutWorkToTheLastTask) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one core";
   const PatientEvaluator evaluator(2);
-  ASSERT_EQ(WorkerPool(evaluator, 2).run(bars(1), nullptr, [](std::size_t, const Evaluation&) {}), io::RunStatus::completed);
+  ASSERT_EQ(WorkerPool(2).run(evaluator, bars(1), nullptr, [](std::size_t, const Evaluation&) {}), io::RunStatus::completed);
   EXPECT_EQ(evaluator.given(), 2);
   const PatientEvaluator alone(1);
-  ASSERT_EQ(WorkerPool(alone, 1).run(bars(3), nullptr, [](std::size_t, const Evaluation&) {}), io::RunStatus::completed);
+  ASSERT_EQ(WorkerPool(1).run(alone, bars(3), nullptr, [](std::size_t, const Evaluation&) {}), io::RunStatus::completed);
   EXPECT_EQ(alone.given(), 1);
 }
 
 TEST(WorkerPool, IsDoneAtOnceWithoutTasks) {
   const FakeEvaluator evaluator;
-  EXPECT_EQ(WorkerPool(evaluator, 2).run({}, nullptr, [](std::size_t, const Evaluation&) { FAIL(); }), io::RunStatus::completed);
+  EXPECT_EQ(WorkerPool(2).run(evaluator, {}, nullptr, [](std::size_t, const Evaluation&) { FAIL(); }), io::RunStatus::completed);
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ TEST_F(WalkEvaluatorTest, IsPureAndTheSameInAnyNumberOfThreads) {
   std::vector<std::vector<Evaluation>> found;
   for (const int threads : {1, 2, 3}) {
     std::vector<Evaluation> results(tasks.size());
-    EXPECT_EQ(WorkerPool(evaluator, threads)
-                  .run(tasks, nullptr, [&](std::size_t task, const Evaluation& result) { results[task] = result; }),
+    EXPECT_EQ(WorkerPool(threads).run(evaluator, tasks, nullptr,
+                                      [&](std::size_t task, const Evaluation& result) { results[task] = result; }),
               io::RunStatus::completed);
     found.push_back(results);
   }

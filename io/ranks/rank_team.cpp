@@ -1,0 +1,251 @@
+#include "io/ranks/rank_team.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "io/process/interrupt.h"
+#include "io/text/input_error.h"
+#include "io/text/number_text.h"
+
+namespace menger::io {
+
+namespace {
+
+/// How long a rank waits before it looks for messages again. Tasks take milliseconds at least.
+constexpr auto short_pause = std::chrono::microseconds(200);
+constexpr auto long_pause = std::chrono::milliseconds(2);  // of one that has had nothing to do for a while
+constexpr double short_s = 1.0;
+
+/// Signs of life come several times within the patience, in s.
+double seconds_between_signs(double patience_s) { return std::min(5.0, 0.2 * patience_s); }
+
+std::string with_id(std::uint64_t id, const std::string& bytes) {
+  std::string all(sizeof id, '\0');
+  std::memcpy(all.data(), &id, sizeof id);
+  return all + bytes;
+}
+
+std::uint64_t id_of(const std::string& bytes) {
+  std::uint64_t id = 0;
+  if (bytes.size() < sizeof id) throw std::runtime_error("a message between ranks is cut off");
+  std::memcpy(&id, bytes.data(), sizeof id);
+  return id;
+}
+
+std::string without_id(const std::string& bytes) { return bytes.substr(sizeof(std::uint64_t)); }
+
+/// Describes what a task threw: whether it is wrong input, and its message.
+std::string fault_bytes(const std::exception_ptr& fault) {
+  try {
+    std::rethrow_exception(fault);
+  } catch (const InputError& error) {
+    return std::string("i") + error.what();
+  } catch (const std::exception& error) {
+    return std::string("f") + error.what();
+  } catch (...) {
+    return "funknown";
+  }
+}
+
+[[noreturn]] void throw_fault(const std::string& name, const std::string& bytes) {
+  const std::string message = name + ": " + bytes.substr(1);
+  if (bytes.starts_with('i')) throw InputError(message);
+  throw std::runtime_error(message);
+}
+
+}  // namespace
+
+/// The tasks of one call of run().
+struct RankTeam::Run {
+  std::uint64_t first_id = 0;
+  std::vector<std::string> tasks;
+  std::vector<bool> is_done;
+  std::size_t done = 0;
+  std::deque<std::size_t> waiting;  ///< in the order in which they are given out
+  const Finished* finished = nullptr;
+
+  void add(std::vector<std::string> more) {
+    for (std::string& task : more) {
+      waiting.push_back(tasks.size());
+      tasks.push_back(std::move(task));
+      is_done.push_back(false);
+    }
+  }
+
+  /// Returns the next task that is to be given out, if there is one.
+  std::optional<std::size_t> next() {
+    while (!waiting.empty()) {
+      const std::size_t task = waiting.front();
+      waiting.pop_front();
+      if (!is_done[task]) return task;  // the rank that was thought to be lost may have done it
+    }
+    return std::nullopt;
+  }
+};
+
+RankTeam::RankTeam(RankSession& session, RankWork work, std::vector<RankFacts> facts, TeamOptions options)
+    : session_(session), work_(std::move(work)), options_(std::move(options)) {
+  assert(session.is_first() && facts.size() == static_cast<std::size_t>(session.count()));
+  for (RankFacts& one : facts) members_.push_back({.facts = std::move(one)});
+}
+
+int RankTeam::threads() const {
+  int sum = 0;
+  for (const Member& member : members_) sum += member.facts.threads;
+  return sum;
+}
+
+std::string RankTeam::name_of(int rank) const {
+  return "rank " + std::to_string(rank) + " on " + members_.at(static_cast<std::size_t>(rank)).facts.machine;
+}
+
+void RankTeam::note(int rank, const std::string& what) const {
+  if (options_.note) options_.note(name_of(rank) + " " + what);
+}
+
+RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>* stop, const Finished& finished) {
+  Run run{.first_id = next_id_, .tasks = {}, .is_done = {}, .done = 0, .waiting = {}, .finished = &finished};
+  run.add(std::move(tasks));
+  for (Member& member : members_) member.heard = Clock::now();
+  TaskThreads threads(options_.threads, work_);
+  const auto take_own = [&](const TaskThreads::Done& done) {
+    members_.front().tasks.erase(done.id);
+    if (done.fault) std::rethrow_exception(done.fault);
+    take(run, done.id, done.result);
+  };
+  while (run.done < run.tasks.size()) {
+    if (stop != nullptr && *stop) {
+      threads.stop();
+      while (const auto done = threads.take(std::chrono::microseconds(0))) take_own(*done);
+      break;
+    }
+    hand_out(run, threads);
+    bool is_busy = receive(run);
+    look_for_lost_ranks(run);
+    while (const auto done = threads.take(is_busy ? std::chrono::microseconds(0) : short_pause)) {
+      take_own(*done);
+      is_busy = true;
+    }
+  }
+  members_.front().tasks.clear();
+  next_id_ = run.first_id + run.tasks.size();
+  return run.done == run.tasks.size() ? RunStatus::completed : RunStatus::stopped;
+}
+
+/// Gives tasks to all that have a free thread, one to each in turn.
+void RankTeam::hand_out(Run& run, TaskThreads& threads) {
+  bool was_given = true;
+  while (was_given && !run.waiting.empty()) {
+    was_given = false;
+    for (std::size_t rank = 0; rank < members_.size(); ++rank) {
+      Member& member = members_[rank];
+      if (member.is_lost || member.has_left || static_cast<int>(member.tasks.size()) >= member.facts.threads) continue;
+      const std::optional<std::size_t> task = run.next();
+      if (!task) return;
+      const std::uint64_t id = run.first_id + *task;
+      member.tasks.insert(id);
+      if (rank == 0)
+        threads.begin(id, run.tasks[*task]);
+      else
+        session_.send(static_cast<int>(rank), RankTopic::task, with_id(id, run.tasks[*task]));
+      was_given = true;
+    }
+  }
+}
+
+/// Takes a result that may have come before from another rank, or belong to an earlier run.
+void RankTeam::take(Run& run, std::uint64_t id, const std::string& result) {
+  if (id < run.first_id) return;
+  const std::size_t task = id - run.first_id;
+  if (task >= run.tasks.size() || run.is_done[task]) return;
+  run.is_done[task] = true;
+  ++run.done;
+  run.add((*run.finished)(task, result));
+}
+
+/// Takes all messages that have come. @return whether there was one
+bool RankTeam::receive(Run& run) {
+  bool was_one = false;
+  while (const std::optional<RankMessage> message = session_.receive()) {
+    was_one = true;
+    Member& member = members_.at(static_cast<std::size_t>(message->from));
+    member.heard = Clock::now();
+    if (member.is_lost) {
+      member.is_lost = false;
+      session_.take_back(message->from);
+      note(message->from, "answers again");
+    }
+    if (message->topic == RankTopic::result) {
+      const std::uint64_t id = id_of(message->bytes);
+      member.tasks.erase(id);
+      take(run, id, without_id(message->bytes));
+    } else if (message->topic == RankTopic::fault) {
+      throw_fault(name_of(message->from), without_id(message->bytes));
+    } else if (message->topic == RankTopic::leaving) {
+      member.has_left = true;
+      for (const std::uint64_t id : member.tasks)
+        if (id >= run.first_id) run.waiting.push_front(id - run.first_id);
+      member.tasks.clear();
+      note(message->from, "was told to stop: the others go on without it");
+    }
+  }
+  return was_one;
+}
+
+/// Gives the tasks of ranks that are silent for too long back to the list. All messages that have come were received before.
+void RankTeam::look_for_lost_ranks(Run& run) {
+  const Clock::time_point now = Clock::now();
+  for (std::size_t rank = 1; rank < members_.size(); ++rank) {
+    Member& member = members_[rank];
+    if (member.is_lost || member.has_left) continue;
+    if (std::chrono::duration<double>(now - member.heard).count() <= options_.patience_s) continue;
+    member.is_lost = true;
+    session_.give_up(static_cast<int>(rank));
+    for (const std::uint64_t id : member.tasks)
+      if (id >= run.first_id) run.waiting.push_front(id - run.first_id);
+    note(static_cast<int>(rank), "has been silent for " + number_text(options_.patience_s) + " s: the others go on without it");
+  }
+}
+
+void serve_first_rank(RankSession& session, const RankWork& work, const TeamOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  TaskThreads threads(options.threads, work);
+  const auto seconds_since = [](Clock::time_point time) { return std::chrono::duration<double>(Clock::now() - time).count(); };
+  Clock::time_point said = Clock::now();
+  Clock::time_point busy = said;
+  bool has_left = false;
+  while (true) {
+    while (const std::optional<RankMessage> message = session.receive()) {
+      busy = Clock::now();
+      if (message->topic == RankTopic::end) return;
+      if (message->topic == RankTopic::task && !has_left) threads.begin(id_of(message->bytes), without_id(message->bytes));
+    }
+    if (interrupted() && !has_left) {
+      has_left = true;
+      session.send(0, RankTopic::leaving);
+      threads.stop();
+      come_to_stop();
+    }
+    if (seconds_since(said) >= seconds_between_signs(options.patience_s)) {
+      session.send(0, RankTopic::alive);
+      said = Clock::now();
+    }
+    const bool is_idle = seconds_since(busy) > short_s;
+    while (const auto done = threads.take(is_idle ? std::chrono::microseconds(long_pause) : short_pause)) {
+      busy = Clock::now();
+      if (has_left) continue;  // it may be a part of a result
+      if (done->fault)
+        session.send(0, RankTopic::fault, with_id(done->id, fault_bytes(done->fault)));
+      else
+        session.send(0, RankTopic::result, with_id(done->id, done->result));
+    }
+  }
+}
+
+}  // namespace menger::io
