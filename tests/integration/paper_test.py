@@ -225,6 +225,13 @@ class Tree(unittest.TestCase):
             for name in names:
                 self.assertIn(f"\n{name}() {{", file.read_text(), f"{file}: {name}")
 
+    def test_the_table_of_ranks_is_what_its_script_prints(self):
+        folder = SOURCES / "paper/fractal"
+        printed = subprocess.run([sys.executable, "-B", str(folder / "scale.py"), str(folder / "scale.csv"), "--stretch", "20"],
+                                 capture_output=True, text=True, check=True).stdout
+        self.assertIn("| 4,096 |", printed)
+        self.assertIn(printed, (folder / "trial.md").read_text())
+
     def test_run_lists_them_and_refuses_others(self):
         listed = subprocess.run([str(SOURCES / "run"), "paper"], capture_output=True, text=True, check=False)
         self.assertEqual(listed.returncode, 0)
