@@ -92,7 +92,7 @@ std::vector<double> chamber_volumes_m3(const io::CsvContents& curves) {
 std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
   const auto result = table_at(results / "inflate/result.toml");
   if (!result) return "";
-  const std::string end = early_end(*result);
+  std::string end = early_end(*result);
   const std::vector<double> volumes_m3 = chamber_volumes_m3(io::read_csv(results / "inflate/curves.csv"));
   if (!end.empty() || volumes_m3.size() < 2) return end;
   const double change = volumes_m3.back() / volumes_m3.front() - 1.0;
@@ -132,7 +132,7 @@ std::string limit_text(const fs::path& results, const meshes::Robot& robot) {
 std::string calibrate_text(const fs::path& results) {
   const auto result = table_at(results / "calibrate/result.toml");
   if (!result) return "";
-  if (const std::string end = early_end(*result); !end.empty()) return end;
+  if (std::string end = early_end(*result); !end.empty()) return end;
   const io::CsvContents curves = io::read_csv(results / "calibrate/residuals.csv");
   double squares = 0.0;
   for (const double error : curves.numbers("relative")) squares += error * error;
@@ -252,6 +252,12 @@ bool agree(const Walk& one, const Walk& other) {
          angle_deg(one, other) <= largest_angle_deg;
 }
 
+/// Walks of one duration differ in time by a few steps at most.
+bool are_as_long(const Walk& one, const Walk& other) {
+  constexpr double largest_share = 0.01;
+  return std::abs(one.time_s - other.time_s) <= largest_share * std::max(one.time_s, other.time_s);
+}
+
 std::string both(const Walk& one, const Walk& other) {
   if (std::max(one.body_lengths, other.body_lengths) < least_body_lengths)
     return "it stays where it is, within 1 % of its length";
@@ -261,11 +267,63 @@ std::string both(const Walk& one, const Walk& other) {
 
 std::string shape_verdict(const ShapeErrors& errors) {
   if (!errors.displacement) return "The surrogate gives this body no shape that can be compared.";
-  const bool is_good = *errors.displacement <= 0.15 && errors.wrong_signs == 0 && errors.is_inside;
-  return is_good ? "The surrogate takes the shape of this body well."
-                 : "Do not trust the surrogate for this body: its shape is " + percents(*errors.displacement) +
-                       " off in the median, and " + std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) +
-                       " displacements go the wrong way; see validate/worst.png.";
+  constexpr double largest_error = 0.15;
+  if (*errors.displacement <= largest_error && errors.wrong_signs == 0 && errors.is_inside)
+    return "The surrogate takes the shape of this body well.";
+  std::string reasons = "its shape is " + percents(*errors.displacement) + " off in the median";
+  if (!errors.is_inside) reasons += ", all outside the range of the parameters";
+  reasons +=
+      ", and " + std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements go the wrong way";
+  return "Do not trust the surrogate for this body: " + reasons + "; see validate/worst.png.";
+}
+
+/// @param is_inflated whether the results have an inflation up to the pressure of the drive
+std::string pressure_verdict(const fs::path& results, const meshes::Robot& robot, bool is_inflated) {
+  const double drive_Pa = drive_pressure_Pa(robot)[1];
+  const auto limit_Pa = limit_pressure_Pa(results);
+  if (limit_Pa && drive_Pa > *limit_Pa)
+    return "The body balloons before it gets the pressure of its drive: lower drive.pressure_Pa below " + kilopascals(*limit_Pa) +
+           ".";
+  const auto inflation = is_inflated ? table_at(results / "inflate/result.toml") : std::nullopt;
+  if (!inflation) return "";
+  if (const std::string end = early_end(*inflation); !end.empty())
+    return "Whether the body bears its pressure is not known: its inflation ended before " + kilopascals(drive_Pa) + " (" + end +
+           ").";
+  if (!limit_Pa)
+    return "The body bears its pressure. How far it is from ballooning is not known: " + limit_text(results, robot) + ".";
+  if (drive_Pa > largest_safe_share * *limit_Pa)
+    return "The pressure is within " + percents(1.0 - drive_Pa / *limit_Pa) +
+           " of ballooning: a thin spot in a cast wall decides.";
+  return "The body bears its pressure: up to " + kilopascals(largest_safe_share * *limit_Pa) +
+         " it is 20 % or more below ballooning.";
+}
+
+/// A sentence on a walk that ended early; empty if there is none.
+std::string early_walk(const fs::path& file, const std::string& model) {
+  const auto result = table_at(file);
+  const std::string end = result ? early_end(*result) : "";
+  return end.empty() ? "" : "The walk on " + model + " ended early and is not compared (" + end + ").";
+}
+
+/// A walk that lasted as long as it should.
+std::optional<Walk> whole_walk(const fs::path& file) {
+  const auto result = table_at(file);
+  return result && early_end(*result).empty() ? walk_at(file) : std::nullopt;
+}
+
+std::string mesh_verdict(const Walk& coarser, const Walk& finer) {
+  if (!are_as_long(coarser, finer)) return "The walks of a coarser and a finer mesh last differently long and are not compared.";
+  if (agree(coarser, finer))
+    return "Finite elements of a coarser and a finer mesh agree on the walk: " + both(coarser, finer) + ".";
+  return "How it walks is not known: finite elements of a coarser and a finer mesh give " + both(coarser, finer) +
+         ". Chance decides such a walk; a body that is not alike to both sides walks more surely.";
+}
+
+std::string model_verdict(const Walk& voxels, const Walk& elements) {
+  if (!are_as_long(voxels, elements)) return "The walks of both models last differently long and are not compared.";
+  return (agree(voxels, elements) ? "The surrogate walks as finite elements do: "
+                                  : "The surrogate does not walk as finite elements do: ") +
+         both(voxels, elements) + " (voxels and finite elements).";
 }
 
 }  // namespace
@@ -278,39 +336,26 @@ std::string stage_finding(const std::string& stage, const fs::path& results, con
   }
 }
 
-std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Robot& robot) {
+std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Robot& robot, const std::set<std::string>& stages) {
   std::vector<std::string> lines;
+  const auto add = [&](const std::string& line) {
+    if (!line.empty()) lines.push_back(line);
+  };
   try {
-    if (const auto limit_Pa = limit_pressure_Pa(results)) {
-      const double drive_Pa = drive_pressure_Pa(robot)[1];
-      if (drive_Pa > *limit_Pa)
-        lines.push_back("The body balloons before it gets the pressure of its drive: lower drive.pressure_Pa below " +
-                        kilopascals(*limit_Pa) + ".");
-      else if (drive_Pa > largest_safe_share * *limit_Pa)
-        lines.push_back("The pressure is within " + percents(1.0 - drive_Pa / *limit_Pa) +
-                        " of ballooning: a thin spot in a cast wall decides.");
-      else
-        lines.push_back("The body bears its pressure: up to " + kilopascals(largest_safe_share * *limit_Pa) +
-                        " it is 20 % or more below ballooning.");
-    }
-    if (const auto errors = shape_errors(results)) lines.push_back(shape_verdict(*errors));
-    const auto voxels = walk_at(results / "simulate/result.toml");
-    const auto elements = walk_at(results / "locomote/locomotion.toml");
-    const auto finer = walk_at(results / "locomote_finer/locomotion.toml");
-    if (elements && finer && !agree(*elements, *finer)) {
-      lines.push_back("How it walks is not known: finite elements of a coarser and a finer mesh give " + both(*elements, *finer) +
-                      ". Chance decides such a walk; a body that is not alike to both sides walks more surely.");
-    } else if (elements && finer) {
-      lines.push_back("Finite elements of a coarser and a finer mesh agree on the walk: " + both(*elements, *finer) + ".");
-    }
-    const auto& reference = finer ? finer : elements;
-    if (voxels && reference) {
-      lines.push_back((agree(*voxels, *reference) ? "The surrogate walks as finite elements do: "
-                                                  : "The surrogate does not walk as finite elements do: ") +
-                      both(*voxels, *reference) + " (voxels and finite elements).");
-    }
+    if (stages.contains("limit")) add(pressure_verdict(results, robot, stages.contains("inflate")));
+    if (const auto errors = stages.contains("validate") ? shape_errors(results) : std::nullopt) add(shape_verdict(*errors));
+    const auto walk_of = [&](const std::string& stage, const std::string& file, const std::string& model) {
+      if (!stages.contains(stage)) return std::optional<Walk>();
+      add(early_walk(results / stage / file, model));
+      return whole_walk(results / stage / file);
+    };
+    const auto voxels = walk_of("simulate", "result.toml", "voxels");
+    const auto elements = walk_of("locomote", "locomotion.toml", "finite elements");
+    const auto finer = walk_of("locomote_finer", "locomotion.toml", "finite elements of the finer mesh");
+    if (elements && finer) add(mesh_verdict(*elements, *finer));
+    if (const auto& reference = finer ? finer : elements; voxels && reference) add(model_verdict(*voxels, *reference));
   } catch (const io::InputError&) {
-    lines.push_back("Some results cannot be read; run the loop again.");
+    lines.emplace_back("Some results cannot be read; run the loop again.");
   }
   return lines;
 }

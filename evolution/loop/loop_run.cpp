@@ -74,6 +74,17 @@ std::vector<std::string> files_below(const fs::path& folder, const fs::path& res
   return files;
 }
 
+/// Removes the checkpoints of a folder. A program that is stopped before it has read its study leaves those of an earlier study,
+/// and would refuse them when it goes on.
+void remove_checkpoints(const fs::path& folder) {
+  std::vector<fs::path> checkpoints;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().extension() == ".checkpoint") checkpoints.push_back(entry->path());
+  }
+  for (const fs::path& checkpoint : checkpoints) io::remove_if_there(checkpoint);
+}
+
 /// Runs the stages of one loop.
 class LoopRun {
  public:
@@ -202,14 +213,19 @@ class LoopRun {
                        [&](const std::string& file) { return is_file(places_.results / file); });
   }
 
-  /// Returns which stage that this one needs has no result, with the reason; empty if none.
-  [[nodiscard]] std::string lacks(const LoopStage& stage) const {
+  /// Whether the results of a stage are those that it would give now.
+  [[nodiscard]] bool is_up_to_date(const LoopStage& stage) {
+    return current_.contains(stage.name) || (is_current(stage, state_->find(stage.name), key_of(stage)) && lacks(stage).empty());
+  }
+
+  /// Returns which stage that this one needs has no result that is up to date; empty if none.
+  [[nodiscard]] std::string lacks(const LoopStage& stage) {
     for (const std::string& name : stage.needs) {
       const auto needed = std::ranges::find(stages_, name, &LoopStage::name);
       const StageRecord* record = state_->find(name);
       const bool is_usable = record != nullptr && (record->status == StageStatus::done ||
                                                    (record->status == StageStatus::numerical && needed->is_usable_early));
-      if (is_usable && !(name == "export" && !is_file(places_.champion()))) continue;
+      if (is_usable && is_up_to_date(*needed) && !(name == "export" && !is_file(places_.champion()))) continue;
       return name;
     }
     return "";
@@ -238,6 +254,7 @@ class LoopRun {
     const std::string key = key_of(stage);
     const StageRecord* earlier = state_->find(stage.name);
     if (is_current(stage, earlier, key)) {
+      current_.insert(stage.name);
       out_ << label(n) << "  as before: " << earlier->finding << std::endl;
       return earlier->status == StageStatus::numerical ? io::exit_code::numerical : io::exit_code::done;
     }
@@ -249,7 +266,9 @@ class LoopRun {
     const bool goes_on = earlier != nullptr && earlier->key == key && !earlier->has_ended();
     StageRecord record{.key = key};
     if (goes_on) record.seconds = earlier->seconds;
+    record.takes_over = goes_on ? earlier->takes_over : earlier != nullptr;
     const double expected_s = earlier != nullptr && earlier->has_ended() ? std::max(earlier->seconds, 1.0) : stage.expected_s;
+    if (stage.may_restart && !goes_on) remove_checkpoints(places_.results / stage.name);
     state_->set(stage.name, record);
     std::vector<std::string> arguments = stage.arguments;
     if (stage.may_restart && !goes_on) arguments.emplace_back("--restart");
@@ -257,12 +276,23 @@ class LoopRun {
     if (!has_terminal) out_ << label(n) << "  " << std::flush;
 
     io::ChildOutcome outcome = start(stage, n, arguments, expected_s);
-    if (outcome.exit_code == io::exit_code::bad_input && stage.is_set_aside && set_aside(stage))
+    // A program also refuses a lock or a full disk: only results of another study make way.
+    const bool makes_way = outcome.exit_code == io::exit_code::bad_input && stage.is_set_aside && record.takes_over;
+    if (const std::optional<fs::path> aside = makes_way ? set_aside(stage) : std::nullopt) {
       outcome = start(stage, n, arguments, expected_s);
+      if (outcome.exit_code == io::exit_code::bad_input) {
+        put_back(stage, *aside);
+      } else {
+        record.takes_over = false;
+        out_ << "(its earlier results are now in " << shown(*aside) << ") ";
+      }
+    }
     record.seconds += outcome.wall_s;
     record.status = status_of(outcome);
     const bool has_ended = record.has_ended();
     if (has_ended) {
+      current_.insert(stage.name);
+      record.takes_over = false;
       record.finding = stage_finding(stage.name, places_.results, robot_);
       record.manifest_hash = manifest_hash(stage);
       record.files = files_below(places_.results / stage.name, places_.results);
@@ -329,19 +359,29 @@ class LoopRun {
     out_ << std::flush;
   }
 
-  /// Moves the folder of a stage to earlier/, so that another study can take its place. @return whether there was one
-  bool set_aside(const LoopStage& stage) {
+  /// Moves the folder of a stage to earlier/, so that another study can take its place. @return where it is; empty if there was
+  /// none
+  std::optional<fs::path> set_aside(const LoopStage& stage) const {
     const fs::path folder = places_.results / stage.name;
     std::error_code error;
-    if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) return false;
+    if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) return std::nullopt;
     fs::path aside;
     for (int number = 1; aside.empty() || fs::exists(aside, error); ++number)
       aside = places_.results / "earlier" / (stage.name + "_" + std::to_string(number));
     fs::create_directories(aside.parent_path(), error);
     fs::rename(folder, aside, error);
     if (error) throw io::InputError(folder.string() + ": cannot be moved to " + aside.string() + ": " + error.message());
-    out_ << "(its earlier results are now in " << shown(aside) << ") ";
-    return true;
+    return aside;
+  }
+
+  /// Moves what set_aside() moved back, in place of what a refused start left.
+  void put_back(const LoopStage& stage, const fs::path& aside) const {
+    const fs::path folder = places_.results / stage.name;
+    std::error_code error;
+    fs::remove_all(folder, error);
+    fs::rename(aside, folder, error);
+    if (error) throw io::InputError(aside.string() + ": cannot be moved back to " + folder.string() + ": " + error.message());
+    fs::remove(aside.parent_path(), error);  // only where it is empty
   }
 
   int leave_interrupted() {
@@ -363,7 +403,7 @@ class LoopRun {
   }
 
   void tell_end(int code) {
-    const std::vector<std::string> verdict = loop_verdict(places_.results, robot_);
+    const std::vector<std::string> verdict = loop_verdict(places_.results, robot_, current_);
     if (!verdict.empty() && only_ == nullptr && last_ == nullptr) {
       out_ << "\nWhat came out:\n";
       for (const std::string& line : verdict) out_ << "- " << line << '\n';
@@ -371,7 +411,8 @@ class LoopRun {
     std::vector<std::string> files;
     for (const char* file : {"report.html", "inflate/chamber.png", "limit/pv_curve.png", "validate/worst.png",
                              "locomote/robot.png", "locomote/frames.pvd", "export/champion.png"}) {
-      if (is_file(places_.results / file)) files.push_back(shown(places_.results / file));
+      const std::string name = fs::path(file).begin()->stem().string();
+      if (current_.contains(name) && is_file(places_.results / file)) files.push_back(shown(places_.results / file));
     }
     if (!files.empty() && only_ == nullptr && last_ == nullptr) out_ << "Look at " << io::joined(files) << ".\n";
     if (code == io::exit_code::numerical) out_ << "Some stages ended early; their lines above say why.\n";
@@ -387,6 +428,7 @@ class LoopRun {
   const LoopStage* last_ = nullptr;
   const LoopStage* only_ = nullptr;
   std::map<std::string, std::string> program_hashes_;
+  std::set<std::string> current_;  ///< stages whose results this call has found or made, for the robot as it is now
 };
 
 }  // namespace

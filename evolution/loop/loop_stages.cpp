@@ -168,6 +168,7 @@ const LoopStage& stage_named(const std::vector<LoopStage>& stages, std::string_v
   const auto found = std::ranges::find(stages, name, &LoopStage::name);
   if (found != stages.end()) return *found;
   std::vector<std::string> names;
+  names.reserve(stages.size());
   for (const LoopStage& stage : stages) names.push_back(stage.name);
   const std::optional<std::string> meant = io::near_miss(name, names);
   throw io::InputError(std::string(option) + " " + name + ": this robot has no such stage" +

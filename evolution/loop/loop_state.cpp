@@ -58,7 +58,8 @@ LoopState::LoopState(std::filesystem::path file) : file_(std::move(file)) {
                        .seconds = stage.at("seconds").get<double>(),
                        .finding = stage.at("finding").get<std::string>(),
                        .manifest_hash = stage.at("manifest_sha256").get<std::string>(),
-                       .files = stage.at("files").get<std::vector<std::string>>()};
+                       .files = stage.at("files").get<std::vector<std::string>>(),
+                       .takes_over = stage.value("takes_over", false)};
     }
   } catch (const std::exception&) {
     throw io::InputError(file_.string() + ": is no state of a loop; remove it to begin anew");
@@ -83,7 +84,8 @@ void LoopState::write() const {
                     {"seconds", record.seconds},
                     {"finding", record.finding},
                     {"manifest_sha256", record.manifest_hash},
-                    {"files", record.files}};
+                    {"files", record.files},
+                    {"takes_over", record.takes_over}};
   }
   const json whole{{"program", "menger-loop"}, {"version", io::version()}, {"stages", stages}};
   io::write_whole(file_, whole.dump(2, ' ', false, json::error_handler_t::replace) + "\n");

@@ -29,6 +29,7 @@ struct StageRecord {
   std::string finding{};             ///< its result in words
   std::string manifest_hash{};       ///< of the content of its manifest
   std::vector<std::string> files{};  ///< that it left, counted from the folder of the results
+  bool takes_over = false;           ///< whether its folder may still hold results for another key
 
   [[nodiscard]] bool has_ended() const { return status == StageStatus::done || status == StageStatus::numerical; }
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,16 +29,26 @@ class LoopFindings : public testing::Test {
                                         std::to_string(y_m) + ", 0.001]\nhorizontal_displacement_body_lengths = 0.5\n");
   }
 
+  void write_early_walk(const std::string& file, double x_m) const {
+    io::write_whole(folder_ / file, "status = \"diverged\"\nreason = \"too fast\"\ntime_s = 0.4\ndisplacement_m = [" +
+                                        std::to_string(x_m) + ", 0, 0]\nhorizontal_displacement_body_lengths = 0.5\n");
+  }
+
+  void write_inflation(const std::string& status) const {
+    io::write_whole(folder_ / "inflate/result.toml", "status = \"" + status + "\"\n");
+  }
+
   void write_limit(const std::string& pressure_Pa) const {
     io::write_whole(folder_ / "limit/result.toml",
                     "status = \"completed\"\n[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = " + pressure_Pa + "\n");
   }
 
   [[nodiscard]] std::string found(const std::string& stage) const { return stage_finding(stage, folder_, robot_); }
-  [[nodiscard]] std::string verdict() const { return io::joined(loop_verdict(folder_, robot_), "\n"); }
+  [[nodiscard]] std::string verdict() const { return io::joined(loop_verdict(folder_, robot_, stages_), "\n"); }
 
   tests::TestFolder folder_;
   meshes::Robot robot_;
+  std::set<std::string> stages_{"inflate", "limit", "validate", "simulate", "locomote", "locomote_finer"};
 };
 
 void expect_has(const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; }
@@ -64,12 +75,50 @@ TEST_F(LoopFindings, AreEmptyForResultsThatTheyCannotRead) {
 }
 
 TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
+  write_inflation("completed");
   write_limit("12000.0");
   expect_has(verdict(), "The body bears its pressure: up to 9.6 kPa");
   write_limit("3500.0");
   expect_has(verdict(), "within 14 % of ballooning");
   write_limit("2500.0");
   expect_has(verdict(), "lower drive.pressure_Pa below 2.5 kPa");
+}
+
+TEST_F(LoopFindings, VerdictNeedsAnInflationUpToThePressureOfTheDrive) {
+  write_limit("12000.0");
+  EXPECT_EQ(verdict(), "");
+  write_inflation("not_converged");
+  EXPECT_EQ(verdict(), "Whether the body bears its pressure is not known: its inflation ended before 3 kPa (not_converged).");
+  write_inflation("completed");
+  io::write_whole(folder_ / "limit/result.toml", "status = \"not_converged\"\n");
+  io::write_whole(folder_ / "limit/curves.csv", "step,plenum_0_pressure_Pa\n0,0\n1,5000\n");
+  expect_has(verdict(), "How far it is from ballooning is not known: no limit pressure was found up to 5 kPa; not_converged.");
+}
+
+TEST_F(LoopFindings, VerdictReadsOnlyResultsOfStagesOfThisRobot) {
+  write_inflation("completed");
+  write_limit("12000.0");
+  write_walk("simulate/result.toml", 0.04, 0.0);
+  write_walk("locomote/locomotion.toml", 0.04, 0.0);
+  write_walk("locomote_finer/locomotion.toml", 0.002, 0.0);
+  stages_.erase("locomote_finer");  // as with the finest elements
+  EXPECT_EQ(verdict().find("coarser and a finer mesh"), std::string::npos) << verdict();
+  expect_has(verdict(), "The surrogate walks as finite elements do: 40 mm and 40 mm");
+  stages_.erase("simulate");  // as after a fit that failed
+  EXPECT_EQ(verdict().find("surrogate"), std::string::npos) << verdict();
+  stages_ = {};
+  EXPECT_EQ(verdict(), "");
+}
+
+TEST_F(LoopFindings, VerdictComparesNoWalkThatEndedEarly) {
+  write_walk("simulate/result.toml", 0.04, 0.0);
+  write_walk("locomote/locomotion.toml", 0.04, 0.0);
+  write_early_walk("locomote_finer/locomotion.toml", 0.04);
+  expect_has(verdict(), "The walk on finite elements of the finer mesh ended early and is not compared (diverged: too fast).");
+  EXPECT_EQ(verdict().find("agree on the walk"), std::string::npos) << verdict();
+  expect_has(verdict(), "The surrogate walks as finite elements do: 40 mm and 40 mm");
+  write_early_walk("locomote/locomotion.toml", 0.04);
+  EXPECT_EQ(verdict().find("The surrogate"), std::string::npos) << verdict();
 }
 
 TEST_F(LoopFindings, VerdictComparesWalksOfBothModelsAndOfBothMeshes) {
@@ -101,6 +150,8 @@ TEST_F(LoopFindings, VerdictWarnsOfShapesThatTheSurrogateMisses) {
              "wrong way");
   write("0.3", "0");
   expect_has(verdict(), "Do not trust the surrogate for this body: its shape is 30 % off");
+  io::write_whole(folder_ / "validate/summary.csv", "body,kind,range,median\nall,displacement,outside,0.05\n");
+  expect_has(verdict(), "its shape is 5 % off in the median, all outside the range of the parameters, and 0 of 10");
 }
 
 }  // namespace

@@ -202,6 +202,46 @@ TEST_F(LoopRunTest, StoppedStageGoesOnAndAChangedOneBeginsAnew) {
   EXPECT_NE(calls().back().find("--restart"), std::string::npos) << calls().back();
 }
 
+/// What menger inflate does with a checkpoint of another study.
+constexpr const char* checks_checkpoint =
+    "f=$out/path.checkpoint; [[ \"$*\" = *--restart* ]] && rm -f $f\n"
+    "[ ! -e $f ] || cmp -s \"$1\" $f || exit 2\ncp \"$1\" $f";
+
+TEST_F(LoopRunTest, StageThatWasStoppedBeforeItReadItsStudyGoesOnWithoutTheOldCheckpoint) {
+  write_program("locomote", checks_checkpoint);
+  ASSERT_EQ(run("locomote"), io::exit_code::done);
+  add("[ground]\nkinetic_friction = 0.4\n");
+  // It stops before it touches anything. The program stays the same.
+  const std::string program = io::read_whole(folder_ / "bin/menger-locomote");
+  write_program("locomote", std::string("[ -e '") + (folder_ / "early").string() + "' ] && exit 130\n" + checks_checkpoint);
+  ASSERT_EQ(run("locomote"), io::exit_code::done);
+  change("kinetic_friction = 0.4", "kinetic_friction = 0.3");
+  io::write_whole(folder_ / "early", "");
+  ASSERT_EQ(run("locomote"), io::exit_code::interrupted);
+  fs::remove(folder_ / "early");
+  EXPECT_EQ(run("locomote"), io::exit_code::done) << out_.str();
+}
+
+TEST_F(LoopRunTest, VerdictLeavesOutResultsOfAnEarlierRobot) {
+  const std::string walk =
+      R"(printf 'status = "completed"\ntime_s = 5.0\ndisplacement_m = [0.04, 0, 0]\nhorizontal_displacement_body_lengths = 1.0\n' > )";
+  write_program("simulate", walk + "$out/result.toml");
+  write_program("locomote", walk + "$out/locomotion.toml");
+  ASSERT_EQ(run(), io::exit_code::done);
+  EXPECT_NE(out_.str().find("coarser and a finer mesh agree"), std::string::npos) << out_.str();
+  add("[walk]\nfidelity = \"fine\"\n");
+  ASSERT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(out_.str().find("a finer mesh"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("The surrogate walks as finite elements do"), std::string::npos) << out_.str();
+  change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
+  end_with("calibrate", io::exit_code::numerical);  // so nothing is simulated
+  EXPECT_EQ(run(), io::exit_code::numerical);
+  EXPECT_EQ(out_.str().find("The surrogate "), std::string::npos) << out_.str();
+  change("fidelity = \"fine\"", "present = false");
+  EXPECT_EQ(run(), io::exit_code::numerical);
+  EXPECT_EQ(out_.str().find("What came out"), std::string::npos) << out_.str();
+}
+
 TEST_F(LoopRunTest, StageThatWasKilledRunsAgain) {
   ASSERT_EQ(run(), io::exit_code::done);
   LoopState state(folder_ / "results/loop.json");
@@ -220,6 +260,21 @@ TEST_F(LoopRunTest, UntilEndsThereAndOnlyRunsOneStage) {
   EXPECT_NE(tests::message_of([&] { run("inflat"); }).find("did you mean inflate?"), std::string::npos);
   EXPECT_NE(tests::message_of([&] { run("calibrate"); }).find("this robot has no such stage"), std::string::npos);
   change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
+  EXPECT_NE(tests::message_of([&] { run("", "simulate"); }).find("needs a result of calibrate"), std::string::npos);
+}
+
+TEST_F(LoopRunTest, OnlyTakesNoResultsThatAChangeMadeOld) {
+  change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
+  write_program("calibrate", "echo fitted > calibrate/parameters.toml");
+  ASSERT_EQ(run(), io::exit_code::done);
+  add("[ground]\nkinetic_friction = 0.4\n");
+  EXPECT_EQ(run("", "simulate"), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"simulate"}));
+  change("dragon_skin_10", "dragon_skin_20");
+  EXPECT_NE(tests::message_of([&] { run("", "simulate"); }).find("needs a result of calibrate"), std::string::npos);
+  ASSERT_EQ(run("calibrate"), io::exit_code::done);
+  EXPECT_EQ(run("", "simulate"), io::exit_code::done);
+  write_program("load-cases", "# another version");  // calibrate follows it
   EXPECT_NE(tests::message_of([&] { run("", "simulate"); }).find("needs a result of calibrate"), std::string::npos);
 }
 
@@ -245,6 +300,34 @@ TEST_F(LoopRunTest, ArchiveOfAnotherSearchIsKeptAside) {
   EXPECT_EQ(called(), (Names{"evolve", "evolve", "export", "reevaluate"}));
   EXPECT_NE(io::read_whole(folder_ / "results/earlier/evolve_1/study").find("generations = 1"), std::string::npos);
   EXPECT_NE(io::read_whole(folder_ / "results/evolve/study").find("generations = 2"), std::string::npos);
+}
+
+TEST_F(LoopRunTest, ArchiveStaysWhereItIsWhenASearchIsRefusedForAnotherReason) {
+  add("[search]\ngenerations = 1\n");
+  const std::string archives = "cmp -s \"$1\" evolve/study || [ ! -e evolve/study ] || exit 2; cp \"$1\" evolve/study";
+  const std::string disk = (folder_ / "full").string();
+  write_program("evolve", "[ -e '" + disk + "' ] && exit 2\n[ -e '" + disk + ".early' ] && exit 130\n" + archives);
+  ASSERT_EQ(run("evolve"), io::exit_code::done);
+  LoopState state(folder_ / "results/loop.json");
+  StageRecord record = *state.find("evolve");
+  record.status = StageStatus::interrupted;
+  state.set("evolve", record);
+  io::write_whole(disk, "");
+  EXPECT_EQ(run("evolve"), io::exit_code::bad_input);
+  EXPECT_TRUE(fs::exists(folder_ / "results/evolve/study"));
+  EXPECT_FALSE(fs::exists(folder_ / "results/earlier"));
+  // With another study it makes way, but not where that is refused, too.
+  change("generations = 1", "generations = 2");
+  EXPECT_EQ(run("evolve"), io::exit_code::bad_input);
+  EXPECT_TRUE(fs::exists(folder_ / "results/evolve/study"));
+  EXPECT_FALSE(fs::exists(folder_ / "results/earlier"));
+  // It also makes way if the first run for the other study was stopped at once.
+  fs::remove(disk);
+  io::write_whole(disk + ".early", "");
+  EXPECT_EQ(run("evolve"), io::exit_code::interrupted);
+  fs::remove(disk + ".early");
+  EXPECT_EQ(run("evolve"), io::exit_code::done) << out_.str();
+  EXPECT_TRUE(fs::exists(folder_ / "results/earlier/evolve_1/study"));
 }
 
 TEST_F(LoopRunTest, ReportIsTheLastStageIfItsProgramIsThere) {
