@@ -208,11 +208,7 @@ constexpr const char* checks_checkpoint =
     "[ ! -e $f ] || cmp -s \"$1\" $f || exit 2\ncp \"$1\" $f";
 
 TEST_F(LoopRunTest, StageThatWasStoppedBeforeItReadItsStudyGoesOnWithoutTheOldCheckpoint) {
-  write_program("locomote", checks_checkpoint);
-  ASSERT_EQ(run("locomote"), io::exit_code::done);
   add("[ground]\nkinetic_friction = 0.4\n");
-  // It stops before it touches anything. The program stays the same.
-  const std::string program = io::read_whole(folder_ / "bin/menger-locomote");
   write_program("locomote", std::string("[ -e '") + (folder_ / "early").string() + "' ] && exit 130\n" + checks_checkpoint);
   ASSERT_EQ(run("locomote"), io::exit_code::done);
   change("kinetic_friction = 0.4", "kinetic_friction = 0.3");
