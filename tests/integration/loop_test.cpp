@@ -59,13 +59,14 @@ TEST_F(LoopProgram, ComputesWhatARobotAsksForOnce) {
   expect_has(first.out, "What came out:\n- The body bears its pressure");
   for (const char* file :
        {"mesh/mesh.vtu", "inflate/manifest.json", "limit/pv_curve.png", "validate/worst.png", "simulate/frames.pvd",
-        "locomote/frames.pvd", "locomote_finer/locomotion.toml", "manifest.json", "loop.json", "logs/limit.txt"})
+        "locomote/frames.pvd", "locomote_finer/locomotion.toml", "report.html", "manifest.json", "loop.json", "logs/limit.txt"})
     EXPECT_TRUE(is_there(std::string("results/") + file)) << file;
 
   const std::string walk = io::read_whole(folder_ / "results/locomote/manifest.json");
   const Outcome second = run({"loop", "robot.toml"});
   EXPECT_EQ(second.code, 0) << second.out << second.err;
-  expect_has(second.out, "7 of 7  locomote_finer  as before: it moves ");
+  expect_has(second.out, "7 of 8  locomote_finer  as before: it moves ");
+  expect_has(second.out, "8 of 8  report          as before");
   EXPECT_EQ(io::read_whole(folder_ / "results/locomote/manifest.json"), walk);
 }
 
@@ -85,13 +86,14 @@ TEST_F(LoopProgram, GoesOnAfterCtrlC) {
   io::write_whole(folder_ / "robot.toml", robot_text);
   const fs::path program = fs::path(MENGER_PROGRAM_DIR) / "menger-loop";
   const test_support::ProgramRun loop(folder_, program, {"robot.toml", "--until", "limit"});
-  while (!is_there("results/studies/inflate.toml")) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  while (!is_there("results/studies/inflate.toml") && loop.name() != "")
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
   loop.send(SIGINT);
   const Outcome stopped = loop.wait();
   EXPECT_EQ(stopped.code, 130) << stopped.out << stopped.err;
   const Outcome outcome = run({"loop", "robot.toml", "--until", "limit"});
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-  expect_has(outcome.out, "1 of 7  mesh            as before");
+  expect_has(outcome.out, "1 of 8  mesh            as before");
   EXPECT_EQ(evolution::LoopState(folder_ / "results/loop.json").find("limit")->status, evolution::StageStatus::done);
 }
 

@@ -69,8 +69,9 @@ TEST_F(ReevaluateOnRanks, GivesWhatOneProcessGives) {
 TEST_F(ReevaluateOnRanks, GoesOnAfterARankWasKilled) {
   {
     const ProgramRun killed = start_ranks();
-    while (test_support::ranks_of(killed).size() < 2 || !fs::exists(folder_ / "out/runs"))
+    while ((test_support::ranks_of(killed).size() < 2 || !fs::exists(folder_ / "out/runs")) && killed.name() != "")
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    ASSERT_GE(test_support::ranks_of(killed).size(), 2U) << "ended before it was killed";
     kill(test_support::ranks_of(killed).at(1), SIGKILL);
     EXPECT_NE(killed.wait().code, 0);
   }
