@@ -48,19 +48,18 @@ struct Walk {
   [[nodiscard]] double distance_m() const { return std::hypot(x_m, y_m); }
 };
 
-/// @param file result.toml of simulate or locomotion.toml of locomote; both have the same names
-std::optional<Walk> walk_at(const fs::path& file) {
-  const auto result = table_at(file);
-  if (!result || !result->has("displacement_m")) return std::nullopt;
-  const std::vector<double> moved_m = result->numbers("displacement_m");
+/// @param result result.toml of simulate or locomotion.toml of locomote; both have the same names
+std::optional<Walk> walk_in(const io::TomlTable& result) {
+  if (!result.has("displacement_m")) return std::nullopt;
+  const std::vector<double> moved_m = result.numbers("displacement_m");
   if (moved_m.size() != 3) return std::nullopt;
-  return Walk{moved_m[0], moved_m[1], result->number("horizontal_displacement_body_lengths"), result->number("time_s")};
+  return Walk{moved_m[0], moved_m[1], result.number("horizontal_displacement_body_lengths"), result.number("time_s")};
 }
 
 std::string walk_text(const fs::path& file) {
   const auto result = table_at(file);
   if (!result) return "";
-  const std::optional<Walk> walk = walk_at(file);
+  const std::optional<Walk> walk = walk_in(*result);
   if (!walk) return early_end(*result);
   std::string text = "it moves " + millimetres(walk->distance_m()) + " (" + io::shown(walk->body_lengths, 2) +
                      " body lengths) in " + io::shown(walk->time_s, 3) + " s";
@@ -298,19 +297,6 @@ std::string pressure_verdict(const fs::path& results, const meshes::Robot& robot
          " it is 20 % or more below ballooning.";
 }
 
-/// A sentence on a walk that ended early; empty if there is none.
-std::string early_walk(const fs::path& file, const std::string& model) {
-  const auto result = table_at(file);
-  const std::string end = result ? early_end(*result) : "";
-  return end.empty() ? "" : "The walk on " + model + " ended early and is not compared (" + end + ").";
-}
-
-/// A walk that lasted as long as it should.
-std::optional<Walk> whole_walk(const fs::path& file) {
-  const auto result = table_at(file);
-  return result && early_end(*result).empty() ? walk_at(file) : std::nullopt;
-}
-
 std::string mesh_verdict(const Walk& coarser, const Walk& finer) {
   if (!are_as_long(coarser, finer)) return "The walks of a coarser and a finer mesh last differently long and are not compared.";
   if (agree(coarser, finer))
@@ -345,9 +331,12 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
     if (stages.contains("limit")) add(pressure_verdict(results, robot, stages.contains("inflate")));
     if (const auto errors = stages.contains("validate") ? shape_errors(results) : std::nullopt) add(shape_verdict(*errors));
     const auto walk_of = [&](const std::string& stage, const std::string& file, const std::string& model) {
-      if (!stages.contains(stage)) return std::optional<Walk>();
-      add(early_walk(results / stage / file, model));
-      return whole_walk(results / stage / file);
+      const auto result = stages.contains(stage) ? table_at(results / stage / file) : std::nullopt;
+      if (!result) return std::optional<Walk>();
+      const std::string end = early_end(*result);
+      if (end.empty()) return walk_in(*result);
+      lines.push_back("The walk on " + model + " ended early and is not compared (" + end + ").");
+      return std::optional<Walk>();
     };
     const auto voxels = walk_of("simulate", "result.toml", "voxels");
     const auto elements = walk_of("locomote", "locomotion.toml", "finite elements");

@@ -21,6 +21,7 @@
 
 #include "evolution/page/body_frames.h"
 #include "io/picture/picture_series.h"
+#include "io/picture/scale_bar.h"
 #include "io/process/child_program.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
@@ -36,7 +37,6 @@ using BodyColour = std::array<unsigned char, 3>;
 
 constexpr io::PictureStyle animation_style{.width_px = 720, .height_px = 440};
 constexpr std::array<BodyColour, 2> body_colours{{{222, 205, 172}, {140, 178, 214}}};
-constexpr std::array<BodyColour, 2> material_colours_of_walk{{{72, 196, 212}, {232, 86, 80}}};
 
 /// A folder for pictures that are joined, which ends with this object.
 class ScratchFolder {
@@ -86,7 +86,7 @@ vtkSmartPointer<vtkPolyData> surface_at(const PageBody& body, double time, std::
     for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) cells->InsertCellPoint(static_cast<vtkIdType>(face.at(n)));
     const bool has_material = !body.materials.empty() && (body.materials[f] == 1 || body.materials[f] == 2);
     const BodyColour& colour =
-        has_material ? material_colours_of_walk.at(body.materials[f] - 1U) : body_colours.at(number % body_colours.size());
+        has_material ? voxel::material_colours.at(body.materials[f] - 1U) : body_colours.at(number % body_colours.size());
     colours->InsertNextTypedTuple(colour.data());
   }
   auto surface = vtkSmartPointer<vtkPolyData>::New();
@@ -94,14 +94,6 @@ vtkSmartPointer<vtkPolyData> surface_at(const PageBody& body, double time, std::
   surface->SetPolys(cells);
   surface->GetCellData()->SetScalars(colours);
   return surface;
-}
-
-/// The largest of 1, 2 and 5 times a power of ten that is not above a length.
-double round_length(double most) {
-  const double power = std::pow(10.0, std::floor(std::log10(most)));
-  for (const double part : {5.0, 2.0, 1.0})
-    if (part * power <= most) return part * power;
-  return power;
 }
 
 /// Draws the pictures of a walk.
@@ -154,7 +146,7 @@ class WalkPictures {
       voxel::add_trail(*renderer_, trail_of(body, time, below(2)));
       voxel::add_robot(*renderer_, *surface, 1.0);
     }
-    const double bar_m = round_length(0.3 * std::max(world_.size(0), world_.size(1)));
+    const double bar_m = io::scale_bar_length(0.3 * std::max(world_.size(0), world_.size(1)));
     const voxel::Vector begin{floor.low[0], floor.low[1], below(1)};
     voxel::add_trail(*renderer_, std::vector<voxel::Vector>{begin, {begin[0] + bar_m, begin[1], begin[2]}});
     voxel::add_caption(*renderer_, caption_of(time, bar_m), 0.5, 15);

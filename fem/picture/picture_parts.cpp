@@ -26,6 +26,7 @@
 #include <limits>
 
 #include "fem/surfaces/point.h"
+#include "io/picture/scale_bar.h"
 #include "io/text/formatted.h"
 
 namespace menger::fem {
@@ -70,15 +71,6 @@ void add_text(vtkRenderer& renderer, const std::string& text, double x, double y
   actor->GetTextProperty()->SetJustificationToCentered();
   actor->SetPosition(x, y);
   renderer.AddViewProp(actor);
-}
-
-/// Returns the largest of 1, 2 or 5 times a power of ten that is at most `longest`.
-double round_length(double longest) {
-  const double decade = std::pow(10.0, std::floor(std::log10(longest)));
-  for (const double factor : {5.0, 2.0}) {
-    if (factor * decade <= longest) return factor * decade;
-  }
-  return decade;
 }
 
 }  // namespace
@@ -168,7 +160,7 @@ double aim(vtkRenderer& renderer, const std::vector<vtkUnstructuredGrid*>& grids
 }
 
 void add_scale_bar(vtkRenderer& renderer, double pixels_per_m, const io::PictureStyle& style) {
-  const double length_m = round_length(0.25 * io::supersampling * style.width_px / pixels_per_m);
+  const double length_m = io::scale_bar_length(0.25 * io::supersampling * style.width_px / pixels_per_m);
   const double length = length_m * pixels_per_m;
   const double x = 0.04 * io::supersampling * style.width_px;
   const double y = 0.05 * io::supersampling * style.height_px;

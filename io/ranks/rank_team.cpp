@@ -78,6 +78,12 @@ struct RankTeam::Run {
     }
   }
 
+  /// Puts tasks that a rank does not do first in the list again.
+  void give_again(const std::set<std::uint64_t>& ids) {
+    for (const std::uint64_t id : ids)
+      if (id >= first_id) waiting.push_front(id - first_id);
+  }
+
   /// Returns the next task that is to be given out, if there is one.
   std::optional<std::size_t> next() {
     while (!waiting.empty()) {
@@ -189,8 +195,7 @@ bool RankTeam::receive(Run& run) {
       throw_fault(name_of(message->from), without_id(message->bytes));
     } else if (message->topic == RankTopic::leaving) {
       member.has_left = true;
-      for (const std::uint64_t id : member.tasks)
-        if (id >= run.first_id) run.waiting.push_front(id - run.first_id);
+      run.give_again(member.tasks);
       member.tasks.clear();
       note(message->from, "was told to stop: the others go on without it");
     }
@@ -207,8 +212,7 @@ void RankTeam::look_for_lost_ranks(Run& run) {
     if (std::chrono::duration<double>(now - member.heard).count() <= options_.patience_s) continue;
     member.is_lost = true;
     session_.give_up(static_cast<int>(rank));
-    for (const std::uint64_t id : member.tasks)
-      if (id >= run.first_id) run.waiting.push_front(id - run.first_id);
+    run.give_again(member.tasks);
     note(static_cast<int>(rank), "has been silent for " + number_text(options_.patience_s) + " s: the others go on without it");
   }
 }

@@ -16,20 +16,21 @@ BodyTop top_of(const std::vector<std::array<int, 3>>& cells) {
   }
   // Twice the distances, so that they are whole numbers and ties are exact.
   const std::array<int, 2> middle{low[0] + high[0], low[1] + high[1]};
-  std::vector<std::array<int, 3>> nearest;
+  BodyTop top;
   int least = std::numeric_limits<int>::max();
-  for (const auto& cell : cells) {
+  for (std::size_t n = 0; n < cells.size(); ++n) {
+    const auto& cell = cells[n];
     if (cell[2] + 1 != high[2]) continue;
     const int dx = 2 * cell[0] + 1 - middle[0];
     const int dy = 2 * cell[1] + 1 - middle[1];
     const int distance = dx * dx + dy * dy;
     if (distance > least) continue;
-    if (distance < least) nearest.clear();
+    if (distance < least) top.cells.clear();
     least = distance;
-    nearest.push_back(cell);
+    top.cells.push_back(n);
   }
-  BodyTop top;
-  for (const auto& cell : nearest) {
+  for (const std::size_t n : top.cells) {
+    const auto& cell = cells[n];
     const auto within = [](int m, int begin) { return std::clamp(0.5 * m, static_cast<double>(begin), begin + 1.0); };
     const std::array<double, 3> point{within(middle[0], cell[0]), within(middle[1], cell[1]), static_cast<double>(high[2])};
     top.is_open = point[0] != 0.5 * middle[0] || point[1] != 0.5 * middle[1];

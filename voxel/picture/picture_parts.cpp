@@ -26,8 +26,6 @@
 namespace menger::voxel {
 namespace {
 
-constexpr std::array<std::array<unsigned char, 3>, 2> material_colours{{{72, 196, 212}, {232, 86, 80}}};
-
 /// Direction to the light. The three visible sides of a resting cube get three different brightnesses.
 constexpr Vector light_direction{0.25, -0.47, 0.85};
 

@@ -14,6 +14,9 @@
 
 namespace menger::voxel {
 
+/// Colours of materials 1 and 2: red, green and blue, 0 to 255.
+inline constexpr std::array<std::array<unsigned char, 3>, 2> material_colours{{{72, 196, 212}, {232, 86, 80}}};
+
 /// A robot, moved by `shift` in the picture.
 struct Placed {
   const Frame* frame;

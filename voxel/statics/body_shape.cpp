@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "meshes/load_cases/body_feet.h"
+#include "meshes/load_cases/body_top.h"
 #include "voxel/statics/equilibrium.h"
 
 namespace menger::voxel {
@@ -20,27 +20,12 @@ double coordinate(const Vector3<double>& v, std::size_t axis) { return std::arra
 
 std::array<double, 3> place(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
-/// The voxels of the top layer that are nearest to the middle of the bounding box, seen from above.
-struct TopMiddle {
-  std::vector<std::size_t> voxels;
-  bool covered = false;  ///< whether they reach the middle, where their walls bulge, or end before it
-};
-
-TopMiddle top_middle(const StaticBody& body) {
-  const double rounding = 1e-6 * body.edge_m;
-  double nearest = std::numeric_limits<double>::infinity();
-  TopMiddle top;
-  for (const std::size_t voxel : body.end_voxels(Side::z_max)) {
-    const double x = std::abs(body.rest[voxel].position.x - 0.5 * body.box_m[0]);
-    const double y = std::abs(body.rest[voxel].position.y - 0.5 * body.box_m[1]);
-    const double distance = std::hypot(x, y);
-    if (distance > nearest + rounding) continue;
-    if (distance < nearest - rounding) top.voxels.clear();
-    nearest = std::min(nearest, distance);
-    top.voxels.push_back(voxel);
-    top.covered = std::max(x, y) <= 0.5 * body.edge_m + rounding;
-  }
-  return top;
+/// The cells of the body, in the order of its voxels.
+std::vector<std::array<int, 3>> cells_of(const StaticBody& body) {
+  std::vector<std::array<int, 3>> cells;
+  cells.reserve(body.lattice.cells.size());
+  for (const auto& [x, y, z] : body.lattice.cells) cells.push_back({x, y, z});
+  return cells;
 }
 
 }  // namespace
@@ -97,13 +82,13 @@ Vector3<double> BodyShape::mean_of_faces(Side side) const {
 }
 
 Vector3<double> BodyShape::middle_of_top() const {
-  const TopMiddle top = top_middle(*body_);
+  const meshes::BodyTop top = meshes::top_of(cells_of(*body_));
   Vector3<double> sum{0.0, 0.0, 0.0};
-  for (const std::size_t voxel : top.voxels) {
+  for (const std::size_t voxel : top.cells) {
     const double peak_ratio = body_->parameters.bulge_peak_ratio[body_->voxels.bulge_class[voxel][2]];
-    sum = sum + face(voxel, Side::z_max, top.covered ? peak_ratio : 0.0);
+    sum = sum + face(voxel, Side::z_max, top.is_open ? 0.0 : peak_ratio);
   }
-  return (1.0 / static_cast<double>(top.voxels.size())) * sum;
+  return (1.0 / static_cast<double>(top.cells.size())) * sum;
 }
 
 double BodyShape::extent(std::size_t axis) const {
@@ -137,12 +122,9 @@ BodyShape::FreeSize BodyShape::free_size() const {
 }
 
 std::vector<double> BodyShape::feet_outwards() const {
-  std::vector<std::array<int, 3>> cells;
-  cells.reserve(body_->lattice.cells.size());
-  for (const auto& [x, y, z] : body_->lattice.cells) cells.push_back({x, y, z});
   std::vector<std::array<double, 3>> at_rest;
   std::vector<std::array<double, 3>> deformed;
-  for (const std::vector<std::size_t>& foot : meshes::feet_of(cells)) {
+  for (const std::vector<std::size_t>& foot : meshes::feet_of(cells_of(*body_))) {
     Vector3<double> before{0.0, 0.0, 0.0};
     Vector3<double> after{0.0, 0.0, 0.0};
     for (const std::size_t voxel : foot) {

@@ -35,6 +35,11 @@ TEST(BodyTop, IsOpenWhereNoCellReachesTheMiddle) {
   EXPECT_TRUE(top_of(occupied_cells({3, 3, 2}, "111111111100000000")).is_open);
 }
 
+TEST(BodyTop, NamesTheCellsNearestToTheMiddle) {
+  EXPECT_EQ(top_of(occupied_cells({3, 1, 1}, "111")).cells, (std::vector<std::size_t>{1}));
+  EXPECT_EQ(top_of(occupied_cells({3, 3, 1}, "111101111")).cells, (std::vector<std::size_t>{1, 3, 4, 6})) << "a ring";
+}
+
 TEST(BodyTop, LooksAtTheTopLayerAlone) {
   // A full lower layer, and a top of one cell in a corner.
   EXPECT_EQ(points_of({3, 3, 2}, "111111111100000000"), (Points{{1.0, 1.0, 2.0}}));
