@@ -83,7 +83,7 @@ class PageBlobs {
  public:
   /// @return the id of the element
   std::string add(std::string_view bytes) {
-    const std::string id = "blob-" + std::to_string(count_++);
+    std::string id = "blob-" + std::to_string(count_++);
     text_ += "<script type=\"text/plain\" id=\"" + id + "\">" + base64_text(bytes) + "</script>\n";
     return id;
   }
