@@ -143,6 +143,8 @@ Robot read_robot(const fs::path& file) {
   io::read_described(top, robot);
   robot.file = file;
   if (robot.evolves && !robot.search) robot.search.emplace();
+  if (robot.search && robot.drive == RobotDrive::hold)
+    throw top.table("drive").error("mode", "cannot stand beside a search: nothing that holds its pressure walks");
   const io::TomlTable table = top.table("robot");
   robot.silicone_file = materials::silicone_file(table, "silicone");
   robot.record = table.reading("silicone", [&] { return materials::read_silicone(robot.silicone_file); });
