@@ -105,7 +105,10 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
     visitor.check(robot.kinetic_friction <= robot.static_friction, "kinetic_friction", "must be at most static_friction");
   });
   visitor.table({"walk", "The walk that both models compute."}, [&] {
-    visitor.boolean({"present", "Whether it is put on the ground and driven. false for a finger or a gripper."}, robot.walks);
+    visitor.boolean(
+        {"present",
+         "Whether it is put on the ground and driven. false for a finger or a gripper: it is inflated without a ground."},
+        robot.walks);
     visitor.number({"duration_s", "Simulated time."}, robot.duration_s, io::positive());
     visitor.word({"fidelity",
                   "How finely walls are cut into finite elements. The robot walks on the next finer ones, too, to show how well "

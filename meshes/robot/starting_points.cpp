@@ -29,13 +29,15 @@ layers = [["100", "100", "100"], ["111", "111", "111"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 )"},
-    StartingPoint{"finger", "a gripper finger: a bar with bellows on top, which bends when it is inflated; it does not walk", R"(
+    StartingPoint{"finger", "a finger: a bar of nine cells with bellows on top, which bends by 4 mm at 12 kPa; it does not walk",
+                  R"(
 [robot]
-layers = [["11111"], ["10101"]]
+layers = [["111111111"], ["101010101"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 [drive]
 mode = "hold"
+pressure_Pa = [0, 12000]
 [walk]
 present = false
 )"},

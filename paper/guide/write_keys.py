@@ -43,7 +43,17 @@ def cell(text):
 
 
 def code(text):
-    return f"`{text}`".replace("|", "\\|") if text else ""
+    return f"`{text}`" if text else ""
+
+
+def accepted(row):
+    """What a key takes: "number > 0, m", or the words one after the other, since a bar would end a cell."""
+    values = row["values"]
+    if '"' in values:
+        values = ": " + re.sub(r'"[^"]*"', lambda word: code(word[0]), values.replace(" | ", ", "))
+    elif values:
+        values = (" " if values[0] in "<>" or values.startswith("in ") else ": ") + cell(values)
+    return row["kind"] + values + (f", {row['unit']}" if row["unit"] else "")
 
 
 def title_of(table):
@@ -64,8 +74,7 @@ def section(programs, command):
         text += f"\n### {title_of(table)}\n\n| key | default | accepts | meaning |\n| --- | --- | --- | --- |\n"
         for name, row in rows:
             default = row["default"] if row["default"] in ("must be given", "one of several", "none") else code(row["default"])
-            accepts = row["kind"] + (f": {code(row['values'])}" if row["values"] else "") + (f", {row['unit']}" if row["unit"] else "")
-            text += f"| {code(name)} | {default} | {accepts} | {cell(row['meaning'])} |\n"
+            text += f"| {code(name)} | {default} | {accepted(row)} | {cell(row['meaning'])} |\n"
     return text
 
 
