@@ -232,10 +232,12 @@ def show(part, view, pipeline, is_only, opacity, place):
     legend.ScalarBarThickness = 16
     legend.Orientation = "Horizontal"
     legend.AutomaticLabelFormat = 0
-    legend.LabelFormat = "%.3g"
+    step = (part.range[1] - part.range[0]) / 4
+    digits = 2 + max(1, math.ceil(math.log10(max(map(abs, part.range)) / step)))  # so that no two labels read alike
+    legend.LabelFormat = f"%.{digits}g"
     legend.AddRangeLabels = 0
     legend.UseCustomLabels = 1
-    legend.CustomLabels = [part.range[0] + (part.range[1] - part.range[0]) * n / 4 for n in range(5)]
+    legend.CustomLabels = [part.range[0] + step * n for n in range(5)]
     legend.WindowLocation = "Any Location"
     legend.Position = [0.15 + 0.42 * place, 0.05]  # right of the axes
     legend.Visibility = 1
