@@ -7,7 +7,6 @@
 #include "evolution/reevaluation/reevaluation_strip.h"
 #include "io/text/formatted.h"
 #include "io/text/whole_file.h"
-#include "voxel/picture/picture_view.h"
 #include "voxel/picture/vtk_output.h"
 
 namespace menger::evolution {
@@ -20,14 +19,6 @@ constexpr std::size_t strip_columns = 5;
 std::string voxel_file(std::size_t number) { return "voxels_" + io::padded(number, 4) + ".vtu"; }
 
 void remove_earlier(const fs::path& folder) { io::remove_files(folder, {"both.pvd", "strip.png", "voxels_*.vtu"}); }
-
-/// Moves a frame of the surrogate into the coordinates of finite elements. The origin of the surrogate is the centre of its first
-/// voxel, that of finite elements the corner of the first cell.
-voxel::Frame in_world_of_elements(voxel::Frame frame) {
-  for (auto& position : frame.position_m)
-    for (double& coordinate : position) coordinate += 0.5 * frame.cell_edge_m;
-  return frame;
-}
 
 /// Returns pairs of frames of both models at about the same time.
 std::vector<FramePair> frame_pairs(const ReevaluatedDesign& design) {
@@ -42,29 +33,18 @@ std::vector<FramePair> frame_pairs(const ReevaluatedDesign& design) {
     const auto nearest =
         std::ranges::min_element(frames, {}, [&](const voxel::Frame& frame) { return std::abs(frame.time_s - entry.time_s); });
     if (std::abs(nearest->time_s - entry.time_s) > near_s) continue;
-    pairs.push_back(
-        {.time_s = entry.time_s, .elements = design.elements.folder / entry.file, .surrogate = in_world_of_elements(*nearest)});
+    pairs.push_back({.time_s = entry.time_s, .elements = design.elements.folder / entry.file, .surrogate = *nearest});
   }
   return pairs;
 }
 
-/// Returns the shift of the surrogate along y, in m: minus twice the body's width, so that both models can move beside each other
-/// for a while.
-double aside_m(const std::vector<FramePair>& pairs) {
-  const voxel::Extent extent = voxel::world_extent(pairs.front().surrogate);
-  return -2.0 * std::max(extent.size(0), extent.size(1));
-}
-
 void write_collection(const fs::path& folder, const std::vector<FramePair>& pairs) {
-  const double shift_m = aside_m(pairs);
   std::vector<voxel::CollectionEntry> entries;
   for (std::size_t n = 0; n < pairs.size(); ++n) {
-    voxel::Frame frame = pairs[n].surrogate;
-    for (auto& position : frame.position_m) position[1] += shift_m;
-    voxel::write_frame(folder / voxel_file(n), frame);
+    voxel::write_frame(folder / voxel_file(n), pairs[n].surrogate);
     const fs::path elements = fs::relative(fs::absolute(pairs[n].elements), fs::absolute(folder));
-    entries.push_back({.time_s = pairs[n].time_s, .file = elements, .part = 0});
-    entries.push_back({.time_s = pairs[n].time_s, .file = voxel_file(n), .part = 1});
+    entries.push_back({.time_s = pairs[n].time_s, .file = elements, .part = 0, .name = "finite elements"});
+    entries.push_back({.time_s = pairs[n].time_s, .file = voxel_file(n), .part = 1, .name = "voxels"});
   }
   voxel::write_collection(folder / "both.pvd", entries);
 }

@@ -62,7 +62,9 @@ class Strip {
   explicit Strip(const std::vector<FramePair>& pairs) : pairs_(pairs) {
     for (const FramePair& pair : pairs) {
       elements_.push_back(surface_of(pair.elements));
-      surrogates_.push_back(voxel::robot_surface({&pair.surrogate, {}}));
+      // Its origin is the centre of its first voxel; that of finite elements is the corner of the first cell.
+      const double shift_m = 0.5 * pair.surrogate.cell_edge_m;
+      surrogates_.push_back(voxel::robot_surface({&pair.surrogate, {shift_m, shift_m, shift_m}}));
       world_.unite(voxel::world_extent(*elements_.back()));
       world_.unite(voxel::world_extent(*surrogates_.back()));
     }

@@ -8,10 +8,10 @@
 
 namespace menger::evolution {
 
-/// A body in both models at one time, in the same coordinates: the ground is at height 0.
+/// A body in both models at one time.
 struct FramePair {
   double time_s = 0.0;
-  std::filesystem::path elements;  ///< grid (.vtu) with displaced points
+  std::filesystem::path elements;  ///< grid (.vtu) with displaced points; the ground is at height 0
   voxel::Frame surrogate;
 };
 

@@ -2,7 +2,6 @@
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
 #include <vtkHexahedron.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -12,6 +11,8 @@
 
 #include <array>
 #include <cmath>
+
+#include "io/vtk/grid_arrays.h"
 
 namespace menger::fem {
 namespace {
@@ -38,11 +39,15 @@ std::vector<std::size_t> lexicographic_places(vtkCell& cell, int degree) {
   return places;
 }
 
-void add_cells(vtkUnstructuredGrid& grid, const Space& space) {
+void add_cells(vtkUnstructuredGrid& grid, const Space& space, std::span<const double> displacements) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(space.positions.size()));
-  for (std::size_t n = 0; n < space.positions.size(); ++n) points->SetPoint(static_cast<vtkIdType>(n), space.positions[n].data());
+  for (std::size_t n = 0; n < space.positions.size(); ++n) {
+    Point x = space.positions[n];
+    for (std::size_t i = 0; i < 3; ++i) x[i] += displacements[3 * n + i];
+    points->SetPoint(static_cast<vtkIdType>(n), x.data());
+  }
   grid.SetPoints(points);
 
   vtkNew<vtkHexahedron> linear;
@@ -63,25 +68,21 @@ void add_point_data(vtkUnstructuredGrid& grid, const Space& space, std::span<con
   const std::size_t count = space.positions.size();
   const auto displacement = real_array("displacement_m", 3, count);
   const auto stress = real_array("cauchy_stress_Pa", 6, count);
-  const auto von_mises = real_array("von_mises_stress_Pa", 1, count);
   const auto pressure = real_array("pressure_Pa", 1, count);
   const auto stretches = real_array("principal_stretches", 3, count);
-  const auto ratio = real_array("volume_ratio", 1, count);
   for (int c = 0; const char* name : {"xx", "yy", "zz", "xy", "yz", "xz"}) stress->SetComponentName(c++, name);
   for (std::size_t n = 0; n < count; ++n) {
     const auto tuple = static_cast<vtkIdType>(n);
     displacement->SetTuple(tuple, &displacements[3 * n]);
     stress->SetTuple(tuple, fields.cauchy_stress[n].data());
-    von_mises->SetValue(tuple, von_mises_stress(fields.cauchy_stress[n]));
     pressure->SetValue(tuple, hydrostatic_pressure(fields.cauchy_stress[n]));
     stretches->SetTuple(tuple, principal_stretches(fields.deformation_gradient[n]).data());
-    ratio->SetValue(tuple, fields.volume_ratio[n]);
   }
-  for (const auto& array : {displacement, stress, von_mises, pressure, stretches, ratio}) grid.GetPointData()->AddArray(array);
+  for (const auto& array : {displacement, stress, pressure, stretches}) grid.GetPointData()->AddArray(array);
   grid.GetPointData()->SetActiveVectors("displacement_m");
 }
 
-void add_cell_data(vtkUnstructuredGrid& grid, const Space& space) {
+void add_cell_data(vtkUnstructuredGrid& grid, const Space& space, const std::vector<ElementState>& elements) {
   int this_rank = 0;
   MPI_Comm_rank(space.communicator, &this_rank);
   vtkNew<vtkIntArray> region;
@@ -94,14 +95,38 @@ void add_cell_data(vtkUnstructuredGrid& grid, const Space& space) {
   }
   grid.GetCellData()->AddArray(region);
   grid.GetCellData()->AddArray(rank);
+  const auto add = [&](const char* name, double ElementState::*value) {
+    std::vector<double> values;
+    values.reserve(elements.size());
+    for (const ElementState& element : elements) values.push_back(element.*value);
+    io::add_floats(*grid.GetCellData(), name, values);
+  };
+  add("largest_stretch", &ElementState::largest_stretch);
+  add("von_mises_stress_Pa", &ElementState::von_mises_stress_Pa);
+  add("volume_ratio", &ElementState::volume_ratio);
+  grid.GetCellData()->SetActiveScalars("largest_stretch");
+}
+
+const char* type_name(int data_type) {
+  switch (data_type) {
+    case VTK_DOUBLE:
+      return "Float64";
+    case VTK_FLOAT:
+      return "Float32";
+    default:
+      return "Int32";
+  }
 }
 
 void add_array_texts(std::string& text, const char* element, vtkDataSetAttributes& data) {
-  text += std::string("    <") + element + ">\n";
+  text += std::string("    <") + element;
+  if (vtkDataArray* scalars = data.GetScalars()) text += std::string(" Scalars=\"") + scalars->GetName() + "\"";
+  if (vtkDataArray* vectors = data.GetVectors()) text += std::string(" Vectors=\"") + vectors->GetName() + "\"";
+  text += ">\n";
   for (int a = 0; a < data.GetNumberOfArrays(); ++a) {
     vtkDataArray& array = *data.GetArray(a);
-    text += std::string("      <PDataArray type=\"") + (array.GetDataType() == VTK_DOUBLE ? "Float64" : "Int32") + "\" Name=\"" +
-            array.GetName() + "\" NumberOfComponents=\"" + std::to_string(array.GetNumberOfComponents()) + "\"/>\n";
+    text += std::string("      <PDataArray type=\"") + type_name(array.GetDataType()) + "\" Name=\"" + array.GetName() +
+            "\" NumberOfComponents=\"" + std::to_string(array.GetNumberOfComponents()) + "\"/>\n";
   }
   text += std::string("    </") + element + ">\n";
 }
@@ -111,16 +136,13 @@ void add_array_texts(std::string& text, const char* element, vtkDataSetAttribute
 vtkSmartPointer<vtkUnstructuredGrid> field_grid(const Space& space, std::span<const double> displacements,
                                                 const NodalFields& fields, const FieldStep& step) {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  add_cells(*grid, space);
+  add_cells(*grid, space, displacements);
   add_point_data(*grid, space, displacements, fields);
-  add_cell_data(*grid, space);
-  const auto time = real_array("TimeValue", 1, 1);
-  time->SetValue(0, step.s);
-  grid->GetFieldData()->AddArray(time);
-  const auto pressures = real_array("plenum_pressures_Pa", 1, step.plenum_pressures_Pa.size());
-  for (std::size_t p = 0; p < step.plenum_pressures_Pa.size(); ++p)
-    pressures->SetValue(static_cast<vtkIdType>(p), step.plenum_pressures_Pa[p]);
-  grid->GetFieldData()->AddArray(pressures);
+  add_cell_data(*grid, space, fields.elements);
+  io::add_field_values(*grid, "TimeValue", std::array{step.s});
+  io::add_field_values(*grid, "plenum_pressures_Pa", step.plenum_pressures_Pa);
+  if (!step.names.plena.empty()) io::add_names(*grid, "plenum_names", step.names.plena);
+  if (!step.names.regions.empty()) io::add_names(*grid, "region_names", step.names.regions);
   return grid;
 }
 

@@ -8,7 +8,6 @@
 #include "fem/inflation/field_grid.h"
 #include "fem/space/rank_agreement.h"
 #include "io/text/formatted.h"
-#include "io/text/number_text.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/vtk_file.h"
 
@@ -46,9 +45,13 @@ fs::path FieldSeries::piece_file(int step, int rank) const {
   return fs::path(folder_name) / (numbered(step) + "_" + std::to_string(rank) + ".vtu");
 }
 
+io::CollectionEntry FieldSeries::entry_of(const FieldStep& step) const {
+  return {.time_s = step.s, .file = step_file(step.step), .name = "finite elements"};
+}
+
 void FieldSeries::keep_only(const std::vector<FieldStep>& steps) {
   entries_.clear();
-  for (const FieldStep& step : steps) entries_.push_back({step.s, step_file(step.step)});
+  for (const FieldStep& step : steps) entries_.push_back(entry_of(step));
   on_first_rank(communicator_, [&] {
     std::vector<fs::path> kept;
     for (const FieldStep& step : steps) {
@@ -63,7 +66,7 @@ void FieldSeries::keep_only(const std::vector<FieldStep>& steps) {
       if (is_step_file(name.string()) && std::find(kept.begin(), kept.end(), name) == kept.end()) surplus.push_back(entry.path());
     }
     // a run that wrote no fields may have come before this one
-    std::erase_if(entries_, [&](const Entry& entry) {
+    std::erase_if(entries_, [&](const io::CollectionEntry& entry) {
       std::error_code unreadable;
       return !fs::exists(folder_ / entry.file, unreadable);
     });
@@ -80,8 +83,8 @@ void FieldSeries::add(const Space& space, std::span<const double> displacements,
                       const FieldStep& step) {
   const vtkSmartPointer<vtkUnstructuredGrid> grid = field_grid(space, displacements, fields, step);
   on_every_rank(communicator_, [&] { io::write_vtu(folder_ / piece_file(step.step, rank_), *grid); });
-  const Entry entry{step.s, step_file(step.step)};
-  std::erase_if(entries_, [&](const Entry& other) { return other.file == entry.file; });
+  const io::CollectionEntry entry = entry_of(step);
+  std::erase_if(entries_, [&](const io::CollectionEntry& other) { return other.file == entry.file; });
   entries_.push_back(entry);
   on_first_rank(communicator_, [&] {
     if (rank_count_ > 1) {
@@ -94,13 +97,6 @@ void FieldSeries::add(const Space& space, std::span<const double> displacements,
   });
 }
 
-void FieldSeries::write_collection() const {
-  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-  for (const Entry& entry : entries_) {
-    text +=
-        "    <DataSet timestep=\"" + io::number_text(entry.s) + "\" part=\"0\" file=\"" + entry.file.generic_string() + "\"/>\n";
-  }
-  io::write_whole(folder_ / collection_name, text + "  </Collection>\n</VTKFile>\n");
-}
+void FieldSeries::write_collection() const { io::write_collection(folder_ / collection_name, entries_); }
 
 }  // namespace menger::fem

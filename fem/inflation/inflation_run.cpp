@@ -96,7 +96,9 @@ class InflationRun {
  private:
   [[nodiscard]] bool is_due(int step) const { return study_.output.fields && step % study_.output.fields_every == 0; }
 
-  [[nodiscard]] static FieldStep field_step(const PathPoint& point) { return {point.step, point.s, point.pressures_Pa}; }
+  [[nodiscard]] FieldStep field_step(const PathPoint& point) const {
+    return {point.step, point.s, point.pressures_Pa, {problem_.mesh.plenum_names, problem_.mesh.region_names}};
+  }
 
   /// Returns everything that a checkpoint depends on: the path, its named points, the version, and the instruction set. The
   /// pressures of elements are stored in batches as wide as the kernels of the instruction set.

@@ -140,7 +140,9 @@ class ModesRun {
   void follow() {
     const PathObserver observer = [this](const PathPoint& point, const BodyState& state, const PathRestart&) {
       tell(0.5 * std::max(point.s, 0.0) / std::max(end(), 1.0), "inflating");
-      if (is_wanted(point.s)) states_.push_back({{point.step, point.s, point.pressures_Pa}, state});
+      if (is_wanted(point.s))
+        states_.push_back(
+            {{point.step, point.s, point.pressures_Pa, {problem_.mesh.plenum_names, problem_.mesh.region_names}}, state});
     };
     const PathReport report = follow_path(equilibrium_, PathDrives{.plena = problem_.drives, .plates = problem_.plate_drives},
                                           study_.path, observer, options_.stop);

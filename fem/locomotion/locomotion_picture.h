@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "fem/locomotion/locomotion_frames.h"
 #include "fem/locomotion/locomotion_result.h"
+#include "fem/locomotion/walk_grid.h"
 #include "io/picture/picture.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
 

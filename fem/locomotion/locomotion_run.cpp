@@ -39,7 +39,7 @@ class LocomotionRun {
         options_(options),
         dynamics_(options.make(study, options.stop)),
         walk_(study, *dynamics_),
-        frames_(folder) {
+        frames_(folder, study.mesh, study.material.law) {
     identity_ = locomotion_identity(study, *dynamics_);
     if (!options.restart) earlier_ = read_locomotion_checkpoint(folder / checkpoint_name, identity_);
   }
@@ -92,7 +92,7 @@ class LocomotionRun {
     const std::vector<double> displacements = dynamics_->displacements_m();
     const std::vector<double> velocities = dynamics_->velocities_m_per_s();
     const WalkRecord& record = walk_.records().back();
-    frames_.add(study_.mesh, {record.time_s, displacements, velocities, record.plenum_pressures_Pa});
+    frames_.add({record.time_s, displacements, velocities, record.plenum_pressures_Pa});
   }
 
   /// Writes the checkpoint.

@@ -53,6 +53,7 @@ class Assembly {
   Assembly(const Space& space, const Body& body);
 
   [[nodiscard]] const Space& space() const { return space_; }
+  [[nodiscard]] const Body& body() const { return body_; }
   [[nodiscard]] const NodeExchange& exchange() const { return exchange_; }
   /// Whether a support or a plate holds each local component, 1 or 0.
   [[nodiscard]] const std::vector<std::uint8_t>& held() const { return held_; }

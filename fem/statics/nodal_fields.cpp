@@ -1,11 +1,9 @@
 #include "fem/statics/nodal_fields.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "fem/surfaces/face.h"
-#include "materials/laws/principal_axes.h"
 
 namespace menger::fem {
 namespace {
@@ -29,7 +27,7 @@ constexpr std::array<std::array<double, m>, m> extrapolation() {
   return values;
 }
 
-constexpr std::size_t component_count = 16;  // F, sigma, J
+constexpr std::size_t component_count = 15;  // F, sigma
 
 /// Extrapolates one element's values from its quadrature points to its nodes, both in lexicographic order.
 template <std::size_t m>
@@ -50,6 +48,25 @@ void add_element(std::span<const Index> nodes, const std::function<double(std::s
 
 constexpr std::array<std::size_t, 6> symmetric_places{0, 4, 8, 1, 5, 2};  // xx, yy, zz, xy, yz, xz in a row-by-row tensor
 
+std::vector<ElementState> element_states(const Space& space, const Body& body, std::span<const double> displacements) {
+  const std::size_t count = space.nodes_per_element();
+  std::vector<double> positions(3 * count);
+  std::vector<double> moved(3 * count);
+  std::vector<ElementState> states;
+  states.reserve(space.local_element_count());
+  for (std::size_t e = 0; e < space.local_element_count(); ++e) {
+    for (std::size_t a = 0; a < count; ++a) {
+      const auto node = static_cast<std::size_t>(space.element_nodes[e * count + a]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        positions[3 * a + i] = space.positions[node][i];
+        moved[3 * a + i] = displacements[3 * node + i];
+      }
+    }
+    states.push_back(element_state(body.regions[space.element_regions[e]].law, mean_deformation(space.degree, positions, moved)));
+  }
+  return states;
+}
+
 }  // namespace
 
 NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacements, std::span<const double> plenum_pressures_Pa) {
@@ -62,8 +79,7 @@ NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacemen
         std::span(space.element_nodes).subspan(points.element * space.nodes_per_element(), space.nodes_per_element());
     const auto value = [&](std::size_t q, std::size_t c) {
       if (c < 9) return points.deformation_gradient[9 * q + c];
-      if (c < 15) return points.cauchy_stress[9 * q + symmetric_places[c - 9]];
-      return points.volume_ratio[q];
+      return points.cauchy_stress[9 * q + symmetric_places[c - 9]];
     };
     if (space.degree == 1) {
       add_element<2>(nodes, value, sums);
@@ -79,38 +95,14 @@ NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacemen
   NodalFields fields;
   fields.deformation_gradient.resize(count);
   fields.cauchy_stress.resize(count);
-  fields.volume_ratio.resize(count);
   for (std::size_t n = 0; n < count; ++n) {
     const double elements = std::max(1.0, sums[component_count / 3][3 * n + component_count % 3]);
     const auto mean = [&](std::size_t c) { return sums[c / 3][3 * n + c % 3] / elements; };
     for (std::size_t c = 0; c < 9; ++c) fields.deformation_gradient[n][c] = mean(c);
     for (std::size_t c = 0; c < 6; ++c) fields.cauchy_stress[n][c] = mean(9 + c);
-    fields.volume_ratio[n] = mean(15);
   }
+  fields.elements = element_states(space, assembly.body(), displacements);
   return fields;
-}
-
-std::array<double, 3> principal_stretches(const std::array<double, 9>& deformation_gradient) {
-  materials::Tensor<double> C{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) C(i, j) += deformation_gradient[3 * k + i] * deformation_gradient[3 * k + j];
-    }
-  }
-  std::array<double, 3> stretches = materials::principal_axes(C).values;
-  for (double& stretch : stretches) stretch = std::sqrt(std::max(0.0, stretch));
-  std::sort(stretches.begin(), stretches.end(), std::greater<>());
-  return stretches;
-}
-
-double von_mises_stress(const std::array<double, 6>& s) {
-  const auto square = [](double x) { return x * x; };
-  return std::sqrt(0.5 * (square(s[0] - s[1]) + square(s[1] - s[2]) + square(s[2] - s[0])) +
-                   3.0 * (square(s[3]) + square(s[4]) + square(s[5])));
-}
-
-double hydrostatic_pressure(const std::array<double, 6>& cauchy_stress) {
-  return -(cauchy_stress[0] + cauchy_stress[1] + cauchy_stress[2]) / 3.0;
 }
 
 }  // namespace menger::fem

@@ -7,25 +7,18 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
-#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <array>
 #include <string>
 #include <vector>
 
+#include "io/vtk/grid_arrays.h"
 #include "io/vtk/vtk_file.h"
 #include "meshes/hexahedra/circular_corners.h"
 
 namespace menger::meshes {
 namespace {
-
-void add_names(vtkUnstructuredGrid& grid, const char* name, const std::vector<std::string>& names) {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& each : names) array->InsertNextValue(each);
-  grid.GetFieldData()->AddArray(array);
-}
 
 /// Adds rows of `width` integers. An array without rows is left out, because not every reader accepts one.
 void add_rows(vtkUnstructuredGrid& grid, const char* name, int width, const std::vector<std::size_t>& values) {
@@ -103,11 +96,11 @@ void add_field_data(vtkUnstructuredGrid& grid, const HexahedralMesh& mesh) {
       for (const auto& [from, to] : each.caps[cap].rim) cap_rims.insert(cap_rims.end(), {chamber, cap, from, to});
     }
   }
-  add_names(grid, "region_names", mesh.region_names);
-  add_names(grid, "label_names", mesh.label_names);
+  io::add_names(grid, "region_names", mesh.region_names);
+  io::add_names(grid, "label_names", mesh.label_names);
   if (!mesh.chambers.empty()) {
-    add_names(grid, "chamber_names", chamber_names);
-    add_names(grid, "plenum_names", mesh.plenum_names);
+    io::add_names(grid, "chamber_names", chamber_names);
+    io::add_names(grid, "plenum_names", mesh.plenum_names);
   }
   add_rows(grid, "chamber_plenums", 1, chamber_plenums);
   add_rows(grid, "chamber_labels", 2, chamber_labels);

@@ -18,9 +18,10 @@ inline constexpr std::uint8_t other_voxel = 4;    ///< overlaps another voxel's 
 /// then y, then z).
 struct Frame {
   double time_s = 0.0;
-  std::vector<std::array<double, 3>> position_m;   ///< centres; z = 0 is the centre of the lowest layer at rest
-  std::vector<std::array<double, 4>> orientation;  ///< unit quaternions (w, x, y, z), body to world
-  std::vector<double> size_m;                      ///< driven edge length s; for a hollow voxel along z, without its bulge
+  std::vector<std::array<double, 3>> position_m;         ///< centres; z = 0 is the centre of the lowest layer at rest
+  std::vector<std::array<double, 3>> rest_position_m{};  ///< centres at rest, before anything has moved
+  std::vector<std::array<double, 4>> orientation;        ///< unit quaternions (w, x, y, z), body to world
+  std::vector<double> size_m;                            ///< driven edge length s; for a hollow voxel along z, without its bulge
 
   /// For drawing hollow voxels: the distances from the centre to the sides -x, +x, -y, +y, -z, +z of the turned voxel, m, as
   /// pressure drives them. A wall with nothing behind it is at its mean bulge. Empty for solid voxels, which are cubes of their

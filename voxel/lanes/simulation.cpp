@@ -146,6 +146,10 @@ Frame Simulation::frame() const {
   for (std::size_t i = 0; i < voxel_count(); ++i) {
     const Engine::VoxelView voxel = engine_->view(i);
     frame.position_m.push_back(voxel.position_m);
+    const meshes::CellIndex& cell = engine_->body().lattice.cells[i];
+    frame.rest_position_m.push_back({frame.cell_edge_m * static_cast<double>(cell.x),
+                                     frame.cell_edge_m * static_cast<double>(cell.y),
+                                     frame.cell_edge_m * static_cast<double>(cell.z)});
     frame.orientation.push_back(voxel.orientation);
     frame.size_m.push_back(voxel.size_m);
     if (engine_->body().physics.surrogate) frame.reach_m.push_back(voxel.reach_m);

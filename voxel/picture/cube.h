@@ -16,4 +16,10 @@ inline constexpr int cube_corner_count = 8;
 /// upper face.
 std::array<std::array<double, 3>, cube_corner_count> cube_corners_m(const Frame& frame, std::size_t voxel);
 
+/// The corners (m) of a voxel at rest, in the same order: a cube of the cell edge around its centre at rest.
+std::array<std::array<double, 3>, cube_corner_count> rest_corners_m(const Frame& frame, std::size_t voxel);
+
+/// The volume of a voxel as it is drawn, over that at rest.
+double volume_ratio(const Frame& frame, std::size_t voxel);
+
 }  // namespace menger::voxel

@@ -3,9 +3,8 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -17,27 +16,26 @@
 
 #include "io/text/formatted.h"
 #include "io/text/whole_file.h"
+#include "io/vtk/grid_arrays.h"
 #include "io/vtk/vtk_file.h"
 #include "voxel/picture/cube.h"
 
 namespace menger::voxel {
 namespace {
 
-void add_real_array(vtkUnstructuredGrid& grid, const char* name, const std::vector<double>& values) {
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  std::transform(values.begin(), values.end(), array->GetPointer(0), [](double value) { return static_cast<float>(value); });
-  grid.GetCellData()->AddArray(array);
+/// Moves a place from the coordinates of a Frame into those of the design.
+std::array<double, 3> in_design(const Frame& frame, std::array<double, 3> place_m) {
+  for (double& coordinate : place_m) coordinate += 0.5 * frame.cell_edge_m;
+  return place_m;
 }
 
-/// Adds points as float64, because differences between voxels are small compared with their positions.
-void add_points_array(vtkUnstructuredGrid& grid, const char* name, const std::vector<std::array<double, 3>>& points) {
+/// Adds the centres as float64, because differences between voxels are small compared with their positions.
+void add_centres(vtkUnstructuredGrid& grid, const Frame& frame) {
   vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
+  array->SetName("centre_m");
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
-  for (vtkIdType voxel = 0; const auto& point : points) array->SetTuple(voxel++, point.data());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(frame.position_m.size()));
+  for (vtkIdType voxel = 0; const auto& centre : frame.position_m) array->SetTuple(voxel++, in_design(frame, centre).data());
   grid.GetCellData()->AddArray(array);
 }
 
@@ -55,16 +53,22 @@ void add_cubes(vtkUnstructuredGrid& grid, const Frame& frame) {
   points->SetDataTypeToFloat();
   points->SetNumberOfPoints(cube_corner_count * voxels);
   grid.AllocateExact(voxels, cube_corner_count * voxels);
+  std::vector<double> displacements;
   vtkIdType point = 0;
   for (std::size_t voxel = 0; voxel < frame.position_m.size(); ++voxel) {
-    std::array<vtkIdType, cube_corner_count> corners{};
-    for (std::size_t corner = 0; const auto& position : cube_corners_m(frame, voxel)) {
-      points->SetPoint(point, position.data());
-      corners[corner++] = point++;
+    std::array<vtkIdType, cube_corner_count> ids{};
+    const auto corners = cube_corners_m(frame, voxel);
+    const auto at_rest = rest_corners_m(frame, voxel);
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+      points->SetPoint(point, in_design(frame, corners[corner]).data());
+      ids[corner] = point++;
+      for (std::size_t axis = 0; axis < 3; ++axis) displacements.push_back(corners[corner][axis] - at_rest[corner][axis]);
     }
-    grid.InsertNextCell(VTK_HEXAHEDRON, cube_corner_count, corners.data());
+    grid.InsertNextCell(VTK_HEXAHEDRON, cube_corner_count, ids.data());
   }
   grid.SetPoints(points);
+  io::add_floats(*grid.GetPointData(), "displacement_m", displacements, 3);
+  grid.GetPointData()->SetActiveVectors("displacement_m");
 }
 
 /// Whether a name is frame_0000.vtu or the like, with any number of digits.
@@ -80,18 +84,19 @@ bool is_frame_name(std::string_view name) {
 void write_frame(const std::filesystem::path& file, const Frame& frame) {
   vtkNew<vtkUnstructuredGrid> grid;
   add_cubes(*grid, frame);
-  add_points_array(*grid, "centre_m", frame.position_m);
+  add_centres(*grid, frame);
   add_byte_array(*grid, "material", frame.material);
-  add_real_array(*grid, "phase", frame.phase);
-  add_real_array(*grid, "size_m", frame.size_m);
-  add_real_array(*grid, "strain", frame.strain);
-  add_real_array(*grid, "speed_m_s", frame.speed_m_s);
+  vtkCellData& data = *grid->GetCellData();
+  std::vector<double> volume_ratios;
+  for (std::size_t voxel = 0; voxel < frame.position_m.size(); ++voxel) volume_ratios.push_back(volume_ratio(frame, voxel));
+  io::add_floats(data, "phase", frame.phase);
+  io::add_floats(data, "size_m", frame.size_m);
+  io::add_floats(data, "volume_ratio", volume_ratios);
+  io::add_floats(data, "strain", frame.strain);
+  io::add_floats(data, "speed_m_s", frame.speed_m_s);
   add_byte_array(*grid, "contact", frame.contact);
-  vtkNew<vtkDoubleArray> time;
-  time->SetName("TimeValue");
-  time->InsertNextValue(frame.time_s);
-  grid->GetFieldData()->AddArray(time);
-
+  data.SetActiveScalars("volume_ratio");
+  io::add_field_values(*grid, "TimeValue", std::array{frame.time_s});
   io::write_vtu(file, *grid);
 }
 
@@ -109,7 +114,7 @@ void FrameSeries::remove_earlier() const {
 }
 
 void FrameSeries::add(const Frame& frame) {
-  entries_.push_back({frame.time_s, frame_file(entries_.size())});
+  entries_.push_back({.time_s = frame.time_s, .file = frame_file(entries_.size()), .name = "voxels"});
   write_frame(folder_ / entries_.back().file, frame);
 }
 

@@ -54,7 +54,7 @@ BodyBoxes body_boxes(const Equilibrium& equilibrium) {
       corners.at(corner) = {at.x, at.y, at.z};
     }
     boxes.corners_m.push_back(corners);
-    boxes.volume_change.push_back(volume_of(arms) / volume_at_rest - 1.0);
+    boxes.volume_ratio.push_back(volume_of(arms) / volume_at_rest);
   }
   for (const meshes::CellIndex& cell : body.voxels.body.occupied()) boxes.material.push_back(body.voxels.body.at(cell));
   return boxes;

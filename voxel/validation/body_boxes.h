@@ -15,11 +15,11 @@ namespace menger::voxel {
 struct BodyBoxes {
   using Point = std::array<double, 3>;
 
-  /// Corners by voxel, in the order of VTK_HEXAHEDRON, m. Walls are drawn at their mean bulge, so neighbouring boxes may not meet
-  /// at their edges.
+  /// Corners by voxel, in the order of VTK_HEXAHEDRON, m, from the corner of the body's first cell. Walls are drawn at their mean
+  /// bulge, so neighbouring boxes may not meet at their edges.
   std::vector<std::array<Point, 8>> corners_m;
   std::vector<meshes::Material> material;
-  std::vector<double> volume_change;  ///< of the box, divided by the volume of the voxel at rest
+  std::vector<double> volume_ratio;  ///< of the box, over the volume of the voxel at rest
 };
 
 BodyBoxes body_boxes(const Equilibrium& equilibrium);

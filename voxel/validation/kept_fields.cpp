@@ -5,11 +5,12 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkWarpVector.h>
 #include <vtkXMLGenericDataObjectReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <system_error>
 
@@ -36,6 +37,20 @@ vtkSmartPointer<vtkUnstructuredGrid> read_fields(const fs::path& file) {
   if (grid == nullptr || grid->GetPointData()->GetArray("displacement_m") == nullptr)
     throw io::InputError(file.string() + ": is not a file of fields with displacement_m");
   return grid;
+}
+
+/// Whether a file is of an earlier version, whose points were those of the body at rest: its volume ratios are of points.
+bool has_points_at_rest(vtkUnstructuredGrid& grid) { return grid.GetPointData()->GetArray("volume_ratio") != nullptr; }
+
+void move_to_deformed(vtkUnstructuredGrid& grid) {
+  vtkDataArray* displacement = grid.GetPointData()->GetArray("displacement_m");
+  vtkPoints* points = grid.GetPoints();
+  for (vtkIdType n = 0; n < grid.GetNumberOfPoints(); ++n) {
+    std::array<double, 3> place{};
+    points->GetPoint(n, place.data());
+    for (int axis = 0; axis < 3; ++axis) place.at(static_cast<std::size_t>(axis)) += displacement->GetComponent(n, axis);
+    points->SetPoint(n, place.data());
+  }
 }
 
 /// For each row, the step with the nearest pressure, if it is near.
@@ -78,12 +93,9 @@ FieldsByRow fields_by_row(const fs::path& collection, const std::vector<State>& 
 
 vtkSmartPointer<vtkPolyData> deformed_surface(const fs::path& file) {
   const vtkSmartPointer<vtkUnstructuredGrid> grid = read_fields(file);
-  grid->GetPointData()->SetActiveVectors("displacement_m");
-  vtkNew<vtkWarpVector> warp;
-  warp->SetInputData(grid);
-  warp->SetScaleFactor(1.0);
+  if (has_points_at_rest(*grid)) move_to_deformed(*grid);
   vtkNew<vtkDataSetSurfaceFilter> surface;
-  surface->SetInputConnection(warp->GetOutputPort());
+  surface->SetInputData(grid);
   surface->Update();
   return surface->GetOutput();
 }

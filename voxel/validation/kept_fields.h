@@ -24,7 +24,7 @@ using FieldsByRow = std::map<std::size_t, std::filesystem::path>;
 /// @throws io::InputError if a file is missing or holds no fields
 FieldsByRow fields_by_row(const std::filesystem::path& collection, const std::vector<std::vector<double>>& states);
 
-/// Reads the surface of a file of fields (.vtu, .pvtu), displaced by its displacement_m.
+/// Reads the surface of a file of fields (.vtu, .pvtu), whose points are those of the deformed body.
 /// @throws io::InputError if it is missing or has no displacements
 vtkSmartPointer<vtkPolyData> deformed_surface(const std::filesystem::path& file);
 

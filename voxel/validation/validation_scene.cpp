@@ -3,9 +3,8 @@
 #include <vtkAppendFilter.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -21,6 +20,7 @@
 
 #include "io/text/formatted.h"
 #include "io/text/whole_file.h"
+#include "io/vtk/grid_arrays.h"
 #include "io/vtk/vtk_file.h"
 #include "voxel/picture/vtk_output.h"
 #include "voxel/validation/body_boxes.h"
@@ -35,40 +35,39 @@ namespace {
 namespace fs = std::filesystem;
 using State = std::vector<double>;
 
-void add_field_value(vtkUnstructuredGrid& grid, const char* name, double value) {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  grid.GetFieldData()->AddArray(array);
-}
-
 void write_state(const fs::path& file, vtkUnstructuredGrid& grid, std::size_t row, const State& state) {
-  add_field_value(grid, "TimeValue", static_cast<double>(row));
-  add_field_value(grid, "pressure_Pa", state.front());
-  if (state.size() > 1) add_field_value(grid, "imposed", state[1]);
+  io::add_field_values(grid, "TimeValue", std::array{static_cast<double>(row)});
+  io::add_field_values(grid, "pressure_Pa", std::array{state.front()});
+  if (state.size() > 1) io::add_field_values(grid, "imposed", std::array{state[1]});
   io::write_vtu(file, grid);
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> grid_of(const BodyBoxes& boxes) {
+/// @param rest the same boxes at rest, from which displacements are counted
+vtkSmartPointer<vtkUnstructuredGrid> grid_of(const BodyBoxes& boxes, const BodyBoxes& rest) {
   const auto count = static_cast<vtkIdType>(boxes.corners_m.size());
   vtkNew<vtkPoints> points;
   vtkNew<vtkUnsignedCharArray> material;
   material->SetName("material");
-  vtkNew<vtkDoubleArray> volume_change;
-  volume_change->SetName("volume_change");
+  std::vector<double> displacements;
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->AllocateExact(count, 8 * count);
   for (std::size_t voxel = 0; voxel < boxes.corners_m.size(); ++voxel) {
-    std::array<vtkIdType, 8> corners{};
-    for (std::size_t corner = 0; corner < corners.size(); ++corner)
-      corners.at(corner) = points->InsertNextPoint(boxes.corners_m[voxel].at(corner).data());
-    grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners.data());
+    std::array<vtkIdType, 8> ids{};
+    for (std::size_t corner = 0; corner < ids.size(); ++corner) {
+      const BodyBoxes::Point& place = boxes.corners_m[voxel].at(corner);
+      ids.at(corner) = points->InsertNextPoint(place.data());
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        displacements.push_back(place.at(axis) - rest.corners_m[voxel].at(corner).at(axis));
+    }
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
     material->InsertNextValue(boxes.material[voxel]);
-    volume_change->InsertNextValue(boxes.volume_change[voxel]);
   }
   grid->SetPoints(points);
+  io::add_floats(*grid->GetPointData(), "displacement_m", displacements, 3);
+  grid->GetPointData()->SetActiveVectors("displacement_m");
   grid->GetCellData()->AddArray(material);
-  grid->GetCellData()->AddArray(volume_change);
+  io::add_floats(*grid->GetCellData(), "volume_ratio", boxes.volume_ratio);
+  grid->GetCellData()->SetActiveScalars("volume_ratio");
   return grid;
 }
 
@@ -76,7 +75,10 @@ vtkSmartPointer<vtkUnstructuredGrid> as_grid(vtkPolyData& surface) {
   vtkNew<vtkAppendFilter> append;
   append->AddInputData(&surface);
   append->Update();
-  return append->GetOutput();
+  vtkSmartPointer<vtkUnstructuredGrid> grid = append->GetOutput();
+  grid->GetPointData()->SetActiveVectors("displacement_m");
+  grid->GetCellData()->SetActiveScalars("largest_stretch");
+  return grid;
 }
 
 std::string numbered(const std::string& kind, std::size_t row) { return "worst/" + kind + "_" + io::padded(row, 4) + ".vtu"; }
@@ -114,14 +116,6 @@ SurrogateStates surrogate_states(const SideBySide& sides, const std::vector<Stat
   return found;
 }
 
-/// Position of the surrogate beside the finite elements, with half a body width between them.
-Eigen::Isometry3d beside(const SideBySide& sides) {
-  const meshes::LoadCase& load_case = sides.comparison->load_case();
-  double width_m = sides.parameters.cell_edge_m;
-  for (int level = 0; level < load_case.level; ++level) width_m *= load_case.cells[1];
-  return Eigen::Isometry3d(Eigen::Translation3d(0.0, -1.5 * width_m, 0.0));
-}
-
 std::string caption_of(const CurveComparison& comparison, const State& state) {
   return comparison.load_case().name + " at " + io::shown(1e-3 * state.front(), 3) + " kPa";
 }
@@ -151,14 +145,13 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
     Eigen::Isometry3d motion = is_free ? rigid_part(surrogate.rest, body).inverse() : Eigen::Isometry3d::Identity();
     if (sides.fields) {
       const vtkSmartPointer<vtkPolyData> surface = deformed_surface(elements->second);
-      entries.push_back({time, numbered("elements", row), 0});
+      entries.push_back({time, numbered("elements", row), 0, "finite elements"});
       write_state(folder / entries.back().file, *as_grid(*surface), row, states[row]);
       if (is_free) motion = rigid_part(*surface) * motion;
-      motion = beside(sides) * motion;
     }
     body = moved(std::move(body), motion);
-    entries.push_back({time, numbered("voxels", row), 1});
-    write_state(folder / entries.back().file, *grid_of(body), row, states[row]);
+    entries.push_back({time, numbered("voxels", row), 1, "voxels"});
+    write_state(folder / entries.back().file, *grid_of(body, surrogate.rest), row, states[row]);
     shown.push_back(row);
   }
   outcome.states = shown.size();

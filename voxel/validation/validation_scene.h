@@ -33,10 +33,11 @@ struct SideBySideOutcome {
 ///
 /// `worst.pvd` in a folder has time = row of the curve. Part 0 is the deformed surface of finite elements
 /// (`worst/elements_0000.vtu`, ...; none without fields). Part 1 is the surrogate as boxes (`worst/voxels_0000.vtu`, ...; see
-/// BodyBoxes), moved aside along -y. A free body of the surrogate is rotated and shifted to the rigid motion of the finite
-/// elements (best fit; not without fields), because that motion depends on where the body is held and is not a response of either
-/// model. Cell data of voxels: material, volume_change. Field data of both: TimeValue, pressure_Pa, imposed. `worst.png` shows
-/// both models in one row of the curve.
+/// BodyBoxes). Both are in the same coordinates, by the convention of io/vtk/README.md. A free body of the surrogate is rotated
+/// and shifted to the rigid motion of the finite elements (best fit; not without fields), because that motion depends on where
+/// the body is held and is not a response of either model. Point data of voxels: displacement_m. Cell data: material,
+/// volume_ratio (the active scalars). Field data of both: TimeValue, pressure_Pa, imposed. `worst.png` shows both models side by
+/// side in one row of the curve.
 /// @throws io::InputError if the fields cannot be read or the folder cannot be written to
 SideBySideOutcome write_side_by_side(const std::filesystem::path& folder, const SideBySide& sides, bool with_picture = true);
 

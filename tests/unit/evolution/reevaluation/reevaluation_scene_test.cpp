@@ -41,6 +41,7 @@ voxel::Frame frame_at(double time_s, double x_m) {
   voxel::Frame frame;
   frame.time_s = time_s;
   frame.position_m = {{x_m, 0.0, 0.0}};
+  frame.rest_position_m = {{0.0, 0.0, 0.0}};
   frame.orientation = {{1.0, 0.0, 0.0, 0.0}};
   frame.size_m = {edge_m};
   frame.speed_m_s = {0.0};
@@ -89,7 +90,9 @@ TEST_F(ReevaluationScene, BothModelsStandInOneCollectionOnOneClock) {
   const double rounding = 1e-8;  // of float32
   EXPECT_NEAR(bounds[0], 0.002, rounding) << "where the first cell of finite elements begins, and 2 mm on";
   EXPECT_NEAR(bounds[4], 0.0, rounding) << "on the same ground";
-  EXPECT_NEAR(bounds[3], -edge_m, rounding) << "a body's width away";
+  EXPECT_NEAR(bounds[3], edge_m, rounding) << "at the same place, so that ParaView can lay one over the other";
+  EXPECT_EQ(entries[4].name, "finite elements");
+  EXPECT_EQ(entries[5].name, "voxels");
 }
 
 TEST_F(ReevaluationScene, WhatAnEarlierCallLeftIsRemoved) {

@@ -35,7 +35,10 @@ class FieldOutput : public testing::Test {
       const double k = static_cast<double>(n);
       fields.deformation_gradient.push_back({1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 + k});
       fields.cauchy_stress.push_back({3.0 * k, 0.0, 0.0, 0.0, 0.0, 0.0});
-      fields.volume_ratio.push_back(1.0 + k);
+    }
+    for (std::size_t e = 0; e < space.local_element_count(); ++e) {
+      const double k = static_cast<double>(e);
+      fields.elements.push_back({.volume_ratio = 1.0 + k, .largest_stretch = 2.0 + k, .von_mises_stress_Pa = 3.0 + k});
     }
     return fields;
   }
@@ -54,7 +57,8 @@ TEST_F(FieldOutput, ReadsBackEveryNodeCellAndField) {
   for (const int degree : {1, 2}) {
     const Space space = hollow_cube_space(degree);
     FieldSeries series(folder_, MPI_COMM_WORLD);
-    series.add(space, at_nodes(space, moved), numbered(space), {.step = degree, .s = 0.25, .plenum_pressures_Pa = {6000.0, 7.0}});
+    series.add(space, at_nodes(space, moved), numbered(space),
+               {.step = degree, .s = 0.25, .plenum_pressures_Pa = {6000.0, 7.0}, .names = {{"left", "right"}, {"wall", "lid"}}});
     const auto grid = read(folder_ / "fields" / ("step_000" + std::to_string(degree) + ".vtu"));
     ASSERT_EQ(grid->GetNumberOfPoints(), static_cast<vtkIdType>(space.positions.size()));
     ASSERT_EQ(grid->GetNumberOfCells(), 98);
@@ -63,15 +67,24 @@ TEST_F(FieldOutput, ReadsBackEveryNodeCellAndField) {
       const auto node = static_cast<std::size_t>(n);
       const double k = static_cast<double>(n);
       for (int i = 0; i < 3; ++i) {
-        ASSERT_EQ(grid->GetPoint(n)[i], space.positions[node][static_cast<std::size_t>(i)]);
-        ASSERT_EQ(data.GetArray("displacement_m")->GetComponent(n, i), moved(space.positions[node])[static_cast<std::size_t>(i)]);
+        const auto axis = static_cast<std::size_t>(i);
+        const double displacement = moved(space.positions[node])[axis];
+        ASSERT_EQ(grid->GetPoint(n)[i], space.positions[node][axis] + displacement);
+        ASSERT_EQ(data.GetArray("displacement_m")->GetComponent(n, i), displacement);
       }
       ASSERT_EQ(data.GetArray("cauchy_stress_Pa")->GetComponent(n, 0), 3.0 * k);
-      ASSERT_NEAR(data.GetArray("von_mises_stress_Pa")->GetComponent(n, 0), 3.0 * k, 1e-12 * k);
       ASSERT_EQ(data.GetArray("pressure_Pa")->GetComponent(n, 0), -k);
       ASSERT_NEAR(data.GetArray("principal_stretches")->GetComponent(n, 0), 1.0 + k, 1e-12 * (1.0 + k));
-      ASSERT_EQ(data.GetArray("volume_ratio")->GetComponent(n, 0), 1.0 + k);
     }
+    for (const char* name : {"volume_ratio", "von_mises_stress_Pa"}) EXPECT_EQ(data.GetArray(name), nullptr) << name;
+    vtkCellData& cells = *grid->GetCellData();
+    EXPECT_EQ(cells.GetArray("volume_ratio")->GetComponent(5, 0), 6.0);
+    EXPECT_EQ(cells.GetArray("largest_stretch")->GetComponent(5, 0), 7.0);
+    EXPECT_EQ(cells.GetArray("von_mises_stress_Pa")->GetComponent(5, 0), 8.0);
+    EXPECT_EQ(cells.GetScalars(), cells.GetArray("largest_stretch"));
+    EXPECT_EQ(data.GetVectors(), data.GetArray("displacement_m"));
+    EXPECT_EQ(grid->GetFieldData()->GetAbstractArray("plenum_names")->GetVariantValue(1).ToString(), "right");
+    EXPECT_EQ(grid->GetFieldData()->GetAbstractArray("region_names")->GetVariantValue(0).ToString(), "wall");
     EXPECT_EQ(grid->GetCellData()->GetArray("region")->GetComponent(5, 0), 0.0);
     EXPECT_EQ(grid->GetCellData()->GetArray("rank")->GetComponent(5, 0), 0.0);
     EXPECT_EQ(grid->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0), 0.25);
@@ -87,16 +100,28 @@ TEST_F(FieldOutput, CellsOfVtkAreTheElements) {
     const auto grid = read(folder_ / "fields/step_0000.vtu");
     const std::size_t count = space.nodes_per_element();
     for (vtkIdType e = 0; e < grid->GetNumberOfCells(); ++e) {
-      // in a box the map from the reference cube is affine between opposite corners; any wrong order of nodes bends it
+      // `moved` is linear, so the map from the reference cube is affine; any wrong order of nodes bends it
       const auto element = static_cast<std::size_t>(e) * count;
-      const Point& low = space.positions[static_cast<std::size_t>(space.element_nodes[element])];
-      const Point& high = space.positions[static_cast<std::size_t>(space.element_nodes[element + count - 1])];
+      const auto place = [&](std::size_t node) {
+        Point X = space.positions[static_cast<std::size_t>(space.element_nodes[element + node])];
+        const Point u = moved(X);
+        for (std::size_t i = 0; i < 3; ++i) X[i] += u[i];
+        return X;
+      };
+      const Point low = place(0);
+      const Point high = place(count - 1);
+      const Point along_x = place(static_cast<std::size_t>(space.degree));
+      const Point along_y = place(static_cast<std::size_t>(space.degree * (space.degree + 1)));
       const std::array<double, 3> xi{0.2, 0.5, 0.9};
       int sub_cell = 0;
       Point x{};
       std::array<double, 27> weights{};
       grid->GetCell(e)->EvaluateLocation(sub_cell, xi.data(), x.data(), weights.data());
-      for (std::size_t i = 0; i < 3; ++i) ASSERT_NEAR(x[i], low[i] + xi[i] * (high[i] - low[i]), 1e-15) << "cell " << e;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double along_z = high[i] - along_x[i] - along_y[i] + low[i];
+        ASSERT_NEAR(x[i], low[i] + xi[0] * (along_x[i] - low[i]) + xi[1] * (along_y[i] - low[i]) + xi[2] * along_z, 1e-15)
+            << "cell " << e;
+      }
     }
   }
 }

@@ -38,7 +38,6 @@ TEST(InflationPicture, ShowsStressInsideThatOnlyTheCutLaysOpen) {
   for (const int degree : {1, 2}) {
     const Space space = hollow_cube_space(degree);
     NodalFields fields;
-    fields.volume_ratio.assign(space.positions.size(), 1.0);
     fields.deformation_gradient.assign(space.positions.size(), {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0});
     // high on the chamber's far wall, y = 16 mm, alone
     for (const Point& X : space.positions) {

@@ -194,8 +194,9 @@ TEST(ThinWallBody, FieldsHaveThePressureOfTheChambers) {
   const NodalFields with = nodal_fields(equilibrium.assembly(), state.displacements_m, state.plenum_pressures_Pa);
   double largest_ratio_error = 0.0;
   double most_pressed = 0.0;
-  for (std::size_t n = 0; n < with.volume_ratio.size(); ++n) {
-    largest_ratio_error = std::max(largest_ratio_error, std::abs(with.volume_ratio[n] - 1.0));
+  for (const ElementState& element : with.elements)
+    largest_ratio_error = std::max(largest_ratio_error, std::abs(element.volume_ratio - 1.0));
+  for (std::size_t n = 0; n < with.cauchy_stress.size(); ++n) {
     most_pressed =
         std::max(most_pressed, hydrostatic_pressure(with.cauchy_stress[n]) - hydrostatic_pressure(without.cauchy_stress[n]));
   }
