@@ -66,7 +66,8 @@ function scaleOf(values, logarithmic, pixels, count, tight) {
     return scale;
   }
   if (low === high) { const half = Math.abs(low) * 0.1 || 0.5; low -= half; high += half; }
-  const step = niceStep(high - low, count);
+  let step = niceStep(high - low, count);
+  if (values.every(Number.isInteger)) step = Math.max(1, step);  // there is no generation 0.5
   const scale = {low: Math.floor(low / step + 1e-9) * step, high: Math.ceil(high / step - 1e-9) * step, ticks: []};
   for (let n = Math.round(scale.low / step); n * step <= scale.high + step * 1e-6; ++n) scale.ticks.push(Number((n * step).toPrecision(12)));
   if (tight) { scale.low = low; scale.high = high; scale.ticks = scale.ticks.filter((t) => t >= low - 1e-9 * step && t <= high + 1e-9 * step); }

@@ -58,7 +58,7 @@ function drawPictures(data, parent, isOpen) {
   const made = element('section', {id: 'pictures', 'aria-labelledby': 'pictures-title'}, null, parent);
   element('h2', {id: 'pictures-title'}, 'Pictures', made);
   const details = element('details', isOpen ? {open: ''} : {}, null, made);
-  element('summary', {}, `${data.pictures.length} pictures that the programs drew`, details);
+  element('summary', {}, `${data.pictures.length === 1 ? 'The picture' : `${data.pictures.length} pictures`} that the programs drew`, details);
   const grid = element('div', {class: 'pictures'}, null, details);
   for (const picture of data.pictures) {
     const figure = element('figure', {}, null, grid);

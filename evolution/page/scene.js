@@ -176,7 +176,7 @@ function colourings(bodies) {
       }
       return colours;
     },
-    range: ['0 mm', `${shown(1000 * largest)} mm`],
+    range: ['0 mm', `${shown(Number((1000 * largest).toPrecision(3)))} mm`],
     note: 'Displacement of each point since the first frame. The range covers all frames and bodies.'
   });
   const withPressure = bodies.filter((b) => b.pressures.length);

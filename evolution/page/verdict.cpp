@@ -397,6 +397,11 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
     return conclude(Tone::missing,
                     "The walks in both models are not of one body and drive, so they do not tell whether the "
                     "surrogate can be trusted.");
+  if (facts.searches.size() == 1 && facts.searches.front().last_fitness) {
+    const SearchFacts& search = facts.searches.front();
+    return conclude(Tone::missing, "The best robot of the search has a fitness of " + shown_number(search.last_fitness) + " " +
+                                       search.unit + ". Nothing here compares its model with finite elements.");
+  }
   const bool has_surrogate = !facts.calibrations.empty() || !facts.searches.empty() || !facts.walks.empty();
   if (!before.empty() && !has_surrogate) return {};
   return conclude(Tone::missing, "Nothing here compares the surrogate with finite elements on a whole body.");

@@ -116,6 +116,18 @@ TEST(PageText, HasMotionsOnlyWithTheCodeThatMovesThem) {
   EXPECT_NE(page_text(page, "var THREE;").find("a walk"), std::string::npos);
 }
 
+TEST(PageText, FoldsALongListOfWhatWasNotComputed) {
+  const Finding missing{Tone::missing, "M was not computed.", "menger m"};
+  ReportPage page{
+      .title = "t", .made = "m", .verdict = {.headline = "h", .findings = {{Tone::good, "f", "s"}, missing, missing}}};
+  const std::string folded = "things were not computed</summary>";
+  EXPECT_EQ(page_text(page, std::nullopt).find(folded), std::string::npos);
+  page.verdict.findings.push_back(missing);
+  EXPECT_NE(page_text(page, std::nullopt).find("3 " + folded), std::string::npos);
+  page.verdict.findings.erase(page.verdict.findings.begin());
+  EXPECT_EQ(page_text(page, std::nullopt).find(folded), std::string::npos) << "nothing else would be left";
+}
+
 TEST(PageText, SaysWhatIsMissingFor3d) {
   const tests::TestFolder folder;
   const ThreeCode none = read_three({folder / "three.min.js"});

@@ -273,6 +273,9 @@ TEST(Verdict, SaysWhetherASearchImproved) {
                 .tone,
             Tone::good);
   EXPECT_EQ(finding_with(verdict_of(facts), "walk on finer elements was not computed").source, "menger reevaluate");
+  EXPECT_EQ(verdict_of(facts).headline,
+            "The best robot of the search has a fitness of 0.622 body lengths. Nothing here compares its model with finite "
+            "elements.");
   facts.searches.front().last_fitness = 0.278;
   EXPECT_EQ(finding_with(verdict_of(facts), "It did not improve.").tone, Tone::caution);
   facts.searches.push_back(facts.searches.front());
