@@ -40,7 +40,7 @@ std::string same_value(const json& value) {
 
 std::string joined(const std::map<std::string, std::string>& parts) {
   std::string text;
-  for (const auto& [key, value] : parts) text += (text.empty() ? "" : ", ") + key + " = " + value;
+  for (const auto& [key, value] : parts) text.append(text.empty() ? "" : ", ").append(key).append(" = ").append(value);
   return text;
 }
 
@@ -107,7 +107,7 @@ std::string law_of_line(const std::string& line) {
     if (sign == std::string::npos || first >= sign) return {};
     const json value = json::parse(part.substr(sign + 1), nullptr, false);
     if (value.is_discarded()) return {};
-    parts[part.substr(first, part.find_last_not_of(" ", sign - 1) + 1 - first)] = same_value(value);
+    parts[part.substr(first, part.find_last_not_of(' ', sign - 1) + 1 - first)] = same_value(value);
   }
   return joined(parts);
 }

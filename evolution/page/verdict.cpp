@@ -292,8 +292,11 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
         std::ranges::any_of(pairs, [&](const WalkPair& pair) { return pair.first == &walk || pair.second == &walk; });
     const std::string begin = label_of(walk, facts.walks);
     if (!is_paired) findings.push_back(walk_finding(walk, begin));
-    for (const std::string& line : walk.outside_validity)
-      findings.push_back({Tone::caution, begin + "Beyond what the surrogate was fitted to: " + line + ".", walk.source});
+    for (const std::string& line : walk.outside_validity) {
+      findings.push_back({Tone::caution,
+                          std::string(begin).append("Beyond what the surrogate was fitted to: ").append(line).append("."),
+                          walk.source});
+    }
     for (const std::string& line : walk.expected_error)
       findings.push_back({Tone::caution, begin + sentence_of(line), walk.source});
   }
@@ -393,10 +396,11 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
                     "Both models walk, but too little or too briefly to tell whether the surrogate can be trusted.");
   if (!facts.validations.empty())
     return conclude(Tone::caution, "Whether the surrogate can be trusted is not known: no shape was compared inside its range.");
-  if (walks.are_in_both)
+  if (walks.are_in_both) {
     return conclude(Tone::missing,
-                    "The walks in both models are not of one body and drive, so they do not tell whether the "
-                    "surrogate can be trusted.");
+                    "The walks in both models are not of one body and drive, so they do not tell whether the surrogate can be "
+                    "trusted.");
+  }
   if (facts.searches.size() == 1 && facts.searches.front().last_fitness) {
     const SearchFacts& search = facts.searches.front();
     return conclude(Tone::missing, "The best robot of the search has a fitness of " + shown_number(search.last_fitness) + " " +
