@@ -10,6 +10,7 @@ foreach(source name IN ZIP_LISTS MENGER_DATA_FOLDERS MENGER_DATA_NAMES)
   install(DIRECTORY ${source}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/menger/${name} FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv")
 endforeach()
 
+install(PROGRAMS io/vtk/open_in_paraview.py DESTINATION ${CMAKE_INSTALL_DATADIR}/menger)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # Studies to begin with, beside each other as in the sources, since they name one another.
 foreach(folder fem/studies voxel/parameters voxel/scenes voxel/studies paper/demo)

@@ -266,8 +266,9 @@ std::string shape_verdict(const ShapeErrors& errors) {
     return "The surrogate takes the shape of this body well.";
   std::string reasons = "its shape is " + percents(*errors.displacement) + " off in the median";
   if (!errors.is_inside) reasons += ", all outside the range of the parameters";
-  reasons +=
-      ", and " + std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements go the wrong way";
+  if (errors.wrong_signs > 0)
+    reasons +=
+        ", and " + std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements go the wrong way";
   return "Do not trust the surrogate for this body: " + reasons + "; see validate/worst.png.";
 }
 

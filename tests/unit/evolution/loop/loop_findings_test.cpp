@@ -160,7 +160,7 @@ TEST_F(LoopFindings, VerdictWarnsOfShapesThatTheSurrogateMisses) {
   write("0.3", "0");
   expect_has(verdict(), "Do not trust the surrogate for this body: its shape is 30 % off");
   io::write_whole(folder_ / "validate/summary.csv", "body,kind,range,median\nall,displacement,outside,0.05\n");
-  expect_has(verdict(), "its shape is 5 % off in the median, all outside the range of the parameters, and 0 of 10");
+  expect_has(verdict(), "its shape is 5 % off in the median, all outside the range of the parameters; see validate/worst.png");
 }
 
 }  // namespace
