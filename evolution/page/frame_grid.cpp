@@ -9,7 +9,10 @@
 #include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkXMLGenericDataObjectReader.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLPUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkXMLUtilities.h>
 
 #include <array>
 #include <cmath>
@@ -18,6 +21,7 @@
 
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
+#include "io/text/whole_file.h"
 
 namespace menger::evolution {
 namespace {
@@ -141,6 +145,28 @@ class FrameCheck {
   vtkUnstructuredGrid& grid_;
 };
 
+/// Refuses a grid in pieces (.pvtu) that names pieces in other folders: none leads out of its results.
+void require_pieces_beside(const fs::path& file) {
+  const std::string text = io::read_whole(file);
+  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromString(text.c_str()));
+  vtkXMLDataElement* grid = root == nullptr ? nullptr : root->FindNestedElementWithName("PUnstructuredGrid");
+  for (int n = 0; grid != nullptr && n < grid->GetNumberOfNestedElements(); ++n) {
+    const char* source = grid->GetNestedElement(n)->GetAttribute("Source");
+    if (source != nullptr && fs::path(source).has_parent_path())
+      throw io::InputError(file.string() + ": names " + source + ", which does not lie beside it");
+  }
+}
+
+/// What a reader of VTK makes of a file; null if nothing.
+template <class Reader>
+vtkSmartPointer<vtkUnstructuredGrid> grid_by(const fs::path& file) {
+  vtkNew<Reader> reader;
+  if (reader->CanReadFile(file.c_str()) == 0) return nullptr;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkUnstructuredGrid> read_frame_grid(const fs::path& file) {
@@ -149,10 +175,9 @@ vtkSmartPointer<vtkUnstructuredGrid> read_frame_grid(const fs::path& file) {
   if (fs::is_regular_file(file, ignored)) {
     const int shown = vtkObject::GetGlobalWarningDisplay();
     vtkObject::GlobalWarningDisplayOff();  // the message below says it in one line
-    vtkNew<vtkXMLGenericDataObjectReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    if (reader->GetErrorCode() == 0) grid = vtkUnstructuredGrid::SafeDownCast(reader->GetOutput());
+    const bool has_pieces = file.extension() == ".pvtu";
+    if (has_pieces) require_pieces_beside(file);
+    grid = has_pieces ? grid_by<vtkXMLPUnstructuredGridReader>(file) : grid_by<vtkXMLUnstructuredGridReader>(file);
     vtkObject::SetGlobalWarningDisplay(shown);
   }
   if (grid == nullptr || grid->GetNumberOfPoints() == 0 || grid->GetNumberOfCells() == 0)

@@ -7,7 +7,8 @@
 
 namespace menger::evolution {
 
-/// Reads a frame of a body, a grid of VTK (.vtu, or the .pvtu of several processes), and checks what VTK does not:
+/// Reads a frame of a body, a grid of VTK (.vtu, or the .pvtu of several processes, whose pieces lie beside it), and checks what
+/// VTK does not:
 ///
 /// - there are points, all finite and within 1,000 km of the origin, and cells, all of which are hexahedra or polygons and have
 ///   points of the grid as corners, as many as their kind has,

@@ -172,6 +172,8 @@ std::vector<std::pair<std::string, std::string>> explained_words() {
       {"voxels", "without \"surrogate\", solid cubes that swell, and no silicone."},
       {"chamber, plenum", "a closed hollow in the silicone; chambers joined by holes, which share one pressure."},
       {"limit pressure", "where the pressure stops rising while the volume grows: the body balloons or buckles."},
+      {"path parameter",
+       "how far an inflation has come along its path of pressures or volumes: at 1, 2, ... it has those that its study names."},
       {"range of the fit", "the pressures, lengths and walls that the surrogate was fitted to."},
       {"body length", "the longest side of the body at rest; 2 body lengths is twice as far as the body is long."},
       {"fitness", "what a search makes as large as it can: how far a robot goes, unless its study says otherwise."},

@@ -305,6 +305,25 @@ TEST_F(BodyFramesTest, AreNotFollowedOutOfTheirResults) {
   EXPECT_NE(message("../link/a.vtu").find("leads out of"), std::string::npos);
 }
 
+TEST_F(BodyFramesTest, MayBeInPiecesThatLieBesideThem) {
+  add(*block(1, false, 0.0, 0.0));
+  const auto add_pieces = [&](const std::string& piece) {
+    const fs::path file = folder_ / "step.pvtu";
+    io::write_whole(file,
+                    "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\"><PUnstructuredGrid GhostLevel=\"0\"><PPointData>"
+                    "<PDataArray type=\"Float64\" Name=\"displacement_m\" NumberOfComponents=\"3\"/></PPointData><PPoints>"
+                    "<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/></PPoints><Piece Source=\"" +
+                        piece + "\"/></PUnstructuredGrid></VTKFile>\n");
+    frames_ = {{0.0, file}};
+  };
+  add_pieces("frame_0.vtu");
+  EXPECT_EQ(read().faces.size(), 6U);
+  for (const std::string& elsewhere : {std::string("../frame_0.vtu"), (folder_ / "frame_0.vtu").string()}) {
+    add_pieces(elsewhere);
+    EXPECT_NE(tests::message_of([&] { read(); }).find("which does not lie beside it"), std::string::npos);
+  }
+}
+
 TEST_F(BodyFramesTest, AreReadByPartInOrderOfTime) {
   voxel::write_collection(folder_ / "both.pvd", {{1.0, "b.vtu", 0}, {0.0, "a.vtu", 0}, {0.0, "c.vtu", 1}});
   const std::vector<BodyFrames> parts = read_body_frames(folder_ / "both.pvd", folder_.path());
