@@ -420,6 +420,7 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
     log.close();
     tell = [](const std::string& text) { std::cout << "note: " << text << std::endl; };
     if (status == io::RunStatus::stopped) io::come_to_stop();
+    if (team) tell(team->shares());
     manifest.seconds = seconds_since(start);
     write_manifest(arguments, manifest);
   }

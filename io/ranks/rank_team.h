@@ -31,7 +31,8 @@ struct TeamOptions {
 ///
 /// A rank has as many tasks at a time as threads, and gets the next one of the list when it returns a result. Of a rank that
 /// gives no sign of life for longer than the patience, the tasks are given to others; if it answers again, so does it get tasks.
-/// So nothing but time is lost with a rank that hangs, or that is gone where MPI lets the others live.
+/// So a task may be done by two ranks at once: the work bears that. The first result counts, and what is thrown after it does
+/// not. Nothing but time is lost with a rank that hangs, or that is gone where MPI lets the others live.
 class RankTeam {
  public:
   /// @param session of the first rank; outlives the team
@@ -51,6 +52,9 @@ class RankTeam {
   /// Returns how many tasks are done at the same time if no rank is lost.
   [[nodiscard]] int threads() const;
 
+  /// Says for people how many tasks the ranks have done so far, from the least to the most.
+  [[nodiscard]] std::string shares() const;
+
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -58,6 +62,7 @@ class RankTeam {
     RankFacts facts;
     std::set<std::uint64_t> tasks{};  ///< that it has
     Clock::time_point heard{};        ///< of it at last
+    std::size_t done = 0;             ///< tasks whose results it was the first to have
     bool is_lost = false;
     bool has_left = false;
   };
@@ -65,7 +70,8 @@ class RankTeam {
 
   void hand_out(Run& run, TaskThreads& threads);
   bool receive(Run& run);
-  void take(Run& run, std::uint64_t id, const std::string& result);
+  void take(Run& run, int rank, std::uint64_t id, const std::string& result);
+  void leave(Run& run, int rank, const std::string& what);
   void look_for_lost_ranks(Run& run);
   void note(int rank, const std::string& what) const;
   [[nodiscard]] std::string name_of(int rank) const;
@@ -79,6 +85,8 @@ class RankTeam {
 
 /// Does tasks of the first rank until there are no more. To be called by all other ranks after answer_roll. One that is told to
 /// stop by SIGTERM says so, and waits for the end.
+/// @throws std::runtime_error if the first rank gives no sign of life for longer than the patience, or five seconds if that is
+/// less; then it is given up
 void serve_first_rank(RankSession& session, const RankWork& work, const TeamOptions& options);
 
 }  // namespace menger::io

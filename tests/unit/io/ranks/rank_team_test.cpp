@@ -75,6 +75,19 @@ TEST_F(TeamOfOne, EndsWithWhatATaskOrItsReceiverThrows) {
   EXPECT_THROW((void)team().run({"a", "b"}, nullptr, full), std::runtime_error);
 }
 
+TEST_F(TeamOfOne, CountsItsTasks) {
+  RankTeam one = team();
+  (void)one.run({"a", "b"}, nullptr, [](std::size_t, const std::string&) { return std::vector<std::string>(); });
+  EXPECT_EQ(one.shares().find("each process did from 2 (rank 0 on "), 0U) << one.shares();
+}
+
+TEST(RankMessages, HaveASizeThatMpiCanSend) {
+  EXPECT_EQ(message_size(0), 0);
+  EXPECT_EQ(message_size(std::size_t{0x7fffffff}), 0x7fffffff);
+  EXPECT_THROW((void)message_size(std::size_t{0x80000000}), std::length_error);
+  EXPECT_THROW((void)message_size(std::size_t{0x100000001}), std::length_error) << "not one byte";
+}
+
 TEST_F(TeamOfOne, StopsAndHandsOverWhatWasDone) {
   std::atomic<bool> stop{false};
   int handed_over = 0;
