@@ -72,6 +72,7 @@ struct RankTeam::Run {
   std::vector<std::string> tasks;
   std::vector<bool> is_done;
   std::size_t done = 0;
+  bool is_ended = false;            ///< by what receives results
   std::deque<std::size_t> waiting;  ///< in the order in which they are given out
   const Finished* finished = nullptr;
 
@@ -89,9 +90,11 @@ struct RankTeam::Run {
       if (id >= first_id) waiting.push_front(id - first_id);
   }
 
-  /// Whether a task belongs to this run and has no result yet.
+  [[nodiscard]] bool is_over() const { return is_ended || done == tasks.size(); }
+
+  /// Whether the result of a task of this run is still asked for.
   [[nodiscard]] bool is_open(std::uint64_t id) const {
-    return id >= first_id && id - first_id < tasks.size() && !is_done[id - first_id];
+    return !is_ended && id >= first_id && id - first_id < tasks.size() && !is_done[id - first_id];
   }
 
   /// Returns the next task that is to be given to a rank, if there is one. @param has the tasks that the rank has
@@ -135,7 +138,7 @@ void RankTeam::note(int rank, const std::string& what) const {
 }
 
 RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>* stop, const Finished& finished) {
-  Run run{.first_id = next_id_, .tasks = {}, .is_done = {}, .done = 0, .waiting = {}, .finished = &finished};
+  Run run{.first_id = next_id_, .tasks = {}, .is_done = {}, .done = 0, .is_ended = false, .waiting = {}, .finished = &finished};
   run.add(std::move(tasks));
   for (Member& member : members_) member.heard = Clock::now();
   for (int rank = 1; rank < session_.count(); ++rank)  // during the roll call, or an earlier run
@@ -146,7 +149,7 @@ RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>*
     if (done.fault && run.is_open(done.id)) std::rethrow_exception(done.fault);
     if (!done.fault) take(run, 0, done.id, done.result);
   };
-  while (run.done < run.tasks.size()) {
+  while (!run.is_over()) {
     if (stop != nullptr && *stop) {
       threads.stop();
       while (const auto done = threads.take(std::chrono::microseconds(0))) take_own(*done);
@@ -163,7 +166,7 @@ RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>*
   }
   members_.front().tasks.clear();
   next_id_ = run.first_id + run.tasks.size();
-  return run.done == run.tasks.size() ? RunStatus::completed : RunStatus::stopped;
+  return run.is_over() ? RunStatus::completed : RunStatus::stopped;
 }
 
 /// Gives tasks to all that have a free thread, one to each in turn.
@@ -194,7 +197,11 @@ void RankTeam::take(Run& run, int rank, std::uint64_t id, const std::string& res
   run.is_done[task] = true;
   ++run.done;
   ++members_.at(static_cast<std::size_t>(rank)).done;
-  run.add((*run.finished)(task, result));
+  run.tasks[task] = {};  // nobody needs it any more
+  if (auto more = (*run.finished)(task, result))
+    run.add(std::move(*more));
+  else
+    run.is_ended = true;
 }
 
 /// Takes all messages that have come. @return whether there was one

@@ -39,14 +39,15 @@ class RankTeam {
   /// @param facts of all ranks, see call_roll
   RankTeam(RankSession& session, RankWork work, std::vector<RankFacts> facts, TeamOptions options);
 
-  /// Receives the position of a task and its result. Returns further tasks; their positions follow those of all before.
-  using Finished = std::function<std::vector<std::string>(std::size_t task, const std::string& result)>;
+  /// Receives the position of a task and its result. Returns further tasks, whose positions follow those of all before; nothing
+  /// ends the run: what is under way is dropped.
+  using Finished = std::function<std::optional<std::vector<std::string>>(std::size_t task, const std::string& result)>;
 
   /// Does all tasks, the first ones first. Calls `finished` with every result, one call at a time, in the order in which results
   /// arrive. What the work or `finished` throws ends the rest and is thrown again; of another rank, its message with the name of
   /// the rank: as InputError, or else as std::runtime_error.
   /// @param stop may be null: then nothing stops it
-  /// @return completed, or stopped if `stop` was set before all were done
+  /// @return completed, also if `finished` ended it, or stopped if `stop` was set before all were done
   [[nodiscard]] RunStatus run(std::vector<std::string> tasks, const std::atomic<bool>* stop, const Finished& finished);
 
   /// Returns how many tasks are done at the same time if no rank is lost.

@@ -89,6 +89,23 @@ TEST_F(EvolveOnRanks, GivesTheSameArchiveForAnyNumberOfRanksAndThreads) {
   }
 }
 
+TEST_F(EvolveOnRanks, SearchInASteadyStateThatCanBeReplayedWithout) {
+  std::string study = small_study;
+  study.insert(study.find("survivors"), "selection = \"steady_state\"\n");
+  io::write_whole(folder_ / "study.toml", study);
+  const ProgramRun killed = start(3, {"-o", "run.sqlite"});
+  ASSERT_TRUE(wait_until([&] { return killed.printed().find("\n   1 ") != std::string::npos || killed.name().empty(); }));
+  kill(test_support::ranks_of(killed).at(0), SIGKILL);
+  EXPECT_NE(killed.wait().code, 0);
+  const Outcome resumed = start(2, {"-o", "run.sqlite"}).wait();
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_EQ(resumed.out.find("note: each process did from 0 "), std::string::npos) << resumed.out;
+  const Outcome replayed =
+      ProgramRun(folder_, program, {"study.toml", "-o", "again.sqlite", "-t", "2", "--replay", "run.sqlite"}).wait();
+  ASSERT_EQ(replayed.code, 0) << replayed.err;
+  EXPECT_EQ(archive_content(folder_ / "again.sqlite"), archive_content(folder_ / "run.sqlite"));
+}
+
 TEST_F(EvolveOnRanks, LosesNothingThatIsFinishedWhenARankDies) {
   const ProgramRun run = start_and_wait();
   kill(test_support::ranks_of(run).at(1), SIGKILL);
