@@ -55,6 +55,7 @@ using Clock = std::chrono::steady_clock;
 struct Arguments {
   fs::path study;
   fs::path archive = "run.sqlite";
+  fs::path replay;
   int threads = 0;
   double rank_patience_s = io::TeamOptions{}.patience_s;
   StudyOverrides overrides;
@@ -92,12 +93,18 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
                  "Under mpirun: seconds without a sign of life after which the others go on without a process")
       ->check(CLI::Range(0.5, 1e6))
       ->capture_default_str();
+  app.add_option(
+      "--replay", arguments.replay,
+      "Archive of a search of the same study with population.selection = \"steady_state\": this one follows its order of "
+      "results, and so becomes the same");
   app.add_option("-g,--generations", arguments.overrides.generations, "Number of generations, instead of the study's");
   app.add_option("--levels", arguments.overrides.levels, "Levels, instead of the study's, e.g. --levels 1 2");
   app.add_option("--duration", arguments.overrides.duration_s, "Simulated seconds per evaluation, instead of the study's");
   app.add_option("--seed", arguments.overrides.seed, "Seed, instead of the study's");
   return io::parse_arguments(app, argc, argv);
 }
+
+bool is_steady_state(const SearchPlan& plan) { return plan.selection_time == SelectionTime::steady_state; }
 
 /// Counts what a search with a budget has cost.
 class Expenses {
@@ -157,8 +164,8 @@ class Log {
       total_ = progress.requested;
       bar_ = std::make_unique<io::Progress>("generation " + std::to_string(progress.generation), static_cast<double>(total_));
     }
-    bar_->update(static_cast<double>(progress.finished),
-                 std::to_string(progress.finished) + "/" + std::to_string(total_) + " evaluations");
+    bar_->update(static_cast<double>(progress.finished), std::to_string(progress.finished) + "/" + std::to_string(total_) +
+                                                             (is_steady_state(run_.plan) ? " robots" : " evaluations"));
   }
 
   void screened(const ScreeningRound& round) {
@@ -250,7 +257,7 @@ struct Search {
     require_memory(study, arguments.threads, ranks.count_on_machine());
     evaluators = search_evaluators_of(study);
     half_step = half_step_evaluator_of(study);
-    if (ranks.count() == 1) return;
+    if (ranks.count() == 1 && !is_steady_state(study.search)) return;
     confirming = confirmation_evaluators_of(study);
     shared.add(*evaluators.evaluator);
     if (evaluators.screening) shared.add(*evaluators.screening);
@@ -351,18 +358,34 @@ void set_scenarios(RunArchive& archive, const Study& study, const DesignEvaluato
 
 /// Says on how many threads a search runs.
 std::string shown_threads(const Arguments& arguments, const std::optional<io::RankTeam>& team, const io::RankSession& ranks) {
-  if (team) return std::to_string(ranks.count()) + " processes with " + std::to_string(team->threads()) + " threads";
+  if (ranks.count() > 1) return std::to_string(ranks.count()) + " processes with " + std::to_string(team->threads()) + " threads";
   return std::to_string(arguments.threads) + (arguments.threads == 1 ? " thread" : " threads");
+}
+
+/// Returns the order of results that a search is to follow; nothing if it goes its own way.
+std::vector<SearchEvent> replayed_order(const Arguments& arguments, const Study& study) {
+  if (arguments.replay.empty()) return {};
+  const std::string given = "--replay " + arguments.replay.string() + ": ";
+  if (!is_steady_state(study.search))
+    throw io::InputError(given + arguments.study.string() +
+                         ": population.selection = \"generational\": such a search does not depend on the order of results");
+  const RunArchive archive = RunArchive::open_to_read(arguments.replay);
+  if (archive.study() != identity_text(study))
+    throw io::InputError(given + "is the archive of another study than " + arguments.study.string());
+  std::vector<SearchEvent> order = archive.events();
+  if (order.empty()) throw io::InputError(given + "has no results yet");
+  return order;
 }
 
 int evolve(const Arguments& arguments, io::RankSession& ranks) {
   const Search search(arguments, ranks);
   const Study& study = search.study;
   const DesignEvaluator& evaluator = *search.evaluators.evaluator;
+  std::vector<SearchEvent> replayed = replayed_order(arguments, study);
   std::function<void(const std::string&)> tell = [](const std::string& text) { std::cout << "note: " << text << std::endl; };
   std::optional<io::RankTeam> team;
   std::optional<RankWorkers> workers;
-  if (ranks.count() > 1) {
+  if (ranks.count() > 1 || is_steady_state(study.search)) {
     std::vector<io::RankFacts> facts = io::call_roll(ranks, search.facts(arguments, ranks), arguments.rank_patience_s);
     if (facts.empty()) return io::exit_code::interrupted;
     team.emplace(ranks, search.work(), std::move(facts),
@@ -405,6 +428,8 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
     SearchOptions options;
     options.threads = arguments.threads;
     options.workers = others;
+    if (workers) options.stream = &*workers;
+    options.replayed = std::move(replayed);
     tell = [&](const std::string& text) { log.note(text); };
     options.stop = &io::interrupted();
     options.generation_done = [&](const GenerationRecord& record) {
@@ -420,6 +445,7 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
     log.close();
     tell = [](const std::string& text) { std::cout << "note: " << text << std::endl; };
     if (status == io::RunStatus::stopped) io::come_to_stop();
+    if (ranks.count() > 1) tell(team->shares());
     manifest.seconds = seconds_since(start);
     write_manifest(arguments, manifest);
   }

@@ -94,15 +94,17 @@ ReevaluationOptions options_of(const Arguments& arguments, const ReevaluationStu
 
 /// Makes runs for the first rank until there are no more.
 int walk_for_first_rank(const Arguments& arguments, io::RankSession& ranks) {
+  std::optional<RunArchive> archive;
+  std::optional<ReevaluationStudy> study;
   try {
-    RunArchive archive = RunArchive::open_to_read(arguments.request.archive);
-    const ReevaluationStudy study = read_reevaluation_study(arguments.request, archive);
-    walk_for_first_rank(study, std::move(archive), arguments.folder, options_of(arguments, study, ranks));
-    return io::exit_code::done;
+    archive.emplace(RunArchive::open_to_read(arguments.request.archive));
+    study = read_reevaluation_study(arguments.request, *archive);
   } catch (const std::exception& error) {  // the first rank says it, or has the same
     refuse_locomotions(ranks, error.what());
     return io::exit_code::bad_input;
   }
+  walk_for_first_rank(*study, std::move(*archive), arguments.folder, options_of(arguments, *study, ranks));
+  return io::exit_code::done;
 }
 
 std::string parameter_text(const ReevaluationStudy& study) {

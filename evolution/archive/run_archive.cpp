@@ -38,6 +38,9 @@ Screened screened_of(const std::string& word) {
   return *found;
 }
 
+constexpr const char* birth_word = "born";
+constexpr const char* end_word = "ended";
+
 // SQLite has signed integers only.
 std::int64_t signed_number(std::uint64_t number) { return static_cast<std::int64_t>(number); }
 std::uint64_t count_in(const SQLite::Column& column) { return static_cast<std::uint64_t>(column.getInt64()); }
@@ -228,6 +231,13 @@ void insert_reevaluation(SQLite::Database& connection, const Reevaluation& reeva
   bind_result(row, reevaluation.result, reevaluation.has_result);
   row.exec();
   insert_left_out(connection, key, reevaluation.result);
+}
+
+/// Adds a result to all tables that have a part of it.
+void insert_whole_evaluation(SQLite::Database& connection, const EvaluationKey& key, const ArchivedEvaluation& evaluation) {
+  insert_evaluation(connection, "evaluation", key, evaluation);
+  insert_left_out(connection, key, evaluation.result);
+  insert_walk(connection, key, evaluation.result);
 }
 
 void insert_screened(SQLite::Database& connection, std::span<const ScreenedIndividual> screened) {
@@ -626,10 +636,37 @@ std::optional<ArchivedEvaluation> RunArchive::evaluation(const EvaluationKey& as
 }
 
 void RunArchive::add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation) {
+  database_->write([&](SQLite::Database& connection) { insert_whole_evaluation(connection, key, evaluation); });
+}
+
+void RunArchive::add_events(std::span<const SearchEvent> events,
+                            std::span<const std::pair<EvaluationKey, ArchivedEvaluation>> results) {
   database_->write([&](SQLite::Database& connection) {
-    insert_evaluation(connection, "evaluation", key, evaluation);
-    insert_left_out(connection, key, evaluation.result);
-    insert_walk(connection, key, evaluation.result);
+    for (const auto& [key, evaluation] : results) insert_whole_evaluation(connection, key, evaluation);
+    add_event_table(connection);
+    auto number = connection.execAndGet("SELECT COALESCE(MAX(number) + 1, 0) FROM event").getInt64();
+    SQLite::Statement row(connection, "INSERT INTO event VALUES (:number, :individual, :what)");
+    for (const SearchEvent& event : events) {
+      row.reset();
+      row.bind(":number", number++);
+      row.bind(":individual", signed_number(event.individual));
+      row.bind(":what", event.is_birth ? birth_word : end_word);
+      row.exec();
+    }
+  });
+}
+
+std::vector<SearchEvent> RunArchive::events() const {
+  return database_->read([](const SQLite::Database& connection) {
+    std::vector<SearchEvent> all;
+    if (!connection.tableExists("event")) return all;
+    SQLite::Statement row(connection, "SELECT individual, what FROM event ORDER BY number");
+    while (row.executeStep()) {
+      const std::string what = row.getColumn("what").getString();
+      if (what != birth_word && what != end_word) throw io::InputError("\"" + what + "\" is not a word of an archive");
+      all.push_back({.individual = count_in(row.getColumn("individual")), .is_birth = what == birth_word});
+    }
+    return all;
   });
 }
 

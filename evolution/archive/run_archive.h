@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "evolution/archive/pool_member.h"
@@ -101,6 +102,14 @@ struct ArchivedScenario {
   bool operator==(const ArchivedScenario&) const = default;
 };
 
+/// A thing that happened in a steady-state search: a robot was born, or ended, which is when all its results were known.
+struct SearchEvent {
+  std::uint64_t individual = 0;
+  bool is_birth = true;
+
+  bool operator==(const SearchEvent&) const = default;
+};
+
 /// A finished generation.
 struct GenerationRecord {
   int number = 0;
@@ -118,8 +127,8 @@ struct GenerationRecord {
 /// to evaluate its designs again.
 ///
 /// Displacements that do not count (Evaluation::left_out_m), displacements in every period, finite elements of bodies,
-/// scenarios and checks of the time step have tables of their own. Only the archives of searches with such data have these
-/// tables.
+/// scenarios, checks of the time step and the order of a steady-state search have tables of their own. Only the archives of
+/// searches with such data have these tables.
 ///
 /// Every change is one transaction. Once the call returns, it survives the end of the process: by a write-ahead log, a second
 /// file `<archive>-wal`. A process that ends regularly leaves the archive as one file without a log; after a kill both belong
@@ -194,6 +203,13 @@ class RunArchive {
 
   /// Adds a result. Precondition: there is no result with this key, and the status is not `stopped`.
   void add_evaluation(const EvaluationKey& key, const ArchivedEvaluation& evaluation);
+
+  /// Adds what happened in a steady-state search, after all that happened before, and the results of robots that ended, in one
+  /// transaction. Precondition: as for add_evaluation.
+  void add_events(std::span<const SearchEvent> events, std::span<const std::pair<EvaluationKey, ArchivedEvaluation>> results);
+
+  /// Returns all that has happened in a steady-state search, in its order; nothing of other searches.
+  [[nodiscard]] std::vector<SearchEvent> events() const;
 
   /// Sets the scenarios of the search, in their order. Each result belongs to one of them by its physics.
   void set_scenarios(std::span<const ArchivedScenario> scenarios);

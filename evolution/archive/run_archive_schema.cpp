@@ -134,9 +134,9 @@ void require_finite_numbers(const fs::path& file, const SQLite::Database& connec
 
 /// Refuses a database with objects that no archive has: they could hide or change what menger reads.
 void require_own_objects(const fs::path& file, SQLite::Database& connection) {
-  constexpr std::array known{"study",         "evaluation",   "individual", "contender", "generation",
-                             "protocol",      "reevaluation", "left_out",   "screening", "period_displacement",
-                             "element_count", "scenario",     "step_check", "judgement", "under_way"};
+  constexpr std::array known{
+      "study",     "evaluation",          "individual",    "contender", "generation", "protocol",  "reevaluation", "left_out",
+      "screening", "period_displacement", "element_count", "scenario",  "step_check", "judgement", "under_way",    "event"};
   SQLite::Statement object(connection, "SELECT type, name, COALESCE(sql, '') FROM sqlite_schema");
   while (object.executeStep()) {
     const std::string type = object.getColumn(0).getString();
@@ -253,6 +253,16 @@ CREATE TABLE IF NOT EXISTS scenario (
   number INTEGER PRIMARY KEY,
   physics_hash TEXT NOT NULL,
   text TEXT NOT NULL
+);
+)sql");
+}
+
+void add_event_table(SQLite::Database& connection) {
+  connection.exec(R"sql(
+CREATE TABLE IF NOT EXISTS event (
+  number INTEGER PRIMARY KEY,
+  individual INTEGER NOT NULL,
+  what TEXT NOT NULL
 );
 )sql");
 }

@@ -35,6 +35,9 @@ void add_screening_table(SQLite::Database& connection);
 /// Makes the table of scenarios, if it is missing. Only some searches need it.
 void add_scenario_table(SQLite::Database& connection);
 
+/// Makes the table of the order of a steady-state search, if it is missing. Only such searches need it.
+void add_event_table(SQLite::Database& connection);
+
 /// Makes the table of evaluations with half the time step, with the columns of `evaluation`, if it is missing. Only some searches
 /// need it.
 void add_step_check_table(SQLite::Database& connection);

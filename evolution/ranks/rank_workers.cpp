@@ -1,5 +1,8 @@
 #include "evolution/ranks/rank_workers.h"
 
+#include <optional>
+#include <utility>
+
 #include "evolution/evaluation/worker_pool.h"
 #include "evolution/ranks/evaluation_message.h"
 
@@ -24,11 +27,45 @@ std::string SharedEvaluators::evaluate(const std::string& task, const std::atomi
   return bytes_of(evaluators_.at(message.evaluator)->evaluate_together(together, stop, threads));
 }
 
-io::RunStatus RankWorkers::run(const DesignEvaluator& evaluator, std::span<const EvaluationTask> tasks,
-                               const std::atomic<bool>* stop, const Finished& finished) const {
-  if (tasks.empty()) return io::RunStatus::completed;
+std::vector<std::pair<std::size_t, std::size_t>> RankWorkers::places_of(const DesignEvaluator& evaluator) const {
   std::vector<std::pair<std::size_t, std::size_t>> places;
   for (const std::string& physics : evaluator.scenarios()) places.push_back(shared_.place_of(physics));
+  return places;
+}
+
+io::RunStatus RankWorkers::run_stream(const DesignEvaluator& evaluator, std::vector<EvaluationTask> tasks,
+                                      const std::atomic<bool>* stop, const TaskStream::Finished& finished) const {
+  const std::vector<std::pair<std::size_t, std::size_t>> places = places_of(evaluator);
+  const auto messages_of = [&](std::vector<EvaluationTask> all) {
+    std::vector<std::string> messages;
+    messages.reserve(all.size());
+    for (EvaluationTask& task : all) {
+      const auto [place, scenario] = places.at(task.scenario);
+      task.scenario = scenario;
+      messages.push_back(bytes_of(TaskMessage{.evaluator = place, .tasks = {std::move(task)}}));
+    }
+    return messages;
+  };
+  bool is_whole = true;
+  const io::RunStatus status =
+      team_.run(messages_of(std::move(tasks)), stop,
+                [&](std::size_t task, const std::string& bytes) -> std::optional<std::vector<std::string>> {
+                  const std::vector<Evaluation> results = results_from(bytes);
+                  if (results.at(0).status == io::RunStatus::stopped) {
+                    is_whole = false;
+                    return std::vector<std::string>();
+                  }
+                  std::optional<std::vector<EvaluationTask>> more = finished(task, results[0]);
+                  if (!more) return std::nullopt;
+                  return messages_of(std::move(*more));
+                });
+  return is_whole ? status : io::RunStatus::stopped;
+}
+
+io::RunStatus RankWorkers::run(const DesignEvaluator& evaluator, std::span<const EvaluationTask> tasks,
+                               const std::atomic<bool>* stop, const Workers::Finished& finished) const {
+  if (tasks.empty()) return io::RunStatus::completed;
+  const std::vector<std::pair<std::size_t, std::size_t>> places = places_of(evaluator);
   const std::vector<TaskGroup> groups = costliest_groups_first(tasks, evaluator, team_.threads());
   std::vector<std::string> messages;
   messages.reserve(groups.size());

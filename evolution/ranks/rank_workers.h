@@ -34,17 +34,24 @@ class SharedEvaluators {
   std::string physics_;
 };
 
-/// Lets all ranks evaluate bodies. Every result equals that of threads of this process.
-class RankWorkers final : public Workers {
+/// Lets all ranks evaluate bodies; the only one may be this process. Every result equals that of threads of this process.
+class RankWorkers final : public Workers, public TaskStream {
  public:
   /// @param team whose work is SharedEvaluators::evaluate @param shared as on the other ranks; both outlive this object
   RankWorkers(io::RankTeam& team, const SharedEvaluators& shared) : team_(team), shared_(shared) {}
 
   /// @param evaluator whose scenarios are among those that the ranks share
   [[nodiscard]] io::RunStatus run(const DesignEvaluator& evaluator, std::span<const EvaluationTask> tasks,
-                                  const std::atomic<bool>* stop, const Finished& finished) const override;
+                                  const std::atomic<bool>* stop, const Workers::Finished& finished) const override;
+
+  /// @param evaluator as for run()
+  [[nodiscard]] io::RunStatus run_stream(const DesignEvaluator& evaluator, std::vector<EvaluationTask> tasks,
+                                         const std::atomic<bool>* stop, const TaskStream::Finished& finished) const override;
+  [[nodiscard]] int threads() const override { return team_.threads(); }
 
  private:
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> places_of(const DesignEvaluator& evaluator) const;
+
   io::RankTeam& team_;
   const SharedEvaluators& shared_;
 };

@@ -151,22 +151,32 @@ Call call_walker(const LocomotionJob& job, const fs::path& folder, double time_l
   return call;
 }
 
-/// Runs one job, or finds its result from an earlier call. @return nothing if the user stopped it
-std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const LocomotionRunOptions& options,
-                                            const std::function<void()>& waiting) {
-  const fs::path folder = folder_of(job, options.runs);
+/// Returns a run of a folder that need not be made, if there is one: it has a result, or exceeded such a time limit.
+std::optional<LocomotionRun> ended_run(const fs::path& folder, double time_limit_s) {
   LocomotionRun found;
-  if (!folder.empty()) found.folder = folder / result_folder;
-  Calls calls = folder.empty() ? Calls{} : read_calls(folder);
+  found.folder = folder / result_folder;
+  const Calls calls = read_calls(folder);
   if (calls.is_finished) {
     read_or_fail(found);
-    if (found.status) return found;
-    calls = {};  // its files are damaged or missing
-  }
-  if (calls.time_limit_s >= options.time_limit_s) {
-    end_by_limit(found, calls.time_limit_s, calls.seconds);
+    if (!found.status) return std::nullopt;  // its files are damaged or missing
     return found;
   }
+  if (calls.time_limit_s < time_limit_s) return std::nullopt;
+  end_by_limit(found, calls.time_limit_s, calls.seconds);
+  return found;
+}
+
+/// The folders of a job, of which all but the first are needed only while other processes walk in those before: a rank that was
+/// thought to be lost may still do so.
+fs::path numbered(const fs::path& first, int number) {
+  return number == 1 ? first : fs::path(first.string() + "_" + std::to_string(number));
+}
+
+/// Makes a run in a folder that no other process uses; empty: it keeps nothing. @return nothing if the user stopped it
+std::optional<LocomotionRun> make_run(const LocomotionJob& job, const fs::path& folder, const LocomotionRunOptions& options,
+                                      const std::function<void()>& waiting) {
+  Calls calls = folder.empty() ? Calls{} : read_calls(folder);
+  if (calls.is_finished) calls = {};  // but it cannot be read
   Call call = call_walker(job, folder, std::max(1e-3, options.time_limit_s - calls.seconds), options, waiting);
   calls.seconds += call.seconds;
   calls.is_finished = call.run.status && *call.run.status != io::RunStatus::stopped;
@@ -174,11 +184,27 @@ std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const Loco
       call.is_timed_out ? options.time_limit_s : 0.0;  // a run that the user stopped may be resumed under any limit
   if (!folder.empty()) write_calls(folder, calls);
   if (call.is_stopped) return std::nullopt;
-  call.run.folder = found.folder;
+  if (!folder.empty()) call.run.folder = folder / result_folder;
   call.run.is_repeated = true;
   if (call.is_timed_out) mark_limit(call.run, options.time_limit_s, calls.seconds);
   if (!call.run.status) call.run.seconds = calls.seconds;
   return call.run;
+}
+
+/// Runs one job, or finds its result from an earlier call or another rank. @return nothing if the user stopped it
+std::optional<LocomotionRun> run_locomotion(const LocomotionJob& job, const LocomotionRunOptions& options,
+                                            const std::function<void()>& waiting) {
+  const fs::path first = folder_of(job, options.runs);
+  if (first.empty()) return make_run(job, first, options, waiting);
+  for (int number = 1; fs::exists(numbered(first, number)); ++number)
+    if (auto found = ended_run(numbered(first, number), options.time_limit_s)) return found;
+  for (int number = 1;; ++number) {
+    const fs::path folder = numbered(first, number);
+    const std::optional<io::FileLock> lock = io::FileLock::if_free(folder);
+    if (!lock) continue;
+    if (auto found = ended_run(folder, options.time_limit_s)) return found;  // of a process that had the lock until now
+    return make_run(job, folder, options, waiting);
+  }
 }
 
 }  // namespace
@@ -293,6 +319,7 @@ bool share_runs(std::span<const LocomotionJob> jobs, const DifferentJobs& differ
     tell(1, job.name);
     return std::vector<std::string>();
   });
+  if (options.note) options.note(team.shares());
   return is_whole && status == io::RunStatus::completed;
 }
 

@@ -85,8 +85,9 @@ struct LocomotionRunOptions {
 
 /// Runs jobs in parallel. Equal jobs are run once. A failure of one does not end the others.
 ///
-/// A run that finished in an earlier call is found again. A run that was stopped is resumed from its checkpoint. A run that
-/// exceeded its time limit is resumed only if the limit is larger now.
+/// A run that finished in an earlier call is found again. No two processes make a run in the same folder: where one still does,
+/// the next one makes its run in a folder of the same name with a number. A run that was stopped is resumed from its checkpoint.
+/// A run that exceeded its time limit is resumed only if the limit is larger now.
 /// @return results in the order of the jobs; nothing if the user stopped it, and finished runs are kept
 /// @throws io::InputError if the folder cannot be written or another process runs jobs in it
 std::optional<std::vector<LocomotionRun>> run_locomotions(std::span<const LocomotionJob> jobs,

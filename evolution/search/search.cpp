@@ -14,6 +14,7 @@
 #include "evolution/genome/random_stream.h"
 #include "evolution/search/niches.h"
 #include "evolution/search/pool_evaluation.h"
+#include "evolution/search/steady_search.h"
 #include "evolution/search/step_checking.h"
 #include "evolution/search/survivor.h"
 #include "io/text/input_error.h"
@@ -227,6 +228,7 @@ io::RunStatus SearchOptions::evaluate(const DesignEvaluator& evaluator, std::spa
 
 io::RunStatus run_search(const SearchPlan& plan, const DesignEvaluator& evaluator, RunArchive& archive,
                          const SearchOptions& options, const DesignEvaluator* half_step, const DesignEvaluator* surrogate) {
+  if (plan.selection_time == SelectionTime::steady_state) return run_steady_search(plan, evaluator, archive, options);
   return Search(plan, evaluator, archive, options, half_step, surrogate).run();
 }
 

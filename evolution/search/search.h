@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/evaluation/evaluator.h"
@@ -17,7 +18,7 @@ namespace menger::evolution {
 /// Progress of the evaluations of the present generation.
 struct SearchProgress {
   int generation = 0;
-  std::size_t finished = 0;   ///< evaluations of this generation that are done
+  std::size_t finished = 0;   ///< evaluations of this generation that are done; in a steady-state search, robots
   std::size_t requested = 0;  ///< evaluations of this generation so far; more may follow
 };
 
@@ -37,6 +38,9 @@ struct SearchOptions {
 
   const Workers* workers = nullptr;  ///< who evaluates; null: `threads` of this process
 
+  const TaskStream* stream = nullptr;   ///< who evaluates in a steady-state search; given for such a one
+  std::vector<SearchEvent> replayed{};  ///< the order that a steady-state search follows before it goes its own way
+
   /// Lets the workers evaluate tasks, see Workers::run.
   [[nodiscard]] io::RunStatus evaluate(const DesignEvaluator& evaluator, std::span<const EvaluationTask> tasks,
                                        const Workers::Finished& finished) const;
@@ -50,6 +54,9 @@ struct SearchOptions {
 /// scenarios (known_score); an individual with an evaluation that did not complete has none. Equal designs share their results.
 /// With plan.pruning, levels of later generations are evaluated from the smallest on, and scenario by scenario, only as long as
 /// outlook() asks for them.
+///
+/// With SelectionTime::steady_state, survivors are selected as soon as a robot is evaluated; see run_steady_search, which this
+/// calls. The following is about other searches.
 ///
 /// With plan.map_elites, the fittest of every niche survives instead, from generation 0 on (Selection), and each child has a
 /// parent that is drawn from the survivors.

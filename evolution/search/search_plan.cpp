@@ -16,6 +16,8 @@ std::string_view to_string(DuplicatePolicy policy) {
   return policy == DuplicatePolicy::archived_result ? "archived-result" : "culled";
 }
 
+std::string_view to_string(SelectionTime time) { return time == SelectionTime::generational ? "generational" : "steady_state"; }
+
 std::size_t SearchPlan::left_out_scenarios() const {
   constexpr double rounding = 1e-9;  // of a share that was written in decimals
   const auto left_out = static_cast<std::size_t>(quantile * static_cast<double>(scenarios) + rounding);

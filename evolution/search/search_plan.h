@@ -26,6 +26,13 @@ enum class DuplicatePolicy {
 };
 std::string_view to_string(DuplicatePolicy policy);  ///< "archived-result" or "culled"
 
+/// When survivors are selected.
+enum class SelectionTime {
+  generational,  ///< when all new individuals of a generation are evaluated
+  steady_state   ///< whenever one is, see run_steady_search
+};
+std::string_view to_string(SelectionTime time);  ///< "generational" or "steady_state"
+
 /// What screens new individuals.
 enum class Screener {
   surrogate,  ///< a cheaper model
@@ -65,6 +72,10 @@ struct SearchPlan {
   /// children than survivors.
   int mutants = 15;
   int newcomers = 1;  ///< random individuals of age 0 per generation, >= 0
+
+  /// With SelectionTime::steady_state there is at least one mutant or newcomer, one scenario, and no pruning, map_elites,
+  /// screening or step_checks.
+  SelectionTime selection_time = SelectionTime::generational;
   OffspringOptions offspring;
   double cell_edge_m = 0.01;  ///< > 0
   Objective objective = Objective::body_lengths;

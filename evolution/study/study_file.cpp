@@ -28,7 +28,13 @@ constexpr double largest_population = 1e6;
 constexpr double basal_cell_count = 27;
 constexpr double fewest_measured_periods = 5;
 
-void describe_population(io::StudyVisitor& visitor, SearchPlan& plan) {
+/// Which keys of a study are described.
+enum class Part {
+  whole,
+  identity  ///< those that decide the search
+};
+
+void describe_population(io::StudyVisitor& visitor, Part part, SearchPlan& plan) {
   visitor.integer(
       {"survivors",
        "Number of survivors of each generation, and of individuals in the first. With [map_elites] as many survive as "
@@ -36,6 +42,15 @@ void describe_population(io::StudyVisitor& visitor, SearchPlan& plan) {
       plan.survivors, io::within(1, largest_population));
   visitor.integer({"mutants", "Children of the survivors in each generation."}, plan.mutants, io::within(0, largest_population));
   visitor.integer({"newcomers", "Random individuals in each generation."}, plan.newcomers, io::within(0, largest_population));
+  // Archives of generational searches say nothing of it.
+  if (part == Part::identity && plan.selection_time == SelectionTime::generational) return;
+  visitor.word(
+      {"selection",
+       "When survivors are selected. generational: when all new individuals of a generation are evaluated; steady_state: "
+       "whenever one is, so that no worker waits for the end of a generation. The search then follows from the order of "
+       "results, which its archive has. Not with [map_elites], [robust], [check_dt], model = \"both\", shorter_walks or "
+       "pruning."},
+      plan.selection_time, io::words_of(SelectionTime::generational, SelectionTime::steady_state));
 }
 
 void describe_genome(io::StudyVisitor& visitor, OffspringOptions& options) {
@@ -102,12 +117,6 @@ void describe_screening(io::StudyVisitor& visitor, ScreeningPlan& screening) {
       {"drawn_share", "Share of the others that is drawn and walks all the same, to learn how well bodies are ranked."},
       screening.drawn_share, share);
 }
-
-/// Which keys of a study are described.
-enum class Part {
-  whole,
-  identity  ///< those that decide the search
-};
 
 /// Describes which new bodies walk, or walk to the end.
 void describe_which_walk(io::StudyVisitor& visitor, Study& study) {
@@ -260,7 +269,7 @@ void describe_physics(io::StudyVisitor& visitor, Study& study) {
 void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study) {
   SearchPlan& plan = study.search;
   visitor.integer({"seed", "Seed of the random numbers."}, plan.seed, io::at_least(0));
-  visitor.table({"population", "Size of the population."}, [&] { describe_population(visitor, plan); });
+  visitor.table({"population", "Size of the population."}, [&] { describe_population(visitor, part, plan); });
   visitor.table({"genome", "Genomes and how they vary."}, [&] { describe_genome(visitor, plan.offspring); });
   visitor.table({"evaluation", "How bodies are evaluated and scored."}, [&] { describe_evaluation(visitor, part, study); });
   const bool is_calibrated = has_parameters(visitor, study);
@@ -338,6 +347,26 @@ void settle_confirmation(const io::TomlTable& table, Study& study) {
                                           (is_fine ? "fidelity = \"fine\"" : "kind = \"three_field\""));
   }
   study.confirm = 0;
+}
+
+/// Refuses what a steady-state search cannot be combined with, and lets it evaluate all that is born.
+void settle_steady_state(const io::TomlTable& table, Study& study) {
+  SearchPlan& plan = study.search;
+  if (plan.selection_time == SelectionTime::generational) return;
+  const std::string given = "population.selection = \"" + std::string(to_string(plan.selection_time)) + "\"";
+  const auto refuse_with = [&](bool is_there, const char* other) {
+    if (is_there) throw io::InputError(table.file().string() + ": " + given + ": cannot be combined with " + other);
+  };
+  refuse_with(plan.map_elites.has_value(), "[map_elites]");
+  refuse_with(study.robust.has_value(), "[robust]");
+  refuse_with(plan.step_checks.has_value(), "[check_dt]");
+  refuse_with(study.model == EvaluationModel::both, "evaluation.model = \"both\"");
+  refuse_with(plan.screening.has_value(), "evaluation.shorter_walks = true");
+  refuse_with(plan.mutants == 0 && plan.newcomers == 0, "population.mutants = 0 and newcomers = 0: no robot would be born");
+  const io::TomlTable evaluation = table.table_or_empty("evaluation");
+  if (evaluation.has("pruning") && plan.pruning)
+    throw evaluation.error("pruning", "must be false, or not given, with " + given + ": no evaluation waits for others there");
+  plan.pruning = false;
 }
 
 /// Checks requirements that involve several keys.
@@ -507,6 +536,7 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
   apply(overrides, study);
   if (uses_elements(study)) state_what_the_record_has(study.silicone.silicone);
   settle_confirmation(table, study);
+  settle_steady_state(table, study);
   check_whole(table, study, memory_bytes);
   const auto require_none = [&](const std::string& problem) {
     if (!problem.empty()) throw io::InputError(file.string() + ": " + problem);

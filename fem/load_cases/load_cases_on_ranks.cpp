@@ -1,13 +1,17 @@
 #include "fem/load_cases/load_cases_on_ranks.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <numeric>
+#include <optional>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "io/process/child_program.h"
 #include "io/process/exit_code.h"
+#include "io/process/file_lock.h"
 #include "io/ranks/roll_call.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
@@ -24,6 +28,23 @@ struct Printed {
   std::string out;
   std::string err;
 };
+
+constexpr auto pause = std::chrono::milliseconds(20);
+
+/// Returns how a rank is named in files. A case may be computed by two at once, if one was thought to be lost.
+std::string name_in_files(const io::RankSession& ranks) {
+  return "rank_" + std::to_string(ranks.rank()) + "_of_" + io::RankSession::machine();
+}
+
+/// Waits until no other rank keeps fields of a case. @return nothing if it was stopped
+std::optional<io::FileLock> lock_of_fields(const RankedLoadCases& set, const std::string& name, const std::atomic<bool>& stop) {
+  io::require_writable_folder(set.folder / "cache");
+  while (!stop) {
+    if (auto lock = io::FileLock::if_free(set.folder / "cache" / name)) return lock;
+    std::this_thread::sleep_for(pause);
+  }
+  return std::nullopt;
+}
 
 /// Runs the program. @param name of two files in the folder of the cache, which are removed
 Printed run_program_in(const RankedLoadCases& set, const std::string& name, std::vector<std::string> more,
@@ -58,10 +79,13 @@ bool has_result(const io::ChildOutcome& outcome) {
 constexpr const char* is_done = "done";
 
 /// Computes a case on any rank. Cases are told by their place in the set.
-io::RankWork case_of(const RankedLoadCases& set) {
-  return [&set](const std::string& task, const std::atomic<bool>& stop, const std::function<int()>&) -> std::string {
+io::RankWork case_of(const RankedLoadCases& set, const io::RankSession& ranks) {
+  return [&set, files = name_in_files(ranks)](const std::string& task, const std::atomic<bool>& stop,
+                                              const std::function<int()>&) -> std::string {
     const std::string& name = set.cases.at(std::stoul(task)).load_case.name;
-    const Printed printed = run_program_in(set, name, {"--no-pictures", "--only", name}, &stop);
+    const std::optional<io::FileLock> lock = set.has_fields() ? lock_of_fields(set, name, stop) : std::nullopt;
+    if (set.has_fields() && !lock) return "";
+    const Printed printed = run_program_in(set, name + "." + files, {"--no-pictures", "--only", name}, &stop);
     if (printed.outcome.end == io::ChildEnd::stopped) return "";
     if (has_result(printed.outcome)) return is_done;
     throw io::InputError(name + ": " + (printed.err.empty() ? "its program ended without a result" : printed.err));
@@ -102,14 +126,15 @@ io::RunStatus compute_on_ranks(const RankedLoadCases& set, io::RankSession& rank
     finished(++done);
     return std::vector<std::string>();
   };
-  io::RankTeam team(ranks, case_of(set), std::move(facts), options);
+  io::RankTeam team(ranks, case_of(set, ranks), std::move(facts), options);
   const io::RunStatus status = team.run(std::move(tasks), stop, take);
+  if (options.note) options.note(team.shares());
   return is_whole ? status : io::RunStatus::stopped;
 }
 
 void compute_for_first_rank(const RankedLoadCases& set, io::RankSession& ranks, const io::TeamOptions& options) {
   io::answer_roll(ranks, facts_of_set(set, ranks));
-  io::serve_first_rank(ranks, case_of(set), options);
+  io::serve_first_rank(ranks, case_of(set, ranks), options);
 }
 
 int finish_set(const RankedLoadCases& set, const std::atomic<bool>* stop) {

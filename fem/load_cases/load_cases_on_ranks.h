@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
@@ -23,6 +24,10 @@ struct RankedLoadCases {
   std::vector<std::string> options{};  ///< further arguments of the program, which decide what is kept of a case
   std::vector<CaseRequest> cases{};    ///< of the set, those to compute
   StudyMaterial material{};            ///< of the set
+
+  /// Whether fields are kept. Then no two ranks compute a case at the same time, since they would publish its fields in one
+  /// folder: a rank that gets the case of one that is only slow waits for it.
+  [[nodiscard]] bool has_fields() const { return std::ranges::find(options, "--fields") != options.end(); }
 };
 
 /// Returns the number that says how costly a case is in comparison with others of its set: cells times states.

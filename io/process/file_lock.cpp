@@ -50,21 +50,27 @@ void require_one_name(const std::filesystem::path& target) {
 
 }  // namespace
 
-FileLock::FileLock(const std::filesystem::path& target) : file_(lock_of(target)) {
+FileLock::FileLock(const std::filesystem::path& target) {
+  std::optional<FileLock> lock = if_free(target);
+  if (!lock) throw InputError(target.string() + ": another process is writing to it");
+  file_ = std::move(lock->file_);
+  descriptor_ = std::exchange(lock->descriptor_, -1);
+}
+
+std::optional<FileLock> FileLock::if_free(const std::filesystem::path& target) {
   require_one_name(target);
+  std::filesystem::path file = lock_of(target);
   while (true) {
-    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // NOLINT(cppcoreguidelines-pro-type-vararg)
-    if (descriptor_ < 0) {
-      throw InputError(file_.string() + ": cannot be written: " + std::generic_category().message(errno));
-    }
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+    if (descriptor < 0) throw InputError(file.string() + ": cannot be written: " + std::generic_category().message(errno));
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
-      ::close(descriptor_);
-      if (error == EWOULDBLOCK) throw InputError(target.string() + ": another process is writing to it");
-      throw InputError(file_.string() + ": cannot be locked: " + std::generic_category().message(error));
+      ::close(descriptor);
+      if (error == EWOULDBLOCK) return std::nullopt;
+      throw InputError(file.string() + ": cannot be locked: " + std::generic_category().message(error));
     }
-    if (is_file(descriptor_, file_)) return;
-    ::close(descriptor_);
+    if (is_file(descriptor, file)) return FileLock(std::move(file), descriptor);
+    ::close(descriptor);
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 namespace menger::io {
 
@@ -14,6 +16,10 @@ class FileLock {
   /// @throws InputError if another process holds the lock, the lock file cannot be created or the target is a file with several
   ///     names (hard links)
   explicit FileLock(const std::filesystem::path& target);
+
+  /// Returns the lock; nothing if it is held, by another process or in this one. @throws InputError otherwise as the constructor
+  [[nodiscard]] static std::optional<FileLock> if_free(const std::filesystem::path& target);
+
   ~FileLock();
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&&) = delete;
@@ -21,6 +27,8 @@ class FileLock {
   FileLock& operator=(const FileLock&) = delete;
 
  private:
+  FileLock(std::filesystem::path file, int descriptor) : file_(std::move(file)), descriptor_(descriptor) {}
+
   std::filesystem::path file_;
   int descriptor_ = -1;
 };

@@ -1,7 +1,9 @@
 #include "io/ranks/rank_program.h"
 
+#include <exception>
 #include <iostream>
 #include <optional>
+#include <string>
 
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
@@ -11,6 +13,7 @@ namespace menger::io {
 
 int run_rank_program(std::string_view name, const std::function<int(RankSession& session)>& body) {
   std::optional<RankSession> session;
+  std::string fault;
   const int code = run_program(name, [&] {
     hold_interrupts();  // MPI cannot be interrupted while it starts
     session.emplace();
@@ -19,10 +22,15 @@ int run_rank_program(std::string_view name, const std::function<int(RankSession&
       std::cout.setstate(std::ios::failbit);
       std::cerr.setstate(std::ios::failbit);
     }
-    return body(*session);
+    try {
+      return body(*session);
+    } catch (const std::exception& error) {
+      fault = error.what();
+      throw;
+    }
   });
   if (!session) return code;
-  session->end(code);
+  session->end(code, fault);
   return session->is_first() ? code : exit_code::done;
 }
 

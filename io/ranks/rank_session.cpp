@@ -7,10 +7,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <cstdlib>
+#include <iostream>
+#include <limits>
 #include <list>
+#include <mutex>
+#include <stdexcept>
+#include <stop_token>
 #include <thread>
 #include <utility>
 
@@ -25,10 +32,19 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto longest_end = std::chrono::seconds(10);
 constexpr auto pause_at_end = std::chrono::milliseconds(1);
+constexpr auto pause_between_signs = std::chrono::seconds(1);
 
 }  // namespace
 
-/// Messages that are on their way, and the ranks of this machine.
+int message_size(std::size_t bytes) {
+  constexpr int largest = std::numeric_limits<int>::max();
+  if (bytes > static_cast<std::size_t>(largest))
+    throw std::length_error("a message of " + std::to_string(bytes) + " bytes is too large: MPI sends at most " +
+                            std::to_string(largest));
+  return static_cast<int>(bytes);
+}
+
+/// Messages that are on their way, and the thread that gives signs of life.
 struct RankSession::Mpi {
   struct Letter {
     std::string bytes;
@@ -44,15 +60,38 @@ struct RankSession::Mpi {
     });
   }
 
-  std::list<Letter> letters{};  // whose bytes must stay where they are
+  void send(int to, RankTopic topic, std::string bytes) {
+    const int size = message_size(bytes.size());
+    Letter& letter = letters.emplace_back();
+    letter.bytes = std::move(bytes);
+    const int code = MPI_Isend(letter.bytes.data(), size, MPI_BYTE, to, static_cast<int>(topic), MPI_COMM_WORLD, &letter.request);
+    if (code != MPI_SUCCESS) letters.pop_back();
+  }
+
+  /// Gives others a sign of life until it is told to stop. Those that do not answer get none.
+  void give_signs(const std::stop_token& stop, int ranks) {
+    std::unique_lock lock(access);
+    while (!stop.stop_requested()) {
+      sweep();
+      for (int other = 1; other < ranks; ++other)
+        if (!silent.contains(other)) send(other, RankTopic::alive, {});
+      wakes.wait_for(lock, stop, pause_between_signs, [] { return false; });
+    }
+  }
+
+  std::mutex access{};  ///< to MPI, and to what follows
+  std::condition_variable_any wakes{};
+  std::list<Letter> letters{};  ///< whose bytes must stay where they are
+  std::set<int> silent{};       ///< ranks that were given up, or have ended
+  std::jthread signs{};         ///< last, so that it ends first
 };
 
 RankSession::RankSession() {
   if (!is_started_as_rank()) return;
   keep_mpi_start_to_this_process();
   int provided = MPI_THREAD_SINGLE;
-  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS || provided < MPI_THREAD_FUNNELED)
-    throw InputError("MPI cannot be started with threads beside the one that sends messages");
+  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS || provided < MPI_THREAD_SERIALIZED)
+    throw InputError("MPI cannot be started with threads that send messages in turn");
   mpi_ = std::make_unique<Mpi>();
   // A rank that cannot be reached is left out: that is no reason to end.
   MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
@@ -70,6 +109,8 @@ RankSession::RankSession() {
   MPI_Comm_free(&machine);
   // Ranks outlive a mpirun that is killed. The first one would go on alone, and hold the files that the next start needs.
   prctl(PR_SET_PDEATHSIG, SIGTERM);  // NOLINT(cppcoreguidelines-pro-type-vararg): the interface of Linux
+  if (is_first() && count_ > 1)
+    mpi_->signs = std::jthread([mpi = mpi_.get(), ranks = count_](const std::stop_token& stop) { mpi->give_signs(stop, ranks); });
 }
 
 RankSession::~RankSession() = default;
@@ -87,54 +128,85 @@ int RankSession::usual_threads() const {
 
 void RankSession::send(int to, RankTopic topic, std::string bytes) {
   if (!mpi_) return;
-  Mpi::Letter& letter = mpi_->letters.emplace_back();
-  letter.bytes = std::move(bytes);
-  const int code = MPI_Isend(letter.bytes.data(), static_cast<int>(letter.bytes.size()), MPI_BYTE, to, static_cast<int>(topic),
-                             MPI_COMM_WORLD, &letter.request);
-  if (code != MPI_SUCCESS) mpi_->letters.pop_back();
+  const std::lock_guard guard(mpi_->access);
+  mpi_->send(to, topic, std::move(bytes));
 }
 
 std::optional<RankMessage> RankSession::receive() {
   if (!mpi_) return std::nullopt;
+  const std::lock_guard guard(mpi_->access);
   mpi_->sweep();
   int has_come = 0;
   MPI_Message message = MPI_MESSAGE_NULL;
   MPI_Status status{};
-  const int code = MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &has_come, &message, &status);
-  if (code != MPI_SUCCESS || has_come == 0) return std::nullopt;
+  // Open MPI looks for a message first, and for what has arrived since then: so a second look is needed to find that.
+  for (int look = 0; look < 2 && has_come == 0; ++look) {
+    if (MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &has_come, &message, &status) != MPI_SUCCESS)
+      return std::nullopt;
+  }
+  if (has_come == 0) return std::nullopt;
   int size = 0;
   MPI_Get_count(&status, MPI_BYTE, &size);
   RankMessage received{.from = status.MPI_SOURCE, .topic = static_cast<RankTopic>(status.MPI_TAG), .bytes = {}};
   received.bytes.resize(static_cast<std::size_t>(size));
   // The rest of a long message may never come from a rank that is gone; it is small enough for that to be rare.
   if (MPI_Mrecv(received.bytes.data(), size, MPI_BYTE, &message, &status) != MPI_SUCCESS) return std::nullopt;
+  if (received.topic == RankTopic::ended) {
+    ended_[received.from] = received.bytes;
+    mpi_->silent.insert(received.from);
+  }
   return received;
 }
 
-void RankSession::give_up(int rank) { given_up_.insert(rank); }
+std::optional<std::string> RankSession::end_of(int rank) const {
+  const auto found = ended_.find(rank);
+  return found == ended_.end() ? std::nullopt : std::optional(found->second);
+}
 
-void RankSession::take_back(int rank) { given_up_.erase(rank); }
-
-void RankSession::end(int code) {
+void RankSession::give_up(int rank) {
+  given_up_.insert(rank);
   if (!mpi_) return;
+  const std::lock_guard guard(mpi_->access);
+  mpi_->silent.insert(rank);
+}
+
+void RankSession::take_back(int rank) {
+  given_up_.erase(rank);
+  if (!mpi_ || ended_.contains(rank)) return;
+  const std::lock_guard guard(mpi_->access);
+  mpi_->silent.erase(rank);
+}
+
+void RankSession::end(int code, const std::string& fault) {
+  if (!mpi_) return;
+  const Clock::time_point start = Clock::now();
+  const auto is_in_time = [&] { return Clock::now() - start < longest_end; };
   if (rank_ > 0) {
-    send(0, RankTopic::ended);
+    if (given_up_.contains(0)) {  // the end of MPI would wait for it
+      std::cerr.clear();
+      std::cerr << program_invocation_short_name << ": rank " << rank_ << " on " << machine() << ": " << fault << std::endl;
+      std::_Exit(code);
+    }
+    send(0, RankTopic::ended, fault);
+    const auto has_left = [&] {
+      const std::lock_guard guard(mpi_->access);
+      mpi_->sweep();
+      return mpi_->letters.empty();
+    };
+    while (!has_left() && is_in_time()) std::this_thread::sleep_for(pause_at_end);
   } else {
-    std::set<int> others;
-    for (int other = 1; other < count_; ++other) {
-      send(other, RankTopic::end);
-      if (!given_up_.contains(other)) others.insert(other);
-    }
-    const Clock::time_point start = Clock::now();
-    while (!others.empty() && Clock::now() - start < longest_end) {
-      const std::optional<RankMessage> message = receive();
-      if (!message)
-        std::this_thread::sleep_for(pause_at_end);
-      else if (message->topic == RankTopic::ended)
-        others.erase(message->from);
-    }
+    const auto is_awaited = [&](int other) { return !given_up_.contains(other) && !ended_.contains(other); };
+    const auto are_awaited = [&] {
+      for (int other = 1; other < count_; ++other)
+        if (is_awaited(other)) return true;
+      return false;
+    };
+    for (int other = 1; other < count_; ++other) send(other, RankTopic::end);
+    while (are_awaited() && is_in_time())
+      if (!receive()) std::this_thread::sleep_for(pause_at_end);
+    mpi_->signs = {};  // joins
     // The end of MPI would wait for ranks that do not answer.
-    if (!others.empty() || !given_up_.empty()) MPI_Abort(MPI_COMM_WORLD, code);
+    if (are_awaited() || !given_up_.empty()) MPI_Abort(MPI_COMM_WORLD, code);
   }
   MPI_Finalize();
   mpi_.reset();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -14,10 +15,10 @@ enum class RankTopic : int {
   task = 2,     ///< from the first rank: a task to do
   result = 3,   ///< to the first rank: the result of a task
   fault = 4,    ///< to the first rank: why a task has no result and never will
-  alive = 5,    ///< to the first rank: a sign of life
+  alive = 5,    ///< to the first rank, and from it: a sign of life
   leaving = 6,  ///< to the first rank: this one was told to stop and does no more tasks
   end = 7,      ///< from the first rank: there are no more tasks
-  ended = 8     ///< to the first rank: this one has ended its work
+  ended = 8     ///< to the first rank: this one has ended its work, and why if an error ended it
 };
 
 /// A message from another rank.
@@ -27,10 +28,14 @@ struct RankMessage {
   std::string bytes;
 };
 
+/// Returns the size of a message as MPI counts it. @throws std::length_error for one of 2 GiB or more, which MPI cannot send
+int message_size(std::size_t bytes);
+
 /// The ranks that mpirun or srun started together, for a program whose first rank gives tasks to the others. A process that
 /// nobody started as a rank is the only one: then MPI is not started.
 ///
-/// All calls are made by the thread that made the session. None waits for another rank, except for end().
+/// All calls are made by the thread that made the session. None waits for another rank, except for end(). The first rank gives
+/// all others a sign of life every second by a thread of its own, whatever it computes or writes.
 class RankSession {
  public:
   /// Starts MPI if is_started_as_rank(). Under mpirun, a rank whose starter dies is told to stop as by SIGTERM.
@@ -51,19 +56,26 @@ class RankSession {
   /// it may run on. A process alone has as many as the machine has cores.
   [[nodiscard]] int usual_threads() const;
 
-  /// Sends bytes to a rank. They leave later, in receive() or end().
+  /// Sends bytes to a rank. They leave later, in receive() or end(). @throws std::length_error as message_size
   void send(int to, RankTopic topic, std::string bytes = {});
 
   /// Returns the next message that has come, if any.
   [[nodiscard]] std::optional<RankMessage> receive();
+
+  /// Returns why a rank ended before the end of all, as far as a message has told the first rank so: the message of its error,
+  /// or an empty text. Nothing of a rank that has not ended.
+  [[nodiscard]] std::optional<std::string> end_of(int rank) const;
 
   /// Tells that a rank does not answer any more: end() will not wait for it.
   void give_up(int rank);
   void take_back(int rank);  ///< it answers again
 
   /// Ends MPI. The first rank tells the others that there are no more tasks, and waits until they have ended, for at most ten
-  /// seconds. If some do not, MPI aborts: mpirun then kills all ranks, and ends with `code`. Nothing may be left to write.
-  void end(int code);
+  /// seconds. If some do not, MPI aborts: mpirun then kills all ranks, and ends with `code`. Another rank tells the first one
+  /// why it ended; one that has given the first rank up says it on standard error, and its process ends with `code`. Nothing may
+  /// be left to write.
+  /// @param fault the message of the error that ends this rank; empty without one
+  void end(int code, const std::string& fault = {});
 
  private:
   struct Mpi;
@@ -72,6 +84,7 @@ class RankSession {
   int count_ = 1;
   int count_on_machine_ = 1;
   std::set<int> given_up_;
+  std::map<int, std::string> ended_;
 };
 
 }  // namespace menger::io

@@ -22,6 +22,9 @@ constexpr auto short_pause = std::chrono::microseconds(200);
 constexpr auto long_pause = std::chrono::milliseconds(2);  // of one that has had nothing to do for a while
 constexpr double short_s = 1.0;
 
+/// The least patience with the first rank, in s: a sign of life comes from it every second.
+constexpr double least_patience_s = 5.0;
+
 /// Signs of life come several times within the patience, in s.
 double seconds_between_signs(double patience_s) { return std::min(5.0, 0.2 * patience_s); }
 
@@ -53,6 +56,8 @@ std::string fault_bytes(const std::exception_ptr& fault) {
   }
 }
 
+std::string end_text(const std::string& fault) { return fault.empty() ? "has ended" : "has ended (" + fault + ")"; }
+
 [[noreturn]] void throw_fault(const std::string& name, const std::string& bytes) {
   const std::string message = name + ": " + bytes.substr(1);
   if (bytes.starts_with('i')) throw InputError(message);
@@ -67,6 +72,7 @@ struct RankTeam::Run {
   std::vector<std::string> tasks;
   std::vector<bool> is_done;
   std::size_t done = 0;
+  bool is_ended = false;            ///< by what receives results
   std::deque<std::size_t> waiting;  ///< in the order in which they are given out
   const Finished* finished = nullptr;
 
@@ -84,14 +90,22 @@ struct RankTeam::Run {
       if (id >= first_id) waiting.push_front(id - first_id);
   }
 
-  /// Returns the next task that is to be given out, if there is one.
-  std::optional<std::size_t> next() {
-    while (!waiting.empty()) {
-      const std::size_t task = waiting.front();
-      waiting.pop_front();
-      if (!is_done[task]) return task;  // the rank that was thought to be lost may have done it
-    }
-    return std::nullopt;
+  [[nodiscard]] bool is_over() const { return is_ended || done == tasks.size(); }
+
+  /// Whether the result of a task of this run is still asked for.
+  [[nodiscard]] bool is_open(std::uint64_t id) const {
+    return !is_ended && id >= first_id && id - first_id < tasks.size() && !is_done[id - first_id];
+  }
+
+  /// Returns the next task that is to be given to a rank, if there is one. @param has the tasks that the rank has
+  std::optional<std::size_t> next(const std::set<std::uint64_t>& has) {
+    // The rank that was thought to be lost may have done it.
+    std::erase_if(waiting, [&](std::size_t task) { return is_done[task]; });
+    const auto found = std::ranges::find_if(waiting, [&](std::size_t task) { return !has.contains(first_id + task); });
+    if (found == waiting.end()) return std::nullopt;
+    const std::size_t task = *found;
+    waiting.erase(found);
+    return task;
   }
 };
 
@@ -111,24 +125,35 @@ std::string RankTeam::name_of(int rank) const {
   return "rank " + std::to_string(rank) + " on " + members_.at(static_cast<std::size_t>(rank)).facts.machine;
 }
 
+std::string RankTeam::shares() const {
+  const auto [least, most] = std::ranges::minmax_element(members_, {}, &Member::done);
+  const auto of = [&](std::vector<Member>::const_iterator member) {
+    return std::to_string(member->done) + " (" + name_of(static_cast<int>(member - members_.begin())) + ")";
+  };
+  return "each process did from " + of(least) + " to " + of(most) + " tasks";
+}
+
 void RankTeam::note(int rank, const std::string& what) const {
   if (options_.note) options_.note(name_of(rank) + " " + what);
 }
 
 RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>* stop, const Finished& finished) {
-  Run run{.first_id = next_id_, .tasks = {}, .is_done = {}, .done = 0, .waiting = {}, .finished = &finished};
+  Run run{.first_id = next_id_, .tasks = {}, .is_done = {}, .done = 0, .is_ended = false, .waiting = {}, .finished = &finished};
   run.add(std::move(tasks));
   for (Member& member : members_) member.heard = Clock::now();
+  for (int rank = 1; rank < session_.count(); ++rank)  // during the roll call, or an earlier run
+    if (const auto end = session_.end_of(rank)) leave(run, rank, end_text(*end));
   TaskThreads threads(options_.threads, work_);
   const auto take_own = [&](const TaskThreads::Done& done) {
     members_.front().tasks.erase(done.id);
-    if (done.fault) std::rethrow_exception(done.fault);
-    take(run, done.id, done.result);
+    if (done.fault && run.is_open(done.id)) std::rethrow_exception(done.fault);
+    if (!done.fault) take(run, 0, done.id, done.result);
   };
-  while (run.done < run.tasks.size()) {
+  while (!run.is_over()) {
     if (stop != nullptr && *stop) {
       threads.stop();
       while (const auto done = threads.take(std::chrono::microseconds(0))) take_own(*done);
+      receive(run);  // what has come meanwhile
       break;
     }
     hand_out(run, threads);
@@ -141,7 +166,7 @@ RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>*
   }
   members_.front().tasks.clear();
   next_id_ = run.first_id + run.tasks.size();
-  return run.done == run.tasks.size() ? RunStatus::completed : RunStatus::stopped;
+  return run.is_over() ? RunStatus::completed : RunStatus::stopped;
 }
 
 /// Gives tasks to all that have a free thread, one to each in turn.
@@ -152,8 +177,8 @@ void RankTeam::hand_out(Run& run, TaskThreads& threads) {
     for (std::size_t rank = 0; rank < members_.size(); ++rank) {
       Member& member = members_[rank];
       if (member.is_lost || member.has_left || static_cast<int>(member.tasks.size()) >= member.facts.threads) continue;
-      const std::optional<std::size_t> task = run.next();
-      if (!task) return;
+      const std::optional<std::size_t> task = run.next(member.tasks);
+      if (!task) continue;
       const std::uint64_t id = run.first_id + *task;
       member.tasks.insert(id);
       if (rank == 0)
@@ -166,13 +191,17 @@ void RankTeam::hand_out(Run& run, TaskThreads& threads) {
 }
 
 /// Takes a result that may have come before from another rank, or belong to an earlier run.
-void RankTeam::take(Run& run, std::uint64_t id, const std::string& result) {
-  if (id < run.first_id) return;
+void RankTeam::take(Run& run, int rank, std::uint64_t id, const std::string& result) {
+  if (!run.is_open(id)) return;
   const std::size_t task = id - run.first_id;
-  if (task >= run.tasks.size() || run.is_done[task]) return;
   run.is_done[task] = true;
   ++run.done;
-  run.add((*run.finished)(task, result));
+  ++members_.at(static_cast<std::size_t>(rank)).done;
+  run.tasks[task] = {};  // nobody needs it any more
+  if (auto more = (*run.finished)(task, result))
+    run.add(std::move(*more));
+  else
+    run.is_ended = true;
 }
 
 /// Takes all messages that have come. @return whether there was one
@@ -190,17 +219,27 @@ bool RankTeam::receive(Run& run) {
     if (message->topic == RankTopic::result) {
       const std::uint64_t id = id_of(message->bytes);
       member.tasks.erase(id);
-      take(run, id, without_id(message->bytes));
+      take(run, message->from, id, without_id(message->bytes));
     } else if (message->topic == RankTopic::fault) {
-      throw_fault(name_of(message->from), without_id(message->bytes));
+      const std::uint64_t id = id_of(message->bytes);
+      member.tasks.erase(id);
+      if (run.is_open(id)) throw_fault(name_of(message->from), without_id(message->bytes));
     } else if (message->topic == RankTopic::leaving) {
-      member.has_left = true;
-      run.give_again(member.tasks);
-      member.tasks.clear();
-      note(message->from, "was told to stop: the others go on without it");
+      leave(run, message->from, "was told to stop");
+    } else if (message->topic == RankTopic::ended) {
+      leave(run, message->from, end_text(message->bytes));
     }
   }
   return was_one;
+}
+
+/// Goes on without a rank that does no more tasks. It may say so several times. @param what happened, as a part of a sentence
+void RankTeam::leave(Run& run, int rank, const std::string& what) {
+  Member& member = members_.at(static_cast<std::size_t>(rank));
+  run.give_again(member.tasks);
+  member.tasks.clear();
+  if (!member.has_left) note(rank, what + ": the others go on without it");
+  member.has_left = true;
 }
 
 /// Gives the tasks of ranks that are silent for too long back to the list. All messages that have come were received before.
@@ -219,18 +258,45 @@ void RankTeam::look_for_lost_ranks(Run& run) {
 
 void serve_first_rank(RankSession& session, const RankWork& work, const TeamOptions& options) {
   using Clock = std::chrono::steady_clock;
+  constexpr double longest_step_s = 1.0;
   TaskThreads threads(options.threads, work);
   const auto seconds_since = [](Clock::time_point time) { return std::chrono::duration<double>(Clock::now() - time).count(); };
+  const double patience_s = std::max(options.patience_s, least_patience_s);
   Clock::time_point said = Clock::now();
   Clock::time_point busy = said;
+  Clock::time_point looked = said;
+  double silent_s = 0.0;  // since the last message of the first rank
   bool has_left = false;
-  while (true) {
-    while (const std::optional<RankMessage> message = session.receive()) {
+  const auto hand_over = [&](std::chrono::microseconds pause) {
+    while (const auto done = threads.take(pause)) {
       busy = Clock::now();
+      if (has_left) continue;  // it may be a part of a result
+      if (done->fault)
+        session.send(0, RankTopic::fault, with_id(done->id, fault_bytes(done->fault)));
+      else
+        session.send(0, RankTopic::result, with_id(done->id, done->result));
+    }
+  };
+  while (true) {
+    // A process that was itself halted meanwhile, with the first one or alone, does not count that time.
+    silent_s += std::min(seconds_since(looked), longest_step_s);
+    looked = Clock::now();
+    while (const std::optional<RankMessage> message = session.receive()) {
+      silent_s = 0.0;
       if (message->topic == RankTopic::end) return;
-      if (message->topic == RankTopic::task && !has_left) threads.begin(id_of(message->bytes), without_id(message->bytes));
+      if (message->topic != RankTopic::task) continue;
+      busy = Clock::now();
+      if (has_left)
+        session.send(0, RankTopic::leaving);  // the first one may have called the roll when this was said before
+      else
+        threads.begin(id_of(message->bytes), without_id(message->bytes));
+    }
+    if (silent_s > patience_s) {
+      session.give_up(0);
+      throw std::runtime_error("rank 0 has given no sign of life for " + number_text(patience_s) + " s");
     }
     if (interrupted() && !has_left) {
+      hand_over(std::chrono::microseconds(0));
       has_left = true;
       session.send(0, RankTopic::leaving);
       threads.stop();
@@ -241,14 +307,7 @@ void serve_first_rank(RankSession& session, const RankWork& work, const TeamOpti
       said = Clock::now();
     }
     const bool is_idle = seconds_since(busy) > short_s;
-    while (const auto done = threads.take(is_idle ? std::chrono::microseconds(long_pause) : short_pause)) {
-      busy = Clock::now();
-      if (has_left) continue;  // it may be a part of a result
-      if (done->fault)
-        session.send(0, RankTopic::fault, with_id(done->id, fault_bytes(done->fault)));
-      else
-        session.send(0, RankTopic::result, with_id(done->id, done->result));
-    }
+    hand_over(is_idle ? std::chrono::microseconds(long_pause) : short_pause);
   }
 }
 

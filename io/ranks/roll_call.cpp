@@ -1,5 +1,6 @@
 #include "io/ranks/roll_call.h"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,6 +17,9 @@ namespace menger::io {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// A start of MPI, and of programs from a busy disk, takes so long at most, in s.
+constexpr double longest_start_s = 60.0;
 
 std::string bytes_of(const RankFacts& facts) {
   nlohmann::json deciding = nlohmann::json::object();
@@ -59,21 +63,26 @@ void answer_roll(RankSession& session, const RankFacts& facts) { session.send(0,
 std::vector<RankFacts> call_roll(RankSession& session, const RankFacts& own, double patience_s) {
   constexpr auto pause = std::chrono::milliseconds(1);
   const Clock::time_point start = Clock::now();
+  const double longest_s = std::max(patience_s, longest_start_s);
   std::vector<std::optional<RankFacts>> answers(static_cast<std::size_t>(session.count()));
   answers.front() = own;
   std::size_t missing = answers.size() - 1;
   while (missing > 0) {
     if (const std::optional<RankMessage> message = session.receive()) {
+      std::optional<RankFacts>& answer = answers.at(static_cast<std::size_t>(message->from));
+      if (message->topic == RankTopic::ended && !answer)
+        throw InputError("rank " + std::to_string(message->from) + " ended before its first task" +
+                         (message->bytes.empty() ? "" : ": " + message->bytes));
       if (message->topic != RankTopic::roll) continue;
-      answers.at(static_cast<std::size_t>(message->from)) = facts_from(message->bytes);
-      --missing;
+      if (!answer) --missing;
+      answer = facts_from(message->bytes);
     } else if (interrupted()) {
       return {};
-    } else if (std::chrono::duration<double>(Clock::now() - start).count() > patience_s) {
+    } else if (std::chrono::duration<double>(Clock::now() - start).count() > longest_s) {
       std::size_t silent = 1;
       while (answers[silent]) ++silent;
       session.give_up(static_cast<int>(silent));
-      throw InputError("rank " + std::to_string(silent) + " has not answered for " + number_text(patience_s) + " s");
+      throw InputError("rank " + std::to_string(silent) + " has not answered for " + number_text(longest_s) + " s");
     } else {
       std::this_thread::sleep_for(pause);
     }

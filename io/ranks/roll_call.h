@@ -25,9 +25,9 @@ void answer_roll(RankSession& session, const RankFacts& facts);
 
 /// Waits for the facts of all ranks, and returns them by rank; none if Ctrl-C came before. To be called by the first rank.
 /// @param own its facts
-/// @param patience_s how long the others may take, > 0
-/// @throws InputError naming the rank and its machine if one can do no task, would give other results than this one, or does not
-/// answer
+/// @param patience_s how long the others may take, > 0; they have a minute at least, since machines start at different times
+/// @throws InputError naming the rank and its machine if one can do no task, would give other results than this one, ends, or
+/// does not answer
 std::vector<RankFacts> call_roll(RankSession& session, const RankFacts& own, double patience_s);
 
 }  // namespace menger::io

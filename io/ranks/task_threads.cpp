@@ -10,7 +10,12 @@ namespace menger::io {
 TaskThreads::TaskThreads(int threads, RankWork work)
     : work_(std::move(work)), threads_that_run_(std::min(threads, oneapi::tbb::info::default_concurrency())), count_(threads) {
   threads_.reserve(static_cast<std::size_t>(threads));
-  for (int n = 0; n < threads; ++n) threads_.emplace_back([this] { work_on(); });
+  try {
+    for (int n = 0; n < threads; ++n) threads_.emplace_back([this] { work_on(); });
+  } catch (...) {
+    stop();  // those that have begun would wait for tasks for ever
+    throw;
+  }
 }
 
 TaskThreads::~TaskThreads() { stop(); }

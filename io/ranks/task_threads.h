@@ -25,7 +25,7 @@ using RankWork =
 /// The threads of a rank, each with a task at a time.
 class TaskThreads {
  public:
-  /// @param threads >= 1; may be more than the machine has cores
+  /// @param threads >= 1; may be more than the machine has cores @throws std::system_error if they cannot be started
   TaskThreads(int threads, RankWork work);
 
   /// Drops what is not done, and waits for its threads.

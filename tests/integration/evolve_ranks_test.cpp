@@ -3,13 +3,11 @@
 #include <gtest/gtest.h>
 #include <sys/types.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -19,6 +17,7 @@
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 #include "tests/support/two_processes.h"
+#include "tests/support/wait_until.h"
 
 namespace menger {
 namespace {
@@ -27,6 +26,7 @@ namespace fs = std::filesystem;
 using test_support::archive_content;
 using test_support::Outcome;
 using test_support::ProgramRun;
+using test_support::wait_until;
 
 constexpr const char* small_study = R"(preset = "paper"
 generations = 4
@@ -59,15 +59,8 @@ class EvolveOnRanks : public testing::Test {
   /// Starts two ranks with the archive run.sqlite and waits until they have finished a generation.
   [[nodiscard]] ProgramRun start_and_wait(std::vector<std::string> arguments = {}) const {
     ProgramRun run = start(2, std::move(arguments));
-    while (run.printed().find("\n   1 ") == std::string::npos && run.name() != "") pause();
+    EXPECT_TRUE(wait_until([&] { return run.printed().find("\n   1 ") != std::string::npos || run.name().empty(); }));
     return run;
-  }
-
-  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }
-
-  /// Waits until a process is gone.
-  static void wait_for_end(pid_t process) {
-    while (kill(process, 0) == 0) pause();
   }
 
   /// Goes on with run.sqlite without MPI, and expects that it had finished work and ends as if nothing had happened.
@@ -89,9 +82,28 @@ TEST_F(EvolveOnRanks, GivesTheSameArchiveForAnyNumberOfRanksAndThreads) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "") << "ranks other than the first print nothing";
     EXPECT_NE(outcome.out.find("on " + std::to_string(ranks) + " processes with "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("note: each process did from "), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("note: each process did from 0 "), std::string::npos) << outcome.out;
     EXPECT_EQ(archive_content(folder_ / archive), expected_);
     EXPECT_FALSE(fs::exists(folder_ / (archive + "-wal")));
   }
+}
+
+TEST_F(EvolveOnRanks, SearchInASteadyStateThatCanBeReplayedWithout) {
+  std::string study = small_study;
+  study.insert(study.find("survivors"), "selection = \"steady_state\"\n");
+  io::write_whole(folder_ / "study.toml", study);
+  const ProgramRun killed = start(3, {"-o", "run.sqlite"});
+  ASSERT_TRUE(wait_until([&] { return killed.printed().find("\n   1 ") != std::string::npos || killed.name().empty(); }));
+  kill(test_support::ranks_of(killed).at(0), SIGKILL);
+  EXPECT_NE(killed.wait().code, 0);
+  const Outcome resumed = start(2, {"-o", "run.sqlite"}).wait();
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_EQ(resumed.out.find("note: each process did from 0 "), std::string::npos) << resumed.out;
+  const Outcome replayed =
+      ProgramRun(folder_, program, {"study.toml", "-o", "again.sqlite", "-t", "2", "--replay", "run.sqlite"}).wait();
+  ASSERT_EQ(replayed.code, 0) << replayed.err;
+  EXPECT_EQ(archive_content(folder_ / "again.sqlite"), archive_content(folder_ / "run.sqlite"));
 }
 
 TEST_F(EvolveOnRanks, LosesNothingThatIsFinishedWhenARankDies) {
@@ -120,18 +132,6 @@ TEST_F(EvolveOnRanks, GoesOnWithoutARankThatHangs) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("has been silent for 0.5 s: the others go on without it"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Champion: "), std::string::npos) << outcome.out;
-  EXPECT_EQ(archive_content(folder_ / "run.sqlite"), expected_);
-}
-
-TEST_F(EvolveOnRanks, GivesTasksAgainToARankThatAnswersAgain) {
-  const ProgramRun run = start_and_wait({"--rank-patience", "0.5"});
-  const pid_t rank = test_support::ranks_of(run).at(1);
-  kill(rank, SIGSTOP);
-  while (run.printed().find("has been silent") == std::string::npos && run.name() != "") pause();
-  kill(rank, SIGCONT);
-  const Outcome outcome = run.wait();
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("answers again"), std::string::npos) << outcome.out;
   EXPECT_EQ(archive_content(folder_ / "run.sqlite"), expected_);
 }
 
@@ -170,7 +170,7 @@ TEST_F(EvolveOnRanks, ResumesAfterAllWereKilled) {
   run.send(SIGKILL);
   for (const auto& [rank, process] : ranks) kill(process, SIGKILL);
   EXPECT_EQ(run.wait().signal, SIGKILL);
-  for (const auto& [rank, process] : ranks) wait_for_end(process);
+  for (const auto& [rank, process] : ranks) EXPECT_TRUE(test_support::wait_for_end(process));
   expect_resumed();
 }
 
@@ -180,7 +180,7 @@ TEST_F(EvolveOnRanks, EndWithTheirMpirun) {
   ASSERT_EQ(ranks.size(), 2U);
   run.send(SIGKILL);
   EXPECT_EQ(run.wait().signal, SIGKILL);
-  for (const auto& [rank, process] : ranks) wait_for_end(process);
+  for (const auto& [rank, process] : ranks) EXPECT_TRUE(test_support::wait_for_end(process));
   expect_resumed();
 }
 
@@ -228,11 +228,23 @@ TEST_F(RefusedRanks, MustHaveTheSameStudy) {
 
 TEST_F(RefusedRanks, AreNamedIfTheyHaveNoStudy) {
   const std::string evolve = program;
-  const Outcome outcome =
-      test_support::start_under_mpirun(folder_, {"-n", "1", evolve, "study.toml", ":", "-n", "1", evolve, "none.toml"}).wait();
+  const Outcome outcome = test_support::start_under_mpirun(folder_, {"-n", "1", evolve, "study.toml", ":", "-n", "1", evolve,
+                                                                     "none.toml", ":", "-n", "1", evolve, "study.toml"})
+                              .wait();
   EXPECT_EQ(outcome.code, 2) << outcome.err;
   EXPECT_NE(outcome.err.find("error: rank 1 on "), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find(": none.toml: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("MPI_ABORT"), std::string::npos) << "the first rank waits for none: " << outcome.err;
+}
+
+TEST_F(RefusedRanks, AreNamedIfTheirArgumentsAreWrong) {
+  const std::string evolve = program;
+  const Outcome outcome = test_support::start_under_mpirun(
+                              folder_, {"-n", "1", evolve, "study.toml", ":", "-n", "1", evolve, "study.toml", "--thread", "2"})
+                              .wait();
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_NE(outcome.err.find("error: rank 1 ended before its first task: "), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "run.sqlite"));
 }
 
 TEST_F(RefusedRanks, OfSrunMustKnowOfEachOther) {

@@ -34,9 +34,9 @@ class Export : public testing::Test {
   }
 
   void evolve(const std::string& archive, const std::string& threads = "2", const std::string& encoding = "fractal",
-              const std::string& preset = "paper") const {
+              const std::string& preset = "paper", const std::string& population = "") const {
     io::write_whole(folder_ / "study.toml",
-                    "preset = \"" + preset + "\"\ngenerations = 3\n[population]\nsurvivors = 4\nmutants = 4\n" +
+                    "preset = \"" + preset + "\"\ngenerations = 3\n[population]\nsurvivors = 4\nmutants = 4\n" + population +
                         "[genome]\nencoding = \"" + encoding + "\"\n[body]\nlevels = [1, 2]\n[time]\nduration_s = 0.05\n");
     const Outcome outcome = run("menger-evolve", {"study.toml", "-o", archive, "--threads", threads});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -110,6 +110,35 @@ TEST_F(Export, WritesTablesDesignAndSimulationsOfTheChampion) {
   }
   EXPECT_EQ(lineage.number(lineage.row_count() - 1, "individual"), static_cast<double>(id));
   EXPECT_EQ(lineage.text(lineage.row_count() - 1, "phenotype"), phenotype_key(champion.phenotype));
+}
+
+TEST_F(Export, OfASteadyStateSearchIsThatOfItsReplay) {
+  evolve("run.sqlite", "3", "fractal", "paper", "selection = \"steady_state\"\n");
+  const Outcome replayed = run("menger-evolve", {"study.toml", "-o", "again.sqlite", "--threads", "1", "--replay", "run.sqlite"});
+  ASSERT_EQ(replayed.code, 0) << replayed.err;
+  ASSERT_EQ(export_run("run.sqlite", "first", {"--levels", "1"}).code, 0);
+  ASSERT_EQ(export_run("again.sqlite", "second", {"--levels", "1"}).code, 0);
+  EXPECT_EQ(contents("first"), contents("second"));
+  const io::CsvContents generations = io::read_csv(folder_ / "first/generations.csv");
+  ASSERT_EQ(generations.row_count(), 4U);
+  EXPECT_EQ(generations.number(3, "pruned"), 0.0);
+  EXPECT_EQ(generations.number(3, "evaluations") + generations.number(3, "cached"), 2.0 * 5.0) << "two levels of five robots";
+  const Outcome timings = export_run("run.sqlite", "timings", {"--levels", "1", "--timings"});
+  ASSERT_EQ(timings.code, 0) << timings.err;
+}
+
+TEST_F(Export, RefusesToReplayWhatHasNoOrderOrAnother) {
+  evolve("run.sqlite");
+  const Outcome generational = run("menger-evolve", {"study.toml", "-o", "again.sqlite", "--replay", "run.sqlite"});
+  EXPECT_EQ(generational.code, 2);
+  EXPECT_NE(generational.err.find("--replay run.sqlite: study.toml: population.selection = \"generational\""), std::string::npos)
+      << generational.err;
+  evolve("steady.sqlite", "2", "fractal", "paper", "selection = \"steady_state\"\n");
+  const Outcome other = run("menger-evolve", {"study.toml", "-o", "again.sqlite", "--seed", "2", "--replay", "steady.sqlite"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("--replay steady.sqlite: is the archive of another study than study.toml"), std::string::npos)
+      << other.err;
+  EXPECT_FALSE(fs::exists(folder_ / "again.sqlite"));
 }
 
 TEST_F(Export, ReadsAnEarlierArchive) {

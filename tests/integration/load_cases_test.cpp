@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 #include "tests/support/two_processes.h"
+#include "tests/support/wait_until.h"
 
 namespace menger {
 namespace {
@@ -82,7 +84,68 @@ TEST_F(LoadCasesProgram, OnTwoRanksGivesWhatOneProcessGives) {
        at = outcome.out.find("from the cache", at + 1))
     ++found;
   EXPECT_EQ(found, 3U) << outcome.out;
+  EXPECT_EQ(outcome.out.find("each process did from 0 "), std::string::npos) << "both ranks had cases: " << outcome.out;
   for (const auto& entry : fs::directory_iterator(folder_ / "out/cache")) EXPECT_NE(entry.path().extension(), ".out");
+}
+
+/// Ranks whose cases are computed by a script in place of the program. It writes where its output goes to, and then waits for a
+/// file `go_on`.
+class LoadCasesOfAScript : public LoadCasesProgram {
+ protected:
+  LoadCasesOfAScript() {
+    write_set(cell("pull", "stretch", stretch) + cell("hold", "blocked", "pressures_Pa = [-500, 1000]\n"));
+    fs::create_directory(folder_ / "bin");
+    fs::copy_file(MENGER_PROGRAM_DIR "/menger-load-cases", folder_ / "bin/ranks");
+    const std::string script =
+        "#!/bin/sh\ncase \"$*\" in *--only*) ;; *) exit 0 ;; esac\ncd '" + folder_.path().string() +
+        "'\nout=$(readlink /proc/$$/fd/1)\necho \"$out\" >begun.$$\nwhile [ ! -e go_on ]; do sleep 0.02; done\n";
+    io::write_whole(folder_ / "bin/menger-load-cases", script);
+    fs::permissions(folder_ / "bin/menger-load-cases", fs::perms::owner_exec, fs::perm_options::add);
+  }
+
+  /// Returns the files of output of all programs of cases that have begun, in order.
+  [[nodiscard]] std::vector<std::string> begun() const {
+    std::vector<std::string> files;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      if (!entry.path().filename().string().starts_with("begun.")) continue;
+      const std::string line = io::read_whole(entry.path());
+      if (line.ends_with('\n')) files.push_back(fs::path(line.substr(0, line.size() - 1)).filename());
+    }
+    std::ranges::sort(files);
+    return files;
+  }
+
+  [[nodiscard]] ProgramRun start(std::vector<std::string> more) const {
+    std::vector<std::string> arguments{"set.toml", "-o", "out", "--no-pictures", "--rank-patience", "0.5"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return test_support::start_two_processes(folder_, folder_ / "bin/ranks", std::move(arguments));
+  }
+};
+
+TEST_F(LoadCasesOfAScript, HaveOutputOfTheirOwnOnEachRank) {
+  const ProgramRun run = start({});
+  ASSERT_TRUE(test_support::wait_until([&] { return begun().size() == 2; }));
+  const std::vector<std::string> files = begun();
+  EXPECT_EQ(files[0].find("hold.rank_1_of_"), 0U) << files[0];
+  EXPECT_EQ(files[1].find("pull.rank_0_of_"), 0U) << files[1];
+  io::write_whole(folder_ / "go_on", "");
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST_F(LoadCasesOfAScript, AreNotComputedTwiceAtOnceIfTheirFieldsAreKept) {
+  const ProgramRun run = start({"--fields"});
+  ASSERT_TRUE(test_support::wait_until([&] { return begun().size() == 2; }));
+  const pid_t rank = test_support::ranks_of(run).at(1);
+  kill(rank, SIGSTOP);
+  ASSERT_TRUE(test_support::wait_until([&] { return run.printed().find("has been silent") != std::string::npos; }));
+  io::write_whole(folder_ / "go_on", "");
+  // The first rank has nothing but the case of the other one to do now.
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  EXPECT_EQ(begun().size(), 2U);
+  kill(rank, SIGCONT);
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST_F(LoadCasesProgram, OnRanksSaysWhatIsWrongWithTheSet) {
@@ -180,7 +243,7 @@ TEST_F(LoadCasesProgram, KeepsFinishedCasesWhenInterrupted) {
             "[[case]]\nname = \"long\"\nkind = \"inflation\"\ncells = [3, 3, 1]\n"
             "digits = \"111111111\"\ndegree = 2\nthrough_wall = 2\n");
   const ProgramRun program(folder_, MENGER_PROGRAM_DIR "/menger-load-cases", {"set.toml", "-o", "out", "--no-pictures"});
-  while (!fs::exists(folder_ / "out/pull.toml")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ASSERT_TRUE(test_support::wait_until([&] { return fs::exists(folder_ / "out/pull.toml"); }));
   program.send(SIGINT);
   const Outcome stopped = program.wait();
   EXPECT_EQ(stopped.code, 130) << stopped.out << stopped.err;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/program_run.h"
+#include "tests/support/wait_until.h"
 
 namespace menger::test_support {
 
@@ -19,7 +20,7 @@ inline ProgramRun start_under_mpirun(const std::filesystem::path& folder, std::v
   setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
   setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   setenv("OMPI_MCA_odls_base_sigkill_timeout", "5", 0);
-  arguments.insert(arguments.begin(), {"mpirun", "--oversubscribe"});
+  arguments.insert(arguments.begin(), {"mpirun", "--oversubscribe", "--timeout", "300"});
   return {folder, "/usr/bin/env", std::move(arguments)};
 }
 
@@ -42,6 +43,17 @@ inline std::map<int, pid_t> ranks_of(const ProgramRun& mpirun) {
       if (entry.starts_with(name)) ranks[std::stoi(entry.substr(name.size()))] = child;
   }
   return ranks;
+}
+
+/// Waits until a process has ended, whether or not its parent has asked how. @return false if it has not
+[[nodiscard]] inline bool wait_for_end(pid_t process) {
+  return wait_until([&] {
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string stat;
+    std::getline(file, stat);
+    const std::size_t name_end = stat.rfind(") ");  // the name may contain anything
+    return name_end == std::string::npos || stat.at(name_end + 2) == 'Z';
+  });
 }
 
 }  // namespace menger::test_support

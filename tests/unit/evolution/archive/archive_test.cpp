@@ -105,6 +105,29 @@ TEST_F(Archive, GivesEvaluationsBackExactly) {
   EXPECT_EQ(archive.evaluations_outside_validity(5, "p"), 1U) << "results of another physics are not counted";
 }
 
+TEST_F(Archive, GivesTheOrderOfASteadyStateSearchBack) {
+  const std::vector<SearchEvent> first{{0, true}, {1, true}};
+  const std::vector<SearchEvent> second{{1, false}, {2, true}};
+  std::vector<SearchEvent> all = first;
+  all.insert(all.end(), second.begin(), second.end());
+  {
+    RunArchive archive = open();
+    EXPECT_TRUE(archive.events().empty());
+    archive.add_events(first, {});
+    Evaluation result;
+    result.status = io::RunStatus::completed;
+    result.displacement_m = {0.1, 0.2, 0.3};
+    const std::vector<std::pair<EvaluationKey, ArchivedEvaluation>> results{{{"a", 1, "p"}, {0, result}}};
+    archive.add_events(second, results);
+    EXPECT_THROW(archive.add_events(first, results), io::InputError) << "the result is there already";
+    EXPECT_EQ(archive.events(), all) << "all of a call, or nothing";
+    ASSERT_TRUE(archive.evaluation({"a", 1, "p"}));
+  }
+  EXPECT_EQ(RunArchive::open_to_read(file_).events(), all);
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("UPDATE event SET what = 'gone' WHERE number = 2");
+  EXPECT_THROW((void)open().events(), io::InputError);
+}
+
 TEST_F(Archive, GivesDisplacementsByPeriodAndElementsBack) {
   RunArchive archive = open();
   Evaluation walked;

@@ -373,6 +373,35 @@ TEST(Locomotions, EqualJobsAreRunOnceForAll) {
   EXPECT_EQ(calls, 2) << "the files hold the results";
 }
 
+TEST(Locomotions, AFolderInWhichAnotherProcessWalksIsLeftToIt) {
+  const tests::TestFolder folder;
+  LocomotionJob job{.name = "one", .study = {}};
+  job.study.drive.emplace();
+  job.study.design = {"bar", meshes::Polycube::from_digits(3, 1, 1, "111"), 0.01};
+  const std::vector<LocomotionJob> jobs{job};
+  int calls = 0;
+  const Walker walker = [&](const LocomotionJob& one, const fs::path&, const std::atomic<bool>&) {
+    ++calls;
+    return fake_walk(one);
+  };
+  const LocomotionRunOptions options{.walker = walker, .runs = folder / "runs"};
+  const fs::path first = run_locomotions(jobs, options)->front().folder.parent_path();
+  fs::remove_all(first);
+  fs::create_directories(first);
+  io::write_whole(first / "locomotion.checkpoint", "of another process");
+  calls = 0;
+  fs::path second;
+  {
+    const io::FileLock other(first);
+    second = run_locomotions(jobs, options)->front().folder.parent_path();
+    EXPECT_EQ(second, first.string() + "_2");
+    EXPECT_EQ(calls, 1);
+    EXPECT_FALSE(fs::exists(first / "calls.toml")) << "nothing is written beside the other process";
+  }
+  EXPECT_EQ(run_locomotions(jobs, options)->front().folder.parent_path(), second);
+  EXPECT_EQ(calls, 1) << "what is finished is found in any of the folders";
+}
+
 TEST_F(ReevaluationRun, StopsAndGoesOn) {
   std::atomic<bool> stop{false};
   options_.stop = &stop;

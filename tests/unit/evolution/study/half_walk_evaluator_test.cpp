@@ -6,6 +6,7 @@
 #include <string>
 
 #include "evolution/study/walk_evaluator.h"
+#include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 #include "tests/support/walking_study.h"
 
@@ -113,6 +114,12 @@ TEST_F(HalfWalks, BelongToStudiesThatMeasureTheLastPeriodsOnFiniteElements) {
   EXPECT_FALSE(read("measure = \"last_periods\"\n").search.screening);
   EXPECT_THROW((void)read("shorter_walks = true\n"), io::InputError) << "of the net displacement";
   EXPECT_THROW((void)read("measure = \"last_periods\"\ndrawn_share = 0.3\n"), io::InputError);
+  std::string steady = tests::walking_study_text(six);
+  steady.replace(steady.find("mutants = 3\n"), 12, "mutants = 3\nselection = \"steady_state\"\n");
+  const std::string message = tests::message_of([&] { (void)tests::read_walking_study(folder_ / "study.toml", steady); });
+  EXPECT_NE(message.find("population.selection = \"steady_state\": cannot be combined with evaluation.shorter_walks = true"),
+            std::string::npos)
+      << message;
 }
 
 }  // namespace

@@ -83,6 +83,13 @@ TEST_F(RobustStudy, RefusesWhatMakesNoScenario) {
   expect_refused("[robust]\nquantile = 1\n", "robust.quantile = 1");
   expect_refused("[robust]\nscenarios = 3\n", "robust.scenarios");
   expect_refused("[robust]\n[check_dt]\n", "[check_dt]: beside [robust]");
+  std::string steady = walking_study_text("", "", "[robust]\n");
+  steady.replace(steady.find("mutants = 3\n"), 12, "mutants = 3\nselection = \"steady_state\"\n");
+  const std::string with_steady_state =
+      tests::message_of([&] { (void)tests::read_walking_study(folder_ / "study.toml", steady); });
+  EXPECT_NE(with_steady_state.find("study.toml: population.selection = \"steady_state\": cannot be combined with [robust]"),
+            std::string::npos)
+      << with_steady_state;
   const std::string message = tests::message_of(
       [&] { (void)tests::read_walking_study(folder_ / "study.toml", "preset = \"paper\"\n[robust]\nquantile = 0\n"); });
   EXPECT_NE(message.find("belongs to evaluation.model = \"finite_elements\" or \"both\""), std::string::npos) << message;

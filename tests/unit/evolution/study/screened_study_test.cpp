@@ -71,6 +71,8 @@ TEST_F(ScreenedStudy, IsRefusedWithoutParametersForTheSilicone) {
   expect_refused(screened("drawn_share = 0\n"), "drawn_share = 0");
   expect_refused(screened("least_passing_share = 2\n"), "least_passing_share = 2");
   expect_refused("preset = \"paper\"\n[evaluation]\ndrawn_share = 0.2\n", "belongs to model = \"both\"");
+  expect_refused(screened("", "[population]\nselection = \"steady_state\"\n"),
+                 "population.selection = \"steady_state\": cannot be combined with evaluation.model = \"both\"");
 }
 
 }  // namespace

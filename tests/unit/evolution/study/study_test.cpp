@@ -337,6 +337,31 @@ TEST_F(StudyFile, MayKeepAnArchiveOfElites) {
   expect_refused(head + "[map_elites]\ncells_per_niche = 0\n", {"map_elites.cells_per_niche = 0"});
 }
 
+TEST_F(StudyFile, MaySelectInASteadyState) {
+  const std::string head = "preset = \"paper\"\n[population]\nselection = \"steady_state\"\n";
+  const Study study = read(head);
+  EXPECT_EQ(study.search.selection_time, SelectionTime::steady_state);
+  EXPECT_FALSE(study.search.pruning) << "nothing waits for other evaluations";
+  EXPECT_EQ(read(head + "[evaluation]\npruning = false\n"), study);
+  EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
+  EXPECT_NE(identity_text(study).find("selection = \"steady_state\"\n"), std::string::npos);
+  const std::string usual = "preset = \"paper\"\n[population]\nselection = \"generational\"\n";
+  EXPECT_EQ(read(usual), read("preset = \"paper\"\n"));
+  EXPECT_EQ(identity_text(read(usual)).find("selection"), std::string::npos) << "as archives without the key have it";
+  expect_refused("preset = \"paper\"\n[population]\nselection = \"steady\"\n",
+                 {"study.toml:3", "population.selection = \"steady\"", "generational"});
+}
+
+TEST_F(StudyFile, RefusesWithASteadyStateWhatWaitsForOthers) {
+  const std::string head = "preset = \"paper\"\n[population]\nselection = \"steady_state\"\n";
+  const std::string given = "study.toml: population.selection = \"steady_state\": cannot be combined with ";
+  expect_refused(head + "[map_elites]\n", {given + "[map_elites]"});
+  expect_refused(head + "[check_dt]\n", {given + "[check_dt]"});
+  expect_refused(head + "mutants = 0\nnewcomers = 0\n", {given + "population.mutants = 0 and newcomers = 0"});
+  expect_refused(head + "[evaluation]\npruning = true\n",
+                 {"study.toml:5", "evaluation.pruning = true", "must be false", "population.selection = \"steady_state\""});
+}
+
 TEST_F(StudyFile, RefusesALevelThatWouldNotFitTheMemory) {
   io::write_whole(folder_ / "study.toml", "preset = \"paper\"\n");
   EXPECT_NO_THROW((void)read_study(folder_ / "study.toml", {}, std::size_t{1} << 30));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "io/text/input_error.h"
@@ -21,6 +22,18 @@ TEST(FileLock, KeepsOthersOutUntilItIsReleased) {
     EXPECT_THROW(FileLock(folder / "a"), InputError);
   }
   const FileLock lock(folder / "a");
+}
+
+TEST(FileLock, CanBeTried) {
+  const tests::TestFolder folder;
+  {
+    const std::optional<FileLock> lock = FileLock::if_free(folder / "a");
+    ASSERT_TRUE(lock);
+    EXPECT_FALSE(FileLock::if_free(folder / "a"));
+    EXPECT_TRUE(FileLock::if_free(folder / "b"));
+  }
+  EXPECT_TRUE(FileLock::if_free(folder / "a"));
+  EXPECT_THROW((void)FileLock::if_free(folder / "none/a"), InputError) << "it is not held, but cannot be taken";
 }
 
 TEST(FileLock, BelongsToTheFileAndNotToItsName) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -73,6 +74,37 @@ TEST_F(TeamOfOne, EndsWithWhatATaskOrItsReceiverThrows) {
   EXPECT_THROW((void)team().run({"a", "wrong", "b"}, nullptr, nothing), InputError);
   const auto full = [](std::size_t, const std::string&) -> std::vector<std::string> { throw std::runtime_error("disk full"); };
   EXPECT_THROW((void)team().run({"a", "b"}, nullptr, full), std::runtime_error);
+}
+
+TEST_F(TeamOfOne, MayBeEndedByWhatReceivesResults) {
+  RankTeam one = team();
+  int handed_over = 0;
+  const RunStatus status = one.run(std::vector<std::string>(100, "a"), nullptr,
+                                   [&](std::size_t, const std::string&) -> std::optional<std::vector<std::string>> {
+                                     if (++handed_over == 3) return std::nullopt;
+                                     return std::vector<std::string>();
+                                   });
+  EXPECT_EQ(status, RunStatus::completed);
+  EXPECT_EQ(handed_over, 3);
+  std::vector<std::string> results;
+  (void)one.run({"b"}, nullptr, [&](std::size_t, const std::string& result) {
+    results.push_back(result);
+    return std::vector<std::string>();
+  });
+  EXPECT_EQ(results, std::vector<std::string>{"bb"}) << "nothing of the run before";
+}
+
+TEST_F(TeamOfOne, CountsItsTasks) {
+  RankTeam one = team();
+  (void)one.run({"a", "b"}, nullptr, [](std::size_t, const std::string&) { return std::vector<std::string>(); });
+  EXPECT_EQ(one.shares().find("each process did from 2 (rank 0 on "), 0U) << one.shares();
+}
+
+TEST(RankMessages, HaveASizeThatMpiCanSend) {
+  EXPECT_EQ(message_size(0), 0);
+  EXPECT_EQ(message_size(std::size_t{0x7fffffff}), 0x7fffffff);
+  EXPECT_THROW((void)message_size(std::size_t{0x80000000}), std::length_error);
+  EXPECT_THROW((void)message_size(std::size_t{0x100000001}), std::length_error) << "not one byte";
 }
 
 TEST_F(TeamOfOne, StopsAndHandsOverWhatWasDone) {

@@ -1,13 +1,19 @@
 #include "io/ranks/task_threads.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <barrier>
 #include <chrono>
+#include <cstdlib>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
+
+#include "io/text/whole_file.h"
 
 namespace menger::io {
 namespace {
@@ -60,6 +66,30 @@ TEST(TaskThreads, DropWhatHasNotBegunWhenTheyStop) {
   EXPECT_EQ(done->result, "a part");
   EXPECT_FALSE(threads.take(std::chrono::microseconds(0)));
 }
+
+/// Starts more threads than fit into the memory that this process may have, and tells by its exit code how that went.
+[[noreturn]] void start_too_many_threads() {
+  alarm(60);  // for threads that wait for each other
+  const auto pages = static_cast<rlim_t>(std::stoull(io::read_whole("/proc/self/statm")));
+  constexpr rlim_t room = 200UL << 20U;  // for some of them
+  const rlim_t bytes = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + room;
+  const rlimit limit{bytes, bytes};
+  setrlimit(RLIMIT_AS, &limit);
+  try {
+    const TaskThreads threads(
+        10000, [](const std::string& task, const std::atomic<bool>&, const std::function<int()>&) { return task; });
+  } catch (const std::system_error&) {
+    std::_Exit(3);
+  }
+  std::_Exit(4);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)  // which cannot do with little memory
+TEST(TaskThreads, ThatCannotAllBeStartedEnd) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(start_too_many_threads(), testing::ExitedWithCode(3), "");
+}
+#endif
 
 }  // namespace
 }  // namespace menger::io
