@@ -1,5 +1,9 @@
 // The fuzzer of libFuzzer for all readers; the first argument names the one to run: fuzz-readers evolve CORPUS -runs=100000.
 
+#include <sanitizer/asan_interface.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -18,6 +22,7 @@ namespace {
 using namespace menger::tests;
 
 const FuzzedReader* reader = nullptr;
+const pid_t fuzzer = ::getpid();
 
 struct Place {
   TemporaryFolder root{"menger-fuzz"};
@@ -31,6 +36,14 @@ const Place& place() {
 }
 
 }  // namespace
+
+/// Called by the sanitizer before it reports an error. A file may claim more memory than the child process that reads it may
+/// have. Without a sanitizer the child throws then, and the file is refused; the sanitizer would end it as for a fault.
+extern "C" void __asan_on_error() {  // NOLINT(bugprone-reserved-identifier): the sanitizer knows it by this name
+  const std::string_view error = __asan_get_report_description();
+  const bool is_too_much = error == "out-of-memory" || error == "allocation-size-too-big";
+  if (is_too_much && ::getpid() != fuzzer) ::raise(SIGKILL);
+}
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   // -merge, -jobs and -minimize_crash start this program again with all arguments, the name included.
