@@ -10,6 +10,7 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/study_help.h"
+#include "io/study/installed_folders.h"
 #include "meshes/robot/robot_file.h"
 
 namespace {

@@ -30,12 +30,12 @@ constexpr const char* description =
     "Writes one page on the results of menger's commands in a folder and its sub-folders: a verdict in words, the robot moving "
     "in\n"
     "3-D, finite elements beside the surrogate, charts, tables and where everything comes from. The page is one file that any\n"
-    "browser opens without a network. An animation of every walk stands beside it.";
+    "browser opens without a network. Beside it stand animations (GIF) of its first four walks.";
 
 constexpr const char* example =
     "Example:\n"
     "  menger report demo\n"
-    "writes demo/report.html and demo/walk.gif.\n"
+    "writes demo/report.html and demo/report.walk_1.gif to report.walk_4.gif. Those of an earlier report go first.\n"
     "Any commands may be missing; the page says what was not computed. 3-D needs Debian's package libjs-three, animations "
     "ffmpeg.\n"
     "Exit codes: 0 done, 2 wrong input or no results, 130 interrupted.";
@@ -46,9 +46,9 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.footer(example);
   app.add_option("folder", arguments.folder, "Folder with results")->required();
   app.add_option("-o,--output", arguments.options.file, "File of the page (default: report.html in the folder)");
-  app.add_flag("--no-animations", no_animations, "No animations (GIF) of walks");
+  app.add_flag("--no-animations", no_animations, "Make no animations (GIF) of walks; those of an earlier report stay");
   const auto code = io::parse_arguments(app, argc, argv);
-  if (no_animations) arguments.options.most_animations = 0;
+  if (no_animations) arguments.options.animations = 0;
   return code;
 }
 

@@ -11,6 +11,7 @@
 #include "io/text/input_error.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
+#include "meshes/load_cases/limit_pressure.h"
 
 namespace menger::evolution {
 namespace {
@@ -99,16 +100,10 @@ std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
          (change < 0.0 ? " % less air" : " % more air");
 }
 
-/// The least limit pressure of the chambers, Pa.
 std::optional<double> limit_pressure_Pa(const fs::path& results) {
   const auto result = table_at(results / "limit/result.toml");
-  if (!result) return std::nullopt;
-  std::optional<double> least_Pa;
-  for (const io::TomlTable& limit : result->optional_tables("limit_points")) {
-    const double pressure_Pa = limit.number("pressure_Pa");
-    least_Pa = std::min(least_Pa.value_or(pressure_Pa), pressure_Pa);
-  }
-  return least_Pa;
+  const auto limit = result ? meshes::limit_pressure(*result) : std::nullopt;
+  return limit ? std::optional(limit->pressure_Pa) : std::nullopt;
 }
 
 std::string limit_text(const fs::path& results, const meshes::Robot& robot) {

@@ -99,7 +99,13 @@ class LoopRun {
       last_ = &stage_named(stages_, "--until", request_.until);
     }
     if (!request_.only.empty()) only_ = &stage_named(stages_, "--only", request_.only);
-    for (const LoopStage& stage : stages_) static_cast<void>(io::program_in(request_.programs, stage.program));
+    for (const LoopStage& stage : stages_) {
+      static_cast<void>(io::program_in(request_.programs, stage.program));
+      for (const std::string& helper : stage.helpers) static_cast<void>(io::program_in(request_.programs, helper));
+    }
+    // Noted before the stages read them: people change files while a long run goes on.
+    io::note_input(inputs_, request_.robot);
+    io::note_input(inputs_, robot_.silicone_file);
   }
 
   int write_studies() {
@@ -183,6 +189,7 @@ class LoopRun {
   /// Returns what decides the results of a stage. A change of any of it changes the text.
   std::string key_of(const LoopStage& stage) {
     std::string text = stage.program + " " + io::joined(stage.arguments, " ") + "\n" + program_hash(stage.program) + "\n";
+    for (const std::string& helper : stage.helpers) text += helper + " " + program_hash(helper) + "\n";
     for (const meshes::RobotStudy study : stage.studies) text += study_text(robot_, study, places_) + "\n";
     for (const fs::path& file : stage.reads) {
       const fs::path whole = from_results(file);
@@ -319,6 +326,8 @@ class LoopRun {
     child.stop = request_.stop;
     io::Progress bar(label(n), 1.0);
     child.waiting = [&](double seconds) {
+      // A program may need longer for what it has than this one would be given: its checkpoint, or its walks.
+      if (request_.stop != nullptr && *request_.stop) io::come_to_stop();
       const std::optional<io::ToldProgress> told = io::told_progress(told_file());
       // A program that has told nothing yet is taken to need as long as expected.
       bar.update(told ? told->part : std::min(seconds / expected_s, 0.99), told ? told->note : "");
@@ -392,10 +401,9 @@ class LoopRun {
   }
 
   void write_manifest() const {
-    io::Manifest manifest{.program = "menger-loop", .parameters = io::described_text(robot_), .seed = std::nullopt, .inputs = {}};
+    io::Manifest manifest{
+        .program = "menger-loop", .parameters = io::described_text(robot_), .seed = std::nullopt, .inputs = inputs_};
     if (robot_.search) manifest.seed = robot_.search->seed;
-    io::note_input(manifest.inputs, request_.robot);
-    io::note_input(manifest.inputs, robot_.silicone_file);
     for (const LoopStage& stage : stages_) {
       if (const StageRecord* record = state_->find(stage.name)) manifest.seconds += record->seconds;
     }
@@ -428,7 +436,8 @@ class LoopRun {
   const LoopStage* last_ = nullptr;
   const LoopStage* only_ = nullptr;
   std::map<std::string, std::string> program_hashes_;
-  std::set<std::string> current_;  ///< stages whose results this call has found or made, for the robot as it is now
+  std::map<std::string, std::string> inputs_;  ///< of the manifest
+  std::set<std::string> current_;              ///< stages whose results this call has found or made, for the robot as it is now
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "io/text/input_error.h"
 #include "io/text/joined_text.h"
 #include "io/text/near_miss.h"
+#include "voxel/model/expected_errors.h"
 
 namespace menger::evolution {
 namespace {
@@ -72,6 +73,7 @@ class Stages {
     if (is_validated) {
       LoopStage& validate = add(RobotStudy::validate, "menger-validate", validate_s);
       validate.studies.push_back(RobotStudy::validate_load_cases);
+      validate.helpers.emplace_back("menger-load-cases");
       // Parameters that come with menger have a table of errors of many bodies; those that were fitted here get one of this body.
       if (parameter_source(robot_) == meshes::ParameterSource::fitted) validate.arguments.emplace_back("--keep");
       add_parameters(validate);
@@ -138,8 +140,12 @@ class Stages {
 
   /// Adds what a stage needs that reads voxel parameters.
   void add_parameters(LoopStage& stage) const {
-    stage.reads.push_back(fs::absolute(parameters_of(robot_, places_)));
-    if (parameter_source(robot_) == meshes::ParameterSource::fitted) stage.needs.push_back("calibrate");
+    const fs::path parameters = fs::absolute(parameters_of(robot_, places_));
+    stage.reads.push_back(parameters);
+    if (parameter_source(robot_) == meshes::ParameterSource::fitted)
+      stage.needs.push_back("calibrate");
+    else
+      stage.reads.push_back(voxel::expected_errors_file(parameters));  // a stage tells the errors to expect
   }
 
   const meshes::Robot& robot_;

@@ -19,6 +19,7 @@ struct LoopStage {
   /// Studies that are written before it runs. Their texts are part of what decides its results.
   std::vector<meshes::RobotStudy> studies{};
   std::vector<std::string> needs{};            ///< stages without whose results it cannot run
+  std::vector<std::string> helpers{};          ///< other programs that it starts, which decide its results, too
   std::vector<std::filesystem::path> reads{};  ///< files whose content decides its results; relative ones count from the results
   /// Stages whose identity decides its results, in place of files that are written to again, such as archives.
   std::vector<std::string> follows{};

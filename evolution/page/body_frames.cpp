@@ -4,21 +4,23 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLGenericDataObjectReader.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
+#include <cstring>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <system_error>
 
+#include "evolution/page/frame_grid.h"
+#include "io/process/child_reading.h"
 #include "io/text/input_error.h"
 #include "voxel/picture/vtk_output.h"
 
@@ -26,26 +28,10 @@ namespace menger::evolution {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 using Place = std::array<double, 3>;
 using FaceIds = std::array<vtkIdType, 4>;
-
-Grid read_grid(const fs::path& file) {
-  std::error_code ignored;
-  Grid grid;
-  if (fs::is_regular_file(file, ignored)) {
-    const int shown = vtkObject::GetGlobalWarningDisplay();
-    vtkObject::GlobalWarningDisplayOff();  // the message below says it in one line
-    vtkNew<vtkXMLGenericDataObjectReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    grid = vtkUnstructuredGrid::SafeDownCast(reader->GetOutput());
-    vtkObject::SetGlobalWarningDisplay(shown);
-  }
-  if (grid == nullptr || grid->GetNumberOfPoints() == 0 || grid->GetNumberOfCells() == 0)
-    throw io::InputError(file.string() + ": is no grid of VTK that can be read");
-  return grid;
-}
 
 /// A face as quadrilaterals: one of its corners, or four where it has a middle.
 std::vector<FaceIds> quadrilaterals(vtkIdList& ids) {
@@ -80,6 +66,7 @@ struct GridSurface {
   std::vector<FaceIds> faces;
   std::vector<vtkIdType> cells;          ///< per face, the cell that it belongs to
   std::vector<vtkIdType> chamber_cells;  ///< cells of the grid that are walls of chambers
+  std::vector<std::size_t> chambers;     ///< the chamber of each of these
 };
 
 /// A face that belongs to one volume only, so far.
@@ -105,6 +92,7 @@ GridSurface whole_surface(vtkUnstructuredGrid& grid) {
     } else if (cell->GetCellDimension() == 2) {
       if (chambers != nullptr && chambers->GetComponent(c, 0) >= 0.0) {
         surface.chamber_cells.push_back(c);
+        surface.chambers.push_back(static_cast<std::size_t>(chambers->GetComponent(c, 0)));
         walls.push_back(key_of(*cell->GetPointIds()));
         continue;
       }
@@ -167,7 +155,7 @@ void remove_inner_pieces(vtkUnstructuredGrid& grid, GridSurface& surface) {
     for (const vtkIdType id : face) boxes[find(id)].add(point_of(grid, id));
   const auto largest = std::ranges::max_element(boxes, {}, [](const auto& piece) { return piece.second.diagonal(); });
   if (largest == boxes.end()) return;
-  GridSurface outer{.faces = {}, .cells = {}, .chamber_cells = surface.chamber_cells};
+  GridSurface outer{.faces = {}, .cells = {}, .chamber_cells = surface.chamber_cells, .chambers = surface.chambers};
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
     if (boxes.at(find(surface.faces[f][0])).is_inside(largest->second)) continue;
     outer.faces.push_back(surface.faces[f]);
@@ -179,8 +167,7 @@ void remove_inner_pieces(vtkUnstructuredGrid& grid, GridSurface& surface) {
 /// Whether the points of two files of one mesh are the same although it has moved: displacements are then to be added.
 bool is_undeformed(vtkUnstructuredGrid& first, vtkUnstructuredGrid& last) {
   vtkDataArray* moved = last.GetPointData()->GetArray("displacement_m");
-  if (moved == nullptr || moved->GetNumberOfComponents() != 3 || first.GetNumberOfPoints() != last.GetNumberOfPoints())
-    return false;
+  if (moved == nullptr || first.GetNumberOfPoints() != last.GetNumberOfPoints()) return false;
   bool has_moved = false;
   for (vtkIdType n = 0; n < last.GetNumberOfPoints(); ++n) {
     if (point_of(first, n) != point_of(last, n)) return false;
@@ -198,6 +185,8 @@ Place middle_of(vtkUnstructuredGrid& grid, const FaceIds& face) {
   return middle;
 }
 
+constexpr double most_cells = 1e6;  ///< along an axis; no body has more
+
 /// The digit of the cell behind a face: the cell whose middle is nearest to a point a quarter of a cell inside, along the normal.
 int digit_behind(vtkUnstructuredGrid& rest, const FaceIds& face, const ManifestBody& body, const Place& lowest) {
   const Place a = point_of(rest, face[0]);
@@ -210,12 +199,12 @@ int digit_behind(vtkUnstructuredGrid& rest, const FaceIds& face, const ManifestB
   if (!(length > 0.0)) return 0;
   const Place middle = middle_of(rest, face);
   for (const double side : {-0.25, 0.25}) {  // outward normals are usual, not certain
-    std::array<long, 3> cell{};
+    Place cell{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double inside = middle[axis] + side * body.cell_edge_m * normal[axis] / length - lowest[axis];
-      cell[axis] = std::lround(std::floor(inside / body.cell_edge_m));
+      cell[axis] = std::floor(inside / body.cell_edge_m);
     }
-    if (cell[0] < 0 || cell[1] < 0 || cell[2] < 0) continue;
+    if (!std::ranges::all_of(cell, [](double number) { return number >= 0.0 && number < most_cells; })) continue;
     const auto x = static_cast<std::size_t>(cell[0]), y = static_cast<std::size_t>(cell[1]),
                z = static_cast<std::size_t>(cell[2]);
     if (z >= body.layers.size() || y >= body.layers[z].size() || x >= body.layers[z][y].size()) continue;
@@ -258,19 +247,19 @@ std::vector<std::uint8_t> materials_of(vtkUnstructuredGrid& rest, const GridSurf
 }
 
 /// The pressures of a file: of its chambers if it has their walls, otherwise of its only plenum or state.
-std::vector<double> pressures_in(vtkUnstructuredGrid& grid, const std::vector<vtkIdType>& chamber_cells, std::size_t chambers) {
+std::vector<double> pressures_in(vtkUnstructuredGrid& grid, const GridSurface& surface, std::size_t chambers) {
   if (chambers > 0) {
-    vtkDataArray* number = grid.GetCellData()->GetArray("chamber");
     vtkDataArray* pressure = grid.GetCellData()->GetArray("chamber_pressure_Pa");
-    if (number == nullptr || pressure == nullptr) return {};
+    if (pressure == nullptr) return {};
     std::vector<double> pressures_Pa(chambers, 0.0);
-    for (const vtkIdType cell : chamber_cells)
-      pressures_Pa.at(static_cast<std::size_t>(number->GetComponent(cell, 0))) = pressure->GetComponent(cell, 0);
+    for (std::size_t n = 0; n < surface.chamber_cells.size(); ++n)
+      pressures_Pa[surface.chambers[n]] = pressure->GetComponent(surface.chamber_cells[n], 0);
     return pressures_Pa;
   }
   for (const char* name : {"plenum_pressures_Pa", "pressure_Pa"}) {
     vtkDataArray* pressure = grid.GetFieldData()->GetArray(name);
-    if (pressure != nullptr && pressure->GetNumberOfValues() == 1) return {pressure->GetComponent(0, 0)};
+    if (pressure != nullptr && pressure->GetNumberOfValues() == 1 && std::isfinite(pressure->GetComponent(0, 0)))
+      return {pressure->GetComponent(0, 0)};
   }
   return {};
 }
@@ -280,11 +269,11 @@ std::vector<std::uint8_t> nearest_chambers(vtkUnstructuredGrid& rest, const Grid
   constexpr std::size_t most_comparisons = 400'000'000;
   if (chambers <= 1 || surface.faces.size() * surface.chamber_cells.size() > most_comparisons)
     return std::vector<std::uint8_t>(surface.faces.size());
-  vtkDataArray* number = rest.GetCellData()->GetArray("chamber");
   std::vector<std::pair<Place, std::uint8_t>> walls;
-  for (const vtkIdType cell : surface.chamber_cells)
-    for (const FaceIds& part : quadrilaterals(*rest.GetCell(cell)->GetPointIds()))
-      walls.emplace_back(middle_of(rest, part), static_cast<std::uint8_t>(number->GetComponent(cell, 0)));
+  for (std::size_t n = 0; n < surface.chamber_cells.size(); ++n)
+    for (const FaceIds& part : quadrilaterals(*rest.GetCell(surface.chamber_cells[n])->GetPointIds()))
+      walls.emplace_back(middle_of(rest, part), static_cast<std::uint8_t>(surface.chambers[n]));
+  if (walls.empty()) return std::vector<std::uint8_t>(surface.faces.size());
   std::vector<std::uint8_t> nearest;
   for (const FaceIds& face : surface.faces) {
     const Place middle = middle_of(rest, face);
@@ -296,10 +285,8 @@ std::vector<std::uint8_t> nearest_chambers(vtkUnstructuredGrid& rest, const Grid
   return nearest;
 }
 
-std::size_t chamber_count(vtkUnstructuredGrid& grid, const GridSurface& surface) {
-  std::size_t count = 0;
-  for (const vtkIdType cell : surface.chamber_cells)
-    count = std::max(count, static_cast<std::size_t>(grid.GetCellData()->GetArray("chamber")->GetComponent(cell, 0)) + 1);
+std::size_t chamber_count(const GridSurface& surface) {
+  const std::size_t count = surface.chambers.empty() ? 0 : std::ranges::max(surface.chambers) + 1;
   return count > 255 ? 0 : count;
 }
 
@@ -309,20 +296,22 @@ class BodyMotion {
   BodyMotion(const BodyRequest& request) : request_(request) {}  // NOLINT(google-explicit-constructor): made once, below
 
   PageBody read() {
-    const Grid first = read_grid(request_.frames.front().file);
+    const Grid first = read_frame_grid(request_.frames.front().file);
     surface_ = whole_surface(*first);
     if (surface_.chamber_cells.empty()) remove_inner_pieces(*first, surface_);
     if (surface_.faces.empty()) throw io::InputError(request_.frames.front().file.string() + ": has no surface");
     number_corners(*first);
     const std::vector<std::size_t> chosen = shown_frames(request_.frames.size(), frame_limit());
-    const Grid last = read_grid(request_.frames[chosen.back()].file);
+    const Grid last = read_frame_grid(request_.frames[chosen.back()].file);
     adds_displacements_ = is_undeformed(*first, *last);
-    chambers_ = chamber_count(*first, surface_);
+    chambers_ = chamber_count(surface_);
     body_.name = request_.name;
     if (request_.has_phases) body_.materials = materials_of(*first, surface_, request_.body);
     for (const std::size_t n : chosen)
-      add_frame(n == 0 ? *first : *(n == chosen.back() ? last : read_grid(request_.frames[n].file)), request_.frames[n], *first);
-    if (body_.pressures_Pa.empty() || body_.pressures_Pa.front().size() != chosen.size())
+      add_frame(n == 0 ? *first : *(n == chosen.back() ? last : read_frame_grid(request_.frames[n].file)), request_.frames[n],
+                *first);
+    const bool has_all = std::ranges::all_of(body_.pressures_Pa, [&](const auto& one) { return one.size() == chosen.size(); });
+    if (body_.pressures_Pa.empty() || !has_all)
       body_.pressures_Pa.clear();
     else
       body_.chambers = nearest_chambers(*first, surface_, chambers_);
@@ -370,14 +359,13 @@ class BodyMotion {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (moved != nullptr) place[axis] += moved->GetComponent(id, static_cast<int>(axis));
         sum[axis] += place[axis];
-        if (!std::isfinite(place[axis])) throw io::InputError(frame.file.string() + ": has a point that is not finite");
       }
       positions_.push_back(place);
     }
     const auto count = static_cast<double>(ids_.size());
     body_.centres_m.push_back({sum[0] / count, sum[1] / count, sum[2] / count});
     body_.times.push_back(frame.time);
-    const std::vector<double> pressures_Pa = pressures_in(grid, surface_.chamber_cells, chambers_);
+    const std::vector<double> pressures_Pa = pressures_in(grid, surface_, chambers_);
     body_.pressures_Pa.resize(std::max(body_.pressures_Pa.size(), pressures_Pa.size()));
     for (std::size_t c = 0; c < pressures_Pa.size(); ++c) body_.pressures_Pa[c].push_back(pressures_Pa[c]);
   }
@@ -408,14 +396,91 @@ class BodyMotion {
   PageBody body_;
 };
 
+/// A body as bytes for a process on the same machine, and back.
+json parts_of(const PageBody& body) {
+  const auto binary = [](const auto& values) {
+    std::vector<std::uint8_t> bytes(values.size() * sizeof(values[0]));
+    if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+    return json::binary(std::move(bytes));
+  };
+  return {{"name", body.name},
+          {"faces", binary(body.faces)},
+          {"corners", body.corners},
+          {"times", body.times},
+          {"positions", binary(body.positions)},
+          {"origin_m", body.origin_m},
+          {"scale_m", body.scale_m},
+          {"materials", binary(body.materials)},
+          {"chambers", binary(body.chambers)},
+          {"pressures_Pa", body.pressures_Pa},
+          {"centres_m", body.centres_m}};
+}
+
+PageBody joined_body(const json& parts) {
+  PageBody body;
+  const auto fill = [&](const char* name, auto& values) {
+    const std::vector<std::uint8_t>& bytes = parts.at(name).get_binary();
+    values.resize(bytes.size() / sizeof(values[0]));
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+  };
+  parts.at("name").get_to(body.name);
+  fill("faces", body.faces);
+  parts.at("corners").get_to(body.corners);
+  parts.at("times").get_to(body.times);
+  fill("positions", body.positions);
+  parts.at("origin_m").get_to(body.origin_m);
+  parts.at("scale_m").get_to(body.scale_m);
+  fill("materials", body.materials);
+  fill("chambers", body.chambers);
+  parts.at("pressures_Pa").get_to(body.pressures_Pa);
+  parts.at("centres_m").get_to(body.centres_m);
+  return body;
+}
+
+// The first byte of an answer says what follows.
+constexpr char body_follows = 'b';
+constexpr char refusal_follows = 'r';
+
+/// What the child process that reads a body answers. Files that are refused are told apart from those that end it.
+std::string answer_to(const BodyRequest& request) {
+  std::signal(SIGINT, SIG_IGN);  // Ctrl-C is for the program, and no fault of the file
+  try {
+    const std::vector<std::uint8_t> bytes = json::to_cbor(parts_of(BodyMotion(request).read()));
+    return body_follows + std::string(bytes.begin(), bytes.end());
+  } catch (const io::InputError& error) {
+    return refusal_follows + std::string(error.what());
+  }
+}
+
+/// @throws io::InputError if the answer is a refusal
+PageBody body_in(const std::string& answer) {
+  if (answer.front() == refusal_follows) throw io::InputError(answer.substr(1));
+  return joined_body(json::from_cbor(answer.begin() + 1, answer.end()));
+}
+
+/// Whether a file lies in a folder or below it, after all links.
+bool is_within(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(file, error);
+  if (error) return false;
+  const fs::path root = fs::weakly_canonical(folder, error);
+  if (error) return false;
+  const fs::path way = whole.lexically_relative(root);
+  return !way.empty() && *way.begin() != "..";
+}
+
 }  // namespace
 
-std::vector<BodyFrames> read_body_frames(const fs::path& collection) {
+std::vector<BodyFrames> read_body_frames(const fs::path& collection, const fs::path& folder) {
   std::map<int, BodyFrames> parts;
   for (const voxel::CollectionEntry& entry : voxel::read_collection(collection)) {
+    const fs::path file = collection.parent_path() / entry.file;
+    if (!std::isfinite(entry.time_s)) throw io::InputError(collection.string() + ": a timestep is not finite");
+    if (!is_within(file, folder))
+      throw io::InputError(collection.string() + ": names " + entry.file.string() + ", which leads out of " + folder.string());
     BodyFrames& part = parts[entry.part];
     part.part = entry.part;
-    part.frames.push_back({entry.time_s, collection.parent_path() / entry.file});
+    part.frames.push_back({entry.time_s, file});
   }
   std::vector<BodyFrames> bodies;
   for (auto& [number, part] : parts) {
@@ -427,7 +492,20 @@ std::vector<BodyFrames> read_body_frames(const fs::path& collection) {
 
 PageBody read_page_body(const BodyRequest& request) {
   if (request.frames.empty()) throw io::InputError(request.name + ": has no frames");
-  return BodyMotion(request).read();
+  std::string answer;
+  try {
+    answer = io::read_in_child(request.frames.front().file, "VTK", [&] { return answer_to(request); });
+  } catch (const io::InputError&) {
+    // VTK ended on one of the files: find out on which.
+    for (const BodyFrame& frame : request.frames) {
+      (void)io::read_in_child(frame.file, "VTK", [&] {
+        (void)read_frame_grid(frame.file);
+        return std::string();
+      });
+    }
+    throw;
+  }
+  return body_in(answer);
 }
 
 std::vector<std::size_t> shown_frames(std::size_t count, std::size_t most) {

@@ -23,8 +23,10 @@ struct BodyFrames {
   std::vector<BodyFrame> frames;
 };
 
-/// Reads a collection (.pvd). @throws io::InputError if it cannot be read or is no collection
-std::vector<BodyFrames> read_body_frames(const std::filesystem::path& collection);
+/// Reads a collection (.pvd). @param folder the results that the collection belongs to
+/// @throws io::InputError if it cannot be read or is no collection, or if it names a file that lies, after all links, outside the
+/// folder
+std::vector<BodyFrames> read_body_frames(const std::filesystem::path& collection, const std::filesystem::path& folder);
 
 /// What a body of the page is made from.
 struct BodyRequest {
@@ -40,7 +42,9 @@ struct BodyRequest {
 /// the same, `displacement_m` is added to them.
 ///
 /// Walls of chambers inside the body are left out. Cells may be hexahedra, also quadratic ones, or the polygons of a surface.
-/// @throws io::InputError if a file cannot be read, if the files are not of one mesh, or if two frames take more than most_bytes
+/// The files are read in a child process, since a damaged one can end VTK.
+/// @throws io::InputError if a file cannot be read or is damaged, if the files are not of one mesh, or if two frames take more
+/// than most_bytes
 PageBody read_page_body(const BodyRequest& request);
 
 /// Returns which of some frames are shown: at most `most`, evenly spaced, with the first and the last.

@@ -26,6 +26,16 @@ function shown(value) {
   return String(Number(value.toPrecision(4)));
 }
 
+// The lowest and the highest of some numbers. They may be too many to be arguments of Math.min.
+function extent(values) {
+  let low = Infinity, high = -Infinity;
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return [low, high];
+}
+
 const seriesColour = (n) => `var(--c${n % 8})`;
 const seriesShape = (n) => ['circle', 'square', 'triangle', 'diamond'][Math.floor(n / 2) % 4];
 
@@ -38,7 +48,7 @@ function niceStep(span, count) {
 
 // An axis that maps values to pixels: {low, high, ticks, at(value)}.
 function scaleOf(values, logarithmic, pixels, count, tight) {
-  let low = Math.min(...values), high = Math.max(...values);
+  let [low, high] = extent(values);
   if (!values.length) { low = logarithmic ? 1 : 0; high = logarithmic ? 10 : 1; }
   if (logarithmic) {
     if (low === high) { low /= 2; high *= 2; }
@@ -56,7 +66,8 @@ function scaleOf(values, logarithmic, pixels, count, tight) {
     return scale;
   }
   if (low === high) { const half = Math.abs(low) * 0.1 || 0.5; low -= half; high += half; }
-  const step = niceStep(high - low, count);
+  let step = niceStep(high - low, count);
+  if (values.every(Number.isInteger)) step = Math.max(1, step);  // there is no generation 0.5
   const scale = {low: Math.floor(low / step + 1e-9) * step, high: Math.ceil(high / step - 1e-9) * step, ticks: []};
   for (let n = Math.round(scale.low / step); n * step <= scale.high + step * 1e-6; ++n) scale.ticks.push(Number((n * step).toPrecision(12)));
   if (tight) { scale.low = low; scale.high = high; scale.ticks = scale.ticks.filter((t) => t >= low - 1e-9 * step && t <= high + 1e-9 * step); }
@@ -101,17 +112,17 @@ function drawPlot(chart, picture, width) {
   const xs = [], ys = [];
   for (const s of chart.series) s.x.forEach((x, n) => { if (usable(chart, x, s.y[n])) { xs.push(x); ys.push(s.y[n]); } });
   for (const marker of chart.markers) (marker.vertical ? xs : ys).push(marker.at);
-  if (chart.diagonal && xs.length) { const all = [Math.min(...xs, ...ys), Math.max(...xs, ...ys)]; if (chart.equal) { xs.push(...all); ys.push(...all); } }
-  if (!chart.y.log && ys.length && Math.min(...ys) > 0 && Math.min(...ys) < 0.35 * Math.max(...ys)) ys.push(0);
+  if (chart.diagonal && chart.equal && xs.length) for (const end of extent(xs.concat(ys))) { xs.push(end); ys.push(end); }
+  const [lowest, highest] = extent(ys);
+  if (!chart.y.log && lowest > 0 && lowest < 0.35 * highest) ys.push(0);
   const left = 58, right = 14, top = 24, bottom = 42;
   const height = chart.equal ? Math.max(260, Math.min(430, width * 0.75)) : Math.max(230, Math.min(340, width * 0.62));
   if (chart.equal && xs.length) {
     // One unit has the same length on both axes: the shorter one is widened.
-    const middle = (values) => 0.5 * (Math.min(...values) + Math.max(...values));
-    const span = (values) => Math.max(...values) - Math.min(...values);
+    const span = (values) => { const [low, high] = extent(values); return high - low; };
     const inner = [width - left - right, height - top - bottom];
     const unit = Math.max(span(xs) / inner[0], span(ys) / inner[1]) || 1;
-    const widen = (values, pixels) => { const m = middle(values), half = 0.5 * unit * pixels; values.push(m - half, m + half); };
+    const widen = (values, pixels) => { const [low, high] = extent(values), half = 0.5 * unit * pixels; values.push(0.5 * (low + high) - half, 0.5 * (low + high) + half); };
     widen(xs, inner[0]); widen(ys, inner[1]);
   }
   picture.setAttribute('viewBox', `0 0 ${width} ${height}`);
@@ -121,7 +132,7 @@ function drawPlot(chart, picture, width) {
   const y = scaleOf(ys, chart.y.log, [height - bottom, top], height / 55);
   if (chart.equal) {  // exactly: no rounding of the ends
     const exact = (scale, values, pixels) => {
-      const low = Math.min(...values), high = Math.max(...values);
+      const [low, high] = extent(values);
       scale.ticks = scale.ticks.filter((t) => t >= low && t <= high);
       scale.at = (value) => pixels[0] + (value - low) / (high - low || 1) * (pixels[1] - pixels[0]);
       scale.low = low; scale.high = high;
@@ -179,7 +190,12 @@ function drawChart(chart, parent) {
     const width = Math.round(picture.getBoundingClientRect().width);
     if (width < 50 || width === drawn) return;
     drawn = width;
-    points = drawPlot(chart, picture, width);
+    try {
+      points = drawPlot(chart, picture, width);
+    } catch (error) {  // a chart that fails leaves the others as they are
+      points = [];
+      pointed.textContent = `This chart could not be drawn: ${error.message}`;
+    }
   };
   new ResizeObserver(draw).observe(figure);
   draw();

@@ -1,11 +1,11 @@
 #include "evolution/page/command_outputs.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 
+#include "evolution/page/json_parts.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 
@@ -21,53 +21,14 @@ bool is_manifest_name(std::string_view name) {
   return name == "manifest.json" || name.ends_with(".manifest.json") || name.ends_with("_manifest.json");
 }
 
-/// Whether a folder holds parts of one command's work, which are no results of their own.
-bool is_inner_folder(std::string_view name) {
-  constexpr std::array inner{"runs", "cache", "frames", "fields"};
-  return name.starts_with(".") || std::ranges::find(inner, name) != inner.end();
-}
-
-std::string text_of(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-std::optional<double> number_of(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
-}
-
-/// The member of an object that is an object itself; null if there is none.
-const json* object_of(const json& object, const char* key) {
-  if (!object.is_object()) return nullptr;
-  const auto found = object.find(key);
-  return found != object.end() && found->is_object() ? &*found : nullptr;
-}
-
-std::optional<ManifestBody> body_of(const json& design) {
-  if (const auto level = number_of(design, "level"); level && *level != 1.0) return std::nullopt;
-  const auto edge = number_of(design, "cell_edge_m");
-  const auto layers = design.find("layers");
-  if (!edge || layers == design.end() || !layers->is_array()) return std::nullopt;
-  ManifestBody body{.layers = {}, .cell_edge_m = *edge};
-  for (const json& layer : *layers) {
-    if (!layer.is_array()) return std::nullopt;
-    std::vector<std::string> rows;
-    for (const json& row : layer) {
-      if (!row.is_string()) return std::nullopt;
-      rows.push_back(row.get<std::string>());
-    }
-    body.layers.push_back(std::move(rows));
-  }
-  return body;
-}
-
-/// What must be equal for two models to be driven alike.
-std::string drive_of(const json& drive) {
-  json same;
-  for (const char* key : {"mode", "pressure_Pa", "frequency_Hz"})
-    if (const auto found = drive.find(key); found != drive.end()) same[key] = *found;
-  return same.dump(-1, ' ', false, json::error_handler_t::replace);
+/// Whether a folder holds a run that a command made as a part of its work: it has a hash for a name, in a folder `runs`.
+bool is_inner_run(const fs::path& folder) {
+  constexpr std::string_view of_search = "search-";
+  constexpr std::size_t digits = 16;
+  if (folder.parent_path().filename() != "runs") return false;
+  std::string name = folder.filename().string();
+  if (name.starts_with(of_search)) name = name.substr(of_search.size());
+  return name.size() == digits && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 /// Whether parameters, or those of the search in them, say that all cells are driven at once.
@@ -100,7 +61,8 @@ Found list(const fs::path& folder) {
     std::error_code ignored;
     if (entry.is_symlink(ignored)) continue;
     if (entry.is_regular_file(ignored) && is_manifest_name(name)) found.manifests.push_back(entry.path());
-    if (entry.is_directory(ignored) && !is_inner_folder(name)) found.folders.push_back(entry.path());
+    if (entry.is_directory(ignored) && !name.starts_with(".") && !is_inner_run(entry.path()))
+      found.folders.push_back(entry.path());
   }
   std::ranges::sort(found.manifests);
   std::ranges::sort(found.folders);
@@ -120,6 +82,7 @@ void collect(const fs::path& folder, const fs::path& root, int depth, std::vecto
     try {
       if (std::optional<CommandOutput> output = read_command_output(manifest)) {
         output->name = name_of(manifest, root);
+        output->place = manifest.lexically_relative(root).parent_path().generic_string();
         outputs.push_back(std::move(*output));
       } else {
         notes.push_back(manifest.string() + ": is no manifest of a command of menger, and is left out");
@@ -145,12 +108,24 @@ std::string command_of(const CommandOutput& output) {
   return output.program.starts_with(before) ? output.program.substr(before.size()) : output.program;
 }
 
+std::string file_of(const CommandOutput& output, const std::string& file) {
+  return (fs::path(output.place) / file).generic_string();
+}
+
+std::string body_or_place(const CommandOutput& output) {
+  if (!output.body_name.empty()) return output.body_name;
+  if (!output.name.empty()) return output.name;
+  std::error_code ignored;
+  return fs::weakly_canonical(output.folder, ignored).filename().string();
+}
+
 std::optional<CommandOutput> read_command_output(const fs::path& manifest) {
   const json content = parsed(io::read_whole(manifest));
   if (!content.is_object() || text_of(content, "program").empty()) return std::nullopt;
   CommandOutput output{.program = text_of(content, "program"),
                        .folder = manifest.parent_path(),
                        .manifest = manifest,
+                       .place = {},
                        .name = {},
                        .version = text_of(content, "version"),
                        .seconds = number_of(content, "seconds")};
@@ -166,13 +141,10 @@ std::optional<CommandOutput> read_command_output(const fs::path& manifest) {
   }
   if (const auto parameters = content.find("parameters"); parameters != content.end()) {
     output.parameters = parameters->dump(1, ' ', false, json::error_handler_t::replace);
-    if (const json* design = object_of(*parameters, "design")) {
-      output.body_name = text_of(*design, "name");
-      output.body = body_of(*design);
-    }
+    if (const json* design = object_of(*parameters, "design")) output.body_name = text_of(*design, "name");
+    output.stated = stated_run(*parameters);
     output.is_calibrated = object_of(*parameters, "surrogate") != nullptr;
     output.is_in_phase = drives_in_phase(*parameters);
-    if (const json* drive = object_of(*parameters, "drive")) output.drive = drive_of(*drive);
   }
   return output;
 }

@@ -36,7 +36,13 @@ function drawSection(section, parent) {
   element('h2', {id: `${section.id}-title`}, section.title, made);
   if (section.charts.length) {
     const charts = element('div', {class: 'charts'}, null, made);
-    for (const chart of section.charts) drawChart(chart, charts);
+    for (const chart of section.charts) {
+      try {
+        drawChart(chart, charts);
+      } catch (error) {  // the other charts and the tables are still of use
+        element('p', {class: 'warning'}, `A chart could not be drawn: ${error.message}`, charts);
+      }
+    }
   }
   for (const table of section.tables) drawTable(table, made);
   if (section.words.length) {
@@ -52,7 +58,7 @@ function drawPictures(data, parent, isOpen) {
   const made = element('section', {id: 'pictures', 'aria-labelledby': 'pictures-title'}, null, parent);
   element('h2', {id: 'pictures-title'}, 'Pictures', made);
   const details = element('details', isOpen ? {open: ''} : {}, null, made);
-  element('summary', {}, `${data.pictures.length} pictures that the programs drew`, details);
+  element('summary', {}, `${data.pictures.length === 1 ? 'The picture' : `${data.pictures.length} pictures`} that the programs drew`, details);
   const grid = element('div', {class: 'pictures'}, null, details);
   for (const picture of data.pictures) {
     const figure = element('figure', {}, null, grid);
@@ -73,7 +79,12 @@ function drawContents(parent) {
 function drawPage() {
   const data = JSON.parse(document.getElementById('report-data').textContent);
   const sections = document.getElementById('sections');
-  const moves = drawMotion(data, document.getElementById('motion'));
+  let moves = false;
+  try {
+    moves = drawMotion(data, document.getElementById('motion'));
+  } catch (error) {  // what was found can be read without motion
+    element('p', {class: 'warning'}, `The motion cannot be shown: ${error.message}`, document.getElementById('motion'));
+  }
   for (const section of data.sections) drawSection(section, sections);
   drawPictures(data, sections, !moves);
   if (data.notes.length) {

@@ -163,20 +163,53 @@ const char* badge_of(Tone tone) {
   return "";
 }
 
+/// What a newcomer has to know.
+std::vector<std::pair<std::string, std::string>> explained_words() {
+  return {
+      {"finite elements",
+       "the model of the hollow silicone body that everything else is measured against. It is no measurement."},
+      {"surrogate", "the body as voxels and beams, fitted to finite elements: fast enough for a search."},
+      {"voxels", "without \"surrogate\", solid cubes that swell, and no silicone."},
+      {"chamber, plenum", "a closed hollow in the silicone; chambers joined by holes, which share one pressure."},
+      {"limit pressure", "where the pressure stops rising while the volume grows: the body balloons or buckles."},
+      {"range of the fit", "the pressures, lengths and walls that the surrogate was fitted to."},
+      {"body length", "the longest side of the body at rest; 2 body lengths is twice as far as the body is long."},
+      {"fitness", "what a search makes as large as it can: how far a robot goes, unless its study says otherwise."},
+  };
+}
+
+std::string finding_html(const Finding& finding) {
+  std::string text = "<li><span class=\"badge " + std::string(to_string(finding.tone)) + "\">" + badge_of(finding.tone) +
+                     "</span><div><p>" + html_text(finding.text) + "</p>";
+  if (!finding.source.empty())
+    text += "<p class=\"source\">" + std::string(finding.tone == Tone::missing ? "computed by " : "from ") +
+            html_text(finding.source) + "</p>";
+  return text + "</div></li>\n";
+}
+
 std::string verdict_html(const Verdict& verdict) {
-  std::string text = "<h2 id=\"verdict-title\">Verdict</h2>\n<p class=\"headline " + std::string(to_string(verdict.tone)) +
-                     "\">" + html_text(verdict.headline) + "</p>\n<ul class=\"findings\">\n";
+  std::string found;
+  std::string missing;
+  std::size_t missing_count = 0;
   for (const Finding& finding : verdict.findings) {
-    text += "<li><span class=\"badge " + std::string(to_string(finding.tone)) + "\">" + badge_of(finding.tone) +
-            "</span><div><p>" + html_text(finding.text) + "</p>";
-    if (!finding.source.empty())
-      text += "<p class=\"source\">" + std::string(finding.tone == Tone::missing ? "computed by " : "from ") +
-              html_text(finding.source) + "</p>";
-    text += "</div></li>\n";
+    (finding.tone == Tone::missing ? missing : found) += finding_html(finding);
+    if (finding.tone == Tone::missing) ++missing_count;
   }
-  text += "</ul>\n<details><summary>How this is judged</summary><ul class=\"words\">\n";
+  std::string text = "<h2 id=\"verdict-title\">Verdict</h2>\n<p class=\"headline " + std::string(to_string(verdict.tone)) +
+                     "\">" + html_text(verdict.headline) + "</p>\n";
+  // A long list of what is not there would hide what is.
+  constexpr std::size_t most_open = 2;
+  const bool is_open = missing_count <= most_open || found.empty();
+  text += "<ul class=\"findings\">\n" + found + (is_open ? missing : "") + "</ul>\n";
+  if (!is_open)
+    text += "<details><summary>" + std::to_string(missing_count) +
+            " things were not computed</summary><ul class=\"findings\">\n" + missing + "</ul></details>\n";
+  text += "<details><summary>How this is judged</summary><ul class=\"words\">\n";
   for (const std::string& words : judging_words()) text += "<li>" + html_text(words) + "</li>\n";
-  return text + "</ul></details>";
+  text += "</ul></details>\n<details><summary>Words on this page</summary><dl>\n";
+  for (const auto& [word, meaning] : explained_words())
+    text += "<dt>" + html_text(word) + "</dt><dd>" + html_text(meaning) + "</dd>\n";
+  return text + "</dl></details>";
 }
 
 /// Replaces the marks of a template, each once, from left to right: what is put in is not searched.

@@ -53,6 +53,8 @@ std::string shown_number(double value) { return io::shown(value, 3); }
 
 std::string shown_number(const std::optional<double>& value) { return value ? shown_number(*value) : "\u2013"; }
 
+std::string shown_whole(double value) { return io::formatted("%.0f", std::round(value) + 0.0); }
+
 std::string shown_percent(double fraction) { return io::shown(100.0 * fraction, std::abs(fraction) < 1.0 ? 2 : 3) + " %"; }
 
 std::string shown_pressure(double pressure_Pa) { return io::shown(1e-3 * pressure_Pa, 3) + " kPa"; }

@@ -13,6 +13,9 @@ namespace menger::evolution {
 std::string shown_number(double value);
 std::string shown_number(const std::optional<double>& value);  ///< a dash if there is none
 
+/// Returns a number rounded to a whole one, 0 without a sign: "-7", "0".
+std::string shown_whole(double value);
+
 /// Returns a fraction in per cent: "6.6 %".
 std::string shown_percent(double fraction);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -24,32 +25,41 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 
-/// The pictures of bodies that commands drew; charts are drawn anew by the page.
+/// A picture; nothing if the file is none or takes more than most_bytes.
+std::optional<std::string> read_picture(const fs::path& file, std::size_t most_bytes, std::vector<std::string>& notes) {
+  try {
+    std::string content = io::read_start(file, most_bytes + 1);
+    if (!content.starts_with(png_signature))
+      notes.push_back(file.string() + ": is no PNG picture");
+    else if (content.size() > most_bytes)
+      notes.push_back("the picture " + file.string() + " is left out to keep the page small");
+    else
+      return content;
+  } catch (const io::InputError& error) {
+    notes.emplace_back(error.what());
+  }
+  return std::nullopt;
+}
+
+/// The pictures of bodies that commands drew; charts are drawn anew by the page. Each is taken once, where several commands wrote
+/// into its folder.
 std::vector<PagePicture> read_pictures(const std::vector<CommandOutput>& outputs, std::size_t most_bytes,
                                        std::vector<std::string>& notes) {
   constexpr std::array names{"chamber.png", "robot.png", "champion.png", "winner/strip.png", "worst.png"};
   std::vector<PagePicture> pictures;
+  std::set<std::string> taken;
   std::size_t bytes = 0;
-  std::size_t left_out = 0;
   for (const CommandOutput& output : outputs) {
     for (const char* name : names) {
       const fs::path file = output.folder / name;
       std::error_code ignored;
-      if (!fs::is_regular_file(file, ignored)) continue;
-      std::string content = io::read_whole(file);
-      if (!content.starts_with(png_signature)) {
-        notes.push_back(file.string() + ": is no PNG picture");
-        continue;
-      }
-      if (bytes + content.size() > most_bytes) {
-        ++left_out;
-        continue;
-      }
-      bytes += content.size();
-      pictures.push_back({.caption = (fs::path(output.name) / name).generic_string(), .png = std::move(content)});
+      if (!fs::is_regular_file(file, ignored) || !taken.insert(file_of(output, name)).second) continue;
+      std::optional<std::string> content = read_picture(file, most_bytes - bytes, notes);
+      if (!content) continue;
+      bytes += content->size();
+      pictures.push_back({.caption = file_of(output, name), .png = std::move(*content)});
     }
   }
-  if (left_out > 0) notes.push_back(std::to_string(left_out) + " pictures are left out to keep the page small");
   return pictures;
 }
 
@@ -81,36 +91,55 @@ std::string made_text(const fs::path& folder, std::size_t outputs) {
          ". One file, which needs no network.";
 }
 
-std::string title_of_folder(const fs::path& folder) {
+/// What the page is about: the body of all results, or else the folder.
+std::string title_of(const fs::path& folder, const std::vector<CommandOutput>& outputs) {
+  std::set<std::string> bodies;
+  for (const CommandOutput& output : outputs)
+    if (!output.body_name.empty()) bodies.insert(output.body_name);
+  if (bodies.size() == 1) return "Report: " + *bodies.begin();
   std::error_code ignored;
   fs::path whole = fs::weakly_canonical(folder, ignored);
   if (whole.filename().empty()) whole = whole.parent_path();
   return "Report: " + (whole.filename().empty() ? folder.string() : whole.filename().string());
 }
 
-/// "walk.gif", "walk_2.gif", ...
-std::string animation_name(std::size_t number) {
-  return number == 0 ? "walk.gif" : "walk_" + std::to_string(number + 1) + ".gif";
+/// "report.walk_1.gif" for report.html: animations have the name of their page, so that no file of anyone else is meant.
+fs::path animation_of(const fs::path& page, std::size_t number) {
+  const fs::path folder = page.has_parent_path() ? page.parent_path() : fs::path(".");
+  return folder / (page.stem().string() + ".walk_" + std::to_string(number + 1) + ".gif");
 }
 
-/// Draws the walks of the page beside it.
+/// Removes the animations of an earlier page of this name.
+void remove_animations(ReportResult& result) {
+  for (std::size_t n = 0; n < most_animations; ++n) {
+    try {
+      io::remove_if_there(animation_of(result.file, n));
+    } catch (const io::InputError& error) {
+      result.notes.emplace_back(error.what());
+    }
+  }
+}
+
+/// Draws the walks of the page beside it. What cannot be drawn is said in a note.
 void animate(const ReportPage& page, const ReportOptions& options, ReportResult& result) {
-  constexpr std::size_t most_names = 16;
-  const fs::path folder = result.file.has_parent_path() ? result.file.parent_path() : fs::path(".");
-  for (std::size_t n = 0; n < most_names; ++n) io::remove_if_there(folder / animation_name(n));  // of an earlier report
   std::vector<const PageScene*> walks;
   for (const PageScene& scene : page.scenes)
     if (scene.ground_m && scene.unit == "s") walks.push_back(&scene);
-  const std::size_t count = std::min({walks.size(), options.most_animations, most_names});
+  const std::size_t count = std::min({walks.size(), options.animations, most_animations});
   if (count < walks.size())
     result.notes.push_back("of " + std::to_string(walks.size()) + " walks, the first " + std::to_string(count) + " are animated");
   for (std::size_t n = 0; n < count; ++n) {
-    const fs::path file = folder / animation_name(n);
+    const fs::path file = animation_of(result.file, n);
+    const std::string name = file.filename().string();
     const auto progress = [&](double share) {
-      if (options.progress)
-        options.progress(animation_name(n), 0.5 + 0.5 * (static_cast<double>(n) + share) / static_cast<double>(count));
+      if (options.progress) options.progress(name, 0.5 + 0.5 * (static_cast<double>(n) + share) / static_cast<double>(count));
     };
-    const AnimationOutcome outcome = write_walk_animation(file, *walks[n], find_ffmpeg(), options.stop, progress);
+    AnimationOutcome outcome;
+    try {
+      outcome = write_walk_animation(file, *walks[n], find_ffmpeg(), options.stop, progress);
+    } catch (const io::InputError& error) {
+      outcome.missing = error.what();
+    }
     if (outcome.stopped) {
       result.stopped = true;
       return;
@@ -120,7 +149,7 @@ void animate(const ReportPage& page, const ReportOptions& options, ReportResult&
       return;
     }
     result.animations.push_back(file);
-    result.notes.push_back(animation_name(n) + " shows: " + walks[n]->title);
+    result.notes.push_back(name + " shows: " + walks[n]->title);
   }
 }
 
@@ -132,11 +161,12 @@ ReportResult write_report(const fs::path& folder, const ReportOptions& options) 
   };
   ReportResult result{
       .file = options.file.empty() ? folder / "report.html" : options.file, .verdict = {}, .animations = {}, .notes = {}};
-  ReportPage page{.title = title_of_folder(folder), .made = {}, .verdict = {}};
+  ReportPage page{.title = {}, .made = {}, .verdict = {}};
   tell("look for results", 0.0);
   const std::vector<CommandOutput> outputs = find_command_outputs(folder, page.notes);
   if (outputs.empty()) throw io::InputError(folder.string() + ": holds no results of a command of menger (no manifest.json)");
   result.outputs = outputs.size();
+  page.title = title_of(folder, outputs);
   page.made = made_text(folder, outputs.size());
   page.verdict = verdict_of(read_facts(outputs, page.notes));
   page.sections = report_sections(outputs, page.notes);
@@ -154,7 +184,10 @@ ReportResult write_report(const fs::path& folder, const ReportOptions& options) 
   result.verdict = page.verdict;
   result.has_motion = options.three.code && !page.scenes.empty();
   result.notes = page.notes;
-  if (options.most_animations > 0) animate(page, options, result);
+  if (options.animations > 0) {
+    remove_animations(result);
+    animate(page, options, result);
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <system_error>
 
@@ -26,9 +27,11 @@ bool is_file(const fs::path& file) {
 
 /// What a scene is made from, before its files are read.
 struct ScenePlan {
-  PageScene scene;  ///< without bodies
+  PageScene scene;    ///< without bodies
+  std::string place;  ///< where the results are, which tells scenes of one title apart
   struct Part {
     std::string name;
+    fs::path folder;  ///< of the output, which no file of the motion may lie outside of
     fs::path collection;
     int part = 0;
     bool has_phases = true;
@@ -40,10 +43,6 @@ struct ScenePlan {
   bool on_ground = false;  ///< whether they stand on the ground
 };
 
-std::string title_of(const CommandOutput& output) { return output.body_name.empty() ? output.name : output.body_name; }
-
-std::string source_of(const CommandOutput& output, const char* file) { return (fs::path(output.name) / file).generic_string(); }
-
 bool walks(const CommandOutput& output, const char* command) {
   return command_of(output) == command && is_file(output.folder / "frames.pvd");
 }
@@ -53,9 +52,10 @@ ScenePlan::Part walking(const CommandOutput& output) {
   return {.name = on_elements            ? "finite elements"
                   : output.is_calibrated ? "surrogate"
                                          : "voxels",
+          .folder = output.folder,
           .collection = output.folder / "frames.pvd",
           .has_phases = !output.is_in_phase,
-          .body = output.body,
+          .body = output.stated.body,
           .trajectory = output.folder / "trajectory.csv"};
 }
 
@@ -65,12 +65,13 @@ void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan
   for (const CommandOutput& elements : outputs) {
     if (!walks(elements, "locomote")) continue;
     const auto other = std::ranges::find_if(outputs, [&](const CommandOutput& output) {
-      return walks(output, "simulate") && elements.body && output.body == elements.body && output.drive == elements.drive;
+      return walks(output, "simulate") && are_one_walk(elements.stated, output.stated);
     });
     if (other == outputs.end()) continue;
     paired.insert(paired.end(), {&elements, &*other});
-    plans.push_back({.scene = {.title = "Walk of " + title_of(elements) + ": finite elements and " + walking(*other).name,
-                               .source = source_of(elements, "frames.pvd") + ", " + source_of(*other, "frames.pvd")},
+    plans.push_back({.scene = {.title = "Walk of " + body_or_place(elements) + ": finite elements and " + walking(*other).name,
+                               .source = file_of(elements, "frames.pvd") + ", " + file_of(*other, "frames.pvd")},
+                     .place = elements.name,
                      .parts = {walking(elements), walking(*other)},
                      .apart = true,
                      .on_ground = true});
@@ -80,7 +81,8 @@ void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan
       continue;
     const ScenePlan::Part part = walking(output);
     single.push_back(
-        {.scene = {.title = "Walk of " + title_of(output) + ": " + part.name, .source = source_of(output, "frames.pvd")},
+        {.scene = {.title = "Walk of " + body_or_place(output) + ": " + part.name, .source = file_of(output, "frames.pvd")},
+         .place = output.name,
          .parts = {part},
          .on_ground = true});
   }
@@ -91,17 +93,22 @@ void plan_reevaluations(const std::vector<CommandOutput>& outputs, std::vector<S
   for (const CommandOutput& output : outputs) {
     const fs::path both = output.folder / "winner" / "both.pvd";
     if (command_of(output) != "reevaluate" || !is_file(both)) continue;
-    plans.push_back(
-        {.scene = {.title = "Winner of the re-evaluation: finite elements and the model of the search",
-                   .source = source_of(output, "winner/both.pvd")},
-         .parts =
-             {{.name = "finite elements", .collection = both, .part = 0, .has_phases = !output.is_in_phase, .body = std::nullopt},
-              {.name = "model of the search",
-               .collection = both,
-               .part = 1,
-               .has_phases = !output.is_in_phase,
-               .body = std::nullopt}},
-         .on_ground = true});
+    plans.push_back({.scene = {.title = "Winner of the re-evaluation: finite elements and the model of the search",
+                               .source = file_of(output, "winner/both.pvd")},
+                     .place = output.name,
+                     .parts = {{.name = "finite elements",
+                                .folder = output.folder,
+                                .collection = both,
+                                .part = 0,
+                                .has_phases = !output.is_in_phase,
+                                .body = std::nullopt},
+                               {.name = "model of the search",
+                                .folder = output.folder,
+                                .collection = both,
+                                .part = 1,
+                                .has_phases = !output.is_in_phase,
+                                .body = std::nullopt}},
+                     .on_ground = true});
   }
 }
 
@@ -109,12 +116,16 @@ void plan_inflations(const std::vector<CommandOutput>& outputs, std::vector<Scen
   for (const CommandOutput& output : outputs) {
     const fs::path fields = output.folder / "fields.pvd";
     if (command_of(output) != "inflate" || !is_file(fields)) continue;
-    plans.push_back(
-        {.scene = {.title = "Inflation of " + title_of(output),
-                   .source = source_of(output, "fields.pvd"),
-                   .clock = "path parameter",
-                   .unit = ""},
-         .parts = {{.name = "finite elements", .collection = fields, .has_phases = !output.is_in_phase, .body = output.body}}});
+    plans.push_back({.scene = {.title = "Inflation of " + body_or_place(output),
+                               .source = file_of(output, "fields.pvd"),
+                               .clock = "path parameter",
+                               .unit = ""},
+                     .place = output.name,
+                     .parts = {{.name = "finite elements",
+                                .folder = output.folder,
+                                .collection = fields,
+                                .has_phases = !output.is_in_phase,
+                                .body = output.stated.body}}});
   }
 }
 
@@ -122,12 +133,14 @@ void plan_validations(const std::vector<CommandOutput>& outputs, std::vector<Sce
   for (const CommandOutput& output : outputs) {
     const fs::path worst = output.folder / "worst.pvd";
     if (command_of(output) != "validate" || !is_file(worst)) continue;
-    plans.push_back({.scene = {.title = "Worst case of the validation: finite elements and surrogate",
-                               .source = source_of(output, "worst.pvd"),
-                               .clock = "state",
-                               .unit = ""},
-                     .parts = {{.name = "finite elements", .collection = worst, .part = 0, .body = std::nullopt},
-                               {.name = "surrogate", .collection = worst, .part = 1, .body = std::nullopt}}});
+    plans.push_back(
+        {.scene = {.title = "Worst case of the validation: finite elements and surrogate",
+                   .source = file_of(output, "worst.pvd"),
+                   .clock = "state",
+                   .unit = ""},
+         .place = output.name,
+         .parts = {{.name = "finite elements", .folder = output.folder, .collection = worst, .part = 0, .body = std::nullopt},
+                   {.name = "surrogate", .folder = output.folder, .collection = worst, .part = 1, .body = std::nullopt}}});
   }
 }
 
@@ -141,8 +154,10 @@ void plan_champions(const std::vector<CommandOutput>& outputs, std::vector<Scene
       // A walk on finite elements has a manifest, and is found as any other.
       if (!is_file(place / "frames.pvd") || is_file(place / "manifest.json")) continue;
       plans.push_back({.scene = {.title = "Champion of the search at level " + std::to_string(level),
-                                 .source = source_of(output, (name + "/frames.pvd").c_str())},
+                                 .source = file_of(output, name + "/frames.pvd")},
+                       .place = output.name,
                        .parts = {{.name = "voxels",
+                                  .folder = output.folder,
                                   .collection = place / "frames.pvd",
                                   .body = std::nullopt,
                                   .trajectory = place / "trajectory.csv"}},
@@ -186,6 +201,14 @@ void move_apart(std::vector<PageBody>& bodies) {
   }
 }
 
+/// Adds the place to titles that occur several times.
+void tell_apart(std::vector<ScenePlan>& plans) {
+  std::map<std::string, int> counts;
+  for (const ScenePlan& plan : plans) ++counts[plan.scene.title];
+  for (ScenePlan& plan : plans)
+    if (counts[plan.scene.title] > 1 && !plan.place.empty()) plan.scene.title += " (" + plan.place + ")";
+}
+
 std::size_t bytes_of(const PageScene& scene) {
   std::size_t bytes = 0;
   for (const PageBody& body : scene.bodies)
@@ -197,7 +220,7 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
   PageScene scene = plan.scene;
   for (const ScenePlan::Part& part : plan.parts) {
     try {
-      const std::vector<BodyFrames> bodies = read_body_frames(part.collection);
+      const std::vector<BodyFrames> bodies = read_body_frames(part.collection, part.folder);
       const auto found = std::ranges::find(bodies, part.part, &BodyFrames::part);
       if (found == bodies.end()) continue;
       PageBody body = read_page_body({.name = part.name,
@@ -234,6 +257,7 @@ std::vector<PageScene> read_scenes(const std::vector<CommandOutput>& outputs, st
   plan_inflations(outputs, plans);
   plan_champions(outputs, plans);
   plan_validations(outputs, plans);
+  tell_apart(plans);
   if (plans.size() > most_scenes) {
     notes.push_back("of " + std::to_string(plans.size()) + " motions, the first " + std::to_string(most_scenes) +
                     " are shown in 3-D");

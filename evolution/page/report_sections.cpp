@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <system_error>
 
+#include "evolution/page/chart_points.h"
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
 #include "evolution/page/shown_table.h"
@@ -31,12 +33,8 @@ bool has_file(const CommandOutput& output, const char* file) {
   return fs::is_regular_file(output.folder / file, ignored);
 }
 
-std::string file_of(const CommandOutput& output, const std::string& file) {
-  return (fs::path(output.name) / file).generic_string();
-}
-
 std::string heading_of(const CommandOutput& output) {
-  if (output.body_name.empty()) return output.name.empty() ? command_of(output) : output.name;
+  if (output.body_name.empty()) return body_or_place(output);
   return output.body_name + (output.name.empty() || output.name == output.body_name ? "" : " (" + output.name + ")");
 }
 
@@ -58,6 +56,26 @@ void add_notes_of(const io::TomlTable& table, std::vector<std::string>& words) {
   for (const std::string& note : table.texts("notes")) words.push_back(note + ".");
 }
 
+/// A pressure at which the path of an inflation turns.
+struct TurningPoint {
+  std::string plenum;
+  double pressure_Pa = 0.0;
+  std::optional<double> volume_m3{};
+  bool is_limit = true;  ///< the first of its plenum: beyond it the body has ballooned or buckled already
+};
+
+std::vector<TurningPoint> turning_points_in(const io::TomlTable& result) {
+  std::vector<TurningPoint> points;
+  std::set<std::string> known;
+  for (const io::TomlTable& limit : result.optional_tables("limit_points")) {
+    TurningPoint point{.plenum = limit.text_or("plenum", "the chamber"), .pressure_Pa = limit.number("pressure_Pa")};
+    point.volume_m3 = limit.optional_number("volume_m3");
+    point.is_limit = known.insert(point.plenum + (point.pressure_Pa > 0.0 ? "" : " in vacuum")).second;
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
 /// Pressure against volume of every plenum, with the limit pressures.
 void add_inflation(const CommandOutput& output, PageSection& section) {
   const io::CsvContents curves = io::read_csv(output.folder / "curves.csv");
@@ -74,10 +92,12 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
                             .y = column_of(curves, pressure, 1e-3),
                             .marks = PageMarks::line_and_points});
   }
-  for (const io::TomlTable& limit : result.optional_tables("limit_points")) {
-    const double pressure_Pa = limit.number("pressure_Pa");
+  const std::vector<TurningPoint> turning_points = turning_points_in(result);
+  for (const TurningPoint& point : turning_points) {
     chart.markers.push_back(
-        {.vertical = false, .at = 1e-3 * pressure_Pa, .label = "limit pressure " + shown_pressure(pressure_Pa)});
+        {.vertical = false,
+         .at = 1e-3 * point.pressure_Pa,
+         .label = (point.is_limit ? "limit pressure " : "later turning point ") + shown_pressure(point.pressure_Pa)});
   }
   section.charts.push_back(std::move(chart));
   PageTable table{.title = heading_of(output),
@@ -90,9 +110,9 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
   add("elements", shown_number(result.optional_number("elements")));
   add("unknowns", io::formatted("%.0f", result.optional_number("unknowns").value_or(0.0)));
   add("size of an element (mm)", shown_number(1e3 * result.optional_number("element_size_m").value_or(0.0)));
-  for (const io::TomlTable& limit : result.optional_tables("limit_points")) {
-    add("limit pressure of " + limit.text_or("plenum", "the chamber"), shown_pressure(limit.number("pressure_Pa")));
-    if (limit.has("volume_m3")) add("volume there (cm\u00b3)", shown_number(1e6 * limit.number("volume_m3")));
+  for (const TurningPoint& point : turning_points) {
+    add((point.is_limit ? "limit pressure of " : "later turning point of ") + point.plenum, shown_pressure(point.pressure_Pa));
+    if (point.volume_m3) add("volume there (cm\u00b3)", shown_number(1e6 * *point.volume_m3));
   }
   section.tables.push_back(std::move(table));
   add_notes_of(result, section.words);
@@ -151,8 +171,7 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
       std::string direction = shown_number(std::optional<double>());
       if (result.has("displacement_m")) {
         const std::vector<double> vector_m = result.numbers("displacement_m");
-        if (vector_m.size() == 3)
-          direction = io::formatted("%.0f", std::atan2(vector_m[1], vector_m[0]) * 180.0 / std::acos(-1.0));
+        if (vector_m.size() == 3) direction = shown_whole(std::atan2(vector_m[1], vector_m[0]) * 180.0 / std::numbers::pi);
       }
       table.rows.push_back({heading_of(output), model_of(output), result.text("status"), shown_number(end_s),
                             shown_number(moved_m ? std::optional(1e3 * *moved_m) : std::nullopt), shown_number(lengths),
@@ -395,9 +414,8 @@ void add_confirmation(const CommandOutput& output, PageSection& section) {
   const std::string table =
       name.substr(0, name.size() - std::min(name.size(), std::string_view(".manifest.json").size())) + ".csv";
   const io::CsvContents scores = io::read_csv(output.folder / table);
-  const fs::path file = fs::path(output.name).parent_path() / table;
   section.tables.push_back(
-      shown_table("Robots as another study lets them walk", scores, scores.columns(), file.generic_string()));
+      shown_table("Robots as another study lets them walk", scores, scores.columns(), file_of(output, table)));
 }
 
 void add_modes(const CommandOutput& output, PageSection& section) {
@@ -497,14 +515,17 @@ std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outpu
   std::vector<PageSection> sections;
   const auto keep = [&](PageSection section) {
     keep_distinct(section.words);
+    for (PageChart& chart : section.charts) thin_series(chart);
     if (!section.charts.empty() || !section.tables.empty() || !section.words.empty()) sections.push_back(std::move(section));
   };
   using Add = void (*)(const CommandOutput&, PageSection&);
+  const std::vector<const CommandOutput*> searches = searches_in(outputs);
+  const auto is_no_search = [&](const CommandOutput& output) { return std::ranges::find(searches, &output) == searches.end(); };
   const auto each = [&](const char* title, const char* id, const std::map<std::string, Add>& commands) {
     PageSection section{.title = title, .id = id};
     for (const CommandOutput& output : outputs) {
       const auto add = commands.find(command_of(output));
-      if (add == commands.end()) continue;
+      if (add == commands.end() || (add->second == &add_search && is_no_search(output))) continue;
       try {
         add->second(output, section);
       } catch (const io::InputError& error) {
@@ -517,12 +538,7 @@ std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outpu
   keep(walk_section(outputs, notes));
   each("Shapes of the surrogate", "validation", {{"validate", add_validation}});
   each("Calibration", "calibration", {{"calibrate", add_calibration}});
-  const bool has_archive =
-      std::ranges::any_of(outputs, [](const CommandOutput& output) { return command_of(output) == "evolve"; });
-  if (has_archive)
-    each("Search", "search", {{"evolve", add_search}, {"confirm", add_confirmation}});
-  else
-    each("Search", "search", {{"export", add_search}, {"confirm", add_confirmation}});
+  each("Search", "search", {{"evolve", add_search}, {"export", add_search}, {"confirm", add_confirmation}});
   each("Robots of the search on finite elements", "ranking", {{"reevaluate", add_reevaluation}});
   each("Natural frequencies", "modes", {{"modes", add_modes}});
   each("Error against cost", "tradeoff", {{"tradeoff", add_trade_off}});

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <functional>
 #include <map>
 #include <numbers>
 #include <set>
@@ -18,29 +16,17 @@
 namespace menger::evolution {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string relative_file(const CommandOutput& output, const char* file) {
-  return output.name.empty() ? file : (fs::path(output.name) / file).generic_string();
-}
-
-/// The name of the body of an output: that of its design, or else its folder.
-std::string body_name(const CommandOutput& output) { return output.body_name.empty() ? output.name : output.body_name; }
-
 std::vector<std::string> lines_of(const io::TomlTable& table, const char* key) {
   return table.has(key) ? table.texts(key) : std::vector<std::string>();
 }
 
 InflationFacts inflation_facts(const CommandOutput& output) {
-  InflationFacts facts{.name = body_name(output), .source = relative_file(output, "result.toml"), .body = output.body};
+  InflationFacts facts{
+      .name = body_or_place(output), .place = output.name, .source = file_of(output, "result.toml"), .stated = output.stated};
   const io::TomlTable result = io::read_toml(output.folder / "result.toml");
   facts.status = result.word("status", io::run_status_words());
   facts.reason = result.text_or("reason", "");
-  for (const io::TomlTable& limit : result.optional_tables("limit_points")) {
-    const double pressure_Pa = limit.number("pressure_Pa");
-    if (pressure_Pa > 0.0 && (!facts.limit || pressure_Pa < facts.limit->pressure_Pa))
-      facts.limit = LimitFact{pressure_Pa, limit.text_or("plenum", "")};
-  }
+  facts.limit = meshes::limit_pressure(result);
   const io::CsvContents curves = io::read_csv(output.folder / "curves.csv");
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_pressure_Pa")) continue;
@@ -58,24 +44,25 @@ InflationFacts inflation_facts(const CommandOutput& output) {
 }
 
 CalibrationFacts calibration_facts(const CommandOutput& output) {
-  CalibrationFacts facts{.source = relative_file(output, "residuals.csv"), .reason = {}};
+  CalibrationFacts facts{.source = file_of(output, "residuals.csv"), .reason = {}};
   const io::TomlTable fit = io::read_toml(output.folder / "result.toml").table("fit");
   facts.status = fit.word("status", io::run_status_words());
   facts.reason = fit.text_or("reason", "");
   facts.explained = fit.boolean_or("explained", true);
   const io::CsvContents residuals = io::read_csv(output.folder / "residuals.csv");
   std::vector<double> errors;
-  std::set<std::string> curves;
+  std::set<std::string> cases;
   for (std::size_t row = 0; row < residuals.row_count(); ++row) {
     const auto error = number_in(residuals, row, "relative");
-    curves.insert(text_in(residuals, row, "case"));
     if (!error) continue;
+    cases.insert(text_in(residuals, row, "case"));
     errors.push_back(*error);
     if (facts.worst_error && *error <= *facts.worst_error) continue;
     facts.worst_error = error;
     facts.worst_case = text_in(residuals, row, "case") + ", " + shown_column(text_in(residuals, row, "ordinate")).title;
   }
-  facts.curves = curves.size();
+  facts.cases = cases.size();
+  facts.quantities = errors.size();
   facts.median_error = median_of(errors);
   return facts;
 }
@@ -85,7 +72,7 @@ std::size_t count_in(const io::CsvContents& table, std::size_t row, const char* 
 }
 
 ValidationFacts validation_facts(const CommandOutput& output) {
-  ValidationFacts facts{.source = relative_file(output, "summary.csv"), .displacement = {}, .volume = {}};
+  ValidationFacts facts{.source = file_of(output, "summary.csv"), .displacement = {}, .volume = {}};
   const io::CsvContents summary = io::read_csv(output.folder / "summary.csv");
   std::set<std::string> bodies;
   for (std::size_t row = 0; row < summary.row_count(); ++row) {
@@ -113,13 +100,12 @@ ValidationFacts validation_facts(const CommandOutput& output) {
 WalkFacts walk_facts(const CommandOutput& output) {
   const bool on_elements = command_of(output) == "locomote";
   const char* file = on_elements ? "locomotion.toml" : "result.toml";
-  WalkFacts facts{.name = body_name(output),
-                  .folder = output.name,
-                  .source = relative_file(output, file),
+  WalkFacts facts{.name = body_or_place(output),
+                  .place = output.name,
+                  .source = file_of(output, file),
                   .model = on_elements ? WalkModel::elements : WalkModel::voxels,
                   .reason = {},
-                  .body = output.body,
-                  .drive = output.drive};
+                  .stated = output.stated};
   const io::TomlTable result = io::read_toml(output.folder / file);
   facts.status = result.word("status", io::run_status_words());
   facts.reason = result.text_or("reason", "");
@@ -139,7 +125,7 @@ WalkFacts walk_facts(const CommandOutput& output) {
 }
 
 RankingFacts ranking_facts(const CommandOutput& output) {
-  RankingFacts facts{.source = relative_file(output, "ranking.csv"), .best_design = {}};
+  RankingFacts facts{.source = file_of(output, "ranking.csv"), .best_design = {}};
   const io::CsvContents designs = io::read_csv(output.folder / "reevaluation.csv");
   facts.designs = designs.row_count();
   std::vector<double> errors;
@@ -177,8 +163,14 @@ SearchFacts search_facts(const CommandOutput& output) {
   double evaluations = 0.0;
   for (std::size_t row = 0; row < generations.row_count(); ++row) {
     const auto value = number_in(generations, row, fitness);
-    if (value && !facts.first_fitness) facts.first_fitness = value;
-    if (value) facts.last_fitness = value;
+    if (value && !facts.first_fitness) {
+      facts.first_fitness = value;
+      facts.first_generation = text_in(generations, row, "generation");
+    }
+    if (value) {
+      facts.last_fitness = value;
+      facts.last_generation = text_in(generations, row, "generation");
+    }
     evaluations += number_in(generations, row, "evaluations").value_or(0.0);
   }
   facts.evaluations = evaluations;
@@ -186,19 +178,11 @@ SearchFacts search_facts(const CommandOutput& output) {
 }
 
 ModesFacts modes_facts(const CommandOutput& output) {
-  ModesFacts facts{.source = relative_file(output, "modes.csv")};
+  ModesFacts facts{.source = file_of(output, "modes.csv")};
   facts.status = io::read_toml(output.folder / "result.toml").word("status", io::run_status_words());
   const io::CsvContents modes = io::read_csv(output.folder / "modes.csv");
   if (modes.row_count() > 0) facts.first_frequency_Hz = number_in(modes, 0, "frequency_Hz");
   return facts;
-}
-
-/// Whether an output stands for a search. Of an archive and its export in one report, the archive does.
-bool stands_for_search(const CommandOutput& output, const std::vector<CommandOutput>& outputs) {
-  if (command_of(output) == "evolve") return true;
-  return command_of(output) == "export" && std::ranges::none_of(outputs, [&](const CommandOutput& other) {
-           return command_of(other) == "evolve" && is_of_archive(output, other);
-         });
 }
 
 }  // namespace
@@ -217,6 +201,7 @@ const char* to_string(WalkModel model) {
 
 ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<std::string>& notes) {
   ReportFacts facts;
+  const std::vector<const CommandOutput*> searches = searches_in(outputs);
   for (const CommandOutput& output : outputs) {
     const std::string command = command_of(output);
     try {
@@ -225,7 +210,7 @@ ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<st
       if (command == "validate") facts.validations.push_back(validation_facts(output));
       if (command == "simulate" || command == "locomote") facts.walks.push_back(walk_facts(output));
       if (command == "reevaluate") facts.rankings.push_back(ranking_facts(output));
-      if (stands_for_search(output, outputs)) facts.searches.push_back(search_facts(output));
+      if (std::ranges::find(searches, &output) != searches.end()) facts.searches.push_back(search_facts(output));
       if (command == "modes") facts.modes.push_back(modes_facts(output));
     } catch (const io::InputError& error) {
       notes.emplace_back(error.what());

@@ -7,25 +7,21 @@
 
 #include "evolution/page/command_outputs.h"
 #include "io/text/run_status.h"
+#include "meshes/load_cases/limit_pressure.h"
 
 namespace menger::evolution {
-
-/// A pressure beyond which a body balloons or buckles.
-struct LimitFact {
-  double pressure_Pa = 0.0;
-  std::string plenum{};
-};
 
 /// What an inflation says.
 struct InflationFacts {
   std::string name{};    ///< of the body
-  std::string source{};  ///< files, relative to the folder of the report
+  std::string place{};   ///< where the results are, relative to the folder of the report
+  std::string source{};  ///< files, likewise
   io::RunStatus status = io::RunStatus::stopped;
   std::string reason{};
   std::optional<double> highest_pressure_Pa{};  ///< of an equilibrium that was found
-  std::optional<LimitFact> limit{};             ///< the lowest one above 0
-  std::optional<double> volume_growth{};        ///< of the plenum that grows most, at the highest pressure, as a fraction
-  std::optional<ManifestBody> body{};
+  std::optional<meshes::LimitPressure> limit{};
+  std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure, as a fraction
+  StatedRun stated{};
 };
 
 /// What a calibration says.
@@ -33,9 +29,10 @@ struct CalibrationFacts {
   std::string source{};
   io::RunStatus status = io::RunStatus::stopped;
   std::string reason{};
-  bool explained = true;  ///< whether the uncertainties of the curves explain the residuals
-  std::size_t curves = 0;
-  std::optional<double> median_error{};  ///< of the fitted quantities, as a fraction of their largest value
+  bool explained = true;                 ///< whether the uncertainties of the curves explain the residuals
+  std::size_t cases = 0;                 ///< load cases with fitted quantities
+  std::size_t quantities = 0;            ///< that were fitted and have an error
+  std::optional<double> median_error{};  ///< of these, as fractions of the largest value of each
   std::optional<double> worst_error{};
   std::string worst_case{};
 };
@@ -65,8 +62,8 @@ const char* to_string(WalkModel model);
 
 /// What a walk says.
 struct WalkFacts {
-  std::string name{};    ///< of the body
-  std::string folder{};  ///< relative to that of the report
+  std::string name{};   ///< of the body
+  std::string place{};  ///< where the results are, relative to the folder of the report
   std::string source{};
   WalkModel model = WalkModel::elements;
   io::RunStatus status = io::RunStatus::stopped;
@@ -77,8 +74,7 @@ struct WalkFacts {
   std::optional<double> direction_deg{};
   std::vector<std::string> expected_error{};    ///< of a surrogate
   std::vector<std::string> outside_validity{};  ///< of a surrogate
-  std::optional<ManifestBody> body{};
-  std::string drive{};
+  StatedRun stated{};
 };
 
 /// A number with its 95 % interval.
@@ -105,10 +101,12 @@ struct RankingFacts {
 /// What a search says.
 struct SearchFacts {
   std::string source{};
-  std::size_t generations = 0;  ///< finished, the first included
-  std::optional<double> first_fitness{};
-  std::optional<double> last_fitness{};
-  std::string unit{};  ///< of the fitness, for people
+  std::size_t generations = 0;            ///< finished, generation 0 included
+  std::string first_generation{};         ///< number of the first one with a fitness
+  std::optional<double> first_fitness{};  ///< the best in it
+  std::string last_generation{};          ///< number of the last one with a fitness
+  std::optional<double> last_fitness{};   ///< the best in it
+  std::string unit{};                     ///< of the fitness, for people
   std::optional<double> evaluations{};
 };
 

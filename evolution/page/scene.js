@@ -1,5 +1,5 @@
 'use strict';
-// Bodies in 3-D on one clock, drawn by three.js. Needs element() and shown() of chart.js.
+// Bodies in 3-D on one clock, drawn by three.js. Needs element(), extent() and shown() of chart.js.
 
 const ramp = [[244, 240, 220], [161, 218, 180], [65, 182, 196], [44, 127, 184], [37, 52, 148]];  // light to dark, also for the colour-blind
 const plainColours = [[0.80, 0.77, 0.70], [0.56, 0.69, 0.82]];
@@ -163,7 +163,7 @@ function colourings(bodies) {
       note: 'Both materials are driven apart in time (phase), as the study says.'
     });
   }
-  const largest = Math.max(...bodies.map((b) => b.largest));
+  const [, largest] = extent(bodies.map((b) => b.largest));
   ways.push({
     name: 'displacement',
     ofCorner: (body) => {
@@ -176,13 +176,12 @@ function colourings(bodies) {
       }
       return colours;
     },
-    range: ['0 mm', `${shown(1000 * largest)} mm`],
+    range: ['0 mm', `${shown(Number((1000 * largest).toPrecision(3)))} mm`],
     note: 'Displacement of each point since the first frame. The range covers all frames and bodies.'
   });
   const withPressure = bodies.filter((b) => b.pressures.length);
   if (withPressure.length) {
-    const all = withPressure.flatMap((b) => b.pressures.flat());
-    const low = Math.min(0, ...all), high = Math.max(...all);
+    const [low, high] = extent([0].concat(withPressure.flatMap((b) => b.pressures.flat())));
     if (high > low) ways.push({
       name: 'pressure',
       ofFace: (body, f, time) => {
@@ -255,8 +254,8 @@ function drawMotion(data, parent) {
   const state = {scene: null, bodies: [], ways: [], way: null, from: 0, to: 1, time: 0, playing: false, last: 0, view: null, fit: null, extras: [], trails: [], labels: [], dirty: false};
 
   const boundsOf = () => {
-    const low = [0, 1, 2].map((axis) => Math.min(...state.bodies.map((b) => b.low[axis])));
-    const high = [0, 1, 2].map((axis) => Math.max(...state.bodies.map((b) => b.high[axis])));
+    const low = [0, 1, 2].map((axis) => extent(state.bodies.map((b) => b.low[axis]))[0]);
+    const high = [0, 1, 2].map((axis) => extent(state.bodies.map((b) => b.high[axis]))[1]);
     return [low, high];
   };
 
@@ -303,16 +302,18 @@ function drawMotion(data, parent) {
     state.bodies.forEach((body, n) => {
       const label = state.labels[n];
       if (!label) return;
-      const box = [Infinity, -Infinity, -Infinity];  // left, right, lowest on the screen
+      const box = [Infinity, -Infinity, -Infinity, Infinity];  // left, right, lowest and highest on the screen
       const corner = new THREE.Vector3();
       for (let c = 0; c < body.corners; c += Math.max(1, Math.floor(body.corners / 400))) {
         corner.set(body.now[3 * c], body.now[3 * c + 1], body.now[3 * c + 2]).project(camera);
         const x = (corner.x + 1) / 2 * width, y = (1 - corner.y) / 2 * height;
-        box[0] = Math.min(box[0], x); box[1] = Math.max(box[1], x); box[2] = Math.max(box[2], y);
+        box[0] = Math.min(box[0], x); box[1] = Math.max(box[1], x); box[2] = Math.max(box[2], y); box[3] = Math.min(box[3], y);
       }
       const half = label.offsetWidth / 2;
       label.style.left = `${Math.min(width - half - 4, Math.max(half + 4, (box[0] + box[1]) / 2))}px`;
-      label.style.top = `${Math.min(height - 24, box[2] + 6)}px`;
+      // Above the body behind and below the one in front, so that neither label lies on the other body.
+      const above = n + 1 < state.bodies.length && box[3] > label.offsetHeight + 8;
+      label.style.top = `${above ? box[3] - label.offsetHeight - 6 : Math.min(height - 24, box[2] + 6)}px`;
     });
   }
 
@@ -408,8 +409,7 @@ function drawMotion(data, parent) {
     const scene = data.scenes[number];
     if (!cache.has(number)) cache.set(number, scene.bodies.map((body, n) => new Body(body, n)));
     Object.assign(state, {scene, bodies: cache.get(number), extras: [], trails: []});
-    state.from = Math.min(...state.bodies.map((b) => b.times[0]));
-    state.to = Math.max(...state.bodies.map((b) => b.times[b.times.length - 1]));
+    [state.from, state.to] = extent(state.bodies.flatMap((b) => [b.times[0], b.times[b.times.length - 1]]));
     state.time = scene.ground === null ? state.to : state.from;  // an inflated body says more than one at rest
     state.ways = colourings(state.bodies);
     while (colourChoice.firstChild) colourChoice.firstChild.remove();

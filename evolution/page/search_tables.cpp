@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/report/generation_summary.h"
 #include "evolution/report/study_view.h"
 #include "evolution/study/study_file.h"
+#include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 
 namespace menger::evolution {
@@ -27,7 +29,7 @@ SearchTables tables_of_archive(const CommandOutput& evolved) {
   const RunView run = view_of(archive, archived_study(archive));
   const auto last = archive.last_generation();
   if (!last) throw io::InputError(file.string() + ": has no finished generation");
-  SearchTables tables{.source = (fs::path(evolved.name).parent_path() / file.filename()).generic_string(),
+  SearchTables tables{.source = file_of(evolved, file.filename().string()),
                       .generations = io::parse_csv(generations_table(run).text(), file),
                       .lineage = std::nullopt};
   if (const auto champion = summarise_generation(run, *last).champion)
@@ -36,7 +38,7 @@ SearchTables tables_of_archive(const CommandOutput& evolved) {
 }
 
 SearchTables exported_tables(const CommandOutput& exported) {
-  SearchTables tables{.source = (fs::path(exported.name) / "generations.csv").generic_string(),
+  SearchTables tables{.source = file_of(exported, "generations.csv"),
                       .generations = io::read_csv(exported.folder / "generations.csv"),
                       .lineage = std::nullopt};
   const fs::path lineage = exported.folder / "lineage.csv";
@@ -45,16 +47,33 @@ SearchTables exported_tables(const CommandOutput& exported) {
   return tables;
 }
 
+/// The hash of the study in an archive, by which exports name it; empty if it cannot be read.
+std::string study_hash(const CommandOutput& evolved) {
+  try {
+    return io::content_hash(RunArchive::open_to_read(archive_of(evolved)).study());
+  } catch (const io::InputError&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 SearchTables read_search_tables(const CommandOutput& output) {
   return command_of(output) == "evolve" ? tables_of_archive(output) : exported_tables(output);
 }
 
-bool is_of_archive(const CommandOutput& exported, const CommandOutput& evolved) {
-  const std::string name = archive_of(evolved).filename().string() + " (study)";
-  return std::ranges::any_of(exported.inputs,
-                             [&](const auto& input) { return fs::path(input.first).filename().string() == name; });
+std::vector<const CommandOutput*> searches_in(const std::vector<CommandOutput>& outputs) {
+  std::set<std::string> archived;
+  for (const CommandOutput& output : outputs)
+    if (command_of(output) == "evolve") archived.insert(study_hash(output));
+  archived.erase("");
+  const auto is_archived = [&](const CommandOutput& output) {
+    return std::ranges::any_of(output.inputs, [&](const auto& input) { return archived.contains(input.second); });
+  };
+  std::vector<const CommandOutput*> searches;
+  for (const CommandOutput& output : outputs)
+    if (command_of(output) == "evolve" || (command_of(output) == "export" && !is_archived(output))) searches.push_back(&output);
+  return searches;
 }
 
 std::string fitness_column(const io::CsvContents& generations) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "evolution/page/command_outputs.h"
 #include "io/text/csv_table.h"
@@ -19,8 +20,9 @@ struct SearchTables {
 /// @throws io::InputError if they, or the archive, cannot be read
 SearchTables read_search_tables(const CommandOutput& output);
 
-/// Returns whether an output of menger export is that of an archive of menger evolve, by the name of the archive.
-bool is_of_archive(const CommandOutput& exported, const CommandOutput& evolved);
+/// Returns the outputs that stand for searches: all archives, and the exports of archives that are not among the outputs. An
+/// export is that of an archive if both have the same study, whatever the files are called.
+std::vector<const CommandOutput*> searches_in(const std::vector<CommandOutput>& outputs);
 
 /// Returns the name of the column that has the best fitness, which depends on the objective; empty if there is none.
 std::string fitness_column(const io::CsvContents& generations);

@@ -29,22 +29,38 @@ std::string sentence_of(std::string line) {
 std::string speed_number(double per_minute) { return io::shown(per_minute, per_minute < 100.0 ? 2 : 3); }
 std::string speed_text(double per_minute) { return speed_number(per_minute) + " body lengths a minute"; }
 
-/// The name of a body before a sentence, where there are several.
-std::string of_body(const std::string& name, bool several) { return several && !name.empty() ? name + ": " : ""; }
+/// What stands before a sentence on one of several results: its body where there are several, and where it is if the body has
+/// several results of this kind.
+template <class Facts, class IsOfOneKind>
+std::string label_of(const Facts& one, const std::vector<Facts>& all, IsOfOneKind is_of_one_kind) {
+  const bool has_bodies = std::ranges::any_of(all, [&](const Facts& other) { return other.name != one.name; });
+  const bool has_runs = std::ranges::any_of(
+      all, [&](const Facts& other) { return &other != &one && other.name == one.name && is_of_one_kind(one, other); });
+  std::string label = has_bodies ? one.name : "";
+  if (has_runs && !one.place.empty() && one.place != label) label += label.empty() ? one.place : " (" + one.place + ")";
+  return label.empty() ? "" : label + ": ";
+}
+
+std::string label_of(const InflationFacts& inflation, const std::vector<InflationFacts>& all) {
+  return label_of(inflation, all, [](const InflationFacts&, const InflationFacts&) { return true; });
+}
+
+std::string label_of(const WalkFacts& walk, const std::vector<WalkFacts>& all) {
+  return label_of(walk, all, [](const WalkFacts& a, const WalkFacts& b) { return a.model == b.model; });
+}
 
 Finding missing(const std::string& what, const std::string& command) {
   return {Tone::missing, what + " was not computed.", "menger " + command};
 }
 
-Finding inflation_finding(const InflationFacts& facts, bool several) {
-  const std::string begin = of_body(facts.name, several);
+Finding inflation_finding(const InflationFacts& facts, const std::string& begin) {
   const std::string reached = facts.highest_pressure_Pa ? shown_pressure(*facts.highest_pressure_Pa) : "no pressure";
   const std::string growth =
       facts.volume_growth ? " Its chamber then has " + io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
                           : "";
   if (facts.limit) {
     return {Tone::caution,
-            begin + "Usable up to " + shown_pressure(facts.limit->pressure_Pa) +
+            begin + "Usable below " + shown_pressure(facts.limit->pressure_Pa) +
                 ". There the pressure stops rising while the volume grows (limit point): the body balloons or buckles.",
             facts.source};
   }
@@ -69,9 +85,9 @@ Finding calibration_finding(const CalibrationFacts& facts) {
   if (!facts.median_error)
     return {Tone::bad, "The calibration of the surrogate gave no result (" + with_reason(facts.status, facts.reason) + ").",
             facts.source};
-  std::string text = "The fitted surrogate is " + shown_percent(*facts.median_error) +
-                     " off the curves of finite elements it was fitted to (median of " +
-                     counted(facts.curves, "curve", "curves") + ")";
+  std::string text =
+      "The fitted surrogate is " + shown_percent(*facts.median_error) + " off the finite elements it was fitted to (median of " +
+      counted(facts.quantities, "quantity", "quantities") + " of " + counted(facts.cases, "load case", "load cases") + ")";
   if (facts.worst_error) text += "; the worst is " + shown_percent(*facts.worst_error) + " off (" + facts.worst_case + ")";
   text += ".";
   if (facts.status != io::RunStatus::completed) text += " The fit ended early (" + with_reason(facts.status, facts.reason) + ").";
@@ -109,8 +125,7 @@ Finding validation_finding(const ValidationFacts& facts) {
 
 bool goes_nowhere(const WalkFacts& walk) { return walk.body_lengths && *walk.body_lengths < judged_by::least_body_lengths; }
 
-Finding walk_finding(const WalkFacts& walk, bool several) {
-  const std::string begin = of_body(walk.name, several);
+Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   const std::string on = std::string(walk.model == WalkModel::surrogate ? "in "
                                      : walk.model == WalkModel::voxels  ? "as "
                                                                         : "on ") +
@@ -124,7 +139,7 @@ Finding walk_finding(const WalkFacts& walk, bool several) {
   std::string text = begin + "It moves " + io::shown(*walk.body_lengths, 2) + " body lengths " + on + " in " +
                      io::shown(walk.time_s, 3) + " s, " + speed_text(*walk.per_minute);
   if (goes_nowhere(walk)) return {Tone::caution, text + ": it goes nowhere.", walk.source};
-  if (walk.direction_deg) text += ", towards " + io::formatted("%.0f", *walk.direction_deg) + " degrees from x";
+  if (walk.direction_deg) text += ", towards " + shown_whole(*walk.direction_deg) + " degrees from x";
   text += ".";
   if (walk.model == WalkModel::elements) return {Tone::good, text, walk.source};
   text += walk.model == WalkModel::surrogate ? " Its distances are not to be trusted without finite elements beside them."
@@ -144,8 +159,8 @@ struct WalkJudgement {
   std::optional<Tone> surrogate{};  ///< of the surrogate for this walk; nothing if this cannot be said
 };
 
-WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, bool several) {
-  WalkJudgement judged{.finding = {Tone::bad, of_body(elements.name, several), elements.source + ", " + surrogate.source}};
+WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, const std::string& begin) {
+  WalkJudgement judged{.finding = {Tone::bad, begin, elements.source + ", " + surrogate.source}};
   std::string& text = judged.finding.text;
   const std::string other = surrogate.model == WalkModel::voxels ? "as voxels" : "in the surrogate";
   const auto conclude = [&](Tone tone, std::optional<Tone> trust, const std::string& words) {
@@ -225,9 +240,10 @@ Finding search_finding(const SearchFacts& facts, bool several) {
         begin + "The search found no robot with a fitness in " + counted(facts.generations, "generation", "generations") + ".",
         facts.source};
   }
-  std::string text = begin + "The best robot has a fitness of " + shown_number(facts.last_fitness) + " " + facts.unit +
-                     " after " + counted(facts.generations, "generation", "generations");
-  if (facts.first_fitness) text += "; the best of the first had " + shown_number(facts.first_fitness);
+  std::string text = begin + "The best robot of generation " + facts.last_generation + " has a fitness of " +
+                     shown_number(facts.last_fitness) + " " + facts.unit;
+  if (facts.first_generation != facts.last_generation)
+    text += "; the best of generation " + facts.first_generation + " had " + shown_number(facts.first_fitness);
   text += ".";
   const bool improved = facts.first_fitness && *facts.last_fitness > *facts.first_fitness;
   if (!improved && facts.generations > 1) text += " It did not improve.";
@@ -246,51 +262,66 @@ using WalkPair = std::pair<const WalkFacts*, const WalkFacts*>;
 std::vector<WalkPair> pairs_of(const std::vector<WalkFacts>& walks) {
   std::vector<WalkPair> pairs;
   for (const WalkFacts& elements : walks) {
-    if (elements.model != WalkModel::elements || !elements.body) continue;
+    if (elements.model != WalkModel::elements) continue;
     for (const WalkFacts& other : walks)
-      if (other.model != WalkModel::elements && other.body == elements.body && other.drive == elements.drive)
+      if (other.model != WalkModel::elements && are_one_walk(elements.stated, other.stated))
         pairs.emplace_back(&elements, &other);
   }
   return pairs;
 }
 
-/// Adds the findings on walks. @return whether the surrogate can be trusted for them; nothing if this cannot be said
-std::optional<Tone> add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
-  std::optional<Tone> trusted;
+/// What walks say of the surrogate.
+struct WalkTrust {
+  bool were_compared = false;     ///< whether a body walks in both models, driven alike
+  bool are_in_both = false;       ///< whether there are walks in both models, of whatever bodies
+  std::optional<Tone> trusted{};  ///< the worst of all comparisons; nothing if they say nothing
+};
+
+/// Adds the findings on walks.
+WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
+  WalkTrust trust;
   const std::vector<WalkPair> pairs = pairs_of(facts.walks);
-  const bool several = facts.walks.size() > (pairs.empty() ? 0U : 2U);
+  trust.were_compared = !pairs.empty();
   for (const auto& [elements, surrogate] : pairs) {
-    const WalkJudgement judged = judge_pair(*elements, *surrogate, several);
+    const WalkJudgement judged = judge_pair(*elements, *surrogate, label_of(*elements, facts.walks));
     findings.push_back(judged.finding);
-    if (judged.surrogate) trusted = trusted ? std::max(*trusted, *judged.surrogate) : *judged.surrogate;  // the worst
+    if (judged.surrogate) trust.trusted = trust.trusted ? std::max(*trust.trusted, *judged.surrogate) : *judged.surrogate;
   }
   for (const WalkFacts& walk : facts.walks) {
     const bool is_paired =
         std::ranges::any_of(pairs, [&](const WalkPair& pair) { return pair.first == &walk || pair.second == &walk; });
-    if (!is_paired) findings.push_back(walk_finding(walk, several));
-    for (const std::string& line : walk.outside_validity)
-      findings.push_back(
-          {Tone::caution, of_body(walk.name, several) + "Beyond what the surrogate was fitted to: " + line + ".", walk.source});
-    for (const std::string& line : walk.expected_error) {
-      findings.push_back({Tone::caution, of_body(walk.name, several) + sentence_of(line), walk.source});
+    const std::string begin = label_of(walk, facts.walks);
+    if (!is_paired) findings.push_back(walk_finding(walk, begin));
+    for (const std::string& line : walk.outside_validity) {
+      findings.push_back({Tone::caution,
+                          std::string(begin).append("Beyond what the surrogate was fitted to: ").append(line).append("."),
+                          walk.source});
     }
+    for (const std::string& line : walk.expected_error)
+      findings.push_back({Tone::caution, begin + sentence_of(line), walk.source});
   }
   const auto has = [&](auto is) { return std::ranges::any_of(facts.walks, is); };
   const bool has_elements = has([](const WalkFacts& walk) { return walk.model == WalkModel::elements; });
   const bool has_other = has([](const WalkFacts& walk) { return walk.model != WalkModel::elements; });
   if (!has_elements) findings.push_back(missing("A walk on finite elements", "locomote"));
   if (!has_other) findings.push_back(missing("A walk in the surrogate", "simulate"));
-  if (has_elements && has_other && pairs.empty())
-    findings.push_back({Tone::missing, "No body walks in both models with the same drive, so the walks cannot be compared.",
+  trust.are_in_both = has_elements && has_other;
+  if (trust.are_in_both && pairs.empty()) {
+    findings.push_back({Tone::missing,
+                        "No body walks in both models with the same walls, silicone, drive and friction, so the walks cannot be "
+                        "compared.",
                         "menger simulate, menger locomote"});
-  return trusted;
+  }
+  return trust;
 }
 
-/// Whether there are inflations, all of one body.
+/// Whether there are inflations, all of one body. What one of them does not state, two others may state differently.
 bool are_of_one_body(const std::vector<InflationFacts>& inflations) {
   if (inflations.size() <= 1) return inflations.size() == 1;
-  return std::ranges::all_of(inflations,
-                             [&](const InflationFacts& one) { return one.body && one.body == inflations.front().body; });
+  return std::ranges::all_of(inflations, [&](const InflationFacts& one) {
+    return std::ranges::all_of(inflations,
+                               [&](const InflationFacts& other) { return are_of_one_body(one.stated, other.stated); });
+  });
 }
 
 /// Which of several inflations of a body says how far it can be used: that with the lowest limit pressure, or else the highest
@@ -307,8 +338,8 @@ const InflationFacts& decisive(const std::vector<InflationFacts>& inflations) {
 std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
   if (!are_of_one_body(facts.inflations)) return {};
   const InflationFacts& one = decisive(facts.inflations);
-  tone = inflation_finding(one, false).tone;
-  if (one.limit) return "Usable up to " + shown_pressure(one.limit->pressure_Pa) + ", where the body balloons or buckles. ";
+  tone = inflation_finding(one, "").tone;
+  if (one.limit) return "Usable below " + shown_pressure(one.limit->pressure_Pa) + ", where the body balloons or buckles. ";
   if (!one.highest_pressure_Pa) return {};
   const std::string reached = shown_pressure(*one.highest_pressure_Pa);
   if (one.status == io::RunStatus::completed) return "Usable up to at least " + reached + ". ";
@@ -316,32 +347,68 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
   return "Known up to " + reached + " only. ";
 }
 
-std::string trust_headline(const ReportFacts& facts, std::optional<Tone> trusted, Tone& tone) {
-  const auto worse = [&](Tone other) {
-    if (tone == Tone::missing || other == Tone::bad || (other == Tone::caution && tone == Tone::good)) tone = other;
+/// Which of several tones is worse: `missing` is none.
+Tone worse_of(Tone a, Tone b) {
+  if (a == Tone::missing || b == Tone::missing) return a == Tone::missing ? b : a;
+  return std::max(a, b);
+}
+
+/// The sentence of the headline on rankings. @param worst of all
+std::string ranking_headline(Tone worst, bool several) {
+  if (worst == Tone::good)
+    return several ? "The searches' rankings hold on finite elements." : "The search's ranking holds on finite elements.";
+  if (worst == Tone::bad) {
+    return several ? "Not every search's ranking holds on finite elements."
+                   : "The search's ranking does not hold on finite elements.";
+  }
+  return several ? "The searches' rankings are to be checked on finite elements, robot by robot."
+                 : "The search's ranking is to be checked on finite elements, robot by robot.";
+}
+
+/// The sentence of the headline on shapes. @param worst of all validations
+std::string shape_headline(Tone worst, bool were_walks_compared) {
+  const std::string walks = were_walks_compared ? "its walks say nothing." : "its walks were not compared.";
+  if (worst == Tone::good) return "The surrogate's shapes can be used; " + walks;
+  return (worst == Tone::caution ? "The surrogate's shapes are rough; " : "Do not trust the surrogate's shapes; ") + walks;
+}
+
+/// The sentence of the headline on how far the surrogate can be trusted. @param before what the headline says already
+std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, const std::string& before, Tone& tone) {
+  const auto conclude = [&](Tone other, const std::string& words) {
+    tone = worse_of(tone, other);
+    return words;
   };
-  if (trusted) {
-    worse(*trusted);
-    if (*trusted == Tone::good) return "The surrogate walks as finite elements do.";
-    return *trusted == Tone::caution ? "The surrogate tells where this body walks, not how fast: let finite elements decide."
-                                     : "Do not trust the surrogate for the walk of this body: let finite elements decide.";
+  if (walks.trusted) {
+    if (*walks.trusted == Tone::good) return conclude(Tone::good, "The surrogate walks as finite elements do.");
+    return conclude(*walks.trusted, *walks.trusted == Tone::caution
+                                        ? "The surrogate tells where this body walks, not how fast: let finite elements decide."
+                                        : "Do not trust the surrogate for the walk of this body: let finite elements decide.");
   }
-  if (!facts.rankings.empty()) {
-    const Finding ranking = ranking_finding(facts.rankings.front());
-    worse(ranking.tone);
-    if (ranking.tone == Tone::good) return "The search's ranking holds on finite elements.";
-    return ranking.tone == Tone::bad ? "The search's ranking does not hold on finite elements."
-                                     : "The search's ranking is to be checked on finite elements, robot by robot.";
+  Tone ranking = Tone::missing;
+  for (const RankingFacts& one : facts.rankings) ranking = worse_of(ranking, ranking_finding(one).tone);
+  if (!facts.rankings.empty()) return conclude(ranking, ranking_headline(ranking, facts.rankings.size() > 1));
+  Tone shapes = Tone::missing;
+  for (const ValidationFacts& one : facts.validations)
+    if (one.displacement.median) shapes = worse_of(shapes, tone_of_error(*one.displacement.median));
+  if (shapes != Tone::missing) return conclude(shapes, shape_headline(shapes, walks.were_compared));
+  if (walks.were_compared)
+    return conclude(Tone::caution,
+                    "Both models walk, but too little or too briefly to tell whether the surrogate can be trusted.");
+  if (!facts.validations.empty())
+    return conclude(Tone::caution, "Whether the surrogate can be trusted is not known: no shape was compared inside its range.");
+  if (walks.are_in_both) {
+    return conclude(Tone::missing,
+                    "The walks in both models are not of one body and drive, so they do not tell whether the surrogate can be "
+                    "trusted.");
   }
-  if (facts.validations.size() == 1 && facts.validations.front().displacement.median) {
-    const Tone shapes = validation_finding(facts.validations.front()).tone;
-    worse(shapes);
-    if (shapes == Tone::good) return "The surrogate's shapes can be used; its walks were not compared.";
-    return shapes == Tone::caution ? "The surrogate's shapes are rough; its walks were not compared."
-                                   : "Do not trust the surrogate's shapes; its walks were not compared.";
+  if (facts.searches.size() == 1 && facts.searches.front().last_fitness) {
+    const SearchFacts& search = facts.searches.front();
+    return conclude(Tone::missing, "The best robot of the search has a fitness of " + shown_number(search.last_fitness) + " " +
+                                       search.unit + ". Nothing here compares its model with finite elements.");
   }
-  worse(Tone::missing);
-  return "Whether the surrogate can be trusted for this body was not computed.";
+  const bool has_surrogate = !facts.calibrations.empty() || !facts.searches.empty() || !facts.walks.empty();
+  if (!before.empty() && !has_surrogate) return {};
+  return conclude(Tone::missing, "Nothing here compares the surrogate with finite elements on a whole body.");
 }
 
 }  // namespace
@@ -363,10 +430,10 @@ const char* to_string(Tone tone) {
 Verdict verdict_of(const ReportFacts& facts) {
   Verdict verdict{.headline = {}};
   std::vector<Finding>& findings = verdict.findings;
-  const bool several = facts.inflations.size() > 1 && !are_of_one_body(facts.inflations);
-  for (const InflationFacts& inflation : facts.inflations) findings.push_back(inflation_finding(inflation, several));
+  for (const InflationFacts& inflation : facts.inflations)
+    findings.push_back(inflation_finding(inflation, label_of(inflation, facts.inflations)));
   if (facts.inflations.empty()) findings.push_back(missing("The pressure that the body bears", "inflate"));
-  const std::optional<Tone> trusted = add_walks(facts, findings);
+  const WalkTrust walks = add_walks(facts, findings);
   for (const ValidationFacts& validation : facts.validations) findings.push_back(validation_finding(validation));
   if (facts.validations.empty()) findings.push_back(missing("How far the surrogate's shapes are off", "validate"));
   for (const CalibrationFacts& calibration : facts.calibrations) findings.push_back(calibration_finding(calibration));
@@ -378,7 +445,8 @@ Verdict verdict_of(const ReportFacts& facts) {
   for (const ModesFacts& modes : facts.modes) findings.push_back(modes_finding(modes));
   std::stable_partition(findings.begin(), findings.end(), [](const Finding& finding) { return finding.tone != Tone::missing; });
   verdict.headline = pressure_headline(facts, verdict.tone);
-  verdict.headline += trust_headline(facts, trusted, verdict.tone);
+  verdict.headline += trust_headline(facts, walks, verdict.headline, verdict.tone);
+  while (verdict.headline.ends_with(' ')) verdict.headline.pop_back();
   return verdict;
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -38,12 +39,18 @@ using BodyColour = std::array<unsigned char, 3>;
 constexpr io::PictureStyle animation_style{.width_px = 720, .height_px = 440};
 constexpr std::array<BodyColour, 2> body_colours{{{222, 205, 172}, {140, 178, 214}}};
 
+std::string reason_of(int error) { return std::generic_category().message(error); }
+
 /// A folder for pictures that are joined, which ends with this object.
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "menger-animation-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw io::InputError(pattern + ": cannot be made");
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    if (error) throw io::InputError("TMPDIR: pictures of an animation cannot be kept: " + error.message());
+    std::string pattern = (folder / "menger-animation-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr)
+      throw io::InputError(folder.string() + ": pictures of an animation cannot be kept here: " + reason_of(errno));
     path_ = pattern;
   }
   ~ScratchFolder() {

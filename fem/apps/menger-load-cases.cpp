@@ -26,6 +26,7 @@
 #include "io/ranks/rank_session.h"
 #include "io/ranks/rank_team.h"
 #include "io/ranks/roll_call.h"
+#include "io/study/installed_folders.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "meshes/robot/command_study.h"

@@ -13,6 +13,7 @@
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
+#include "io/study/installed_folders.h"
 #include "io/text/input_error.h"
 
 namespace {

@@ -18,6 +18,7 @@
 #include "io/process/progress.h"
 #include "io/process/run_folder.h"
 #include "io/process/study_help.h"
+#include "io/study/installed_folders.h"
 #include "io/study/study_text.h"
 #include "io/text/whole_file.h"
 

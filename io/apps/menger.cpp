@@ -15,6 +15,7 @@
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
+#include "io/study/installed_folders.h"
 #include "io/text/input_error.h"
 #include "io/text/near_miss.h"
 #include "io/text/version.h"
@@ -53,14 +54,12 @@ constexpr std::array commands{
     Command{"report", "write one page on the results in a folder", "menger report demo"},
 };
 
-fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
-
 bool is_program(const fs::path& file) {
   std::error_code ignored;
   return fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0;
 }
 
-fs::path program_of(std::string_view command) { return program_folder() / ("menger-" + std::string(command)); }
+fs::path program_of(std::string_view command) { return io::own_program_folder() / ("menger-" + std::string(command)); }
 
 /// The commands that are run by other programs in the folder of this one.
 std::vector<Command> present_commands() {
@@ -75,7 +74,7 @@ void print_help(std::ostream& out) {
       << "usage: menger <command> [arguments]   (menger <command> --help explains a command, --template prints its "
          "study, if it reads one)\n\ncommands:\n";
   const std::vector<Command> present = present_commands();
-  if (present.empty()) out << "  none found in " << program_folder().string() << '\n';
+  if (present.empty()) out << "  none found in " << io::own_program_folder().string() << '\n';
   std::size_t width = 0;
   for (const Command& command : present) width = std::max(width, command.name.size());
   const int column = static_cast<int>(width) + 2;

@@ -152,8 +152,6 @@ ChildOutcome run_child(const ChildProgram& child) {
   return outcome;
 }
 
-std::filesystem::path own_program_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
-
 std::filesystem::path program_in(const std::filesystem::path& folder, const std::string& name) {
   std::filesystem::path program = folder / name;
   std::error_code ignored;

@@ -54,7 +54,4 @@ ChildOutcome run_child(const ChildProgram& child);
 /// Returns the path of a program in a folder. @throws InputError if there is no executable file of this name
 std::filesystem::path program_in(const std::filesystem::path& folder, const std::string& name);
 
-/// Returns the folder of the running program. It also holds the other programs of menger.
-std::filesystem::path own_program_folder();
-
 }  // namespace menger::io

@@ -41,6 +41,13 @@ void StudyKeyTable::under(std::string_view condition, const std::function<void()
   condition_ = outer;
 }
 
+void StudyKeyTable::visit_choice(const std::vector<Alternative>& alternatives, std::string_view missing) {
+  const auto forms = std::ranges::count(alternatives, false, &Alternative::is_for_programs);
+  const std::size_t outer = std::exchange(forms_, static_cast<std::size_t>(forms));
+  EveryKeyVisitor::visit_choice(alternatives, missing);
+  forms_ = outer;
+}
+
 void StudyKeyTable::visit(const StudyEntry& entry, std::optional<StudyValue>& value) {
   KeyRow row{.name = prefix_ + std::string(entry.key.name),
              .kind = std::string(kind_of(entry)),
@@ -49,7 +56,7 @@ void StudyKeyTable::visit(const StudyEntry& entry, std::optional<StudyValue>& va
              .values = values_of(entry),
              .help = std::string(entry.key.help),
              .condition = condition_};
-  if (entry.is_required()) row.standard = "must be given";
+  if (entry.is_required()) row.standard = forms_ > 1 ? "one of several" : "must be given";
   // a key that means the same under several conditions has one row
   const auto is_same = [&](const KeyRow& other) { return other.name == row.name && other.help == row.help; };
   const auto same = std::ranges::find_if(rows_, is_same);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ struct KeyRow {
   std::string name;      ///< with the tables that contain it: "ground.height_m", "plates[].name"
   std::string kind;      ///< "number", "word"
   std::string unit;      ///< "m"; empty if there is none
-  std::string standard;  ///< the default in TOML, "must be given" or "none"
+  std::string standard;  ///< the default in TOML, "must be given", "one of several" (it or the keys of another form) or "none"
   std::string values;    ///< "> 0"; empty if every value of its kind is accepted
   std::string help;
   std::string condition;  ///< when the key has a meaning: `method = "implicit"`; empty if always
@@ -31,11 +32,13 @@ class StudyKeyTable : public EveryKeyVisitor {
   void visit(const StudyEntry& entry, std::optional<StudyValue>& value) override;
   void inside(const Key& key, bool is_entry, const std::function<void()>& describe) override;
   void under(std::string_view condition, const std::function<void()>& describe) override;
+  void visit_choice(const std::vector<Alternative>& alternatives, std::string_view missing) override;
 
  private:
   std::vector<KeyRow> rows_;
   std::string prefix_;
   std::string condition_;
+  std::size_t forms_ = 1;  ///< of which a file uses one
 };
 
 }  // namespace menger::io

@@ -15,6 +15,19 @@ StudyValue example_of(const StudyEntry& entry) {
   return read_study_value(parse_toml(text, "example"), entry);
 }
 
+/// Returns a text as lines of a comment. Lines break between words.
+std::string comment_lines(std::string_view text) {
+  constexpr std::size_t width = 110;
+  std::string lines;
+  while (text.size() > width) {
+    const std::size_t space = text.rfind(' ', width);
+    if (space == std::string_view::npos || space == 0) break;
+    lines.append("# ").append(text.substr(0, space)).append("\n");
+    text.remove_prefix(space + 1);
+  }
+  return lines.append("# ").append(text).append("\n");
+}
+
 std::string extended(std::string text, std::string_view addition) {
   if (addition.empty()) return text;
   return text.append(text.empty() ? "" : "; ").append(addition);
@@ -29,7 +42,7 @@ bool StudyTemplateWriter::takes_next(const std::string& name) {
   return takes;
 }
 
-void StudyTemplateWriter::comment(std::string_view text) { section_->lines.append("# ").append(text).append("\n"); }
+void StudyTemplateWriter::comment(std::string_view text) { section_->lines += comment_lines(text); }
 
 void StudyTemplateWriter::visit(const StudyEntry& entry, std::optional<StudyValue>& value) {
   if (entry.is_required() && !((has_defaults_ || (keeps_values_ && !is_comment_)) && value)) value = example_of(entry);
@@ -63,7 +76,7 @@ void StudyTemplateWriter::inside(const Key& key, bool is_entry, const std::funct
   StudySection* const outer = section_;
   const std::string whole = prefix_ + std::string(key.name);
   const std::string header = std::string(is_comment_ ? "#" : "") + (is_entry ? "[[" + whole + "]]" : "[" + whole + "]");
-  StudySection section{.header = "# " + std::string(key.help) + "\n" + header, .lines = {}, .is_kept = true};
+  StudySection section{.header = comment_lines(key.help) + header, .lines = {}, .is_kept = true};
   section_ = &section;
   prefix_ = whole + ".";
   describe();
@@ -133,9 +146,17 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
   for (const Alternative& alternative : alternatives) {
     if (&alternative != usual && !alternative.is_for_programs && takes_next(std::string(alternative.key))) written = &alternative;
   }
-  // The written alternative comes last, so that the study has this form afterwards.
+  const auto write = [&] {
+    written->choose();
+    if (written == usual) return written->describe();
+    as_addition(written->describe);
+  };
+  const std::size_t counted = alternatives_;
+  if (written != nullptr) write();
+  bool has_others = false;
   for (const Alternative& alternative : alternatives) {
     if (&alternative == written || alternative.is_for_programs) continue;
+    has_others = true;
     const auto describe = [&alternative] {
       alternative.choose();
       alternative.describe();
@@ -146,10 +167,12 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
       as_comment_with_title("In place of " + std::string(written->key) + ":", describe);
     }
   }
-  if (written == nullptr) return;
-  written->choose();
-  if (written == usual) return written->describe();
-  as_addition(written->describe);
+  if (written == nullptr || !has_others) return;
+  // Once more without a text, so that the study has this form afterwards.
+  const StudySection text = *section_;
+  alternatives_ = counted;
+  write();
+  *section_ = text;
 }
 
 void StudyTemplateWriter::visit_branch(bool holds, std::string_view condition, const std::function<void()>& describe) {

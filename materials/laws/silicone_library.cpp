@@ -4,6 +4,7 @@
 #include <system_error>
 #include <vector>
 
+#include "io/study/installed_folders.h"
 #include "materials/laws/silicone_record.h"
 
 namespace menger::materials {
@@ -12,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path& record_folder() {
-  static const fs::path folder(MENGER_MATERIAL_FOLDER);
+  static const fs::path folder = io::data_folder("materials");
   return folder;
 }
 

@@ -10,8 +10,8 @@
 namespace menger::materials {
 
 /// Returns the file of the silicone that a key of a table names. The value is either a path (with "/" or ending in .toml,
-/// relative to the file of the table) or the name of a record of menger, such as "dragon_skin_10". Records are read from the
-/// source tree from which the program was built.
+/// relative to the file of the table) or the name of a record of menger, such as "dragon_skin_10". Records lie
+/// in the data folder of menger (io::data_folder).
 /// @param fallback name to use if the key is missing; empty: the key is required
 /// @throws io::InputError naming the key and the known records if the name is not among them; like TomlTable if the key is
 /// missing or not a text

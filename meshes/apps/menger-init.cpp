@@ -71,9 +71,9 @@ int run(const Arguments& arguments) {
   std::error_code ignored;
   if (fs::exists(fs::symlink_status(file, ignored)))
     throw io::InputError(file.string() + ": is there already, and is not written over");
-  const fs::path last =
-      folder.lexically_normal().has_filename() ? folder.lexically_normal() : folder.lexically_normal().parent_path();
-  io::write_whole(file, robot_template(start, last.filename().string()));
+  fs::path whole = fs::absolute(folder).lexically_normal();  // "." has a name, too
+  if (!whole.has_filename()) whole = whole.parent_path();
+  io::write_whole(file, robot_template(start, whole.filename().string()));
   std::cout << "wrote " << file.string() << ": " << summary_of(read_robot(file)) << "\n"
             << "Next: change it to your robot, then\n"
             << "  menger loop " << file.string() << " --until limit   (seconds: its mesh, and the pressure that it bears)\n"

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/process/child_reading.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
-#include "meshes/files/child_reading.h"
 #include "meshes/files/mesh_bytes.h"
 #include "meshes/hexahedra/circular_corners.h"
 #include "meshes/hexahedra/element_geometry.h"
@@ -49,7 +49,7 @@ class GmshMeshReader {
 
   HexahedralMesh read() {
     check_content(io::read_whole(file_));
-    const std::string bytes = read_in_child(file_, "Gmsh", [&] {
+    const std::string bytes = io::read_in_child(file_, "Gmsh", [&] {
       const GmshSession session;
       open();
       read_points();

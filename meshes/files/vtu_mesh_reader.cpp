@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "io/process/child_reading.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
-#include "meshes/files/child_reading.h"
 #include "meshes/files/mesh_bytes.h"
 #include "meshes/files/vtu_mesh.h"
 #include "meshes/hexahedra/boundary_check.h"
@@ -193,7 +193,8 @@ class VtuMeshReader {
 
 HexahedralMesh read_vtu_mesh(const std::filesystem::path& file) {
   static_cast<void>(io::read_whole(file));  // reports why a file cannot be read
-  auto mesh = mesh_of_bytes<HexahedralMesh>(read_in_child(file, "VTK", [&] { return mesh_bytes(VtuMeshReader(file).read()); }));
+  auto mesh =
+      mesh_of_bytes<HexahedralMesh>(io::read_in_child(file, "VTK", [&] { return mesh_bytes(VtuMeshReader(file).read()); }));
   require_no_inverted_elements(mesh, file.string());
   require_whole_boundary(mesh, file.string());
   require_closed_chambers(mesh, file.string());

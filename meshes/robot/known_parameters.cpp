@@ -5,6 +5,7 @@
 #include <system_error>
 #include <vector>
 
+#include "io/study/installed_folders.h"
 #include "io/text/toml_document.h"
 #include "materials/laws/law_file.h"
 
@@ -29,7 +30,7 @@ bool holds_for(const fs::path& file, const Robot& robot) {
 std::optional<fs::path> known_parameters(const Robot& robot) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (fs::directory_iterator entry(MENGER_PARAMETER_FOLDER, error), end; !error && entry != end; entry.increment(error)) {
+  for (fs::directory_iterator entry(io::data_folder("parameters"), error), end; !error && entry != end; entry.increment(error)) {
     if (entry->path().extension() == ".toml") files.push_back(entry->path());
   }
   std::sort(files.begin(), files.end());

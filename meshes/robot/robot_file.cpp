@@ -105,7 +105,10 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
     visitor.check(robot.kinetic_friction <= robot.static_friction, "kinetic_friction", "must be at most static_friction");
   });
   visitor.table({"walk", "The walk that both models compute."}, [&] {
-    visitor.boolean({"present", "Whether it is put on the ground and driven. false for a finger or a gripper."}, robot.walks);
+    visitor.boolean(
+        {"present",
+         "Whether it is put on the ground and driven. false for a finger or a gripper: it is inflated without a ground."},
+        robot.walks);
     visitor.number({"duration_s", "Simulated time."}, robot.duration_s, io::positive());
     visitor.word({"fidelity",
                   "How finely walls are cut into finite elements. The robot walks on the next finer ones, too, to show how well "
@@ -143,6 +146,8 @@ Robot read_robot(const fs::path& file) {
   io::read_described(top, robot);
   robot.file = file;
   if (robot.evolves && !robot.search) robot.search.emplace();
+  if (robot.search && robot.drive == RobotDrive::hold)
+    throw top.table("drive").error("mode", "cannot stand beside a search: nothing that holds its pressure walks");
   const io::TomlTable table = top.table("robot");
   robot.silicone_file = materials::silicone_file(table, "silicone");
   robot.record = table.reading("silicone", [&] { return materials::read_silicone(robot.silicone_file); });

@@ -53,6 +53,7 @@ class StudyTexts {
     thin_walls(to_string(robot_.fidelity));
     design(true);
     material();
+    supports();
     const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot_);
     std::vector<double> knots{0.0, highest_Pa};
     if (lowest_Pa < 0.0) knots.insert(knots.begin() + 1, {lowest_Pa, 0.0});
@@ -64,6 +65,7 @@ class StudyTexts {
     thin_walls(to_string(robot_.fidelity));
     design(true);
     material();
+    supports();
     // Far beyond the volume at which any silicone passes its limit point; steps of a few tenths of the volume at rest.
     text_.table("path").raw("volume_ratio", "[1, 40]").add("end_at_limit_point", true);
     text_.add("first_step", 0.005).add("largest_step", 0.01).add("smallest_step", 1e-4);
@@ -197,6 +199,11 @@ class StudyTexts {
   void surrogate() {
     text_.table("surrogate").add("parameters", parameters());
     text_.add("chambers", word_of(robot_.chambers)).add("outside_range", "warn");
+  }
+
+  /// What does not walk, such as a finger, stands on no ground, which would keep it from bending.
+  void supports() {
+    if (!robot_.walks) text_.table("supports").add("kind", "free");
   }
 
   void drive() {

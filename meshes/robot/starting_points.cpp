@@ -23,19 +23,21 @@ layers = [["101", "000", "101"], ["111", "111", "111"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 )"},
-    StartingPoint{"crawler", "a hook of three cells, which crawls", R"(
+    StartingPoint{"crawler", "a plate with a heel, which crawls: two of its lengths in 5 s on finite elements", R"(
 [robot]
-layers = [["11"], ["10"]]
+layers = [["100", "100", "100"], ["111", "111", "111"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 )"},
-    StartingPoint{"finger", "a gripper finger: a bar with bellows on top, which bends when it is inflated; it does not walk", R"(
+    StartingPoint{"finger", "a finger: a bar of nine cells with bellows on top, which bends by 4 mm at 12 kPa; it does not walk",
+                  R"(
 [robot]
-layers = [["11111"], ["10101"]]
+layers = [["111111111"], ["101010101"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 [drive]
 mode = "hold"
+pressure_Pa = [0, 12000]
 [walk]
 present = false
 )"},
@@ -54,8 +56,8 @@ silicone = "dragon_skin_10"
 )"},
 };
 
-/// Writes the layers of a body below one another, as design files have them. The writer of templates has shown other ways to give
-/// the body before, with bodies of their own.
+/// Writes the layers of a body below one another, as design files have them.
+/// @param design a copy from before the template: this shows other ways to give the body, with bodies of their own
 std::string with_drawn_layers(std::string text, const Design& design) {
   const std::size_t start = text.find("\nlayers = [") + 1;
   if (start == 0) return text;  // std::string::npos + 1

@@ -12,6 +12,7 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/study/installed_folders.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "tests/extremes/table.h"

@@ -8,6 +8,7 @@
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/loop/loop_state.h"
+#include "evolution/page/body_frames.h"
 #include "evolution/page/command_outputs.h"
 #include "evolution/reevaluation/search_comparison.h"
 #include "evolution/reference/reevaluation_study.h"
@@ -105,6 +106,13 @@ void read_checkpoint(const fs::path& file) {
   drop(fem::read_locomotion_checkpoint(file, identity));
 }
 
+/// Reads the file as two frames of a body that moves.
+void read_frame(const fs::path& file) {
+  constexpr std::size_t most_bytes = 1'000'000;
+  drop(evolution::read_page_body(
+      {.name = "fuzzed", .frames = {{0.0, file}, {1.0, file}}, .most_bytes = most_bytes, .body = std::nullopt}));
+}
+
 void read_manifest(const fs::path& file) {
   drop(io::program_of_manifest(file));
   drop(evolution::read_command_output(file));
@@ -169,6 +177,7 @@ constexpr std::array all_readers{
     FuzzedReader{"manifest", "manifest.json", read_manifest},
     FuzzedReader{"vtu", "fuzzed.vtu", [](const fs::path& file) { drop(meshes::read_vtu_mesh(file)); }},
     FuzzedReader{"msh", "fuzzed.msh", [](const fs::path& file) { drop(meshes::read_gmsh_mesh(file)); }},
+    FuzzedReader{"frame", "fuzzed.vtu", read_frame},
     FuzzedReader{"checkpoint", "checkpoint.bin", read_checkpoint},
     FuzzedReader{"archive", "fuzzed.sqlite", read_archive}};
 

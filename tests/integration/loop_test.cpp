@@ -86,15 +86,50 @@ TEST_F(LoopProgram, GoesOnAfterCtrlC) {
   io::write_whole(folder_ / "robot.toml", robot_text);
   const fs::path program = fs::path(MENGER_PROGRAM_DIR) / "menger-loop";
   const test_support::ProgramRun loop(folder_, program, {"robot.toml", "--until", "limit"});
-  while (!is_there("results/studies/inflate.toml") && loop.name() != "")
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!is_there("results/studies/inflate.toml") && loop.name() != "" && std::chrono::steady_clock::now() < deadline)
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   loop.send(SIGINT);
   const Outcome stopped = loop.wait();
   EXPECT_EQ(stopped.code, 130) << stopped.out << stopped.err;
+  const auto status = [&](const std::string& stage) {
+    const evolution::LoopState state(folder_ / "results/loop.json");
+    return state.find(stage) == nullptr ? evolution::StageStatus::left_out : state.find(stage)->status;
+  };
+  EXPECT_EQ(status("mesh"), evolution::StageStatus::done);
+  EXPECT_EQ(status("inflate"), evolution::StageStatus::interrupted);
   const Outcome outcome = run({"loop", "robot.toml", "--until", "limit"});
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
   expect_has(outcome.out, "1 of 8  mesh            as before");
-  EXPECT_EQ(evolution::LoopState(folder_ / "results/loop.json").find("limit")->status, evolution::StageStatus::done);
+  EXPECT_EQ(status("inflate"), evolution::StageStatus::done);
+  EXPECT_EQ(status("limit"), evolution::StageStatus::done);
+}
+
+TEST_F(LoopProgram, WaitsAfterCtrlCForAProgramThatWritesWhatItHas) {
+  io::write_whole(folder_ / "robot.toml", robot_text);
+  const fs::path programs(MENGER_PROGRAM_DIR);
+  fs::create_directories(folder_ / "bin");
+  fs::copy_file(programs / "menger-loop", folder_ / "bin/menger-loop");
+  fs::create_directories(folder_ / "share");
+  fs::create_directory_symlink(programs.parent_path() / "share/menger", folder_ / "share/menger");
+  for (const char* name : {"mesh", "inflate", "validate", "load-cases", "simulate", "locomote"}) {
+    const fs::path stand_in = folder_ / ("bin/menger-" + std::string(name));
+    // Longer than a program is given that does not come to a stopping point.
+    io::write_whole(
+        stand_in,
+        "#!/bin/bash\ntrap 'sleep 4; echo all > saved; exit 130' INT\necho > begun\nfor ((n = 0; n < 600; n++)); do sleep "
+        "0.1; done\n");
+    fs::permissions(stand_in, fs::perms::owner_all);
+  }
+  const test_support::ProgramRun loop(folder_, folder_ / "bin/menger-loop", {"robot.toml"});
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!is_there("results/begun") && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  loop.send(SIGINT);
+  const Outcome stopped = loop.wait();
+  EXPECT_EQ(stopped.code, 130) << stopped.out << stopped.err;
+  EXPECT_TRUE(is_there("results/saved"));
+  expect_has(stopped.out, "Finished stages are kept");
 }
 
 TEST_F(LoopProgram, InitWritesARobotAndNeverOverOne) {
@@ -112,6 +147,8 @@ TEST_F(LoopProgram, InitWritesARobotAndNeverOverOne) {
   expect_has(again.err, "mine/robot.toml: is there already");
   EXPECT_EQ(io::read_whole(folder_ / "mine/robot.toml"), text);
   EXPECT_EQ(run({"init"}).code, 2);
+  EXPECT_EQ(run({"init", "."}).code, 0);
+  expect_has(io::read_whole(folder_ / "robot.toml"), "name = \"" + fs::path(folder_).filename().string() + "\"");
   EXPECT_EQ(run({"init", "other", "--from", "cralwer"}).code, 2);
   EXPECT_EQ(run({"loop", "mine/robot.toml", "--write-studies"}).code, 0);
   EXPECT_TRUE(is_there("mine/results/studies/calibrate.toml"));

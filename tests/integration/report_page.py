@@ -36,8 +36,8 @@ def grid(x):
 </Piece></UnstructuredGrid></VTKFile>"""
 
 
-def write_walk(folder, program, speed):
-    """A walk of 2 s with 5 frames."""
+def write_walk(folder, program, speed, lines):
+    """A walk of 2 s with 5 frames, and a table of so many lines."""
     json_name = HOSTILE.replace('"', '\\"')
     write(folder + "/manifest.json", f'{{"program": "{program}", "version": "0.1.0", "seconds": 1, "inputs_sha256": {{"{json_name}": "00"}}, "parameters": '
           f'{{"design": {{"name": "{json_name}", "cell_edge_m": 0.01, "layers": [["1"], ["2"]]}}, "drive": {{"mode": "phases"}}}}}}')
@@ -47,9 +47,11 @@ def write_walk(folder, program, speed):
     rows, files = "", ""
     for n in range(5):
         time_s = 0.5 * n
-        rows += f"{time_s},{speed * time_s},0,0.005,{speed * time_s}\n"
         write(f"{folder}/frames/frame_{n}.vtu", grid(speed * time_s))
         files += f'<DataSet timestep="{time_s}" part="0" file="frames/frame_{n}.vtu"/>'
+    for n in range(lines):
+        time_s = 2 * n / (lines - 1)
+        rows += f"{time_s},{speed * time_s},0,0.005,{speed * time_s}\n"
     write(folder + "/trajectory.csv", "time_s,centre_of_mass_x_m,centre_of_mass_y_m,centre_of_mass_z_m,horizontal_displacement_m\n" + rows)
     write(folder + "/frames.pvd", f'<VTKFile type="Collection" version="0.1"><Collection>{files}</Collection></VTKFile>')
 
@@ -141,6 +143,19 @@ def check_page(browser, check, page, name):
     check_motion(browser, check, name)
 
 
+def check_bad_chart(browser, check):
+    """A chart that cannot be drawn leaves its neighbours as they are. The page has been opened."""
+    bad, good = '{title: "bad"}', ('{title: "good", x: {title: "x", log: false}, y: {title: "y", log: false}, markers: [], equal: false, diagonal: false, note: "", '
+                                   'series: [{name: "s", x: [0, 1], y: [0, 1], marks: "line", dashed: false, labels: []}]}')
+    late = good.replace('"good"', '"late"').replace("x: [0, 1]", "x: null")
+    browser.value(f'drawSection({{id: "tried", title: "tried", words: [], tables: [], charts: [{bad}, {late}, {good}]}}, document.getElementById("sections"))')
+    browser.settle()
+    text = browser.value("document.getElementById('tried').textContent")
+    check.that(text.count("could not be drawn") == 2, f"charts that cannot be drawn say so: {text!r}")
+    drawn = browser.value("[...document.querySelectorAll('#tried figure > svg')].pop().querySelectorAll('path').length")
+    check.that(drawn == 1, "a chart after one that cannot be drawn is drawn")
+
+
 def main():
     program, scratch, pages = sys.argv[1], os.path.abspath(sys.argv[2]), sys.argv[3:]
     chromium = find_browser()
@@ -149,8 +164,8 @@ def main():
         return SKIPPED
     shutil.rmtree(scratch, ignore_errors=True)
     os.makedirs(scratch)
-    write_walk(scratch + "/results/locomote", "menger-locomote", 0.01)
-    write_walk(scratch + "/results/simulate", "menger-simulate", 0.02)
+    write_walk(scratch + "/results/locomote", "menger-locomote", 0.01, 5)
+    write_walk(scratch + "/results/simulate", "menger-simulate", 0.02, 150000)
     made = subprocess.run([program, scratch + "/results", "--no-animations"], capture_output=True, text=True, check=False)
     print(made.stdout + made.stderr, flush=True)
     if made.returncode != 0:
@@ -167,6 +182,7 @@ def main():
         check.that(browser.value("typeof window.harmed") == "undefined", "names of files run no code")
         check.that(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "names of files make no elements")
         check.that(HOSTILE in browser.value("document.body.textContent"), "names of files are shown as they are")
+        check_bad_chart(browser, check)
         complaints = browser.complaints()
         check.that(not complaints, f"the console has no error or warning, and nothing is loaded: {complaints}")
     finally:

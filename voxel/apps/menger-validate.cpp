@@ -15,6 +15,7 @@
 #include "io/process/progress.h"
 #include "io/process/run_folder.h"
 #include "io/process/study_help.h"
+#include "io/study/installed_folders.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/toml_text.h"

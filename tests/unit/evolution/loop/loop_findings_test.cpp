@@ -84,6 +84,15 @@ TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
   expect_has(verdict(), "lower drive.pressure_Pa below 2.5 kPa");
 }
 
+TEST_F(LoopFindings, VerdictKnowsTheLimitPressureFromTheLeastPressureAfterSnapThrough) {
+  write_inflation("completed");
+  io::write_whole(folder_ / "limit/result.toml",
+                  "status = \"completed\"\n[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = 12000\n[[limit_points]]\n"
+                  "plenum = \"plenum 0\"\npressure_Pa = 2000\n");
+  EXPECT_EQ(found("limit"), "it balloons at 12 kPa; the drive of 3 kPa is 25 % of that");
+  expect_has(verdict(), "The body bears its pressure: up to 9.6 kPa");
+}
+
 TEST_F(LoopFindings, VerdictNeedsAnInflationUpToThePressureOfTheDrive) {
   write_limit("12000.0");
   EXPECT_EQ(verdict(), "");

@@ -131,6 +131,9 @@ TEST_F(LoopRunTest, ChangedProgramOrMissingResultRunsAgain) {
   fs::remove(folder_ / "results/mesh/mesh_manifest.json");
   EXPECT_EQ(run(), io::exit_code::done);
   EXPECT_EQ(called(), (Names{"mesh", "simulate"}));
+  write_program("load-cases", "# another version");  // which menger validate runs
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"validate"}));
   io::write_whole(folder_ / "results/validate/manifest.json", "of another run\n");
   EXPECT_EQ(run(), io::exit_code::done);
   EXPECT_EQ(called(), (Names{"validate"}));

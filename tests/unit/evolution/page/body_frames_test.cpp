@@ -13,6 +13,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -155,9 +156,158 @@ TEST_F(BodyFramesTest, RefuseFilesThatAreNoGridOrOfAnotherMesh) {
   EXPECT_NE(tests::message_of([&] { read(); }).find("frame_1.vtu: is no grid"), std::string::npos);
 }
 
+/// A hexahedron on whose top side the wall of a chamber lies, as text whose parts a test damages.
+struct GridText {
+  std::string points = "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1";
+  std::string connectivity = "0 1 2 3 4 5 6 7 4 5 6 7";
+  std::string offsets = "8 12";
+  std::string types = "12 9";
+  std::string chamber = "-1 0";
+  std::string pressure = "0 1000";
+  std::string displacement = "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0";
+  std::string displacement_components = "3";
+
+  [[nodiscard]] std::string text() const {
+    const auto array = [](const std::string& name, const std::string& type, const std::string& values,
+                          const std::string& components) {
+      return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" + components +
+             "\" format=\"ascii\">" + values + "</DataArray>\n";
+    };
+    return "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"><UnstructuredGrid><Piece NumberOfPoints=\"8\" "
+           "NumberOfCells=\"2\"><Points>" +
+           array("Points", "Float64", points, "3") + "</Points><Cells>" + array("connectivity", "Int64", connectivity, "1") +
+           array("offsets", "Int64", offsets, "1") + array("types", "UInt8", types, "1") + "</Cells><CellData>" +
+           array("chamber", "Float64", chamber, "1") + array("chamber_pressure_Pa", "Float64", pressure, "1") +
+           "</CellData><PointData>" + array("displacement_m", "Float64", displacement, displacement_components) +
+           "</PointData></Piece></UnstructuredGrid></VTKFile>\n";
+  }
+};
+
+class DamagedFramesTest : public BodyFramesTest {
+ protected:
+  /// Adds a frame; the first one is whole.
+  void add_text(const GridText& grid) {
+    const fs::path file = folder_ / ("frame_" + std::to_string(frames_.size()) + ".vtu");
+    io::write_whole(file, grid.text());
+    frames_.push_back({static_cast<double>(frames_.size()), file});
+  }
+  /// What is said of a damaged frame, alone and between whole ones.
+  std::string refusal_of(const GridText& damaged) {
+    frames_.clear();
+    add_text(damaged);
+    std::string said = tests::message_of([&] { read(); });
+    EXPECT_NE(said.find("frame_0.vtu"), std::string::npos) << said;
+    frames_.clear();
+    add_text({});
+    add_text(damaged);
+    GridText moved;
+    moved.displacement.replace(0, 1, "1");  // from which follows that displacements are to be added
+    add_text(moved);
+    const std::string between = tests::message_of([&] { read(); });
+    EXPECT_NE(between.find("frame_1.vtu"), std::string::npos) << between;
+    return said;
+  }
+  void expect_refusal(const GridText& damaged, const std::string& words) {
+    const std::string said = refusal_of(damaged);
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  }
+};
+
+TEST_F(DamagedFramesTest, AreReadIfTheyAreWhole) {
+  add_text({});
+  const PageBody body = read();
+  EXPECT_EQ(body.faces.size(), 5U);
+  ASSERT_EQ(body.pressures_Pa.size(), 1U);
+  EXPECT_EQ(body.pressures_Pa[0], std::vector<double>{1000.0});
+}
+
+TEST_F(DamagedFramesTest, AreRefusedForCellsThatAreNone) {
+  GridText grid;
+  grid.connectivity = "0 1 2 3 4 5 6 1000000 4 5 6 7";
+  expect_refusal(grid, "has the point 1000000 of 8");
+  grid.connectivity = "0 1 2 3 4 5 6 -7 4 5 6 7";
+  expect_refusal(grid, "has the point -7 of 8");
+  grid = {};
+  grid.offsets = "3 12";
+  expect_refusal(grid, "cell 0 has 3 corners, its type has 8");
+  grid.offsets = "8 12000000";
+  EXPECT_FALSE(refusal_of(grid).empty());
+  grid = {};
+  grid.types = "10 9";
+  expect_refusal(grid, "cell 0 is neither a hexahedron nor a polygon");
+}
+
+TEST_F(DamagedFramesTest, AreRefusedForChambersThatAreNoNumbers) {
+  for (const char* chambers : {"-1 0.5", "-1 1e300"}) {
+    GridText grid;
+    grid.chamber = chambers;
+    expect_refusal(grid, "chamber holds");
+  }
+  const auto refusal_with = [&](const char* name, double value) {
+    const auto grid = block(1, false, 0.0, 0.0);
+    vtkNew<vtkDoubleArray> numbers;  // in binary, since texts of VTK have no such numbers
+    numbers->SetName(name);
+    numbers->InsertNextValue(value);
+    grid->GetCellData()->AddArray(numbers);
+    frames_.clear();
+    add(*grid);
+    return tests::message_of([&] { read(); });
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refusal_with("chamber", nan).find("chamber holds nan"), std::string::npos);
+  EXPECT_NE(refusal_with("material", nan).find("material holds nan"), std::string::npos);
+  EXPECT_NE(refusal_with("chamber_pressure_Pa", nan).find("a pressure that is not finite"), std::string::npos);
+}
+
+TEST_F(DamagedFramesTest, HaveTheChambersOfTheFirstFrame) {
+  add_text({});
+  GridText other;
+  other.chamber = "-1 7";
+  other.pressure = "0 2000";
+  add_text(other);
+  other.chamber = "-1 -1";
+  add_text(other);
+  const PageBody body = read();
+  ASSERT_EQ(body.pressures_Pa.size(), 1U);
+  EXPECT_EQ(body.pressures_Pa[0], (std::vector<double>{1000.0, 2000.0, 2000.0}));
+}
+
+TEST_F(DamagedFramesTest, AreRefusedForPlacesThatAreNone) {
+  GridText grid;
+  grid.points.replace(0, 1, "nan");
+  expect_refusal(grid, "a point that is not finite");
+  grid = {};
+  grid.points.replace(0, 1, "1e308");
+  expect_refusal(grid, "a point of 1e+308 m");
+  grid = {};
+  grid.displacement = "0 0 0 0 0 0 0 0";
+  grid.displacement_components = "1";
+  expect_refusal(grid, "displacement_m must have 3 x 8 numbers");
+}
+
+TEST_F(DamagedFramesTest, AreRefusedForTheirCutEnd) {
+  add_text({});
+  const std::string text = io::read_whole(frames_[0].file);
+  io::write_whole(frames_[0].file, text.substr(0, text.size() / 2));
+  EXPECT_NE(tests::message_of([&] { read(); }).find("frame_0.vtu"), std::string::npos);
+}
+
+TEST_F(BodyFramesTest, AreNotFollowedOutOfTheirResults) {
+  const auto message = [&](const fs::path& named) {
+    voxel::write_collection(folder_ / "results/winner/both.pvd", {{0.0, named, 0}});
+    return tests::message_of([&] { read_body_frames(folder_ / "results/winner/both.pvd", folder_ / "results"); });
+  };
+  EXPECT_EQ(message("../runs/a.vtu"), "no error") << "the winner of a re-evaluation names frames of its runs";
+  EXPECT_NE(message("../../a.vtu").find("leads out of"), std::string::npos);
+  EXPECT_NE(message("/dev/zero").find("leads out of"), std::string::npos);
+  fs::create_directories(folder_ / "elsewhere");
+  fs::create_directory_symlink(folder_ / "elsewhere", folder_ / "results/link");
+  EXPECT_NE(message("../link/a.vtu").find("leads out of"), std::string::npos);
+}
+
 TEST_F(BodyFramesTest, AreReadByPartInOrderOfTime) {
   voxel::write_collection(folder_ / "both.pvd", {{1.0, "b.vtu", 0}, {0.0, "a.vtu", 0}, {0.0, "c.vtu", 1}});
-  const std::vector<BodyFrames> parts = read_body_frames(folder_ / "both.pvd");
+  const std::vector<BodyFrames> parts = read_body_frames(folder_ / "both.pvd", folder_.path());
   ASSERT_EQ(parts.size(), 2U);
   ASSERT_EQ(parts[0].frames.size(), 2U);
   EXPECT_EQ(parts[0].frames[0].file, folder_ / "a.vtu");

@@ -18,6 +18,21 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
+/// A scene of one triangle, all of whose texts are one.
+PageScene triangle(const std::string& text) {
+  return {.title = text,
+          .source = text,
+          .clock = text,
+          .unit = text,
+          .bodies = {{.name = text,
+                      .faces = {{0, 1, 2, 2}},
+                      .corners = 3,
+                      .times = {0.0},
+                      .positions = std::vector<std::int16_t>(9),
+                      .centres_m = {{0.0, 0.0, 0.0}}}},
+          .note = text};
+}
+
 ReportPage hostile_page() {
   ReportPage page{
       .title = hostile, .made = hostile, .verdict = {.headline = hostile, .findings = {{Tone::bad, hostile, hostile}}}};
@@ -32,6 +47,7 @@ ReportPage hostile_page() {
                     .tables = {{.title = hostile, .columns = {hostile}, .rows = {{hostile}}, .note = hostile}}}};
   page.pictures = {{.caption = hostile, .png = "\x89PNG"}};
   page.notes = {hostile};
+  page.scenes = {triangle(hostile)};
   return page;
 }
 
@@ -50,18 +66,28 @@ TEST(PageText, EscapesMarkupAndControlCharacters) {
 }
 
 TEST(PageText, MakesNoMarkupOfTexts) {
+  const std::string three = "var THREE;";
   const std::string harmless = page_text({.title = "t",
                                           .made = "m",
                                           .verdict = {.headline = "h", .findings = {{Tone::bad, "f", "s"}}},
+                                          .scenes = {triangle("a scene")},
                                           .pictures = {{.caption = "c", .png = "\x89PNG"}}},
-                                         std::nullopt);
-  const std::string text = page_text(hostile_page(), std::nullopt);
+                                         three);
+  ASSERT_NE(harmless.find("a scene"), std::string::npos) << "scenes are on the page";
+  const std::string text = page_text(hostile_page(), three);
   EXPECT_EQ(text.find("<script>window.harmed"), std::string::npos);
   EXPECT_EQ(text.find("<img"), std::string::npos);
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   // Hostile texts bring no element that harmless ones do not.
   EXPECT_EQ(count_of(text, "<script"), count_of(harmless, "<script"));
   EXPECT_EQ(count_of(text, "</script"), count_of(harmless, "</script"));
+}
+
+TEST(PageText, SpreadsNoDataIntoArguments) {
+  // A browser refuses a call with some hundred thousand arguments, which a long table would bring.
+  for (const char* name : {"chart.js", "scene.js", "page.js"})
+    for (const char* call : {"Math.min(...", "Math.max(...", "Math.min(0, ...", "push(..."})
+      EXPECT_EQ(page_source(name).find(call), std::string_view::npos) << name << " has " << call;
 }
 
 TEST(PageText, SearchesNoMarkInWhatIsPutIn) {
@@ -85,13 +111,21 @@ TEST(PageText, LoadsNothingFromElsewhere) {
 
 TEST(PageText, HasMotionsOnlyWithTheCodeThatMovesThem) {
   ReportPage page{.title = "t", .made = "m", .verdict = {.headline = "h"}};
-  page.scenes = {
-      {.title = "a walk",
-       .source = "s",
-       .bodies = {
-           {.name = "b", .faces = {{0, 1, 2, 2}}, .corners = 3, .times = {0.0}, .positions = std::vector<std::int16_t>(9)}}}};
+  page.scenes = {triangle("a walk")};
   EXPECT_EQ(page_text(page, std::nullopt).find("a walk"), std::string::npos);
   EXPECT_NE(page_text(page, "var THREE;").find("a walk"), std::string::npos);
+}
+
+TEST(PageText, FoldsALongListOfWhatWasNotComputed) {
+  const Finding missing{Tone::missing, "M was not computed.", "menger m"};
+  ReportPage page{
+      .title = "t", .made = "m", .verdict = {.headline = "h", .findings = {{Tone::good, "f", "s"}, missing, missing}}};
+  const std::string folded = "things were not computed</summary>";
+  EXPECT_EQ(page_text(page, std::nullopt).find(folded), std::string::npos);
+  page.verdict.findings.push_back(missing);
+  EXPECT_NE(page_text(page, std::nullopt).find("3 " + folded), std::string::npos);
+  page.verdict.findings.erase(page.verdict.findings.begin());
+  EXPECT_EQ(page_text(page, std::nullopt).find(folded), std::string::npos) << "nothing else would be left";
 }
 
 TEST(PageText, SaysWhatIsMissingFor3d) {

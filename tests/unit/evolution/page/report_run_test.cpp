@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -59,7 +60,7 @@ void write_walk(const fs::path& folder, const std::string& program, const std::s
 
 ReportOptions quick() {
   ReportOptions options;
-  options.most_animations = 0;
+  options.animations = 0;
   options.three = {.code = "var THREE;", .missing = {}};
   return options;
 }
@@ -80,6 +81,15 @@ TEST(ReportRun, ShowsAWalkInBothModelsOnOneClock) {
   EXPECT_EQ(text.size(), result.bytes);
   EXPECT_NE(text.find("Walk of cube: finite elements and voxels"), std::string::npos);
   EXPECT_EQ(result.verdict.headline, "The surrogate walks as finite elements do.");
+}
+
+TEST(ReportRun, IsAboutTheOnlyBodyAndTellsItsScenesApart) {
+  const tests::TestFolder folder;
+  for (const char* name : {"coarse", "fine"}) write_walk(folder / name, "menger-locomote", "cube");
+  const std::string text = io::read_whole(write_report(folder, quick()).file);
+  EXPECT_NE(text.find("<title>Report: cube</title>"), std::string::npos);
+  EXPECT_NE(text.find("Walk of cube: finite elements (coarse)"), std::string::npos);
+  EXPECT_NE(text.find("Walk of cube: finite elements (fine)"), std::string::npos);
 }
 
 TEST(ReportRun, RefusesAFolderWithoutResultsAndKeepsItsPage) {
@@ -154,7 +164,7 @@ TEST(ReportRun, SaysThatFfmpegIsMissing) {
   const std::string before = path == nullptr ? "" : path;
   ::setenv("PATH", folder.path().c_str(), 1);
   ReportOptions options = quick();
-  options.most_animations = 1;
+  options.animations = 1;
   const ReportResult result = write_report(folder, options);
   ::setenv("PATH", before.c_str(), 1);
   EXPECT_TRUE(has_note(result, "install the package ffmpeg"));
@@ -166,11 +176,95 @@ TEST(ReportRun, AnimatesAWalk) {
   const tests::TestFolder folder;
   write_walk(folder / "simulate", "menger-simulate", "cube", "0.05");  // five pictures
   ReportOptions options = quick();
-  options.most_animations = 1;
+  options.animations = 1;
   const ReportResult result = write_report(folder, options);
-  if (result.animations.empty()) GTEST_SKIP() << "nothing can be drawn: " << result.notes.back();
-  EXPECT_EQ(result.animations.front(), folder / "walk.gif");
-  EXPECT_TRUE(io::read_whole(folder / "walk.gif").starts_with("GIF89a"));
+  ASSERT_EQ(result.animations.size(), 1U) << (result.notes.empty() ? "" : result.notes.back());
+  EXPECT_EQ(result.animations.front(), folder / "report.walk_1.gif");
+  EXPECT_TRUE(io::read_whole(folder / "report.walk_1.gif").starts_with("GIF89a"));
+}
+
+TEST(ReportRun, RemovesAnimationsOfAnEarlierPageOnly) {
+  const tests::TestFolder folder;
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  for (const char* name : {"report.walk_1.gif", "report.walk_4.gif", "walk.gif", "walk_2.gif", "other.walk_1.gif"})
+    io::write_whole(folder / name, "mine");
+  const auto is_there = [&](const char* name) { return fs::exists(folder / name); };
+  (void)write_report(folder, quick());
+  EXPECT_TRUE(is_there("report.walk_1.gif")) << "a page without animations says nothing of them";
+  ReportOptions options = quick();
+  options.animations = 1;
+  const std::atomic<bool> stop = true;
+  options.stop = &stop;
+  (void)write_report(folder, options);
+  EXPECT_FALSE(is_there("report.walk_1.gif"));
+  EXPECT_FALSE(is_there("report.walk_4.gif"));
+  for (const char* name : {"walk.gif", "walk_2.gif", "other.walk_1.gif"}) EXPECT_EQ(io::read_whole(folder / name), "mine");
+}
+
+TEST(ReportRun, SaysThatAnimationsHaveNoPlaceForTheirPictures) {
+  if (!find_ffmpeg()) GTEST_SKIP() << "ffmpeg is missing: install the package ffmpeg";
+  const tests::TestFolder folder;
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  const char* place = std::getenv("TMPDIR");
+  const std::string before = place == nullptr ? "" : place;
+  io::write_whole(folder / "file", "no folder");
+  ReportOptions options = quick();
+  options.animations = 1;
+  for (const fs::path& bad : {folder / "missing", folder / "file"}) {
+    ::setenv("TMPDIR", bad.c_str(), 1);
+    const ReportResult result = write_report(folder, options);
+    EXPECT_TRUE(has_note(result, "no animation of walks: TMPDIR")) << bad;
+    EXPECT_TRUE(fs::is_regular_file(result.file));
+  }
+  if (place == nullptr)
+    ::unsetenv("TMPDIR");
+  else
+    ::setenv("TMPDIR", before.c_str(), 1);
+}
+
+TEST(ReportRun, SaysWhichPictureCannotBeRead) {
+  const tests::TestFolder folder;
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  fs::create_symlink("/proc/self/mem", folder / "simulate/robot.png");  // a file whose first byte not even root can read
+  const ReportResult result = write_report(folder, quick());
+  EXPECT_TRUE(has_note(result, "robot.png: cannot be read"));
+  EXPECT_TRUE(fs::is_regular_file(result.file));
+}
+
+TEST(ReportRun, TakesAPictureOnceFromAFolderOfSeveralCommands) {
+  const tests::TestFolder folder;
+  write_walk(folder / "walk", "menger-simulate", "cube");
+  io::write_whole(folder / "champion.png", "\x89PNG\r\n\x1a\n...");
+  io::write_manifest(folder, {.program = "menger-export", .parameters = "", .seed = std::nullopt, .inputs = {}});
+  for (const char* name : {"run.manifest.json", "scores.manifest.json"})
+    io::write_manifest_file(folder / name, {.program = "menger-evolve", .parameters = "", .seed = std::nullopt, .inputs = {}});
+  const std::string text = io::read_whole(write_report(folder, quick()).file);
+  EXPECT_NE(text.find("\"caption\":\"champion.png\""), std::string::npos);
+  EXPECT_EQ(text.find("manifest.json/champion.png"), std::string::npos);
+  EXPECT_EQ(text.find("champion.png", text.find("champion.png") + 1), std::string::npos) << "it stands there once";
+}
+
+TEST(ReportRun, SaysWhichFrameIsDamaged) {
+  const tests::TestFolder folder;
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  std::string damaged = cube_at(0.5);
+  damaged.replace(damaged.find("5 6 "), 1, "555555");
+  io::write_whole(folder / "simulate/frames/b.vtu", damaged);
+  const ReportResult result = write_report(folder, quick());
+  EXPECT_TRUE(has_note(result, "b.vtu: cell 0 has the point 555555 of 8"));
+  EXPECT_FALSE(result.has_motion);
+}
+
+TEST(ReportRun, FollowsNoFrameOutOfItsResults) {
+  const tests::TestFolder folder;
+  write_walk(folder / "results/simulate", "menger-simulate", "cube");
+  io::write_whole(folder / "elsewhere.vtu", cube_at(0.5));
+  io::write_whole(folder / "results/simulate/frames.pvd",
+                  "<VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" file=\"../../elsewhere.vtu\"/></Collection>"
+                  "</VTKFile>");
+  const ReportResult result = write_report(folder / "results", quick());
+  EXPECT_TRUE(has_note(result, "leads out of"));
+  EXPECT_FALSE(result.has_motion);
 }
 
 TEST(AnimationPace, ShowsShortWalksSlower) {
@@ -190,6 +284,11 @@ TEST(ReportNumbers, HaveTheUnitOfTheirName) {
   EXPECT_EQ(shown_column("seconds").title, "s");
   EXPECT_EQ(shown_column("status").title, "status");
   EXPECT_EQ(shown_column("volume_m3").title, "volume (cm\u00b3)");
+}
+
+TEST(ReportNumbers, HaveNoSignAtNought) {
+  EXPECT_EQ(shown_whole(-0.3), "0");
+  EXPECT_EQ(shown_whole(-7.4), "-7");
 }
 
 TEST(ReportNumbers, KeepCountsAndDigitsOfBodies) {

@@ -23,6 +23,7 @@ class ReportSectionsTest : public testing::Test {
     return {.program = "menger-" + command,
             .folder = folder_ / command,
             .manifest = folder_ / command / "manifest.json",
+            .place = command,
             .name = command,
             .version = "0.1.0"};
   }
@@ -55,11 +56,55 @@ TEST_F(ReportSectionsTest, DrawPressureAgainstVolumeWithTheLimitPressure) {
   EXPECT_FALSE(chart.markers.front().vertical);
   EXPECT_EQ(chart.markers.front().label, "limit pressure 3.04 kPa");
   EXPECT_EQ(inflation.words, std::vector<std::string>{"coarse."});
-  // The verdict takes the lowest limit pressure above 0, and the growth at the highest pressure.
+  // The verdict takes the limit pressure above 0, and the growth at the highest pressure.
   const ReportFacts facts = read_facts({output("inflate")}, notes_);
   ASSERT_EQ(facts.inflations.size(), 1U);
   EXPECT_EQ(facts.inflations.front().limit->pressure_Pa, 3042.0);
   EXPECT_NEAR(*facts.inflations.front().volume_growth, 1.0, 1e-12);
+}
+
+TEST_F(ReportSectionsTest, TellTheLimitPressureFromTheLeastPressureAfterSnapThrough) {
+  write("inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,2e-6\n2,1200,4e-6\n");
+  write("inflate/result.toml",
+        "status = \"completed\"\n[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = 3042\n[[limit_points]]\nplenum = "
+        "\"plenum 0\"\npressure_Pa = 1200\n");
+  const PageSection inflation = section({output("inflate")}, "inflation");
+  ASSERT_EQ(inflation.charts.size(), 1U);
+  ASSERT_EQ(inflation.charts[0].markers.size(), 2U);
+  EXPECT_EQ(inflation.charts[0].markers[0].label, "limit pressure 3.04 kPa");
+  EXPECT_EQ(inflation.charts[0].markers[1].label, "later turning point 1.2 kPa");
+  EXPECT_EQ(read_facts({output("inflate")}, notes_).inflations.at(0).limit->pressure_Pa, 3042.0);
+}
+
+TEST_F(ReportSectionsTest, ThinLongSeriesAndKeepTheirExtremes) {
+  std::string walk = "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n";
+  for (int n = 0; n < 30'000; ++n)
+    walk += std::to_string(n) + (n == 12'345 ? ",7,0,7\n" : n == 20'001 ? ",,,\n" : ",0,0," + std::to_string(1e-6 * n) + "\n");
+  write("simulate/trajectory.csv", walk);
+  write("simulate/result.toml", "status = \"completed\"\ntime_s = 30000\n");
+  const PageSection walks = section({output("simulate")}, "walks");
+  ASSERT_EQ(walks.charts.size(), 2U);
+  for (const PageChart& chart : walks.charts) {
+    ASSERT_EQ(chart.series.size(), 1U);
+    EXPECT_LE(chart.series[0].x.size(), 2000U);
+    EXPECT_EQ(chart.series[0].x.size(), chart.series[0].y.size());
+    EXPECT_NE(chart.note.find("up to 30000 rows"), std::string::npos) << chart.note;
+  }
+  const PageSeries& distance = walks.charts[0].series[0];
+  EXPECT_EQ(distance.x.front(), 0.0);
+  EXPECT_EQ(distance.x.back(), 29'999.0);
+  EXPECT_NE(std::ranges::find(distance.y, 7000.0), distance.y.end()) << "the highest value";
+  EXPECT_TRUE(std::ranges::any_of(distance.y, [](double y) { return std::isnan(y); })) << "the gap";
+}
+
+TEST_F(ReportSectionsTest, LeaveShortSeriesAsTheyAre) {
+  std::string walk = "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n";
+  for (int n = 0; n < 2000; ++n) walk += std::to_string(n) + ",0,0,0\n";
+  write("simulate/trajectory.csv", walk);
+  write("simulate/result.toml", "status = \"completed\"\ntime_s = 2000\n");
+  const PageSection walks = section({output("simulate")}, "walks");
+  EXPECT_EQ(walks.charts.at(0).series.at(0).x.size(), 2000U);
+  EXPECT_EQ(walks.charts.at(0).note, "");
 }
 
 TEST_F(ReportSectionsTest, ShowResidualsAndFittedValuesOfACalibration) {
@@ -77,7 +122,8 @@ TEST_F(ReportSectionsTest, ShowResidualsAndFittedValuesOfACalibration) {
   EXPECT_EQ(calibration.charts[1].series[0].x, (std::vector<double>{-1.0, 0.5}));
   EXPECT_EQ(calibration.charts[1].series[0].y, (std::vector<double>{-0.75, 0.5}));
   const CalibrationFacts facts = read_facts({output("calibrate")}, notes_).calibrations.at(0);
-  EXPECT_EQ(facts.curves, 2U);
+  EXPECT_EQ(facts.cases, 2U);
+  EXPECT_EQ(facts.quantities, 3U);
   EXPECT_EQ(facts.median_error, 0.04);
   EXPECT_EQ(facts.worst_error, 0.39);
   EXPECT_FALSE(facts.explained);
@@ -133,6 +179,8 @@ TEST_F(ReportSectionsTest, ShowTheProgressAndLineageOfAnExportedSearch) {
   EXPECT_EQ(search.charts[1].series[0].labels[1], "individual 7, 21 cells, 111100");
   const SearchFacts facts = read_facts({output("export")}, notes_).searches.at(0);
   EXPECT_EQ(facts.first_fitness, 0.1);
+  EXPECT_EQ(facts.first_generation, "0");
+  EXPECT_EQ(facts.last_generation, "1");
   EXPECT_EQ(facts.last_fitness, 0.3);
   EXPECT_EQ(facts.evaluations, 9.0);
 }

@@ -19,8 +19,7 @@ WalkFacts walk(WalkModel model, double body_lengths, double direction_deg) {
           .body_lengths = body_lengths,
           .per_minute = 30.0 * body_lengths,
           .direction_deg = direction_deg,
-          .body = table,
-          .drive = "{}"};
+          .stated = {.body = table, .drive = "mode = in_phase"}};
 }
 
 ReportFacts two_walks(double elements, double elements_deg, double surrogate, double surrogate_deg) {
@@ -38,7 +37,7 @@ Finding finding_with(const Verdict& verdict, const std::string& text) {
 
 TEST(Verdict, SaysThatNothingWasComputed) {
   const Verdict verdict = verdict_of({});
-  EXPECT_EQ(verdict.headline, "Whether the surrogate can be trusted for this body was not computed.");
+  EXPECT_EQ(verdict.headline, "Nothing here compares the surrogate with finite elements on a whole body.");
   EXPECT_EQ(verdict.tone, Tone::missing);
   ASSERT_EQ(verdict.findings.size(), 5U);
   for (const Finding& finding : verdict.findings) {
@@ -54,10 +53,10 @@ TEST(Verdict, StatesTheLowestLimitPressure) {
                        .source = "inflate/result.toml",
                        .status = io::RunStatus::limit_point,
                        .highest_pressure_Pa = 3042.0,
-                       .limit = LimitFact{3042.0, "plenum 0"}}};
+                       .limit = meshes::LimitPressure{3042.0, "plenum 0"}}};
   const Verdict verdict = verdict_of(facts);
-  EXPECT_TRUE(verdict.headline.starts_with("Usable up to 3.04 kPa, where the body balloons or buckles. ")) << verdict.headline;
-  const Finding finding = finding_with(verdict, "Usable up to 3.04 kPa. There the pressure stops rising");
+  EXPECT_TRUE(verdict.headline.starts_with("Usable below 3.04 kPa, where the body balloons or buckles.")) << verdict.headline;
+  const Finding finding = finding_with(verdict, "Usable below 3.04 kPa. There the pressure stops rising");
   EXPECT_EQ(finding.tone, Tone::caution);
   EXPECT_EQ(finding.source, "inflate/result.toml");
 }
@@ -65,11 +64,11 @@ TEST(Verdict, StatesTheLowestLimitPressure) {
 TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
   ReportFacts facts;
   facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0, .volume_growth = 0.68}};
-  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 6 kPa. "));
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 6 kPa."));
   EXPECT_NE(finding_with(verdict_of(facts), "1.68 times its volume at rest").text, "");
   facts.inflations.front().status = io::RunStatus::not_converged;
   facts.inflations.front().reason = "the step became too small";
-  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Known up to 6 kPa only. "));
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Known up to 6 kPa only."));
   EXPECT_EQ(finding_with(verdict_of(facts), "not_converged, the step became too small").tone, Tone::caution);
   facts.inflations.front().status = io::RunStatus::wall_contact;
   EXPECT_NE(finding_with(verdict_of(facts), "Walls of chambers touch beyond 6 kPa").text, "");
@@ -87,16 +86,42 @@ TEST(Verdict, HasNoPressureInTheHeadlineForSeveralBodies) {
 
 TEST(Verdict, TakesTheLimitPressureOfAnyInflationOfOneBody) {
   ReportFacts facts;
-  facts.inflations = {{.name = "table", .status = io::RunStatus::completed, .highest_pressure_Pa = 2000.0, .body = table},
-                      {.name = "table",
-                       .status = io::RunStatus::limit_point,
-                       .highest_pressure_Pa = 3042.0,
-                       .limit = LimitFact{3042.0, "plenum 0"},
-                       .body = table}};
-  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to 3.04 kPa, where"));
+  facts.inflations = {
+      {.name = "table", .status = io::RunStatus::completed, .highest_pressure_Pa = 2000.0, .stated = {.body = table}},
+      {.name = "table",
+       .status = io::RunStatus::limit_point,
+       .highest_pressure_Pa = 3042.0,
+       .limit = meshes::LimitPressure{3042.0, "plenum 0"},
+       .stated = {.body = table}}};
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable below 3.04 kPa, where"));
   facts.inflations.back().limit.reset();
   facts.inflations.back().status = io::RunStatus::completed;
   EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 3.04 kPa."));
+}
+
+TEST(Verdict, HasNoPressureInTheHeadlineForSeveralWallsOrSilicones) {
+  ReportFacts facts;
+  facts.inflations = {{.name = "table",
+                       .place = "thick",
+                       .status = io::RunStatus::completed,
+                       .highest_pressure_Pa = 6000.0,
+                       .stated = {.body = table, .wall_thickness_m = 0.003}},
+                      {.name = "table",
+                       .place = "thin",
+                       .status = io::RunStatus::completed,
+                       .highest_pressure_Pa = 3000.0,
+                       .stated = {.body = table, .wall_thickness_m = 0.002}}};
+  const Verdict walls = verdict_of(facts);
+  EXPECT_EQ(walls.headline.find("kPa"), std::string::npos) << walls.headline;
+  EXPECT_NE(finding_with(walls, "thick: Inflated to 6 kPa").text, "");
+  EXPECT_NE(finding_with(walls, "thin: Inflated to 3 kPa").text, "");
+  facts.inflations[0].stated = {.body = table, .law = "name = gent"};
+  facts.inflations[1].stated = {.body = table, .law = "name = yeoh"};
+  EXPECT_EQ(verdict_of(facts).headline.find("kPa"), std::string::npos);
+  // The second one states no law, so that it agrees with either, but these do not agree with each other.
+  facts.inflations.insert(facts.inflations.begin(), facts.inflations[0]);
+  facts.inflations[0].stated = {.body = table};
+  EXPECT_EQ(verdict_of(facts).headline.find("kPa"), std::string::npos);
 }
 
 TEST(Verdict, TrustsASurrogateThatWalksAlike) {
@@ -126,7 +151,7 @@ TEST(Verdict, TrustsTheDirectionAloneOfASurrogateThatIsTooFast) {
 
 TEST(Verdict, ComparesNoWalksThatGoNowhere) {
   EXPECT_EQ(verdict_of(two_walks(0.01, 0.0, 0.02, 180.0)).headline,
-            "Whether the surrogate can be trusted for this body was not computed.");
+            "Both models walk, but too little or too briefly to tell whether the surrogate can be trusted.");
   const Verdict one_goes = verdict_of(two_walks(0.01, 0.0, 0.8, 0.0));
   EXPECT_EQ(one_goes.tone, Tone::bad);
   EXPECT_EQ(finding_with(one_goes, "on finite elements it goes nowhere").tone, Tone::bad);
@@ -134,10 +159,12 @@ TEST(Verdict, ComparesNoWalksThatGoNowhere) {
 
 TEST(Verdict, ComparesOnlyWalksOfOneBodyAndDrive) {
   ReportFacts facts = two_walks(0.8, 0.0, 0.8, 0.0);
-  facts.walks[1].drive = "{\"frequency_Hz\":5}";
-  EXPECT_EQ(finding_with(verdict_of(facts), "No body walks in both models with the same drive").tone, Tone::missing);
+  facts.walks[1].stated.drive = "mode = wave";
+  EXPECT_EQ(finding_with(verdict_of(facts), "No body walks in both models with the same walls").tone, Tone::missing);
+  EXPECT_EQ(verdict_of(facts).headline,
+            "The walks in both models are not of one body and drive, so they do not tell whether the surrogate can be trusted.");
   facts = two_walks(0.8, 0.0, 0.8, 0.0);
-  facts.walks[1].body->cell_edge_m = 0.01;
+  facts.walks[1].stated.body->cell_edge_m = 0.01;
   EXPECT_NE(finding_with(verdict_of(facts), "No body walks in both models").text, "");
 }
 
@@ -180,6 +207,47 @@ TEST(Verdict, JudgesShapesByTheirMedianError) {
   EXPECT_NE(finding_with(verdict_of(facts), "no displacement was compared inside the range of its fit").text, "");
 }
 
+TEST(Verdict, JudgesByTheWorstOfSeveralValidations) {
+  ReportFacts facts;
+  facts.validations = {{.source = "a", .displacement = {.count = 8, .median = 0.05}},
+                       {.source = "b", .displacement = {.count = 8, .median = 0.2}}};
+  EXPECT_EQ(verdict_of(facts).headline, "The surrogate's shapes are rough; its walks were not compared.");
+  facts.validations[1].displacement.median.reset();
+  EXPECT_EQ(verdict_of(facts).headline, "The surrogate's shapes can be used; its walks were not compared.");
+  facts.validations.erase(facts.validations.begin());
+  EXPECT_EQ(verdict_of(facts).headline,
+            "Whether the surrogate can be trusted is not known: no shape was compared inside its range.");
+}
+
+TEST(Verdict, DoesNotSpeakOfASurrogateThatNothingIsAbout) {
+  ReportFacts facts;
+  facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0}};
+  EXPECT_EQ(verdict_of(facts).headline, "Usable up to at least 6 kPa.");
+  facts.walks = {walk(WalkModel::elements, 0.8, 0.0)};
+  EXPECT_EQ(verdict_of(facts).headline,
+            "Usable up to at least 6 kPa. Nothing here compares the surrogate with finite elements on a whole body.");
+}
+
+TEST(Verdict, SaysWhatIsCountedInACalibration) {
+  ReportFacts facts;
+  facts.calibrations = {
+      {.source = "residuals.csv", .status = io::RunStatus::completed, .cases = 28, .quantities = 85, .median_error = 0.04}};
+  EXPECT_EQ(finding_with(verdict_of(facts), "The fitted surrogate").text,
+            "The fitted surrogate is 4 % off the finite elements it was fitted to (median of 85 quantities of 28 load cases).");
+}
+
+TEST(Verdict, TellsWalksOfOneBodyApartByTheirFolder) {
+  ReportFacts facts;
+  facts.walks = {walk(WalkModel::elements, 0.8, 0.0), walk(WalkModel::elements, 0.5, 0.0)};
+  facts.walks[0].place = "locomote";
+  facts.walks[1].place = "locomote_finer";
+  const Verdict verdict = verdict_of(facts);
+  EXPECT_NE(finding_with(verdict, "locomote: It moves 0.8").text, "");
+  EXPECT_NE(finding_with(verdict, "locomote_finer: It moves 0.5").text, "");
+  facts.walks.pop_back();
+  EXPECT_TRUE(finding_with(verdict_of(facts), "It moves 0.8").text.starts_with("It moves"));
+}
+
 TEST(Verdict, CallsARankingChanceWhereItsIntervalReachesZero) {
   ReportFacts facts;
   facts.rankings = {{.source = "reevaluate/ranking.csv", .designs = 8, .compared = 8, .spearman = IntervalFact{0.5, -0.3, 0.9}}};
@@ -192,10 +260,22 @@ TEST(Verdict, CallsARankingChanceWhereItsIntervalReachesZero) {
 
 TEST(Verdict, SaysWhetherASearchImproved) {
   ReportFacts facts;
-  facts.searches = {
-      {.source = "run.sqlite", .generations = 13, .first_fitness = 0.278, .last_fitness = 0.622, .unit = "body lengths"}};
-  EXPECT_EQ(finding_with(verdict_of(facts), "0.622 body lengths after 13 generations").tone, Tone::good);
+  facts.searches = {{.source = "run.sqlite",
+                     .generations = 13,
+                     .first_generation = "0",
+                     .first_fitness = 0.278,
+                     .last_generation = "12",
+                     .last_fitness = 0.622,
+                     .unit = "body lengths"}};
+  EXPECT_EQ(finding_with(verdict_of(facts),
+                         "The best robot of generation 12 has a fitness of 0.622 body lengths; the best of "
+                         "generation 0 had 0.278.")
+                .tone,
+            Tone::good);
   EXPECT_EQ(finding_with(verdict_of(facts), "walk on finer elements was not computed").source, "menger reevaluate");
+  EXPECT_EQ(verdict_of(facts).headline,
+            "The best robot of the search has a fitness of 0.622 body lengths. Nothing here compares its model with finite "
+            "elements.");
   facts.searches.front().last_fitness = 0.278;
   EXPECT_EQ(finding_with(verdict_of(facts), "It did not improve.").tone, Tone::caution);
   facts.searches.push_back(facts.searches.front());

@@ -461,15 +461,25 @@ void describe(StudyVisitor& visitor, Pond& pond) {
   });
 }
 
+TEST(StudyTemplate, BreaksLongComments) {
+  StudyTemplateWriter writer;
+  StudyVisitor& visitor = writer;
+  double depth_m = 1.0;
+  const std::string word(39, 'w');
+  const std::string help = word + ' ' + word + ' ' + word + '.';
+  visitor.number({"depth_m", help}, depth_m);
+  EXPECT_EQ(writer.text(), "# " + word + ' ' + word + "\n# " + word + ". (m)\ndepth_m = 1\n");
+}
+
 TEST(StudyTemplate, SaysBeforeATableWhatItStandsFor) {
   Pond pond;
   StudyTemplateWriter writer;
   describe(writer, pond);
   EXPECT_EQ(writer.text(),
             "# In place of spring:\n# In a year. (m)\n#rain_m = 2\n"
+            "\n# Brings water.\n[spring]\n# In an hour. (m3)\nflow_m3 = 1\n"
             "\n# In place of spring:\n# Brings water.\n#[pipe]\n# In an hour. (m3)\n#flow_m3 = 1\n"
             "\n# In place of spring:\n# Brings water.\n#[gutter]\n# In an hour. (m3)\n#flow_m3 = 1\n"
-            "\n# Brings water.\n[spring]\n# In an hour. (m3)\nflow_m3 = 1\n"
             "\n# Only with fish:\n# What swims.\n#[fish]\n# How many.\n#count = 3\n");
 }
 
@@ -565,6 +575,21 @@ TEST(StudyKeys, HaveARowForEveryKey) {
   EXPECT_EQ(row("levels").values, "1 or more values, each in [1, 9]");
   EXPECT_EQ(table.rows().size(), 18U);
   EXPECT_NE(table.text().find("size_m"), std::string::npos);
+}
+
+TEST(StudyKeys, SayWhichStandInPlaceOfOthers) {
+  StudyKeyTable table;
+  StudyVisitor& visitor = table;
+  bool is_drawn = true;
+  std::string text;
+  const auto required = [&](std::string_view name) { visitor.text({name, "Of a bed.", "\"roses\""}, text); };
+  visitor.one_of({{"rows", is_drawn, [&] { is_drawn = true; }, [&] { required("rows"); }},
+                  {"file", !is_drawn, [&] { is_drawn = false; }, [&] { required("file"); }}});
+  required("name");
+  ASSERT_EQ(table.rows().size(), 3U);
+  EXPECT_EQ(table.rows()[0].standard, "one of several");
+  EXPECT_EQ(table.rows()[1].standard, "one of several");
+  EXPECT_EQ(table.rows()[2].standard, "must be given");
 }
 
 }  // namespace

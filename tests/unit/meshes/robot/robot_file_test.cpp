@@ -83,6 +83,7 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect(whole + "[ground]\nstatic_friction = 0.4\n", "kinetic_friction");
   expect(whole + "[surrogate]\nparameters = \"p.toml\"\nfit_anew = true\n", "fit_anew = true: cannot be true beside parameters");
   expect(whole + "[search]\nmodel = \"voxels\"\nrobust = true\n", "robust = true: needs model");
+  expect(whole + "[drive]\nmode = \"hold\"\n[search]\n", "mode = \"hold\": cannot stand beside a search");
   expect(whole + "design = \"evolve\"\n", "layers");
   expect("[robot]\ndesign = \"draw\"\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n", "design = \"draw\"");
 }

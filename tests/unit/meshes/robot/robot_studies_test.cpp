@@ -131,6 +131,19 @@ TEST(RobotStudies, TakeTheParametersThatAreGivenKnownOrFitted) {
   EXPECT_EQ(parameters("[surrogate]\nparameters = \"mine.toml\"\n"), "../../mine.toml");
 }
 
+TEST(RobotStudies, InflateWhatDoesNotWalkWithoutAGround) {
+  const tests::TestFolder folder;
+  const auto supports = [&](const std::string& more, RobotStudy study) {
+    const Robot robot = robot_of(folder, dragon_skin_1cm + more);
+    const io::TomlTable text = io::parse_toml(study_text(robot, study, RobotPlaces(robot.file)), "x");
+    return text.is_table("supports") ? text.table("supports").text("kind") : "";
+  };
+  for (const RobotStudy study : {RobotStudy::inflate, RobotStudy::limit}) {
+    EXPECT_EQ(supports("", study), "");
+    EXPECT_EQ(supports("[walk]\npresent = false\n", study), "free");
+  }
+}
+
 TEST(RobotStudies, NameASiliconeOfTheUserFromTheirOwnFolder) {
   const tests::TestFolder folder;
   fs::copy_file(source / "materials/data/ecoflex_00_30.toml", folder / "mine.toml");

@@ -1,4 +1,4 @@
-#include "meshes/files/child_reading.h"
+#include "io/process/child_reading.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -18,7 +18,7 @@
 
 #include "io/text/input_error.h"
 
-namespace menger::meshes {
+namespace menger::io {
 namespace {
 
 // The first byte of an answer says what follows.
@@ -74,7 +74,7 @@ void bound_memory(const std::filesystem::path& file) {
   std::string reply;
   try {
     reply = content + read();
-  } catch (const io::InputError& error) {
+  } catch (const InputError& error) {
     reply = input_error + std::string(error.what());
   } catch (const std::bad_alloc&) {
     reply = no_memory;
@@ -90,7 +90,7 @@ void bound_memory(const std::filesystem::path& file) {
 
 std::string read_in_child(const std::filesystem::path& file, const std::string& library,
                           const std::function<std::string()>& read) {
-  const auto fault = [&](const std::string& reason) { return io::InputError(file.string() + ": " + reason); };
+  const auto fault = [&](const std::string& reason) { return InputError(file.string() + ": " + reason); };
   const auto reason_of = [](int error) { return std::generic_category().message(error); };
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) throw fault("cannot be read: " + reason_of(errno));
@@ -115,7 +115,7 @@ std::string read_in_child(const std::filesystem::path& file, const std::string& 
     case content:
       return reply.substr(1);
     case input_error:
-      throw io::InputError(reply.substr(1));
+      throw InputError(reply.substr(1));
     case no_memory:
       throw fault("is damaged, or does not fit into memory");
     default:
@@ -123,4 +123,4 @@ std::string read_in_child(const std::filesystem::path& file, const std::string& 
   }
 }
 
-}  // namespace menger::meshes
+}  // namespace menger::io

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace menger::meshes {
+namespace menger::io {
 
 /// Lets a library read a file in a child process and returns what `read` returns there.
 ///
@@ -13,9 +13,9 @@ namespace menger::meshes {
 /// use as much more memory as a mesh in a file of this size can need.
 /// @param library its name, for messages
 /// @param read called in the child; its errors are thrown here
-/// @throws io::InputError naming the file: what `read` throws as InputError, if memory runs out, or if the child was ended by a
+/// @throws InputError naming the file: what `read` throws as InputError, if memory runs out, or if the child was ended by a
 /// signal
 std::string read_in_child(const std::filesystem::path& file, const std::string& library,
                           const std::function<std::string()>& read);
 
-}  // namespace menger::meshes
+}  // namespace menger::io

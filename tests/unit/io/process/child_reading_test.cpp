@@ -1,4 +1,4 @@
-#include "meshes/files/child_reading.h"
+#include "io/process/child_reading.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "io/text/input_error.h"
 #include "tests/support/input_error_message.h"
 
-namespace menger::meshes {
+namespace menger::io {
 namespace {
 
 using tests::message_of;
@@ -29,7 +29,7 @@ TEST(ChildReading, KeepsTheStateOfThisProcess) {
 }
 
 TEST(ChildReading, PassesErrorsOn) {
-  EXPECT_EQ(message_of([] { (void)read([]() -> std::string { throw io::InputError("a.msh: no mesh"); }); }), "a.msh: no mesh");
+  EXPECT_EQ(message_of([] { (void)read([]() -> std::string { throw InputError("a.msh: no mesh"); }); }), "a.msh: no mesh");
   EXPECT_EQ(message_of([] { (void)read([]() -> std::string { throw std::bad_alloc(); }); }),
             "folder/a.msh: is damaged, or does not fit into memory");
   EXPECT_THROW((void)read([]() -> std::string { throw std::logic_error("odd"); }), std::runtime_error);
@@ -46,4 +46,4 @@ TEST(ChildReading, TurnsTheEndOfALibraryIntoAnErrorOfTheFile) {
 }
 
 }  // namespace
-}  // namespace menger::meshes
+}  // namespace menger::io

@@ -1,0 +1,66 @@
+#include "evolution/page/chart_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace menger::evolution {
+namespace {
+
+bool is_gap(const PageSeries& series, std::size_t n) { return !std::isfinite(series.x[n]) || !std::isfinite(series.y[n]); }
+
+/// The numbers of the points that stay.
+std::vector<std::size_t> kept_points(const PageSeries& series) {
+  const std::size_t count = series.y.size();
+  constexpr std::size_t stretches = (most_chart_points - 2) / 3;
+  std::set<std::size_t> kept{0, count - 1};
+  for (std::size_t s = 0; s < stretches; ++s) {
+    const std::size_t begin = s * count / stretches;
+    const std::size_t end = (s + 1) * count / stretches;
+    std::size_t lowest = end;
+    std::size_t highest = end;
+    std::size_t gap = end;
+    for (std::size_t n = begin; n < end; ++n) {
+      if (is_gap(series, n)) {
+        gap = std::min(gap, n);
+        continue;
+      }
+      if (lowest == end || series.y[n] < series.y[lowest]) lowest = n;
+      if (highest == end || series.y[n] > series.y[highest]) highest = n;
+    }
+    for (const std::size_t n : {lowest, highest, gap})
+      if (n < end) kept.insert(n);
+  }
+  return {kept.begin(), kept.end()};
+}
+
+template <class Value>
+void keep_some(std::vector<Value>& values, const std::vector<std::size_t>& kept) {
+  if (values.empty()) return;
+  std::vector<Value> some;
+  some.reserve(kept.size());
+  for (const std::size_t n : kept) some.push_back(values[n]);
+  values = std::move(some);
+}
+
+}  // namespace
+
+void thin_series(PageChart& chart) {
+  std::size_t longest = 0;
+  for (PageSeries& series : chart.series) {
+    if (series.y.size() <= most_chart_points) continue;
+    longest = std::max(longest, series.y.size());
+    const std::vector<std::size_t> kept = kept_points(series);
+    keep_some(series.x, kept);
+    keep_some(series.y, kept);
+    keep_some(series.labels, kept);
+  }
+  if (longest == 0) return;
+  if (!chart.note.empty()) chart.note += " ";
+  chart.note += "Of long tables (up to " + std::to_string(longest) + " rows here), at most " + std::to_string(most_chart_points) +
+                " rows are drawn, with the lowest and the highest values among them.";
+}
+
+}  // namespace menger::evolution

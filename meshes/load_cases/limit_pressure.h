@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/text/toml_document.h"
+
+namespace menger::meshes {
+
+/// The pressure at which a body balloons or buckles.
+struct LimitPressure {
+  double pressure_Pa = 0.0;
+  std::string plenum{};  ///< empty if it has no name
+};
+
+/// Returns the least limit pressure above 0 of a body, from the result (result.toml) of its inflation.
+///
+/// Of each plenum the first limit point counts: on a path that goes on beyond it, the next one is the least pressure after the
+/// body has ballooned, which no growing pressure comes to first.
+/// @return nothing if there is no limit point above 0
+/// @throws io::InputError if a limit point has no pressure
+std::optional<LimitPressure> limit_pressure(const io::TomlTable& inflation);
+
+}  // namespace menger::meshes

@@ -1,0 +1,55 @@
+#include "evolution/page/search_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "evolution/archive/run_archive.h"
+#include "io/text/content_hash.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+class SearchesTest : public testing::Test {
+ protected:
+  /// An archive of a study, as menger evolve leaves it.
+  CommandOutput archive(const std::string& name, const std::string& study) {
+    (void)RunArchive::open(folder_ / (name + ".sqlite"), study, 1);
+    return {.program = "menger-evolve",
+            .folder = folder_.path(),
+            .manifest = folder_ / (name + ".manifest.json"),
+            .name = name + ".manifest.json"};
+  }
+  /// The export of an archive of a study.
+  static CommandOutput exported(const std::string& archive, const std::string& study) {
+    return {.program = "menger-export", .name = "of " + study, .inputs = {{archive + " (study)", io::content_hash(study)}}};
+  }
+  static std::vector<std::string> names_of(const std::vector<CommandOutput>& outputs) {
+    std::vector<std::string> names;
+    for (const CommandOutput* search : searches_in(outputs)) names.push_back(search->name);
+    return names;
+  }
+  tests::TestFolder folder_;
+};
+
+TEST_F(SearchesTest, AreArchivesInsteadOfTheirExports) {
+  EXPECT_EQ(names_of({archive("run", "seed = 1\n"), exported("elsewhere/renamed.sqlite", "seed = 1\n")}),
+            std::vector<std::string>{"run.manifest.json"});
+}
+
+TEST_F(SearchesTest, AreExportsOfOtherArchivesOfTheSameName) {
+  EXPECT_EQ(names_of({archive("run", "seed = 1\n"), exported("other/run.sqlite", "seed = 2\n")}),
+            (std::vector<std::string>{"run.manifest.json", "of seed = 2\n"}));
+}
+
+TEST_F(SearchesTest, AreExportsOfArchivesThatCannotBeRead) {
+  CommandOutput lost = archive("run", "seed = 1\n");
+  lost.manifest = folder_ / "lost.manifest.json";
+  EXPECT_EQ(names_of({lost, exported("run.sqlite", "seed = 1\n")}),
+            (std::vector<std::string>{"run.manifest.json", "of seed = 1\n"}));
+}
+
+}  // namespace
+}  // namespace menger::evolution
