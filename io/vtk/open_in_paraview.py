@@ -212,7 +212,7 @@ def show(part, view, pipeline, is_only, opacity, place):
     display.EdgeColor = [0.25, 0.25, 0.25]
     display.LineWidth = 0.5
     display.Opacity = opacity
-    display.Ambient = 0.3
+    display.Ambient, display.Diffuse = 0.3, 0.75
     if part.colour is None:
         display.ColorArrayName = ["POINTS", ""]
         return
