@@ -212,7 +212,7 @@ def show(part, view, pipeline, is_only, opacity, place):
     display.EdgeColor = [0.25, 0.25, 0.25]
     display.LineWidth = 0.5
     display.Opacity = opacity
-    display.Ambient = 0.3
+    display.Ambient, display.Diffuse = 0.3, 0.75
     if part.colour is None:
         display.ColorArrayName = ["POINTS", ""]
         return
@@ -319,7 +319,8 @@ def reader_of(file):
 def clock_words(file, walks):
     if walks:
         return "t = {time:.3f} s"
-    return "state {time:.0f}" if file.name == "worst.pvd" else "path parameter {time:.3g}"
+    counts_states = file.name == "worst.pvd" or (file.parent / "content_hash").is_file()  # the latter of load cases
+    return "state {time:.0f}" if counts_states else "path parameter {time:.3g}"
 
 
 def arrange(file, options):
