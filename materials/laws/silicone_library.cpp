@@ -40,7 +40,10 @@ fs::path silicone_file(const io::TomlTable& table, std::string_view key, const s
   const std::string name = fallback.empty() ? table.text(key) : table.text_or(key, fallback);
   if (name.find('/') != std::string::npos || fs::path(name).extension() == ".toml") return table.path(key);
   if (const auto file = silicone_of_menger(name)) return *file;
-  throw table.error(key, "is neither a file (.toml) nor one of " + known_records());
+  const std::string known = known_records();
+  if (known.empty())
+    throw table.error(key, "is no file (.toml), and the silicones of menger are missing in " + record_folder().string());
+  throw table.error(key, "is neither a file (.toml) nor one of " + known);
 }
 
 std::optional<fs::path> silicone_of_menger(std::string_view name) {

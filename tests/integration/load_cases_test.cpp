@@ -11,6 +11,7 @@
 
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/response_curve.h"
+#include "tests/support/copied_program.h"
 #include "tests/support/paraview_files.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
@@ -94,8 +95,7 @@ class LoadCasesOfAScript : public LoadCasesProgram {
  protected:
   LoadCasesOfAScript() {
     write_set(cell("pull", "stretch", stretch) + cell("hold", "blocked", "pressures_Pa = [-500, 1000]\n"));
-    fs::create_directory(folder_ / "bin");
-    fs::copy_file(MENGER_PROGRAM_DIR "/menger-load-cases", folder_ / "bin/ranks");
+    test_support::copy_program(MENGER_PROGRAM_DIR "/menger-load-cases", folder_, "ranks");
     const std::string script =
         "#!/bin/sh\ncase \"$*\" in *--only*) ;; *) exit 0 ;; esac\ncd '" + folder_.path().string() +
         "'\nout=$(readlink /proc/$$/fd/1)\necho \"$out\" >begun.$$\nwhile [ ! -e go_on ]; do sleep 0.02; done\n";

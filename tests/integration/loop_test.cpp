@@ -8,6 +8,7 @@
 
 #include "evolution/loop/loop_state.h"
 #include "io/text/whole_file.h"
+#include "tests/support/copied_program.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
@@ -107,11 +108,7 @@ TEST_F(LoopProgram, GoesOnAfterCtrlC) {
 
 TEST_F(LoopProgram, WaitsAfterCtrlCForAProgramThatWritesWhatItHas) {
   io::write_whole(folder_ / "robot.toml", robot_text);
-  const fs::path programs(MENGER_PROGRAM_DIR);
-  fs::create_directories(folder_ / "bin");
-  fs::copy_file(programs / "menger-loop", folder_ / "bin/menger-loop");
-  fs::create_directories(folder_ / "share");
-  fs::create_directory_symlink(programs.parent_path() / "share/menger", folder_ / "share/menger");
+  test_support::copy_program(MENGER_PROGRAM_DIR "/menger-loop", folder_, "menger-loop");
   for (const char* name : {"mesh", "inflate", "validate", "load-cases", "simulate", "locomote"}) {
     const fs::path stand_in = folder_ / ("bin/menger-" + std::string(name));
     // Longer than a program is given that does not come to a stopping point.
