@@ -67,6 +67,7 @@ TEST(TaskThreads, DropWhatHasNotBegunWhenTheyStop) {
   EXPECT_FALSE(threads.take(std::chrono::microseconds(0)));
 }
 
+#if !defined(__SANITIZE_ADDRESS__)  // which cannot do with little memory
 /// Starts more threads than fit into the memory that this process may have, and tells by its exit code how that went.
 [[noreturn]] void start_too_many_threads() {
   alarm(60);  // for threads that wait for each other
@@ -84,7 +85,6 @@ TEST(TaskThreads, DropWhatHasNotBegunWhenTheyStop) {
   std::_Exit(4);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // which cannot do with little memory
 TEST(TaskThreads, ThatCannotAllBeStartedEnd) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(start_too_many_threads(), testing::ExitedWithCode(3), "");
