@@ -4,8 +4,8 @@
 // compiled for its own.
 
 #include "fem/explicit/face_pressure_table.h"
-#include "fem/thin_walls/corner_gather.h"
-#include "fem/thin_walls/corner_scatter.h"
+#include "fem/thin_walls/pack_gather.h"
+#include "fem/thin_walls/pack_scatter.h"
 
 namespace menger::fem::detail {
 
