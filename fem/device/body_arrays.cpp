@@ -184,13 +184,16 @@ void BodyArrays<Number>::add_slots(const ThinWallMesh& walls) {
           static_cast<std::uint32_t>(counts_.first_face_number + (lane / width * 4 + c) * 3 * width + lane % width));
   }
   counts_.force_number_count = counts_.first_face_number + 12 * faces_.size();
-  std::vector<std::uint32_t> offsets{0};
-  std::vector<std::uint32_t> slots;
+  std::vector<std::uint8_t> slot_counts;
+  std::size_t most = 0;
   for (const auto& own : of_node) {
-    slots.insert(slots.end(), own.begin(), own.end());
-    offsets.push_back(static_cast<std::uint32_t>(slots.size()));
+    slot_counts.push_back(static_cast<std::uint8_t>(own.size()));
+    most = std::max(most, own.size());
   }
-  slot_offsets_at_ = add(std::span<const std::uint32_t>(offsets));
+  std::vector<std::uint32_t> slots(most * counts_.node_count);
+  for (std::size_t node = 0; node < of_node.size(); ++node)
+    for (std::size_t n = 0; n < of_node[node].size(); ++n) slots[n * counts_.node_count + node] = of_node[node][n];
+  slot_counts_at_ = add(std::span<const std::uint8_t>(slot_counts));
   slots_at_ = add(std::span<const std::uint32_t>(slots));
 }
 
@@ -242,7 +245,7 @@ BodyView<Number> BodyArrays<Number>::place(const std::byte* address) {
   view.face_components = indices(face_components_at_);
   view.half_edges_m = numbers(half_edges_at_);
   view.face_plena = plena(face_plena_at_);
-  view.slot_offsets = indices(slot_offsets_at_);
+  view.slot_counts = static_cast<const std::uint8_t*>(at(slot_counts_at_));
   view.slots = indices(slots_at_);
   view.inverse_masses_per_kg = reals(inverse_masses_at_);
   view.masses_kg = reals(masses_at_);

@@ -48,8 +48,9 @@ struct BodyView {
   const Number* half_edges_m = nullptr;            ///< six per lane
   const std::int16_t* face_plena = nullptr;        ///< per lane; -1: it has no face
 
-  /// Forces of a node: the first numbers of its slots. The components of a slot are `component_apart` apart.
-  const std::uint32_t* slot_offsets = nullptr;
+  /// Forces of a node: how many slots it has, and where each begins; slot s of a node at s node_count + node, so that
+  /// neighbouring threads read neighbouring numbers. The components of a slot are `component_apart` apart.
+  const std::uint8_t* slot_counts = nullptr;
   const std::uint32_t* slots = nullptr;
   std::size_t component_apart = 1;
   std::size_t numbers_per_batch = 0;  ///< of forces of elements
@@ -131,7 +132,7 @@ class BodyArrays {
   std::size_t given_branch_count_ = 0;
   // Where the arrays begin in bytes_:
   std::size_t groups_at_ = 0, components_at_ = 0, shapes_at_ = 0, normals_at_ = 0, sides_at_ = 0, plena_at_ = 0;
-  std::size_t face_components_at_ = 0, half_edges_at_ = 0, face_plena_at_ = 0, slot_offsets_at_ = 0, slots_at_ = 0;
+  std::size_t face_components_at_ = 0, half_edges_at_ = 0, face_plena_at_ = 0, slot_counts_at_ = 0, slots_at_ = 0;
   std::size_t inverse_masses_at_ = 0, masses_at_ = 0, areas_at_ = 0, heights_at_ = 0, given_at_ = 0, repeated_at_ = 0;
 };
 

@@ -3,6 +3,7 @@
 // Only where menger is built with CUDA.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "fem/device/body_arrays.h"
@@ -12,53 +13,54 @@
 
 namespace menger::fem {
 
-/// What a kernel is told about the steps of one body.
-template <class Number>
-struct CudaTask {
-  BodyView<Number> body;
-  StepsMemory<Number> memory;  ///< in the memory of the graphics processor
-  detail::BlockOrder order;
-  detail::BlockOutcome* outcome = nullptr;
-  double* volumes_m3 = nullptr;  ///< see BodySteps::take
-  /// The state in this processor's memory and in that of the graphics processor. Blocks copy it themselves: copies in queues
-  /// would wait for the kernels of other bodies.
-  uint4* host_state = nullptr;
-  uint4* device_state = nullptr;
-  std::size_t given_words = 0;  ///< from the first one: outcome, volumes, displacements, velocities, branches
-  std::size_t words = 0;        ///< with pressures
-};
-
 /// Which arrays of a body lie in the fast memory of its block: always the rounded displacements, then as many as fit.
 enum class BlockMemory { displacements, forces, motion };
 
-/// Steps of one body on the graphics processor. Its state goes there and comes back with every order. Bodies whose takers are
-/// called by different threads move at the same time.
+/// What a block of threads is told about the steps of one body.
+template <class Number>
+struct alignas(16) CudaTask {
+  bool ends = false;  ///< there is no more work: the block ends
+  BlockMemory kept = BlockMemory::displacements;
+  BodyView<Number> body;       ///< in the memory of the graphics processor
+  StepsMemory<Number> memory;  ///< there, too
+  detail::BlockOrder order;
+  detail::BlockOutcome* outcome = nullptr;
+  double* volumes_m3 = nullptr;  ///< see BodySteps::take
+  // The same arrays in this processor's memory and in that of the graphics processor. Blocks copy them themselves.
+  const uint4* host_arrays = nullptr;
+  uint4* arrays = nullptr;
+  std::size_t array_words = 0;  ///< 0: they are there already
+  uint4* host_state = nullptr;
+  uint4* state = nullptr;
+  std::size_t given_words = 0;    ///< of the state, to be copied back: outcome, volumes, displacements, velocities, branches
+  std::size_t words = 0;          ///< with pressures
+  std::uint32_t* done = nullptr;  ///< in this processor's memory; becomes 1 at the end
+};
+
+/// Steps of one body on the graphics processor, by the blocks of CudaWorkers. Its state goes there and comes back with every
+/// order.
 template <class Number>
 class CudaSteps final : public StepTaker {
  public:
-  /// Threads of a block. More would have too few registers for the forces of an element.
-  static constexpr int threads = sizeof(Number) == 4 ? 256 : 128;
+  /// Steps in one order, at most.
+  static constexpr std::size_t most_steps = 1024;
 
   CudaSteps(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, const ExplicitBodyOptions& options,
             const NodalLoads& loads);
+  ~CudaSteps() override;
 
   [[nodiscard]] std::string text() const override;
   [[nodiscard]] StepsOutcome take(const StepsOrder& order, const MovedBody& body) override;
 
  private:
-  void take_room(std::size_t pressure_count);
+  void place_state(std::byte* host, std::byte* device);
+  void place_scratch(std::byte* device);
 
-  using Kernel = void (*)(CudaTask<Number>);
   BodyArrays<Number> arrays_;
-  io::DeviceStream stream_;
-  io::DeviceArray<std::byte> body_memory_;
-  io::DeviceArray<std::byte> scratch_;
-  io::DeviceArray<std::byte> state_;  ///< outcome, volumes, displacements, velocities, branches, pressures
-  io::PinnedArray<std::byte> host_;   ///< the same here
+  std::size_t host_begin_ = 0, host_size_ = 0, device_begin_ = 0, device_size_ = 0;  ///< pieces of both memories
+  std::byte* host_ = nullptr;                                                        ///< the state here
   CudaTask<Number> task_;
-  Kernel kernel_ = nullptr;
-  std::size_t block_bytes_ = 0;
-  std::size_t displacements_at_ = 0, velocities_at_ = 0, branches_at_ = 0, pressures_at_ = 0;  ///< in state_
+  std::size_t volumes_at_ = 0, displacements_at_ = 0, velocities_at_ = 0, branches_at_ = 0, pressures_at_ = 0;  ///< in the state
 };
 
 extern template class CudaSteps<float>;

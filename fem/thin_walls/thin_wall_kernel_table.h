@@ -19,9 +19,11 @@ struct ThinWallTask {
   double block_stiffness_Pa;  ///< lambda
   double viscosity_Pa_s;      ///< 0 where there are no velocities
   double branch_modulus_Pa;
-  double share;          ///< of the way to rest that branches go before they act, in [0, 1]
-  const Number* branch;  ///< nullptr: none
-  Number* relaxing;      ///< the same where they go a part of it
+  double branch_ratio;    ///< branch_modulus_Pa / shear_modulus_Pa
+  double viscous_time_s;  ///< viscosity_Pa_s / shear_modulus_Pa
+  double share;           ///< of the way to rest that branches go before they act, in [0, 1]
+  const Number* branch;   ///< nullptr: none
+  Number* relaxing;       ///< the same where they go a part of it
   ThinWallBatches<Number> batches;
   ThinWallMotion<Number> motion;
 };
