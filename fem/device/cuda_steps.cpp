@@ -123,7 +123,7 @@ std::string CudaSteps<Number>::text() const {
 }
 
 template <class Number>
-StepsOutcome CudaSteps<Number>::take(const StepsOrder& order, const MovedBody& body) {
+StepsOutcome CudaSteps<Number>::take(const StepsOrder& order, const SteppedBody& body) {
   auto& branches = std::get<AlignedVector<Number>>(body.branches);
   assert(branches.size() == arrays_.given_branch_count());
   const std::size_t motion_bytes = body.displacements_m.size() * sizeof(double);

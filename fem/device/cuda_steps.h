@@ -50,7 +50,7 @@ class CudaSteps final : public StepTaker {
   ~CudaSteps() override;
 
   [[nodiscard]] std::string text() const override;
-  [[nodiscard]] StepsOutcome take(const StepsOrder& order, const MovedBody& body) override;
+  [[nodiscard]] StepsOutcome take(const StepsOrder& order, const SteppedBody& body) override;
 
  private:
   void place_state(std::byte* host, std::byte* device);

@@ -46,7 +46,7 @@ class LoneStepTaker final : public StepTaker {
     return std::string("a lone thread, ") + (sizeof(Number) == 4 ? "single" : "double") + " precision";
   }
 
-  [[nodiscard]] StepsOutcome take(const StepsOrder& order, const MovedBody& body) override {
+  [[nodiscard]] StepsOutcome take(const StepsOrder& order, const SteppedBody& body) override {
     static constexpr auto functions = functions_of<Number>(static_cast<const materials::HyperelasticLaw*>(nullptr));
     auto& branches = std::get<AlignedVector<Number>>(body.branches);
     assert(branches.size() == arrays_.given_branch_count());

@@ -34,7 +34,7 @@ struct StepsOutcome {
 };
 
 /// Where a body is and how it moves, as in ExplicitState; changed by the steps.
-struct MovedBody {
+struct SteppedBody {
   std::vector<double>& displacements_m;
   std::vector<double>& velocities_m_per_s;
   BranchNumbers& branches;
@@ -52,7 +52,7 @@ class StepTaker {
   /// Returns what takes the steps, with its number type; results depend on it.
   [[nodiscard]] virtual std::string text() const = 0;
 
-  [[nodiscard]] virtual StepsOutcome take(const StepsOrder& order, const MovedBody& body) = 0;
+  [[nodiscard]] virtual StepsOutcome take(const StepsOrder& order, const SteppedBody& body) = 0;
 };
 
 }  // namespace menger::fem

@@ -62,7 +62,7 @@ class Counted final : public StepTaker {
  public:
   Counted(std::unique_ptr<StepTaker> taker, std::size_t& count) : taker_(std::move(taker)), count_(count) {}
   [[nodiscard]] std::string text() const override { return taker_->text(); }
-  [[nodiscard]] StepsOutcome take(const StepsOrder& order, const MovedBody& body) override {
+  [[nodiscard]] StepsOutcome take(const StepsOrder& order, const SteppedBody& body) override {
     const StepsOutcome outcome = taker_->take(order, body);
     count_ += outcome.steps;
     return outcome;
