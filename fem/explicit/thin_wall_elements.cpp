@@ -51,7 +51,8 @@ class ThinWallElements final : public ExplicitElements {
         take_pressure_(has_closed_plena(mesh)),
         points_(mesh.points),
         plenum_count_(mesh.plenum_names.size()),
-        slots_(sorted_slots()) {
+        slots_(sorted_slots()),
+        branches_(walls_) {
     for (const meshes::Chamber& chamber : mesh.chambers) chamber_plena_.push_back(chamber.plenum);
     for (const ExplicitRegion& region : regions) {
       const ExplicitMaterial& given = region.material;
@@ -63,12 +64,6 @@ class ThinWallElements final : public ExplicitElements {
                             .branch = given.branch});
     }
     set_shapes();
-    std::size_t position = 0;
-    for (const ThinWallGroup& group : walls_.groups()) {
-      branch_positions_.push_back(position);
-      position += thin_wall_branch_numbers(group.element) * walls_.width() * group.batch_count;
-    }
-    branch_count_ = position;
   }
 
   [[nodiscard]] std::string text() const override {
@@ -84,18 +79,19 @@ class ThinWallElements final : public ExplicitElements {
   }
 
   [[nodiscard]] bool take_pressure() const override { return take_pressure_; }
+  [[nodiscard]] std::size_t lane_count() const override { return kernels_.width; }
 
   [[nodiscard]] std::unique_ptr<ElementForces> make_forces() const override { return std::make_unique<Forces>(*this); }
 
   [[nodiscard]] BranchNumbers branches_at_rest(std::span<const double> displacements_m) const override {
     const auto has_branch = [](const ThinWallMaterial& material) { return material.branch.is_there(); };
     if (std::none_of(materials_.begin(), materials_.end(), has_branch)) return AlignedVector<Number>{};
-    AlignedVector<Number> branches(branch_count_, Number(0));
+    AlignedVector<Number> branches(branches_.number_count(), Number(0));
     const AlignedVector<Number> u = converted(displacements_m);
     for (std::size_t g = 0; g < walls_.groups().size(); ++g) {
       const ThinWallGroup& group = walls_.groups()[g];
       kernels_.rest_branches(batches(group, {group.first_batch, group.first_batch + group.batch_count}), {u.data()},
-                             branches.data() + branch_positions_[g]);
+                             branches.data() + branches_.position(g));
     }
     return branches;
   }
@@ -186,7 +182,7 @@ class ThinWallElements final : public ExplicitElements {
     for (std::size_t g = 0; g < walls_.groups().size(); ++g) {
       const ThinWallGroup& group = walls_.groups()[g];
       kernels_.energies(materials_[group.region], batches(group, {group.first_batch, group.first_batch + group.batch_count}),
-                        {u.data()}, branches.empty() ? nullptr : branches.data() + branch_positions_[g],
+                        {u.data()}, branches.empty() ? nullptr : branches.data() + branches_.position(g),
                         result.energies_J.data() + width * group.first_batch,
                         result.smallest_ratios.data() + width * group.first_batch);
     }
@@ -205,8 +201,7 @@ class ThinWallElements final : public ExplicitElements {
   AlignedVector<Number> sides_;              ///< per lane
   std::vector<std::uint8_t> pressed_faces_;  ///< per batch
   FourfoldSlots slots_;
-  std::vector<std::size_t> branch_positions_;  ///< of each group's first batch
-  std::size_t branch_count_ = 0;
+  ThinWallBranchLayout branches_;
 };
 
 template <class Number>
@@ -284,7 +279,7 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
       }
       ThinWallBranches<Number> own{nullptr, relaxed_s};
       if (!numbers.empty())
-        own.values = numbers.data() + elements_.branch_positions_[g] +
+        own.values = numbers.data() + elements_.branches_.position(g) +
                      thin_wall_branch_numbers(group.element) * width * (first - group.first_batch);
       const ThinWallOutcome part = elements_.kernels_.forces(
           elements_.materials_[group.region], batches, {displacements_.data(), has_velocities_ ? velocities_.data() : nullptr},
