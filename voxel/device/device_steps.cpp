@@ -48,7 +48,7 @@ DeviceAdvance advance_on_device_to(std::span<Simulation> simulations, double tim
   for (const Engine* engine : engines) {
     const RunRecord& record = engine->record();
     const bool is_left = !record.divergence && record.steps < steps_until(time_s, engine->body().time_step_s);
-    if (is_left && !stopped) ++advance.on_processor;
+    advance.on_processor.push_back(is_left && !stopped);
   }
   // For the others this only returns the status: at the end, diverged or stopped.
   advance.statuses = advance_together_to(simulations, time_s, stop);

@@ -15,7 +15,7 @@ enum class Stepper;
 /// What became of simulations that were advanced on a graphics processor.
 struct DeviceAdvance {
   std::vector<io::RunStatus> statuses;
-  std::size_t on_processor = 0;  ///< simulations that the device left to the processor, wholly or from some step on
+  std::vector<bool> on_processor;  ///< whether the device left a simulation to the processor, wholly or from some step on
 };
 
 /// Advances several simulations at once to a time, each by a block of threads of the graphics processor. For each it does the

@@ -29,8 +29,8 @@ template <bool Velocity, bool Uniform, bool InBlock, class Real>
 __global__ void __launch_bounds__(InBlock ? block_threads : large_block_threads, InBlock ? blocks_at_once : 1)
     step_robots(const BatchArrays<Real> arrays, const std::uint32_t* robots) {
   __shared__ double memory[io::CudaBlockThread::memory_numbers];
-  __shared__ alignas(16) unsigned char robot_memory[sizeof(RobotData<Real>)];
-  extern __shared__ alignas(16) unsigned char lines_memory[];
+  __shared__ __align__(16) unsigned char robot_memory[sizeof(RobotData<Real>)];
+  extern __shared__ __align__(16) unsigned char lines_memory[];
   const std::uint32_t number = robots[blockIdx.x];
   const std::uint32_t count = arrays.steps[number];
   if (count == 0) return;

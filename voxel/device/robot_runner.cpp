@@ -28,7 +28,7 @@ std::unique_ptr<RobotRunner<Real>> robot_runner(RobotBatch<Real>& batch, Stepper
 #ifdef MENGER_WITH_CUDA
   return cuda_runner(batch);
 #else
-  throw std::logic_error(io::obstacle_to_device());
+  throw std::runtime_error(io::obstacle_to_device());
 #endif
 }
 

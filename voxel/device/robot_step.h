@@ -331,7 +331,7 @@ class RobotStepper {
     return lines_.pose[robot_.stride * std::size_t{slot::size} + voxel];
   }
 
-  const Thread& thread_;
+  Thread thread_;
   const RobotData<Real>& robot_;
   const BatchArrays<Real>& arrays_;
   SharedLines<Real> lines_;
