@@ -54,15 +54,7 @@ class ThinWallElements final : public ExplicitElements {
         slots_(sorted_slots()),
         branches_(walls_) {
     for (const meshes::Chamber& chamber : mesh.chambers) chamber_plena_.push_back(chamber.plenum);
-    for (const ExplicitRegion& region : regions) {
-      const ExplicitMaterial& given = region.material;
-      materials_.push_back({.law = given.law,
-                            .bulk_modulus_Pa = std::visit([](const auto& law) { return law.bulk_modulus_Pa; }, given.volume),
-                            .wall_penalty_ratio = options.constants.wall_penalty_ratio,
-                            .block_stiffness_ratio = options.constants.block_stiffness_ratio,
-                            .viscosity_Pa_s = given.viscosity_Pa_s,
-                            .branch = given.branch});
-    }
+    for (const ExplicitRegion& region : regions) materials_.push_back(wall_material(region.material, options.constants));
     set_shapes();
   }
 
@@ -347,6 +339,15 @@ std::unique_ptr<ExplicitElements> make(const meshes::HexahedralMesh& mesh, const
 }
 
 }  // namespace
+
+ThinWallMaterial wall_material(const ExplicitMaterial& material, const ThinWallConstants& constants) {
+  return {.law = material.law,
+          .bulk_modulus_Pa = std::visit([](const auto& law) { return law.bulk_modulus_Pa; }, material.volume),
+          .wall_penalty_ratio = constants.wall_penalty_ratio,
+          .block_stiffness_ratio = constants.block_stiffness_ratio,
+          .viscosity_Pa_s = material.viscosity_Pa_s,
+          .branch = material.branch};
+}
 
 std::unique_ptr<ExplicitElements> thin_wall_elements(const meshes::HexahedralMesh& mesh,
                                                      const std::vector<ExplicitRegion>& regions, const ThinWallOptions& options) {

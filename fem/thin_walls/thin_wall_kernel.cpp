@@ -7,17 +7,13 @@
 #include "fem/thin_walls/thin_wall_kernel_table.h"
 
 namespace menger::fem {
-
-namespace {
-
-using detail::ThinWallTable;
-using detail::ThinWallTask;
+namespace detail {
 
 template <class Number>
 ThinWallTask<Number> task_of(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
                              const ThinWallMotion<Number>& motion, const Number* branch) {
   const double mu = materials::shear_modulus_at_rest_Pa(material.law);
-  return {detail::reference_to(material.law),
+  return {reference_to(material.law),
           mu,
           material.bulk_modulus_Pa,
           material.wall_penalty_ratio * mu,
@@ -30,6 +26,19 @@ ThinWallTask<Number> task_of(const ThinWallMaterial& material, const ThinWallBat
           batches,
           motion};
 }
+
+template ThinWallTask<double> task_of(const ThinWallMaterial&, const ThinWallBatches<double>&, const ThinWallMotion<double>&,
+                                      const double*);
+template ThinWallTask<float> task_of(const ThinWallMaterial&, const ThinWallBatches<float>&, const ThinWallMotion<float>&,
+                                     const float*);
+
+}  // namespace detail
+
+namespace {
+
+using detail::task_of;
+using detail::ThinWallTable;
+using detail::ThinWallTask;
 
 /// All kernels this machine can run, the widest last.
 template <class Number>

@@ -26,6 +26,11 @@ struct ThinWallTask {
   ThinWallMotion<Number> motion;
 };
 
+/// Returns the task of computing elements, which keeps references to the material. @param branch nullptr: none acts
+template <class Number>
+ThinWallTask<Number> task_of(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
+                             const ThinWallMotion<Number>& motion, const Number* branch);
+
 /// The functions of one instruction set.
 template <class Number>
 struct ThinWallTable {

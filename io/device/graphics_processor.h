@@ -5,6 +5,12 @@
 
 namespace menger::io {
 
+/// Where steps are taken.
+enum class Device {
+  cpu,  ///< by the processor that runs the program
+  cuda  ///< on a graphics processor
+};
+
 /// A graphics processor that CUDA can use.
 struct GraphicsProcessor {
   std::string name;
