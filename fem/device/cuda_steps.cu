@@ -34,11 +34,27 @@ __host__ __device__ BlockPlaces places_of(const BodyView<Number>& body, BlockMem
   return places;
 }
 
+/// Copies words by all threads of a block, several at once: memory of the other processor answers late.
+__device__ void copy_words(const uint4* from, std::size_t count, uint4* to) {
+  constexpr std::size_t at_once = 8;
+  for (std::size_t first = threadIdx.x; first < count; first += at_once * blockDim.x) {
+    uint4 words[at_once];
+#pragma unroll
+    for (std::size_t n = 0; n < at_once; ++n)
+      if (first + n * blockDim.x < count) words[n] = from[first + n * blockDim.x];
+#pragma unroll
+    for (std::size_t n = 0; n < at_once; ++n)
+      if (first + n * blockDim.x < count) to[first + n * blockDim.x] = words[n];
+  }
+}
+
 template <class Law, class Number, BlockMemory kept>
 __global__ __launch_bounds__(CudaSteps<Number>::threads) void take_steps(const __grid_constant__ CudaTask<Number> task) {
   extern __shared__ double2 block_memory[];
   auto* const bytes = reinterpret_cast<std::byte*>(block_memory);
   const BlockPlaces places = places_of(task.body, kept);
+  copy_words(task.host_state, task.words, task.device_state);
+  __syncthreads();
   StepsMemory<Number> memory = task.memory;
   memory.values_m = reinterpret_cast<Number*>(bytes + for_sums);
   if constexpr (kept != BlockMemory::displacements) memory.forces_N = reinterpret_cast<Number*>(bytes + places.forces);
@@ -62,6 +78,8 @@ __global__ __launch_bounds__(CudaSteps<Number>::threads) void take_steps(const _
       task.memory.velocities_m_per_s[n] = memory.velocities_m_per_s[n];
     }
   }
+  __syncthreads();
+  copy_words(task.device_state, task.given_words, task.host_state);
 }
 
 template <class Number>
@@ -160,7 +178,7 @@ void CudaSteps<Number>::take_room(std::size_t pressure_count) {
   displacements_at_ = room.add<double>(3 * view.node_count);
   velocities_at_ = room.add<double>(3 * view.node_count);
   branches_at_ = room.add<Number>(arrays_.given_branch_count());
-  pressures_at_ = room.add<double>(pressure_count);
+  pressures_at_ = room.add<double>(pressure_count + 2);
   state_ = io::DeviceArray<std::byte>(room.size());
   host_ = io::PinnedArray<std::byte>(room.size());
   task_.outcome = reinterpret_cast<detail::BlockOutcome*>(state_.get());
@@ -169,6 +187,9 @@ void CudaSteps<Number>::take_room(std::size_t pressure_count) {
   task_.memory.velocities_m_per_s = reinterpret_cast<double*>(state_.get() + velocities_at_);
   task_.memory.given_branches = reinterpret_cast<Number*>(state_.get() + branches_at_);
   task_.memory.pressures_Pa = reinterpret_cast<double*>(state_.get() + pressures_at_);
+  task_.host_state = reinterpret_cast<uint4*>(host_.get());
+  task_.device_state = reinterpret_cast<uint4*>(state_.get());
+  task_.given_words = pressures_at_ / sizeof(uint4);
 }
 
 template <class Number>
@@ -179,7 +200,7 @@ std::string CudaSteps<Number>::text() const {
 template <class Number>
 StepsOutcome CudaSteps<Number>::take(const StepsOrder& order, const MovedBody& body) {
   const std::size_t pressure_bytes = order.pressures_Pa.size() * sizeof(double);
-  if (pressures_at_ + pressure_bytes > state_.size()) take_room(2 * order.pressures_Pa.size());
+  if (pressures_at_ + pressure_bytes + sizeof(uint4) > state_.size()) take_room(2 * order.pressures_Pa.size());
   auto& branches = std::get<AlignedVector<Number>>(body.branches);
   std::byte* host = host_.get();
   const std::size_t motion_bytes = body.displacements_m.size() * sizeof(double);
@@ -190,13 +211,9 @@ StepsOutcome CudaSteps<Number>::take(const StepsOrder& order, const MovedBody& b
   std::memcpy(host + pressures_at_, order.pressures_Pa.data(), pressure_bytes);
   task_.order = detail::block_order(order);
 
-  io::check_cuda(cudaMemcpyAsync(state_.get() + displacements_at_, host + displacements_at_,
-                                 pressures_at_ + pressure_bytes - displacements_at_, cudaMemcpyHostToDevice, stream_.get()),
-                 "copy to the device");
+  task_.words = (pressures_at_ + pressure_bytes + sizeof(uint4) - 1) / sizeof(uint4);
   kernel_<<<1, threads, block_bytes_, stream_.get()>>>(task_);
   io::check_cuda(cudaGetLastError(), "take steps");
-  io::check_cuda(cudaMemcpyAsync(host, state_.get(), branches_at_ + branch_bytes, cudaMemcpyDeviceToHost, stream_.get()),
-                 "copy from the device");
   stream_.wait();
 
   detail::BlockOutcome outcome;
@@ -204,7 +221,8 @@ StepsOutcome CudaSteps<Number>::take(const StepsOrder& order, const MovedBody& b
   std::memcpy(body.displacements_m.data(), host + displacements_at_, motion_bytes);
   std::memcpy(body.velocities_m_per_s.data(), host + velocities_at_, motion_bytes);
   if (branch_bytes > 0) std::memcpy(branches.data(), host + branches_at_, branch_bytes);
-  const auto* volumes = reinterpret_cast<const double*>(host + (reinterpret_cast<const std::byte*>(task_.volumes_m3) - state_.get()));
+  const auto* volumes =
+      reinterpret_cast<const double*>(host + (reinterpret_cast<const std::byte*>(task_.volumes_m3) - state_.get()));
   return detail::outcome_of(outcome, {volumes, 2 * task_.body.plenum_count});
 }
 

@@ -20,12 +20,19 @@ struct CudaTask {
   detail::BlockOrder order;
   detail::BlockOutcome* outcome = nullptr;
   double* volumes_m3 = nullptr;  ///< see BodySteps::take
+  /// The state in this processor's memory and in that of the graphics processor. Blocks copy it themselves: copies in queues
+  /// would wait for the kernels of other bodies.
+  uint4* host_state = nullptr;
+  uint4* device_state = nullptr;
+  std::size_t given_words = 0;  ///< from the first one: outcome, volumes, displacements, velocities, branches
+  std::size_t words = 0;        ///< with pressures
 };
 
 /// Which arrays of a body lie in the fast memory of its block: always the rounded displacements, then as many as fit.
 enum class BlockMemory { displacements, forces, motion };
 
-/// Steps of one body on the graphics processor. Its state goes there and comes back with every order.
+/// Steps of one body on the graphics processor. Its state goes there and comes back with every order. Bodies whose takers are
+/// called by different threads move at the same time.
 template <class Number>
 class CudaSteps final : public StepTaker {
  public:
