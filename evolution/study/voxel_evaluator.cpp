@@ -5,7 +5,6 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -79,7 +78,8 @@ std::vector<io::RunStatus> VoxelEvaluator::advance(Walkers& walkers, double time
   std::vector<voxel::Simulation>& simulations = walkers.simulations;
   if (device_ == Device::cuda) {
     voxel::DeviceAdvance advance = voxel::advance_on_device_to(simulations, time_s, &stop, voxel::Stepper::graphics_processor);
-    std::ranges::transform(walkers.on_processor, advance.on_processor, walkers.on_processor.begin(), std::logical_or{});
+    for (std::size_t i = 0; i < simulations.size(); ++i)
+      if (advance.on_processor[i]) walkers.on_processor[i] = true;
     return std::move(advance.statuses);
   }
   const bool is_large =
