@@ -29,6 +29,7 @@
 #include "evolution/study/study_file.h"
 #include "evolution/study/voxel_errors.h"
 #include "fem/elements/element_kernel.h"
+#include "io/device/graphics_processor.h"
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
@@ -101,6 +102,11 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("--levels", arguments.overrides.levels, "Levels, instead of the study's, e.g. --levels 1 2");
   app.add_option("--duration", arguments.overrides.duration_s, "Simulated seconds per evaluation, instead of the study's");
   app.add_option("--seed", arguments.overrides.seed, "Seed, instead of the study's");
+  app.add_option("--device", arguments.overrides.device,
+                 "What evaluates bodies, instead of the study's: cpu, or cuda for a graphics processor, which takes a whole "
+                 "generation at once; results of the two differ by rounding")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Device>{{"cpu", Device::cpu}, {"cuda", Device::cuda}}, CLI::ignore_case));
   return io::parse_arguments(app, argc, argv);
 }
 
@@ -251,9 +257,16 @@ void require_memory(const Study& study, int threads, int processes) {
                        " may need more memory than this machine has");
 }
 
+void require_device(const Study& study) {
+  if (study.device == Device::cpu) return;
+  if (const std::string obstacle = io::obstacle_to_device(); !obstacle.empty())
+    throw io::InputError("--device " + std::string(to_string(study.device)) + ": " + obstacle);
+}
+
 /// A search and what evaluates its bodies, on every rank.
 struct Search {
   Search(const Arguments& arguments, const io::RankSession& ranks) : study(read_study(arguments.study, arguments.overrides)) {
+    require_device(study);
     require_memory(study, arguments.threads, ranks.count_on_machine());
     evaluators = search_evaluators_of(study);
     half_step = half_step_evaluator_of(study);
@@ -443,6 +456,9 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
     status = run_search(study.search, evaluator, archive, options, study.search.step_checks ? search.half_step.get() : nullptr,
                         search.evaluators.screening.get());
     log.close();
+    for (const DesignEvaluator* one : {&evaluator, static_cast<const DesignEvaluator*>(search.evaluators.screening.get())}) {
+      if (one != nullptr && !one->remark().empty()) std::cout << "note: " << one->remark() << "\n";
+    }
     tell = [](const std::string& text) { std::cout << "note: " << text << std::endl; };
     if (status == io::RunStatus::stopped) io::come_to_stop();
     if (ranks.count() > 1) tell(team->shares());
