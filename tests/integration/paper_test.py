@@ -5,6 +5,7 @@ paper_test.py SOURCES: the folder of the sources.
 
 import os
 import pathlib
+import runpy
 import shutil
 import signal
 import subprocess
@@ -231,6 +232,11 @@ class Tree(unittest.TestCase):
                                  capture_output=True, text=True, check=True).stdout
         self.assertIn("| 4,096 |", printed)
         self.assertIn(printed, (folder / "trial.md").read_text())
+
+    def test_levels_of_a_design_follow_one_another_in_the_steady_state(self):
+        scale = runpy.run_path(str(SOURCES / "paper/fractal/scale.py"))
+        self.assertEqual(scale["steadily"]([[1.0, 3.0]], 1, 2), (4.0, 4.0))
+        self.assertEqual(scale["steadily"]([[1.0, 3.0], [2.0]], 3, 2), (6.0, 10.0))
 
     def test_run_lists_them_and_refuses_others(self):
         listed = subprocess.run([str(SOURCES / "run"), "paper"], capture_output=True, text=True, check=False)
