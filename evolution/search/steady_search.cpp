@@ -207,7 +207,7 @@ class SteadySearch {
     population_.insert(std::ranges::upper_bound(population_, id, {}, [](const Robot& one) { return one.individual.id; }),
                        std::move(robot));
     select();
-    if (options_.progress) {
+    if (options_.progress && generation_ > last_generation_) {
       const std::size_t before = generation_ == 0 ? 0 : results_of(generation_ - 1);
       options_.progress({generation_, ended_ - before, results_of(generation_) - before});
     }

@@ -249,6 +249,18 @@ TEST_F(SteadySearches, GoOnWithMoreGenerations) {
   EXPECT_EQ(archive_content(file("again")), archive_content(file("run")));
 }
 
+TEST_F(SteadySearches, TellTheProgressOfGenerationsThatAreNotFinished) {
+  SearchPlan plan = steady_plan();
+  plan.generations = 2;
+  ASSERT_EQ(steadily("run", plan, 2), io::RunStatus::completed);
+  plan.generations = 4;
+  std::set<int> told;
+  SearchOptions options;
+  options.progress = [&](const SearchProgress& progress) { told.insert(progress.generation); };
+  ASSERT_EQ(steadily("run", plan, 2, options), io::RunStatus::completed);
+  EXPECT_EQ(told, (std::set<int>{3, 4})) << "not of those that are made again";
+}
+
 TEST_F(SteadySearches, EndWhereTheyAreToldToAndGoOnFromThere) {
   const SearchPlan plan = steady_plan();
   SearchOptions options;
