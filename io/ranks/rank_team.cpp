@@ -5,7 +5,6 @@
 #include <cstring>
 #include <exception>
 #include <map>
-#include <ranges>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -244,10 +243,10 @@ bool RankTeam::receive(Run& run) {
 
 /// Gives the tasks of a rank that does not do them back to the list, except those that another one does.
 void RankTeam::give_again(Run& run, const Member& member) {
-  for (const std::uint64_t id : std::views::reverse(member.tasks)) {
+  for (auto id = member.tasks.rbegin(); id != member.tasks.rend(); ++id) {  // so that the first one comes first again
     const bool is_elsewhere = std::ranges::any_of(
-        members_, [&](const Member& other) { return &other != &member && other.is_present() && other.tasks.contains(id); });
-    if (run.is_open(id) && !is_elsewhere) run.give_again(id);
+        members_, [&](const Member& other) { return &other != &member && other.is_present() && other.tasks.contains(*id); });
+    if (run.is_open(*id) && !is_elsewhere) run.give_again(*id);
   }
 }
 

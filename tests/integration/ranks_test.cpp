@@ -166,6 +166,17 @@ TEST_F(Ranks, EndWithWhatATaskThrows) {
   expect_no_abort(outcome);
 }
 
+TEST_F(Ranks, TakeNoResultOfARunThatThrewForOneOfTheNext) {
+  const ProgramRun run = start({{"--then", "wait gate", "--then", "say b"}, {}}, {"say a", "wait slow"});
+  ASSERT_TRUE(prints(run, "thrown: 0 a") && comes("slow.begun") && comes("gate.begun"));
+  make("slow");
+  EXPECT_TRUE(prints(run, "1: 1 b")) << run.printed();
+  make("gate");
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("completed"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Ranks, DropAFaultOfATaskThatAnotherHasDone) {
   const ProgramRun run =
       start({{"--patience", "0.5"}, {"--patience", "0.5"}}, {"wait gate", "hurt pain", "wait last_gate", "say last"});

@@ -11,6 +11,7 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -42,6 +43,7 @@ struct Arguments {
   bool by_hand = false;       ///< its result comes when the first rank has its own and waits: see take
   bool halting = false;       ///< it halts before all of its result has left
   std::vector<std::string> tasks;
+  std::vector<std::string> then;  ///< tasks that the first rank gives in a second run; the first result of the first one throws
 };
 
 void wait_for(const fs::path& file, const std::atomic<bool>* stop = nullptr) {
@@ -79,7 +81,16 @@ int first_rank(const Arguments& arguments, RankSession& session) {
     }
     return std::vector<std::string>();
   };
-  const menger::io::RunStatus status = team.run(arguments.tasks, &stop, take);
+  if (!arguments.then.empty()) {
+    try {
+      (void)team.run(arguments.tasks, &stop, [](std::size_t, const std::string& result) -> std::vector<std::string> {
+        throw std::runtime_error(result);
+      });
+    } catch (const std::runtime_error& error) {
+      std::cout << "thrown: " << error.what() << std::endl;
+    }
+  }
+  const menger::io::RunStatus status = team.run(arguments.then.empty() ? arguments.tasks : arguments.then, &stop, take);
   std::cout << to_string(status) << ": " << team.shares() << ", on " << team.threads() << " threads" << std::endl;
   return exit_code::done;
 }
@@ -140,6 +151,7 @@ int main(int argc, char** argv) {
     app.add_option("--early-fault", arguments.early_fault);
     app.add_option("--fault", arguments.fault);
     app.add_option("--late", arguments.late);
+    app.add_option("--then", arguments.then)->allow_extra_args(false);
     app.add_flag("--twice", arguments.twice);
     app.add_flag("--halting", arguments.halting);
     app.add_flag("--told-to-stop", arguments.told_to_stop);
