@@ -12,6 +12,7 @@
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/limit_pressure.h"
+#include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
 namespace {
@@ -47,6 +48,7 @@ struct Walk {
   double time_s = 0.0;
 
   [[nodiscard]] double distance_m() const { return std::hypot(x_m, y_m); }
+  [[nodiscard]] double direction_deg() const { return std::atan2(y_m, x_m) * 180.0 / std::numbers::pi; }
 };
 
 /// @param result result.toml of simulate or locomotion.toml of locomote; both have the same names
@@ -223,28 +225,15 @@ std::string finding_of(const std::string& stage, const fs::path& results, const 
   return "";
 }
 
-/// Angle between two walks, degrees.
-double angle_deg(const Walk& one, const Walk& other) {
-  const double cross = one.x_m * other.y_m - one.y_m * other.x_m;
-  const double dot = one.x_m * other.x_m + one.y_m * other.y_m;
-  return std::abs(std::atan2(cross, dot)) * 180.0 / std::numbers::pi;
-}
-
-/// Distances that differ by more than this share of the longer one, and directions by more than the angle, are no agreement.
-constexpr double largest_difference = 0.5;
-constexpr double largest_angle_deg = 45.0;
-/// A walk shorter than this share of a body length has no direction.
-constexpr double least_body_lengths = 0.01;
 /// Above this share of the limit pressure small faults of a cast wall decide.
 constexpr double largest_safe_share = 0.8;
 
-bool agree(const Walk& one, const Walk& other) {
-  const double longer_m = std::max(one.distance_m(), other.distance_m());
-  if (std::min(one.body_lengths, other.body_lengths) < least_body_lengths)
-    return std::max(one.body_lengths, other.body_lengths) < least_body_lengths;
-  return std::abs(one.distance_m() - other.distance_m()) <= largest_difference * longer_m &&
-         angle_deg(one, other) <= largest_angle_deg;
+meshes::WalkAgreement agreement(const Walk& one, const Walk& other) {
+  const auto outcome = [](const Walk& walk) { return meshes::WalkOutcome{walk.body_lengths, walk.time_s, walk.direction_deg()}; };
+  return meshes::compare_walks(outcome(one), outcome(other));
 }
+
+bool agree(const Walk& one, const Walk& other) { return agreement(one, other) <= meshes::WalkAgreement::both_go_nowhere; }
 
 /// Walks of one duration differ in time by a few steps at most.
 bool are_as_long(const Walk& one, const Walk& other) {
@@ -253,10 +242,10 @@ bool are_as_long(const Walk& one, const Walk& other) {
 }
 
 std::string both(const Walk& one, const Walk& other) {
-  if (std::max(one.body_lengths, other.body_lengths) < least_body_lengths)
-    return "it stays where it is, within 1 % of its length";
+  if (agreement(one, other) == meshes::WalkAgreement::both_go_nowhere)
+    return "it stays where it is, within " + percents(meshes::walk_limits::least_body_lengths) + " of its length";
   return millimetres(one.distance_m()) + " and " + millimetres(other.distance_m()) + ", " +
-         io::formatted("%.0f", angle_deg(one, other)) + " degrees apart";
+         io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg())) + " degrees apart";
 }
 
 std::string shape_verdict(const ShapeErrors& errors) {
@@ -338,7 +327,12 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
     const auto elements = walk_of("locomote", "locomotion.toml", "finite elements");
     const auto finer = walk_of("locomote_finer", "locomotion.toml", "finite elements of the finer mesh");
     if (elements && finer) add(mesh_verdict(*elements, *finer));
-    if (const auto& reference = finer ? finer : elements; voxels && reference) add(model_verdict(*voxels, *reference));
+    const bool is_known = !elements || !finer || agree(*elements, *finer);
+    if (voxels && !is_known)
+      add("Whether the surrogate walks as finite elements do cannot be told, since they do not agree themselves; it moves " +
+          millimetres(voxels->distance_m()) + ".");
+    if (const auto& reference = finer ? finer : elements; voxels && reference && is_known)
+      add(model_verdict(*voxels, *reference));
   } catch (const io::InputError&) {
     lines.emplace_back("Some results cannot be read; run the loop again.");
   }

@@ -7,6 +7,7 @@
 
 #include "evolution/page/report_numbers.h"
 #include "io/text/formatted.h"
+#include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
 namespace {
@@ -123,7 +124,9 @@ Finding validation_finding(const ValidationFacts& facts) {
   return {tone_of_error(*shapes.median), text, facts.source};
 }
 
-bool goes_nowhere(const WalkFacts& walk) { return walk.body_lengths && *walk.body_lengths < judged_by::least_body_lengths; }
+bool goes_nowhere(const WalkFacts& walk) {
+  return walk.body_lengths && *walk.body_lengths < meshes::walk_limits::least_body_lengths;
+}
 
 Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   const std::string on = std::string(walk.model == WalkModel::surrogate ? "in "
@@ -147,10 +150,23 @@ Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   return {Tone::caution, text, walk.source};
 }
 
-/// The angle between two directions, 0 to 180 degrees.
-double angle_between(double a_deg, double b_deg) {
-  const double turned = std::fmod(std::abs(a_deg - b_deg), 360.0);
-  return std::min(turned, 360.0 - turned);
+bool has_walked(const WalkFacts& walk) { return walk.body_lengths && walk.per_minute; }
+
+/// @pre both have walked
+meshes::WalkAgreement agreement_of(const WalkFacts& a, const WalkFacts& b) {
+  return meshes::compare_walks({*a.body_lengths, a.time_s, a.direction_deg}, {*b.body_lengths, b.time_s, b.direction_deg});
+}
+
+/// "20 degrees"
+std::string degrees_text(double angle_deg) {
+  const std::string shown = io::formatted("%.0f", angle_deg);
+  return shown + (shown == "1" ? " degree" : " degrees");
+}
+
+/// The angle between two walks; nothing if one of them has no direction.
+std::optional<double> angle_of(const WalkFacts& a, const WalkFacts& b) {
+  if (!a.direction_deg || !b.direction_deg) return std::nullopt;
+  return meshes::angle_between(*a.direction_deg, *b.direction_deg);
 }
 
 /// What a comparison of walks in both models says, and what follows for the surrogate.
@@ -159,7 +175,8 @@ struct WalkJudgement {
   std::optional<Tone> surrogate{};  ///< of the surrogate for this walk; nothing if this cannot be said
 };
 
-WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, const std::string& begin) {
+/// @param is_known whether finite elements agree among themselves on this walk
+WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, bool is_known, const std::string& begin) {
   WalkJudgement judged{.finding = {Tone::bad, begin, elements.source + ", " + surrogate.source}};
   std::string& text = judged.finding.text;
   const std::string other = surrogate.model == WalkModel::voxels ? "as voxels" : "in the surrogate";
@@ -169,8 +186,7 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
     text += words;
     return judged;
   };
-  const bool both = elements.per_minute && surrogate.per_minute;
-  if (!both) {
+  if (!has_walked(elements) || !has_walked(surrogate)) {
     text += "One of both models did not complete the walk (finite elements: " + with_reason(elements.status, elements.reason) +
             "; surrogate: " + with_reason(surrogate.status, surrogate.reason) + "): they cannot be compared.";
     if (elements.per_minute) judged.surrogate = Tone::bad;
@@ -178,25 +194,90 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
   }
   text += "It walks " + speed_text(*elements.per_minute) + " on finite elements and " + speed_number(*surrogate.per_minute) +
           " " + other;
-  if (goes_nowhere(elements) && goes_nowhere(surrogate))
-    return conclude(Tone::caution, std::nullopt, ": both go nowhere, so they cannot be compared.");
-  if (goes_nowhere(elements) || goes_nowhere(surrogate)) {
-    return conclude(Tone::bad, Tone::bad,
-                    std::string(": ") + (goes_nowhere(elements) ? "on finite elements" : other) +
-                        " it goes nowhere. Do not trust the surrogate for the walk of this body.");
+  const meshes::WalkAgreement agreement = agreement_of(elements, surrogate);
+  const bool both_walk =
+      agreement != meshes::WalkAgreement::both_go_nowhere && agreement != meshes::WalkAgreement::one_goes_nowhere;
+  if (const auto angle_deg = angle_of(elements, surrogate); angle_deg && both_walk) {
+    const bool differs = agreement == meshes::WalkAgreement::different;
+    text += (differs ? ", in another direction (" : ", in about the same direction (") + degrees_text(*angle_deg) + " apart)";
   }
-  double angle_deg = 0.0;
-  if (elements.direction_deg && surrogate.direction_deg) {
-    angle_deg = angle_between(*elements.direction_deg, *surrogate.direction_deg);
-    text += angle_deg > judged_by::same_direction_deg ? ", in another direction (" : ", in about the same direction (";
-    text += io::formatted("%.0f", angle_deg) + (io::formatted("%.0f", angle_deg) == "1" ? " degree apart)" : " degrees apart)");
+  if (!is_known)
+    return conclude(Tone::caution, std::nullopt,
+                    ". Finite elements do not agree on this walk, so this says nothing of the surrogate.");
+  switch (agreement) {
+    case meshes::WalkAgreement::alike:
+      return conclude(Tone::good, Tone::good, ". Both models agree on this walk.");
+    case meshes::WalkAgreement::both_go_nowhere:
+      return conclude(Tone::caution, std::nullopt, ": both go nowhere, so they cannot be compared.");
+    case meshes::WalkAgreement::same_direction:
+      return conclude(Tone::caution, Tone::caution, ". The surrogate tells where this body goes, not how fast.");
+    case meshes::WalkAgreement::different:
+      return conclude(Tone::bad, Tone::bad, ". Do not trust the surrogate for the walk of this body.");
+    case meshes::WalkAgreement::one_goes_nowhere:
+      break;
   }
-  const double ratio = *surrogate.per_minute / *elements.per_minute;
-  const bool same_speed = ratio <= judged_by::same_speed && ratio >= 1.0 / judged_by::same_speed;
-  const bool same_direction = angle_deg <= judged_by::same_direction_deg;
-  if (same_speed && same_direction) return conclude(Tone::good, Tone::good, ". Both models agree on this walk.");
-  if (same_direction) return conclude(Tone::caution, Tone::caution, ". The surrogate tells where this body goes, not how fast.");
-  return conclude(Tone::bad, Tone::bad, ". Do not trust the surrogate for the walk of this body.");
+  return conclude(Tone::bad, Tone::bad,
+                  std::string(": ") + (goes_nowhere(elements) ? "on finite elements" : other) +
+                      " it goes nowhere. Do not trust the surrogate for the walk of this body.");
+}
+
+/// Walks of one body on finite elements, driven alike: their meshes or time steps differ.
+struct ElementWalks {
+  std::vector<const WalkFacts*> walks;
+  meshes::WalkAgreement worst = meshes::WalkAgreement::alike;  ///< of any two of them
+  std::pair<const WalkFacts*, const WalkFacts*> worst_pair{};  ///< null if there is only one
+
+  [[nodiscard]] bool are_known() const { return worst <= meshes::WalkAgreement::same_direction; }
+  [[nodiscard]] bool has(const WalkFacts& walk) const { return std::ranges::find(walks, &walk) != walks.end(); }
+};
+
+/// All walks on finite elements that completed, together with those of the same walk.
+std::vector<ElementWalks> element_walks(const std::vector<WalkFacts>& walks) {
+  std::vector<ElementWalks> groups;
+  for (const WalkFacts& walk : walks) {
+    if (walk.model != WalkModel::elements || !has_walked(walk)) continue;
+    auto group = std::ranges::find_if(groups, [&](const ElementWalks& known) {
+      return std::ranges::all_of(known.walks, [&](const WalkFacts* other) { return are_one_walk(walk.stated, other->stated); });
+    });
+    if (group == groups.end()) group = groups.insert(groups.end(), ElementWalks{.walks = {}});
+    for (const WalkFacts* other : group->walks) {
+      const meshes::WalkAgreement agreement = agreement_of(*other, walk);
+      if (group->worst_pair.first != nullptr && agreement <= group->worst) continue;
+      group->worst = agreement;
+      group->worst_pair = {other, &walk};
+    }
+    group->walks.push_back(&walk);
+  }
+  return groups;
+}
+
+/// @pre there are at least two walks
+Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
+  const auto& [one, other] = group.worst_pair;
+  Finding finding{Tone::good, several_bodies ? one->name + ": " : "", one->source + ", " + other->source};
+  finding.text += counted(group.walks.size(), "walk", "walks") + " on finite elements, of one body driven alike (" + one->place +
+                  " and " + other->place + (group.walks.size() > 2 ? " differ most" : "") +
+                  "): " + speed_number(*one->per_minute) + " and " + speed_text(*other->per_minute);
+  if (const auto angle_deg = angle_of(*one, *other)) finding.text += ", " + degrees_text(*angle_deg) + " apart";
+  switch (group.worst) {
+    case meshes::WalkAgreement::alike:
+      finding.text += ". They agree, so this walk is known as far as finite elements go.";
+      break;
+    case meshes::WalkAgreement::both_go_nowhere:
+      finding.tone = Tone::caution;
+      finding.text += ". They go nowhere.";
+      break;
+    case meshes::WalkAgreement::same_direction:
+      finding.tone = Tone::caution;
+      finding.text += ". They tell where this body goes, not how fast.";
+      break;
+    case meshes::WalkAgreement::different:
+    case meshes::WalkAgreement::one_goes_nowhere:
+      finding.tone = Tone::bad;
+      finding.text += ". How it walks is not known: chance decides such a walk.";
+      break;
+  }
+  return finding;
 }
 
 Finding ranking_finding(const RankingFacts& facts) {
@@ -274,6 +355,7 @@ std::vector<WalkPair> pairs_of(const std::vector<WalkFacts>& walks) {
 struct WalkTrust {
   bool were_compared = false;     ///< whether a body walks in both models, driven alike
   bool are_in_both = false;       ///< whether there are walks in both models, of whatever bodies
+  bool are_known = true;          ///< whether finite elements agree among themselves on every walk
   std::optional<Tone> trusted{};  ///< the worst of all comparisons; nothing if they say nothing
 };
 
@@ -282,8 +364,16 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
   WalkTrust trust;
   const std::vector<WalkPair> pairs = pairs_of(facts.walks);
   trust.were_compared = !pairs.empty();
+  const std::vector<ElementWalks> groups = element_walks(facts.walks);
+  for (const ElementWalks& group : groups) {
+    if (group.walks.size() < 2) continue;
+    findings.push_back(element_walks_finding(group, groups.size() > 1));
+    trust.are_known = trust.are_known && group.are_known();
+  }
   for (const auto& [elements, surrogate] : pairs) {
-    const WalkJudgement judged = judge_pair(*elements, *surrogate, label_of(*elements, facts.walks));
+    const bool is_known = std::ranges::none_of(
+        groups, [&, walk = elements](const ElementWalks& group) { return group.has(*walk) && !group.are_known(); });
+    const WalkJudgement judged = judge_pair(*elements, *surrogate, is_known, label_of(*elements, facts.walks));
     findings.push_back(judged.finding);
     if (judged.surrogate) trust.trusted = trust.trusted ? std::max(*trust.trusted, *judged.surrogate) : *judged.surrogate;
   }
@@ -378,6 +468,11 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
     tone = worse_of(tone, other);
     return words;
   };
+  if (!walks.are_known) {
+    return conclude(Tone::bad, walks.trusted
+                                   ? "How some bodies walk is not known: finite elements do not agree among themselves."
+                                   : "How this body walks is not known: finite elements do not agree among themselves.");
+  }
   if (walks.trusted) {
     if (*walks.trusted == Tone::good) return conclude(Tone::good, "The surrogate walks as finite elements do.");
     return conclude(*walks.trusted, *walks.trusted == Tone::caution
@@ -454,9 +549,10 @@ std::vector<std::string> judging_words() {
   return {
       "Shapes can be relied on up to a median error of " + shown_percent(judged_by::good_error) + ", and not above " +
           shown_percent(judged_by::usable_error) + ".",
-      "A walk below " + io::shown(judged_by::least_body_lengths) +
-          " body lengths goes nowhere. Walks of both models agree if neither is more than " + io::shown(judged_by::same_speed) +
-          " times as fast as the other and their directions are within " + io::shown(judged_by::same_direction_deg) + " degrees.",
+      "A walk below " + io::shown(meshes::walk_limits::least_body_lengths) +
+          " body lengths goes nowhere. Two walks, of both models or of two meshes, agree if neither is more than " +
+          io::shown(meshes::walk_limits::same_speed) + " times as fast as the other and their directions are within " +
+          io::shown(meshes::walk_limits::same_direction_deg) + " degrees.",
       "A ranking can be relied on from a rank correlation of " + io::shown(judged_by::good_rank) + ", and not below " +
           io::shown(judged_by::usable_rank) + " or where its 95 % interval reaches 0.",
       "These limits are choices of this page. Finite elements are not measurements: damping and friction of silicone are "

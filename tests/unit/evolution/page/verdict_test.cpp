@@ -248,6 +248,39 @@ TEST(Verdict, TellsWalksOfOneBodyApartByTheirFolder) {
   EXPECT_TRUE(finding_with(verdict_of(facts), "It moves 0.8").text.starts_with("It moves"));
 }
 
+/// Walks of one body on finite elements of two meshes and in the surrogate.
+ReportFacts walks_of_two_meshes(double coarse, double coarse_deg, double fine, double fine_deg) {
+  ReportFacts facts;
+  facts.walks = {walk(WalkModel::elements, coarse, coarse_deg), walk(WalkModel::elements, fine, fine_deg),
+                 walk(WalkModel::surrogate, 1.0, 0.0)};
+  facts.walks[0].place = "locomote";
+  facts.walks[1].place = "locomote_finer";
+  return facts;
+}
+
+TEST(Verdict, SaysThatAWalkIsNotKnownWhereFiniteElementsDisagree) {
+  const Verdict verdict = verdict_of(walks_of_two_meshes(0.1, -176.0, 0.32, 0.0));
+  EXPECT_EQ(verdict.headline, "How this body walks is not known: finite elements do not agree among themselves.");
+  EXPECT_EQ(verdict.tone, Tone::bad);
+  EXPECT_EQ(
+      finding_with(verdict, "2 walks on finite elements").text,
+      "2 walks on finite elements, of one body driven alike (locomote and locomote_finer): 3 and 9.6 body lengths a minute, "
+      "176 degrees apart. How it walks is not known: chance decides such a walk.");
+  EXPECT_EQ(finding_with(verdict, "2 walks on finite elements").tone, Tone::bad);
+  EXPECT_EQ(finding_with(verdict, "so this says nothing of the surrogate").tone, Tone::caution);
+  EXPECT_EQ(finding_with(verdict, "Do not trust the surrogate").text, "") << "nothing is known that it could be compared with";
+}
+
+TEST(Verdict, TellsHowWellFiniteElementsKnowAWalk) {
+  EXPECT_EQ(finding_with(verdict_of(walks_of_two_meshes(0.9, 0.0, 0.95, 3.0)), "They agree").tone, Tone::good);
+  EXPECT_EQ(verdict_of(walks_of_two_meshes(0.9, 0.0, 0.95, 3.0)).headline, "The surrogate walks as finite elements do.");
+  EXPECT_EQ(finding_with(verdict_of(walks_of_two_meshes(0.2, 0.0, 0.9, 3.0)), "not how fast").tone, Tone::caution);
+  EXPECT_EQ(finding_with(verdict_of(walks_of_two_meshes(0.01, 0.0, 0.02, 3.0)), "They go nowhere").tone, Tone::caution);
+  ReportFacts other_drive = walks_of_two_meshes(0.1, -176.0, 0.32, 0.0);
+  other_drive.walks[0].stated.drive = "mode = wave";
+  EXPECT_EQ(finding_with(verdict_of(other_drive), "walks on finite elements").text, "") << "two walks, not one on two meshes";
+}
+
 TEST(Verdict, CallsARankingChanceWhereItsIntervalReachesZero) {
   ReportFacts facts;
   facts.rankings = {{.source = "reevaluate/ranking.csv", .designs = 8, .compared = 8, .spearman = IntervalFact{0.5, -0.3, 0.9}}};
