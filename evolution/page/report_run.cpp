@@ -86,9 +86,8 @@ std::string fitting_text(ReportPage& page, const ReportOptions& options) {
 std::string made_text(const fs::path& folder, std::size_t outputs) {
   std::error_code ignored;
   const fs::path whole = fs::weakly_canonical(folder, ignored);
-  return "Made by menger " + std::string(io::version()) + " from " + std::to_string(outputs) +
-         (outputs == 1 ? " folder" : " folders") + " of results in " + (whole.empty() ? folder : whole).string() +
-         ". One file, which needs no network.";
+  return "Made by menger " + std::string(io::version()) + " from " + std::to_string(outputs) + (outputs == 1 ? " run" : " runs") +
+         " of its commands in " + (whole.empty() ? folder : whole).string() + ". One file, which needs no network.";
 }
 
 /// What the page is about: the body of all results, or else the folder.

@@ -267,13 +267,13 @@ void add_calibration(const CommandOutput& output, PageSection& section) {
 
 void add_validation(const CommandOutput& output, PageSection& section) {
   const io::CsvContents errors = io::read_csv(output.folder / "errors.csv");
-  PageChart chart{.title = "Surrogate against finite elements, displacements of bodies that no fit has seen",
+  PageChart chart{.title = "Displacements in both models: " + file_of(output, "errors.csv"),
                   .x = {.title = "finite elements (mm)"},
                   .y = {.title = "surrogate (mm)"},
                   .series = {},
                   .equal_scale = true,
                   .diagonal = true,
-                  .note = "Inside the range of the fit, one series per body. From " + file_of(output, "errors.csv") + "."};
+                  .note = "Inside the range of the fit, one series per body."};
   for (const std::string& body : distinct(errors, "body")) {
     PageSeries series{.name = body, .x = {}, .y = {}, .marks = PageMarks::points};
     for (std::size_t row = 0; row < errors.row_count(); ++row) {

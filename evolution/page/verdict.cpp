@@ -57,7 +57,8 @@ Finding missing(const std::string& what, const std::string& command) {
 Finding inflation_finding(const InflationFacts& facts, const std::string& begin) {
   const std::string reached = facts.highest_pressure_Pa ? shown_pressure(*facts.highest_pressure_Pa) : "no pressure";
   const std::string growth =
-      facts.volume_growth ? " Its chamber then has " + io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
+      facts.volume_growth ? (facts.plena > 1 ? " Of its chambers, the one that grows most then has " : " Its chamber then has ") +
+                                io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
                           : "";
   if (facts.limit) {
     return {Tone::caution,
@@ -102,6 +103,12 @@ Tone tone_of_error(double median) {
   return median <= judged_by::usable_error ? Tone::caution : Tone::bad;
 }
 
+/// @pre displacements have a median error
+Tone tone_of(const ValidationFacts& facts) {
+  const Tone by_size = tone_of_error(*facts.displacement.median);
+  return facts.wrong_signs > 0 ? std::max(by_size, Tone::caution) : by_size;
+}
+
 Finding validation_finding(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
   if (!shapes.median) {
@@ -113,15 +120,21 @@ Finding validation_finding(const ValidationFacts& facts) {
   std::string text = "The surrogate's shapes are " + shown_percent(*shapes.median) + " off finite elements (median of " +
                      counted(shapes.count, "displacement", "displacements") + " of " + counted(facts.bodies, "body", "bodies") +
                      ", inside the range of the fit";
-  if (shapes.worst) text += "; the worst, " + shown_percent(*shapes.worst) + ", is of " + shapes.worst_body;
+  if (shapes.worst) {
+    text += "; the worst is " + shown_percent(*shapes.worst) + " off";
+    if (facts.bodies > 1) text += ", of " + shapes.worst_body;
+  }
   text += ")";
   if (facts.volume.median) text += ", its volumes " + shown_percent(*facts.volume.median);
   text += ".";
+  if (facts.wrong_signs > 0)
+    text += " " + std::to_string(facts.wrong_signs) + " of " + counted(facts.signs, "displacement", "displacements") +
+            " go the wrong way.";
   if (shapes.without_equilibrium > 0)
     text += " In " + counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
   if (facts.outside > 0)
     text += " " + counted(facts.outside, "number", "numbers") + " outside the range of the fit do not count here.";
-  return {tone_of_error(*shapes.median), text, facts.source};
+  return {tone_of(facts), text, facts.source};
 }
 
 bool goes_nowhere(const WalkFacts& walk) {
@@ -484,7 +497,7 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
   if (!facts.rankings.empty()) return conclude(ranking, ranking_headline(ranking, facts.rankings.size() > 1));
   Tone shapes = Tone::missing;
   for (const ValidationFacts& one : facts.validations)
-    if (one.displacement.median) shapes = worse_of(shapes, tone_of_error(*one.displacement.median));
+    if (one.displacement.median) shapes = worse_of(shapes, tone_of(one));
   if (shapes != Tone::missing) return conclude(shapes, shape_headline(shapes, walks.were_compared));
   if (walks.were_compared)
     return conclude(Tone::caution,

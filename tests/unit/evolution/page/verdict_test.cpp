@@ -65,7 +65,9 @@ TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
   ReportFacts facts;
   facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0, .volume_growth = 0.68}};
   EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 6 kPa."));
-  EXPECT_NE(finding_with(verdict_of(facts), "1.68 times its volume at rest").text, "");
+  EXPECT_NE(finding_with(verdict_of(facts), "Its chamber then has 1.68 times its volume at rest").text, "");
+  facts.inflations.front().plena = 2;
+  EXPECT_NE(finding_with(verdict_of(facts), "the one that grows most then has 1.68 times").text, "");
   facts.inflations.front().status = io::RunStatus::not_converged;
   facts.inflations.front().reason = "the step became too small";
   EXPECT_TRUE(verdict_of(facts).headline.starts_with("Known up to 6 kPa only."));
@@ -199,8 +201,14 @@ TEST(Verdict, JudgesShapesByTheirMedianError) {
   EXPECT_EQ(good.headline, "The surrogate's shapes can be used; its walks were not compared.");
   EXPECT_EQ(finding_with(good, "The surrogate's shapes are").text,
             "The surrogate's shapes are 7.8 % off finite elements (median of 28 displacements of 2 bodies, inside the range of "
-            "the fit; the worst, 153 %, is of "
-            "plane), its volumes 3.1 %.");
+            "the fit; the worst is 153 % off, of plane), its volumes 3.1 %.");
+  facts.validations.front().signs = 26;
+  facts.validations.front().wrong_signs = 4;
+  facts.validations.front().bodies = 1;
+  const Verdict wrong_way = verdict_of(facts);
+  EXPECT_EQ(wrong_way.headline, "The surrogate's shapes are rough; its walks were not compared.");
+  EXPECT_NE(finding_with(wrong_way, "the worst is 153 % off), its volumes 3.1 %. 4 of 26 displacements go the wrong way.").text,
+            "");
   facts.validations.front().displacement.median = 0.3;
   EXPECT_EQ(verdict_of(facts).headline, "Do not trust the surrogate's shapes; its walks were not compared.");
   facts.validations.front().displacement.median.reset();
