@@ -9,6 +9,8 @@
 #include "io/text/csv_table.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
+#include "io/text/shown_quantity.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/limit_pressure.h"
@@ -19,17 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string millimetres(double length_m) { return io::shown(1e3 * length_m, 3) + " mm"; }
-std::string kilopascals(double pressure_Pa) { return io::shown(1e-3 * pressure_Pa, 3) + " kPa"; }
-std::string percents(double share) { return io::shown(100.0 * share, 2) + " %"; }
-
-bool is_there(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored);
-}
+using io::kilopascals;
+using io::millimetres;
+using io::percents;
 
 std::optional<io::TomlTable> table_at(const fs::path& file) {
-  if (!is_there(file)) return std::nullopt;
+  if (!io::is_file(file)) return std::nullopt;
   return io::read_toml(file);
 }
 
@@ -64,8 +61,8 @@ std::string walk_text(const fs::path& file) {
   if (!result) return "";
   const std::optional<Walk> walk = walk_in(*result);
   if (!walk) return early_end(*result);
-  std::string text = "it moves " + millimetres(walk->distance_m()) + " (" + io::shown(walk->body_lengths, 2) +
-                     " body lengths) in " + io::shown(walk->time_s, 3) + " s";
+  std::string text = "it moves " + millimetres(walk->distance_m()) + " (" + io::body_lengths(walk->body_lengths) + ") in " +
+                     io::shown(walk->time_s, 3) + " s";
   if (const std::string end = early_end(*result); !end.empty()) text += "; " + end;
   return text;
 }
@@ -146,7 +143,7 @@ struct ShapeErrors {
 };
 
 std::optional<ShapeErrors> shape_errors(const fs::path& results) {
-  if (!is_there(results / "validate/summary.csv")) return std::nullopt;
+  if (!io::is_file(results / "validate/summary.csv")) return std::nullopt;
   const io::CsvContents summary = io::read_csv(results / "validate/summary.csv");
   ShapeErrors errors;
   for (const std::string range : {"inside", "outside"}) {
@@ -183,7 +180,7 @@ std::string validate_text(const fs::path& results) {
 
 /// Returns the last line of a log that begins with a word.
 std::string line_of(const fs::path& log, const std::string& beginning) {
-  if (!is_there(log)) return "";
+  if (!io::is_file(log)) return "";
   const std::string text = "\n" + io::read_whole(log);
   const std::size_t start = text.rfind("\n" + beginning);
   if (start == std::string::npos) return "";
@@ -206,7 +203,7 @@ std::string load_cases_text(const fs::path& results) {
 
 std::string export_text(const fs::path& results) {
   const fs::path champion = results / "export/champion.toml";
-  if (!is_there(champion)) return "no robot has a fitness";
+  if (!io::is_file(champion)) return "no robot has a fitness";
   return "the best robot has " + std::to_string(meshes::read_design(champion).body.count()) + " cells; export/champion.toml";
 }
 

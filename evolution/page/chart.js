@@ -37,7 +37,7 @@ function extent(values) {
 }
 
 const seriesColour = (n) => `var(--c${n % 8})`;
-const seriesShape = (n) => ['circle', 'square', 'triangle', 'diamond'][Math.floor(n / 2) % 4];
+const seriesShape = (n) => ['circle', 'square', 'triangle', 'diamond'][(Math.floor(n / 2) + Math.floor(n / 8)) % 4];  // with the colour, 32 that differ
 
 function niceStep(span, count) {
   const raw = span / Math.max(1, count);

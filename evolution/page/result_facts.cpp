@@ -6,12 +6,12 @@
 #include <map>
 #include <numbers>
 #include <set>
-#include <system_error>
 
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/run_status_words.h"
 #include "io/text/toml_document.h"
 
@@ -67,7 +67,7 @@ CalibrationFacts calibration_facts(const CommandOutput& output) {
     errors.push_back(*error);
     if (facts.worst_error && *error <= *facts.worst_error) continue;
     facts.worst_error = error;
-    facts.worst_case = text_in(residuals, row, "case") + ", " + shown_column(text_in(residuals, row, "ordinate")).title;
+    facts.worst_case = text_in(residuals, row, "case") + ", " + io::shown_column(text_in(residuals, row, "ordinate")).title();
   }
   facts.cases = cases.size();
   facts.quantities = errors.size();
@@ -103,7 +103,7 @@ ValidationFacts validation_facts(const CommandOutput& output) {
   }
   facts.bodies = bodies.size();
   const std::filesystem::path signs_file = output.folder / "signs.csv";
-  if (std::error_code ignored; !std::filesystem::exists(signs_file, ignored)) return facts;
+  if (!io::is_file(signs_file)) return facts;
   const io::CsvContents signs = io::read_csv(signs_file);
   for (std::size_t row = 0; row < signs.row_count(); ++row) {
     facts.signs += count_in(signs, row, "count");

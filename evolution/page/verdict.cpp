@@ -7,6 +7,7 @@
 
 #include "evolution/page/report_numbers.h"
 #include "io/text/formatted.h"
+#include "io/text/shown_quantity.h"
 #include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
@@ -55,14 +56,14 @@ Finding missing(const std::string& what, const std::string& command) {
 }
 
 Finding inflation_finding(const InflationFacts& facts, const std::string& begin) {
-  const std::string reached = facts.highest_pressure_Pa ? shown_pressure(*facts.highest_pressure_Pa) : "no pressure";
+  const std::string reached = facts.highest_pressure_Pa ? io::kilopascals(*facts.highest_pressure_Pa) : "no pressure";
   const std::string growth =
       facts.volume_growth ? (facts.plena > 1 ? " Of its chambers, the one that grows most then has " : " Its chamber then has ") +
                                 io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
                           : "";
   if (facts.limit) {
     return {Tone::caution,
-            begin + "Usable below " + shown_pressure(facts.limit->pressure_Pa) +
+            begin + "Usable below " + io::kilopascals(facts.limit->pressure_Pa) +
                 ". There the pressure stops rising while the volume grows (limit point): the body balloons or buckles.",
             facts.source};
   }
@@ -88,9 +89,9 @@ Finding calibration_finding(const CalibrationFacts& facts) {
     return {Tone::bad, "The calibration of the surrogate gave no result (" + with_reason(facts.status, facts.reason) + ").",
             facts.source};
   std::string text =
-      "The fitted surrogate is " + shown_percent(*facts.median_error) + " off the finite elements it was fitted to (median of " +
+      "The fitted surrogate is " + io::percents(*facts.median_error) + " off the finite elements it was fitted to (median of " +
       counted(facts.quantities, "quantity", "quantities") + " of " + counted(facts.cases, "load case", "load cases") + ")";
-  if (facts.worst_error) text += "; the worst is " + shown_percent(*facts.worst_error) + " off (" + facts.worst_case + ")";
+  if (facts.worst_error) text += "; the worst is " + io::percents(*facts.worst_error) + " off (" + facts.worst_case + ")";
   text += ".";
   if (facts.status != io::RunStatus::completed) text += " The fit ended early (" + with_reason(facts.status, facts.reason) + ").";
   if (!facts.explained) text += " This is more than the uncertainty of the curves explains: the surrogate differs in shape.";
@@ -117,15 +118,15 @@ Finding validation_finding(const ValidationFacts& facts) {
         "Whether the surrogate takes the right shapes is not known: no displacement was compared inside the range of its fit.",
         facts.source};
   }
-  std::string text = "The surrogate's shapes are " + shown_percent(*shapes.median) + " off finite elements (median of " +
+  std::string text = "The surrogate's shapes are " + io::percents(*shapes.median) + " off finite elements (median of " +
                      counted(shapes.count, "displacement", "displacements") + " of " + counted(facts.bodies, "body", "bodies") +
                      ", inside the range of the fit";
   if (shapes.worst) {
-    text += "; the worst is " + shown_percent(*shapes.worst) + " off";
+    text += "; the worst is " + io::percents(*shapes.worst) + " off";
     if (facts.bodies > 1) text += ", of " + shapes.worst_body;
   }
   text += ")";
-  if (facts.volume.median) text += ", its volumes " + shown_percent(*facts.volume.median);
+  if (facts.volume.median) text += ", its volumes " + io::percents(*facts.volume.median);
   text += ".";
   if (facts.wrong_signs > 0)
     text += " " + std::to_string(facts.wrong_signs) + " of " + counted(facts.signs, "displacement", "displacements") +
@@ -152,8 +153,8 @@ Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
                 with_reason(walk.status, walk.reason) + ").",
             walk.source};
   }
-  std::string text = begin + "It moves " + io::shown(*walk.body_lengths, 2) + " body lengths " + on + " in " +
-                     io::shown(walk.time_s, 3) + " s, " + speed_text(*walk.per_minute);
+  std::string text = begin + "It moves " + io::body_lengths(*walk.body_lengths) + " " + on + " in " + io::shown(walk.time_s, 3) +
+                     " s, " + speed_text(*walk.per_minute);
   if (goes_nowhere(walk)) return {Tone::caution, text + ": it goes nowhere.", walk.source};
   if (walk.direction_deg) text += ", towards " + shown_whole(*walk.direction_deg) + " degrees from x";
   text += ".";
@@ -320,7 +321,7 @@ Finding ranking_finding(const RankingFacts& facts) {
   if (facts.within_45_deg && facts.with_direction && *facts.with_direction > 0)
     text += " " + std::to_string(*facts.within_45_deg) + " of " + std::to_string(*facts.with_direction) +
             " go the same way within 45 degrees.";
-  if (facts.median_error) text += " Displacements are " + shown_percent(*facts.median_error) + " off (median).";
+  if (facts.median_error) text += " Displacements are " + io::percents(*facts.median_error) + " off (median).";
   if (facts.best_per_minute)
     text += " The best on finite elements is " + facts.best_design + ", with " + speed_text(*facts.best_per_minute) + ".";
   return {tone, text, facts.source};
@@ -442,9 +443,9 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
   if (!are_of_one_body(facts.inflations)) return {};
   const InflationFacts& one = decisive(facts.inflations);
   tone = inflation_finding(one, "").tone;
-  if (one.limit) return "Usable below " + shown_pressure(one.limit->pressure_Pa) + ", where the body balloons or buckles. ";
+  if (one.limit) return "Usable below " + io::kilopascals(one.limit->pressure_Pa) + ", where the body balloons or buckles. ";
   if (!one.highest_pressure_Pa) return {};
-  const std::string reached = shown_pressure(*one.highest_pressure_Pa);
+  const std::string reached = io::kilopascals(*one.highest_pressure_Pa);
   if (one.status == io::RunStatus::completed) return "Usable up to at least " + reached + ". ";
   if (one.status == io::RunStatus::limit_point) return "Usable up to " + reached + ", where the body balloons or buckles. ";
   return "Known up to " + reached + " only. ";
@@ -560,8 +561,8 @@ Verdict verdict_of(const ReportFacts& facts) {
 
 std::vector<std::string> judging_words() {
   return {
-      "Shapes can be relied on up to a median error of " + shown_percent(judged_by::good_error) + ", and not above " +
-          shown_percent(judged_by::usable_error) + ".",
+      "Shapes can be relied on up to a median error of " + io::percents(judged_by::good_error) + ", and not above " +
+          io::percents(judged_by::usable_error) + ".",
       "A walk below " + io::shown(meshes::walk_limits::least_body_lengths) +
           " body lengths goes nowhere. Two walks, of both models or of two meshes, agree if neither is more than " +
           io::shown(meshes::walk_limits::same_speed) + " times as fast as the other and their directions are within " +

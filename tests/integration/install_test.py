@@ -49,7 +49,7 @@ class Installation(unittest.TestCase):
         self.assertEqual(sorted(each.name for each in (SCRATCH / "stage").iterdir()), ["opt"])
 
     def test_programs_find_their_data_beside_them(self):
-        self.assertIn("Dragon Skin 10", self.run_menger("init", "robot", "--from", "crawler"))
+        self.assertIn("Dragon Skin 10", self.run_menger("init", "robot"))
         said = self.run_menger("loop", "robot/robot.toml", "--until", "mesh")
         self.assertIn("the parameters that come with menger", said)
         self.assertIn("dragon_skin_10_1cm.toml", said)

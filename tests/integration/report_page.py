@@ -156,6 +156,17 @@ def check_bad_chart(browser, check):
     check.that(drawn == 1, "a chart after one that cannot be drawn is drawn")
 
 
+def check_marks(browser, check):
+    """Every series of a chart has a mark of its own, also where there are more of them than colours. The page has been opened."""
+    series = ", ".join(f'{{name: "s{n}", x: [{n}], y: [{n}], marks: "points", dashed: false, labels: []}}' for n in range(20))
+    chart = ('{title: "marks", x: {title: "x", log: false}, y: {title: "y", log: false}, markers: [], equal: false, diagonal: false, note: "", '
+             f'series: [{series}]}}')
+    browser.value(f'drawSection({{id: "marks", title: "marks", words: [], tables: [], charts: [{chart}]}}, document.getElementById("sections"))')
+    browser.settle()
+    marks = browser.value("[...document.querySelectorAll('#marks .legend svg')].map(s => [s.lastChild.tagName, s.lastChild.getAttribute('points'), s.lastChild.getAttribute('fill')].join(' '))")
+    check.that(len(marks) == 20 and len(set(marks)) == 20, f"{len(set(marks))} of {len(marks)} marks differ")
+
+
 def check_margins(browser, check):
     """On axes of equal scale no point lies on the border, where half of it would be outside. The page has been opened."""
     chart = ('{title: "equal", x: {title: "x", log: false}, y: {title: "y", log: false}, markers: [], equal: true, diagonal: true, note: "", '
@@ -199,6 +210,7 @@ def main():
         check_bad_chart(browser, check)
         browser.resize(1400, 1000)
         check_margins(browser, check)
+        check_marks(browser, check)
         complaints = browser.complaints()
         check.that(not complaints, f"the console has no error or warning, and nothing is loaded: {complaints}")
     finally:

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "io/text/formatted.h"
+#include "io/text/shown_quantity.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/grid_arrays.h"
 #include "io/vtk/vtk_file.h"
@@ -117,7 +118,7 @@ SurrogateStates surrogate_states(const SideBySide& sides, const std::vector<Stat
 }
 
 std::string caption_of(const CurveComparison& comparison, const State& state) {
-  return comparison.load_case().name + " at " + io::shown(1e-3 * state.front(), 3) + " kPa";
+  return comparison.load_case().name + " at " + io::kilopascals(state.front());
 }
 
 }  // namespace
