@@ -301,6 +301,8 @@ void add_validation(const CommandOutput& output, PageSection& section) {
                                          {"body", "chamber_share", "highest_pressure_Pa", "change_at_highest",
                                           "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"},
                                          file_of(output, "volume_actuation.csv")));
+    section.tables.back().note +=
+        " These are finite elements of load cases. Those of an inflation may be others, and so may its limit pressure.";
   }
 }
 

@@ -149,8 +149,11 @@ TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
         "displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n"
         "all,displacement,outside,1,3,0.4,,0.4,0.4,bar,c\nbar,displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n");
   write("validate/signs.csv", "body,observable,count,wrong\nbar,extent_x_m,5,0\nbar,extent_y_m,4,3\n");
+  write("validate/volume_actuation.csv", "body,limit_pressure_Pa\nbar,15190\n");
   const PageSection validation = section({output("validate")}, "validation");
   ASSERT_EQ(validation.charts.size(), 1U);
+  ASSERT_EQ(validation.tables.size(), 2U);
+  EXPECT_NE(validation.tables[1].note.find("so may its limit pressure"), std::string::npos) << "two pressures of one body";
   EXPECT_EQ(validation.charts[0].title, "Displacements in both models: validate/errors.csv") << "no claim on what a fit has seen";
   EXPECT_EQ(validation.charts[0].series[0].x, std::vector<double>{1.0});
   const ValidationFacts facts = read_facts({output("validate")}, notes_).validations.at(0);
