@@ -163,6 +163,15 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
   return errors;
 }
 
+/// Returns the last line of a log that begins with a word.
+std::string line_of(const fs::path& log, const std::string& beginning) {
+  if (!io::is_file(log)) return "";
+  const std::string text = "\n" + io::read_whole(log);
+  const std::size_t start = text.rfind("\n" + beginning);
+  if (start == std::string::npos) return "";
+  return text.substr(start + 1, text.find('\n', start + 1) - start - 1);
+}
+
 std::string validate_text(const fs::path& results) {
   const auto errors = shape_errors(results);
   if (!errors) return "";
@@ -175,16 +184,9 @@ std::string validate_text(const fs::path& results) {
   if (errors->wrong_signs > 0)
     text +=
         "; " + std::to_string(errors->wrong_signs) + " of " + std::to_string(errors->signs) + " displacements go the wrong way";
+  const std::string end = line_of(results / "logs/validate.txt", "note: robot_inflation: the surrogate ends after ");
+  if (!end.empty()) text += "; " + end.substr(end.find("the surrogate"));
   return text;
-}
-
-/// Returns the last line of a log that begins with a word.
-std::string line_of(const fs::path& log, const std::string& beginning) {
-  if (!io::is_file(log)) return "";
-  const std::string text = "\n" + io::read_whole(log);
-  const std::size_t start = text.rfind("\n" + beginning);
-  if (start == std::string::npos) return "";
-  return text.substr(start + 1, text.find('\n', start + 1) - start - 1);
 }
 
 std::string load_cases_text(const fs::path& results) {

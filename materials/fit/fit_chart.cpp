@@ -56,7 +56,7 @@ io::ChartSeries curve_of(const LawFit& fit, std::size_t place, const Span& span)
 
 /// Whether a law leaves the range of the axis.
 bool goes_beyond(const io::ChartPanel& panel) {
-  const auto is_beyond = [&](double stress_kPa) { return stress_kPa > *panel.y.highest || stress_kPa < *panel.y.lowest; };
+  const auto is_beyond = [&](double stress) { return stress > *panel.y.highest || stress < *panel.y.lowest; };
   return std::ranges::any_of(panel.series,
                              [&](const io::ChartSeries& series) { return std::ranges::any_of(series.y, is_beyond); });
 }

@@ -156,6 +156,10 @@ TEST_F(LoopFindings, VerdictWarnsOfShapesThatTheSurrogateMisses) {
   write("0.1", "0");
   expect_has(verdict(), "The surrogate takes the shape of this body well.");
   EXPECT_EQ(found("validate"), "shape of this very body: 10 % off in displacements, 5 % in chamber volume (medians)");
+  io::write_whole(folder_ / "logs/validate.txt",
+                  "summary\nnote: robot_inflation: the surrogate ends after 11 of 12 states (wall_contact, walls "
+                  "meet)\nwall_contact: 1 curves\n");
+  expect_has(found("validate"), "(medians); the surrogate ends after 11 of 12 states (wall_contact, walls meet)");
   write("0.1", "5");
   expect_has(verdict(),
              "Do not trust the surrogate for this body: its shape is 10 % off in the median, and 5 of 10 displacements go the "
