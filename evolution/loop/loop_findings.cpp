@@ -6,11 +6,11 @@
 #include <optional>
 #include <system_error>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
-#include "io/text/shown_quantity.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/limit_pressure.h"

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/is_file.h"
-#include "io/text/shown_quantity.h"
 #include "voxel/model/expected_errors.h"
 #include "voxel/model/surrogate_file.h"
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/shown/shown_column.h"
 #include "io/text/csv_table.h"
-#include "io/text/shown_column.h"
 
 namespace menger::evolution {
 

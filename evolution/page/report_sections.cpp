@@ -15,11 +15,11 @@
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
 #include "evolution/page/shown_table.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
-#include "io/text/shown_quantity.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "evolution/page/report_numbers.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
-#include "io/text/shown_quantity.h"
 #include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "io/process/progress.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "io/text/number_text.h"
-#include "io/text/shown_quantity.h"
 #include "io/text/toml_document.h"
 
 namespace menger::evolution {

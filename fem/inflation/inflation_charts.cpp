@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "io/text/shown_quantity.h"
+#include "io/shown/shown_quantity.h"
 
 namespace menger::fem {
 namespace {

@@ -1,8 +1,8 @@
 #include "fem/load_cases/load_case_chart.h"
 
 #include "io/picture/chart.h"
-#include "io/text/shown_column.h"
-#include "io/text/shown_quantity.h"
+#include "io/shown/shown_column.h"
+#include "io/shown/shown_quantity.h"
 #include "meshes/load_cases/response_axis.h"
 
 namespace menger::fem {

@@ -6,8 +6,8 @@
 #include "fem/locomotion/locomotion_picture.h"
 #include "fem/locomotion/locomotion_study_file.h"
 #include "io/picture/chart.h"
+#include "io/shown/shown_column.h"
 #include "io/text/formatted.h"
-#include "io/text/shown_column.h"
 #include "io/text/toml_substitution.h"
 #include "io/text/whole_file.h"
 

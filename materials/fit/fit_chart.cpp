@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/picture/chart.h"
-#include "io/text/shown_quantity.h"
+#include "io/shown/shown_quantity.h"
 
 namespace menger::materials {
 namespace {

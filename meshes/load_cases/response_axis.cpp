@@ -1,6 +1,6 @@
 #include "meshes/load_cases/response_axis.h"
 
-#include "io/text/shown_column.h"
+#include "io/shown/shown_column.h"
 
 namespace menger::meshes {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
-#include "io/text/shown_quantity.h"
 #include "materials/laws/hyperelastic_law.h"
 
 namespace menger::meshes {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "io/picture/chart.h"
-#include "io/text/shown_column.h"
-#include "io/text/shown_quantity.h"
+#include "io/shown/shown_column.h"
+#include "io/shown/shown_quantity.h"
 #include "meshes/load_cases/response_axis.h"
 #include "voxel/calibration/calibration_tables.h"
 

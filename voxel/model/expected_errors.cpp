@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <sstream>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/content_hash.h"
 #include "io/text/joined_text.h"
-#include "io/text/shown_quantity.h"
 #include "voxel/model/surrogate_file.h"
 
 namespace menger::voxel {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "io/picture/chart.h"
-#include "io/text/shown_column.h"
-#include "io/text/shown_quantity.h"
+#include "io/shown/shown_column.h"
+#include "io/shown/shown_quantity.h"
 #include "meshes/load_cases/response_axis.h"
 #include "voxel/validation/validation_summary.h"
 

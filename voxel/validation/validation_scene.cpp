@@ -18,8 +18,8 @@
 #include <system_error>
 #include <utility>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
-#include "io/text/shown_quantity.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/grid_arrays.h"
 #include "io/vtk/vtk_file.h"

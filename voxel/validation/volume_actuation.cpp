@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
-#include "io/text/shown_quantity.h"
 #include "voxel/model/hollow_voxels.h"
 
 namespace menger::voxel {

@@ -1,4 +1,4 @@
-#include "io/text/shown_quantity.h"
+#include "io/shown/shown_quantity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/text/shown_column.h"
+#include "io/shown/shown_column.h"
 
 #include <gtest/gtest.h>
 
