@@ -212,7 +212,7 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
   const bool both_walk =
       agreement != meshes::WalkAgreement::both_go_nowhere && agreement != meshes::WalkAgreement::one_goes_nowhere;
   if (const auto angle_deg = angle_of(elements, surrogate); angle_deg && both_walk) {
-    const bool differs = agreement == meshes::WalkAgreement::different;
+    const bool differs = *angle_deg > meshes::walk_limits::same_direction_deg;
     text += (differs ? ", in another direction (" : ", in about the same direction (") + degrees_text(*angle_deg) + " apart)";
   }
   if (!is_known)
@@ -566,7 +566,8 @@ std::vector<std::string> judging_words() {
       "A walk below " + io::shown(meshes::walk_limits::least_body_lengths) +
           " body lengths goes nowhere. Two walks, of both models or of two meshes, agree if neither is more than " +
           io::shown(meshes::walk_limits::same_speed) + " times as fast as the other and their directions are within " +
-          io::shown(meshes::walk_limits::same_direction_deg) + " degrees.",
+          io::shown(meshes::walk_limits::same_direction_deg) + " degrees. They have nothing in common if one is more than " +
+          io::shown(meshes::walk_limits::comparable_speed) + " times as fast.",
       "A ranking can be relied on from a rank correlation of " + io::shown(judged_by::good_rank) + ", and not below " +
           io::shown(judged_by::usable_rank) + " or where its 95 % interval reaches 0.",
       "These limits are choices of this page. Finite elements are not measurements: damping and friction of silicone are "

@@ -18,7 +18,9 @@ WalkAgreement compare_walks(const WalkOutcome& a, const WalkOutcome& b) {
   if (a.direction_deg && b.direction_deg && angle_between(*a.direction_deg, *b.direction_deg) > walk_limits::same_direction_deg)
     return WalkAgreement::different;
   const double ratio = a.body_lengths / a.time_s / (b.body_lengths / b.time_s);
-  return std::max(ratio, 1.0 / ratio) <= walk_limits::same_speed ? WalkAgreement::alike : WalkAgreement::same_direction;
+  const double times = std::max(ratio, 1.0 / ratio);
+  if (times > walk_limits::comparable_speed) return WalkAgreement::different;
+  return times <= walk_limits::same_speed ? WalkAgreement::alike : WalkAgreement::same_direction;
 }
 
 }  // namespace menger::meshes

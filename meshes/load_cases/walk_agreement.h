@@ -18,6 +18,7 @@ enum class WalkAgreement { alike, both_go_nowhere, same_direction, different, on
 namespace walk_limits {
 inline constexpr double least_body_lengths = 0.05;  ///< a walk shorter than this goes nowhere, and has no direction
 inline constexpr double same_speed = 1.5;           ///< speeds agree if neither is more than this times the other
+inline constexpr double comparable_speed = 3.0;     ///< beyond it, walks differ in whatever direction they go
 inline constexpr double same_direction_deg = 45.0;  ///< directions agree within this angle
 }  // namespace walk_limits
 

@@ -17,6 +17,7 @@ TEST(WalkAgreement, ComparesSpeedsAndNotDistances) {
   EXPECT_EQ(compare_walks({1.0, 5.0, 0.0}, {2.0, 10.0, 0.0}), WalkAgreement::alike);
   EXPECT_EQ(compare_walks({1.0, 5.0, 0.0}, {1.6, 5.0, 0.0}), WalkAgreement::same_direction);
   EXPECT_EQ(compare_walks({1.6, 5.0, 0.0}, {1.0, 5.0, 0.0}), WalkAgreement::same_direction);
+  EXPECT_EQ(compare_walks({0.17, 5.0, 0.0}, {2.3, 5.0, 0.0}), WalkAgreement::different) << "one hops once, the other walks";
 }
 
 TEST(WalkAgreement, GivesNoDirectionToWhatGoesNowhere) {
