@@ -9,15 +9,15 @@ option(MENGER_WERROR "Treat warnings as errors" OFF)
 
 add_library(menger_warnings INTERFACE)
 # In a unity build names hide those of other sources, which means nothing.
-target_compile_options(menger_warnings INTERFACE -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
-                                                 -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
-                                                 $<$<BOOL:${MENGER_WERROR}>:-Werror>)
+set(warnings -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow> -Wconversion -Wsign-conversion
+             -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${MENGER_WERROR}>:-Werror>)
+target_compile_options(menger_warnings INTERFACE "$<$<COMPILE_LANGUAGE:C,CXX>:${warnings}>")
 
 # GCC 12 sees overlapping copies in "literal" + std::to_string(x) where there are none.
-add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-restrict>)
 
 # Results must not depend on how a compiler fuses multiplications and additions.
-add_compile_options(-ffp-contract=off)
+add_compile_options($<$<COMPILE_LANGUAGE:C,CXX>:-ffp-contract=off>)
 
 # Eigen takes another allocator where a sanitizer is on, which must not meet the one inside of Debian's Ceres; glibc aligns for both.
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SIZEOF_VOID_P EQUAL 8)

@@ -1,6 +1,6 @@
 #pragma once
 
-// One batch of blocks. Included only by the kernels of an instruction set.
+// One batch of blocks.
 
 #include "fem/thin_walls/block_law.h"
 #include "fem/thin_walls/box_modes.h"
@@ -21,7 +21,7 @@ class BlockElement {
   using Lane = T;
   using Number = NumberOf<T>;
 
-  BlockElement(const ThinWallTask<Number>& task, std::size_t batch)
+  MENGER_HOST_DEVICE BlockElement(const ThinWallTask<Number>& task, std::size_t batch)
       : task_(task),
         first_axis_((task.batches.normals[batch] + 1U) % 3U),
         nodes_(task.batches.first_components + 8 * width * batch),
@@ -31,8 +31,8 @@ class BlockElement {
     volume_ = Lanes<T>::load(shape + 3 * width);
   }
 
-  void place() {
-    u_ = gathered_modes<T>(nodes_, first_axis_, task_.motion.displacements_m);
+  MENGER_HOST_DEVICE void place() {
+    u_ = BoxMemory<T>::modes(nodes_, first_axis_, task_.motion.displacements_m);
     std::array<Vector3<T>, 3> g;
     T square(0.0);
     for (std::size_t j = 0; j < 3; ++j) {
@@ -52,18 +52,18 @@ class BlockElement {
     strains_ = strains_of(f, u_.hourglass);
   }
 
-  [[nodiscard]] T smallest_ratio() const {
+  [[nodiscard]] MENGER_HOST_DEVICE T smallest_ratio() const {
     return select(admissible_ > T(0.0), select(gradient_.ratio > T(0.0), gradient_.ratio, T(-1.0)), T(-1.0));
   }
 
   /// The square of the ratio, or -1.
-  [[nodiscard]] T smallest_square() const {
+  [[nodiscard]] MENGER_HOST_DEVICE T smallest_square() const {
     const T ratio = smallest_ratio();
     return ratio * abs(ratio);
   }
 
   template <bool is_damped, class Law>
-  void compute_forces(const Law& law, const BlockBranch<T>& branch) {
+  MENGER_HOST_DEVICE void compute_forces(const Law& law, const BlockBranch<T>& branch) {
     BlockResponse<T> response = law(gradient_);
     admissible_ = min(admissible_, response.admissible);
     BlockStrains<T> strains = strains_;
@@ -73,7 +73,7 @@ class BlockElement {
         const T modulus = T(task_.branch_modulus_Pa);
         for (std::size_t c = 0; c < 6; ++c) response.stress[c] = fma(modulus, branch.tensor[c], response.stress[c]);
         response.by_cofactor = response.by_cofactor - modulus / gradient_.ratio;
-        const T ratio = T(task_.branch_modulus_Pa / task_.shear_modulus_Pa);
+        const T ratio = T(task_.branch_ratio);
         for (std::size_t n = 0; n < 12; ++n) strains[n] = fma(ratio, strains_[n] - branch.strains[n], strains[n]);
       }
       if (task_.viscosity_Pa_s > 0.0) viscous = viscous_forces(strains);
@@ -89,15 +89,15 @@ class BlockElement {
     add_hourglass_forces(strains);
   }
 
-  void store(Number* forces) const {
+  MENGER_HOST_DEVICE void store(Number* forces) const {
     BoxModes<T> modes;
     for (std::size_t j = 0; j < 3; ++j) modes.linear[j] = scaled(c_[j] * volume_, column_forces_[j]);
     for (std::size_t a = 0; a < 4; ++a) modes.hourglass[a] = scaled(volume_, pattern_forces_[a]);
-    store_forces<false>(modes, first_axis_, forces);
+    BoxMemory<T>::template store<false>(modes, first_axis_, forces);
   }
 
   template <class Law>
-  [[nodiscard]] T energy(const Law& law, const Number* branch) {
+  [[nodiscard]] MENGER_HOST_DEVICE T energy(const Law& law, const Number* branch) {
     const BlockResponse<T> response = law(gradient_);
     admissible_ = min(admissible_, response.admissible);
     T sum = fma(T(0.5 * task_.block_stiffness_Pa) * gradient_.ratio_excess, gradient_.ratio_excess, response.energy);
@@ -107,10 +107,10 @@ class BlockElement {
     state.load(branch);
     const T change = (contraction(state.tensor) - T(3.0)) - log(determinant(state.tensor) * gradient_.ratio * gradient_.ratio);
     const T stored = fma(T(0.5) * mu_, change, quadratic_energy(difference(strains_, state.strains)));
-    return volume_ * fma(T(task_.branch_modulus_Pa / task_.shear_modulus_Pa), stored, sum);
+    return volume_ * fma(T(task_.branch_ratio), stored, sum);
   }
 
-  [[nodiscard]] BlockBranch<T> rest() const {
+  [[nodiscard]] MENGER_HOST_DEVICE BlockBranch<T> rest() const {
     const T inverse = T(1.0) / gradient_.ratio;
     std::array<Vector3<T>, 3> n;
     for (std::size_t j = 0; j < 3; ++j) n[j] = scaled(inverse, gradient_.cofactors[j]);
@@ -118,7 +118,7 @@ class BlockElement {
         true, {dot(n[0], n[0]), dot(n[1], n[1]), dot(n[2], n[2]), dot(n[1], n[2]), dot(n[0], n[2]), dot(n[0], n[1])}, strains_};
   }
 
-  BlockBranch<T> relax(Number* values) {
+  MENGER_HOST_DEVICE BlockBranch<T> relax(Number* values) {
     BlockBranch<T> before;
     before.load(values);
     const BlockBranch<T> after = before.moved_to(rest(), T(task_.share));
@@ -127,22 +127,23 @@ class BlockElement {
         (contraction(before.tensor) - contraction(after.tensor)) + log(determinant(after.tensor) / determinant(before.tensor));
     T released = fma(T(0.5) * mu_, fall, quadratic_energy(difference(strains_, before.strains)));
     released = released - quadratic_energy(difference(strains_, after.strains));
-    relaxed_ = volume_ * T(task_.branch_modulus_Pa / task_.shear_modulus_Pa) * released;
+    relaxed_ = volume_ * T(task_.branch_ratio) * released;
     return before.moved_to(after, T(0.5));
   }
 
-  void press_faces(std::size_t) {}
+  MENGER_HOST_DEVICE void press_faces(std::size_t) {}
 
-  [[nodiscard]] T volume_change() const { return T(0.0); }
-  [[nodiscard]] T dissipation() const { return dissipation_; }
-  [[nodiscard]] T relaxed() const { return relaxed_; }
+  [[nodiscard]] MENGER_HOST_DEVICE T volume_change() const { return T(0.0); }
+  [[nodiscard]] MENGER_HOST_DEVICE T dissipation() const { return dissipation_; }
+  [[nodiscard]] MENGER_HOST_DEVICE T relaxed() const { return relaxed_; }
 
  private:
   static constexpr double poisson_ratio = 0.49;
   static constexpr double youngs_modulus = 2.0 * (1.0 + poisson_ratio);                              // by mu
   static constexpr double bending = youngs_modulus / (3.0 * (1.0 - poisson_ratio * poisson_ratio));  // by mu
 
-  [[nodiscard]] BlockStrains<T> strains_of(const std::array<Vector3<T>, 3>& f, const std::array<Vector3<T>, 4>& H) const {
+  [[nodiscard]] MENGER_HOST_DEVICE BlockStrains<T> strains_of(const std::array<Vector3<T>, 3>& f,
+                                                              const std::array<Vector3<T>, 4>& H) const {
     BlockStrains<T> s;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
@@ -155,7 +156,7 @@ class BlockElement {
   }
 
   /// Moduli times strains.
-  [[nodiscard]] BlockStrains<T> hourglass_stress(const BlockStrains<T>& s) const {
+  [[nodiscard]] MENGER_HOST_DEVICE BlockStrains<T> hourglass_stress(const BlockStrains<T>& s) const {
     const T direct = T(bending) * mu_;
     const T mixed = T(bending * poisson_ratio) * mu_;
     const T shear = T(1.0 / 3.0) * mu_;
@@ -170,14 +171,14 @@ class BlockElement {
     return result;
   }
 
-  [[nodiscard]] T quadratic_energy(const BlockStrains<T>& strains) const {
+  [[nodiscard]] MENGER_HOST_DEVICE T quadratic_energy(const BlockStrains<T>& strains) const {
     const BlockStrains<T> stress = hourglass_stress(strains);
     T sum = stress[0] * strains[0];
     for (std::size_t n = 1; n < 12; ++n) sum = fma(stress[n], strains[n], sum);
     return T(0.5) * sum;
   }
 
-  void add_hourglass_forces(const BlockStrains<T>& strains) {
+  MENGER_HOST_DEVICE void add_hourglass_forces(const BlockStrains<T>& strains) {
     const BlockStrains<T> s = hourglass_stress(strains);
     const auto& f = gradient_.columns;
     const auto& H = u_.hourglass;
@@ -203,8 +204,8 @@ class BlockElement {
   }
 
   /// 2 eta dev(d) F^-T, d = sym(dF/dt F^-1), by columns; adds the rates of the hourglass strains.
-  std::array<Vector3<T>, 3> viscous_forces(BlockStrains<T>& strains) {
-    const BoxModes<T> v = gathered_modes<T>(nodes_, first_axis_, task_.motion.velocities_m_per_s);
+  MENGER_HOST_DEVICE std::array<Vector3<T>, 3> viscous_forces(BlockStrains<T>& strains) {
+    const BoxModes<T> v = BoxMemory<T>::modes(nodes_, first_axis_, task_.motion.velocities_m_per_s);
     std::array<Vector3<T>, 3> rate;
     for (std::size_t j = 0; j < 3; ++j) rate[j] = scaled(c_[j], v.linear[j]);
     const T inverse = T(1.0) / gradient_.ratio;
@@ -224,7 +225,7 @@ class BlockElement {
     const T power = T(2.0 * task_.viscosity_Pa_s) * (dot(d[0], d[0]) + dot(d[1], d[1]) + dot(d[2], d[2]));
     BlockStrains<T> rates = strains_of(gradient_.columns, v.hourglass);
     const BlockStrains<T> turning = strains_of(rate, u_.hourglass);
-    const T time = T(task_.viscosity_Pa_s / task_.shear_modulus_Pa);
+    const T time = T(task_.viscous_time_s);
     for (std::size_t k = 0; k < 12; ++k) {
       rates[k] = rates[k] + turning[k];
       strains[k] = fma(time, rates[k], strains[k]);
@@ -234,14 +235,14 @@ class BlockElement {
   }
 
   /// A : C
-  [[nodiscard]] T contraction(const std::array<T, 6>& A) const {
+  [[nodiscard]] MENGER_HOST_DEVICE T contraction(const std::array<T, 6>& A) const {
     const auto& f = gradient_.columns;
     const T diagonal = fma(A[0], dot(f[0], f[0]), fma(A[1], dot(f[1], f[1]), A[2] * dot(f[2], f[2])));
     const T off = fma(A[3], dot(f[1], f[2]), fma(A[4], dot(f[0], f[2]), A[5] * dot(f[0], f[1])));
     return fma(T(2.0), off, diagonal);
   }
 
-  static T determinant(const std::array<T, 6>& A) {
+  MENGER_HOST_DEVICE static T determinant(const std::array<T, 6>& A) {
     const T first = fms(A[1], A[2], A[3] * A[3]);
     const T second = fms(A[3], A[4], A[5] * A[2]);
     const T third = fms(A[5], A[3], A[1] * A[4]);

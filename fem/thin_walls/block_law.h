@@ -1,12 +1,12 @@
 #pragma once
 
-// Energy of a block at its centre, for every law. Included only by the kernels of an instruction set.
+// Energy of a block at its centre, for every law.
 
 #include <array>
 #include <cstddef>
 #include <variant>
 
-#include "fem/thin_walls/lane_pack.h"
+#include "fem/thin_walls/lane_number.h"
 #include "materials/laws/hyperelastic_law.h"
 #include "materials/laws/ogden_response.h"
 
@@ -33,7 +33,7 @@ struct BlockResponse {
 
 /// I1 - 3 - 2 ln J, the sum of l^2 - 1 - ln l^2 over the principal stretches l: 0 at rest, positive elsewhere.
 template <class T>
-T first_block_excess(const BlockGradient<T>& F) {
+MENGER_HOST_DEVICE T first_block_excess(const BlockGradient<T>& F) {
   return fma(T(2.0), materials::log_remainder<T>(F.ratio_excess), F.square_excess);
 }
 
@@ -43,7 +43,7 @@ T first_block_excess(const BlockGradient<T>& F) {
 /// cube root, and the logarithm keeps a block from being crushed. The law of volume, lambda/2 (J - 1)^2, is added to it by the
 /// element. A neo-Hookean block has mu/2 (I1 - 3) - mu ln J.
 template <class T>
-BlockResponse<T> block_answer(const materials::NeoHookean& law, const BlockGradient<T>& F) {
+MENGER_HOST_DEVICE BlockResponse<T> block_answer(const materials::NeoHookean& law, const BlockGradient<T>& F) {
   const T mu = T(law.shear_modulus_Pa);
   const T zero = T(0.0);
   return {{mu, mu, mu, zero, zero, zero}, -(mu / F.ratio), T(0.5) * mu * first_block_excess(F), T(1.0)};
@@ -51,7 +51,7 @@ BlockResponse<T> block_answer(const materials::NeoHookean& law, const BlockGradi
 
 /// P = 2 W1 (F - F^-T) + W2 (2 (I1 F - F C) - 4 F^-T - 4 (J - 1) cof F).
 template <materials::InvariantLaw Law, class T>
-BlockResponse<T> block_answer(const Law& law, const BlockGradient<T>& F) {
+MENGER_HOST_DEVICE BlockResponse<T> block_answer(const Law& law, const BlockGradient<T>& F) {
   const T y1 = first_block_excess(F);
   const auto& f = F.columns;
   T y2(0.0);
@@ -81,7 +81,7 @@ BlockResponse<T> block_answer(const Law& law, const BlockGradient<T>& F) {
 
 /// Ogden's law for a body that can change its volume: sum mu_p/alpha_p (l1^alpha + l2^alpha + l3^alpha - 3 - alpha ln J).
 template <std::size_t n, class T>
-BlockResponse<T> block_answer(const materials::Ogden<n>& law, const BlockGradient<T>& F) {
+MENGER_HOST_DEVICE BlockResponse<T> block_answer(const materials::Ogden<n>& law, const BlockGradient<T>& F) {
   const auto& f = F.columns;
   const T C12 = dot(f[0], f[1]);
   const T C13 = dot(f[0], f[2]);
@@ -119,7 +119,7 @@ template <class T>
 using BlockFunction = void (*)(const void* law, const BlockGradient<T>& F, BlockResponse<T>& response);
 
 template <class Law, class T>
-void answer_block(const void* law, const BlockGradient<T>& F, BlockResponse<T>& response) {
+MENGER_HOST_DEVICE void answer_block(const void* law, const BlockGradient<T>& F, BlockResponse<T>& response) {
   response = block_answer(*static_cast<const Law*>(law), F);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Boxes as sums of eight patterns, for packs. Included only by the kernels of an instruction set.
+// Boxes as sums of eight patterns, for packs.
 
 #include <array>
 #include <cstddef>
@@ -27,7 +27,7 @@ struct BoxModes {
 
 /// The signed sums of component i.
 template <class T>
-void set_modes(const CornerValues<T>& u, std::size_t i, BoxModes<T>& modes) {
+MENGER_HOST_DEVICE void set_modes(const CornerValues<T>& u, std::size_t i, BoxModes<T>& modes) {
   std::array<T, 4> sums;  // over xi, by eta and zeta
   std::array<T, 4> differences;
   for (std::size_t n = 0; n < 4; ++n) {
@@ -57,7 +57,7 @@ void set_modes(const CornerValues<T>& u, std::size_t i, BoxModes<T>& modes) {
 /// The transpose: what work on the patterns is as forces on the corners.
 /// @tparam has_resultant false: without the constant pattern
 template <bool has_resultant, class T>
-void add_up(const BoxModes<T>& modes, std::size_t i, CornerValues<T>& forces) {
+MENGER_HOST_DEVICE void add_up(const BoxModes<T>& modes, std::size_t i, CornerValues<T>& forces) {
   const T& along = modes.linear[2][i];
   for (std::size_t k = 0; k < 2; ++k) {
     const auto with = [&](const T& value, const T& change) { return k == 0 ? value - change : value + change; };
@@ -79,27 +79,31 @@ void add_up(const BoxModes<T>& modes, std::size_t i, CornerValues<T>& forces) {
   }
 }
 
-/// Gathers nodal values into lanes. @param first_components of each lane's corners @param first_axis the component that is to
-/// come first; the others follow in a circle
+/// How the corners of boxes lie in memory, for lanes that are numbers or registers.
 template <class T>
-BoxModes<T> gathered_modes(const std::uint32_t* first_components, std::size_t first_axis, const NumberOf<T>* values) {
-  std::array<CornerValues<T>, 3> u;
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    const Vector3<T> value = CornerGather<T>::gather(first_components + corner, values);
-    for (std::size_t i = 0; i < 3; ++i) u[i][corner] = value[i];
+struct BoxMemory {
+  /// Gathers nodal values into lanes. @param first_components of each lane's corners @param first_axis the component that is to
+  /// come first; the others follow in a circle
+  MENGER_HOST_DEVICE static BoxModes<T> modes(const std::uint32_t* first_components, std::size_t first_axis,
+                                              const NumberOf<T>* values) {
+    std::array<CornerValues<T>, 3> u;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      const Vector3<T> value = CornerGather<T>::gather(first_components + corner, values);
+      for (std::size_t i = 0; i < 3; ++i) u[i][corner] = value[i];
+    }
+    BoxModes<T> modes;
+    for (std::size_t local = 0; local < 3; ++local) set_modes(u[(first_axis + local) % 3], local, modes);
+    return modes;
   }
-  BoxModes<T> modes;
-  for (std::size_t local = 0; local < 3; ++local) set_modes(u[(first_axis + local) % 3], local, modes);
-  return modes;
-}
 
-/// Writes the forces of a batch to their slots, see ThinWallKernels::forces.
-template <bool has_resultant, class T>
-void store_forces(const BoxModes<T>& modes, std::size_t first_axis, NumberOf<T>* slots) {
-  std::array<CornerValues<T>, 3> f;
-  for (std::size_t local = 0; local < 3; ++local) add_up<has_resultant>(modes, local, f[(first_axis + local) % 3]);
-  for (std::size_t corner = 0; corner < 8; ++corner)
-    CornerScatter<T>::scatter({f[0][corner], f[1][corner], f[2][corner]}, slots + 4 * Lanes<T>::count * corner);
-}
+  /// Writes the forces of a batch to their slots, see ThinWallKernels::forces.
+  template <bool has_resultant>
+  MENGER_HOST_DEVICE static void store(const BoxModes<T>& modes, std::size_t first_axis, NumberOf<T>* slots) {
+    std::array<CornerValues<T>, 3> f;
+    for (std::size_t local = 0; local < 3; ++local) add_up<has_resultant>(modes, local, f[(first_axis + local) % 3]);
+    for (std::size_t corner = 0; corner < 8; ++corner)
+      CornerScatter<T>::scatter({f[0][corner], f[1][corner], f[2][corner]}, slots + 4 * Lanes<T>::count * corner);
+  }
+};
 
 }  // namespace menger::fem::detail

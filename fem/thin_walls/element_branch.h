@@ -1,16 +1,16 @@
 #pragma once
 
-// Maxwell branches of walls and blocks, for packs. Included only by the kernels of an instruction set.
+// Maxwell branches of walls and blocks.
 
 #include <array>
 #include <cstddef>
 
-#include "fem/thin_walls/lane_pack.h"
+#include "fem/thin_walls/lane_number.h"
 
 namespace menger::fem::detail {
 
 template <class T, std::size_t n>
-std::array<T, n> difference(const std::array<T, n>& a, const std::array<T, n>& b) {
+MENGER_HOST_DEVICE std::array<T, n> difference(const std::array<T, n>& a, const std::array<T, n>& b) {
   std::array<T, n> result;
   for (std::size_t i = 0; i < n; ++i) result[i] = a[i] - b[i];
   return result;
@@ -18,19 +18,19 @@ std::array<T, n> difference(const std::array<T, n>& a, const std::array<T, n>& b
 
 /// a + share (b - a)
 template <class T, std::size_t n>
-std::array<T, n> between(const std::array<T, n>& a, const std::array<T, n>& b, const T& share) {
+MENGER_HOST_DEVICE std::array<T, n> between(const std::array<T, n>& a, const std::array<T, n>& b, const T& share) {
   std::array<T, n> result;
   for (std::size_t i = 0; i < n; ++i) result[i] = fma(share, b[i] - a[i], a[i]);
   return result;
 }
 
 template <class T, std::size_t n>
-void load_numbers(const NumberOf<T>* numbers, std::array<T, n>& values) {
+MENGER_HOST_DEVICE void load_numbers(const NumberOf<T>* numbers, std::array<T, n>& values) {
   for (std::size_t i = 0; i < n; ++i) values[i] = Lanes<T>::load(numbers + i * Lanes<T>::count);
 }
 
 template <class T, std::size_t n>
-void store_numbers(const std::array<T, n>& values, NumberOf<T>* numbers) {
+MENGER_HOST_DEVICE void store_numbers(const std::array<T, n>& values, NumberOf<T>* numbers) {
   for (std::size_t i = 0; i < n; ++i) Lanes<T>::store(values[i], numbers + i * Lanes<T>::count);
 }
 
@@ -42,21 +42,21 @@ struct WallBranch {
   std::array<T, 2> shears;
   std::array<T, 9> strains;
 
-  void load(const NumberOf<T>* numbers) {
+  MENGER_HOST_DEVICE void load(const NumberOf<T>* numbers) {
     constexpr std::size_t width = Lanes<T>::count;
     load_numbers(numbers, tensors[0]);
     load_numbers(numbers + 4 * width, tensors[1]);
     load_numbers(numbers + 8 * width, shears);
     load_numbers(numbers + 10 * width, strains);
   }
-  void store(NumberOf<T>* numbers) const {
+  MENGER_HOST_DEVICE void store(NumberOf<T>* numbers) const {
     constexpr std::size_t width = Lanes<T>::count;
     store_numbers(tensors[0], numbers);
     store_numbers(tensors[1], numbers + 4 * width);
     store_numbers(shears, numbers + 8 * width);
     store_numbers(strains, numbers + 10 * width);
   }
-  [[nodiscard]] WallBranch moved_to(const WallBranch& other, const T& share) const {
+  [[nodiscard]] MENGER_HOST_DEVICE WallBranch moved_to(const WallBranch& other, const T& share) const {
     return {true,
             {between(tensors[0], other.tensors[0], share), between(tensors[1], other.tensors[1], share)},
             between(shears, other.shears, share),
@@ -71,15 +71,15 @@ struct BlockBranch {
   std::array<T, 6> tensor;  ///< A: 11, 22, 33, 23, 13, 12
   std::array<T, 12> strains;
 
-  void load(const NumberOf<T>* numbers) {
+  MENGER_HOST_DEVICE void load(const NumberOf<T>* numbers) {
     load_numbers(numbers, tensor);
     load_numbers(numbers + 6 * Lanes<T>::count, strains);
   }
-  void store(NumberOf<T>* numbers) const {
+  MENGER_HOST_DEVICE void store(NumberOf<T>* numbers) const {
     store_numbers(tensor, numbers);
     store_numbers(strains, numbers + 6 * Lanes<T>::count);
   }
-  [[nodiscard]] BlockBranch moved_to(const BlockBranch& other, const T& share) const {
+  [[nodiscard]] MENGER_HOST_DEVICE BlockBranch moved_to(const BlockBranch& other, const T& share) const {
     return {true, between(tensor, other.tensor, share), between(strains, other.strains, share)};
   }
 };

@@ -1,13 +1,13 @@
 #pragma once
 
-// Energy of a thin layer that is free of stress across itself, for every law. Included only by the kernels of an instruction set.
+// Energy of a thin layer that is free of stress across itself, for every law.
 
 #include <array>
 #include <cstddef>
 #include <type_traits>
 #include <variant>
 
-#include "fem/thin_walls/lane_pack.h"
+#include "fem/thin_walls/lane_number.h"
 #include "materials/laws/hyperelastic_law.h"
 #include "materials/laws/ogden_response.h"
 
@@ -25,7 +25,7 @@ struct PlaneMetric {
 };
 
 template <class T>
-PlaneMetric<T> plane_metric(const T& a_excess, const T& b_excess, const T& c) {
+MENGER_HOST_DEVICE PlaneMetric<T> plane_metric(const T& a_excess, const T& b_excess, const T& c) {
   const T area_excess = (a_excess + b_excess) + fms(a_excess, b_excess, c * c);
   return {a_excess, b_excess, c, area_excess, T(1.0) / (T(1.0) + area_excess)};
 }
@@ -50,7 +50,8 @@ struct MembraneResponse {
 /// order in mu / kappa: mu/2 (a + b + 1/d - 3) - mu^2 Q^2 / (2 kappa) with Q = 2/(3 d) - (a + b)/3. It has no lower bound where
 /// the area ratio falls below 0.13.
 template <class T>
-MembraneResponse<T> membrane_answer(const materials::NeoHookean& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
+MENGER_HOST_DEVICE MembraneResponse<T> membrane_answer(const materials::NeoHookean& law, double bulk_modulus_Pa,
+                                                       const PlaneMetric<T>& m) {
   const T mu = T(law.shear_modulus_Pa);
   const T sum = m.a_excess + m.b_excess;
   const T d = T(1.0) + m.area_excess;
@@ -81,7 +82,7 @@ inline constexpr double last_newton_step = std::is_same_v<NumberOf<T>, float> ? 
 /// depend on its neighbours. @param derivatives of (x, slope, curvature): of the energy by x @return 1 where it has arrived, else
 /// -1
 template <class T, class Derivatives>
-T minimise(T& x, const Derivatives& derivatives) {
+MENGER_HOST_DEVICE T minimise(T& x, const Derivatives& derivatives) {
   constexpr int most_steps = 30;
   constexpr double longest_step = 0.1;
   T active(1.0);
@@ -103,7 +104,7 @@ T minimise(T& x, const Derivatives& derivatives) {
 /// was found, because the energy does not change with s there. Bounded also where a law stiffens, as the first order in mu /
 /// kappa is not.
 template <materials::InvariantLaw Law, class T>
-MembraneResponse<T> membrane_answer(const Law& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
+MENGER_HOST_DEVICE MembraneResponse<T> membrane_answer(const Law& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
   const T sum = m.a_excess + m.b_excess;
   const T A = T(2.0) + sum;
   const T B = m.inverse;
@@ -180,7 +181,8 @@ MembraneResponse<T> membrane_answer(const Law& law, double bulk_modulus_Pa, cons
 
 /// A layer of Ogden's law, in its principal stretches; the stretch across it is solved for as above, by t = ln(J)/3.
 template <std::size_t n, class T>
-MembraneResponse<T> membrane_answer(const materials::Ogden<n>& law, double bulk_modulus_Pa, const PlaneMetric<T>& m) {
+MENGER_HOST_DEVICE MembraneResponse<T> membrane_answer(const materials::Ogden<n>& law, double bulk_modulus_Pa,
+                                                       const PlaneMetric<T>& m) {
   const T half_difference = T(0.5) * (m.a_excess - m.b_excess);
   const T radius = sqrt(fma(half_difference, half_difference, m.c * m.c));
   const T v1 = T(1.0) + fma(T(0.5), m.a_excess + m.b_excess, radius);  // the larger eigenvalue of the metric
@@ -247,7 +249,8 @@ using MembraneFunction = void (*)(const void* law, double bulk_modulus_Pa, const
                                   MembraneResponse<T>& response);
 
 template <class Law, class T>
-void answer_membrane(const void* law, double bulk_modulus_Pa, const PlaneMetric<T>& metric, MembraneResponse<T>& response) {
+MENGER_HOST_DEVICE void answer_membrane(const void* law, double bulk_modulus_Pa, const PlaneMetric<T>& metric,
+                                        MembraneResponse<T>& response) {
   response = membrane_answer(*static_cast<const Law*>(law), bulk_modulus_Pa, metric);
 }
 

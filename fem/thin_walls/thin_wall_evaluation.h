@@ -6,31 +6,11 @@
 #include <cmath>
 #include <type_traits>
 
-#include "fem/thin_walls/block_element.h"
-#include "fem/thin_walls/wall_element.h"
+#include "fem/thin_walls/element_forces.h"
+#include "fem/thin_walls/pack_gather.h"
+#include "fem/thin_walls/pack_scatter.h"
 
 namespace menger::fem::detail {
-
-/// A law of one type, inside of the element's code.
-template <class Law>
-class InlineLaw {
- public:
-  template <class Number>
-  explicit InlineLaw(const ThinWallTask<Number>& task)
-      : law_(*static_cast<const Law*>(task.law.parameters)), bulk_modulus_Pa_(task.bulk_modulus_Pa) {}
-  template <class T>
-  MembraneResponse<T> operator()(const PlaneMetric<T>& metric) const {
-    return membrane_answer(law_, bulk_modulus_Pa_, metric);
-  }
-  template <class T>
-  BlockResponse<T> operator()(const BlockGradient<T>& F) const {
-    return block_answer(law_, F);
-  }
-
- private:
-  Law law_;
-  double bulk_modulus_Pa_;
-};
 
 /// Any law, through a function.
 template <class T>
@@ -55,16 +35,6 @@ class AnyLaw {
   double bulk_modulus_Pa_;
 };
 
-template <class Element>
-using BranchOf = std::conditional_t<Element::kind == ThinWallElement::wall, WallBranch<typename Element::Lane>,
-                                    BlockBranch<typename Element::Lane>>;
-
-/// Numbers of one batch's branches, if there are any.
-template <class Element, class Number>
-Number* branch_of(Number* numbers, std::size_t batch) {
-  return numbers == nullptr ? nullptr : numbers + thin_wall_branch_numbers(Element::kind) * Element::width * batch;
-}
-
 // Sanitizers would make of one function so large what takes minutes to compile.
 #ifdef __SANITIZE_ADDRESS__
 #define MENGER_ALL_IN_ONE
@@ -83,17 +53,7 @@ MENGER_ALL_IN_ONE ThinWallOutcome thin_wall_forces_with(const ThinWallTask<typen
   LaneSums<T> relaxed;
   for (std::size_t batch = 0; batch < task.batches.count; ++batch) {
     Element elements(task, batch);
-    elements.place();
-    BranchOf<Element> branch;
-    if constexpr (is_damped) {
-      branch.is_there = task.branch != nullptr;
-      if (task.relaxing != nullptr) {
-        branch = elements.relax(branch_of<Element>(task.relaxing, batch));
-      } else if (branch.is_there) {
-        branch.load(branch_of<Element>(task.branch, batch));
-      }
-    }
-    elements.template compute_forces<is_damped>(law, branch);
+    compute_element_forces<is_damped>(task, batch, law, elements);
     if (task.batches.pressed_faces != nullptr) elements.press_faces(batch);
     elements.store(slots_N + slot_numbers_per_lane * Element::width * batch);
     smallest = min(smallest, elements.smallest_square());

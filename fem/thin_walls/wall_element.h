@@ -1,6 +1,6 @@
 #pragma once
 
-// One batch of walls. Included only by the kernels of an instruction set.
+// One batch of walls.
 
 #include "fem/thin_walls/box_modes.h"
 #include "fem/thin_walls/element_branch.h"
@@ -31,7 +31,7 @@ class WallElement {
   using Lane = T;
   using Number = NumberOf<T>;
 
-  WallElement(const ThinWallTask<Number>& task, std::size_t batch)
+  MENGER_HOST_DEVICE WallElement(const ThinWallTask<Number>& task, std::size_t batch)
       : task_(task),
         first_axis_((task.batches.normals[batch] + 1U) % 3U),
         nodes_(task.batches.first_components + 8 * width * batch),
@@ -43,7 +43,7 @@ class WallElement {
     if (task.batches.mean_pressures_Pa != nullptr) pressure_ = T(task.batches.mean_pressures_Pa[batch]);
   }
 
-  void place() {
+  MENGER_HOST_DEVICE void place() {
     u_ = field(task_.motion.displacements_m);
     for (std::size_t j = 0; j < 3; ++j) {
       f_[j] = u_.g[j];
@@ -61,13 +61,13 @@ class WallElement {
   }
 
   /// The smallest of J and of both area ratios; what is not a number counts as -1.
-  [[nodiscard]] T smallest_ratio() const {
+  [[nodiscard]] MENGER_HOST_DEVICE T smallest_ratio() const {
     const T square = smallest_square();
     return select(square > T(0.0), sqrt(max(square, T(0.0))), T(-1.0));
   }
 
   /// The square of the smallest ratio, or -1.
-  [[nodiscard]] T smallest_square() const {
+  [[nodiscard]] MENGER_HOST_DEVICE T smallest_square() const {
     const T d = T(1.0) + min(points_[0].area_excess, points_[1].area_excess);
     const T ratio = T(1.0) + ratio_excess_;
     const T square = select(d > T(0.0), min(d, ratio * abs(ratio)), T(-1.0));  // min hides a d that is not a number
@@ -76,7 +76,7 @@ class WallElement {
 
   /// @tparam Law a law, called with a metric @tparam is_damped whether there is a branch or a viscosity
   template <bool is_damped, class Law>
-  void compute_forces(const Law& law, const WallBranch<T>& branch) {
+  MENGER_HOST_DEVICE void compute_forces(const Law& law, const WallBranch<T>& branch) {
     std::array<PlaneStress<T>, 2> stresses;
     for (std::size_t z = 0; z < 2; ++z) {
       const MembraneResponse<T> response = law(points_[z]);
@@ -102,58 +102,65 @@ class WallElement {
     add_hourglass_forces(strains);
   }
 
-  void store(Number* forces) const {
+  MENGER_HOST_DEVICE void store(Number* forces) const {
     BoxModes<T> modes;
     modes.constant = scaled(volume_, face_forces_[2]);
     for (std::size_t j = 0; j < 3; ++j) modes.linear[j] = scaled(c_[j] * volume_, column_forces_[j]);
     for (std::size_t j = 0; j < 2; ++j) add(modes.linear[j], volume_, face_forces_[j]);
     for (std::size_t a = 0; a < 4; ++a) modes.hourglass[a] = scaled(volume_, pattern_forces_[a]);
-    store_forces<true>(modes, first_axis_, forces);
+    BoxMemory<T>::template store<true>(modes, first_axis_, forces);
   }
 
+  /// Sets the mean of the pressures on both faces, Pa; before the forces are computed.
+  MENGER_HOST_DEVICE void set_mean_pressure(const T& pressure_Pa) { pressure_ = pressure_Pa; }
+
   /// Adds the pressures on the faces to the forces, which must have been computed, and finds what volume the faces have swept.
-  ///
-  /// See FacePressureKernels. On the face at zeta = side the tangents in the middle are A = l1/2 (f1 + side q1) and C = l2/2 (f2
-  /// + side q2), and the twist is (H3 + side H4)/8. With 1/c_i = 4 l_i and l1 l2 / 4 = V c3, A x C = V c3 f1' x f2', and A x k =
-  /// V c2 c3 f1' x h. Half of a force on the face belongs to the patterns that are constant across the wall.
-  void press_faces(std::size_t batch) {
+  MENGER_HOST_DEVICE void press_faces(std::size_t batch) {
     const std::size_t count = task_.batches.pressed_faces[batch];
-    const T to_second = c_[1] * c_[2];
-    const T to_first = c_[0] * c_[2];
     for (std::size_t face = 0; face < count; ++face) {
       T side = Lanes<T>::load(task_.batches.sides + width * batch);
       if (face == 1) side = -side;
-      const T pressure = T(task_.batches.face_pressures_Pa[2 * batch + face]);
-      Vector3<T> g1 = u_.g[0];
-      Vector3<T> g2 = u_.g[1];
-      Vector3<T> h = u_.H[2];
-      add(g1, side, u_.q1);
-      add(g2, side, u_.q2);
-      add(h, side, u_.H[3]);
-      Vector3<T> f1 = g1;
-      Vector3<T> f2 = g2;
-      f1[0] = f1[0] + T(1.0);
-      f2[1] = f2[1] + T(1.0);
-      const Vector3<T> total = scaled(T(0.5) * pressure, cross(f1, f2));
-      const Vector3<T> along_first = scaled(T(1.0 / 6.0) * pressure * to_second, cross(f1, h));
-      const Vector3<T> along_second = scaled(T(1.0 / 6.0) * pressure * to_first, cross(h, f2));
-      add(column_forces_[2], T(1.0), total);
-      add(face_forces_[2], side * c_[2], total);
-      add(pattern_forces_[1], T(1.0), along_first);
-      add(face_forces_[0], side, along_first);
-      add(pattern_forces_[0], T(1.0), along_second);
-      add(face_forces_[1], side, along_second);
-      if (task_.batches.face_volumes_m3 != nullptr) {
-        LaneSums<T> change;
-        change.add(-(side * swept_volume(side, g1, g2, h)));
-        task_.batches.face_volumes_m3[2 * batch + face] = change.total();
-      }
+      const T swept = press_face(side, T(task_.batches.face_pressures_Pa[2 * batch + face]));
+      if (task_.batches.face_volumes_m3 == nullptr) continue;
+      LaneSums<T> change;
+      change.add(swept);
+      task_.batches.face_volumes_m3[2 * batch + face] = change.total();
     }
+  }
+
+  /// Adds the pressure on the face at zeta = side. See FacePressureKernels. The tangents in its middle are A = l1/2 (f1 + side
+  /// q1) and C = l2/2 (f2 + side q2), and the twist is (H3 + side H4)/8. With 1/c_i = 4 l_i and l1 l2 / 4 = V c3, A x C = V c3
+  /// f1' x f2', and A x k = V c2 c3 f1' x h. Half of a force on the face belongs to the patterns that are constant across the
+  /// wall.
+  /// @return the change of volume behind the face, m^3
+  MENGER_HOST_DEVICE T press_face(const T& side, const T& pressure) {
+    const T to_second = c_[1] * c_[2];
+    const T to_first = c_[0] * c_[2];
+    Vector3<T> g1 = u_.g[0];
+    Vector3<T> g2 = u_.g[1];
+    Vector3<T> h = u_.H[2];
+    add(g1, side, u_.q1);
+    add(g2, side, u_.q2);
+    add(h, side, u_.H[3]);
+    Vector3<T> f1 = g1;
+    Vector3<T> f2 = g2;
+    f1[0] = f1[0] + T(1.0);
+    f2[1] = f2[1] + T(1.0);
+    const Vector3<T> total = scaled(T(0.5) * pressure, cross(f1, f2));
+    const Vector3<T> along_first = scaled(T(1.0 / 6.0) * pressure * to_second, cross(f1, h));
+    const Vector3<T> along_second = scaled(T(1.0 / 6.0) * pressure * to_first, cross(h, f2));
+    add(column_forces_[2], T(1.0), total);
+    add(face_forces_[2], side * c_[2], total);
+    add(pattern_forces_[1], T(1.0), along_first);
+    add(face_forces_[0], side, along_first);
+    add(pattern_forces_[0], T(1.0), along_second);
+    add(face_forces_[1], side, along_second);
+    return -(side * swept_volume(side, g1, g2, h));
   }
 
   /// Energy in J. @param branch nullptr: without one
   template <class Law>
-  [[nodiscard]] T energy(const Law& law, const Number* branch) {
+  [[nodiscard]] MENGER_HOST_DEVICE T energy(const Law& law, const Number* branch) {
     T sum(0.0);
     for (const PlaneMetric<T>& point : points_) {
       const MembraneResponse<T> response = law(point);
@@ -171,11 +178,11 @@ class WallElement {
       stored = fma(T(0.25) * mu_, change, stored);  // m/2 of half the volume, below
     }
     stored = stored + quadratic_energy(difference(shears_, state.shears), difference(strains_, state.strains));
-    return volume_ * fma(T(task_.branch_modulus_Pa / task_.shear_modulus_Pa), stored, sum);
+    return volume_ * fma(T(task_.branch_ratio), stored, sum);
   }
 
   /// Where the branch would be at rest.
-  [[nodiscard]] WallBranch<T> rest() const {
+  [[nodiscard]] MENGER_HOST_DEVICE WallBranch<T> rest() const {
     WallBranch<T> rest;
     for (std::size_t z = 0; z < 2; ++z) {
       const PlaneMetric<T>& m = points_[z];
@@ -188,7 +195,7 @@ class WallElement {
   }
 
   /// Lets the branch go a share of the way to rest. @param values of the branch, changed @return the mean of before and after
-  WallBranch<T> relax(Number* values) {
+  MENGER_HOST_DEVICE WallBranch<T> relax(Number* values) {
     const T share = T(task_.share);
     WallBranch<T> before;
     before.load(values);
@@ -201,19 +208,20 @@ class WallElement {
     }
     released = released + quadratic_energy(difference(shears_, before.shears), difference(strains_, before.strains));
     released = released - quadratic_energy(difference(shears_, after.shears), difference(strains_, after.strains));
-    relaxed_ = volume_ * T(task_.branch_modulus_Pa / task_.shear_modulus_Pa) * released;
+    relaxed_ = volume_ * T(task_.branch_ratio) * released;
     return before.moved_to(after, T(0.5));
   }
 
-  [[nodiscard]] T dissipation() const { return dissipation_; }
-  [[nodiscard]] T volume_change() const { return volume_ * ratio_excess_; }
-  [[nodiscard]] T relaxed() const { return relaxed_; }
+  [[nodiscard]] MENGER_HOST_DEVICE T dissipation() const { return dissipation_; }
+  [[nodiscard]] MENGER_HOST_DEVICE T volume_change() const { return volume_ * ratio_excess_; }
+  [[nodiscard]] MENGER_HOST_DEVICE T relaxed() const { return relaxed_; }
 
  private:
   /// The volume that a face has swept along the third axis, see swept_volume of the kernels of faces: with the displacement m of
   /// its middle, the changes g of its columns and the twist h/8 it is 4 V c3 m . (e3 + (e1 x g2 + g1 x e2)/2 + g1 x g2/3) + 2/3
   /// (A0^2 g1 . (e1 x h)/8 + C0^2 g2 . (h x e2)/8).
-  [[nodiscard]] T swept_volume(const T& side, const Vector3<T>& g1, const Vector3<T>& g2, const Vector3<T>& h) const {
+  [[nodiscard]] MENGER_HOST_DEVICE T swept_volume(const T& side, const Vector3<T>& g1, const Vector3<T>& g2,
+                                                  const Vector3<T>& h) const {
     Vector3<T> middle = scaled(c_[2], u_.sum);  // times 8 c3
     add(middle, side, u_.g[2]);
     const T third = T(1.0 / 3.0);
@@ -229,8 +237,8 @@ class WallElement {
 
   static constexpr double gauss_point = 0.57735026918962576451;  // 1/sqrt(3)
 
-  [[nodiscard]] WallField<T> field(const Number* nodal) const {
-    const BoxModes<T> modes = gathered_modes<T>(nodes_, first_axis_, nodal);
+  [[nodiscard]] MENGER_HOST_DEVICE WallField<T> field(const Number* nodal) const {
+    const BoxModes<T> modes = BoxMemory<T>::modes(nodes_, first_axis_, nodal);
     WallField<T> result;
     result.sum = modes.constant;
     for (std::size_t j = 0; j < 3; ++j) result.g[j] = scaled(c_[j], modes.linear[j]);
@@ -241,7 +249,7 @@ class WallElement {
   }
 
   /// The metric at the centre and at zeta = -+1/sqrt(3), where it is that of the centre and parts linear and quadratic in zeta.
-  void set_metrics() {
+  MENGER_HOST_DEVICE void set_metrics() {
     const auto& g = u_.g;
     const T a = fma(T(2.0), g[0][0], dot(g[0], g[0]));
     const T b = fma(T(2.0), g[1][1], dot(g[1], g[1]));
@@ -258,7 +266,8 @@ class WallElement {
     points_[1] = plane_metric(a2 + a1, b2 + b1, c2 + c1);
   }
 
-  [[nodiscard]] WallStrains<T> strains_of(const std::array<Vector3<T>, 3>& f, const std::array<Vector3<T>, 4>& H) const {
+  [[nodiscard]] MENGER_HOST_DEVICE WallStrains<T> strains_of(const std::array<Vector3<T>, 3>& f,
+                                                             const std::array<Vector3<T>, 4>& H) const {
     return {c_[0] * dot(f[0], H[2]),
             c_[1] * dot(f[1], H[2]),
             fma(c_[2], dot(f[0], H[0]), c_[0] * dot(f[2], H[2])),
@@ -271,7 +280,7 @@ class WallElement {
   }
 
   /// What each hourglass strain is multiplied by to give its stress.
-  [[nodiscard]] WallStrains<T> hourglass_moduli() const {
+  [[nodiscard]] MENGER_HOST_DEVICE WallStrains<T> hourglass_moduli() const {
     const T shear = T(shear_factor / 3.0) * mu_;
     const T across = T(4.0 / 3.0) * mu_;
     const T twist = T(1.0 / 3.0) * mu_;
@@ -280,14 +289,14 @@ class WallElement {
   }
 
   /// C^-1 x with the metric of the centre.
-  [[nodiscard]] std::array<T, 2> raised(const std::array<T, 2>& x) const {
+  [[nodiscard]] MENGER_HOST_DEVICE std::array<T, 2> raised(const std::array<T, 2>& x) const {
     const T a = T(1.0) + centre_.a_excess;
     const T b = T(1.0) + centre_.b_excess;
     return {centre_.inverse * fms(b, x[0], centre_.c * x[1]), centre_.inverse * fms(a, x[1], centre_.c * x[0])};
   }
 
   /// Adds the stress of modulus/2 p.C^-1.p: a force along f3 for each shear, and what C's change does.
-  void add_shear(const T& modulus, const std::array<T, 2>& shears, PlaneStress<T>& stress) {
+  MENGER_HOST_DEVICE void add_shear(const T& modulus, const std::array<T, 2>& shears, PlaneStress<T>& stress) {
     const std::array<T, 2> y = raised(shears);
     for (std::size_t i = 0; i < 2; ++i) shear_forces_[i] = fma(modulus * roots_[i], y[i], shear_forces_[i]);
     stress.s11 = fnma(modulus * y[0], y[0], stress.s11);
@@ -295,7 +304,8 @@ class WallElement {
     stress.s12 = fnma(modulus * y[0], y[1], stress.s12);
   }
 
-  void add_branch(const WallBranch<T>& branch, std::array<PlaneStress<T>, 2>& stresses, WallStrains<T>& strains) {
+  MENGER_HOST_DEVICE void add_branch(const WallBranch<T>& branch, std::array<PlaneStress<T>, 2>& stresses,
+                                     WallStrains<T>& strains) {
     const T modulus = T(task_.branch_modulus_Pa);
     for (std::size_t z = 0; z < 2; ++z) {
       const PlaneMetric<T>& m = points_[z];
@@ -305,13 +315,13 @@ class WallElement {
       stresses[z].s22 = fma(modulus, fnma(across, T(1.0) + m.a_excess, A[1]), stresses[z].s22);
       stresses[z].s12 = fma(modulus, fma(across, m.c, A[2]), stresses[z].s12);
     }
-    const T ratio = T(task_.branch_modulus_Pa / task_.shear_modulus_Pa);
+    const T ratio = T(task_.branch_ratio);
     for (std::size_t n = 0; n < 9; ++n) strains[n] = fma(ratio, strains_[n] - branch.strains[n], strains[n]);
     branch_metric_ = {};
     add_shear(T(shear_factor) * modulus, difference(shears_, branch.shears), branch_metric_);
   }
 
-  void add_viscosity(std::array<PlaneStress<T>, 2>& stresses, WallStrains<T>& strains) {
+  MENGER_HOST_DEVICE void add_viscosity(std::array<PlaneStress<T>, 2>& stresses, WallStrains<T>& strains) {
     const WallField<T> v = field(task_.motion.velocities_m_per_s);
     const T eta = T(task_.viscosity_Pa_s);
     const auto rate = [&](std::size_t i, std::size_t j, const T& zeta) {  // of the metric, at zeta
@@ -338,7 +348,7 @@ class WallElement {
     for (std::size_t n = 0; n < 9; ++n) rates[n] = rates[n] + turning[n];
     std::array<T, 2> shear_rates;
     for (std::size_t i = 0; i < 2; ++i) shear_rates[i] = roots_[i] * (dot(f_[i], v.g[2]) + dot(v.g[i], f_[2]));
-    const T time = T(task_.viscosity_Pa_s / task_.shear_modulus_Pa);
+    const T time = T(task_.viscous_time_s);
     for (std::size_t n = 0; n < 9; ++n) strains[n] = fma(time, rates[n], strains[n]);
     const std::array<T, 2> y = raised(shear_rates);
     for (std::size_t i = 0; i < 2; ++i) shear_forces_[i] = fma(T(shear_factor) * eta * roots_[i], y[i], shear_forces_[i]);
@@ -347,7 +357,8 @@ class WallElement {
 
   /// C^-1 Cdot C^-1 + tr(C^-1 Cdot) C^-1: the stress of 2 dev(d) in a layer that keeps its volume. Adds its work with Cdot to
   /// `power`.
-  static PlaneStress<T> viscous_stress(const PlaneMetric<T>& m, const T& a_rate, const T& b_rate, const T& c_rate, T& power) {
+  MENGER_HOST_DEVICE static PlaneStress<T> viscous_stress(const PlaneMetric<T>& m, const T& a_rate, const T& b_rate,
+                                                          const T& c_rate, T& power) {
     const T a = m.inverse * (T(1.0) + m.a_excess);  // C^-1 is [b, -c; -c, a]
     const T b = m.inverse * (T(1.0) + m.b_excess);
     const T c = m.inverse * m.c;
@@ -362,7 +373,8 @@ class WallElement {
   }
 
   /// P_j, the derivatives by f_j, and those by q1 and q2.
-  void set_gradient_forces(const PlaneStress<T>& centre, const PlaneStress<T>& mean, const PlaneStress<T>& moment) {
+  MENGER_HOST_DEVICE void set_gradient_forces(const PlaneStress<T>& centre, const PlaneStress<T>& mean,
+                                              const PlaneStress<T>& moment) {
     const T pressure = fms(T(task_.wall_penalty_Pa), ratio_excess_, pressure_);
     const PlaneStress<T> s{centre.s11 + branch_metric_.s11, centre.s22 + branch_metric_.s22, centre.s12 + branch_metric_.s12};
     column_forces_[0] = scaled(pressure, cross(f_[1], f_[2]));
@@ -393,7 +405,7 @@ class WallElement {
     pattern_forces_[1] = scaled(c_[0], Q1);
   }
 
-  void add_hourglass_forces(const WallStrains<T>& strains) {
+  MENGER_HOST_DEVICE void add_hourglass_forces(const WallStrains<T>& strains) {
     const WallStrains<T> moduli = hourglass_moduli();
     WallStrains<T> s;
     for (std::size_t n = 0; n < 9; ++n) s[n] = moduli[n] * strains[n];
@@ -429,7 +441,7 @@ class WallElement {
   }
 
   /// Of transverse shear and hourglass strains.
-  [[nodiscard]] T quadratic_energy(const std::array<T, 2>& shears, const WallStrains<T>& strains) const {
+  [[nodiscard]] MENGER_HOST_DEVICE T quadratic_energy(const std::array<T, 2>& shears, const WallStrains<T>& strains) const {
     const std::array<T, 2> y = raised(shears);
     const WallStrains<T> moduli = hourglass_moduli();
     T sum = T(shear_factor) * mu_ * fma(shears[0], y[0], shears[1] * y[1]);
@@ -438,12 +450,12 @@ class WallElement {
   }
 
   /// A : C - 3 with the stretch across the layer that keeps its volume.
-  static T membrane_contraction(const std::array<T, 4>& A, const PlaneMetric<T>& m) {
+  MENGER_HOST_DEVICE static T membrane_contraction(const std::array<T, 4>& A, const PlaneMetric<T>& m) {
     const T in_plane = fma(A[0], T(1.0) + m.a_excess, fma(A[1], T(1.0) + m.b_excess, T(2.0) * A[2] * m.c));
     return fma(A[3], m.inverse, in_plane - T(3.0));
   }
 
-  static T determinant(const std::array<T, 4>& A) { return fms(A[0], A[1], A[2] * A[2]) * A[3]; }
+  MENGER_HOST_DEVICE static T determinant(const std::array<T, 4>& A) { return fms(A[0], A[1], A[2] * A[2]) * A[3]; }
 
   const ThinWallTask<Number>& task_;
   std::size_t first_axis_;

@@ -2,20 +2,22 @@
 
 #include <cmath>
 
+#include "io/device/host_device.h"
+
 namespace menger::materials {
 
 /// Chooses between two values that are both computed, as SIMD packs require. Packs have a function of their own, which is found
 /// through their namespace.
-inline double select(bool condition, double first, double second) { return condition ? first : second; }
-inline float select(bool condition, float first, float second) { return condition ? first : second; }
+MENGER_HOST_DEVICE inline double select(bool condition, double first, double second) { return condition ? first : second; }
+MENGER_HOST_DEVICE inline float select(bool condition, float first, float second) { return condition ? first : second; }
 template <class T>
-T select(bool condition, const T& first, const T& second) {
+MENGER_HOST_DEVICE T select(bool condition, const T& first, const T& second) {
   return condition ? first : second;
 }
 
 /// Returns x - ln(1 + x) for x > -1, with full relative accuracy near 0, where it is x^2/2.
 template <class T>
-T log_remainder(const T& x) {
+MENGER_HOST_DEVICE T log_remainder(const T& x) {
   using std::log;
   // With s = x / (2 + x), ln(1 + x) = 2 artanh(s) and x - 2 s = x s.
   const T s = x / (T(2.0) + x);
@@ -29,7 +31,7 @@ T log_remainder(const T& x) {
 
 /// Returns sinh(x) / x - 1, with full relative accuracy near 0, where it is x^2/6.
 template <class T>
-T sinhc_excess(const T& x) {
+MENGER_HOST_DEVICE T sinhc_excess(const T& x) {
   using std::exp;
   const T x2 = x * x;
   T sum(1.0);
@@ -44,7 +46,7 @@ T sinhc_excess(const T& x) {
 
 /// Returns exp(x) - 1 - x, with full relative accuracy near 0, where it is x^2/2.
 template <class T>
-T exp_remainder(const T& x) {
+MENGER_HOST_DEVICE T exp_remainder(const T& x) {
   using std::exp;
   const T half = x * T(0.5);
   const T half_sinhc = sinhc_excess<T>(half) + T(1.0);

@@ -19,7 +19,8 @@ struct ArrudaBoyce {
   static constexpr std::array<double, 5> coefficients{1.0 / 2.0, 1.0 / 20.0, 11.0 / 1050.0, 19.0 / 7000.0, 519.0 / 673750.0};
 
   template <class T>
-  InvariantEnergy<T> energy(const T& x1, const T&) const {
+  MENGER_HOST_DEVICE InvariantEnergy<T> energy(const T& x1, const T&) const {
+    constexpr std::array<double, 5> c = coefficients;  // graphics processors see no members that are arrays
     const double decay = 1.0 / (locking_stretch * locking_stretch);
     const T invariant = T(3.0) + x1;
     T quotient(1.0);  // (I1^i - 3^i) / (I1 - 3), a sum of positive terms
@@ -30,9 +31,9 @@ struct ArrudaBoyce {
     T d11(0.0);
     double factor = shear_modulus_Pa;
     double power_of_three = 1.0;
-    for (std::size_t n = 0; n < coefficients.size(); ++n) {
+    for (std::size_t n = 0; n < c.size(); ++n) {
       const double order = static_cast<double>(n) + 1.0;
-      const T weight = T(factor * coefficients[n]);
+      const T weight = T(factor * c[n]);
       sum = sum + weight * quotient;
       d1 = d1 + weight * T(order) * power;
       d11 = d11 + weight * T(order * (order - 1.0)) * lower;
@@ -46,7 +47,7 @@ struct ArrudaBoyce {
   }
 
   template <class T>
-  auto is_within_limit(const T& x1) const {
+  MENGER_HOST_DEVICE auto is_within_limit(const T& x1) const {
     return is_below_infinity(x1);
   }
 

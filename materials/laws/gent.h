@@ -16,7 +16,7 @@ struct Gent {
   static constexpr bool uses_second_invariant = false;
 
   template <class T>
-  InvariantEnergy<T> energy(const T& x1, const T&) const {
+  MENGER_HOST_DEVICE InvariantEnergy<T> energy(const T& x1, const T&) const {
     const T used = x1 * T(1.0 / locking_excess);
     const T y = select(used < T(largest_use), used, T(largest_use));
     const T rest = T(1.0) - y;
@@ -28,7 +28,7 @@ struct Gent {
   }
 
   template <class T>
-  auto is_within_limit(const T& x1) const {
+  MENGER_HOST_DEVICE auto is_within_limit(const T& x1) const {
     return x1 * T(1.0 / locking_excess) < T(largest_use);
   }
 

@@ -3,6 +3,8 @@
 #include <concepts>
 #include <limits>
 
+#include "io/device/host_device.h"
+
 namespace menger::materials {
 
 /// An isochoric strain energy density W with its derivatives. It is a function of x1 = I1 - 3 and x2 = I2 - 3, with the isochoric
@@ -19,7 +21,7 @@ struct InvariantEnergy {
 
 /// The limit of a law without one: false only if x1 is not a number or has overflowed. For a pack of numbers it returns a mask.
 template <class T>
-auto is_below_infinity(const T& x1) {
+MENGER_HOST_DEVICE auto is_below_infinity(const T& x1) {
   return x1 < T(std::numeric_limits<double>::infinity());
 }
 

@@ -12,12 +12,12 @@ struct MooneyRivlin {
   static constexpr bool uses_second_invariant = true;
 
   template <class T>
-  InvariantEnergy<T> energy(const T& x1, const T& x2) const {
+  MENGER_HOST_DEVICE InvariantEnergy<T> energy(const T& x1, const T& x2) const {
     return {.energy = T(c10_Pa) * x1 + T(c01_Pa) * x2, .d1 = T(c10_Pa), .d2 = T(c01_Pa)};
   }
 
   template <class T>
-  auto is_within_limit(const T& x1) const {
+  MENGER_HOST_DEVICE auto is_within_limit(const T& x1) const {
     return is_below_infinity(x1);
   }
 

@@ -11,13 +11,13 @@ struct NeoHookean {
   static constexpr bool uses_second_invariant = false;
 
   template <class T>
-  InvariantEnergy<T> energy(const T& x1, const T&) const {
+  MENGER_HOST_DEVICE InvariantEnergy<T> energy(const T& x1, const T&) const {
     const T slope = T(0.5 * shear_modulus_Pa);
     return {.energy = slope * x1, .d1 = slope};
   }
 
   template <class T>
-  auto is_within_limit(const T& x1) const {
+  MENGER_HOST_DEVICE auto is_within_limit(const T& x1) const {
     return is_below_infinity(x1);
   }
 

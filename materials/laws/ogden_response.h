@@ -67,7 +67,7 @@ struct PrincipalStresses {
 /// at equal stretches, so no tolerance has to say when stretches count as equal.
 /// @param e_a, e_b logarithms of the isochoric stretches
 template <class T>
-T power_difference_quotient(const T& e_a, const T& e_b, double s) {
+MENGER_HOST_DEVICE T power_difference_quotient(const T& e_a, const T& e_b, double s) {
   using std::exp;
   const T h = e_a - e_b;
   const T scaled = T(s) * h;

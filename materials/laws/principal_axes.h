@@ -21,7 +21,7 @@ struct PrincipalAxes {
 /// of rounding relative to the largest value, for any spacing of the values. With a type of automatic differentiation the
 /// derivatives are right if the values are distinct.
 template <class T>
-PrincipalAxes<T> principal_axes(const Tensor<T>& symmetric) {
+MENGER_HOST_DEVICE PrincipalAxes<T> principal_axes(const Tensor<T>& symmetric) {
   using std::abs;
   using std::sqrt;
   constexpr int sweeps = 6;  // quadratic convergence is complete after four sweeps; derivatives need more

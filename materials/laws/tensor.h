@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "io/device/host_device.h"
+
 namespace menger::materials {
 
 /// A 3x3 tensor of any number type: double, float, a type of automatic differentiation, a SIMD pack. Components are not
@@ -11,8 +13,8 @@ template <class T>
 struct Tensor {
   std::array<T, 9> components;  ///< row by row
 
-  T& operator()(std::size_t i, std::size_t j) { return components[3 * i + j]; }
-  const T& operator()(std::size_t i, std::size_t j) const { return components[3 * i + j]; }
+  MENGER_HOST_DEVICE T& operator()(std::size_t i, std::size_t j) { return components[3 * i + j]; }
+  MENGER_HOST_DEVICE const T& operator()(std::size_t i, std::size_t j) const { return components[3 * i + j]; }
 };
 
 /// The derivative of one 3x3 tensor A by another, F: d A_iJ / d F_kL, as a 9x9 matrix. Its row is 3 i + J, its column 3 k + L.
@@ -27,7 +29,7 @@ struct Tangent {
 };
 
 template <class T>
-Tensor<T> identity() {
+MENGER_HOST_DEVICE Tensor<T> identity() {
   const T one(1.0);
   const T zero(0.0);
   return {{one, zero, zero, zero, one, zero, zero, zero, one}};
@@ -35,7 +37,7 @@ Tensor<T> identity() {
 
 /// Returns the cofactor matrix, cof(A) = det(A) A^-T.
 template <class T>
-Tensor<T> cofactor(const Tensor<T>& a) {
+MENGER_HOST_DEVICE Tensor<T> cofactor(const Tensor<T>& a) {
   Tensor<T> result;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -51,18 +53,18 @@ Tensor<T> cofactor(const Tensor<T>& a) {
 
 /// Returns det(A), from A and its cofactor matrix.
 template <class T>
-T determinant(const Tensor<T>& a, const Tensor<T>& cofactor_of_a) {
+MENGER_HOST_DEVICE T determinant(const Tensor<T>& a, const Tensor<T>& cofactor_of_a) {
   return a(0, 0) * cofactor_of_a(0, 0) + a(0, 1) * cofactor_of_a(0, 1) + a(0, 2) * cofactor_of_a(0, 2);
 }
 
 template <class T>
-T determinant(const Tensor<T>& a) {
+MENGER_HOST_DEVICE T determinant(const Tensor<T>& a) {
   return determinant(a, cofactor(a));
 }
 
 /// Returns A B.
 template <class T>
-Tensor<T> product(const Tensor<T>& a, const Tensor<T>& b) {
+MENGER_HOST_DEVICE Tensor<T> product(const Tensor<T>& a, const Tensor<T>& b) {
   Tensor<T> result;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) result(i, j) = a(i, 0) * b(0, j) + a(i, 1) * b(1, j) + a(i, 2) * b(2, j);
@@ -70,13 +72,13 @@ Tensor<T> product(const Tensor<T>& a, const Tensor<T>& b) {
 }
 
 template <class T>
-Tensor<T> transpose(const Tensor<T>& a) {
+MENGER_HOST_DEVICE Tensor<T> transpose(const Tensor<T>& a) {
   return {{a(0, 0), a(1, 0), a(2, 0), a(0, 1), a(1, 1), a(2, 1), a(0, 2), a(1, 2), a(2, 2)}};
 }
 
 /// Returns a A + b B.
 template <class T>
-Tensor<T> combination(const T& a, const Tensor<T>& A, const T& b, const Tensor<T>& B) {
+MENGER_HOST_DEVICE Tensor<T> combination(const T& a, const Tensor<T>& A, const T& b, const Tensor<T>& B) {
   Tensor<T> result;
   for (std::size_t n = 0; n < 9; ++n) result.components[n] = a * A.components[n] + b * B.components[n];
   return result;

@@ -13,7 +13,7 @@ struct Yeoh {
   static constexpr bool uses_second_invariant = false;
 
   template <class T>
-  InvariantEnergy<T> energy(const T& x1, const T&) const {
+  MENGER_HOST_DEVICE InvariantEnergy<T> energy(const T& x1, const T&) const {
     const T c1 = T(c10_Pa);
     const T c2 = T(c20_Pa);
     const T c3 = T(c30_Pa);
@@ -23,7 +23,7 @@ struct Yeoh {
   }
 
   template <class T>
-  auto is_within_limit(const T& x1) const {
+  MENGER_HOST_DEVICE auto is_within_limit(const T& x1) const {
     return is_below_infinity(x1);
   }
 

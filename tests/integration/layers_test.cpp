@@ -93,6 +93,7 @@ const std::map<std::string, std::string>& libraries() {
                                                                {"slepc", "SLEPc"},
                                                                {"SQLiteCpp/", "SQLiteCpp"},
                                                                {"arkode/", "SUNDIALS"},
+                                                               {"cuda_runtime", "CUDA"},
                                                                {"ida/", "SUNDIALS"},
                                                                {"kinsol/", "SUNDIALS"},
                                                                {"nvector/", "SUNDIALS"},
@@ -121,7 +122,8 @@ std::vector<std::pair<fs::path, std::string>> sources(const fs::path& root) {
     if (!fs::exists(root / folder)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string name = entry.path().filename().string();
-      if (name.ends_with(".h") || name.ends_with(".cpp") || name.ends_with(".cpp.in"))
+      if (name.ends_with(".h") || name.ends_with(".cpp") || name.ends_with(".cpp.in") || name.ends_with(".cu") ||
+          name.ends_with(".cuh"))
         files.emplace_back(entry.path(), fs::relative(entry.path().parent_path(), root).string());
     }
   }
