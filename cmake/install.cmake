@@ -1,19 +1,28 @@
 # What `cmake --install` puts where, and the Debian package that `./run package` makes of it.
 include(GNUInstallDirs)
 
-# Programs find their data in share/menger beside the folder that they lie in: in a build through links into the sources.
+# Programs find their data in share/menger beside the folder that they lie in, wherever that is (io/study/installed_folders.h): in
+# a build through links into the sources.
+cmake_path(GET CMAKE_INSTALL_BINDIR PARENT_PATH MENGER_DATADIR)
+cmake_path(APPEND MENGER_DATADIR share menger)
 set(MENGER_DATA_FOLDERS materials/data voxel/parameters)
 set(MENGER_DATA_NAMES materials parameters)
 foreach(source name IN ZIP_LISTS MENGER_DATA_FOLDERS MENGER_DATA_NAMES)
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/menger)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${source} ${CMAKE_BINARY_DIR}/share/menger/${name} SYMBOLIC)
-  install(DIRECTORY ${source}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/menger/${name} FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv")
+  install(DIRECTORY ${source}/ DESTINATION ${MENGER_DATADIR}/${name} FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv")
 endforeach()
 
-install(PROGRAMS io/vtk/open_in_paraview.py DESTINATION ${CMAKE_INSTALL_DATADIR}/menger)
+install(PROGRAMS io/vtk/open_in_paraview.py DESTINATION ${MENGER_DATADIR})
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# All texts with their pictures, where the target texts was built.
+find_program(MENGER_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+if(MENGER_PYTHON)
+  add_custom_target(texts COMMAND ${MENGER_PYTHON} -B ${PROJECT_SOURCE_DIR}/cmake/docs/make_docs.py --texts ${CMAKE_BINARY_DIR}/share/doc/menger VERBATIM)
+endif()
+install(DIRECTORY ${CMAKE_BINARY_DIR}/share/doc/menger/ DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 # Studies to begin with, beside each other as in the sources, since they name one another.
-foreach(folder fem/studies voxel/parameters voxel/scenes voxel/studies paper/demo)
+foreach(folder fem/studies meshes/designs voxel/parameters voxel/scenes voxel/studies paper/demo)
   get_filename_component(parent ${folder} DIRECTORY)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/${parent})
 endforeach()
@@ -30,7 +39,10 @@ endif()
 function(menger_install_program name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   if(NOT name STREQUAL menger)
-    install(CODE "file(CREATE_LINK menger \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/bash-completion/completions/${name}\" SYMBOLIC)")
+    set(completion ${CMAKE_BINARY_DIR}/share/bash-completion/completions/${name})
+    file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/bash-completion/completions)
+    file(CREATE_LINK menger ${completion} SYMBOLIC)
+    install(FILES ${completion} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   endif()
   if(NOT MENGER_HELP2MAN)
     return()
@@ -38,7 +50,8 @@ function(menger_install_program name)
   set(page ${CMAKE_BINARY_DIR}/share/man/man1/${name}.1)
   add_custom_command(
     OUTPUT ${page}
-    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DPAGE=${page} -DHELP2MAN=${MENGER_HELP2MAN} -P ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DPAGE=${page} -DHELP2MAN=${MENGER_HELP2MAN}
+            -DEXAMPLES=${CMAKE_INSTALL_DOCDIR}/examples -P ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake
     DEPENDS ${name} ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake
     VERBATIM)
   add_custom_target(man-${name} DEPENDS ${page})

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Makes a site of all texts of the repository with MkDocs, or checks their links.
 
-make_docs.py FOLDER   writes FOLDER/source, the texts with what they link to, and FOLDER/site
-make_docs.py --check  only checks that every link between the texts leads to a file
+make_docs.py FOLDER          writes FOLDER/source, the texts with what they link to, and FOLDER/site
+make_docs.py --texts FOLDER  writes the texts with what they link to into FOLDER, without MkDocs
+make_docs.py --check         only checks that every link between the texts leads to a file
 
 A link to a folder leads to its README. Ends with 1 and a list of the links that lead nowhere.
 """
@@ -81,11 +82,8 @@ class Site:
             target.write_text(joined)
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    folder = None if sys.argv[1] == "--check" else pathlib.Path(sys.argv[1]).resolve()
-    source = None if folder is None else folder / "source"
+def write_texts(source):
+    """Writes all texts with what they link to into a folder, which it empties first; into none, only checks them."""
     if source is not None and source.exists():
         shutil.rmtree(source)
     site = Site(source)
@@ -93,10 +91,34 @@ def main():
         site.add(text)
     if site.wrong:
         sys.exit("\n".join(site.wrong))
-    if folder is not None:
-        configuration = (TOP / "cmake/docs/mkdocs.yml").read_text()
-        (folder / "mkdocs.yml").write_text(configuration + f"docs_dir: {source}\nsite_dir: {folder / 'site'}\n")
-        subprocess.run(["mkdocs", "build", "--quiet", "--strict", "--config-file", folder / "mkdocs.yml"], check=True)
+
+
+def add_scripts(folder):
+    """Adds what Debian's theme asks for under other names than it has, or not at all: without them menus do not open."""
+    jquery = folder / "jquery-3.6.0.min.js"
+    if not jquery.exists():
+        shutil.copyfile(next(folder.glob("jquery-*.min.js")), jquery)
+    (folder / "theme_extra.js").touch()
+
+
+def make_site(folder):
+    write_texts(folder / "source")
+    configuration = (TOP / "cmake/docs/mkdocs.yml").read_text()
+    (folder / "mkdocs.yml").write_text(configuration + f"docs_dir: {folder / 'source'}\nsite_dir: {folder / 'site'}\n")
+    subprocess.run(["mkdocs", "build", "--quiet", "--strict", "--config-file", folder / "mkdocs.yml"], check=True)
+    add_scripts(folder / "site/js")
+
+
+def main():
+    match sys.argv[1:]:
+        case ["--check"]:
+            write_texts(None)
+        case ["--texts", folder]:
+            write_texts(pathlib.Path(folder).resolve())
+        case [folder] if not folder.startswith("-"):
+            make_site(pathlib.Path(folder).resolve())
+        case _:
+            sys.exit(__doc__)
 
 
 if __name__ == "__main__":

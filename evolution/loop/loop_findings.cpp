@@ -6,29 +6,27 @@
 #include <optional>
 #include <system_error>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/limit_pressure.h"
+#include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string millimetres(double length_m) { return io::shown(1e3 * length_m, 3) + " mm"; }
-std::string kilopascals(double pressure_Pa) { return io::shown(1e-3 * pressure_Pa, 3) + " kPa"; }
-std::string percents(double share) { return io::shown(100.0 * share, 2) + " %"; }
-
-bool is_there(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored);
-}
+using io::kilopascals;
+using io::millimetres;
+using io::percents;
 
 std::optional<io::TomlTable> table_at(const fs::path& file) {
-  if (!is_there(file)) return std::nullopt;
+  if (!io::is_file(file)) return std::nullopt;
   return io::read_toml(file);
 }
 
@@ -47,6 +45,7 @@ struct Walk {
   double time_s = 0.0;
 
   [[nodiscard]] double distance_m() const { return std::hypot(x_m, y_m); }
+  [[nodiscard]] double direction_deg() const { return std::atan2(y_m, x_m) * 180.0 / std::numbers::pi; }
 };
 
 /// @param result result.toml of simulate or locomotion.toml of locomote; both have the same names
@@ -62,8 +61,8 @@ std::string walk_text(const fs::path& file) {
   if (!result) return "";
   const std::optional<Walk> walk = walk_in(*result);
   if (!walk) return early_end(*result);
-  std::string text = "it moves " + millimetres(walk->distance_m()) + " (" + io::shown(walk->body_lengths, 2) +
-                     " body lengths) in " + io::shown(walk->time_s, 3) + " s";
+  std::string text = "it moves " + millimetres(walk->distance_m()) + " (" + io::body_lengths(walk->body_lengths) + ") in " +
+                     io::shown(walk->time_s, 3) + " s";
   if (const std::string end = early_end(*result); !end.empty()) text += "; " + end;
   return text;
 }
@@ -144,7 +143,7 @@ struct ShapeErrors {
 };
 
 std::optional<ShapeErrors> shape_errors(const fs::path& results) {
-  if (!is_there(results / "validate/summary.csv")) return std::nullopt;
+  if (!io::is_file(results / "validate/summary.csv")) return std::nullopt;
   const io::CsvContents summary = io::read_csv(results / "validate/summary.csv");
   ShapeErrors errors;
   for (const std::string range : {"inside", "outside"}) {
@@ -164,6 +163,15 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
   return errors;
 }
 
+/// Returns the last line of a log that begins with a word.
+std::string line_of(const fs::path& log, const std::string& beginning) {
+  if (!io::is_file(log)) return "";
+  const std::string text = "\n" + io::read_whole(log);
+  const std::size_t start = text.rfind("\n" + beginning);
+  if (start == std::string::npos) return "";
+  return text.substr(start + 1, text.find('\n', start + 1) - start - 1);
+}
+
 std::string validate_text(const fs::path& results) {
   const auto errors = shape_errors(results);
   if (!errors) return "";
@@ -176,16 +184,9 @@ std::string validate_text(const fs::path& results) {
   if (errors->wrong_signs > 0)
     text +=
         "; " + std::to_string(errors->wrong_signs) + " of " + std::to_string(errors->signs) + " displacements go the wrong way";
+  const std::string end = line_of(results / "logs/validate.txt", "note: robot_inflation: the surrogate ends after ");
+  if (!end.empty()) text += "; " + end.substr(end.find("the surrogate"));
   return text;
-}
-
-/// Returns the last line of a log that begins with a word.
-std::string line_of(const fs::path& log, const std::string& beginning) {
-  if (!is_there(log)) return "";
-  const std::string text = "\n" + io::read_whole(log);
-  const std::size_t start = text.rfind("\n" + beginning);
-  if (start == std::string::npos) return "";
-  return text.substr(start + 1, text.find('\n', start + 1) - start - 1);
 }
 
 std::string load_cases_text(const fs::path& results) {
@@ -204,7 +205,7 @@ std::string load_cases_text(const fs::path& results) {
 
 std::string export_text(const fs::path& results) {
   const fs::path champion = results / "export/champion.toml";
-  if (!is_there(champion)) return "no robot has a fitness";
+  if (!io::is_file(champion)) return "no robot has a fitness";
   return "the best robot has " + std::to_string(meshes::read_design(champion).body.count()) + " cells; export/champion.toml";
 }
 
@@ -223,28 +224,15 @@ std::string finding_of(const std::string& stage, const fs::path& results, const 
   return "";
 }
 
-/// Angle between two walks, degrees.
-double angle_deg(const Walk& one, const Walk& other) {
-  const double cross = one.x_m * other.y_m - one.y_m * other.x_m;
-  const double dot = one.x_m * other.x_m + one.y_m * other.y_m;
-  return std::abs(std::atan2(cross, dot)) * 180.0 / std::numbers::pi;
-}
-
-/// Distances that differ by more than this share of the longer one, and directions by more than the angle, are no agreement.
-constexpr double largest_difference = 0.5;
-constexpr double largest_angle_deg = 45.0;
-/// A walk shorter than this share of a body length has no direction.
-constexpr double least_body_lengths = 0.01;
 /// Above this share of the limit pressure small faults of a cast wall decide.
 constexpr double largest_safe_share = 0.8;
 
-bool agree(const Walk& one, const Walk& other) {
-  const double longer_m = std::max(one.distance_m(), other.distance_m());
-  if (std::min(one.body_lengths, other.body_lengths) < least_body_lengths)
-    return std::max(one.body_lengths, other.body_lengths) < least_body_lengths;
-  return std::abs(one.distance_m() - other.distance_m()) <= largest_difference * longer_m &&
-         angle_deg(one, other) <= largest_angle_deg;
+meshes::WalkAgreement agreement(const Walk& one, const Walk& other) {
+  const auto outcome = [](const Walk& walk) { return meshes::WalkOutcome{walk.body_lengths, walk.time_s, walk.direction_deg()}; };
+  return meshes::compare_walks(outcome(one), outcome(other));
 }
+
+bool agree(const Walk& one, const Walk& other) { return agreement(one, other) <= meshes::WalkAgreement::both_go_nowhere; }
 
 /// Walks of one duration differ in time by a few steps at most.
 bool are_as_long(const Walk& one, const Walk& other) {
@@ -253,10 +241,10 @@ bool are_as_long(const Walk& one, const Walk& other) {
 }
 
 std::string both(const Walk& one, const Walk& other) {
-  if (std::max(one.body_lengths, other.body_lengths) < least_body_lengths)
-    return "it stays where it is, within 1 % of its length";
+  if (agreement(one, other) == meshes::WalkAgreement::both_go_nowhere)
+    return "it stays where it is, within " + percents(meshes::walk_limits::least_body_lengths) + " of its length";
   return millimetres(one.distance_m()) + " and " + millimetres(other.distance_m()) + ", " +
-         io::formatted("%.0f", angle_deg(one, other)) + " degrees apart";
+         io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg())) + " degrees apart";
 }
 
 std::string shape_verdict(const ShapeErrors& errors) {
@@ -338,7 +326,12 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
     const auto elements = walk_of("locomote", "locomotion.toml", "finite elements");
     const auto finer = walk_of("locomote_finer", "locomotion.toml", "finite elements of the finer mesh");
     if (elements && finer) add(mesh_verdict(*elements, *finer));
-    if (const auto& reference = finer ? finer : elements; voxels && reference) add(model_verdict(*voxels, *reference));
+    const bool is_known = !elements || !finer || agree(*elements, *finer);
+    if (voxels && !is_known)
+      add("Whether the surrogate walks as finite elements do cannot be told, since they do not agree themselves; it moves " +
+          millimetres(voxels->distance_m()) + ".");
+    if (const auto& reference = finer ? finer : elements; voxels && reference && is_known)
+      add(model_verdict(*voxels, *reference));
   } catch (const io::InputError&) {
     lines.emplace_back("Some results cannot be read; run the loop again.");
   }

@@ -1,9 +1,9 @@
 #include "evolution/loop/loop_forecast.h"
 
 #include <filesystem>
-#include <system_error>
 
-#include "io/text/formatted.h"
+#include "io/shown/shown_quantity.h"
+#include "io/text/is_file.h"
 #include "voxel/model/expected_errors.h"
 #include "voxel/model/surrogate_file.h"
 
@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string of_these_cells(const meshes::Robot& robot) {
-  return "cells of " + io::shown(1e3 * robot.design.cell_edge_m) + " mm with walls of " +
-         io::shown(1e3 * robot.wall_thickness_m) + " mm in " + robot.record.name;
+  return "cells of " + io::millimetres(robot.design.cell_edge_m, 4) + " with walls of " +
+         io::millimetres(robot.wall_thickness_m, 4) + " in " + robot.record.name;
 }
 
 std::string source_text(const meshes::Robot& robot, const fs::path& parameters) {
@@ -37,8 +37,7 @@ std::string source_text(const meshes::Robot& robot, const fs::path& parameters) 
 std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes::RobotPlaces& places) {
   const fs::path file = parameters_of(robot, places);
   std::vector<std::string> lines{source_text(robot, file)};
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) {
+  if (!io::is_file(file)) {
     if (parameter_source(robot) == meshes::ParameterSource::given)
       static_cast<void>(voxel::read_surrogate(file));  // says what is wrong
     lines.emplace_back(

@@ -25,6 +25,7 @@
 #include "io/study/study_text.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/joined_text.h"
 #include "io/text/manifest.h"
 #include "io/text/printable.h"
@@ -41,14 +42,9 @@ using Clock = std::chrono::steady_clock;
 /// Lines of a log that are shown where a program failed.
 constexpr std::size_t shown_log_lines = 3;
 
-bool is_file(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored);
-}
-
 /// Returns the last lines of a log, each after two spaces.
 std::string end_of_log(const fs::path& log) {
-  if (!is_file(log)) return "";
+  if (!io::is_file(log)) return "";
   const std::string text = io::read_whole(log);
   std::vector<std::string> lines;
   for (std::size_t start = 0; start < text.size();) {
@@ -93,7 +89,7 @@ class LoopRun {
         robot_(std::move(robot)),
         places_(fs::absolute(request.robot).lexically_normal(),
                 request.results.empty() ? fs::path() : fs::absolute(request.results)),
-        stages_(loop_stages(robot_, places_, is_file(request.programs / "menger-report"))),
+        stages_(loop_stages(robot_, places_, io::is_file(request.programs / "menger-report"))),
         out_(out) {
     if (!request_.until.empty()) {
       last_ = &stage_named(stages_, "--until", request_.until);
@@ -193,7 +189,7 @@ class LoopRun {
     for (const meshes::RobotStudy study : stage.studies) text += study_text(robot_, study, places_) + "\n";
     for (const fs::path& file : stage.reads) {
       const fs::path whole = from_results(file);
-      text += file.string() + " " + (is_file(whole) ? io::file_hash(whole) : "missing") + "\n";
+      text += file.string() + " " + (io::is_file(whole) ? io::file_hash(whole) : "missing") + "\n";
     }
     for (const std::string& name : stage.follows) {
       const StageRecord* record = state_->find(name);
@@ -210,14 +206,14 @@ class LoopRun {
 
   [[nodiscard]] std::string manifest_hash(const LoopStage& stage) const {
     const fs::path file = places_.results / stage.manifest;
-    return stage.manifest.empty() || !is_file(file) ? "" : io::file_hash(file);
+    return stage.manifest.empty() || !io::is_file(file) ? "" : io::file_hash(file);
   }
 
   /// Whether a stage has ended before with the same key, and its files are still there.
   [[nodiscard]] bool is_current(const LoopStage& stage, const StageRecord* record, const std::string& key) const {
     return record != nullptr && record->has_ended() && record->key == key && record->manifest_hash == manifest_hash(stage) &&
            std::all_of(record->files.begin(), record->files.end(),
-                       [&](const std::string& file) { return is_file(places_.results / file); });
+                       [&](const std::string& file) { return io::is_file(places_.results / file); });
   }
 
   /// Whether the results of a stage are those that it would give now.
@@ -232,7 +228,7 @@ class LoopRun {
       const StageRecord* record = state_->find(name);
       const bool is_usable = record != nullptr && (record->status == StageStatus::done ||
                                                    (record->status == StageStatus::numerical && needed->is_usable_early));
-      if (is_usable && is_up_to_date(*needed) && !(name == "export" && !is_file(places_.champion()))) continue;
+      if (is_usable && is_up_to_date(*needed) && !(name == "export" && !io::is_file(places_.champion()))) continue;
       return name;
     }
     return "";
@@ -420,7 +416,7 @@ class LoopRun {
     for (const char* file : {"report.html", "inflate/chamber.png", "limit/pv_curve.png", "validate/worst.png",
                              "locomote/robot.png", "locomote/frames.pvd", "export/champion.png"}) {
       const std::string name = fs::path(file).begin()->stem().string();
-      if (current_.contains(name) && is_file(places_.results / file)) files.push_back(shown(places_.results / file));
+      if (current_.contains(name) && io::is_file(places_.results / file)) files.push_back(shown(places_.results / file));
     }
     if (!files.empty() && only_ == nullptr && last_ == nullptr) out_ << "Look at " << io::joined(files) << ".\n";
     if (code == io::exit_code::numerical) out_ << "Some stages ended early; their lines above say why.\n";

@@ -37,7 +37,7 @@ function extent(values) {
 }
 
 const seriesColour = (n) => `var(--c${n % 8})`;
-const seriesShape = (n) => ['circle', 'square', 'triangle', 'diamond'][Math.floor(n / 2) % 4];
+const seriesShape = (n) => ['circle', 'square', 'triangle', 'diamond'][(Math.floor(n / 2) + Math.floor(n / 8)) % 4];  // with the colour, 32 that differ
 
 function niceStep(span, count) {
   const raw = span / Math.max(1, count);
@@ -121,7 +121,7 @@ function drawPlot(chart, picture, width) {
     // One unit has the same length on both axes: the shorter one is widened.
     const span = (values) => { const [low, high] = extent(values); return high - low; };
     const inner = [width - left - right, height - top - bottom];
-    const unit = Math.max(span(xs) / inner[0], span(ys) / inner[1]) || 1;
+    const unit = 1.06 * Math.max(span(xs) / inner[0], span(ys) / inner[1]) || 1;  // nothing lies on the border
     const widen = (values, pixels) => { const [low, high] = extent(values), half = 0.5 * unit * pixels; values.push(0.5 * (low + high) - half, 0.5 * (low + high) + half); };
     widen(xs, inner[0]); widen(ys, inner[1]);
   }

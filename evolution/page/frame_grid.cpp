@@ -17,9 +17,9 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <system_error>
 
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
 
@@ -170,9 +170,8 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_by(const fs::path& file) {
 }  // namespace
 
 vtkSmartPointer<vtkUnstructuredGrid> read_frame_grid(const fs::path& file) {
-  std::error_code ignored;
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  if (fs::is_regular_file(file, ignored)) {
+  if (io::is_file(file)) {
     const int shown = vtkObject::GetGlobalWarningDisplay();
     vtkObject::GlobalWarningDisplayOff();  // the message below says it in one line
     const bool has_pieces = file.extension() == ".pvtu";

@@ -7,12 +7,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "evolution/page/verdict.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/printable.h"
 #include "io/text/whole_file.h"
 
@@ -302,8 +302,7 @@ std::string page_text(const ReportPage& page, const std::optional<std::string>& 
 
 ThreeCode read_three(const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) continue;
+    if (!io::is_file(file)) continue;
     std::string code = io::read_whole(file);
     // Code that could end its element would be no three.js.
     if (code.find("</script") != std::string::npos) return {std::nullopt, file.string() + ": is not the code of three.js"};

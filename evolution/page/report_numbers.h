@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/shown/shown_column.h"
 #include "io/text/csv_table.h"
 
 namespace menger::evolution {
@@ -15,12 +16,6 @@ std::string shown_number(const std::optional<double>& value);  ///< a dash if th
 
 /// Returns a number rounded to a whole one, 0 without a sign: "-7", "0".
 std::string shown_whole(double value);
-
-/// Returns a fraction in per cent: "6.6 %".
-std::string shown_percent(double fraction);
-
-/// Returns a pressure in kPa with its unit: "3.04 kPa".
-std::string shown_pressure(double pressure_Pa);
 
 /// Returns the number of a cell; nothing if the table has no such column, or if the cell is empty or no number.
 std::optional<double> number_in(const io::CsvContents& table, std::size_t row, std::string_view column);
@@ -34,18 +29,7 @@ std::vector<double> column_of(const io::CsvContents& table, std::string_view col
 /// Returns the middle of some numbers, the mean of the two middle ones of an even number; nothing if there are none.
 std::optional<double> median_of(std::vector<double> values);
 
-/// A quantity of a table for people.
-struct ShownColumn {
-  std::string name;     ///< of the column in the file
-  std::string title;    ///< with its unit
-  double factor = 1.0;  ///< from the unit of the file to that of the title
-};
-
-/// Returns the title and factor of a column by the unit at the end of its name: "plenum_0_pressure_Pa" is "plenum 0 pressure
-/// (kPa)" with a factor of 1e-3.
-ShownColumn shown_column(const std::string& name);
-
 /// Returns the cell of a column as text for people: a number times the factor, or the text itself.
-std::string shown_cell(const io::CsvContents& table, std::size_t row, const ShownColumn& column);
+std::string shown_cell(const io::CsvContents& table, std::size_t row, const io::ShownColumn& column);
 
 }  // namespace menger::evolution

@@ -15,6 +15,7 @@
 #include "evolution/page/verdict.h"
 #include "evolution/page/walk_animation.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
 
@@ -52,8 +53,7 @@ std::vector<PagePicture> read_pictures(const std::vector<CommandOutput>& outputs
   for (const CommandOutput& output : outputs) {
     for (const char* name : names) {
       const fs::path file = output.folder / name;
-      std::error_code ignored;
-      if (!fs::is_regular_file(file, ignored) || !taken.insert(file_of(output, name)).second) continue;
+      if (!io::is_file(file) || !taken.insert(file_of(output, name)).second) continue;
       std::optional<std::string> content = read_picture(file, most_bytes - bytes, notes);
       if (!content) continue;
       bytes += content->size();
@@ -86,9 +86,8 @@ std::string fitting_text(ReportPage& page, const ReportOptions& options) {
 std::string made_text(const fs::path& folder, std::size_t outputs) {
   std::error_code ignored;
   const fs::path whole = fs::weakly_canonical(folder, ignored);
-  return "Made by menger " + std::string(io::version()) + " from " + std::to_string(outputs) +
-         (outputs == 1 ? " folder" : " folders") + " of results in " + (whole.empty() ? folder : whole).string() +
-         ". One file, which needs no network.";
+  return "Made by menger " + std::string(io::version()) + " from " + std::to_string(outputs) + (outputs == 1 ? " run" : " runs") +
+         " of its commands in " + (whole.empty() ? folder : whole).string() + ". One file, which needs no network.";
 }
 
 /// What the page is about: the body of all results, or else the folder.

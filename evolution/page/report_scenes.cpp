@@ -6,12 +6,12 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <system_error>
 
 #include "evolution/page/body_frames.h"
 #include "evolution/page/report_numbers.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 
 namespace menger::evolution {
 namespace {
@@ -19,11 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_scenes = 12;
-
-bool is_file(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored);
-}
 
 /// What a scene is made from, before its files are read.
 struct ScenePlan {
@@ -44,7 +39,7 @@ struct ScenePlan {
 };
 
 bool walks(const CommandOutput& output, const char* command) {
-  return command_of(output) == command && is_file(output.folder / "frames.pvd");
+  return command_of(output) == command && io::is_file(output.folder / "frames.pvd");
 }
 
 ScenePlan::Part walking(const CommandOutput& output) {
@@ -92,7 +87,7 @@ void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan
 void plan_reevaluations(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
   for (const CommandOutput& output : outputs) {
     const fs::path both = output.folder / "winner" / "both.pvd";
-    if (command_of(output) != "reevaluate" || !is_file(both)) continue;
+    if (command_of(output) != "reevaluate" || !io::is_file(both)) continue;
     plans.push_back({.scene = {.title = "Winner of the re-evaluation: finite elements and the model of the search",
                                .source = file_of(output, "winner/both.pvd")},
                      .place = output.name,
@@ -115,7 +110,7 @@ void plan_reevaluations(const std::vector<CommandOutput>& outputs, std::vector<S
 void plan_inflations(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
   for (const CommandOutput& output : outputs) {
     const fs::path fields = output.folder / "fields.pvd";
-    if (command_of(output) != "inflate" || !is_file(fields)) continue;
+    if (command_of(output) != "inflate" || !io::is_file(fields)) continue;
     plans.push_back({.scene = {.title = "Inflation of " + body_or_place(output),
                                .source = file_of(output, "fields.pvd"),
                                .clock = "path parameter",
@@ -132,7 +127,7 @@ void plan_inflations(const std::vector<CommandOutput>& outputs, std::vector<Scen
 void plan_validations(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
   for (const CommandOutput& output : outputs) {
     const fs::path worst = output.folder / "worst.pvd";
-    if (command_of(output) != "validate" || !is_file(worst)) continue;
+    if (command_of(output) != "validate" || !io::is_file(worst)) continue;
     plans.push_back(
         {.scene = {.title = "Worst case of the validation: finite elements and surrogate",
                    .source = file_of(output, "worst.pvd"),
@@ -152,7 +147,7 @@ void plan_champions(const std::vector<CommandOutput>& outputs, std::vector<Scene
       const std::string name = "level_" + std::to_string(level);
       const fs::path place = output.folder / name;
       // A walk on finite elements has a manifest, and is found as any other.
-      if (!is_file(place / "frames.pvd") || is_file(place / "manifest.json")) continue;
+      if (!io::is_file(place / "frames.pvd") || io::is_file(place / "manifest.json")) continue;
       plans.push_back({.scene = {.title = "Champion of the search at level " + std::to_string(level),
                                  .source = file_of(output, name + "/frames.pvd")},
                        .place = output.name,
@@ -168,7 +163,7 @@ void plan_champions(const std::vector<CommandOutput>& outputs, std::vector<Scene
 
 /// The horizontal displacement of the centre of mass at the times of the frames, by interpolation.
 std::vector<double> travelled_m(const fs::path& trajectory, const std::vector<double>& times_s) {
-  if (!is_file(trajectory)) return {};
+  if (!io::is_file(trajectory)) return {};
   const io::CsvContents table = io::read_csv(trajectory);
   std::vector<double> travelled;
   std::size_t row = 0;

@@ -15,9 +15,11 @@
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
 #include "evolution/page/shown_table.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 
@@ -28,10 +30,7 @@ namespace fs = std::filesystem;
 
 using Notes = std::vector<std::string>;
 
-bool has_file(const CommandOutput& output, const char* file) {
-  std::error_code ignored;
-  return fs::is_regular_file(output.folder / file, ignored);
-}
+bool has_file(const CommandOutput& output, const char* file) { return io::is_file(output.folder / file); }
 
 std::string heading_of(const CommandOutput& output) {
   if (output.body_name.empty()) return body_or_place(output);
@@ -97,7 +96,7 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
     chart.markers.push_back(
         {.vertical = false,
          .at = 1e-3 * point.pressure_Pa,
-         .label = (point.is_limit ? "limit pressure " : "later turning point ") + shown_pressure(point.pressure_Pa)});
+         .label = (point.is_limit ? "limit pressure " : "later turning point ") + io::kilopascals(point.pressure_Pa)});
   }
   section.charts.push_back(std::move(chart));
   PageTable table{.title = heading_of(output),
@@ -111,7 +110,7 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
   add("unknowns", io::formatted("%.0f", result.optional_number("unknowns").value_or(0.0)));
   add("size of an element (mm)", shown_number(1e3 * result.optional_number("element_size_m").value_or(0.0)));
   for (const TurningPoint& point : turning_points) {
-    add((point.is_limit ? "limit pressure of " : "later turning point of ") + point.plenum, shown_pressure(point.pressure_Pa));
+    add((point.is_limit ? "limit pressure of " : "later turning point of ") + point.plenum, io::kilopascals(point.pressure_Pa));
     if (point.volume_m3) add("volume there (cm\u00b3)", shown_number(1e6 * *point.volume_m3));
   }
   section.tables.push_back(std::move(table));
@@ -214,7 +213,8 @@ void add_calibration(const CommandOutput& output, PageSection& section) {
     PageSeries& series = by_kind[text_in(residuals, row, "kind")];
     series.x.push_back(static_cast<double>(row + 1));
     series.y.push_back(100.0 * *relative);
-    series.labels.push_back(text_in(residuals, row, "case") + ", " + shown_column(text_in(residuals, row, "ordinate")).title);
+    series.labels.push_back(text_in(residuals, row, "case") + ", " +
+                            io::shown_column(text_in(residuals, row, "ordinate")).title());
   }
   for (auto& [kind, series] : by_kind) {
     series.name = kind;
@@ -248,7 +248,8 @@ void add_calibration(const CommandOutput& output, PageSection& section) {
         if (text_in(responses, row, "kind") != kind || !reference || !surrogate || !(scale > 0.0)) continue;
         series.x.push_back(*reference / scale);
         series.y.push_back(*surrogate / scale);
-        series.labels.push_back(text_in(responses, row, "case") + ", " + shown_column(text_in(responses, row, "ordinate")).title);
+        series.labels.push_back(text_in(responses, row, "case") + ", " +
+                                io::shown_column(text_in(responses, row, "ordinate")).title());
       }
       agreement.series.push_back(std::move(series));
     }
@@ -267,13 +268,13 @@ void add_calibration(const CommandOutput& output, PageSection& section) {
 
 void add_validation(const CommandOutput& output, PageSection& section) {
   const io::CsvContents errors = io::read_csv(output.folder / "errors.csv");
-  PageChart chart{.title = "Surrogate against finite elements, displacements of bodies that no fit has seen",
+  PageChart chart{.title = "Displacements in both models: " + file_of(output, "errors.csv"),
                   .x = {.title = "finite elements (mm)"},
                   .y = {.title = "surrogate (mm)"},
                   .series = {},
                   .equal_scale = true,
                   .diagonal = true,
-                  .note = "Inside the range of the fit, one series per body. From " + file_of(output, "errors.csv") + "."};
+                  .note = "Inside the range of the fit, one series per body."};
   for (const std::string& body : distinct(errors, "body")) {
     PageSeries series{.name = body, .x = {}, .y = {}, .marks = PageMarks::points};
     for (std::size_t row = 0; row < errors.row_count(); ++row) {
@@ -284,8 +285,8 @@ void add_validation(const CommandOutput& output, PageSection& section) {
         continue;
       series.x.push_back(1e3 * *elements);
       series.y.push_back(1e3 * *surrogate);
-      series.labels.push_back(text_in(errors, row, "case") + ", " + shown_column(text_in(errors, row, "observable")).title +
-                              " at " + shown_pressure(number_in(errors, row, "pressure_Pa").value_or(0.0)));
+      series.labels.push_back(text_in(errors, row, "case") + ", " + io::shown_column(text_in(errors, row, "observable")).title() +
+                              " at " + io::kilopascals(number_in(errors, row, "pressure_Pa").value_or(0.0)));
     }
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
@@ -300,6 +301,8 @@ void add_validation(const CommandOutput& output, PageSection& section) {
                                          {"body", "chamber_share", "highest_pressure_Pa", "change_at_highest",
                                           "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"},
                                          file_of(output, "volume_actuation.csv")));
+    section.tables.back().note +=
+        " These are finite elements of load cases. Those of an inflation may be others, and so may its limit pressure.";
   }
 }
 
@@ -318,7 +321,7 @@ void add_load_cases(const CommandOutput& output, PageSection& section) {
     const auto load_case = curve.optional_table("case");
     if (!load_case || !curve.has("status")) continue;
     const fs::path rows = fs::path(file).replace_extension(".csv");
-    const bool has_rows = fs::is_regular_file(rows, ignored);
+    const bool has_rows = io::is_file(rows);
     table.rows.push_back({load_case->text_or("name", file.stem().string()), load_case->text_or("kind", ""), curve.text("status"),
                           curve.text_or("reason", ""), has_rows ? std::to_string(io::read_csv(rows).row_count()) : "0"});
   }
@@ -345,7 +348,7 @@ void add_search(const CommandOutput& output, PageSection& section) {
         {.name = "mean of the survivors", .x = generations, .y = column_of(tables.generations, *means), .dashed = true});
   section.charts.push_back(std::move(chart));
   std::vector<std::string> columns = tables.generations.columns();
-  section.tables.push_back(shown_table("Generations", tables.generations, columns, tables.source));
+  section.tables.push_back(shown_table("Generations: " + tables.source, tables.generations, columns, tables.source));
   if (!tables.lineage || tables.lineage->row_count() == 0) return;
   const io::CsvContents& lineage = *tables.lineage;
   const auto fitness =
@@ -358,13 +361,13 @@ void add_search(const CommandOutput& output, PageSection& section) {
     for (std::size_t row = 0; row < lineage.row_count(); ++row)
       line.labels.push_back("individual " + text_in(lineage, row, "individual") + ", " + text_in(lineage, row, "cells") +
                             " cells, " + text_in(lineage, row, "phenotype"));
-    section.charts.push_back({.title = "Lineage of the champion",
+    section.charts.push_back({.title = "Lineage of the champion: " + tables.source,
                               .x = {.title = "generation of birth"},
                               .y = {.title = "fitness (" + unit + ")"},
                               .series = {std::move(line)},
                               .note = "Each point is the parent of the next."});
   }
-  section.tables.push_back(shown_table("Lineage of the champion", lineage, lineage.columns(), tables.source));
+  section.tables.push_back(shown_table("Lineage of the champion: " + tables.source, lineage, lineage.columns(), tables.source));
 }
 
 void add_reevaluation(const CommandOutput& output, PageSection& section) {

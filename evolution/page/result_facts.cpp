@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <set>
@@ -10,6 +11,7 @@
 #include "evolution/page/search_tables.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/run_status_words.h"
 #include "io/text/toml_document.h"
 
@@ -28,17 +30,23 @@ InflationFacts inflation_facts(const CommandOutput& output) {
   facts.reason = result.text_or("reason", "");
   facts.limit = meshes::limit_pressure(result);
   const io::CsvContents curves = io::read_csv(output.folder / "curves.csv");
+  std::optional<std::size_t> highest;
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_pressure_Pa")) continue;
-    const std::string volume = column.substr(0, column.size() - std::string_view("_pressure_Pa").size()) + "_volume_m3";
-    const auto at_rest = curves.row_count() > 0 ? number_in(curves, 0, volume) : std::nullopt;
+    ++facts.plena;
     for (std::size_t row = 0; row < curves.row_count(); ++row) {
       const auto pressure_Pa = number_in(curves, row, column);
       if (!pressure_Pa || (facts.highest_pressure_Pa && *pressure_Pa <= *facts.highest_pressure_Pa)) continue;
       facts.highest_pressure_Pa = pressure_Pa;
-      const auto now = number_in(curves, row, volume);
-      if (at_rest && now && *at_rest > 0.0) facts.volume_growth = *now / *at_rest - 1.0;
+      highest = row;
     }
+  }
+  for (const std::string& column : curves.columns()) {
+    if (!column.ends_with("_volume_m3") || !highest) continue;
+    const auto at_rest = number_in(curves, 0, column);
+    const auto now = number_in(curves, *highest, column);
+    if (at_rest && now && *at_rest > 0.0)
+      facts.volume_growth = std::max(facts.volume_growth.value_or(-1.0), *now / *at_rest - 1.0);
   }
   return facts;
 }
@@ -59,7 +67,7 @@ CalibrationFacts calibration_facts(const CommandOutput& output) {
     errors.push_back(*error);
     if (facts.worst_error && *error <= *facts.worst_error) continue;
     facts.worst_error = error;
-    facts.worst_case = text_in(residuals, row, "case") + ", " + shown_column(text_in(residuals, row, "ordinate")).title;
+    facts.worst_case = text_in(residuals, row, "case") + ", " + io::shown_column(text_in(residuals, row, "ordinate")).title();
   }
   facts.cases = cases.size();
   facts.quantities = errors.size();
@@ -94,6 +102,13 @@ ValidationFacts validation_facts(const CommandOutput& output) {
                   .worst_body = text_in(summary, row, "worst_body")};
   }
   facts.bodies = bodies.size();
+  const std::filesystem::path signs_file = output.folder / "signs.csv";
+  if (!io::is_file(signs_file)) return facts;
+  const io::CsvContents signs = io::read_csv(signs_file);
+  for (std::size_t row = 0; row < signs.row_count(); ++row) {
+    facts.signs += count_in(signs, row, "count");
+    facts.wrong_signs += count_in(signs, row, "wrong");
+  }
   return facts;
 }
 

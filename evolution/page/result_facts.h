@@ -21,6 +21,7 @@ struct InflationFacts {
   std::optional<double> highest_pressure_Pa{};  ///< of an equilibrium that was found
   std::optional<meshes::LimitPressure> limit{};
   std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure, as a fraction
+  std::size_t plena = 0;
   StatedRun stated{};
 };
 
@@ -52,7 +53,9 @@ struct ValidationFacts {
   std::size_t bodies = 0;
   ErrorFact displacement{};
   ErrorFact volume{};
-  std::size_t outside = 0;  ///< numbers outside the range of validity
+  std::size_t outside = 0;      ///< numbers outside the range of validity
+  std::size_t signs = 0;        ///< displacements that are large enough to have a direction
+  std::size_t wrong_signs = 0;  ///< of these, those that go the other way in the surrogate
 };
 
 enum class WalkModel { elements, surrogate, voxels };

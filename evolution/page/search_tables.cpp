@@ -10,6 +10,7 @@
 #include "evolution/study/study_file.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 
 namespace menger::evolution {
 namespace {
@@ -42,8 +43,7 @@ SearchTables exported_tables(const CommandOutput& exported) {
                       .generations = io::read_csv(exported.folder / "generations.csv"),
                       .lineage = std::nullopt};
   const fs::path lineage = exported.folder / "lineage.csv";
-  std::error_code ignored;
-  if (fs::exists(lineage, ignored)) tables.lineage = io::read_csv(lineage);
+  if (io::is_file(lineage)) tables.lineage = io::read_csv(lineage);
   return tables;
 }
 

@@ -11,16 +11,16 @@ PageTable shown_table(const std::string& title, const io::CsvContents& table, co
                       const std::string& file) {
   constexpr std::size_t most_rows = 200;
   PageTable shown{.title = title, .columns = {}, .rows = {}};
-  std::vector<ShownColumn> known;
+  std::vector<io::ShownColumn> known;
   for (const std::string& column : columns) {
     if (!table.has(column)) continue;
-    known.push_back(shown_column(column));
-    shown.columns.push_back(known.back().title);
+    known.push_back(io::shown_column(column));
+    shown.columns.push_back(known.back().title());
   }
   for (std::size_t row = 0; row < std::min(most_rows, table.row_count()); ++row) {
     std::vector<std::string> cells;
     cells.reserve(known.size());
-    for (const ShownColumn& column : known) cells.push_back(shown_cell(table, row, column));
+    for (const io::ShownColumn& column : known) cells.push_back(shown_cell(table, row, column));
     shown.rows.push_back(std::move(cells));
   }
   shown.note = known.size() < table.columns().size() ? "More columns: " + file + "." : "From " + file + ".";

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "evolution/page/report_numbers.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
+#include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
 namespace {
@@ -54,13 +56,14 @@ Finding missing(const std::string& what, const std::string& command) {
 }
 
 Finding inflation_finding(const InflationFacts& facts, const std::string& begin) {
-  const std::string reached = facts.highest_pressure_Pa ? shown_pressure(*facts.highest_pressure_Pa) : "no pressure";
+  const std::string reached = facts.highest_pressure_Pa ? io::kilopascals(*facts.highest_pressure_Pa) : "no pressure";
   const std::string growth =
-      facts.volume_growth ? " Its chamber then has " + io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
+      facts.volume_growth ? (facts.plena > 1 ? " Of its chambers, the one that grows most then has " : " Its chamber then has ") +
+                                io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
                           : "";
   if (facts.limit) {
     return {Tone::caution,
-            begin + "Usable below " + shown_pressure(facts.limit->pressure_Pa) +
+            begin + "Usable below " + io::kilopascals(facts.limit->pressure_Pa) +
                 ". There the pressure stops rising while the volume grows (limit point): the body balloons or buckles.",
             facts.source};
   }
@@ -86,9 +89,9 @@ Finding calibration_finding(const CalibrationFacts& facts) {
     return {Tone::bad, "The calibration of the surrogate gave no result (" + with_reason(facts.status, facts.reason) + ").",
             facts.source};
   std::string text =
-      "The fitted surrogate is " + shown_percent(*facts.median_error) + " off the finite elements it was fitted to (median of " +
+      "The fitted surrogate is " + io::percents(*facts.median_error) + " off the finite elements it was fitted to (median of " +
       counted(facts.quantities, "quantity", "quantities") + " of " + counted(facts.cases, "load case", "load cases") + ")";
-  if (facts.worst_error) text += "; the worst is " + shown_percent(*facts.worst_error) + " off (" + facts.worst_case + ")";
+  if (facts.worst_error) text += "; the worst is " + io::percents(*facts.worst_error) + " off (" + facts.worst_case + ")";
   text += ".";
   if (facts.status != io::RunStatus::completed) text += " The fit ended early (" + with_reason(facts.status, facts.reason) + ").";
   if (!facts.explained) text += " This is more than the uncertainty of the curves explains: the surrogate differs in shape.";
@@ -101,6 +104,12 @@ Tone tone_of_error(double median) {
   return median <= judged_by::usable_error ? Tone::caution : Tone::bad;
 }
 
+/// @pre displacements have a median error
+Tone tone_of(const ValidationFacts& facts) {
+  const Tone by_size = tone_of_error(*facts.displacement.median);
+  return facts.wrong_signs > 0 ? std::max(by_size, Tone::caution) : by_size;
+}
+
 Finding validation_finding(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
   if (!shapes.median) {
@@ -109,21 +118,29 @@ Finding validation_finding(const ValidationFacts& facts) {
         "Whether the surrogate takes the right shapes is not known: no displacement was compared inside the range of its fit.",
         facts.source};
   }
-  std::string text = "The surrogate's shapes are " + shown_percent(*shapes.median) + " off finite elements (median of " +
+  std::string text = "The surrogate's shapes are " + io::percents(*shapes.median) + " off finite elements (median of " +
                      counted(shapes.count, "displacement", "displacements") + " of " + counted(facts.bodies, "body", "bodies") +
                      ", inside the range of the fit";
-  if (shapes.worst) text += "; the worst, " + shown_percent(*shapes.worst) + ", is of " + shapes.worst_body;
+  if (shapes.worst) {
+    text += "; the worst is " + io::percents(*shapes.worst) + " off";
+    if (facts.bodies > 1) text += ", of " + shapes.worst_body;
+  }
   text += ")";
-  if (facts.volume.median) text += ", its volumes " + shown_percent(*facts.volume.median);
+  if (facts.volume.median) text += ", its volumes " + io::percents(*facts.volume.median);
   text += ".";
+  if (facts.wrong_signs > 0)
+    text += " " + std::to_string(facts.wrong_signs) + " of " + counted(facts.signs, "displacement", "displacements") +
+            " go the wrong way.";
   if (shapes.without_equilibrium > 0)
     text += " In " + counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
   if (facts.outside > 0)
     text += " " + counted(facts.outside, "number", "numbers") + " outside the range of the fit do not count here.";
-  return {tone_of_error(*shapes.median), text, facts.source};
+  return {tone_of(facts), text, facts.source};
 }
 
-bool goes_nowhere(const WalkFacts& walk) { return walk.body_lengths && *walk.body_lengths < judged_by::least_body_lengths; }
+bool goes_nowhere(const WalkFacts& walk) {
+  return walk.body_lengths && *walk.body_lengths < meshes::walk_limits::least_body_lengths;
+}
 
 Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   const std::string on = std::string(walk.model == WalkModel::surrogate ? "in "
@@ -136,8 +153,8 @@ Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
                 with_reason(walk.status, walk.reason) + ").",
             walk.source};
   }
-  std::string text = begin + "It moves " + io::shown(*walk.body_lengths, 2) + " body lengths " + on + " in " +
-                     io::shown(walk.time_s, 3) + " s, " + speed_text(*walk.per_minute);
+  std::string text = begin + "It moves " + io::body_lengths(*walk.body_lengths) + " " + on + " in " + io::shown(walk.time_s, 3) +
+                     " s, " + speed_text(*walk.per_minute);
   if (goes_nowhere(walk)) return {Tone::caution, text + ": it goes nowhere.", walk.source};
   if (walk.direction_deg) text += ", towards " + shown_whole(*walk.direction_deg) + " degrees from x";
   text += ".";
@@ -147,10 +164,23 @@ Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   return {Tone::caution, text, walk.source};
 }
 
-/// The angle between two directions, 0 to 180 degrees.
-double angle_between(double a_deg, double b_deg) {
-  const double turned = std::fmod(std::abs(a_deg - b_deg), 360.0);
-  return std::min(turned, 360.0 - turned);
+bool has_walked(const WalkFacts& walk) { return walk.body_lengths && walk.per_minute; }
+
+/// @pre both have walked
+meshes::WalkAgreement agreement_of(const WalkFacts& a, const WalkFacts& b) {
+  return meshes::compare_walks({*a.body_lengths, a.time_s, a.direction_deg}, {*b.body_lengths, b.time_s, b.direction_deg});
+}
+
+/// "20 degrees"
+std::string degrees_text(double angle_deg) {
+  const std::string shown = io::formatted("%.0f", angle_deg);
+  return shown + (shown == "1" ? " degree" : " degrees");
+}
+
+/// The angle between two walks; nothing if one of them has no direction.
+std::optional<double> angle_of(const WalkFacts& a, const WalkFacts& b) {
+  if (!a.direction_deg || !b.direction_deg) return std::nullopt;
+  return meshes::angle_between(*a.direction_deg, *b.direction_deg);
 }
 
 /// What a comparison of walks in both models says, and what follows for the surrogate.
@@ -159,7 +189,8 @@ struct WalkJudgement {
   std::optional<Tone> surrogate{};  ///< of the surrogate for this walk; nothing if this cannot be said
 };
 
-WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, const std::string& begin) {
+/// @param is_known whether finite elements agree among themselves on this walk
+WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, bool is_known, const std::string& begin) {
   WalkJudgement judged{.finding = {Tone::bad, begin, elements.source + ", " + surrogate.source}};
   std::string& text = judged.finding.text;
   const std::string other = surrogate.model == WalkModel::voxels ? "as voxels" : "in the surrogate";
@@ -169,8 +200,7 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
     text += words;
     return judged;
   };
-  const bool both = elements.per_minute && surrogate.per_minute;
-  if (!both) {
+  if (!has_walked(elements) || !has_walked(surrogate)) {
     text += "One of both models did not complete the walk (finite elements: " + with_reason(elements.status, elements.reason) +
             "; surrogate: " + with_reason(surrogate.status, surrogate.reason) + "): they cannot be compared.";
     if (elements.per_minute) judged.surrogate = Tone::bad;
@@ -178,25 +208,90 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
   }
   text += "It walks " + speed_text(*elements.per_minute) + " on finite elements and " + speed_number(*surrogate.per_minute) +
           " " + other;
-  if (goes_nowhere(elements) && goes_nowhere(surrogate))
-    return conclude(Tone::caution, std::nullopt, ": both go nowhere, so they cannot be compared.");
-  if (goes_nowhere(elements) || goes_nowhere(surrogate)) {
-    return conclude(Tone::bad, Tone::bad,
-                    std::string(": ") + (goes_nowhere(elements) ? "on finite elements" : other) +
-                        " it goes nowhere. Do not trust the surrogate for the walk of this body.");
+  const meshes::WalkAgreement agreement = agreement_of(elements, surrogate);
+  const bool both_walk =
+      agreement != meshes::WalkAgreement::both_go_nowhere && agreement != meshes::WalkAgreement::one_goes_nowhere;
+  if (const auto angle_deg = angle_of(elements, surrogate); angle_deg && both_walk) {
+    const bool differs = *angle_deg > meshes::walk_limits::same_direction_deg;
+    text += (differs ? ", in another direction (" : ", in about the same direction (") + degrees_text(*angle_deg) + " apart)";
   }
-  double angle_deg = 0.0;
-  if (elements.direction_deg && surrogate.direction_deg) {
-    angle_deg = angle_between(*elements.direction_deg, *surrogate.direction_deg);
-    text += angle_deg > judged_by::same_direction_deg ? ", in another direction (" : ", in about the same direction (";
-    text += io::formatted("%.0f", angle_deg) + (io::formatted("%.0f", angle_deg) == "1" ? " degree apart)" : " degrees apart)");
+  if (!is_known)
+    return conclude(Tone::caution, std::nullopt,
+                    ". Finite elements do not agree on this walk, so this says nothing of the surrogate.");
+  switch (agreement) {
+    case meshes::WalkAgreement::alike:
+      return conclude(Tone::good, Tone::good, ". Both models agree on this walk.");
+    case meshes::WalkAgreement::both_go_nowhere:
+      return conclude(Tone::caution, std::nullopt, ": both go nowhere, so they cannot be compared.");
+    case meshes::WalkAgreement::same_direction:
+      return conclude(Tone::caution, Tone::caution, ". The surrogate tells where this body goes, not how fast.");
+    case meshes::WalkAgreement::different:
+      return conclude(Tone::bad, Tone::bad, ". Do not trust the surrogate for the walk of this body.");
+    case meshes::WalkAgreement::one_goes_nowhere:
+      break;
   }
-  const double ratio = *surrogate.per_minute / *elements.per_minute;
-  const bool same_speed = ratio <= judged_by::same_speed && ratio >= 1.0 / judged_by::same_speed;
-  const bool same_direction = angle_deg <= judged_by::same_direction_deg;
-  if (same_speed && same_direction) return conclude(Tone::good, Tone::good, ". Both models agree on this walk.");
-  if (same_direction) return conclude(Tone::caution, Tone::caution, ". The surrogate tells where this body goes, not how fast.");
-  return conclude(Tone::bad, Tone::bad, ". Do not trust the surrogate for the walk of this body.");
+  return conclude(Tone::bad, Tone::bad,
+                  std::string(": ") + (goes_nowhere(elements) ? "on finite elements" : other) +
+                      " it goes nowhere. Do not trust the surrogate for the walk of this body.");
+}
+
+/// Walks of one body on finite elements, driven alike: their meshes or time steps differ.
+struct ElementWalks {
+  std::vector<const WalkFacts*> walks;
+  meshes::WalkAgreement worst = meshes::WalkAgreement::alike;  ///< of any two of them
+  std::pair<const WalkFacts*, const WalkFacts*> worst_pair{};  ///< null if there is only one
+
+  [[nodiscard]] bool are_known() const { return worst <= meshes::WalkAgreement::same_direction; }
+  [[nodiscard]] bool has(const WalkFacts& walk) const { return std::ranges::find(walks, &walk) != walks.end(); }
+};
+
+/// All walks on finite elements that completed, together with those of the same walk.
+std::vector<ElementWalks> element_walks(const std::vector<WalkFacts>& walks) {
+  std::vector<ElementWalks> groups;
+  for (const WalkFacts& walk : walks) {
+    if (walk.model != WalkModel::elements || !has_walked(walk)) continue;
+    auto group = std::ranges::find_if(groups, [&](const ElementWalks& known) {
+      return std::ranges::all_of(known.walks, [&](const WalkFacts* other) { return are_one_walk(walk.stated, other->stated); });
+    });
+    if (group == groups.end()) group = groups.insert(groups.end(), ElementWalks{.walks = {}});
+    for (const WalkFacts* other : group->walks) {
+      const meshes::WalkAgreement agreement = agreement_of(*other, walk);
+      if (group->worst_pair.first != nullptr && agreement <= group->worst) continue;
+      group->worst = agreement;
+      group->worst_pair = {other, &walk};
+    }
+    group->walks.push_back(&walk);
+  }
+  return groups;
+}
+
+/// @pre there are at least two walks
+Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
+  const auto& [one, other] = group.worst_pair;
+  Finding finding{Tone::good, several_bodies ? one->name + ": " : "", one->source + ", " + other->source};
+  finding.text += counted(group.walks.size(), "walk", "walks") + " on finite elements, of one body driven alike (" + one->place +
+                  " and " + other->place + (group.walks.size() > 2 ? " differ most" : "") +
+                  "): " + speed_number(*one->per_minute) + " and " + speed_text(*other->per_minute);
+  if (const auto angle_deg = angle_of(*one, *other)) finding.text += ", " + degrees_text(*angle_deg) + " apart";
+  switch (group.worst) {
+    case meshes::WalkAgreement::alike:
+      finding.text += ". They agree, so this walk is known as far as finite elements go.";
+      break;
+    case meshes::WalkAgreement::both_go_nowhere:
+      finding.tone = Tone::caution;
+      finding.text += ". They go nowhere.";
+      break;
+    case meshes::WalkAgreement::same_direction:
+      finding.tone = Tone::caution;
+      finding.text += ". They tell where this body goes, not how fast.";
+      break;
+    case meshes::WalkAgreement::different:
+    case meshes::WalkAgreement::one_goes_nowhere:
+      finding.tone = Tone::bad;
+      finding.text += ". How it walks is not known: chance decides such a walk.";
+      break;
+  }
+  return finding;
 }
 
 Finding ranking_finding(const RankingFacts& facts) {
@@ -226,7 +321,7 @@ Finding ranking_finding(const RankingFacts& facts) {
   if (facts.within_45_deg && facts.with_direction && *facts.with_direction > 0)
     text += " " + std::to_string(*facts.within_45_deg) + " of " + std::to_string(*facts.with_direction) +
             " go the same way within 45 degrees.";
-  if (facts.median_error) text += " Displacements are " + shown_percent(*facts.median_error) + " off (median).";
+  if (facts.median_error) text += " Displacements are " + io::percents(*facts.median_error) + " off (median).";
   if (facts.best_per_minute)
     text += " The best on finite elements is " + facts.best_design + ", with " + speed_text(*facts.best_per_minute) + ".";
   return {tone, text, facts.source};
@@ -274,6 +369,7 @@ std::vector<WalkPair> pairs_of(const std::vector<WalkFacts>& walks) {
 struct WalkTrust {
   bool were_compared = false;     ///< whether a body walks in both models, driven alike
   bool are_in_both = false;       ///< whether there are walks in both models, of whatever bodies
+  bool are_known = true;          ///< whether finite elements agree among themselves on every walk
   std::optional<Tone> trusted{};  ///< the worst of all comparisons; nothing if they say nothing
 };
 
@@ -282,8 +378,16 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
   WalkTrust trust;
   const std::vector<WalkPair> pairs = pairs_of(facts.walks);
   trust.were_compared = !pairs.empty();
+  const std::vector<ElementWalks> groups = element_walks(facts.walks);
+  for (const ElementWalks& group : groups) {
+    if (group.walks.size() < 2) continue;
+    findings.push_back(element_walks_finding(group, groups.size() > 1));
+    trust.are_known = trust.are_known && group.are_known();
+  }
   for (const auto& [elements, surrogate] : pairs) {
-    const WalkJudgement judged = judge_pair(*elements, *surrogate, label_of(*elements, facts.walks));
+    const bool is_known = std::ranges::none_of(
+        groups, [&, walk = elements](const ElementWalks& group) { return group.has(*walk) && !group.are_known(); });
+    const WalkJudgement judged = judge_pair(*elements, *surrogate, is_known, label_of(*elements, facts.walks));
     findings.push_back(judged.finding);
     if (judged.surrogate) trust.trusted = trust.trusted ? std::max(*trust.trusted, *judged.surrogate) : *judged.surrogate;
   }
@@ -339,9 +443,9 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
   if (!are_of_one_body(facts.inflations)) return {};
   const InflationFacts& one = decisive(facts.inflations);
   tone = inflation_finding(one, "").tone;
-  if (one.limit) return "Usable below " + shown_pressure(one.limit->pressure_Pa) + ", where the body balloons or buckles. ";
+  if (one.limit) return "Usable below " + io::kilopascals(one.limit->pressure_Pa) + ", where the body balloons or buckles. ";
   if (!one.highest_pressure_Pa) return {};
-  const std::string reached = shown_pressure(*one.highest_pressure_Pa);
+  const std::string reached = io::kilopascals(*one.highest_pressure_Pa);
   if (one.status == io::RunStatus::completed) return "Usable up to at least " + reached + ". ";
   if (one.status == io::RunStatus::limit_point) return "Usable up to " + reached + ", where the body balloons or buckles. ";
   return "Known up to " + reached + " only. ";
@@ -378,6 +482,11 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
     tone = worse_of(tone, other);
     return words;
   };
+  if (!walks.are_known) {
+    return conclude(Tone::bad, walks.trusted
+                                   ? "How some bodies walk is not known: finite elements do not agree among themselves."
+                                   : "How this body walks is not known: finite elements do not agree among themselves.");
+  }
   if (walks.trusted) {
     if (*walks.trusted == Tone::good) return conclude(Tone::good, "The surrogate walks as finite elements do.");
     return conclude(*walks.trusted, *walks.trusted == Tone::caution
@@ -389,7 +498,7 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
   if (!facts.rankings.empty()) return conclude(ranking, ranking_headline(ranking, facts.rankings.size() > 1));
   Tone shapes = Tone::missing;
   for (const ValidationFacts& one : facts.validations)
-    if (one.displacement.median) shapes = worse_of(shapes, tone_of_error(*one.displacement.median));
+    if (one.displacement.median) shapes = worse_of(shapes, tone_of(one));
   if (shapes != Tone::missing) return conclude(shapes, shape_headline(shapes, walks.were_compared));
   if (walks.were_compared)
     return conclude(Tone::caution,
@@ -452,11 +561,13 @@ Verdict verdict_of(const ReportFacts& facts) {
 
 std::vector<std::string> judging_words() {
   return {
-      "Shapes can be relied on up to a median error of " + shown_percent(judged_by::good_error) + ", and not above " +
-          shown_percent(judged_by::usable_error) + ".",
-      "A walk below " + io::shown(judged_by::least_body_lengths) +
-          " body lengths goes nowhere. Walks of both models agree if neither is more than " + io::shown(judged_by::same_speed) +
-          " times as fast as the other and their directions are within " + io::shown(judged_by::same_direction_deg) + " degrees.",
+      "Shapes can be relied on up to a median error of " + io::percents(judged_by::good_error) + ", and not above " +
+          io::percents(judged_by::usable_error) + ".",
+      "A walk below " + io::shown(meshes::walk_limits::least_body_lengths) +
+          " body lengths goes nowhere. Two walks, of both models or of two meshes, agree if neither is more than " +
+          io::shown(meshes::walk_limits::same_speed) + " times as fast as the other and their directions are within " +
+          io::shown(meshes::walk_limits::same_direction_deg) + " degrees. They have nothing in common if one is more than " +
+          io::shown(meshes::walk_limits::comparable_speed) + " times as fast.",
       "A ranking can be relied on from a rank correlation of " + io::shown(judged_by::good_rank) + ", and not below " +
           io::shown(judged_by::usable_rank) + " or where its 95 % interval reaches 0.",
       "These limits are choices of this page. Finite elements are not measurements: damping and friction of silicone are "

@@ -8,15 +8,13 @@
 
 namespace menger::evolution {
 
-/// The limits by which the verdict judges. They are choices, which the page states; they decide words, never numbers.
+/// The limits by which the verdict judges, beside those of walks (meshes::walk_limits). They are choices, which the page states;
+/// they decide words, never numbers.
 namespace judged_by {
-inline constexpr double good_error = 0.10;          ///< median error of shapes up to which they can be relied on
-inline constexpr double usable_error = 0.25;        ///< above it they cannot
-inline constexpr double least_body_lengths = 0.05;  ///< a walk shorter than this goes nowhere, and has no direction
-inline constexpr double same_speed = 1.5;           ///< speeds agree if neither is more than this times the other
-inline constexpr double same_direction_deg = 45.0;  ///< directions agree within this angle
-inline constexpr double good_rank = 0.7;            ///< rank correlation from which a ranking can be relied on
-inline constexpr double usable_rank = 0.3;          ///< below it, it cannot
+inline constexpr double good_error = 0.10;    ///< median error of shapes up to which they can be relied on
+inline constexpr double usable_error = 0.25;  ///< above it they cannot
+inline constexpr double good_rank = 0.7;      ///< rank correlation from which a ranking can be relied on
+inline constexpr double usable_rank = 0.3;    ///< below it, it cannot
 }  // namespace judged_by
 
 /// Says in plain words what results mean for their user. Every number has its source. What was not computed is said, with the

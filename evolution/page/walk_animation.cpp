@@ -26,6 +26,7 @@
 #include "io/process/child_program.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/whole_file.h"
 #include "voxel/picture/picture_parts.h"
 #include "voxel/picture/picture_view.h"
@@ -209,8 +210,7 @@ std::optional<fs::path> find_ffmpeg() {
   while (!folders.empty()) {
     const std::size_t end = std::min(folders.find(':'), folders.size());
     const fs::path file = fs::path(folders.substr(0, end)) / "ffmpeg";
-    std::error_code ignored;
-    if (end > 0 && fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0) return file;
+    if (end > 0 && io::is_file(file) && ::access(file.c_str(), X_OK) == 0) return file;
     folders.remove_prefix(std::min(end + 1, folders.size()));
   }
   return std::nullopt;

@@ -10,7 +10,6 @@
 namespace menger::evolution {
 namespace {
 
-constexpr double millimetres_per_metre = 1e3;
 constexpr io::Colour diagonal_colour{150, 150, 150};
 
 io::ChartSeries points(std::string name, std::size_t colour) {
@@ -37,12 +36,12 @@ void add_path(io::Chart& chart, const Path& path, const std::string& name, std::
   std::array lines{series, series, series};
   for (std::size_t n = 0; n < path.time_s.size(); ++n) {
     const std::array<double, 3>& moved = path.from_start_m[n];
-    lines[0].x.push_back(millimetres_per_metre * moved[0]);
-    lines[0].y.push_back(millimetres_per_metre * moved[1]);
+    lines[0].x.push_back(moved[0] / body_length_m);
+    lines[0].y.push_back(moved[1] / body_length_m);
     lines[1].x.push_back(path.time_s[n]);
     lines[1].y.push_back(meshes::horizontal_displacement(moved) / body_length_m);
     lines[2].x.push_back(path.time_s[n]);
-    lines[2].y.push_back(millimetres_per_metre * moved[2]);
+    lines[2].y.push_back(moved[2] / body_length_m);
   }
   for (std::size_t panel = 0; panel < lines.size(); ++panel) chart.panels.at(panel).series.push_back(lines.at(panel));
 }
@@ -87,16 +86,15 @@ io::Chart scatter_chart(const ReevaluationStudy& study, const ReevaluationFindin
                           .marks = io::Marks::line,
                           .dashed = true,
                           .colour = diagonal_colour});
-  for (const double limit : {45.0, 90.0})
-    angle.markers.push_back({.direction = io::ChartMarker::Direction::horizontal, .at = limit});
+  angle.markers = {{.at = 45.0, .label = "the same direction, below 45 degrees"}, {.at = 90.0, .label = "a right angle"}};
   return {.title = "", .panels = {speed, angle}};
 }
 
 io::Chart trajectories_chart(const ReevaluationStudy& study, const ReevaluatedDesign& design) {
   io::Chart chart;
-  chart.panels = {{.title = "path seen from above", .x = {.title = "x (mm)"}, .y = {.title = "y (mm)"}, .equal_scale = true},
-                  {.title = "distance from the start", .x = {.title = "time (s)"}, .y = {.title = "body lengths"}},
-                  {.title = "height of the centre, from the start", .x = {.title = "time (s)"}, .y = {.title = "height (mm)"}}};
+  chart.panels = {{.x = {.title = "path from above: x (body lengths)"}, .y = {.title = "y (body lengths)"}, .equal_scale = true},
+                  {.x = {.title = "time (s)"}, .y = {.title = "horizontal displacement (body lengths)"}},
+                  {.x = {.title = "time (s)"}, .y = {.title = "height of the centre above its start (body lengths)"}}};
   const double body_length_m = meshes::body_length_m(study.level, study.search.search.cell_edge_m);
   if (!design.elements.trajectory.empty())
     add_path(chart, path_of(design.elements.trajectory), "finite elements", 1, body_length_m);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
 #include "evolution/reevaluation/reevaluation_strip.h"
 #include "io/text/formatted.h"
+#include "io/text/is_file.h"
 #include "io/text/whole_file.h"
 #include "voxel/picture/vtk_output.h"
 
@@ -24,8 +24,7 @@ void remove_earlier(const fs::path& folder) { io::remove_files(folder, {"both.pv
 std::vector<FramePair> frame_pairs(const ReevaluatedDesign& design) {
   std::vector<FramePair> pairs;
   const fs::path collection = design.elements.folder / "frames.pvd";
-  std::error_code ignored;
-  if (!fs::is_regular_file(collection, ignored) || design.surrogate.frames.empty()) return pairs;
+  if (!io::is_file(collection) || design.surrogate.frames.empty()) return pairs;
   const std::vector<voxel::Frame>& frames = design.surrogate.frames;
   // Frames of both models that belong together differ in time by less than a step; successive frames are several records apart.
   const double near_s = frames.size() > 1 ? 0.25 * (frames[1].time_s - frames[0].time_s) : 1e-3;

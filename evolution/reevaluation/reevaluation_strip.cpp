@@ -15,10 +15,10 @@
 #include <cassert>
 #include <cstdio>
 #include <string>
-#include <system_error>
 
 #include "io/picture/chart_panel.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "voxel/picture/picture_parts.h"
 #include "voxel/picture/picture_view.h"
 
@@ -32,9 +32,8 @@ using voxel::View;
 using Surface = vtkSmartPointer<vtkPolyData>;
 
 Surface surface_of(const fs::path& file) {
-  std::error_code ignored;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  if (fs::is_regular_file(file, ignored)) {
+  if (io::is_file(file)) {
     reader->SetFileName(file.c_str());
     reader->Update();
   }

@@ -103,10 +103,10 @@ io::CsvTable comparison_table(const std::vector<ComparedSearch>& searches, const
 io::Chart comparison_chart(const std::vector<ComparedSearch>& searches) {
   io::ChartPanel progress{.title = "best robot evaluated so far",
                           .x = {.title = "total cost with element-steps (1e9 voxel-steps)"},
-                          .y = {.title = "body lengths on finite elements", .lowest = 0.0}};
+                          .y = {.title = "distance on finite elements (body lengths)", .lowest = 0.0}};
   io::ChartPanel outcomes{.title = "outcome of each search",
                           .x = {.title = "number of the search of its model, in the order given", .lowest = 0.5},
-                          .y = {.title = "body lengths on finite elements", .lowest = 0.0}};
+                          .y = {.title = "distance on finite elements (body lengths)", .lowest = 0.0}};
   constexpr double steps_per_unit = 1e9;
   std::array<io::ChartSeries, models.size()> points;
   for (const ComparedSearch& search : searches) {

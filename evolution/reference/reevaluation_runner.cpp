@@ -7,7 +7,6 @@
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
 
 #include "evolution/reference/reevaluation_surrogate.h"
@@ -18,6 +17,7 @@
 #include "io/ranks/roll_call.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
@@ -38,9 +38,8 @@ struct Calls {
 };
 
 Calls read_calls(const fs::path& folder) {
-  std::error_code ignored;
   Calls calls;
-  if (!fs::is_regular_file(folder / record_name, ignored)) return calls;
+  if (!io::is_file(folder / record_name)) return calls;
   try {
     const io::TomlTable table = io::read_toml(folder / record_name);
     calls = {.is_finished = table.boolean("finished"),

@@ -5,6 +5,8 @@
 #include <map>
 #include <vector>
 
+#include "io/text/formatted.h"
+
 namespace menger::evolution {
 namespace {
 
@@ -76,6 +78,13 @@ io::ChartPanel trade_panel(const TradeTable& table, const std::string& title) {
   cover_decades(panel.x, seconds);
   cover_decades(panel.y, percents);
   if (panel.y.highest) *panel.y.highest *= legend_room;
+  const auto is_raised = [&](const TradeRow& row) {
+    return row.error && row.seconds && drawn_percent(*row.error, table) > 100.0 * *row.error;
+  };
+  const auto is_shortened = [](const TradeRow& row) { return row.error && row.seconds && *row.seconds < least_s; };
+  if (std::ranges::any_of(table.rows, is_raised))
+    panel.y.title += "; smaller ones are drawn as " + io::shown(drawn_percent(0.0, table), 2);
+  if (std::ranges::any_of(table.rows, is_shortened)) panel.x.title += "; shorter ones are drawn as " + io::shown(least_s);
   if (table.reference_error && panel.x.lowest &&
       panel.x.highest) {  // named in the legend: a text along the line would hide points
     const double level = drawn_percent(*table.reference_error, table);

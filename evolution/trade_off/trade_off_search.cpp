@@ -11,6 +11,7 @@
 #include "evolution/trade_off/trade_off_elements.h"
 #include "evolution/trade_off/trade_off_variant.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "meshes/design/design_file.h"
@@ -114,8 +115,7 @@ class SearchTrader {
     job.kept_folder = folder_;
     job.time_limit_s = choice_.time_limit_s;
     if (!run(job, row)) return;
-    std::error_code ignored;
-    if (!fs::is_regular_file(folder_ / "champion/champion.toml", ignored)) {
+    if (!io::is_file(folder_ / "champion/champion.toml")) {
       row.status = "failed";
       row.reason = "no design has a fitness";
       return;

@@ -12,11 +12,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <system_error>
 
 #include "evolution/trade_off/trade_off_body.h"
 #include "evolution/trade_off/trade_off_voxels.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "voxel/model/surrogate_file.h"
@@ -143,8 +143,7 @@ std::map<fs::path, SettledBody> settled_bodies(const TradeStudy& study) {
 }
 
 SettledBody::Voxels frame_voxels(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) throw io::InputError(file.string() + ": there is no such file");
+  if (!io::is_file(file)) throw io::InputError(file.string() + ": there is no such file");
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();

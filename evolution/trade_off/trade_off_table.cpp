@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/process/progress.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
@@ -42,8 +43,6 @@ std::vector<std::size_t> by_seconds(const TradeTable& table) {
 double known_error(const TradeTable& table, std::size_t n) {
   return std::max(*table.rows[n].error, table.reference_error.value_or(0.0));
 }
-
-std::string percent(double fraction) { return io::shown(100.0 * fraction, 2) + " %"; }
 
 std::string cost_text(const TradeRow& row) {
   const double seconds = row.seconds.value_or(0.0);
@@ -128,21 +127,21 @@ std::string recommendation_text(const TradeTable& table, const std::vector<doubl
   std::string text;
   if (table.reference) {
     text += "reference: " + table.rows[*table.reference].label;
-    text += table.reference_error ? ", itself within about " + percent(*table.reference_error) + "\n"
+    text += table.reference_error ? ", itself within about " + io::percents(*table.reference_error) + "\n"
                                   : "; its own error is not known\n";
   }
   const bool has_errors = std::ranges::any_of(table.rows, [](const TradeRow& row) { return row.error.has_value(); });
   if (!has_errors) return text + "no errors can be given: there is no reference that moved, or no other run\n";
   for (const Recommendation& response : recommendations(table, targets)) {
-    text += "for " + percent(response.target) + " ";
+    text += "for " + io::percents(response.target) + " ";
     if (response.row) {
       const TradeRow& row = table.rows[*response.row];
-      text += "you need " + row.model + ", " + row.label + " (" + percent(*row.error) +
+      text += "you need " + row.model + ", " + row.label + " (" + io::percents(*row.error) +
               (response.row == table.reference ? " by its own estimate" : " from the reference") + "), it costs " +
               cost_text(row);
       if (row.is_outside()) text += ", outside the range of validity of its parameters";
     } else if (table.reference_error && *table.reference_error > response.target) {
-      text += "no run is accurate enough: the reference itself is known to " + percent(*table.reference_error) + " only";
+      text += "no run is accurate enough: the reference itself is known to " + io::percents(*table.reference_error) + " only";
     } else {
       text += "no run is accurate enough";
     }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "io/text/formatted.h"
+#include "io/shown/shown_quantity.h"
 
 namespace menger::fem {
 namespace {
@@ -17,7 +17,7 @@ double on_axis(VolumeScale scale, double volume_m3, double rest_m3) {
   return scale == VolumeScale::cubic_centimetres ? 1e6 * volume_m3 : 100.0 * (volume_m3 / rest_m3 - 1.0);
 }
 
-std::string limit_label(const LimitPoint& limit) { return "limit point " + io::shown(1e-3 * limit.pressure_Pa) + " kPa"; }
+std::string limit_label(const LimitPoint& limit) { return "limit point " + io::kilopascals(limit.pressure_Pa, 4); }
 
 io::ChartPanel panel(const InflationResult& result, VolumeScale scale) {
   io::ChartPanel panel;

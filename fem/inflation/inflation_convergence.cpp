@@ -79,7 +79,8 @@ io::CsvTable convergence_table(const std::vector<ConvergenceRow>& rows) {
 io::PictureOutcome draw_convergence(const std::filesystem::path& file, const std::vector<ConvergenceRow>& rows) {
   io::ChartPanel panel;
   panel.x = {.title = "element size (mm)", .logarithmic = true};
-  panel.y = {.title = "relative difference from the estimated limit", .logarithmic = true};
+  panel.y = {.title = "difference from the estimated limit / this limit", .logarithmic = true};
+  bool is_whole = true;
   for (std::size_t first = 0; first < rows.size();) {
     std::size_t end = first;
     while (end < rows.size() && rows[end].observable == rows[first].observable) ++end;
@@ -89,7 +90,10 @@ io::PictureOutcome draw_convergence(const std::filesystem::path& file, const std
     io::ChartSeries series{.name = finest.observable, .marks = io::Marks::line_and_points, .dashed = !finest.richardson_estimate};
     for (std::size_t r = first; r < end; ++r) {
       const double difference = std::abs(rows[r].value - limit);
-      if (!(difference > negligible * scale) || difference > scale) continue;
+      if (!(difference > negligible * scale) || difference > scale) {
+        is_whole = is_whole && difference <= negligible * scale;
+        continue;
+      }
       series.x.push_back(1e3 * rows[r].element_size_m);
       series.y.push_back(difference / scale);
     }
@@ -99,6 +103,7 @@ io::PictureOutcome draw_convergence(const std::filesystem::path& file, const std
     if (series.x.size() >= fewest) panel.series.push_back(std::move(series));
     first = end;
   }
+  if (!is_whole) panel.y.title += "; those above 1 are left out";
   const io::Chart chart{.title = "convergence (orders near re-entrant edges are observed, not asserted)", .panels = {panel}};
   return io::write_chart(file, chart, {.width_px = 1300, .height_px = 1000});
 }

@@ -17,6 +17,7 @@
 
 #include "fem/picture/picture_parts.h"
 #include "fem/space/rank_gather.h"
+#include "io/text/formatted.h"
 
 namespace menger::fem {
 namespace {
@@ -85,6 +86,13 @@ double highest_colour(const DeformedBody& body) {
   return std::max(1e-3 * *place, std::numeric_limits<double>::min());
 }
 
+/// Names the scale, and says what its red end stands for where it does not reach the largest stress.
+std::string stress_title(const DeformedBody& body) {
+  const double largest = 1e-3 * *std::ranges::max_element(body.von_mises_Pa);
+  const std::string title = "von Mises stress (kPa)";
+  return largest > highest_colour(body) ? title + "\nred: up to " + io::shown(largest, 3) : title;
+}
+
 }  // namespace
 
 DeformedBody gather_deformed_body(const Space& space, std::span<const double> displacements, const NodalFields& fields) {
@@ -124,7 +132,7 @@ io::PictureOutcome draw_deformed_body(const std::filesystem::path& file, const D
     add_outline(*renderer, *reference);
     const double pixels_per_m = aim(*renderer, {deformed, reference}, style);
     add_scale_bar(*renderer, pixels_per_m, style);
-    add_colour_bar(*renderer, "von Mises stress (kPa)", highest_colour(body), style);
+    add_colour_bar(*renderer, stress_title(body), highest_colour(body), style);
     add_caption(*renderer, caption, style);
   });
 }

@@ -55,7 +55,8 @@ io::ChartPanel panel_of(const ModesResult& result, const std::string& title, std
     if (peak_of(result.curves[c]) > rounding * peak) panel.series.push_back(series_of(result, result.curves[c], scale));
   for (const double frequency_Hz : result.states.back().vibrations.frequencies_Hz) {
     if (frequency_Hz > result.frequencies_Hz.back()) continue;
-    panel.markers.push_back({io::ChartMarker::Direction::vertical, frequency_Hz, ""});
+    panel.markers.push_back(
+        {io::ChartMarker::Direction::vertical, frequency_Hz, panel.markers.empty() ? "natural frequencies" : ""});
   }
   return panel;
 }
@@ -124,9 +125,9 @@ std::string modes_result_text(const ModesResult& result) {
 io::PictureOutcome draw_frequency_response(const fs::path& file, const ModesResult& result) {
   // the first curve is the volume's, then three components of each point
   const std::size_t last = std::min<std::size_t>(result.curves.size(), 7);
-  io::Chart chart{
-      .title = "response to harmonic chamber pressure",
-      .panels = {panel_of(result, "chamber volume (mm³/Pa)", 0, 1, 1e9), panel_of(result, "displacement (µm/Pa)", 1, last, 1e6)}};
+  io::Chart chart{.title = "response to harmonic chamber pressure",
+                  .panels = {panel_of(result, "amplitude of chamber volume (cm³/kPa)", 0, 1, 1e9),
+                             panel_of(result, "amplitude of displacement (mm/kPa)", 1, last, 1e6)}};
   return io::write_chart(file, chart, {.width_px = 2000, .height_px = 900});
 }
 

@@ -1,41 +1,14 @@
 #include "fem/load_cases/load_case_chart.h"
 
-#include <array>
-#include <utility>
-
 #include "io/picture/chart.h"
-#include "io/text/formatted.h"
+#include "io/shown/shown_column.h"
+#include "io/shown/shown_quantity.h"
+#include "meshes/load_cases/response_axis.h"
 
 namespace menger::fem {
 namespace {
 
 using meshes::ResponseCurve;
-
-/// The title of an axis for a column, with the factor from the column's unit to that of the figure.
-struct Quantity {
-  std::string title;
-  double factor = 1.0;
-};
-
-Quantity quantity_of(const std::string& column) {
-  constexpr std::array<std::pair<const char*, std::pair<const char*, double>>, 7> units{{{"_Pa", {" (kPa)", 1e-3}},
-                                                                                         {"_N_m", {" (mN m)", 1e3}},
-                                                                                         {"_m", {" (mm)", 1e3}},
-                                                                                         {"_N", {" (N)", 1.0}},
-                                                                                         {"_rad", {" (rad)", 1.0}},
-                                                                                         {"_Hz", {" (Hz)", 1.0}},
-                                                                                         {"_change", {" change (%)", 100.0}}}};
-  for (const auto& [suffix, unit] : units) {
-    if (!column.ends_with(suffix)) continue;
-    std::string title = column.substr(0, column.size() - std::string(suffix).size());
-    for (char& sign : title)
-      if (sign == '_') sign = ' ';
-    return {title + unit.first, unit.second};
-  }
-  return {column, 1.0};
-}
-
-std::string pressure_label(double pressure_Pa) { return io::shown(1e-3 * pressure_Pa, 3) + " kPa"; }
 
 std::vector<double> scaled_by(const std::vector<double>& values, double factor) {
   std::vector<double> result = values;
@@ -45,16 +18,16 @@ std::vector<double> scaled_by(const std::vector<double>& values, double factor) 
 
 io::ChartPanel panel_of(const ResponseCurve& curve, std::size_t ordinate) {
   const std::size_t abscissa = meshes::abscissa_count(curve.provenance.load_case.kind) - 1;
-  const Quantity x = quantity_of(curve.columns[abscissa]);
-  const Quantity y = quantity_of(curve.columns[ordinate]);
+  const io::ShownColumn x = io::shown_column(curve.columns[abscissa]);
+  const io::ShownColumn y = io::shown_column(curve.columns[ordinate]);
   io::ChartPanel panel;
-  panel.x.title = x.title;
-  panel.y.title = y.title;
+  panel.x.title = x.title();
+  panel.y.title = y.title();
   const std::vector<double>& outer = curve.values.front();
   for (std::size_t row = 0; row < curve.row_count(); ++row) {
     const bool begins = row == 0 || (abscissa > 0 && outer[row] != outer[row - 1]);
     if (begins)
-      panel.series.push_back({.name = abscissa > 0 ? pressure_label(outer[row]) : "", .marks = io::Marks::line_and_points});
+      panel.series.push_back({.name = abscissa > 0 ? io::kilopascals(outer[row]) : "", .marks = io::Marks::line_and_points});
     panel.series.back().x.push_back(x.factor * curve.values[abscissa][row]);
     panel.series.back().y.push_back(y.factor * curve.values[ordinate][row]);
   }
@@ -62,18 +35,20 @@ io::ChartPanel panel_of(const ResponseCurve& curve, std::size_t ordinate) {
 }
 
 /// Returns one panel of ordinates that share their unit and abscissa.
-io::ChartPanel panel_of_all(const ResponseCurve& curve, const std::string& title, const std::vector<std::size_t>& ordinates) {
+io::ChartPanel panel_of_all(const ResponseCurve& curve, const std::vector<std::size_t>& ordinates) {
   io::ChartPanel panel;
-  const Quantity x = quantity_of(curve.columns.front());
-  panel.x.title = x.title;
-  panel.y.title = title;
+  const io::ShownColumn x = io::shown_column(curve.columns.front());
+  panel.x.title = x.title();
+  std::vector<std::string> columns;
   for (const std::size_t ordinate : ordinates) {
-    const Quantity y = quantity_of(curve.columns[ordinate]);
-    panel.series.push_back({.name = y.title.substr(0, y.title.find(" (")),
+    columns.push_back(curve.columns[ordinate]);
+    const io::ShownColumn y = io::shown_column(curve.columns[ordinate]);
+    panel.series.push_back({.name = y.quantity,
                             .x = scaled_by(curve.values.front(), x.factor),
                             .y = scaled_by(curve.values[ordinate], y.factor),
                             .marks = io::Marks::line_and_points});
   }
+  panel.y.title = meshes::response_axis_title(columns);
   return panel;
 }
 
@@ -84,10 +59,10 @@ io::PictureOutcome draw_response_curve(const std::filesystem::path& file, const 
   chart.title = curve.provenance.load_case.name;
   switch (curve.provenance.load_case.kind) {
     case meshes::LoadCaseKind::inflation:
-      chart.panels = {panel_of(curve, 1), panel_of_all(curve, "growth (mm)", {2, 3, 4, 5})};
+      chart.panels = {panel_of(curve, 1), panel_of_all(curve, {2, 3, 4, 5})};
       break;
     case meshes::LoadCaseKind::modes:
-      chart.panels = {panel_of_all(curve, "natural frequency (Hz)", {1, 2, 3})};
+      chart.panels = {panel_of_all(curve, {1, 2, 3})};
       break;
     default:
       for (std::size_t column = meshes::abscissa_count(curve.provenance.load_case.kind); column < curve.columns.size(); ++column)

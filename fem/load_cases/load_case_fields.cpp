@@ -8,6 +8,7 @@
 #include "fem/space/rank_agreement.h"
 #include "fem/statics/nodal_fields.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/whole_file.h"
 
 namespace menger::fem {
@@ -29,8 +30,7 @@ LoadCaseFields::LoadCaseFields(const fs::path& folder, const std::string& name, 
       series_(collected_, communicator) {}
 
 bool LoadCaseFields::are_kept() const {
-  std::error_code ignored;
-  if (!fs::is_regular_file(place_ / collection_name, ignored) || !fs::is_regular_file(place_ / hash_name, ignored)) return false;
+  if (!io::is_file(place_ / collection_name) || !io::is_file(place_ / hash_name)) return false;
   return io::read_whole(place_ / hash_name) == key_;
 }
 

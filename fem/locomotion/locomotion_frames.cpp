@@ -1,8 +1,7 @@
 #include "fem/locomotion/locomotion_frames.h"
 
-#include <system_error>
-
 #include "io/text/formatted.h"
+#include "io/text/is_file.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/collection.h"
 #include "io/vtk/vtk_file.h"
@@ -17,18 +16,13 @@ constexpr const char* collection_name = "frames.pvd";
 /// Returns the path of a frame, relative to the folder of the run.
 fs::path frame_file(std::size_t number) { return fs::path("frames") / ("frame_" + io::padded(number, 4) + ".vtu"); }
 
-bool is_there(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(file, ignored);
-}
-
 }  // namespace
 
 void LocomotionFrames::keep_only(const std::vector<double>& times_s) {
   times_s_ = times_s;
   // Users may have removed some frames. Frames after the first missing one do not count.
   std::size_t kept = 0;
-  while (kept < times_s_.size() && is_there(folder_ / frame_file(kept))) ++kept;
+  while (kept < times_s_.size() && io::is_file(folder_ / frame_file(kept))) ++kept;
   times_s_.resize(kept);
   // The collection is updated before the files are removed, so that it never names one that does not exist.
   if (times_s_.empty())

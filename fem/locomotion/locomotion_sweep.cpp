@@ -6,8 +6,8 @@
 #include "fem/locomotion/locomotion_picture.h"
 #include "fem/locomotion/locomotion_study_file.h"
 #include "io/picture/chart.h"
+#include "io/shown/shown_column.h"
 #include "io/text/formatted.h"
-#include "io/text/number_text.h"
 #include "io/text/toml_substitution.h"
 #include "io/text/whole_file.h"
 
@@ -18,13 +18,20 @@ namespace fs = std::filesystem;
 
 fs::path case_folder(std::size_t number) { return "case_" + io::padded(number, 2); }
 
+/// The swept key as it is shown: "drive.frequency_Hz" is "frequency (Hz)".
+io::ShownColumn shown_key(const LocomotionSweep& sweep) {
+  const std::string& key = sweep.keys.front();
+  return io::shown_column(key.substr(key.rfind('.') + 1));
+}
+
 /// Returns the panel of the paths from above.
-io::ChartPanel paths_panel(const std::vector<SweepCase>& cases) {
+io::ChartPanel paths_panel(const LocomotionSweep& sweep, const std::vector<SweepCase>& cases) {
+  const io::ShownColumn key = shown_key(sweep);
   io::ChartPanel panel{.x = {.title = "path from above: x (body lengths)", .least_span = least_chart_span},
                        .y = {.title = "y (body lengths)", .least_span = least_chart_span},
                        .equal_scale = true};
   for (const SweepCase& one : cases) {
-    io::ChartSeries path{.name = io::number_text(one.value)};
+    io::ChartSeries path{.name = io::shown(key.factor * one.value) + (key.unit.empty() ? "" : " " + key.unit)};
     const LocomotionResult& result = one.result;
     for (const WalkRecord& record : result.records) {
       const Point moved = difference(record.centre_of_mass_m, result.records.front().centre_of_mass_m);
@@ -38,17 +45,18 @@ io::ChartPanel paths_panel(const std::vector<SweepCase>& cases) {
 
 /// Returns the panel of speeds over the value, for the cases that completed.
 io::ChartPanel speeds_panel(const LocomotionSweep& sweep, const std::vector<SweepCase>& cases) {
+  const io::ShownColumn key = shown_key(sweep);
   io::ChartSeries along_x{.name = "x", .marks = io::Marks::line_and_points};
   io::ChartSeries along_y{.name = "y", .marks = io::Marks::line_and_points};
   for (const SweepCase& one : cases) {
     const auto travel = travel_of(one.result);
     if (!travel) continue;
     const double per_minute = 60.0 / (one.result.body_length_m * one.result.time_s);
-    for (io::ChartSeries* series : {&along_x, &along_y}) series->x.push_back(one.value);
+    for (io::ChartSeries* series : {&along_x, &along_y}) series->x.push_back(key.factor * one.value);
     along_x.y.push_back(per_minute * travel->displacement_m[0]);
     along_y.y.push_back(per_minute * travel->displacement_m[1]);
   }
-  return {.x = {.title = sweep.keys.front()},
+  return {.x = {.title = key.title()},
           .y = {.title = "speed (body lengths per minute)", .least_span = least_chart_span},
           .series = {along_x, along_y},
           .markers = {}};
@@ -86,7 +94,7 @@ std::vector<SweepCase> run_sweep(const LocomotionStudy& study, const fs::path& f
     if (cases.back().result.status == io::RunStatus::stopped) return cases;
   }
   if (study.output.pictures) {
-    const io::Chart chart{.panels = {speeds_panel(*study.sweep, cases), paths_panel(cases)}};
+    const io::Chart chart{.panels = {speeds_panel(*study.sweep, cases), paths_panel(*study.sweep, cases)}};
     if (const auto picture = io::write_chart(folder / "sweep.png", chart); !picture.written)
       cases.back().result.notes.push_back("no chart of the sweep: " + picture.missing);
   }

@@ -70,7 +70,7 @@ io::ChartPanel travel_panel(const StallMapStudy& study, const StallMap& map, std
   const double frequency_Hz = study.frequencies_Hz[frequency];
   io::ChartPanel panel{.title = io::formatted("travel at %.3g Hz", frequency_Hz),
                        .x = {.title = "swept volume (cm³)", .lowest = 0.0},
-                       .y = {.title = "body lengths per minute", .least_span = 0.1}};
+                       .y = {.title = "speed (body lengths per minute)", .least_span = 0.1}};
   std::optional<double> resistance;
   for (const StallTravel& travel : travels) {
     const StallPoint& point = map.points.at(travel.point);

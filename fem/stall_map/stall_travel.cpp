@@ -10,6 +10,7 @@
 #include "io/process/side_by_side.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/joined_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/toml_text.h"
@@ -71,8 +72,7 @@ class Walks {
   /// Reads a finished walk.
   /// @return whether there is one
   [[nodiscard]] bool read(const fs::path& folder, StallTravel& travel) const {
-    std::error_code ignored;
-    if (!fs::is_regular_file(folder / "result.toml", ignored)) return false;
+    if (!io::is_file(folder / "result.toml")) return false;
     const io::TomlTable result = io::read_toml(folder / "result.toml");
     travel.status = result.word("status", status_words());
     if (travel.status == io::RunStatus::stopped) return false;

@@ -17,6 +17,7 @@
 #include "io/process/program.h"
 #include "io/study/installed_folders.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/near_miss.h"
 #include "io/text/version.h"
 
@@ -54,10 +55,7 @@ constexpr std::array commands{
     Command{"report", "write one page on the results in a folder", "menger report demo"},
 };
 
-bool is_program(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0;
-}
+bool is_program(const fs::path& file) { return io::is_file(file) && ::access(file.c_str(), X_OK) == 0; }
 
 fs::path program_of(std::string_view command) { return io::own_program_folder() / ("menger-" + std::string(command)); }
 

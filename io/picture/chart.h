@@ -40,7 +40,7 @@ struct ChartMarker {
   enum class Direction { horizontal, vertical };
   Direction direction = Direction::horizontal;
   double at = 0.0;      ///< y of a horizontal line, x of a vertical one
-  std::string label{};  ///< written along the line; none if empty
+  std::string label{};  ///< in the legend; the line is not in the legend if empty
 };
 
 /// One of the two axes of a panel.
@@ -73,8 +73,8 @@ struct Chart {
 
 /// Draws a chart on a white background and writes it as a PNG file.
 ///
-/// Text is UTF-8; some characters beyond Latin and Greek are not drawn. A panel has a legend if at least one of its series has a
-/// name. The legend stands in the corner that the curves leave free.
+/// Text is UTF-8; some characters beyond Latin and Greek are not drawn. A panel has a legend if at least one of its series or
+/// markers has a name. The legend stands in the corner that the curves leave free.
 ///
 /// A chart has at least one panel. The axes of a panel without points run from about 0 to 1, logarithmic axes from 1 to 10.
 /// @return what is missing if no display is available; then no file is written

@@ -20,16 +20,22 @@ struct Corner {
   bool top = false;
 };
 
+/// The names in the legend.
+std::vector<std::string> names_in(const ChartPanel& panel) {
+  std::vector<std::string> names;
+  for (const ChartSeries& series : panel.series)
+    if (!series.name.empty()) names.push_back(series.name);
+  for (const ChartMarker& marker : panel.markers)
+    if (!marker.label.empty()) names.push_back(marker.label);
+  return names;
+}
+
 /// Estimates the size of the legend. VTK computes it only while drawing.
-Fractions legend_size(const ChartPanel& panel, const std::array<double, 2>& size_px, int font_size) {
+Fractions legend_size(const std::vector<std::string>& names, const std::array<double, 2>& size_px, int font_size) {
   std::size_t letters = 0;
-  std::size_t rows = 0;
-  for (const ChartSeries& series : panel.series) {
-    letters = std::max(letters, series.name.size());
-    if (!series.name.empty()) ++rows;
-  }
+  for (const std::string& name : names) letters = std::max(letters, name.size());
   return {(0.56 * static_cast<double>(letters) + 5.0) * font_size / size_px[0],
-          (1.35 * static_cast<double>(rows) + 1.5) * font_size / size_px[1]};
+          (1.35 * static_cast<double>(names.size()) + 1.5) * font_size / size_px[1]};
 }
 
 /// Returns points along the curves as fractions of the panel. They are so close together that every curve that crosses a legend
@@ -73,9 +79,9 @@ void PanelChart::SetLegendPosition(const vtkRectf& rect) {
 
 void place_legend(PanelChart& chart, const ChartPanel& panel, const ChartScale& x, const ChartScale& y,
                   const std::array<double, 2>& size_px, int font_size) {
-  if (std::all_of(panel.series.begin(), panel.series.end(), [](const ChartSeries& series) { return series.name.empty(); }))
-    return;
-  const Fractions size = legend_size(panel, size_px, font_size);
+  const std::vector<std::string> names = names_in(panel);
+  if (names.empty()) return;
+  const Fractions size = legend_size(names, size_px, font_size);
   const std::vector<Fractions> points = points_along(panel, x, y);
   Corner best{};
   auto fewest = std::numeric_limits<std::ptrdiff_t>::max();

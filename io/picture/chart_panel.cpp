@@ -118,25 +118,12 @@ vtkPlot* add_marker(vtkChartXY& chart, const ChartMarker& marker, const Scales& 
   }
   vtkPlot& line = *chart.AddPlot(vtkChart::LINE);
   line.SetInputData(table, 0, 1);
-  line.SetLegendVisibility(false);
+  line.SetLabel(" " + marker.label);
+  line.SetLegendVisibility(!marker.label.empty());
   line.SetColor(marker_colour[0], marker_colour[1], marker_colour[2], 255);
   line.SetWidth(marker_width);
   line.GetPen()->SetLineType(vtkPen::DASH_LINE);
   return &line;
-}
-
-void add_marker_label(vtkRenderer& renderer, const ChartMarker& marker, const Scales& scales, const Inside& inside,
-                      int font_size) {
-  const double gap = 0.4 * font_size;
-  if (marker.direction == ChartMarker::Direction::horizontal) {
-    const double y = inside.bottom + inside.height * scales.second.fraction(marker.at);
-    const bool below = y + 2.0 * font_size > inside.bottom + inside.height;
-    add_text(renderer, marker.label, inside.left + inside.width - gap, below ? y - gap : y + gap, 1, below ? 1 : -1, font_size);
-  } else {
-    const double x = inside.left + inside.width * scales.first.fraction(marker.at);
-    const bool before = scales.first.fraction(marker.at) > 0.5;
-    add_text(renderer, marker.label, before ? x - gap : x + gap, inside.bottom + gap, before ? 1 : -1, -1, font_size);
-  }
 }
 
 double widest_label(const ChartScale& scale) {
@@ -196,9 +183,6 @@ void add_panel(vtkContextScene& scene, vtkRenderer& renderer, const ChartPanel& 
   add_text(renderer, panel.x.title, inside.left + 0.5 * inside.width, place.bottom + 0.9 * font, 0, -1, font);
   add_text(renderer, panel.y.title, place.left + 1.9 * font, inside.bottom + 0.5 * inside.height, 0, -1, font)
       .SetOrientation(90.0);
-  for (const ChartMarker& marker : panel.markers) {
-    if (!marker.label.empty()) add_marker_label(renderer, marker, scales, inside, font);
-  }
   if (title > 0.0) {
     add_text(renderer, panel.title, inside.left + 0.5 * inside.width, inside.bottom + inside.height + 0.7 * font, 0, -1,
              static_cast<int>(1.1 * font));

@@ -9,6 +9,7 @@
 #include "io/process/progress.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
@@ -39,8 +40,7 @@ std::string record_text(const ProgramJob& job, const ChildOutcome& outcome) {
 
 /// Returns what an earlier call recorded. Returns nothing if there is no record or it cannot be read; the run is then repeated.
 std::optional<ProgramJobResult> recorded(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(folder / record_name, ignored)) return std::nullopt;
+  if (!io::is_file(folder / record_name)) return std::nullopt;
   try {
     const TomlTable table = read_toml(folder / record_name);
     ProgramJobResult result{.folder = folder, .outcome = {}, .time_limit_s = 0.0, .repeated = false, .message = {}};

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/picture/chart.h"
-#include "io/text/formatted.h"
+#include "io/shown/shown_quantity.h"
 
 namespace menger::materials {
 namespace {
@@ -43,7 +43,7 @@ io::ChartSeries measured(const TensileTest& test, const Span& span) {
 }
 
 io::ChartSeries curve_of(const LawFit& fit, std::size_t place, const Span& span) {
-  const std::string name = std::to_string(place + 1) + "  " + fit.name + ", " + io::shown(1e-3 * fit.rmse_Pa, 3) + " kPa";
+  const std::string name = std::to_string(place + 1) + "  " + fit.name + ", " + io::kilopascals(fit.rmse_Pa);
   io::ChartSeries series{.name = name, .dashed = !fit.stable, .colour = io::chart_colour(place)};
   for (int i = 0; i <= parts; ++i) {
     const double stretch = span.low + (span.high - span.low) * i / parts;
@@ -54,6 +54,13 @@ io::ChartSeries curve_of(const LawFit& fit, std::size_t place, const Span& span)
   return series;
 }
 
+/// Whether a law leaves the range of the axis.
+bool goes_beyond(const io::ChartPanel& panel) {
+  const auto is_beyond = [&](double stress) { return stress > *panel.y.highest || stress < *panel.y.lowest; };
+  return std::ranges::any_of(panel.series,
+                             [&](const io::ChartSeries& series) { return std::ranges::any_of(series.y, is_beyond); });
+}
+
 }  // namespace
 
 io::PictureOutcome write_fit_chart(const std::filesystem::path& file, const FitReport& report, const TensileTest& test) {
@@ -62,19 +69,21 @@ io::PictureOutcome write_fit_chart(const std::filesystem::path& file, const FitR
   // The chart leaves room for laws above the measurement, but not for those far beyond it.
   const auto [lowest, highest] = std::minmax_element(points.y.begin(), points.y.end());
   const double room = 0.3 * std::max(*highest, -*lowest);
-  io::ChartPanel stable{.title = "stable laws, the best first",
+  io::ChartPanel stable{.title = "stable laws with their RMS error, the best first",
                         .x = {.title = "stretch", .lowest = span.low, .highest = span.high},
                         .y = {.title = "nominal stress (kPa)",
                               .lowest = *lowest < 0.0 ? *lowest - room : 0.0,
                               .highest = *highest > 0.0 ? *highest + room : 0.0},
                         .series = {},
-                        .markers = {{io::ChartMarker::Direction::vertical, span.fitted, "fitted up to here"}}};
+                        .markers = {{io::ChartMarker::Direction::vertical, span.fitted, "largest fitted stretch"}}};
   io::ChartPanel unstable = stable;
-  unstable.title = "laws that are not stable";
+  unstable.title = "laws that are not stable, with their RMS error";
   for (std::size_t place = 0; place < report.ranking.size(); ++place) {
     const LawFit& fit = report.ranking[place];
     (fit.stable ? stable : unstable).series.push_back(curve_of(fit, place, span));
   }
+  for (io::ChartPanel* panel : {&stable, &unstable})
+    if (goes_beyond(*panel)) panel->y.title += "; higher and lower ends are cut off";
   const bool any_stable = !stable.series.empty();
   const bool any_unstable = !unstable.series.empty();
   stable.series.push_back(points);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/study/installed_folders.h"
+#include "io/text/is_file.h"
 #include "materials/laws/silicone_record.h"
 
 namespace menger::materials {
@@ -47,9 +48,8 @@ fs::path silicone_file(const io::TomlTable& table, std::string_view key, const s
 }
 
 std::optional<fs::path> silicone_of_menger(std::string_view name) {
-  std::error_code ignored;
   fs::path file = record_folder() / (std::string(name) + ".toml");
-  if (name.find('/') != std::string_view::npos || !fs::is_regular_file(file, ignored)) return std::nullopt;
+  if (name.find('/') != std::string_view::npos || !io::is_file(file)) return std::nullopt;
   return file;
 }
 

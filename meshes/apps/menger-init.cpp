@@ -25,7 +25,7 @@ using namespace menger::meshes;
 
 struct Arguments {
   std::string name;
-  std::string start = "table";
+  std::string start;  ///< empty: none is asked for
   bool list = false;
 };
 
@@ -35,7 +35,8 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
       "Example:\n  menger init my_robot --from crawler\n  menger loop my_robot/robot.toml\n"
       "Exit codes: 0 done, 2 wrong input.");
   app.add_option("name", arguments.name, "Name of the robot and its folder");
-  app.add_option("--from", arguments.start, "Robot to begin with; --list shows them")->capture_default_str();
+  app.add_option("--from", arguments.start,
+                 "Robot to begin with; --list shows them (default: the one of the same name, or else table)");
   app.add_flag("--list", arguments.list, "Show the robots to begin with");
   return io::parse_arguments(app, argc, argv);
 }
@@ -46,6 +47,13 @@ void print_list() {
   for (const StartingPoint& start : starting_points())
     std::cout << start.name << std::string(width + 2 - start.name.size(), ' ') << start.purpose << '\n';
   std::cout << "Begin with one of them: menger init NAME --from " << starting_points().front().name << '\n';
+}
+
+/// The robot to begin with where none is asked for: nobody who writes "menger init finger" wants another one.
+const StartingPoint& start_for(const std::string& robot_name) {
+  for (const StartingPoint& start : starting_points())
+    if (start.name == robot_name) return start;
+  return starting_points().front();
 }
 
 const StartingPoint& start_named(const std::string& name) {
@@ -65,7 +73,6 @@ int run(const Arguments& arguments) {
     return io::exit_code::done;
   }
   if (arguments.name.empty()) throw io::InputError("name is missing: menger init NAME, or menger init --list");
-  const StartingPoint& start = start_named(arguments.start);
   const fs::path folder(arguments.name);
   const fs::path file = folder / "robot.toml";
   std::error_code ignored;
@@ -73,8 +80,10 @@ int run(const Arguments& arguments) {
     throw io::InputError(file.string() + ": is there already, and is not written over");
   fs::path whole = fs::absolute(folder).lexically_normal();  // "." has a name, too
   if (!whole.has_filename()) whole = whole.parent_path();
-  io::write_whole(file, robot_template(start, whole.filename().string()));
-  std::cout << "wrote " << file.string() << ": " << summary_of(read_robot(file)) << "\n"
+  const std::string name = whole.filename().string();
+  const StartingPoint& start = arguments.start.empty() ? start_for(name) : start_named(arguments.start);
+  io::write_whole(file, robot_template(start, name));
+  std::cout << "wrote " << file.string() << " from " << start.name << ": " << summary_of(read_robot(file)) << "\n"
             << "Next: change it to your robot, then\n"
             << "  menger loop " << file.string() << " --until limit   (seconds: its mesh, and the pressure that it bears)\n"
             << "  menger loop " << file.string() << "                 (minutes: everything that the file asks for)\n";

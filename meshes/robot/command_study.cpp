@@ -1,9 +1,9 @@
 #include "meshes/robot/command_study.h"
 
 #include <array>
-#include <system_error>
 
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "meshes/robot/robot_file.h"
 
 namespace menger::meshes {
@@ -11,8 +11,7 @@ namespace menger::meshes {
 namespace fs = std::filesystem;
 
 void take_champion(Robot& robot, const RobotPlaces& places) {
-  std::error_code ignored;
-  if (!robot.evolves || !fs::is_regular_file(places.champion(), ignored)) return;
+  if (!robot.evolves || !io::is_file(places.champion())) return;
   robot.design.body = read_design(places.champion()).body;
 }
 

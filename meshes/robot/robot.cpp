@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "materials/laws/hyperelastic_law.h"
 
@@ -12,8 +13,6 @@ namespace {
 constexpr double known_shear_modulus_Pa = 86.7e3;
 constexpr double known_slenderness = 2.0 / 6.0;  ///< wall thickness over span
 constexpr double known_drive_Pa = 6000.0;
-
-std::string millimetres(double length_m) { return io::shown(1e3 * length_m) + " mm"; }
 
 }  // namespace
 
@@ -84,10 +83,10 @@ std::string summary_of(const Robot& robot) {
   std::string text = robot.design.name + ": ";
   const std::size_t cells = robot.design.body.count();
   text += robot.has_body() ? std::to_string(cells) + (cells == 1 ? " cell" : " cells") : "a body that a search finds, cells";
-  text += " of " + millimetres(robot.design.cell_edge_m) + " with walls of " + millimetres(robot.wall_thickness_m) + ", " +
-          robot.record.name + ", ";
+  text += " of " + io::millimetres(robot.design.cell_edge_m, 4) + " with walls of " + io::millimetres(robot.wall_thickness_m, 4) +
+          ", " + robot.record.name + ", ";
   text += robot.chambers == ChamberLayout::single ? "one chamber, " : "a chamber for each region of one material, ";
-  if (robot.drive == RobotDrive::hold) return text + "held at " + io::shown(1e-3 * highest_Pa) + " kPa";
+  if (robot.drive == RobotDrive::hold) return text + "held at " + io::kilopascals(highest_Pa, 4);
   return text + io::shown(1e-3 * lowest_Pa) + " to " + io::shown(1e-3 * highest_Pa) + " kPa at " + io::shown(robot.frequency_Hz) +
          " Hz";
 }

@@ -1,11 +1,11 @@
 #include "meshes/robot/robot_file.h"
 
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "io/study/study_reader.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/toml_document.h"
 #include "materials/laws/silicone_library.h"
 #include "meshes/design/hollow_body_file.h"
@@ -130,8 +130,7 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
 }
 
 bool is_robot_file(const fs::path& file) {
-  std::error_code ignored;
-  if (file.extension() != ".toml" || !fs::is_regular_file(file, ignored)) return false;
+  if (file.extension() != ".toml" || !io::is_file(file)) return false;
   try {
     return io::read_toml(file).is_table("robot");
   } catch (const io::InputError&) {

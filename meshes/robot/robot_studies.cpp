@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <system_error>
 #include <vector>
 
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/hollow_body_file.h"
@@ -365,8 +365,7 @@ void write_studies(const Robot& robot, std::span<const RobotStudy> studies, cons
   for (const RobotStudy study : studies) {
     const fs::path file = places.study(study);
     const std::string text = study_text(robot, study, places);
-    std::error_code ignored;
-    if (fs::is_regular_file(file, ignored) && io::read_whole(file) == text) continue;
+    if (io::is_file(file) && io::read_whole(file) == text) continue;
     io::write_whole(file, text);
   }
 }

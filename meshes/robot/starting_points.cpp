@@ -29,7 +29,7 @@ layers = [["100", "100", "100"], ["111", "111", "111"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 )"},
-    StartingPoint{"finger", "a finger: a bar of nine cells with bellows on top, which bends by 4 mm at 12 kPa; it does not walk",
+    StartingPoint{"finger", "a finger: a bar of nine cells with bellows on top, which bends by 3 mm at 12 kPa; it does not walk",
                   R"(
 [robot]
 layers = [["111111111"], ["101010101"]]

@@ -143,6 +143,9 @@ TEST_F(LoopProgram, InitWritesARobotAndNeverOverOne) {
   EXPECT_EQ(again.code, 2);
   expect_has(again.err, "mine/robot.toml: is there already");
   EXPECT_EQ(io::read_whole(folder_ / "mine/robot.toml"), text);
+  expect_has(run({"init", "finger"}).out, "wrote finger/robot.toml from finger: finger: 14 cells");
+  expect_has(run({"init", "quadruped", "--from", "menger"}).out, "from menger: quadruped: 20 cells");
+  expect_has(run({"init", "unnamed"}).out, "from table: unnamed: 11 cells");
   EXPECT_EQ(run({"init"}).code, 2);
   EXPECT_EQ(run({"init", "."}).code, 0);
   expect_has(io::read_whole(folder_ / "robot.toml"), "name = \"" + fs::path(folder_).filename().string() + "\"");

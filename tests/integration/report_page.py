@@ -156,6 +156,31 @@ def check_bad_chart(browser, check):
     check.that(drawn == 1, "a chart after one that cannot be drawn is drawn")
 
 
+def check_marks(browser, check):
+    """Every series of a chart has a mark of its own, also where there are more of them than colours. The page has been opened."""
+    series = ", ".join(f'{{name: "s{n}", x: [{n}], y: [{n}], marks: "points", dashed: false, labels: []}}' for n in range(20))
+    chart = ('{title: "marks", x: {title: "x", log: false}, y: {title: "y", log: false}, markers: [], equal: false, diagonal: false, note: "", '
+             f'series: [{series}]}}')
+    browser.value(f'drawSection({{id: "marks", title: "marks", words: [], tables: [], charts: [{chart}]}}, document.getElementById("sections"))')
+    browser.settle()
+    marks = browser.value("[...document.querySelectorAll('#marks .legend svg')].map(s => [s.lastChild.tagName, s.lastChild.getAttribute('points'), s.lastChild.getAttribute('fill')].join(' '))")
+    check.that(len(marks) == 20 and len(set(marks)) == 20, f"{len(set(marks))} of {len(marks)} marks differ")
+
+
+def check_margins(browser, check):
+    """On axes of equal scale no point lies on the border, where half of it would be outside. The page has been opened."""
+    chart = ('{title: "equal", x: {title: "x", log: false}, y: {title: "y", log: false}, markers: [], equal: true, diagonal: true, note: "", '
+             'series: [{name: "s", x: [-1, 2, 8], y: [0, 3, 8], marks: "points", dashed: false, labels: []}]}')
+    browser.value(f'drawSection({{id: "equal", title: "equal", words: [], tables: [], charts: [{chart}]}}, document.getElementById("sections"))')
+    browser.settle()
+    inside = browser.value("(() => { const picture = document.querySelector('#equal figure > svg'), axis = picture.querySelector('.axis'), of = (e, n) => Number(e.getAttribute(n));"
+                           " return [...picture.querySelectorAll('circle')].map(c => of(c, 'cx') - 3 > of(axis, 'x') && of(c, 'cy') - 3 > of(axis, 'y') &&"
+                           " of(c, 'cx') + 3 < of(axis, 'x') + of(axis, 'width') && of(c, 'cy') + 3 < of(axis, 'y') + of(axis, 'height')); })()")
+    check.that(inside == [True] * 3, f"points lie inside of axes of equal scale: {inside}")
+    share = browser.value("document.querySelector('#equal figure').getBoundingClientRect().width / document.querySelector('main').getBoundingClientRect().width")
+    check.that(share < 0.55, f"a chart alone in its row is no wider than beside another ({share:.2f} of the page)")
+
+
 def main():
     program, scratch, pages = sys.argv[1], os.path.abspath(sys.argv[2]), sys.argv[3:]
     chromium = find_browser()
@@ -183,6 +208,9 @@ def main():
         check.that(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "names of files make no elements")
         check.that(HOSTILE in browser.value("document.body.textContent"), "names of files are shown as they are")
         check_bad_chart(browser, check)
+        browser.resize(1400, 1000)
+        check_margins(browser, check)
+        check_marks(browser, check)
         complaints = browser.complaints()
         check.that(not complaints, f"the console has no error or warning, and nothing is loaded: {complaints}")
     finally:

@@ -6,33 +6,13 @@
 #include <set>
 
 #include "io/picture/chart.h"
-#include "io/text/formatted.h"
+#include "io/shown/shown_column.h"
+#include "io/shown/shown_quantity.h"
+#include "meshes/load_cases/response_axis.h"
 #include "voxel/calibration/calibration_tables.h"
 
 namespace menger::voxel {
 namespace {
-
-/// How a column is written in a picture.
-struct Shown {
-  std::string title;
-  double factor = 1.0;
-};
-
-Shown shown_unit(const std::string& unit) {
-  static const std::map<std::string, Shown> known{{"Pa", {"kPa", 1e-3}}, {"m", {"mm", 1e3}},
-                                                  {"N", {"N", 1.0}},     {"N_m", {"N mm", 1e3}},
-                                                  {"Hz", {"Hz", 1.0}},   {"rad", {"degrees", 57.29577951308232}},
-                                                  {"", {"%", 100.0}}};
-  return known.at(unit);
-}
-
-/// The name without its unit, with spaces: "extent_x_m" becomes "extent x".
-std::string quantity_name(const std::string& column) {
-  const std::string unit = unit_of(column);
-  std::string name = unit.empty() ? column : column.substr(0, column.size() - unit.size() - 1);
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
 
 /// Rows of one line: all rows of a curve over pressure, or those of one pressure over the imposed value.
 std::vector<std::vector<std::size_t>> runs_of(const FittedCurve& curve) {
@@ -47,14 +27,14 @@ std::vector<std::vector<std::size_t>> runs_of(const FittedCurve& curve) {
 
 void add_series(io::ChartPanel& panel, const FittedCurve& curve, const std::vector<double>& residuals, std::size_t ordinate,
                 const std::string& abscissa) {
-  const double x_factor = shown_unit(unit_of(abscissa)).factor;
-  const double y_factor = shown_unit(unit_of(curve.ordinates[ordinate])).factor;
+  const double x_factor = io::shown_column(abscissa).factor;
+  const double y_factor = io::shown_column(curve.ordinates[ordinate]).factor;
   const auto runs = runs_of(curve);
   const std::size_t rows = curve.states.size();
   for (const std::vector<std::size_t>& run : runs) {
     const io::Colour colour = io::chart_colour(panel.series.size() / 2);
-    std::string name = quantity_name(curve.ordinates[ordinate]);
-    if (runs.size() > 1) name += ", " + io::shown(1e-3 * curve.states[run.front()][0], 3) + " kPa";
+    std::string name = io::shown_column(curve.ordinates[ordinate]).quantity;
+    if (runs.size() > 1) name += ", " + io::kilopascals(curve.states[run.front()][0]);
     io::ChartSeries reference{.marks = io::Marks::points, .colour = colour};
     io::ChartSeries surrogate{
         .name = name, .marks = run.size() > 1 ? io::Marks::line : io::Marks::line_and_points, .colour = colour};
@@ -69,14 +49,10 @@ void add_series(io::ChartPanel& panel, const FittedCurve& curve, const std::vect
   }
 }
 
-std::string axis_title(const std::string& quantity, const std::string& unit) {
-  return quantity + " (" + shown_unit(unit).title + ")";
-}
-
 io::ChartPanel agreement_panel(const Calibration& calibration, const std::vector<FittedCurve>& curves) {
-  io::ChartPanel panel{.title = "every state, relative to the largest value of its curve",
-                       .x = {.title = "reference"},
-                       .y = {.title = "surrogate"},
+  io::ChartPanel panel{.title = "every state",
+                       .x = {.title = "reference / largest value of its curve"},
+                       .y = {.title = "surrogate / largest value of its curve"},
                        .series = {},
                        .markers = {},
                        .equal_scale = true};
@@ -100,17 +76,17 @@ io::ChartPanel agreement_panel(const Calibration& calibration, const std::vector
     series.marks = io::Marks::points;
     panel.series.push_back(std::move(series));
   }
-  panel.series.push_back({.x = {-1.0, 1.0}, .y = {-1.0, 1.0}, .colour = io::chart_ink});
+  panel.series.push_back({.name = "equal in both", .x = {-1.0, 1.0}, .y = {-1.0, 1.0}, .colour = io::chart_ink});
   return panel;
 }
 
 io::ChartPanel detail_panel(const Calibration& calibration, const std::vector<FittedCurve>& curves) {
-  io::ChartPanel panel{
-      .title = "remaining error with each detail",
-      .x = {.title = "number of fitted parameters"},
-      .y = {.title = "RMS error (% of the largest value of a curve)", .lowest = 0.0},
-      .series = {},
-      .markers = {{io::ChartMarker::Direction::vertical, static_cast<double>(calibration.fit().parameter_count), "chosen"}}};
+  io::ChartPanel panel{.title = "remaining error with each detail",
+                       .x = {.title = "number of fitted parameters"},
+                       .y = {.title = "RMS error (% of the largest value of a curve)", .lowest = 0.0},
+                       .series = {},
+                       .markers = {{io::ChartMarker::Direction::vertical, static_cast<double>(calibration.fit().parameter_count),
+                                    "chosen number"}}};
   std::set<meshes::LoadCaseKind> kinds;
   for (const FittedCurve& curve : curves) kinds.insert(curve.load_case.kind);
   // A line joins the details that were kept, in order. Those that were not kept are points beside it.
@@ -144,11 +120,13 @@ io::PictureOutcome draw_curve(const std::filesystem::path& file, const FittedCur
   if (residuals.empty()) return {.written = false, .missing = "the surrogate has no response to " + curve.load_case.name};
   const std::string abscissa = meshes::response_columns(curve.load_case.kind)[meshes::abscissa_count(curve.load_case.kind) - 1];
   std::map<std::string, io::ChartPanel> by_unit;
+  std::map<std::string, std::vector<std::string>> columns;
   for (std::size_t o = 0; o < curve.ordinates.size(); ++o) {
     const std::string unit = unit_of(curve.ordinates[o]);
     io::ChartPanel& panel = by_unit[unit];
-    panel.x.title = axis_title(quantity_name(abscissa), unit_of(abscissa));
-    panel.y.title = panel.y.title.empty() ? axis_title(quantity_name(curve.ordinates[o]), unit) : axis_title("response", unit);
+    columns[unit].push_back(curve.ordinates[o]);
+    panel.x.title = io::shown_column(abscissa).title();
+    panel.y.title = meshes::response_axis_title(columns[unit]);
     add_series(panel, curve, residuals, o, abscissa);
   }
   io::Chart chart{.title = curve.load_case.name + ", " + body_text(curve.load_case) + ": reference (points), surrogate (lines)"};

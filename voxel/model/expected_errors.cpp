@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <sstream>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/content_hash.h"
-#include "io/text/formatted.h"
 #include "io/text/joined_text.h"
 #include "voxel/model/surrogate_file.h"
 
@@ -13,13 +13,7 @@ namespace {
 
 constexpr std::string_view warning = "warning: ";
 
-/// Two significant digits, and all of those before the point.
-std::string percents(double fraction) {
-  const double percent = 100.0 * fraction;
-  return io::formatted(percent < 9.95 ? "%.2g %%" : "%.0f %%", percent);
-}
-
-std::string percents(const std::optional<double>& fraction) { return fraction ? percents(*fraction) : "an unknown share"; }
+std::string percents(const std::optional<double>& fraction) { return fraction ? io::percents(*fraction) : "an unknown share"; }
 
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);

@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <system_error>
 
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "voxel/picture/vtk_output.h"
 
 namespace menger::voxel {
@@ -26,9 +26,8 @@ using State = std::vector<double>;
 
 /// Reads a file of fields with displacements.
 vtkSmartPointer<vtkUnstructuredGrid> read_fields(const fs::path& file) {
-  std::error_code ignored;
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  if (fs::is_regular_file(file, ignored)) {
+  if (io::is_file(file)) {
     vtkNew<vtkXMLGenericDataObjectReader> reader;
     reader->SetFileName(file.c_str());
     reader->Update();
@@ -78,8 +77,7 @@ FieldsByRow nearest_in_pressure(const std::vector<fs::path>& files, const std::v
 
 std::optional<fs::path> field_collection(const fs::path& curve_file, const std::string& case_name) {
   fs::path collection = curve_file.parent_path() / "fields" / case_name / "fields.pvd";
-  std::error_code ignored;
-  return fs::is_regular_file(collection, ignored) ? std::optional(collection) : std::nullopt;
+  return io::is_file(collection) ? std::optional(collection) : std::nullopt;
 }
 
 FieldsByRow fields_by_row(const fs::path& collection, const std::vector<State>& states) {

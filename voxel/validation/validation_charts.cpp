@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "io/picture/chart.h"
-#include "io/text/formatted.h"
+#include "io/shown/shown_column.h"
+#include "io/shown/shown_quantity.h"
+#include "meshes/load_cases/response_axis.h"
 #include "voxel/validation/validation_summary.h"
 
 namespace menger::voxel {
@@ -19,10 +21,10 @@ bool counts(const ObservableError& error) { return error.validity == Validity::i
 
 io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, double aim) {
   io::ChartPanel panel{.title = "cumulative distribution of errors",
-                       .x = {.title = "error (%); dashed: aim", .lowest = 0.0},
+                       .x = {.title = "error (% of the largest value in the curve)", .lowest = 0.0},
                        .y = {.title = "values with at most this error (%)", .lowest = 0.0, .highest = 100.0},
                        .series = {},
-                       .markers = {{io::ChartMarker::Direction::vertical, 100.0 * aim, ""}}};
+                       .markers = {{io::ChartMarker::Direction::vertical, 100.0 * aim, "aim"}}};
   for (std::size_t kind = 0; kind < observable_kind_count; ++kind) {
     std::vector<double> magnitudes;
     for (const CurveComparison& comparison : comparisons) {
@@ -73,26 +75,6 @@ io::ChartPanel pressure_panel(const std::vector<CurveComparison>& comparisons, O
   return panel;
 }
 
-/// Title of a column in a picture, and the factor to its unit there.
-struct Shown {
-  std::string title;
-  double factor = 1.0;
-};
-
-Shown shown_as(const std::string& column) {
-  if (column == "pressure_Pa") return {"pressure (kPa)", 1e-3};
-  if (column == "displacement_m") return {"displacement (mm)", 1e3};
-  if (column == "angle_rad") return {"angle (degrees)", 57.29577951308232};
-  if (column == "gravity_factor") return {"gravity (g)", 1.0};
-  if (column == "volume_change") return {"change of chamber volume (%)", 100.0};
-  if (column == "force_N") return {"force (N)", 1.0};
-  if (column == "moment_N_m") return {"moment (N mm)", 1e3};
-  if (column.ends_with("_Hz")) return {"natural frequency (Hz)", 1.0};
-  return {"displacement (mm)", 1e3};
-}
-
-std::string short_name(const std::string& column) { return column.substr(0, column.find_last_of('_')); }
-
 /// One line of a panel: some rows of a column, for both models.
 struct CurvePart {
   std::string name;
@@ -104,20 +86,20 @@ struct CurvePart {
 /// A column as one line, or as one line per pressure if something else is imposed.
 std::vector<CurvePart> parts_of(const CurveComparison& comparison, std::size_t column) {
   const std::vector<double>& pressures = comparison.curve.values[0];
-  const std::string name = short_name(comparison.curve.columns[column]);
+  const std::string name = io::shown_column(comparison.curve.columns[column]).quantity;
   if (meshes::abscissa_count(comparison.load_case().kind) == 1) return {{name, column, 0, pressures.size()}};
   std::vector<CurvePart> parts;
   for (std::size_t begin = 0, end = 0; begin < pressures.size(); begin = end) {
     while (end < pressures.size() && pressures[end] == pressures[begin]) ++end;
-    parts.push_back({name + ", " + io::shown(1e-3 * pressures[begin], 3) + " kPa", column, begin, end});
+    parts.push_back({name + ", " + io::kilopascals(pressures[begin]), column, begin, end});
   }
   return parts;
 }
 
 void add_part(io::ChartPanel& panel, const CurveComparison& comparison, const CurvePart& part) {
   const std::size_t abscissa = meshes::abscissa_count(comparison.load_case().kind) - 1;
-  const double x_factor = shown_as(comparison.curve.columns[abscissa]).factor;
-  const double y_factor = shown_as(comparison.curve.columns[part.column]).factor;
+  const double x_factor = io::shown_column(comparison.curve.columns[abscissa]).factor;
+  const double y_factor = io::shown_column(comparison.curve.columns[part.column]).factor;
   const io::Colour colour = io::chart_colour(panel.series.size() / 2);
   io::ChartSeries elements{.name = part.name, .marks = io::Marks::points, .colour = colour};
   io::ChartSeries surrogate{.marks = io::Marks::line, .colour = colour};
@@ -158,16 +140,18 @@ io::PictureOutcome draw_curve(const std::filesystem::path& file, const CurveComp
   io::Chart chart{.title = comparison.load_case().name + ": finite elements (points), surrogate (lines)", .panels = {}};
   const std::vector<std::string>& columns = comparison.curve.columns;
   const std::size_t first = meshes::abscissa_count(comparison.load_case().kind);
+  std::vector<std::vector<std::string>> shared;  // columns of each panel
   for (std::size_t column = first; column < columns.size(); ++column) {
-    const std::string title = shown_as(columns[column]).title;
-    auto panel = std::find_if(chart.panels.begin(), chart.panels.end(),
-                              [&](const io::ChartPanel& known) { return known.y.title == title; });
-    if (panel == chart.panels.end()) {
-      chart.panels.push_back(
-          {.title = "", .x = {.title = shown_as(columns[first - 1]).title}, .y = {.title = title}, .series = {}, .markers = {}});
-      panel = chart.panels.end() - 1;
+    const std::string unit = io::shown_column(columns[column]).unit;
+    auto known = std::ranges::find_if(shared, [&](const auto& of) { return io::shown_column(of.front()).unit == unit; });
+    if (known == shared.end()) {
+      known = shared.insert(known, std::vector<std::string>());
+      chart.panels.push_back({.x = {.title = io::shown_column(columns[first - 1]).title()}});
     }
-    for (const CurvePart& part : parts_of(comparison, column)) add_part(*panel, comparison, part);
+    known->push_back(columns[column]);
+    io::ChartPanel& panel = chart.panels[static_cast<std::size_t>(known - shared.begin())];
+    panel.y.title = meshes::response_axis_title(*known);
+    for (const CurvePart& part : parts_of(comparison, column)) add_part(panel, comparison, part);
   }
   return write(file, chart);
 }

@@ -18,6 +18,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/grid_arrays.h"
@@ -117,7 +118,7 @@ SurrogateStates surrogate_states(const SideBySide& sides, const std::vector<Stat
 }
 
 std::string caption_of(const CurveComparison& comparison, const State& state) {
-  return comparison.load_case().name + " at " + io::shown(1e-3 * state.front(), 3) + " kPa";
+  return comparison.load_case().name + " at " + io::kilopascals(state.front());
 }
 
 }  // namespace

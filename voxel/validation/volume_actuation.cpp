@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "voxel/model/hollow_voxels.h"
 
@@ -58,15 +59,14 @@ std::optional<double> crossing(const std::vector<Point>& points, double value, s
   return std::nullopt;
 }
 
-std::string kilopascals(double pressure_Pa) { return io::shown(1e-3 * pressure_Pa, 3) + " kPa"; }
 std::string signed_percent(double change) { return io::formatted("%+.3g %%", 100.0 * change); }
 
 std::string swelling_sentence(const VolumeActuation& a, const ActuationAim& aim) {
   if (a.pressure_for_largest_Pa)
-    return signed_percent(aim.largest_change) + " of the outer volume needs " + kilopascals(*a.pressure_for_largest_Pa);
+    return signed_percent(aim.largest_change) + " of the outer volume needs " + io::kilopascals(*a.pressure_for_largest_Pa);
   std::string text = signed_percent(aim.largest_change) +
                      " of the outer volume is not reached: " + signed_percent(a.change_at_highest) +
-                     " at the end of the curve, at " + kilopascals(a.highest_pressure_Pa);
+                     " at the end of the curve, at " + io::kilopascals(a.highest_pressure_Pa);
   if (a.limit_pressure_Pa)
     text += " (" + io::formatted("%.2g", a.highest_pressure_Pa / *a.limit_pressure_Pa) + " of the limit pressure)";
   return text;
@@ -74,12 +74,12 @@ std::string swelling_sentence(const VolumeActuation& a, const ActuationAim& aim)
 
 std::string shrinking_sentence(const VolumeActuation& a, const ActuationAim& aim) {
   if (a.pressure_for_smallest_Pa)
-    return signed_percent(aim.smallest_change) + " of the outer volume needs " + kilopascals(*a.pressure_for_smallest_Pa);
+    return signed_percent(aim.smallest_change) + " of the outer volume needs " + io::kilopascals(*a.pressure_for_smallest_Pa);
   if (a.lowest_pressure_Pa == 0.0) return "the curve contains no vacuum";
   std::string text = signed_percent(aim.smallest_change) +
                      " of the outer volume is not reached: " + signed_percent(a.change_at_lowest) +
-                     " at the end of the curve, at " + kilopascals(a.lowest_pressure_Pa);
-  if (a.contact_pressure_Pa) text += " (walls touch at " + kilopascals(*a.contact_pressure_Pa) + ")";
+                     " at the end of the curve, at " + io::kilopascals(a.lowest_pressure_Pa);
+  if (a.contact_pressure_Pa) text += " (walls touch at " + io::kilopascals(*a.contact_pressure_Pa) + ")";
   return text;
 }
 
@@ -115,13 +115,14 @@ VolumeActuation volume_actuation(const meshes::ResponseCurve& curve, const std::
 std::vector<std::string> actuation_sentences(const VolumeActuation& actuation, const ActuationAim& aim) {
   std::string at_pressure;
   if (actuation.change_at_pressure) {
-    at_pressure = kilopascals(aim.pressure_Pa) + " changes its outer volume by " + signed_percent(*actuation.change_at_pressure) +
-                  ", " + io::formatted("%.2g", *actuation.change_at_pressure / aim.largest_change) + " of the " +
+    at_pressure = io::kilopascals(aim.pressure_Pa) + " changes its outer volume by " +
+                  signed_percent(*actuation.change_at_pressure) + ", " +
+                  io::formatted("%.2g", *actuation.change_at_pressure / aim.largest_change) + " of the " +
                   signed_percent(aim.largest_change) + " aimed at";
   } else {
-    at_pressure =
-        kilopascals(aim.pressure_Pa) + " lies beyond the curve, which ends at " + kilopascals(actuation.highest_pressure_Pa);
-    if (actuation.limit_pressure_Pa) at_pressure += "; the limit pressure is " + kilopascals(*actuation.limit_pressure_Pa);
+    at_pressure = io::kilopascals(aim.pressure_Pa) + " lies beyond the curve, which ends at " +
+                  io::kilopascals(actuation.highest_pressure_Pa);
+    if (actuation.limit_pressure_Pa) at_pressure += "; the limit pressure is " + io::kilopascals(*actuation.limit_pressure_Pa);
   }
   return {at_pressure, swelling_sentence(actuation, aim), shrinking_sentence(actuation, aim)};
 }

@@ -63,6 +63,16 @@ TEST_F(ReportSectionsTest, DrawPressureAgainstVolumeWithTheLimitPressure) {
   EXPECT_NEAR(*facts.inflations.front().volume_growth, 1.0, 1e-12);
 }
 
+TEST_F(ReportSectionsTest, TakeTheGrowthOfTheChamberThatGrowsMost) {
+  write("inflate/curves.csv",
+        "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n0,0,1e-6,0,1e-6\n"
+        "1,3000,2e-6,2900,5e-6\n");
+  write("inflate/result.toml", "status = \"completed\"\n");
+  const InflationFacts facts = read_facts({output("inflate")}, notes_).inflations.at(0);
+  EXPECT_NEAR(*facts.volume_growth, 4.0, 1e-12);
+  EXPECT_EQ(facts.plena, 2U);
+}
+
 TEST_F(ReportSectionsTest, TellTheLimitPressureFromTheLeastPressureAfterSnapThrough) {
   write("inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,2e-6\n2,1200,4e-6\n");
   write("inflate/result.toml",
@@ -138,14 +148,21 @@ TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
         "body,kind,range,count,without_equilibrium,median,percentile_90,worst,pointwise_median,worst_body,worst_case\nall,"
         "displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n"
         "all,displacement,outside,1,3,0.4,,0.4,0.4,bar,c\nbar,displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n");
+  write("validate/signs.csv", "body,observable,count,wrong\nbar,extent_x_m,5,0\nbar,extent_y_m,4,3\n");
+  write("validate/volume_actuation.csv", "body,limit_pressure_Pa\nbar,15190\n");
   const PageSection validation = section({output("validate")}, "validation");
   ASSERT_EQ(validation.charts.size(), 1U);
+  ASSERT_EQ(validation.tables.size(), 2U);
+  EXPECT_NE(validation.tables[1].note.find("so may its limit pressure"), std::string::npos) << "two pressures of one body";
+  EXPECT_EQ(validation.charts[0].title, "Displacements in both models: validate/errors.csv") << "no claim on what a fit has seen";
   EXPECT_EQ(validation.charts[0].series[0].x, std::vector<double>{1.0});
   const ValidationFacts facts = read_facts({output("validate")}, notes_).validations.at(0);
   EXPECT_EQ(facts.displacement.median, 0.2);
   EXPECT_EQ(facts.displacement.without_equilibrium, 2U);
   EXPECT_EQ(facts.outside, 4U);
   EXPECT_EQ(facts.bodies, 1U);
+  EXPECT_EQ(facts.signs, 9U);
+  EXPECT_EQ(facts.wrong_signs, 3U);
 }
 
 TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {

@@ -65,7 +65,9 @@ TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
   ReportFacts facts;
   facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0, .volume_growth = 0.68}};
   EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 6 kPa."));
-  EXPECT_NE(finding_with(verdict_of(facts), "1.68 times its volume at rest").text, "");
+  EXPECT_NE(finding_with(verdict_of(facts), "Its chamber then has 1.68 times its volume at rest").text, "");
+  facts.inflations.front().plena = 2;
+  EXPECT_NE(finding_with(verdict_of(facts), "the one that grows most then has 1.68 times").text, "");
   facts.inflations.front().status = io::RunStatus::not_converged;
   facts.inflations.front().reason = "the step became too small";
   EXPECT_TRUE(verdict_of(facts).headline.starts_with("Known up to 6 kPa only."));
@@ -149,6 +151,12 @@ TEST(Verdict, TrustsTheDirectionAloneOfASurrogateThatIsTooFast) {
   EXPECT_NE(finding_with(verdict, "(1 degree apart)").text, "");
 }
 
+TEST(Verdict, DoesNotTrustTheDirectionOfASurrogateThatHopsOnce) {
+  const Verdict verdict = verdict_of(two_walks(2.3, 0.0, 0.17, 0.0));
+  EXPECT_EQ(verdict.headline, "Do not trust the surrogate for the walk of this body: let finite elements decide.");
+  EXPECT_NE(finding_with(verdict, "in about the same direction (0 degrees apart). Do not trust the surrogate").text, "");
+}
+
 TEST(Verdict, ComparesNoWalksThatGoNowhere) {
   EXPECT_EQ(verdict_of(two_walks(0.01, 0.0, 0.02, 180.0)).headline,
             "Both models walk, but too little or too briefly to tell whether the surrogate can be trusted.");
@@ -199,8 +207,14 @@ TEST(Verdict, JudgesShapesByTheirMedianError) {
   EXPECT_EQ(good.headline, "The surrogate's shapes can be used; its walks were not compared.");
   EXPECT_EQ(finding_with(good, "The surrogate's shapes are").text,
             "The surrogate's shapes are 7.8 % off finite elements (median of 28 displacements of 2 bodies, inside the range of "
-            "the fit; the worst, 153 %, is of "
-            "plane), its volumes 3.1 %.");
+            "the fit; the worst is 153 % off, of plane), its volumes 3.1 %.");
+  facts.validations.front().signs = 26;
+  facts.validations.front().wrong_signs = 4;
+  facts.validations.front().bodies = 1;
+  const Verdict wrong_way = verdict_of(facts);
+  EXPECT_EQ(wrong_way.headline, "The surrogate's shapes are rough; its walks were not compared.");
+  EXPECT_NE(finding_with(wrong_way, "the worst is 153 % off), its volumes 3.1 %. 4 of 26 displacements go the wrong way.").text,
+            "");
   facts.validations.front().displacement.median = 0.3;
   EXPECT_EQ(verdict_of(facts).headline, "Do not trust the surrogate's shapes; its walks were not compared.");
   facts.validations.front().displacement.median.reset();
@@ -246,6 +260,39 @@ TEST(Verdict, TellsWalksOfOneBodyApartByTheirFolder) {
   EXPECT_NE(finding_with(verdict, "locomote_finer: It moves 0.5").text, "");
   facts.walks.pop_back();
   EXPECT_TRUE(finding_with(verdict_of(facts), "It moves 0.8").text.starts_with("It moves"));
+}
+
+/// Walks of one body on finite elements of two meshes and in the surrogate.
+ReportFacts walks_of_two_meshes(double coarse, double coarse_deg, double fine, double fine_deg) {
+  ReportFacts facts;
+  facts.walks = {walk(WalkModel::elements, coarse, coarse_deg), walk(WalkModel::elements, fine, fine_deg),
+                 walk(WalkModel::surrogate, 1.0, 0.0)};
+  facts.walks[0].place = "locomote";
+  facts.walks[1].place = "locomote_finer";
+  return facts;
+}
+
+TEST(Verdict, SaysThatAWalkIsNotKnownWhereFiniteElementsDisagree) {
+  const Verdict verdict = verdict_of(walks_of_two_meshes(0.1, -176.0, 0.32, 0.0));
+  EXPECT_EQ(verdict.headline, "How this body walks is not known: finite elements do not agree among themselves.");
+  EXPECT_EQ(verdict.tone, Tone::bad);
+  EXPECT_EQ(
+      finding_with(verdict, "2 walks on finite elements").text,
+      "2 walks on finite elements, of one body driven alike (locomote and locomote_finer): 3 and 9.6 body lengths a minute, "
+      "176 degrees apart. How it walks is not known: chance decides such a walk.");
+  EXPECT_EQ(finding_with(verdict, "2 walks on finite elements").tone, Tone::bad);
+  EXPECT_EQ(finding_with(verdict, "so this says nothing of the surrogate").tone, Tone::caution);
+  EXPECT_EQ(finding_with(verdict, "Do not trust the surrogate").text, "") << "nothing is known that it could be compared with";
+}
+
+TEST(Verdict, TellsHowWellFiniteElementsKnowAWalk) {
+  EXPECT_EQ(finding_with(verdict_of(walks_of_two_meshes(0.9, 0.0, 0.95, 3.0)), "They agree").tone, Tone::good);
+  EXPECT_EQ(verdict_of(walks_of_two_meshes(0.9, 0.0, 0.95, 3.0)).headline, "The surrogate walks as finite elements do.");
+  EXPECT_EQ(finding_with(verdict_of(walks_of_two_meshes(0.4, 0.0, 0.9, 3.0)), "not how fast").tone, Tone::caution);
+  EXPECT_EQ(finding_with(verdict_of(walks_of_two_meshes(0.01, 0.0, 0.02, 3.0)), "They go nowhere").tone, Tone::caution);
+  ReportFacts other_drive = walks_of_two_meshes(0.1, -176.0, 0.32, 0.0);
+  other_drive.walks[0].stated.drive = "mode = wave";
+  EXPECT_EQ(finding_with(verdict_of(other_drive), "walks on finite elements").text, "") << "two walks, not one on two meshes";
 }
 
 TEST(Verdict, CallsARankingChanceWhereItsIntervalReachesZero) {

@@ -136,6 +136,15 @@ TEST(ReevaluationChart, HasAPointPerDesignThatCompletedInBothModels) {
   for (const io::ChartSeries& series : chart.panels[0].series)
     if (series.marks == io::Marks::points) points += series.x.size();
   EXPECT_EQ(points, 1U);
+  ASSERT_EQ(chart.panels[1].markers.size(), 2U);
+  for (const io::ChartMarker& marker : chart.panels[1].markers)
+    EXPECT_NE(marker.label, "") << "a line without a name says nothing";
+}
+
+TEST(ReevaluationChart, HasItsTrajectoriesInBodyLengths) {
+  const ReevaluationStudy study = some_study();
+  for (const io::ChartPanel& panel : trajectories_chart(study, evaluated(1, 0.03, 0.02)).panels)
+    EXPECT_TRUE(panel.y.title.ends_with("(body lengths)")) << panel.y.title;
 }
 
 meshes::Polycube layers(const std::string& first, const std::string& second, const std::string& third) {

@@ -81,6 +81,7 @@ TEST_F(SearchComparison, TheChartShowsTheBestSoFarAndTheOutcomes) {
   const io::Chart chart = comparison_chart({read("both_1"), read("plain_1")});
   ASSERT_EQ(chart.panels.size(), 2U);
   ASSERT_EQ(chart.panels[0].series.size(), 2U);
+  for (const io::ChartPanel& panel : chart.panels) EXPECT_EQ(panel.y.title, "distance on finite elements (body lengths)");
   EXPECT_EQ(chart.panels[0].series[0].y, (std::vector{0.1, 0.1, 0.1, 0.1, 0.3}));
   EXPECT_EQ(chart.panels[0].series[1].y, (std::vector{0.05, 0.05, 0.2, 0.2, 0.4}));
   EXPECT_EQ(chart.panels[1].series[0].y, std::vector{0.4}) << "searches on voxels come first";

@@ -166,6 +166,17 @@ TEST(TradeTable, PointsThatAreAllAlikeStandWithinADecade) {
   EXPECT_NEAR(panel.x.lowest.value(), 1.0, 1e-12);
   EXPECT_NEAR(panel.x.highest.value(), 10.0, 1e-12);
   EXPECT_GE(panel.y.highest.value() / panel.y.lowest.value(), 9.9);
+  EXPECT_EQ(panel.x.title, "wall time (s)");
+  EXPECT_EQ(panel.y.title, "largest error of the observables (%)");
+}
+
+TEST(TradeTable, PanelSaysWherePointsAreNotDrawnAtTheirPlace) {
+  TradeTable evaluated{.observables = {"length_m"}, .fidelity_columns = {"number"}};
+  evaluated.rows = {row("a", 2.2, 2.0), row("b", 2.0 + 1e-9, 1e-5), row("reference", 2.0, 5.0)};
+  compare_with_reference(evaluated, 2, {std::nullopt});
+  const io::ChartPanel panel = trade_panel(evaluated, "title");
+  EXPECT_EQ(panel.x.title, "wall time (s); shorter ones are drawn as 0.001");
+  EXPECT_EQ(panel.y.title, "largest error of the observables (%); smaller ones are drawn as 0.0001");
 }
 
 }  // namespace

@@ -116,6 +116,17 @@ TEST_F(ChartPicture, DrawsAPowerLawOnLogarithmicAxesAsAStraightLine) {
   EXPECT_LT(different, 0.05 * straight->count(chart_colour(0)));
 }
 
+TEST_F(ChartPicture, NamesMarkersInTheLegendAndNotOnTheirLine) {
+  ChartPanel panel{.series = {line_of("", 1.0)},
+                   .markers = {{.at = 5.0}, {.direction = ChartMarker::Direction::vertical, .at = 6.0}}};
+  const auto bare = draw({.panels = {panel}});
+  if (!bare) GTEST_SKIP() << "no display";
+  for (ChartMarker& marker : panel.markers) marker.label = "limit";
+  const auto named = draw({.panels = {panel}});
+  EXPECT_LT(named->count(white, 0, 240), bare->count(white, 0, 240)) << "the legend, at the top on the left";
+  EXPECT_EQ(named->count(white, 240, 480), bare->count(white, 240, 480)) << "nothing is written along the lines";
+}
+
 TEST_F(ChartPicture, RefusesWhatCannotStandOnALogarithmicAxis) {
   write_whole(file_, "before");
   for (const double bad : {0.0, -1.0}) {

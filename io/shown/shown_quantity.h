@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+namespace menger::io {
+
+// Quantities with their units, for people. Files have SI and all digits.
+
+/// "3.04 kPa". @param digits significant ones
+std::string kilopascals(double pressure_Pa, int digits = 3);
+
+/// "12.5 mm". @param digits significant ones
+std::string millimetres(double length_m, int digits = 3);
+
+/// "6.6 %", "127 %": two significant digits, and all of those before the point.
+std::string percents(double fraction);
+
+/// "0.32 body lengths", "1 body length": two significant digits.
+std::string body_lengths(double number);
+
+}  // namespace menger::io

@@ -1,0 +1,26 @@
+#include "meshes/load_cases/walk_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace menger::meshes {
+
+double angle_between(double a_deg, double b_deg) {
+  const double turned = std::fmod(std::abs(a_deg - b_deg), 360.0);
+  return std::min(turned, 360.0 - turned);
+}
+
+WalkAgreement compare_walks(const WalkOutcome& a, const WalkOutcome& b) {
+  const bool a_stays = a.body_lengths < walk_limits::least_body_lengths;
+  const bool b_stays = b.body_lengths < walk_limits::least_body_lengths;
+  if (a_stays && b_stays) return WalkAgreement::both_go_nowhere;
+  if (a_stays || b_stays) return WalkAgreement::one_goes_nowhere;
+  if (a.direction_deg && b.direction_deg && angle_between(*a.direction_deg, *b.direction_deg) > walk_limits::same_direction_deg)
+    return WalkAgreement::different;
+  const double ratio = a.body_lengths / a.time_s / (b.body_lengths / b.time_s);
+  const double times = std::max(ratio, 1.0 / ratio);
+  if (times > walk_limits::comparable_speed) return WalkAgreement::different;
+  return times <= walk_limits::same_speed ? WalkAgreement::alike : WalkAgreement::same_direction;
+}
+
+}  // namespace menger::meshes

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+namespace menger::meshes {
+
+/// How far and whereto a body walks, in either model.
+struct WalkOutcome {
+  double body_lengths = 0.0;              ///< horizontal displacement of the centre of mass, >= 0
+  double time_s = 0.0;                    ///< > 0
+  std::optional<double> direction_deg{};  ///< of the displacement, from x
+};
+
+/// How alike two walks of one body are, from alike to not at all.
+enum class WalkAgreement { alike, both_go_nowhere, same_direction, different, one_goes_nowhere };
+
+/// The limits by which walks are compared. They are choices; they decide words, never numbers.
+namespace walk_limits {
+inline constexpr double least_body_lengths = 0.05;  ///< a walk shorter than this goes nowhere, and has no direction
+inline constexpr double same_speed = 1.5;           ///< speeds agree if neither is more than this times the other
+inline constexpr double comparable_speed = 3.0;     ///< beyond it, walks differ in whatever direction they go
+inline constexpr double same_direction_deg = 45.0;  ///< directions agree within this angle
+}  // namespace walk_limits
+
+/// Returns the angle between two directions, 0 to 180 degrees.
+double angle_between(double a_deg, double b_deg);
+
+/// Compares two walks by their speeds and directions. Directions agree if one of them is not known.
+WalkAgreement compare_walks(const WalkOutcome& a, const WalkOutcome& b);
+
+}  // namespace menger::meshes

@@ -1,0 +1,31 @@
+#include "io/shown/shown_quantity.h"
+
+#include <gtest/gtest.h>
+
+namespace menger::io {
+namespace {
+
+TEST(ShownQuantity, HasTheUnitsOfFigures) {
+  EXPECT_EQ(kilopascals(3042.0), "3.04 kPa");
+  EXPECT_EQ(kilopascals(15937.8, 4), "15.94 kPa");
+  EXPECT_EQ(millimetres(0.00296), "2.96 mm");
+}
+
+TEST(ShownQuantity, WritesNoShareWithAPowerOfTen) {
+  EXPECT_EQ(percents(0.0662), "6.6 %");
+  EXPECT_EQ(percents(0.0999), "10 %");
+  EXPECT_EQ(percents(0.5), "50 %");
+  EXPECT_EQ(percents(1.27), "127 %");
+  EXPECT_EQ(percents(12.7), "1270 %");
+  EXPECT_EQ(percents(0.0), "0 %");
+  EXPECT_EQ(percents(-0.5), "-50 %");
+}
+
+TEST(ShownQuantity, SpeaksOfOneBodyLength) {
+  EXPECT_EQ(body_lengths(1.033), "1 body length");
+  EXPECT_EQ(body_lengths(0.319), "0.32 body lengths");
+  EXPECT_EQ(body_lengths(2.25), "2.2 body lengths");
+}
+
+}  // namespace
+}  // namespace menger::io
