@@ -29,6 +29,7 @@
 #include "evolution/study/study_file.h"
 #include "evolution/study/voxel_errors.h"
 #include "fem/elements/element_kernel.h"
+#include "io/device/graphics_processor.h"
 #include "io/process/exit_code.h"
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
@@ -87,7 +88,7 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("-o,--output", arguments.archive, "Archive of the run; made if it does not exist")->capture_default_str();
   app.add_option("-t,--threads", arguments.threads,
                  "Threads, of each process under mpirun; the result does not depend on them (default: cores, shared by the "
-                 "processes of a machine)")
+                 "processes of a machine; for walks of finite elements on a graphics processor two for each multiprocessor)")
       ->check(CLI::Range(1, 1024));
   app.add_option("--rank-patience", arguments.rank_patience_s,
                  "Under mpirun: seconds without a sign of life after which the others go on without a process")
@@ -101,6 +102,11 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("--levels", arguments.overrides.levels, "Levels, instead of the study's, e.g. --levels 1 2");
   app.add_option("--duration", arguments.overrides.duration_s, "Simulated seconds per evaluation, instead of the study's");
   app.add_option("--seed", arguments.overrides.seed, "Seed, instead of the study's");
+  app.add_option("--device", arguments.overrides.device,
+                 "What evaluates bodies, instead of the study's: cpu, or cuda for a graphics processor, which takes a whole "
+                 "generation at once; results of the two differ by rounding")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, io::Device>{{"cpu", io::Device::cpu}, {"cuda", io::Device::cuda}},
+                                          CLI::ignore_case));
   return io::parse_arguments(app, argc, argv);
 }
 
@@ -251,9 +257,16 @@ void require_memory(const Study& study, int threads, int processes) {
                        " may need more memory than this machine has");
 }
 
+void require_device(const Study& study) {
+  if (study.device == io::Device::cpu) return;
+  if (const std::string obstacle = io::obstacle_to_device(); !obstacle.empty())
+    throw io::InputError("--device " + std::string(to_string(study.device)) + ": " + obstacle);
+}
+
 /// A search and what evaluates its bodies, on every rank.
 struct Search {
   Search(const Arguments& arguments, const io::RankSession& ranks) : study(read_study(arguments.study, arguments.overrides)) {
+    require_device(study);
     require_memory(study, arguments.threads, ranks.count_on_machine());
     evaluators = search_evaluators_of(study);
     half_step = half_step_evaluator_of(study);
@@ -443,6 +456,9 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
     status = run_search(study.search, evaluator, archive, options, study.search.step_checks ? search.half_step.get() : nullptr,
                         search.evaluators.screening.get());
     log.close();
+    for (const DesignEvaluator* one : {&evaluator, static_cast<const DesignEvaluator*>(search.evaluators.screening.get())}) {
+      if (one != nullptr && !one->remark().empty()) std::cout << "note: " << one->remark() << "\n";
+    }
     tell = [](const std::string& text) { std::cout << "note: " << text << std::endl; };
     if (status == io::RunStatus::stopped) io::come_to_stop();
     if (ranks.count() > 1) tell(team->shares());
@@ -462,13 +478,22 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
   return has_champion ? io::exit_code::done : io::exit_code::numerical;
 }
 
+/// Returns the threads of a process where none are stated. Walks on a graphics processor each wait in a thread: two for each of
+/// its multiprocessors, so that there is always one that need not wait for this processor.
+int usual_threads(const Arguments& arguments, const io::RankSession& ranks) {
+  const Study study = read_study(arguments.study, arguments.overrides);
+  const auto processor = io::graphics_processor();
+  if (study.device == io::Device::cpu || !uses_elements(study) || !processor) return ranks.usual_threads();
+  return std::max(ranks.usual_threads(), 2 * processor->multiprocessors / ranks.count_on_machine());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   return io::run_rank_program("menger-evolve", [&](io::RankSession& ranks) -> int {
     Arguments arguments;
     if (const auto code = parse(arguments, argc, argv)) return *code;
-    if (arguments.threads == 0) arguments.threads = ranks.usual_threads();
+    if (arguments.threads == 0) arguments.threads = usual_threads(arguments, ranks);
     return ranks.is_first() ? evolve(arguments, ranks) : evaluate_for_first_rank(arguments, ranks);
   });
 }

@@ -86,6 +86,9 @@ class DesignEvaluator {
   /// Returns physics() of each scenario in which bodies are evaluated; in this implementation there is one.
   [[nodiscard]] virtual std::vector<std::string> scenarios() const { return {physics()}; }
 
+  /// Returns what people should know of the evaluations so far, a sentence; empty if nothing. It decides no result.
+  [[nodiscard]] virtual std::string remark() const { return ""; }
+
   /// Returns the expected cost of one evaluation, in an arbitrary but consistent unit. It serves scheduling only.
   [[nodiscard]] virtual double cost(const meshes::Polycube& body, int level) const = 0;
 };

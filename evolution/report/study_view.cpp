@@ -17,7 +17,7 @@ namespace {
 
 std::unique_ptr<DesignEvaluator> voxels_of(const Study& study) {
   return std::make_unique<VoxelEvaluator>(study.physics, study.search.cell_edge_m, study.duration_s, study.measure_from_s,
-                                          measured_periods(study));
+                                          measured_periods(study), study.device);
 }
 
 bool are_halved(const Study& study) { return study.search.screening && study.search.screening->by == Screener::half_walks; }

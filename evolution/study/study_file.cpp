@@ -146,6 +146,14 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
        "single modules; both: voxels with the parameters of [surrogate] choose which new bodies walk on finite elements, "
        "which alone decide who survives."},
       study.model, io::words_of(voxels, finite_elements, both));
+  // Archives of earlier versions do not have this key, and go on with it at its default.
+  if (part == Part::whole || study.device != io::Device::cpu) {
+    visitor.word({"device",
+                  "What evaluates bodies. cpu: the processor; cuda: a graphics processor, which takes the voxels of a whole "
+                  "generation at once, or walks of thin walls, as many as there are threads. Results of the two differ by "
+                  "rounding."},
+                 study.device, io::words_of(io::Device::cpu, io::Device::cuda));
+  }
   visitor.word({"measure",
                 "What is measured of a motion. net_displacement: from time.measure_from_s to the end; last_periods: the "
                 "displacement in one period of the drive, from the last ones, so that neither the start nor a fall counts."},
@@ -332,6 +340,7 @@ void apply(const StudyOverrides& values, Study& study) {
   if (values.seed) text.add("seed", *values.seed);
   if (values.levels) text.table("body").add("levels", std::vector<std::int64_t>(values.levels->begin(), values.levels->end()));
   if (values.duration_s) text.table("time").add("duration_s", *values.duration_s);
+  if (values.device) text.table("evaluation").add("device", std::string(to_string(*values.device)));
   io::read_described(io::parse_toml(text.text(), "command line"), study);
 }
 
@@ -388,6 +397,15 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
   if (const std::size_t needed = estimated_memory_bytes(study, 1); needed > memory_bytes) {
     throw fault("one evaluation may need about " + gibibytes(needed) + " of memory, this machine has " + gibibytes(memory_bytes));
   }
+}
+
+/// Returns why bodies of a study cannot be evaluated on its device, or an empty text. Whether there is such a device is not
+/// asked.
+std::string unusable_device(const Study& study) {
+  const bool are_walls = study.silicone.elements.kind == fem::ElementKind::thin_wall;
+  if (study.device == io::Device::cpu || !uses_elements(study) || are_walls) return "";
+  return "evaluation.device = \"" + std::string(to_string(study.device)) +
+         "\": of finite elements only thin walls move there: choose elements.kind = \"thin_wall\"";
 }
 
 /// Returns why hollow modules cannot be driven as a study says, or an empty text.
@@ -542,6 +560,7 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
     if (!problem.empty()) throw io::InputError(file.string() + ": " + problem);
   };
   require_none(unmeasurable_periods(study));
+  require_none(unusable_device(study));
   if (study.physics.surrogate) {
     if (const std::string problem = unusable_surrogate(study); !problem.empty())
       throw io::InputError(file.string() + ": surrogate: " + problem);

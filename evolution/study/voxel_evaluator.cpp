@@ -12,6 +12,8 @@
 
 #include "io/text/joined_text.h"
 #include "io/text/number_text.h"
+#include "voxel/device/device_steps.h"
+#include "voxel/device/robot_runner.h"
 #include "voxel/lanes/lane_packing.h"
 #include "voxel/lanes/lanes.h"
 #include "voxel/lanes/simulation.h"
@@ -58,20 +60,32 @@ io::RunStatus advance_shared(voxel::Simulation& simulation, double time_s, const
   return status;
 }
 
-std::vector<io::RunStatus> advance(std::span<voxel::Simulation> simulations, double time_s, const std::atomic<bool>& stop,
-                                   const ThreadsNow& threads) {
+}  // namespace
+
+VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s,
+                               std::optional<LastPeriods> last, io::Device device)
+    : physics_(physics),
+      cell_edge_m_(cell_edge_m),
+      duration_s_(duration_s),
+      measure_from_s_(measure_from_s),
+      last_(last),
+      device_(device) {
+  assert(measure_from_s >= 0.0 && measure_from_s < duration_s);
+}
+
+std::vector<io::RunStatus> VoxelEvaluator::advance(Walkers& walkers, double time_s, const std::atomic<bool>& stop,
+                                                   const ThreadsNow& threads) const {
+  std::vector<voxel::Simulation>& simulations = walkers.simulations;
+  if (device_ == io::Device::cuda) {
+    voxel::DeviceAdvance advance = voxel::advance_on_device_to(simulations, time_s, &stop, voxel::Stepper::graphics_processor);
+    for (std::size_t i = 0; i < simulations.size(); ++i)
+      if (advance.on_processor[i]) walkers.on_processor[i] = true;
+    return std::move(advance.statuses);
+  }
   const bool is_large =
       simulations.size() == 1 && static_cast<double>(simulations.front().voxel_count()) >= 2 * fewest_voxels_per_thread;
   if (is_large) return {advance_shared(simulations.front(), time_s, stop, threads)};
   return voxel::advance_together_to(simulations, time_s, &stop);
-}
-
-}  // namespace
-
-VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s,
-                               std::optional<LastPeriods> last)
-    : physics_(physics), cell_edge_m_(cell_edge_m), duration_s_(duration_s), measure_from_s_(measure_from_s), last_(last) {
-  assert(measure_from_s >= 0.0 && measure_from_s < duration_s);
 }
 
 Evaluation VoxelEvaluator::evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const {
@@ -84,14 +98,13 @@ std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const Evalua
                                                           const std::atomic<bool>& stop, const ThreadsNow& threads) const {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Evaluation> evaluations(tasks.size());
-  std::vector<voxel::Simulation> simulations;
-  std::vector<Evaluation*> results;  // per simulation
+  Walkers walkers;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     voxel::Physics physics = physics_;
     if (physics.surrogate) physics.surrogate->level = tasks[i]->level;
     try {
-      simulations.emplace_back(tasks[i]->body, cell_edge_m_, physics);
-      results.push_back(&evaluations[i]);
+      walkers.simulations.emplace_back(tasks[i]->body, cell_edge_m_, physics);
+      walkers.results.push_back(&evaluations[i]);
     } catch (const voxel::OutsideValidity& outside) {
       // For one body of many this is not wrong input, but a body without a result.
       evaluations[i].status = io::RunStatus::diverged;
@@ -99,20 +112,22 @@ std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const Evalua
       evaluations[i].reason = "outside the range of validity: " + evaluations[i].outside_validity;
     }
   }
-  walk(simulations, results, stop, threads);
+  walkers.on_processor.resize(walkers.simulations.size());
+  walk(walkers, stop, threads);
+  on_processor_ += static_cast<std::size_t>(std::ranges::count(walkers.on_processor, true));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (Evaluation& evaluation : evaluations) evaluation.seconds = seconds / static_cast<double>(tasks.size());
   return evaluations;
 }
 
 /// Advances the simulations period by period and writes the displacement in each into the results.
-void VoxelEvaluator::walk_periods(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results,
-                                  const std::atomic<bool>& stop, const ThreadsNow& threads) const {
+void VoxelEvaluator::walk_periods(Walkers& walkers, const std::atomic<bool>& stop, const ThreadsNow& threads) const {
+  auto& [simulations, results, on_processor] = walkers;
   std::vector<std::array<double, 3>> before_m = centres_of_mass_m(simulations);
   const std::size_t count = whole_periods(duration_s_, last_->period_s);
   for (std::size_t n = 1; n <= count; ++n) {
     // Simulations that have diverged or stopped here stay so.
-    static_cast<void>(advance(simulations, std::min(static_cast<double>(n) * last_->period_s, duration_s_), stop, threads));
+    static_cast<void>(advance(walkers, std::min(static_cast<double>(n) * last_->period_s, duration_s_), stop, threads));
     const std::vector<std::array<double, 3>> now_m = centres_of_mass_m(simulations);
     for (std::size_t i = 0; i < simulations.size(); ++i)
       results[i]->period_displacements_m.push_back(difference(now_m[i], before_m[i]));
@@ -121,16 +136,16 @@ void VoxelEvaluator::walk_periods(std::span<voxel::Simulation> simulations, std:
 }
 
 /// Advances the simulations to the end and writes the outcomes into the results.
-void VoxelEvaluator::walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results,
-                          const std::atomic<bool>& stop, const ThreadsNow& threads) const {
+void VoxelEvaluator::walk(Walkers& walkers, const std::atomic<bool>& stop, const ThreadsNow& threads) const {
+  auto& [simulations, results, on_processor] = walkers;
   const std::vector<std::array<double, 3>> start_m = centres_of_mass_m(simulations);
   // Simulations that have diverged or stopped here stay so.
   if (last_)
-    walk_periods(simulations, results, stop, threads);
+    walk_periods(walkers, stop, threads);
   else
-    static_cast<void>(advance(simulations, measure_from_s_, stop, threads));
+    static_cast<void>(advance(walkers, measure_from_s_, stop, threads));
   const std::vector<std::array<double, 3>> from_m = centres_of_mass_m(simulations);
-  const std::vector<io::RunStatus> statuses = advance(simulations, duration_s_, stop, threads);
+  const std::vector<io::RunStatus> statuses = advance(walkers, duration_s_, stop, threads);
   for (std::size_t i = 0; i < simulations.size(); ++i) {
     const voxel::Simulation& simulation = simulations[i];
     Evaluation& result = *results[i];
@@ -153,6 +168,13 @@ void VoxelEvaluator::walk(std::span<voxel::Simulation> simulations, std::span<Ev
 
 std::vector<std::vector<std::size_t>> VoxelEvaluator::groups(std::span<const EvaluationTask> tasks, int workers) const {
   std::vector<std::vector<std::size_t>> groups;
+  if (device_ == io::Device::cuda) {
+    // The device steps the robots of all workers at once, and these share what remains to the processor: to build the robots.
+    const std::size_t shares = std::min(tasks.size(), static_cast<std::size_t>(workers));
+    groups.resize(shares);
+    for (std::size_t i = 0; i < tasks.size(); ++i) groups[i % shares].push_back(i);
+    return groups;
+  }
   std::vector<std::size_t> modules;
   std::vector<const meshes::Polycube*> bodies;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -174,7 +196,16 @@ std::string VoxelEvaluator::physics() const {
   std::string text = "duration_s = " + io::number_text(duration_s_) + "\n";
   if (measure_from_s_ > 0.0) text += "measure_from_s = " + io::number_text(measure_from_s_) + "\n";
   if (last_) text += "measure_periods = " + std::to_string(last_->count) + "\n";
+  if (device_ != io::Device::cpu) text += "device = \"" + std::string(to_string(device_)) + "\"\n";
   return text + "cell_edge_m = " + io::number_text(cell_edge_m_) + "\n" + voxel::physics_text(physics_);
+}
+
+std::string VoxelEvaluator::remark() const {
+  const std::size_t count = on_processor_;
+  if (count == 0) return "";
+  return std::to_string(count) + (count == 1 ? " body was" : " bodies were") +
+         " moved on the processor, because they touch themselves at too many places for the graphics processor, or their physics "
+         "are not made for it";
 }
 
 double VoxelEvaluator::cost(const meshes::Polycube& body, int /*level*/) const { return static_cast<double>(body.count()); }

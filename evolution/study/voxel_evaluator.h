@@ -1,17 +1,21 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "evolution/evaluation/evaluator.h"
+#include "io/device/graphics_processor.h"
 #include "voxel/lanes/simulation.h"
 #include "voxel/model/parameters.h"
 
 namespace menger::evolution {
 
-/// Evaluates bodies by their displacement on the voxel engine. Several single modules are evaluated together in SIMD lanes.
+/// Evaluates bodies by their displacement on the voxel engine. Several single modules are evaluated together in SIMD lanes, or
+/// all bodies on a graphics processor.
 ///
 /// voxel::lane_groups groups bodies of level 1. Aggregates are evaluated alone, since each fills registers by itself, and so are
 /// bodies that do not run in lanes, such as calibrated ones. Every few tenths of a second, a large aggregate adapts its number of
@@ -26,8 +30,9 @@ class VoxelEvaluator final : public DesignEvaluator {
   /// @param measure_from_s time from which displacement counts, 0 <= measure_from_s < duration_s; it leaves out the displacement
   /// while the drive begins
   /// @param last periods that are measured instead of the net displacement
+  /// @param device that evaluates; see io::obstacle_to_device
   VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s = 0.0,
-                 std::optional<LastPeriods> last = {});
+                 std::optional<LastPeriods> last = {}, io::Device device = io::Device::cpu);
 
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
   [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
@@ -35,21 +40,32 @@ class VoxelEvaluator final : public DesignEvaluator {
                                                           const ThreadsNow& threads) const override;
   [[nodiscard]] std::vector<std::vector<std::size_t>> groups(std::span<const EvaluationTask> tasks, int workers) const override;
   [[nodiscard]] std::string physics() const override;
+  /// Returns how many bodies the graphics processor has left to the processor.
+  [[nodiscard]] std::string remark() const override;
 
   /// Returns the number of cells of the body: all bodies make the same time steps.
   [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
 
  private:
-  void walk_periods(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results, const std::atomic<bool>& stop,
-                    const ThreadsNow& threads) const;
-  void walk(std::span<voxel::Simulation> simulations, std::span<Evaluation* const> results, const std::atomic<bool>& stop,
-            const ThreadsNow& threads) const;
+  /// Bodies that are evaluated together.
+  struct Walkers {
+    std::vector<voxel::Simulation> simulations;
+    std::vector<Evaluation*> results;  ///< per simulation
+    std::vector<bool> on_processor;    ///< per simulation: the device left it to the processor
+  };
+
+  std::vector<io::RunStatus> advance(Walkers& walkers, double time_s, const std::atomic<bool>& stop,
+                                     const ThreadsNow& threads) const;
+  void walk_periods(Walkers& walkers, const std::atomic<bool>& stop, const ThreadsNow& threads) const;
+  void walk(Walkers& walkers, const std::atomic<bool>& stop, const ThreadsNow& threads) const;
 
   voxel::Physics physics_;
   double cell_edge_m_;
   double duration_s_;
   double measure_from_s_;
   std::optional<LastPeriods> last_;
+  io::Device device_;
+  mutable std::atomic<std::size_t> on_processor_{0};  ///< bodies that the device left to the processor
 };
 
 }  // namespace menger::evolution

@@ -46,6 +46,11 @@ void SelfContact::moved(double travel_m) {
   if (is_near_) largest_travel_ = std::max(largest_travel_, travel_m);
 }
 
+double SelfContact::free_travel_m() const {
+  if (is_awake()) return 0.0;
+  return 0.5 * std::min(gap_ - path_, reach_m() - approach_);
+}
+
 void SelfContact::forget() { approach_ = std::numeric_limits<double>::infinity(); }
 
 void SelfContact::watch() {

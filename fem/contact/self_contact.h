@@ -109,6 +109,9 @@ class SelfContact {
   /// Whether find_touches has anything to do. If not, nothing touches.
   [[nodiscard]] bool is_awake() const { return is_near_ || must_look(); }
 
+  /// Returns how far nodes may move, in the sum of calls of moved(), before find_touches has something to do, m.
+  [[nodiscard]] double free_travel_m() const;
+
   /// Whether find_touches reads the positions of all nodes; otherwise only those of followed_nodes().
   [[nodiscard]] bool reads_all_nodes() const { return must_look(); }
   /// Nodes of the mesh, some of them twice.

@@ -55,6 +55,7 @@ struct Lanes<WarpNumber<Real>> {
   static constexpr std::size_t count = 32;
   __device__ static WarpNumber<Real> load(const Real* numbers) { return WarpNumber<Real>(numbers[threadIdx.x % count]); }
   __device__ static void store(const WarpNumber<Real>& value, Real* numbers) { numbers[threadIdx.x % count] = value.value(); }
+  __device__ static double own(const WarpNumber<Real>& value) { return static_cast<double>(value.value()); }
 };
 
 /// Corners lie one after the other, each with its lanes side by side: corner c of lane l at 32 c + l. Forces have their three

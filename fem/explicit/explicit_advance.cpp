@@ -16,6 +16,9 @@ namespace {
 constexpr double little_change = 0.25;
 constexpr std::size_t least_steps_to_bound = 10;
 
+/// Steps that are left to another one in one order, at most: contact is looked for after some 200.
+constexpr std::size_t most_left_steps = 256;
+
 /// Steps after which single precision begins anew at the place of the body: at 1 m/s it has moved on by about an element.
 constexpr std::size_t most_followed_steps = 32;
 
@@ -92,22 +95,80 @@ std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::s
   const double start = state_.time_s;
   self_contact_.watch();
   std::optional<ExplicitReport> objection;
-  for (std::size_t n = 1; n <= count && !objection; ++n) {
-    // Where an interval begins does not depend on interruptions.
-    if ((n - 1) % most_followed_steps == 0) elements_follow_ = false;
-    if (!take_step(step_s)) {
-      objection = failure_in_element();
-      break;
+  std::size_t taken = 0;
+  while (taken < count && !objection) {
+    if (may_leave_steps()) {
+      const StepsOutcome left = leave_steps(step_s, std::min(count - taken, most_left_steps));
+      taken += left.steps;
+      elements_follow_ = false;
+      if (left.has_failed) objection = failure_in_element();
+      state_.steps_since_bound += left.steps;
+    } else {
+      // Where an interval begins does not depend on interruptions.
+      if (taken % most_followed_steps == 0) elements_follow_ = false;
+      if (!take_step(step_s)) {
+        objection = failure_in_element();
+        break;
+      }
+      elements_follow_ = true;
+      ++taken;
+      ++state_.steps_since_bound;
     }
-    elements_follow_ = true;
-    state_.time_s = n == count ? end_s : start + static_cast<double>(n) * step_s;
-    ++state_.steps_since_bound;
+    state_.time_s = taken == count ? end_s : start + static_cast<double>(taken) * step_s;
     const PneumaticReport air = supply_air();
     if (air.status != io::RunStatus::completed) objection = failure(air.status, air.reason);
     if (walls_have_met()) break;
   }
   elements_follow_ = false;
   return objection ? objection : check();
+}
+
+/// Returns whether steps can be taken elsewhere, without contact. Looks for contacts where that is due.
+bool ExplicitDynamics::may_leave_steps() {
+  if (!options_.step_taker || !state_.contact->empty()) return false;
+  if (self_contact_.is_awake() && self_contact_.reads_all_nodes()) {
+    set_current_positions();
+    find_touches();
+  }
+  return !self_contact_.is_awake() && self_contact_.touches().empty();
+}
+
+/// Lets steps be taken elsewhere, at most `count`, and takes over what they have led to.
+StepsOutcome ExplicitDynamics::leave_steps(double step_s, std::size_t count) {
+  energies_.reset();
+  StepsOrder order{.first_kick_s = 0.5 * (state_.last_step_s + step_s),
+                   .step_s = step_s,
+                   .count = count,
+                   .branch_age_s = state_.branches->age_s,
+                   .relaxation_interval_s = relaxation_interval_s_.value_or(0.0),
+                   .common_velocity_m_per_s = common_velocity_,
+                   .free_travel_m = self_contact_.free_travel_m(),
+                   .pressures_Pa = state_.pressures_Pa};
+  PneumaticState air = *state_.pneumatics;
+  for (std::size_t n = 0; n <= count; ++n) {
+    air.time_s = state_.time_s + static_cast<double>(n) * step_s;
+    const std::vector<double> pressures = options_.supply->pressures_Pa(air);
+    order.pressures_Pa.insert(order.pressures_Pa.end(), pressures.begin(), pressures.end());
+  }
+  StepsOutcome outcome =
+      options_.step_taker->take(order, {state_.displacements_m, state_.velocities_m_per_s, state_.branches->numbers});
+  state_.branches->age_s = outcome.branch_age_s;
+  clearances_m_.assign(clearances_m_.size(), 0.0);
+  if (outcome.steps == 0) return outcome;
+  const std::size_t plena = chambers_.plenum_count();
+  for (std::size_t p = 0; p < plena; ++p) {
+    const double change_Pa = order.pressures_Pa[plena + p] - state_.pressures_Pa[p];
+    outcome.work.wall_pressure_J -= 0.5 * state_.pressed_volumes.walls_m3[p] * change_Pa;
+    outcome.work.pressure_J -= 0.5 * state_.pressed_volumes.chambers_m3[p] * change_Pa;
+  }
+  state_.work += outcome.work;
+  const auto last = order.pressures_Pa.begin() + static_cast<std::ptrdiff_t>(plena * outcome.steps);
+  state_.pressures_Pa.assign(last, last + static_cast<std::ptrdiff_t>(plena));
+  state_.pressed_volumes = outcome.volumes;
+  self_contact_.moved(outcome.travel_m);
+  state_.last_step_s = step_s;
+  state_.steps += outcome.steps;
+  return outcome;
 }
 
 std::optional<ExplicitReport> ExplicitDynamics::check() {

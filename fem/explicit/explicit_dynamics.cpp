@@ -110,6 +110,9 @@ void ExplicitDynamics::check(const meshes::HexahedralMesh& mesh) const {
   demand(o.smallest_step_ratio > 0.0 && o.smallest_step_ratio < 1.0, "smallest_step_ratio", o.smallest_step_ratio,
          "must be in (0, 1)");
   demand(o.threads >= 1, "threads", o.threads, "must be >= 1");
+  if (o.step_taker && o.supply->has_lines())
+    throw io::InputError("explicit dynamics: steps cannot be left to " + o.step_taker->text() +
+                         ": air flows through lines, which need the volumes at each step");
   if (o.self_contact && o.self_contact->stiffness_Pa_per_m)
     demand(*o.self_contact->stiffness_Pa_per_m > 0.0, "self-contact stiffness_Pa_per_m", *o.self_contact->stiffness_Pa_per_m,
            "must be > 0");

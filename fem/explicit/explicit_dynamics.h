@@ -15,6 +15,7 @@
 #include "fem/explicit/explicit_chambers.h"
 #include "fem/explicit/explicit_nodes.h"
 #include "fem/explicit/stable_step.h"
+#include "fem/explicit/step_taker.h"
 #include "fem/motion/motion_energy.h"
 #include "fem/pneumatics/pneumatic_integrator.h"
 #include "fem/pneumatics/pneumatic_supply.h"
@@ -41,7 +42,10 @@ struct ExplicitOptions {
   double smallest_step_ratio = 0.02;
   std::optional<SelfContactLaw> self_contact = SelfContactLaw{};  ///< empty: walls that touch end the run
   int threads = 1;                                                ///< >= 1; results do not depend on it
-  const std::atomic<bool>* stop = nullptr;                        ///< ends a run as `stopped` when it becomes true
+  /// Takes steps in place of this processor while nothing can touch; empty: none. Checks and contact stay here. It is of this
+  /// body and of these loads, and the supply has no lines.
+  std::shared_ptr<StepTaker> step_taker{};
+  const std::atomic<bool>* stop = nullptr;  ///< ends a run as `stopped` when it becomes true
 };
 
 /// The state of the Maxwell branches of a body's materials.
@@ -166,6 +170,8 @@ class ExplicitDynamics {
   [[nodiscard]] double longest_step_s() const;
   void pass_interval(double time_s);
   std::optional<ExplicitReport> take_steps(double step_s, std::size_t count, double end_s);
+  [[nodiscard]] bool may_leave_steps();
+  [[nodiscard]] StepsOutcome leave_steps(double step_s, std::size_t count);
   std::optional<ExplicitReport> check();
   void accept(double last_stable_step_s);
   [[nodiscard]] std::optional<ExplicitReport> check_contact() const;

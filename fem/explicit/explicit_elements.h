@@ -101,6 +101,9 @@ class ExplicitElements {
   /// plena are closed (see has_closed_plena), and always through their thickness.
   [[nodiscard]] virtual bool take_pressure() const = 0;
 
+  /// Returns how many elements the kernels compute at once, on which the layout of the branches depends.
+  [[nodiscard]] virtual std::size_t lane_count() const = 0;
+
   [[nodiscard]] virtual std::unique_ptr<ElementForces> make_forces() const = 0;
 
   /// Returns branches at rest at these displacements; no element may have failed.

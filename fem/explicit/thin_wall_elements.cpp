@@ -51,24 +51,11 @@ class ThinWallElements final : public ExplicitElements {
         take_pressure_(has_closed_plena(mesh)),
         points_(mesh.points),
         plenum_count_(mesh.plenum_names.size()),
-        slots_(sorted_slots()) {
+        slots_(sorted_slots()),
+        branches_(walls_) {
     for (const meshes::Chamber& chamber : mesh.chambers) chamber_plena_.push_back(chamber.plenum);
-    for (const ExplicitRegion& region : regions) {
-      const ExplicitMaterial& given = region.material;
-      materials_.push_back({.law = given.law,
-                            .bulk_modulus_Pa = std::visit([](const auto& law) { return law.bulk_modulus_Pa; }, given.volume),
-                            .wall_penalty_ratio = options.constants.wall_penalty_ratio,
-                            .block_stiffness_ratio = options.constants.block_stiffness_ratio,
-                            .viscosity_Pa_s = given.viscosity_Pa_s,
-                            .branch = given.branch});
-    }
+    for (const ExplicitRegion& region : regions) materials_.push_back(wall_material(region.material, options.constants));
     set_shapes();
-    std::size_t position = 0;
-    for (const ThinWallGroup& group : walls_.groups()) {
-      branch_positions_.push_back(position);
-      position += thin_wall_branch_numbers(group.element) * walls_.width() * group.batch_count;
-    }
-    branch_count_ = position;
   }
 
   [[nodiscard]] std::string text() const override {
@@ -84,18 +71,19 @@ class ThinWallElements final : public ExplicitElements {
   }
 
   [[nodiscard]] bool take_pressure() const override { return take_pressure_; }
+  [[nodiscard]] std::size_t lane_count() const override { return kernels_.width; }
 
   [[nodiscard]] std::unique_ptr<ElementForces> make_forces() const override { return std::make_unique<Forces>(*this); }
 
   [[nodiscard]] BranchNumbers branches_at_rest(std::span<const double> displacements_m) const override {
     const auto has_branch = [](const ThinWallMaterial& material) { return material.branch.is_there(); };
     if (std::none_of(materials_.begin(), materials_.end(), has_branch)) return AlignedVector<Number>{};
-    AlignedVector<Number> branches(branch_count_, Number(0));
+    AlignedVector<Number> branches(branches_.number_count(), Number(0));
     const AlignedVector<Number> u = converted(displacements_m);
     for (std::size_t g = 0; g < walls_.groups().size(); ++g) {
       const ThinWallGroup& group = walls_.groups()[g];
       kernels_.rest_branches(batches(group, {group.first_batch, group.first_batch + group.batch_count}), {u.data()},
-                             branches.data() + branch_positions_[g]);
+                             branches.data() + branches_.position(g));
     }
     return branches;
   }
@@ -186,7 +174,7 @@ class ThinWallElements final : public ExplicitElements {
     for (std::size_t g = 0; g < walls_.groups().size(); ++g) {
       const ThinWallGroup& group = walls_.groups()[g];
       kernels_.energies(materials_[group.region], batches(group, {group.first_batch, group.first_batch + group.batch_count}),
-                        {u.data()}, branches.empty() ? nullptr : branches.data() + branch_positions_[g],
+                        {u.data()}, branches.empty() ? nullptr : branches.data() + branches_.position(g),
                         result.energies_J.data() + width * group.first_batch,
                         result.smallest_ratios.data() + width * group.first_batch);
     }
@@ -205,8 +193,7 @@ class ThinWallElements final : public ExplicitElements {
   AlignedVector<Number> sides_;              ///< per lane
   std::vector<std::uint8_t> pressed_faces_;  ///< per batch
   FourfoldSlots slots_;
-  std::vector<std::size_t> branch_positions_;  ///< of each group's first batch
-  std::size_t branch_count_ = 0;
+  ThinWallBranchLayout branches_;
 };
 
 template <class Number>
@@ -284,7 +271,7 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
       }
       ThinWallBranches<Number> own{nullptr, relaxed_s};
       if (!numbers.empty())
-        own.values = numbers.data() + elements_.branch_positions_[g] +
+        own.values = numbers.data() + elements_.branches_.position(g) +
                      thin_wall_branch_numbers(group.element) * width * (first - group.first_batch);
       const ThinWallOutcome part = elements_.kernels_.forces(
           elements_.materials_[group.region], batches, {displacements_.data(), has_velocities_ ? velocities_.data() : nullptr},
@@ -352,6 +339,15 @@ std::unique_ptr<ExplicitElements> make(const meshes::HexahedralMesh& mesh, const
 }
 
 }  // namespace
+
+ThinWallMaterial wall_material(const ExplicitMaterial& material, const ThinWallConstants& constants) {
+  return {.law = material.law,
+          .bulk_modulus_Pa = std::visit([](const auto& law) { return law.bulk_modulus_Pa; }, material.volume),
+          .wall_penalty_ratio = constants.wall_penalty_ratio,
+          .block_stiffness_ratio = constants.block_stiffness_ratio,
+          .viscosity_Pa_s = material.viscosity_Pa_s,
+          .branch = material.branch};
+}
 
 std::unique_ptr<ExplicitElements> thin_wall_elements(const meshes::HexahedralMesh& mesh,
                                                      const std::vector<ExplicitRegion>& regions, const ThinWallOptions& options) {

@@ -6,6 +6,7 @@
 
 #include "fem/explicit/explicit_elements.h"
 #include "fem/thin_walls/element_choice.h"
+#include "fem/thin_walls/thin_wall_kernel.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
 
 namespace menger::fem {
@@ -17,6 +18,9 @@ struct ThinWallOptions {
   /// Name of the kernels' instruction set; empty: the widest that this machine has.
   std::string_view instruction_set{};
 };
+
+/// Returns the material of the walls and blocks of a region.
+ThinWallMaterial wall_material(const ExplicitMaterial& material, const ThinWallConstants& constants);
 
 /// Makes walls and blocks (see ThinWallMesh) of a mesh.
 /// @throws io::InputError for elements that are no boxes along the axes, and for an instruction set that this machine has not

@@ -24,6 +24,7 @@ class ThreeFieldElements final : public ExplicitElements {
   [[nodiscard]] std::string text() const override;
   [[nodiscard]] double contact_modulus_Pa() const override;
   [[nodiscard]] bool take_pressure() const override { return false; }
+  [[nodiscard]] std::size_t lane_count() const override { return kernels_.width; }
   [[nodiscard]] std::unique_ptr<ElementForces> make_forces() const override;
   [[nodiscard]] BranchNumbers branches_at_rest(std::span<const double> displacements_m) const override;
   [[nodiscard]] double strain_energy_J(std::span<const double> displacements_m, const BranchNumbers& branches) const override;

@@ -73,7 +73,7 @@ class BlockElement {
         const T modulus = T(task_.branch_modulus_Pa);
         for (std::size_t c = 0; c < 6; ++c) response.stress[c] = fma(modulus, branch.tensor[c], response.stress[c]);
         response.by_cofactor = response.by_cofactor - modulus / gradient_.ratio;
-        const T ratio = T(task_.branch_modulus_Pa / task_.shear_modulus_Pa);
+        const T ratio = T(task_.branch_ratio);
         for (std::size_t n = 0; n < 12; ++n) strains[n] = fma(ratio, strains_[n] - branch.strains[n], strains[n]);
       }
       if (task_.viscosity_Pa_s > 0.0) viscous = viscous_forces(strains);
@@ -107,7 +107,7 @@ class BlockElement {
     state.load(branch);
     const T change = (contraction(state.tensor) - T(3.0)) - log(determinant(state.tensor) * gradient_.ratio * gradient_.ratio);
     const T stored = fma(T(0.5) * mu_, change, quadratic_energy(difference(strains_, state.strains)));
-    return volume_ * fma(T(task_.branch_modulus_Pa / task_.shear_modulus_Pa), stored, sum);
+    return volume_ * fma(T(task_.branch_ratio), stored, sum);
   }
 
   [[nodiscard]] MENGER_HOST_DEVICE BlockBranch<T> rest() const {
@@ -127,7 +127,7 @@ class BlockElement {
         (contraction(before.tensor) - contraction(after.tensor)) + log(determinant(after.tensor) / determinant(before.tensor));
     T released = fma(T(0.5) * mu_, fall, quadratic_energy(difference(strains_, before.strains)));
     released = released - quadratic_energy(difference(strains_, after.strains));
-    relaxed_ = volume_ * T(task_.branch_modulus_Pa / task_.shear_modulus_Pa) * released;
+    relaxed_ = volume_ * T(task_.branch_ratio) * released;
     return before.moved_to(after, T(0.5));
   }
 
@@ -225,7 +225,7 @@ class BlockElement {
     const T power = T(2.0 * task_.viscosity_Pa_s) * (dot(d[0], d[0]) + dot(d[1], d[1]) + dot(d[2], d[2]));
     BlockStrains<T> rates = strains_of(gradient_.columns, v.hourglass);
     const BlockStrains<T> turning = strains_of(rate, u_.hourglass);
-    const T time = T(task_.viscosity_Pa_s / task_.shear_modulus_Pa);
+    const T time = T(task_.viscous_time_s);
     for (std::size_t k = 0; k < 12; ++k) {
       rates[k] = rates[k] + turning[k];
       strains[k] = fma(time, rates[k], strains[k]);

@@ -20,6 +20,8 @@ struct Lanes {
   static constexpr std::size_t count = 1;
   MENGER_HOST_DEVICE static T load(const Number* numbers) { return *numbers; }
   MENGER_HOST_DEVICE static void store(const T& value, Number* numbers) { *numbers = value; }
+  /// The number of the lane that this thread computes.
+  MENGER_HOST_DEVICE static double own(const T& value) { return static_cast<double>(value); }
 };
 
 template <class T>

@@ -7,29 +7,41 @@
 #include "fem/thin_walls/thin_wall_kernel_table.h"
 
 namespace menger::fem {
-
-namespace {
-
-using detail::ThinWallTable;
-using detail::ThinWallTask;
+namespace detail {
 
 template <class Number>
 ThinWallTask<Number> task_of(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
                              const ThinWallMotion<Number>& motion, const Number* branch) {
   const double mu = materials::shear_modulus_at_rest_Pa(material.law);
-  return {detail::reference_to(material.law),
+  const double viscosity_Pa_s = motion.velocities_m_per_s == nullptr ? 0.0 : material.viscosity_Pa_s;
+  return {reference_to(material.law),
           mu,
           material.bulk_modulus_Pa,
           material.wall_penalty_ratio * mu,
           material.block_stiffness_ratio * mu,
-          motion.velocities_m_per_s == nullptr ? 0.0 : material.viscosity_Pa_s,
+          viscosity_Pa_s,
           material.branch.shear_modulus_Pa,
+          material.branch.shear_modulus_Pa / mu,
+          viscosity_Pa_s / mu,
           0.0,
           material.branch.is_there() ? branch : nullptr,
           nullptr,
           batches,
           motion};
 }
+
+template ThinWallTask<double> task_of(const ThinWallMaterial&, const ThinWallBatches<double>&, const ThinWallMotion<double>&,
+                                      const double*);
+template ThinWallTask<float> task_of(const ThinWallMaterial&, const ThinWallBatches<float>&, const ThinWallMotion<float>&,
+                                     const float*);
+
+}  // namespace detail
+
+namespace {
+
+using detail::task_of;
+using detail::ThinWallTable;
+using detail::ThinWallTask;
 
 /// All kernels this machine can run, the widest last.
 template <class Number>

@@ -19,12 +19,19 @@ struct ThinWallTask {
   double block_stiffness_Pa;  ///< lambda
   double viscosity_Pa_s;      ///< 0 where there are no velocities
   double branch_modulus_Pa;
-  double share;          ///< of the way to rest that branches go before they act, in [0, 1]
-  const Number* branch;  ///< nullptr: none
-  Number* relaxing;      ///< the same where they go a part of it
+  double branch_ratio;    ///< branch_modulus_Pa / shear_modulus_Pa
+  double viscous_time_s;  ///< viscosity_Pa_s / shear_modulus_Pa
+  double share;           ///< of the way to rest that branches go before they act, in [0, 1]
+  const Number* branch;   ///< nullptr: none
+  Number* relaxing;       ///< the same where they go a part of it
   ThinWallBatches<Number> batches;
   ThinWallMotion<Number> motion;
 };
+
+/// Returns the task of computing elements, which keeps references to the material. @param branch nullptr: none acts
+template <class Number>
+ThinWallTask<Number> task_of(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
+                             const ThinWallMotion<Number>& motion, const Number* branch);
 
 /// The functions of one instruction set.
 template <class Number>

@@ -105,7 +105,7 @@ std::set<meshes::FaceCorners> chamber_faces_of_walls(const meshes::HexahedralMes
   return result;
 }
 
-ThinWallMesh::ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width) : width_(width) {
+ThinWallMesh::ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width, bool mixes_plena) : width_(width) {
   const std::vector<ThinWallPlace> places = thin_wall_places(mesh);
   const FreeFaces faces(mesh);
   const auto side_of = [&](std::size_t element) {
@@ -115,8 +115,11 @@ ThinWallMesh::ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width
   };
   using Key = std::tuple<ThinWallElement, std::size_t, ThinWallPlace>;  // kind, region, place
   std::map<Key, std::vector<std::size_t>> sets;
-  for (std::size_t element = 0; element < places.size(); ++element)
-    sets[{places[element].element, mesh.regions[element], places[element]}].push_back(element);
+  for (std::size_t element = 0; element < places.size(); ++element) {
+    ThinWallPlace alike = places[element];
+    if (mixes_plena) alike.plena = {-1, -1};
+    sets[{alike.element, mesh.regions[element], alike}].push_back(element);
+  }
   for (const auto& [key, elements] : sets) {
     const auto& [kind, region, place] = key;
     if (groups_.empty() || groups_.back().element != kind || groups_.back().region != region)
@@ -128,8 +131,10 @@ ThinWallMesh::ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width
     }
     const std::size_t count = (elements.size() + width_ - 1) / width_;
     normals_.insert(normals_.end(), count, static_cast<std::uint8_t>(place.normal));
-    plena_.insert(plena_.end(), count, place.plena);
-    for (std::size_t lane = sides_.size(); lane < elements_.size(); ++lane) sides_.push_back(side_of(elements_[lane]));
+    for (std::size_t lane = sides_.size(); lane < elements_.size(); ++lane) {
+      plena_.push_back(places[elements_[lane]].plena);
+      sides_.push_back(side_of(elements_[lane]));
+    }
     groups_.back().batch_count += count;
   }
 }
@@ -154,6 +159,19 @@ std::array<double, shape_numbers_per_lane> ThinWallMesh::shape(std::size_t lane)
   std::array<double, shape_numbers_per_lane> result = shape_of(edges_m_[original]);
   result[3] = 0.0;
   return result;
+}
+
+ThinWallBranchLayout::ThinWallBranchLayout(const ThinWallMesh& walls) : walls_(walls) {
+  for (const ThinWallGroup& group : walls.groups()) {
+    positions_.push_back(number_count_);
+    number_count_ += thin_wall_branch_numbers(group.element) * walls.width() * group.batch_count;
+  }
+}
+
+std::size_t ThinWallBranchLayout::first(std::size_t group, std::size_t lane) const {
+  const std::size_t width = walls_.width();
+  const ThinWallGroup& its = walls_.groups()[group];
+  return positions_[group] + thin_wall_branch_numbers(its.element) * width * (lane / width - its.first_batch) + lane % width;
 }
 
 }  // namespace menger::fem

@@ -58,8 +58,9 @@ struct ThinWallGroup {
 class ThinWallMesh {
  public:
   /// Sorts the elements of a mesh into batches.
+  /// @param mixes_plena true: the walls of a batch may have different plena, see plena_of_lane; fewer lanes are then repeated
   /// @throws io::InputError naming the first element that is no box along the axes
-  ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width);
+  ThinWallMesh(const meshes::HexahedralMesh& mesh, std::size_t width, bool mixes_plena = false);
 
   [[nodiscard]] std::size_t width() const { return width_; }
   [[nodiscard]] std::size_t batch_count() const { return normals_.size(); }
@@ -76,12 +77,13 @@ class ThinWallMesh {
     return std::span(first_components_).subspan(8 * lane, 8);
   }
   [[nodiscard]] std::size_t normal(std::size_t batch) const { return normals_[batch]; }
-  /// See ThinWallPlace::plena.
-  [[nodiscard]] const std::array<int, 2>& plena(std::size_t batch) const { return plena_[batch]; }
+  /// See ThinWallPlace::plena. Precondition: batches do not mix plena.
+  [[nodiscard]] const std::array<int, 2>& plena(std::size_t batch) const { return plena_of_lane(width_ * batch); }
+  [[nodiscard]] const std::array<int, 2>& plena_of_lane(std::size_t lane) const { return plena_[lane]; }
   /// How many of the plena of a batch are not the outside.
   [[nodiscard]] std::size_t plenum_count(std::size_t batch) const {
     return static_cast<std::size_t>(
-        std::count_if(plena_[batch].begin(), plena_[batch].end(), [](int plenum) { return plenum >= 0; }));
+        std::count_if(plena(batch).begin(), plena(batch).end(), [](int plenum) { return plenum >= 0; }));
   }
   /// At which end of its normal a wall has the first of its plena: 1 the upper, -1 the lower one.
   [[nodiscard]] int side(std::size_t lane) const { return sides_[lane]; }
@@ -106,8 +108,25 @@ class ThinWallMesh {
   std::vector<std::array<double, 3>> edges_m_;  ///< l1, l2, l3 per lane; l1 is 0 where an element is repeated
   std::vector<std::uint32_t> first_components_;
   std::vector<std::uint8_t> normals_;
-  std::vector<std::array<int, 2>> plena_;
+  std::vector<std::array<int, 2>> plena_;  ///< per lane
   std::vector<int> sides_;
+};
+
+/// Where the branches of the elements of a body lie in one array: entry n of a lane at first(lane) + n width.
+class ThinWallBranchLayout {
+ public:
+  explicit ThinWallBranchLayout(const ThinWallMesh& walls);
+
+  [[nodiscard]] std::size_t number_count() const { return number_count_; }  ///< of the array
+  /// The first number of a group's first batch.
+  [[nodiscard]] std::size_t position(std::size_t group) const { return positions_[group]; }
+  /// Returns the first number of a lane. @param group that of the lane, which is counted over all batches
+  [[nodiscard]] std::size_t first(std::size_t group, std::size_t lane) const;
+
+ private:
+  const ThinWallMesh& walls_;
+  std::vector<std::size_t> positions_;
+  std::size_t number_count_ = 0;
 };
 
 /// Returns those faces of walls, by their sorted corners, that lie across the wall and bound a chamber.

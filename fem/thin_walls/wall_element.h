@@ -178,7 +178,7 @@ class WallElement {
       stored = fma(T(0.25) * mu_, change, stored);  // m/2 of half the volume, below
     }
     stored = stored + quadratic_energy(difference(shears_, state.shears), difference(strains_, state.strains));
-    return volume_ * fma(T(task_.branch_modulus_Pa / task_.shear_modulus_Pa), stored, sum);
+    return volume_ * fma(T(task_.branch_ratio), stored, sum);
   }
 
   /// Where the branch would be at rest.
@@ -208,7 +208,7 @@ class WallElement {
     }
     released = released + quadratic_energy(difference(shears_, before.shears), difference(strains_, before.strains));
     released = released - quadratic_energy(difference(shears_, after.shears), difference(strains_, after.strains));
-    relaxed_ = volume_ * T(task_.branch_modulus_Pa / task_.shear_modulus_Pa) * released;
+    relaxed_ = volume_ * T(task_.branch_ratio) * released;
     return before.moved_to(after, T(0.5));
   }
 
@@ -315,7 +315,7 @@ class WallElement {
       stresses[z].s22 = fma(modulus, fnma(across, T(1.0) + m.a_excess, A[1]), stresses[z].s22);
       stresses[z].s12 = fma(modulus, fma(across, m.c, A[2]), stresses[z].s12);
     }
-    const T ratio = T(task_.branch_modulus_Pa / task_.shear_modulus_Pa);
+    const T ratio = T(task_.branch_ratio);
     for (std::size_t n = 0; n < 9; ++n) strains[n] = fma(ratio, strains_[n] - branch.strains[n], strains[n]);
     branch_metric_ = {};
     add_shear(T(shear_factor) * modulus, difference(shears_, branch.shears), branch_metric_);
@@ -348,7 +348,7 @@ class WallElement {
     for (std::size_t n = 0; n < 9; ++n) rates[n] = rates[n] + turning[n];
     std::array<T, 2> shear_rates;
     for (std::size_t i = 0; i < 2; ++i) shear_rates[i] = roots_[i] * (dot(f_[i], v.g[2]) + dot(v.g[i], f_[2]));
-    const T time = T(task_.viscosity_Pa_s / task_.shear_modulus_Pa);
+    const T time = T(task_.viscous_time_s);
     for (std::size_t n = 0; n < 9; ++n) strains[n] = fma(time, rates[n], strains[n]);
     const std::array<T, 2> y = raised(shear_rates);
     for (std::size_t i = 0; i < 2; ++i) shear_forces_[i] = fma(T(shear_factor) * eta * roots_[i], y[i], shear_forces_[i]);

@@ -1,6 +1,9 @@
 #include "fem/walk/walk_dynamics.h"
 
+#include <memory>
 #include <utility>
+
+#include "fem/device/cuda_step_taker.h"
 
 namespace menger::fem {
 namespace {
@@ -9,7 +12,7 @@ class ExplicitWalk final : public WalkDynamics {
  public:
   ExplicitWalk(const PreparedWalk& walk, ExplicitOptions options)
       : body_(walk.mesh, body_options(walk)),
-        dynamics_(walk.mesh, body_, std::move(options)),
+        dynamics_(walk.mesh, body_, with_device(walk, std::move(options))),
         plenum_count_(walk.mesh.plenum_names.size()) {}
 
   WalkOutcome advance_to(double time_s) override {
@@ -21,7 +24,9 @@ class ExplicitWalk final : public WalkDynamics {
   [[nodiscard]] double time_s() const override { return dynamics_.state().time_s; }
   [[nodiscard]] std::size_t steps() const override { return dynamics_.state().steps; }
   [[nodiscard]] bool goes_on_from_any_state() const override { return true; }
-  [[nodiscard]] std::string machine_text() const override { return body_.elements().text(); }
+  [[nodiscard]] std::string machine_text() const override {
+    return body_.elements().text() + (step_taker_ ? ", steps by " + step_taker_->text() : "");
+  }
 
   [[nodiscard]] WalkRecord record() override {
     WalkRecord record;
@@ -37,7 +42,14 @@ class ExplicitWalk final : public WalkDynamics {
   [[nodiscard]] std::vector<double> velocities_m_per_s() override { return dynamics_.velocities_m_per_s(); }
 
  private:
+  ExplicitOptions with_device(const PreparedWalk& walk, ExplicitOptions options) {
+    if (walk.device == io::Device::cuda) step_taker_ = cuda_step_taker(walk.mesh, body_, body_options(walk), options.loads);
+    options.step_taker = step_taker_;
+    return options;
+  }
+
   ExplicitBody body_;
+  std::shared_ptr<StepTaker> step_taker_;  ///< empty where this processor takes the steps
   ExplicitDynamics dynamics_;
   std::size_t plenum_count_;
 };

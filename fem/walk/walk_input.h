@@ -10,6 +10,7 @@
 #include "fem/thin_walls/element_choice.h"
 #include "fem/walk/walk_drive.h"
 #include "fem/walk/walk_silicone.h"
+#include "io/device/graphics_processor.h"
 #include "meshes/design/design_file.h"
 #include "meshes/design/hollow_body_options.h"
 #include "meshes/hexahedra/hexahedral_mesh.h"
@@ -34,7 +35,8 @@ struct WalkInput {
   std::optional<double> largest_step_s{};   ///< > 0
   /// Empty: walls that touch end the run.
   std::optional<SelfContactLaw> self_contact = SelfContactLaw{};
-  int threads = 1;  ///< >= 1; results do not depend on it
+  int threads = 1;                      ///< >= 1; results do not depend on it
+  io::Device device = io::Device::cpu;  ///< where the steps of explicit dynamics are taken; results differ by rounding
 };
 
 /// A walk with what follows from its input: mesh, material, ground and supply.

@@ -79,4 +79,28 @@ class DeviceArray {
   std::size_t size_ = 0;
 };
 
+/// An array in memory of this processor that the graphics processor can read and write by itself, which makes copies fast.
+template <class Number>
+class PinnedArray {
+ public:
+  PinnedArray() = default;
+  explicit PinnedArray(std::size_t size) {
+    if (size > 0)
+      check_cuda(cudaMallocHost(reinterpret_cast<void**>(&numbers_), size * sizeof(Number)), "take memory for copies");
+  }
+  PinnedArray(PinnedArray&& other) noexcept : numbers_(other.numbers_) { other.numbers_ = nullptr; }
+  PinnedArray& operator=(PinnedArray&& other) noexcept {
+    std::swap(numbers_, other.numbers_);
+    return *this;
+  }
+  PinnedArray(const PinnedArray&) = delete;
+  PinnedArray& operator=(const PinnedArray&) = delete;
+  ~PinnedArray() { static_cast<void>(cudaFreeHost(numbers_)); }
+
+  [[nodiscard]] Number* get() const { return numbers_; }
+
+ private:
+  Number* numbers_ = nullptr;
+};
+
 }  // namespace menger::io

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "io/device/graphics_processor.h"
 #include "io/text/content_hash.h"
 #include "io/text/whole_file.h"
 #include "tests/support/archive_content.h"
@@ -207,6 +208,14 @@ TEST_F(Evolve, RefusesBadArguments) {
   expect_refused({"study.toml", "--thread", "2"}, {"--thread"});
   expect_refused({"study.toml", "--threads", "0"}, {"--threads", "0"});
   expect_refused({"study.toml", "--generations", "-1"}, {"generations = -1"});
+  expect_refused({"study.toml", "--device", "gpu"}, {"--device", "gpu"});
+}
+
+TEST_F(Evolve, RefusesAGraphicsProcessorThatIsNotThere) {
+  const std::string obstacle = io::obstacle_to_device();
+  if (obstacle.empty()) GTEST_SKIP() << "there is one";
+  expect_refused({"study.toml", "--device", "cuda"}, {"--device cuda: " + obstacle});
+  EXPECT_FALSE(fs::exists(archive_));
 }
 
 TEST_F(Evolve, RefusesPlacesWhereNothingCanBeWritten) {

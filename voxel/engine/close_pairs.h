@@ -30,6 +30,7 @@ class ClosePairs {
   /// at.
   void tell_drives_apart(const StepData<Real>& d);
 
+  [[nodiscard]] double largest_size_m() const { return largest_size_m_; }
   [[nodiscard]] const VerletList& list() const { return list_; }
   [[nodiscard]] const CollisionCounts& counts() const { return counts_; }
 

@@ -67,6 +67,13 @@ void CollisionRule::mark_within_depth(std::int32_t voxel) {
   }
 }
 
+std::vector<std::int32_t> CollisionRule::excluded(std::int32_t voxel) {
+  mark_within_depth(voxel);
+  std::vector<std::int32_t> voxels = queue_;
+  std::ranges::sort(voxels);
+  return voxels;
+}
+
 void CollisionRule::keep_allowed(std::int32_t voxel, std::vector<std::int32_t>& candidates) {
   if (candidates.empty()) return;
   mark_within_depth(voxel);

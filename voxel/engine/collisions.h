@@ -24,6 +24,9 @@ class CollisionRule {
   /// Whether no two surface voxels may ever collide. The simulation then need not look for collisions.
   [[nodiscard]] bool excludes_every_pair() const { return excludes_every_pair_; }
 
+  /// Returns the voxels that may not collide with `voxel`, itself among them, ascending.
+  [[nodiscard]] std::vector<std::int32_t> excluded(std::int32_t voxel);
+
   /// Removes from `candidates` the voxels that may not collide with `voxel`, and keeps the order of the others.
   /// @param candidates voxels with numbers above `voxel`
   void keep_allowed(std::int32_t voxel, std::vector<std::int32_t>& candidates);

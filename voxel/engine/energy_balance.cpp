@@ -39,8 +39,7 @@ bool EnergyBalance::add_axis() {
   for (std::size_t i = 0; i < beams.count; ++i) {
     const BeamCoefficients<double> c = uniform ? d.beam : beam_coefficients<double>(d.beam_table, beams.beam_class + i);
     BeamEnds<double> ends;
-    BeamHistory<double> history;
-    const BeamStep<double> step = beam_step<Axis, Velocity, Variety, double>(d, beams, i, c, ends, history);
+    const BeamStep<double> step = beam_step<Axis, Velocity, Variety, double>(d, beams, i, c, ends);
     const BeamDeformation<double>& e = step.state.deformation;
     out_of_range = out_of_range || !(std::abs(e.displacement.x) <= d.strain_limit * ends.rest_length);
     ledger_.elastic_J += beam_energy(c, e, ends.rest_length);

@@ -89,10 +89,34 @@ double MovingBody<Real>::rest_length_m(std::size_t axis, std::size_t beam) const
 template <class Real>
 void MovingBody<Real>::begin_step() {
   if (!sweep_drives_) return;
-  const DriveAngle next =
-      drive_angle(static_cast<double>(record_.steps + 1) * body_.time_step_s, body_.physics.actuation.period_s());
+  const DriveMoment next = drive_after(record_.steps + 1);
   state_.data.next_sine = static_cast<Real>(next.sine);
   state_.data.next_cosine = static_cast<Real>(next.cosine);
+}
+
+template <class Real>
+DriveMoment MovingBody<Real>::drive_after(std::uint64_t steps) const {
+  const double end_s = static_cast<double>(steps) * body_.time_step_s;
+  if (shaped_) return drive_moment(body_.physics.actuation, end_s);
+  const DriveAngle angle = drive_angle(end_s, body_.physics.actuation.period_s());
+  DriveMoment moment;
+  moment.sine = angle.sine;
+  moment.cosine = angle.cosine;
+  return moment;
+}
+
+template <class Real>
+void MovingBody<Real>::take_over(std::uint64_t count, bool strained, bool too_fast) {
+  record_.steps += count - 1;
+  if (strained) check_strains(true);
+  // Nobody has added up how far voxels moved: far enough to look at the origin, and to list close pairs anew.
+  end_step({too_fast, body_.edge_m * body_.edge_m}, InLines{});
+  if (close_pairs_ && !record_.divergence) close_pairs_->make(state_.data.pose);
+}
+
+template <class Real>
+bool MovingBody<Real>::is_far(const std::array<double, 3>& middle_m) const {
+  return std::is_same_v<Real, float> && state_.is_far(middle_m);
 }
 
 template <class Real>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include "voxel/engine/voxel_loads.h"
 #include "voxel/engine/voxel_state.h"
 #include "voxel/kernels/kernel_choice.h"
+#include "voxel/model/actuation.h"
 #include "voxel/model/strain_range.h"
 
 namespace menger::voxel {
@@ -62,6 +64,23 @@ class MovingBody {
 
   /// Returns the present rest length (m) of a beam.
   [[nodiscard]] double rest_length_m(std::size_t axis, std::size_t beam) const;
+
+  /// Whether the sizes of solid voxels are set between the steps, because the drive is not a plain sine.
+  [[nodiscard]] bool shaped() const { return shaped_; }
+
+  /// Returns the drive of solid voxels at the end of a step. A plain sine has no rates here; see StepConstants.
+  /// @param steps counted from the start, with this one
+  [[nodiscard]] DriveMoment drive_after(std::uint64_t steps) const;
+
+  /// Counts steps that other code has made all by itself, on the numbers of data(), which now hold the state after them.
+  /// @param count >= 1
+  /// @param strained whether the last step was cut short before voxels moved, because a strain was out of range
+  /// @param too_fast whether a voxel was too fast in the last step, or not finite
+  void take_over(std::uint64_t count, bool strained, bool too_fast);
+
+  /// Whether a body whose voxels are on average here, m from the origin, is so far from it that the origin moves along; never in
+  /// double. Code that makes steps all by itself asks for it now and then.
+  [[nodiscard]] bool is_far(const std::array<double, 3>& middle_m) const;
 
   /// Sets the constants of the sweeps to the drive at the end of the step.
   void begin_step();

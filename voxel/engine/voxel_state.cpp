@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "voxel/kernels/voxel_step.h"
 #include "voxel/model/actuation.h"
 #include "voxel/model/wall_openings.h"
 
@@ -178,6 +179,14 @@ bool VoxelState<Real>::move_origin(const std::vector<std::array<double, 3>>& pos
 }
 
 template <class Real>
+bool VoxelState<Real>::is_far(const std::array<double, 3>& middle_m) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (std::abs(middle_m[axis] - grid_middle_[axis]) > farthest_edges * edge_) return true;
+  }
+  return false;
+}
+
+template <class Real>
 bool VoxelState<Real>::take_origin_along() {
   std::vector<std::array<double, 3>> positions;
   positions.reserve(data.voxels);
@@ -298,11 +307,9 @@ void VoxelState<Real>::set_sizes(double sine, double cosine) {
 
 template <class Real>
 void VoxelState<Real>::set_sizes(const DriveMoment& moment) {
-  const auto [s, c] = std::pair(static_cast<Real>(moment.sine), static_cast<Real>(moment.cosine));
-  const auto [s_rate, c_rate] = std::pair(static_cast<Real>(moment.sine_rate), static_cast<Real>(moment.cosine_rate));
   for (std::size_t i = 0; i < data.padded_voxels; ++i) {
-    pose_[line_size * i + slot::size] = size_base_[i] + (size_sine_[i] * s + size_cosine_[i] * c);
-    motion_[line_size * i + slot::size_rate] = size_sine_[i] * s_rate + size_cosine_[i] * c_rate;
+    put_shaped_size<Real>(moment.sine, moment.cosine, moment.sine_rate, moment.cosine_rate, size_base_[i], size_sine_[i],
+                          size_cosine_[i], pose_[line_size * i + slot::size], motion_[line_size * i + slot::size_rate]);
   }
 }
 

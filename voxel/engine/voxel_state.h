@@ -43,6 +43,9 @@ class VoxelState {
   /// @return whether the origin was moved
   bool take_origin_along();
 
+  /// Whether take_origin_along would move the origin of a body with this mean of its positions, m from the origin.
+  [[nodiscard]] bool is_far(const std::array<double, 3>& middle_m) const;
+
   [[nodiscard]] bool uniform() const { return uniform_; }
 
   /// Sets all sizes and their rates to the drive with this sine and cosine. In the following steps the kernels do this.

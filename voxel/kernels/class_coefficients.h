@@ -40,15 +40,14 @@ template <class T>
 inline VoxelCoefficients<T> voxel_coefficients(const RealOf<T>* table, const std::int32_t* row) {
   const Lines<T> a = load_lines<T>(table, row);
   const Lines<T> b = load_lines<T>(table + line_length, row);
-  return {a.value[0], a.value[1], a.value[2], a.value[3], a.value[4], {a.value[5], a.value[6], a.value[7], b.value[0]}};
+  return voxel_coefficients_from<T>([&](int k) { return k < line_length ? a.value[k] : b.value[k - line_length]; });
 }
 
 template <class T>
 inline BeamCoefficients<T> beam_coefficients(const RealOf<T>* table, const std::int32_t* row) {
   const Lines<T> a = load_lines<T>(table, row);
   const Lines<T> b = load_lines<T>(table + line_length, row);
-  return {a.value[0], a.value[1], a.value[2], a.value[3], a.value[4], a.value[5], a.value[6],
-          a.value[7], b.value[0], b.value[1], b.value[2], b.value[3], b.value[4], b.value[5]};
+  return beam_coefficients_from<T>([&](int k) { return k < line_length ? a.value[k] : b.value[k - line_length]; });
 }
 
 }  // namespace menger::voxel

@@ -5,6 +5,7 @@
 
 #include "voxel/kernels/block_sweep.h"
 #include "voxel/kernels/lane_sweep.h"
+#include "voxel/laws/pack.h"
 
 namespace menger::voxel {
 

@@ -53,15 +53,12 @@ inline void subtract_packs(RealOf<T>* packs, int first, const Vector3<T>& v) {
 template <class T>
 inline VoxelCoefficients<T> lane_voxel_coefficients(const LaneData<RealOf<T>>& d, std::size_t voxel) {
   const RealOf<T>* at = d.voxel_coefficients + voxel * pack_stride<T>(voxel_values);
-  const auto value = [at](int k) { return load_values<T>(at + pack_stride<T>(k)); };
-  return {value(0), value(1), value(2), value(3), value(4), {value(5), value(6), value(7), value(8)}};
+  return voxel_coefficients_from<T>([at](int k) { return load_values<T>(at + pack_stride<T>(k)); });
 }
 
 template <class T>
 inline BeamCoefficients<T> lane_beam_coefficients(const RealOf<T>* at) {
-  const auto value = [at](int k) { return load_values<T>(at + pack_stride<T>(k)); };
-  return {value(0), value(1), value(2), value(3),  value(4),  value(5),  value(6),
-          value(7), value(8), value(9), value(10), value(11), value(12), value(13)};
+  return beam_coefficients_from<T>([at](int k) { return load_values<T>(at + pack_stride<T>(k)); });
 }
 
 /// Returns a mask as bits, one per lane.
@@ -111,19 +108,10 @@ inline EndInertias<T> lane_end_inertias(const LaneData<RealOf<T>>& d, std::size_
 template <bool Velocity, class T, class Rates>
 inline BeamLoads<T> pack_beam_loads(const StepConstants<RealOf<T>>& d, const BeamCoefficients<T>& c, BeamEnds<T> ends,
                                     const Rates& rates, RealOf<T>* remembered, MaskOf<T>& in_range) {
-  using std::abs;
   if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
-  const BeamHistory<T> history = load_history<T>(remembered, pack_stride<T>(1));
-  const BeamState<T> state = beam_state(ends, history.small);
-  BeamLoads<T> loads = beam_elastic_loads<false>(c, state.deformation, ends.rest_length);
-  if constexpr (Velocity) {
-    loads = loads + beam_damping<false>(c, rate_from_velocities(state, ends, rates()));
-  } else {
-    loads = loads + beam_damping<false>(c, rate_from_increments(state, history.deformation, T(d.rate_scale)));
-  }
-  store_history<Velocity>(remembered, pack_stride<T>(1), state);
-  in_range = abs(state.deformation.displacement.x) <= T(d.strain_limit) * ends.rest_length;
-  return to_world(state.frame, loads);
+  const BeamStep<T> step = step_of_beam<Velocity, false>(T(d.rate_scale), c, ends, rates, remembered, pack_stride<T>(1));
+  in_range = is_strain_in_range(step.state.deformation, ends.rest_length, T(d.strain_limit));
+  return to_world(step.state.frame, step.elastic + step.damping);
 }
 
 /// Returns the loads of one beam of every robot.

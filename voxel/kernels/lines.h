@@ -4,17 +4,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "voxel/kernels/step_data.h"
-#include "voxel/laws/number.h"
-#include "voxel/laws/rotation.h"
+#include "voxel/kernels/line.h"
 
 namespace menger::voxel {
-
-/// One line per lane. value[k] holds the k-th value of every line, as a number or as a pack.
-template <class T>
-struct Lines {
-  T value[line_length];
-};
 
 namespace detail {
 
@@ -225,38 +217,6 @@ inline void add_lines(RealOf<T>* base, const std::int32_t* lower_index, const Li
       detail::add_line<T>(base + static_cast<std::ptrdiff_t>(lower_index[lane]) * line_length, a, lane);
       detail::add_line<T>(base + static_cast<std::ptrdiff_t>(upper_index[lane]) * line_length, b, lane);
     }
-  }
-}
-
-/// Returns three values of a line, from `first` on, in axes permuted so that `Axis` comes first.
-template <int Axis, class T>
-inline Vector3<T> permuted(const Lines<T>& line, int first) {
-  return {line.value[first + Axis], line.value[first + (Axis + 1) % 3], line.value[first + (Axis + 2) % 3]};
-}
-
-/// Writes a permuted vector into a line, from `first` on.
-template <int Axis, class T>
-inline void unpermute(const Vector3<T>& v, Lines<T>& line, int first) {
-  line.value[first + Axis] = v.x;
-  line.value[first + (Axis + 1) % 3] = v.y;
-  line.value[first + (Axis + 2) % 3] = v.z;
-}
-
-template <class T>
-inline T load_values(const RealOf<T>* from) {
-  if constexpr (NumberTraits<T>::width == 1) {
-    return *from;
-  } else {
-    return T::load_aligned(from);
-  }
-}
-
-template <class T>
-inline void store_values(RealOf<T>* to, const T& value) {
-  if constexpr (NumberTraits<T>::width == 1) {
-    *to = value;
-  } else {
-    value.store_aligned(to);
   }
 }
 

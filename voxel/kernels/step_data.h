@@ -42,6 +42,18 @@ inline constexpr int history_values = 9;  ///< numbers of a BeamHistory
 inline constexpr std::size_t history_size = history_values;
 inline constexpr int class_values = 16;  ///< numbers of a voxel or beam class in the tables, two lines
 
+/// Return the coefficients from the numbers of a row of a table, in its order.
+/// @param value (position in the row) -> number
+template <class T, class Value>
+MENGER_HOST_DEVICE inline VoxelCoefficients<T> voxel_coefficients_from(const Value& value) {
+  return {value(0), value(1), value(2), value(3), value(4), {value(5), value(6), value(7), value(8)}};
+}
+template <class T, class Value>
+MENGER_HOST_DEVICE inline BeamCoefficients<T> beam_coefficients_from(const Value& value) {
+  return {value(0), value(1), value(2), value(3),  value(4),  value(5),  value(6),
+          value(7), value(8), value(9), value(10), value(11), value(12), value(13)};
+}
+
 /// Count of numbers in the widest register. Beams and voxels are padded to a multiple of it.
 template <class Real>
 inline constexpr std::size_t widest_pack = 64 / sizeof(Real);

@@ -6,6 +6,7 @@
 #include "voxel/kernels/beam_sweep.h"
 #include "voxel/kernels/pair_sweep.h"
 #include "voxel/kernels/voxel_sweep.h"
+#include "voxel/laws/pack.h"
 
 namespace menger::voxel {
 

@@ -25,6 +25,8 @@ namespace menger::voxel {
 
 class Engine;
 enum class LaneUse;
+enum class Stepper;
+struct DeviceAdvance;
 
 /// Thrown for a calibrated body that cannot be simulated with its drive. Either the body with its drive lies outside the range of
 /// validity and the rule is OutsideRange::refuse, or its walls have no size under the drive, for any rule. what() is the
@@ -108,6 +110,7 @@ class Simulation {
  private:
   friend std::vector<io::RunStatus> advance_together_to(std::span<Simulation>, double, const std::atomic<bool>*, InstructionSet,
                                                         LaneUse);
+  friend DeviceAdvance advance_on_device_to(std::span<Simulation>, double, const std::atomic<bool>*, Stepper);
 
   std::unique_ptr<Engine> engine_;
   std::vector<std::string> outside_validity_;  ///< sentences on a calibrated body and its drive, fixed at the start

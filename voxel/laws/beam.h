@@ -57,7 +57,7 @@ struct BeamEndRates {
 /// that is straight between its ends, the kink is half a turn of each end, outwards at the upper and inwards at the lower one.
 /// @param half_y, half_z half the rotation vector of the upper end against the lower one, rad, in the axes of the ends
 template <class T>
-inline void kink(BeamEnds<T>& ends, const T& half_y, const T& half_z) {
+MENGER_HOST_DEVICE inline void kink(BeamEnds<T>& ends, const T& half_y, const T& half_z) {
   const Quaternion<T> half = quaternion_of(Vector3<T>{constant<T>(0.0), half_y, half_z});
   ends.lower = ends.lower * half;
   ends.upper = times_inverse_turn(ends.upper, half);
@@ -65,7 +65,8 @@ inline void kink(BeamEnds<T>& ends, const T& half_y, const T& half_z) {
 
 /// Adds the rate of a kink to the spins of the ends that kink has turned.
 template <class T>
-inline void add_kink_rate(BeamEndRates<T>& rates, const BeamEnds<T>& ends, const T& half_y_rate, const T& half_z_rate) {
+MENGER_HOST_DEVICE inline void add_kink_rate(BeamEndRates<T>& rates, const BeamEnds<T>& ends, const T& half_y_rate,
+                                             const T& half_z_rate) {
   const Vector3<T> rate = {constant<T>(0.0), half_y_rate, half_z_rate};
   rates.lower_spin = rates.lower_spin + rotate(matrix(ends.lower), rate);
   rates.upper_spin = rates.upper_spin - rotate(matrix(ends.upper), rate);
@@ -108,7 +109,7 @@ struct BeamLoads {
 };
 
 template <class T>
-inline BeamLoads<T> operator+(const BeamLoads<T>& a, const BeamLoads<T>& b) {
+MENGER_HOST_DEVICE inline BeamLoads<T> operator+(const BeamLoads<T>& a, const BeamLoads<T>& b) {
   return {a.lower_force + b.lower_force, a.lower_moment + b.lower_moment, a.upper_force + b.upper_force,
           a.upper_moment + b.upper_moment};
 }
@@ -118,8 +119,8 @@ inline BeamLoads<T> operator+(const BeamLoads<T>& a, const BeamLoads<T>& b) {
 /// @param d separation of the ends in the frame of the lower end
 /// @param small mask: small-angle state where it holds, large-angle state elsewhere
 template <class T>
-inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, const Rotation<T>& lower_frame, const Vector3<T>& d,
-                                  const MaskOf<T>& small) {
+MENGER_HOST_DEVICE inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, const Rotation<T>& lower_frame, const Vector3<T>& d,
+                                                     const MaskOf<T>& small) {
   using std::sqrt;
   const T zero = constant<T>(0.0);
   BeamState<T> state;
@@ -155,7 +156,7 @@ inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, const Rotation<T>& lo
 /// (|d_y| + |d_z|) / d_x < 0.05 and |1 - d_x / rest length| < 0.5. It leaves that state beyond 0.06 or 0.6. @cite
 /// hiller2014dynamic
 template <class T>
-inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
+MENGER_HOST_DEVICE inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
   using std::abs;
   const Rotation<T> frame = matrix(ends.lower);
   const Vector3<T> d = rotate_back(frame, ends.separation);
@@ -173,7 +174,8 @@ inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
 /// Returns the elastic loads of a beam, in its frame. @cite hiller2014dynamic
 /// @tparam Shears false leaves out the terms of turn_difference, for Euler-Bernoulli beams, which have none
 template <bool Shears = true, class T>
-inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, const T& rest_length) {
+MENGER_HOST_DEVICE inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients<T>& c, const BeamDeformation<T>& e,
+                                                          const T& rest_length) {
   const T sum_y = e.lower_angle_y + e.upper_angle.y;
   const T sum_z = e.lower_angle_z + e.upper_angle.z;
   const T bend_y = c.bend * e.displacement.y;
@@ -196,7 +198,7 @@ inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients<T>& c, const BeamD
 
 /// Returns the elastic energy of a beam, J. Its derivatives are the elastic loads.
 template <class T>
-inline T beam_energy(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, const T& rest_length) {
+MENGER_HOST_DEVICE inline T beam_energy(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, const T& rest_length) {
   const T half = constant<T>(0.5);
   const Vector3<T>& u = e.displacement;
   const Vector3<T>& a = e.upper_angle;
@@ -217,7 +219,7 @@ inline T beam_energy(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, 
 /// Each end has a coefficient of its own, which depends on its mass. Equal coefficients give equal and opposite forces.
 /// @tparam Shears as for beam_elastic_loads
 template <bool Shears = true, class T>
-inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeformation<T>& rate) {
+MENGER_HOST_DEVICE inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeformation<T>& rate) {
   const T minus_half = constant<T>(-0.5);
   const T sum_y = rate.lower_angle_y + rate.upper_angle.y;
   const T sum_z = rate.lower_angle_z + rate.upper_angle.z;
@@ -247,8 +249,8 @@ inline BeamLoads<T> beam_damping(const BeamCoefficients<T>& c, const BeamDeforma
 /// Returns the rate of a deformation from its change since the last step. It is zero where the state changed in this step.
 /// @param steps_per_second 1/h, or 0 in the first step, which has no last step: the rate is then zero
 template <class T>
-inline BeamDeformation<T> rate_from_increments(const BeamState<T>& state, const BeamDeformation<T>& last,
-                                               const T& steps_per_second) {
+MENGER_HOST_DEVICE inline BeamDeformation<T> rate_from_increments(const BeamState<T>& state, const BeamDeformation<T>& last,
+                                                                  const T& steps_per_second) {
   const T zero = constant<T>(0.0);
   const BeamDeformation<T>& e = state.deformation;
   const T scale = select(state.state_changed, zero, steps_per_second);
@@ -261,7 +263,8 @@ inline BeamDeformation<T> rate_from_increments(const BeamState<T>& state, const 
 /// In the small-angle state the frame turns with the lower end. In the large-angle state the x axis of the frame turns with the
 /// line between the ends. About that line the frame turns so that the angle at the lower end keeps no twist.
 template <class T>
-inline BeamDeformation<T> rate_from_velocities(const BeamState<T>& state, const BeamEnds<T>& ends, const BeamEndRates<T>& rates) {
+MENGER_HOST_DEVICE inline BeamDeformation<T> rate_from_velocities(const BeamState<T>& state, const BeamEnds<T>& ends,
+                                                                  const BeamEndRates<T>& rates) {
   const T zero = constant<T>(0.0);
   const BeamDeformation<T>& e = state.deformation;
   const Vector3<T> velocity = rotate_back(state.frame, rates.upper_velocity - rates.lower_velocity);
@@ -290,7 +293,7 @@ inline BeamDeformation<T> rate_from_velocities(const BeamState<T>& state, const 
 
 /// Turns loads from the beam's frame to world axes (permuted).
 template <class T>
-inline BeamLoads<T> to_world(const Rotation<T>& frame, const BeamLoads<T>& loads) {
+MENGER_HOST_DEVICE inline BeamLoads<T> to_world(const Rotation<T>& frame, const BeamLoads<T>& loads) {
   return {rotate(frame, loads.lower_force), rotate(frame, loads.lower_moment), rotate(frame, loads.upper_force),
           rotate(frame, loads.upper_moment)};
 }

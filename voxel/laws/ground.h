@@ -36,8 +36,9 @@ struct FloorContact {
 ///
 /// @cite hiller2014dynamic
 template <class T>
-inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& floor_depth, const T& size, const T& z,
-                                     const Vector3<T>& velocity, const Vector3<T>& force, const MaskOf<T>& was_static) {
+MENGER_HOST_DEVICE inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& floor_depth, const T& size,
+                                                        const T& z, const Vector3<T>& velocity, const Vector3<T>& force,
+                                                        const MaskOf<T>& was_static) {
   using std::sqrt;
   const T zero = constant<T>(0.0);
   const T penetration = constant<T>(0.5) * size - floor_depth - z;
@@ -62,8 +63,8 @@ inline FloorContact<T> floor_contact(const FloorCoefficients<T>& c, const T& flo
 /// horizontal kinetic energy: 1/2 |P_xy|^2 / m + f · displacement <= 0, with the momentum P and the displacement after the
 /// update.
 template <class T>
-inline MaskOf<T> floor_stops(const FloorContact<T>& contact, const Vector3<T>& momentum, const Vector3<T>& displacement,
-                             const T& inverse_mass) {
+MENGER_HOST_DEVICE inline MaskOf<T> floor_stops(const FloorContact<T>& contact, const Vector3<T>& momentum,
+                                                const Vector3<T>& displacement, const T& inverse_mass) {
   const T zero = constant<T>(0.0);
   const T kinetic = constant<T>(0.5) * inverse_mass * (momentum.x * momentum.x + momentum.y * momentum.y);
   const T work = contact.friction_x * displacement.x + contact.friction_y * displacement.y;

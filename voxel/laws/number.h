@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <xsimd/xsimd.hpp>
+
+#include "io/device/host_device.h"
 
 /// Inlines everything that a kernel calls, which makes small bodies a third faster. Switched off with the address sanitizer,
 /// because its checks make the compiler take minutes for each kernel.
@@ -15,7 +16,7 @@
 namespace menger::voxel {
 
 /// Describes a number type that the laws of this folder are written for: double, float, or a SIMD pack of them with one beam or
-/// voxel per lane.
+/// voxel per lane (see pack.h).
 ///
 /// A law is a template over T. It uses only +, -, *, /, comparisons, sqrt, abs and the functions below, so that one source serves
 /// all number types. None of them fuses a multiplication with an addition: a lane of a pack and a scalar give the same bytes.
@@ -26,13 +27,6 @@ struct NumberTraits {
   static constexpr int width = 1;
 };
 
-template <class R, class Arch>
-struct NumberTraits<xsimd::batch<R, Arch>> {
-  using Real = R;
-  using Mask = xsimd::batch_bool<R, Arch>;
-  static constexpr int width = static_cast<int>(xsimd::batch<R, Arch>::size);
-};
-
 template <class T>
 using RealOf = typename NumberTraits<T>::Real;
 template <class T>
@@ -40,14 +34,14 @@ using MaskOf = typename NumberTraits<T>::Mask;
 
 /// Returns a where the mask holds and b elsewhere. It does not multiply, so that a NaN in the value not chosen has no effect.
 /// Always inlined, because a copy compiled for one instruction set must not be linked into code for another.
-[[gnu::always_inline]] inline double select(bool mask, double a, double b) { return mask ? a : b; }
-[[gnu::always_inline]] inline float select(bool mask, float a, float b) { return mask ? a : b; }
+[[gnu::always_inline]] MENGER_HOST_DEVICE inline double select(bool mask, double a, double b) { return mask ? a : b; }
+[[gnu::always_inline]] MENGER_HOST_DEVICE inline float select(bool mask, float a, float b) { return mask ? a : b; }
 
-[[gnu::always_inline]] inline bool any(bool mask) { return mask; }
+[[gnu::always_inline]] MENGER_HOST_DEVICE inline bool any(bool mask) { return mask; }
 
 /// Returns a mask that is false in every lane.
 template <class T>
-inline MaskOf<T> nowhere() {
+MENGER_HOST_DEVICE inline MaskOf<T> nowhere() {
   if constexpr (NumberTraits<T>::width == 1) {
     return false;
   } else if constexpr (sizeof(MaskOf<T>) <= sizeof(std::uint64_t)) {
@@ -59,7 +53,7 @@ inline MaskOf<T> nowhere() {
 
 /// Returns a constant as a T; a pack has it in every lane.
 template <class T>
-inline T constant(double value) {
+MENGER_HOST_DEVICE inline T constant(double value) {
   return T(static_cast<RealOf<T>>(value));
 }
 
@@ -67,7 +61,7 @@ inline T constant(double value) {
 ///
 /// Dekker's splitting: subtracting the large multiple and adding it back drops the lower 29 bits.
 template <class T>
-inline T rounded_to_single(const T& x) {
+MENGER_HOST_DEVICE inline T rounded_to_single(const T& x) {
   if constexpr (sizeof(RealOf<T>) == sizeof(float)) {
     return x;
   } else {
@@ -77,8 +71,8 @@ inline T rounded_to_single(const T& x) {
 }
 
 /// Applies a function of one double to every lane. For rare cases that have no pack version.
-template <class T>
-[[gnu::noinline]] T apply_to_lanes(const T& x, double (*function)(double)) {
+template <class T, class Function>
+[[gnu::noinline]] MENGER_HOST_DEVICE T apply_to_lanes(const T& x, const Function& function) {
   using Real = RealOf<T>;
   if constexpr (NumberTraits<T>::width == 1) {
     return static_cast<Real>(function(static_cast<double>(x)));

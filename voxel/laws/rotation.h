@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "voxel/laws/exact_rotation.h"
 #include "voxel/laws/number.h"
 
 namespace menger::voxel {
@@ -13,33 +14,33 @@ struct Vector3 {
 };
 
 template <class T>
-inline Vector3<T> operator+(const Vector3<T>& a, const Vector3<T>& b) {
+MENGER_HOST_DEVICE inline Vector3<T> operator+(const Vector3<T>& a, const Vector3<T>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 template <class T>
-inline Vector3<T> operator-(const Vector3<T>& a, const Vector3<T>& b) {
+MENGER_HOST_DEVICE inline Vector3<T> operator-(const Vector3<T>& a, const Vector3<T>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 template <class T>
-inline Vector3<T> operator-(const Vector3<T>& a) {
+MENGER_HOST_DEVICE inline Vector3<T> operator-(const Vector3<T>& a) {
   return {-a.x, -a.y, -a.z};
 }
 template <class T>
-inline Vector3<T> operator*(const T& s, const Vector3<T>& a) {
+MENGER_HOST_DEVICE inline Vector3<T> operator*(const T& s, const Vector3<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 template <class T>
-inline T dot(const Vector3<T>& a, const Vector3<T>& b) {
+MENGER_HOST_DEVICE inline T dot(const Vector3<T>& a, const Vector3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class T>
-inline Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
+MENGER_HOST_DEVICE inline Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// Returns a where the mask holds and b elsewhere.
 template <class T>
-inline Vector3<T> select(const MaskOf<T>& mask, const Vector3<T>& a, const Vector3<T>& b) {
+MENGER_HOST_DEVICE inline Vector3<T> select(const MaskOf<T>& mask, const Vector3<T>& a, const Vector3<T>& b) {
   return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 
@@ -51,14 +52,14 @@ struct Quaternion {
 
 /// Returns the product a b: the rotation b followed by the rotation a.
 template <class T>
-inline Quaternion<T> operator*(const Quaternion<T>& a, const Quaternion<T>& b) {
+MENGER_HOST_DEVICE inline Quaternion<T> operator*(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
 /// Returns conj(a) b: the rotation b in the frame of a.
 template <class T>
-inline Quaternion<T> seen_from(const Quaternion<T>& a, const Quaternion<T>& b) {
+MENGER_HOST_DEVICE inline Quaternion<T> seen_from(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z, a.w * b.x - a.x * b.w - a.y * b.z + a.z * b.y,
           a.w * b.y + a.x * b.z - a.y * b.w - a.z * b.x, a.w * b.z - a.x * b.y + a.y * b.x - a.z * b.w};
 }
@@ -66,20 +67,20 @@ inline Quaternion<T> seen_from(const Quaternion<T>& a, const Quaternion<T>& b) {
 /// Returns turn * b for a rotation `turn` about an axis perpendicular to x, as rotation_onto_x returns it. The terms with
 /// turn.x = 0 are left out.
 template <class T>
-inline Quaternion<T> turn_times(const Quaternion<T>& turn, const Quaternion<T>& b) {
+MENGER_HOST_DEVICE inline Quaternion<T> turn_times(const Quaternion<T>& turn, const Quaternion<T>& b) {
   return {turn.w * b.w - turn.y * b.y - turn.z * b.z, turn.w * b.x + turn.y * b.z - turn.z * b.y,
           turn.w * b.y + turn.y * b.w + turn.z * b.x, turn.w * b.z - turn.y * b.x + turn.z * b.w};
 }
 
 /// Returns a times the inverse of `turn`, a rotation about an axis perpendicular to x as in turn_times.
 template <class T>
-inline Quaternion<T> times_inverse_turn(const Quaternion<T>& a, const Quaternion<T>& turn) {
+MENGER_HOST_DEVICE inline Quaternion<T> times_inverse_turn(const Quaternion<T>& a, const Quaternion<T>& turn) {
   return {a.w * turn.w + a.y * turn.y + a.z * turn.z, a.x * turn.w - a.y * turn.z + a.z * turn.y,
           a.x * turn.z - a.w * turn.y + a.y * turn.w, a.z * turn.w - (a.w * turn.z + a.x * turn.y)};
 }
 
 template <class T>
-inline Quaternion<T> select(const MaskOf<T>& mask, const Quaternion<T>& a, const Quaternion<T>& b) {
+MENGER_HOST_DEVICE inline Quaternion<T> select(const MaskOf<T>& mask, const Quaternion<T>& a, const Quaternion<T>& b) {
   return {select(mask, a.w, b.w), select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 
@@ -92,7 +93,7 @@ struct Rotation {
 /// Returns the matrix R of the rotation by a unit quaternion. R v is v turned by it: with the orientation of a voxel, from the
 /// frame of the voxel to that of the world.
 template <class T>
-inline Rotation<T> matrix(const Quaternion<T>& q) {
+MENGER_HOST_DEVICE inline Rotation<T> matrix(const Quaternion<T>& q) {
   const T two = constant<T>(2.0);
   const T one = constant<T>(1.0);
   const T x2 = two * q.x, y2 = two * q.y, z2 = two * q.z;
@@ -104,25 +105,16 @@ inline Rotation<T> matrix(const Quaternion<T>& q) {
 
 /// Returns R v.
 template <class T>
-inline Vector3<T> rotate(const Rotation<T>& r, const Vector3<T>& v) {
+MENGER_HOST_DEVICE inline Vector3<T> rotate(const Rotation<T>& r, const Vector3<T>& v) {
   return {dot(r.row_x, v), dot(r.row_y, v), dot(r.row_z, v)};
 }
 
 /// Returns R^T v.
 template <class T>
-inline Vector3<T> rotate_back(const Rotation<T>& r, const Vector3<T>& v) {
+MENGER_HOST_DEVICE inline Vector3<T> rotate_back(const Rotation<T>& r, const Vector3<T>& v) {
   return {r.row_x.x * v.x + r.row_y.x * v.y + r.row_z.x * v.z, r.row_x.y * v.x + r.row_y.y * v.y + r.row_z.y * v.z,
           r.row_x.z * v.x + r.row_y.z * v.y + r.row_z.z * v.z};
 }
-
-/// Returns 2 acos(w) / sqrt(1 - w^2), computed by the C library; 0 for |w| >= 1. For the rare lanes outside the range of the
-/// polynomial of rotation_vector.
-double exact_rotation_vector_factor(double w);
-
-/// Return cos(sqrt(x)) and sin(sqrt(x)) / sqrt(x) for x >= 0, computed by the C library. For the rare lanes outside the range of
-/// the polynomials of quaternion_of.
-double exact_cosine_of_root(double x);
-double exact_sinc_of_root(double x);
 
 /// Returns the rotation vector (axis times angle in radians) of a unit quaternion, 2 acos(w) / sqrt(1 - w^2) (x, y, z). Angles
 /// beyond pi are returned as they are.
@@ -131,7 +123,7 @@ double exact_sinc_of_root(double x);
 /// relative error below 1e-16 for k <= 0.01 (angles up to 23 degrees). In single precision four terms leave 5e-9. Beyond k = 0.01
 /// the C library computes the factor.
 template <class T>
-inline Vector3<T> rotation_vector(const Quaternion<T>& q) {
+MENGER_HOST_DEVICE inline Vector3<T> rotation_vector(const Quaternion<T>& q) {
   const T k = constant<T>(0.5) * (constant<T>(1.0) - q.w);
   constexpr double c1 = 2.0 / 3.0, c2 = c1 * 4.0 / 5.0, c3 = c2 * 6.0 / 7.0;
   const T k2 = k * k;
@@ -142,14 +134,14 @@ inline Vector3<T> rotation_vector(const Quaternion<T>& q) {
     factor = factor + high * (k2 * k2);
   }
   const MaskOf<T> far = k > constant<T>(0.01);
-  if (any(far)) factor = select(far, apply_to_lanes(q.w, exact_rotation_vector_factor), factor);
+  if (any(far)) factor = select(far, apply_to_lanes(q.w, ExactRotationVectorFactor{}), factor);
   return {factor * q.x, factor * q.y, factor * q.z};
 }
 
 /// Returns the time derivative of a rotation vector v at the angular velocity w, both in the rotated frame:
 /// w - v x w / 2 + v x (v x w) / 12. The next term has the relative size |v|^4 / 720.
 template <class T>
-inline Vector3<T> rotation_vector_rate(const Vector3<T>& v, const Vector3<T>& w) {
+MENGER_HOST_DEVICE inline Vector3<T> rotation_vector_rate(const Vector3<T>& v, const Vector3<T>& w) {
   const Vector3<T> across = cross(v, w);
   return w - constant<T>(0.5) * across + constant<T>(1.0 / 12.0) * cross(v, across);
 }
@@ -160,7 +152,7 @@ inline Vector3<T> rotation_vector_rate(const Vector3<T>& v, const Vector3<T>& w)
 /// relative error below 3e-17 for k <= 0.01 (0.2 rad in one step). In single precision sums up to k^2 leave 2e-9. Beyond k = 0.01
 /// the C library computes both.
 template <class T>
-inline Quaternion<T> quaternion_of(const Vector3<T>& v) {
+MENGER_HOST_DEVICE inline Quaternion<T> quaternion_of(const Vector3<T>& v) {
   const T half = constant<T>(0.5);
   const Vector3<T> u = half * v;
   const T k = dot(u, u);
@@ -175,15 +167,15 @@ inline Quaternion<T> quaternion_of(const Vector3<T>& v) {
   T sinc = (constant<T>(1.0) - constant<T>(1.0 / 6.0) * k) + k2 * high_sinc;
   const MaskOf<T> far = k > constant<T>(0.01);
   if (any(far)) {
-    cosine = select(far, apply_to_lanes(k, exact_cosine_of_root), cosine);
-    sinc = select(far, apply_to_lanes(k, exact_sinc_of_root), sinc);
+    cosine = select(far, apply_to_lanes(k, ExactCosineOfRoot{}), cosine);
+    sinc = select(far, apply_to_lanes(k, ExactSincOfRoot{}), sinc);
   }
   return {cosine, sinc * u.x, sinc * u.y, sinc * u.z};
 }
 
 /// Returns the shortest rotation that turns d onto the positive x axis. For d = (-|d|, 0, 0) it is half a turn about y. |d| > 0.
 template <class T>
-inline Quaternion<T> rotation_onto_x(const Vector3<T>& d) {
+MENGER_HOST_DEVICE inline Quaternion<T> rotation_onto_x(const Vector3<T>& d) {
   using std::sqrt;
   const T zero = constant<T>(0.0);
   const T across2 = d.y * d.y + d.z * d.z;

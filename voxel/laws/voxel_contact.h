@@ -21,7 +21,7 @@ struct ContactEnd {
 /// @param distance2 square of the distance of the centres, m^2
 /// @param reach sum of the radii, m
 template <class T>
-inline MaskOf<T> spheres_overlap(const T& distance2, const T& reach) {
+MENGER_HOST_DEVICE inline MaskOf<T> spheres_overlap(const T& distance2, const T& reach) {
   return (distance2 < reach * reach) && (distance2 > constant<T>(0.0));
 }
 
@@ -34,8 +34,8 @@ inline MaskOf<T> spheres_overlap(const T& distance2, const T& reach) {
 /// @param distance2 |r2 - r1|^2
 /// @param reach sum of the radii, m
 template <class T>
-inline Vector3<T> contact_force(const Vector3<T>& apart, const T& distance2, const T& reach, const ContactEnd<T>& first,
-                                const ContactEnd<T>& second) {
+MENGER_HOST_DEVICE inline Vector3<T> contact_force(const Vector3<T>& apart, const T& distance2, const T& reach,
+                                                   const ContactEnd<T>& first, const ContactEnd<T>& second) {
   using std::sqrt;
   const T zero = constant<T>(0.0);
   const T distance = sqrt(distance2);

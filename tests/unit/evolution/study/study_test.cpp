@@ -289,6 +289,17 @@ TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentity) {
   EXPECT_NE(identity_text(read(head + "[time]\nmeasure_from_s = 1\n")), usual);
 }
 
+TEST_F(StudyFile, TheDeviceBelongsToTheIdentityUnlessItIsTheProcessor) {
+  const Study usual = read("preset = \"paper\"\n");
+  EXPECT_EQ(usual.device, io::Device::cpu);
+  EXPECT_EQ(identity_text(usual).find("device"), std::string::npos) << "archives of earlier versions go on";
+  const Study on_device = read("preset = \"paper\"\n[evaluation]\ndevice = \"cuda\"\n");
+  EXPECT_EQ(on_device.device, io::Device::cuda);
+  EXPECT_NE(identity_text(on_device), identity_text(usual));
+  EXPECT_EQ(study_from_text(resolved_text(on_device), "resolved.toml"), on_device);
+  EXPECT_NE(evaluator_of(on_device)->physics(), evaluator_of(usual)->physics());
+}
+
 TEST_F(StudyFile, RefusesAWindowThatIsNoPartOfTheEvaluation) {
   const std::string head = "preset = \"paper\"\n[time]\nduration_s = 2\n";
   expect_refused(head + "measure_from_s = -0.5\n", {"study.toml:4", "time.measure_from_s = -0.5"});
